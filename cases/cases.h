@@ -1,0 +1,44 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "cases/mechanism.h"
+
+namespace desmo {
+
+/// The scalable four-bar: a crank and K dyads, 3 + 3 K coordinates, lengths in one free unit.
+/// Throws std::invalid_argument unless 1 ≤ dyads ≤ 10⁷.
+Mechanism four_bar(int dyads);
+
+/// The truck suspension: k axles of five groups, 3 + 111 k coordinates, metres.
+/// Throws std::invalid_argument unless 1 ≤ axles ≤ 10⁵.
+Mechanism truck_suspension(int axles);
+
+/// A scalable case of the suite.
+struct Case {
+  std::string_view name;
+  Mechanism (*build)(int units);
+  int base_coordinates;        ///< coordinates(units) = base + per_unit · units
+  int coordinates_per_unit;
+  std::vector<int> sizes;      ///< coordinates that are measured, the paper's five first
+  double seconds = 30;         ///< motion analysed, from t = 0
+  double step = 0.01;          ///< s
+};
+
+/// Every case there is, in the order of the paper's tables.
+std::span<const Case> cases();
+
+/// The case of that name. Throws std::invalid_argument, listing the names, when there is none.
+const Case& find_case(std::string_view name);
+
+/// A case at a number of coordinates. Throws std::invalid_argument, saying which sizes exist,
+/// when no whole number of units gives it.
+Mechanism build(const Case& definition, int coordinates);
+
+/// Instants from 0 to `seconds`, both included. Throws std::invalid_argument unless both are
+/// positive and finite and the grid has at most 10⁹ instants.
+TimeGrid time_grid(double seconds, double step);
+
+}  // namespace desmo

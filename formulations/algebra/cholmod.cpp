@@ -1,0 +1,110 @@
+// Sparse Cholesky by SuiteSparse's CHOLMOD on the normal equations Φ_φᵀ Φ_φ, permuted beforehand
+// so that CHOLMOD factorises in natural order and copies nothing. Ordering and symbolic analysis
+// once; the memory of the numeric factor is reused.
+
+#include <cholmod.h>
+
+#include <numeric>
+#include <stdexcept>
+
+#include "formulations/algebra/backend.h"
+#include "formulations/algebra/normal_equations.h"
+
+namespace desmo {
+
+namespace {
+
+cholmod_sparse view(NormalEquations& normal) {
+  cholmod_sparse a{};
+  a.nrow = a.ncol = static_cast<std::size_t>(normal.n());
+  a.nzmax = normal.row().size();
+  a.p = normal.column_start().data();
+  a.i = normal.row().data();
+  a.x = normal.values().data();
+  a.stype = 1;  // upper triangle
+  a.itype = CHOLMOD_INT;
+  a.xtype = CHOLMOD_REAL;
+  a.dtype = CHOLMOD_DOUBLE;
+  a.sorted = a.packed = 1;
+  return a;
+}
+
+std::vector<int> identity(int n) {
+  std::vector<int> p(n);
+  std::iota(p.begin(), p.end(), 0);
+  return p;
+}
+
+/// The fill-reducing order that CHOLMOD itself finds best.
+std::vector<int> fill_reducing_order(const Pattern& pattern) {
+  NormalEquations normal(pattern, identity(pattern.n));
+  cholmod_common common;
+  cholmod_start(&common);
+  cholmod_sparse a = view(normal);
+  cholmod_factor* l = cholmod_analyze(&a, &common);
+  std::vector<int> order;
+  if (l) order.assign(static_cast<int*>(l->Perm), static_cast<int*>(l->Perm) + pattern.n);
+  cholmod_free_factor(&l, &common);
+  cholmod_finish(&common);
+  if (order.empty()) throw std::invalid_argument("CHOLMOD: the Jacobian could not be analysed");
+  return order;
+}
+
+class Cholmod {
+ public:
+  static constexpr bool keeps_pivots = false;
+
+  explicit Cholmod(const Pattern& pattern) : normal_(pattern, fill_reducing_order(pattern)) {
+    cholmod_start(&common_);
+    common_.nmethods = 1;
+    common_.method[0].ordering = CHOLMOD_NATURAL;
+    common_.postorder = false;
+    common_.supernodal = CHOLMOD_SIMPLICIAL;  // the columns are too short for BLAS to pay
+    common_.print = 0;
+    a_ = view(normal_);
+    l_ = cholmod_analyze(&a_, &common_);
+    right_ = cholmod_allocate_dense(normal_.n(), 1, normal_.n(), CHOLMOD_REAL, &common_);
+    if (!l_ || !right_) throw std::invalid_argument("CHOLMOD: the Jacobian could not be analysed");
+  }
+  Cholmod(const Cholmod&) = delete;
+  Cholmod& operator=(const Cholmod&) = delete;
+  ~Cholmod() {
+    cholmod_free_dense(&x_, &common_);
+    cholmod_free_dense(&y_, &common_);
+    cholmod_free_dense(&e_, &common_);
+    cholmod_free_dense(&right_, &common_);
+    cholmod_free_factor(&l_, &common_);
+    cholmod_finish(&common_);
+  }
+
+  bool factor(const double* values) {
+    values_ = values;
+    normal_.refill(values);
+    return cholmod_factorize(&a_, l_, &common_) && common_.status == CHOLMOD_OK;
+  }
+
+  void solve(double* b) {
+    normal_.transposed_product(values_, b, static_cast<double*>(right_->x));
+    cholmod_solve2(CHOLMOD_A, l_, right_, nullptr, &x_, nullptr, &y_, &e_, &common_);
+    normal_.unpermute(static_cast<const double*>(x_->x), b);
+  }
+
+ private:
+  NormalEquations normal_;
+  cholmod_common common_;
+  cholmod_sparse a_{};
+  cholmod_factor* l_ = nullptr;
+  cholmod_dense *right_ = nullptr, *x_ = nullptr, *y_ = nullptr, *e_ = nullptr;
+  const double* values_ = nullptr;  // those factorised last
+};
+
+}  // namespace
+
+extern const Backend cholmod_backend;
+const Backend cholmod_backend{"cholmod", false, &make_newton_part<Cholmod>, [] {
+                                return std::to_string(CHOLMOD_MAIN_VERSION) + "." +
+                                       std::to_string(CHOLMOD_SUB_VERSION) + "." +
+                                       std::to_string(CHOLMOD_SUBSUB_VERSION);
+                              }};
+
+}  // namespace desmo

@@ -1,0 +1,52 @@
+// Dense LU with partial pivoting by LAPACK's dgetrf and dgetrs, as OpenBLAS provides them.
+
+#include <vector>
+
+#include "formulations/algebra/backend.h"
+#include "formulations/algebra/dense.h"
+
+extern "C" {
+void dgetrf_(const int* m, const int* n, double* a, const int* lda, int* ipiv, int* info);
+void dgetrs_(const char* trans, const int* n, const int* nrhs, const double* a, const int* lda,
+             const int* ipiv, double* b, const int* ldb, int* info);
+char* openblas_get_config();
+}
+
+namespace desmo {
+
+namespace {
+
+class Lapack {
+ public:
+  static constexpr bool keeps_pivots = false;
+
+  explicit Lapack(const Pattern& pattern)
+      : n_(pattern.n), scatter_(pattern), lu_(static_cast<std::size_t>(n_) * n_), pivots_(n_) {}
+
+  bool factor(const double* values) {
+    scatter_(values, lu_.data());
+    int info = 0;
+    dgetrf_(&n_, &n_, lu_.data(), &n_, pivots_.data(), &info);
+    return info == 0;
+  }
+
+  void solve(double* b) {
+    const int one = 1;
+    int info = 0;
+    dgetrs_("N", &n_, &one, lu_.data(), &n_, pivots_.data(), b, &n_, &info);
+  }
+
+ private:
+  int n_;
+  DenseScatter scatter_;
+  std::vector<double> lu_;  // by columns
+  std::vector<int> pivots_;
+};
+
+}  // namespace
+
+extern const Backend lapack_backend;
+const Backend lapack_backend{"lapack", true, &make_newton_part<Lapack>,
+                             [] { return std::string(openblas_get_config()); }};
+
+}  // namespace desmo

@@ -1,0 +1,72 @@
+// Sparse LU by SuiteSparse's UMFPACK (GPL): analysis once; it has no numeric refactorisation, so
+// every factorisation pivots anew and allocates inside.
+
+#include <umfpack.h>
+
+#include <stdexcept>
+
+#include "formulations/algebra/backend.h"
+
+namespace desmo {
+
+namespace {
+
+class Umfpack {
+ public:
+  static constexpr bool keeps_pivots = false;
+
+  explicit Umfpack(const Pattern& pattern)
+      : n_(pattern.n),
+        start_(pattern.column_start),
+        row_(pattern.row),
+        right_(n_),
+        work_(n_),
+        index_work_(n_) {
+    umfpack_di_defaults(control_);
+    control_[UMFPACK_IRSTEP] = 0;                   // Newton refines
+    control_[UMFPACK_SCALE] = UMFPACK_SCALE_NONE;   // these matrices need none
+    if (umfpack_di_symbolic(n_, n_, start_.data(), row_.data(), nullptr, &symbolic_, control_,
+                            nullptr) != UMFPACK_OK)
+      throw std::invalid_argument("UMFPACK: the Jacobian could not be analysed");
+  }
+  Umfpack(const Umfpack&) = delete;
+  Umfpack& operator=(const Umfpack&) = delete;
+  ~Umfpack() {
+    umfpack_di_free_numeric(&numeric_);
+    umfpack_di_free_symbolic(&symbolic_);
+  }
+
+  bool factor(const double* values) {
+    umfpack_di_free_numeric(&numeric_);
+    values_ = values;
+    return umfpack_di_numeric(start_.data(), row_.data(), values, symbolic_, &numeric_, control_,
+                              nullptr) == UMFPACK_OK;
+  }
+
+  void solve(double* b) {
+    std::copy_n(b, n_, right_.begin());
+    umfpack_di_wsolve(UMFPACK_A, start_.data(), row_.data(), values_, b, right_.data(), numeric_,
+                      control_, nullptr, index_work_.data(), work_.data());
+  }
+
+ private:
+  int n_;
+  std::vector<int> start_, row_;
+  std::vector<double> right_, work_;
+  std::vector<int> index_work_;
+  const double* values_ = nullptr;  // those factorised last
+  double control_[UMFPACK_CONTROL];
+  void* symbolic_ = nullptr;
+  void* numeric_ = nullptr;
+};
+
+}  // namespace
+
+extern const Backend umfpack_backend;
+const Backend umfpack_backend{"umfpack", false, &make_newton_part<Umfpack>, [] {
+                                return std::to_string(UMFPACK_MAIN_VERSION) + "." +
+                                       std::to_string(UMFPACK_SUB_VERSION) + "." +
+                                       std::to_string(UMFPACK_SUBSUB_VERSION);
+                              }};
+
+}  // namespace desmo

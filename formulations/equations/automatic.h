@@ -1,0 +1,59 @@
+#pragma once
+
+#include <array>
+#include <tuple>
+#include <vector>
+
+#include "cases/mechanism.h"
+#include "formulations/equations/pattern.h"
+#include "formulations/partition.h"
+
+namespace desmo {
+
+/// Automatic equations: a loop over the constraint objects of a part. Objects of one kind stand
+/// together, so that no call in the loop is virtual; the positions of their partial derivatives
+/// are looked up once.
+///
+/// This class and SymbolicEquations meet the same contract, which NewtonPart relies on. `state`
+/// and `rate` are the state and its time derivative (Mechanism::state_size()), `values` has
+/// pattern().size() values, `phi` and `gamma` pattern().n.
+class AutomaticEquations {
+ public:
+  AutomaticEquations(const Mechanism& mechanism, const PartDefinition& part);
+
+  const Pattern& pattern() const { return pattern_; }
+
+  /// Partial derivatives that never change: called once, before the others.
+  void constant_jacobian(double* values) const;
+  /// phi = Φ, overwritten.
+  void residual(const double* state, double* phi) const;
+  /// Writes the entries of Φ_φ that change, except those of constant_jacobian().
+  void jacobian(const double* state, double* values) const;
+  /// Writes the entries of Φ_h that change; the loop of jacobian() has already done so.
+  void known_jacobian(const double*, double*) const {}
+  /// gamma = Φ̇_q q̇ (eq. 4), overwritten.
+  void quadratic(const double* state, const double* rate, double* gamma) const;
+
+ private:
+  template <class Kind>
+  struct Batch {
+    struct Object {
+      std::array<int, Kind::operand_sizes.size()> operands;  // in the state
+      std::array<double, Kind::constants> constants;
+      int row;
+      std::array<int, Kind::entries> slots;
+    };
+    std::vector<Object> objects;
+  };
+  template <class Tuple>
+  struct BatchesOf;
+  template <class... Kinds>
+  struct BatchesOf<std::tuple<Kinds...>> {
+    using type = std::tuple<Batch<Kinds>...>;
+  };
+
+  Pattern pattern_;
+  BatchesOf<ConstraintKinds>::type batches_;
+};
+
+}  // namespace desmo

@@ -1,0 +1,50 @@
+#include "formulations/equations/pattern.h"
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+
+namespace desmo {
+
+PatternWithSlots make_pattern(const Mechanism& m, const PartDefinition& part,
+                              std::span<const JacobianEntry> entries) {
+  Pattern p;
+  p.n = static_cast<int>(part.unknowns.size());
+  p.unknowns = part.unknowns;
+
+  std::vector<int> column(m.state_size(), -1);  // of an unknown
+  for (int j = 0; j < p.n; ++j) column[part.unknowns[j]] = j;
+  std::vector<bool> at_rest = constant_coordinates(m);
+  at_rest.resize(m.state_size(), true);
+
+  // Order: unknown columns ascending with rows ascending; then known by row; then what rests.
+  const auto rank = [&](const JacobianEntry& e) {
+    if (column[e.state] >= 0) return std::array{0, column[e.state], e.row};
+    if (!at_rest[e.state]) return std::array{1, e.row, e.state};
+    return std::array{2, 0, 0};
+  };
+  std::vector<int> order(entries.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, {}, [&](int i) { return rank(entries[i]); });
+
+  std::vector<int> slots(entries.size());
+  p.column_start.assign(p.n + 1, 0);
+  std::array<int, 3> previous{-1, -1, -1};
+  for (const int i : order) {
+    const auto r = rank(entries[i]);
+    if (r[0] < 2 && r == previous)
+      throw std::invalid_argument(m.name + ": an equation refers to the same coordinate twice");
+    previous = r;
+    slots[i] = p.dependent_entries() + static_cast<int>(p.known.size());
+    if (r[0] == 0) {
+      p.row.push_back(entries[i].row);
+      ++p.column_start[r[1] + 1];
+    } else if (r[0] == 1) {
+      p.known.push_back(entries[i]);
+    }
+  }
+  std::partial_sum(p.column_start.begin(), p.column_start.end(), p.column_start.begin());
+  return {std::move(p), std::move(slots)};
+}
+
+}  // namespace desmo

@@ -1,0 +1,98 @@
+#include "formulations/formulation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace desmo {
+
+std::string describe(const Summary& s, const Mechanism& m) {
+  char text[160];
+  if (s.ok()) {
+    std::snprintf(text, sizeof text, "converged: %ld instants, %ld iterations, residual %.2e",
+                  s.instants, s.iterations, s.residual);
+    return text;
+  }
+  const char* reason = s.status == Status::singular        ? "singular Jacobian"
+                       : s.status == Status::not_converged ? "no convergence"
+                                                           : "the equations are not finite";
+  std::snprintf(text, sizeof text, "%s at t = %.9g s, residual %.2e, ", reason, s.time, s.residual);
+  return text + ("group '" + m.groups[s.group].name) + "', constraint '" +
+         m.constraints[s.constraint].name + "'";
+}
+
+Formulation::Formulation(const Mechanism& mechanism, std::vector<DefinedPart> parts)
+    : mechanism_(mechanism), parts_(std::move(parts)) {
+  state_.q.resize(mechanism_.state_size());
+  state_.qd.resize(mechanism_.state_size());
+  state_.qdd.resize(mechanism_.state_size());
+}
+
+void Formulation::drive(double t) {
+  for (const Driver& d : mechanism_.drivers) {
+    const int i = mechanism_.entities[d.coordinate].first;
+    const MotionSample<double> z = sample(d.motion, t);
+    state_.q[i] = z.position;
+    state_.qd[i] = z.velocity;
+    state_.qdd[i] = z.acceleration;
+  }
+}
+
+Summary Formulation::solve_parts(double t, Level level, bool constant) {
+  Summary summary;
+  summary.time = t;
+  double residual2 = 0;
+  for (auto& [definition, solver] : parts_) {
+    if (definition.constant != constant) continue;
+    const PartResult r = solver->solve(state_, level);
+    residual2 += r.residual * r.residual;
+    summary.iterations = std::max<long>(summary.iterations, r.iterations);
+    if (r.status != Status::converged) {
+      summary.status = r.status;
+      summary.constraint = constraint_of_row(mechanism_, definition)[r.worst_row];
+      summary.group = mechanism_.constraints[summary.constraint].group;
+      break;
+    }
+  }
+  summary.residual = std::sqrt(residual2);
+  summary.instants = summary.ok();
+  return summary;
+}
+
+Summary Formulation::assemble(double t, Level level) {
+  std::ranges::copy(mechanism_.estimate, state_.q.begin());
+  std::ranges::copy(mechanism_.fixed_values, state_.q.begin() + mechanism_.coordinates());
+  std::ranges::fill(state_.qd, 0.0);
+  std::ranges::fill(state_.qdd, 0.0);
+  const Summary constant = solve_parts(t, level, true);
+  return constant.ok() ? step(t, level) : constant;
+}
+
+Summary Formulation::step(double t, Level level) {
+  drive(t);
+  return solve_parts(t, level, false);
+}
+
+Summary Formulation::run(const TimeGrid& grid, const Request& request, Sink& sink) {
+  Summary total;
+  for (int i = 0; i < grid.instants; ++i) {
+    const double t = grid.time(i);
+    const Summary s = i == 0 ? assemble(t, request.level) : step(t, request.level);
+    total.time = t;
+    total.iterations += s.iterations;
+    if (!s.ok()) {
+      total.status = s.status;
+      total.group = s.group;
+      total.constraint = s.constraint;
+      total.residual = s.residual;
+      return total;
+    }
+    ++total.instants;
+    total.residual = std::max(total.residual, s.residual);
+    sink.accept({i, t, q(), request.level >= Level::velocity ? qd() : std::span<const double>{},
+                 request.level >= Level::acceleration ? qdd() : std::span<const double>{}});
+  }
+  return total;
+}
+
+}  // namespace desmo

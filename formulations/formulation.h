@@ -1,0 +1,90 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "cases/mechanism.h"
+#include "cases/motion.h"
+#include "formulations/part.h"
+#include "formulations/partition.h"
+
+namespace desmo {
+
+/// What is asked of an analysis.
+struct Request {
+  Level level = Level::acceleration;
+};
+
+/// One solved instant. The spans are in coordinate order and valid until the next step; those
+/// beyond the requested level are empty.
+struct Instant {
+  int index;
+  double time;  ///< s
+  std::span<const double> q, qd, qdd;
+};
+
+/// Receives solved instants in order of time.
+class Sink {
+ public:
+  virtual ~Sink() = default;
+  virtual void accept(const Instant& instant) = 0;
+};
+
+/// What became of a step, or of a whole run.
+struct Summary {
+  Status status = Status::converged;
+  long instants = 0;       ///< solved
+  long iterations = 0;     ///< Newton iterations, the largest of any part, summed over instants
+  double residual = 0;     ///< largest ‖Φ‖₂ of the whole mechanism accepted, or that which failed
+  GroupId group = -1;      ///< on failure, the group of the equation that is worst satisfied
+  int constraint = -1;     ///< on failure, that equation's constraint
+  double time = 0;         ///< of the last instant tried, s
+  bool ok() const { return status == Status::converged; }
+};
+
+/// A sentence for people: the status and, on failure, the group, the constraint and the time.
+std::string describe(const Summary& summary, const Mechanism& mechanism);
+
+/// One way of solving the kinematics of a mechanism: an ordered list of parts. The mechanism is
+/// read only and must outlive the formulation; the formulation owns all that changes.
+class Formulation {
+ public:
+  struct DefinedPart {
+    PartDefinition definition;
+    std::unique_ptr<Part> solver;
+  };
+
+  Formulation(const Mechanism& mechanism, std::vector<DefinedPart> parts);
+
+  /// Assembles the mechanism at time t from its initial estimate, whatever was solved before.
+  Summary assemble(double t, Level level = Level::acceleration);
+  /// Solves at time t, starting from the positions of the last instant solved. After a failure
+  /// the state is unspecified until assemble().
+  Summary step(double t, Level level = Level::acceleration);
+  /// Assembles at the first instant of the grid and steps through the others, handing each to
+  /// the sink. Stops at the first failure.
+  Summary run(const TimeGrid& grid, const Request& request, Sink& sink);
+
+  const Mechanism& mechanism() const { return mechanism_; }
+  const std::vector<DefinedPart>& parts() const { return parts_; }
+
+  /// The instant solved last, in coordinate order.
+  std::span<const double> q() const { return coordinates(state_.q); }
+  std::span<const double> qd() const { return coordinates(state_.qd); }
+  std::span<const double> qdd() const { return coordinates(state_.qdd); }
+
+ private:
+  std::span<const double> coordinates(const std::vector<double>& v) const {
+    return {v.data(), static_cast<std::size_t>(mechanism_.coordinates())};
+  }
+  void drive(double t);
+  Summary solve_parts(double t, Level level, bool constant);
+
+  const Mechanism& mechanism_;
+  std::vector<DefinedPart> parts_;
+  State state_;
+};
+
+}  // namespace desmo

@@ -1,0 +1,118 @@
+#include "formulations/generate/expression.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace desmo::generate {
+
+namespace {
+
+Graph* current_graph = nullptr;
+
+double apply(Op op, double a, double b) {
+  switch (op) {
+    case Op::add: return a + b;
+    case Op::subtract: return a - b;
+    case Op::multiply: return a * b;
+    case Op::divide: return a / b;
+    case Op::negate: return -a;
+    case Op::sine: return std::sin(a);
+    case Op::cosine: return std::cos(a);
+    case Op::constant:
+    case Op::input: break;
+  }
+  throw std::logic_error("not an operation");
+}
+
+}  // namespace
+
+Graph::Graph(int samples) : sample_count_(samples) {
+  if (current_graph) throw std::logic_error("one graph at a time");
+  current_graph = this;
+}
+
+Graph::~Graph() { current_graph = nullptr; }
+
+Graph& Graph::current() { return *current_graph; }
+
+int Graph::add(Node node, std::vector<double> sample_values) {
+  nodes_.push_back(std::move(node));
+  samples_.push_back(std::move(sample_values));
+  return size() - 1;
+}
+
+int Graph::input(std::string name, std::vector<double> sample_values) {
+  return add({Op::input, -1, -1, 0, std::move(name)}, std::move(sample_values));
+}
+
+int Graph::constant(double value) {
+  if (value == 0) value = 0;  // no negative zero
+  const auto it = constants_.find(value);
+  if (it != constants_.end()) return it->second;
+  return constants_[value] =
+             add({Op::constant, -1, -1, value, {}}, std::vector<double>(sample_count_, value));
+}
+
+bool Graph::is(int id, double value) const {
+  return nodes_[id].op == Op::constant && nodes_[id].value == value;
+}
+
+int Graph::find_or_add(Op op, int a, int b) {
+  const auto it = operations_.find({op, a, b});
+  if (it != operations_.end()) return it->second;
+  std::vector<double> values(sample_count_);
+  for (int s = 0; s < sample_count_; ++s)
+    values[s] = apply(op, samples_[a][s], b < 0 ? 0 : samples_[b][s]);
+  return operations_[{op, a, b}] = add({op, a, b, 0, {}}, std::move(values));
+}
+
+int Graph::unary(Op op, int a) {
+  const Node n = nodes_[a];
+  if (n.op == Op::constant) return constant(apply(op, n.value, 0));
+  if (op == Op::negate && n.op == Op::negate) return n.a;
+  if (op == Op::negate && n.op == Op::subtract) return binary(Op::subtract, n.b, n.a);
+  return find_or_add(op, a, -1);
+}
+
+int Graph::binary(Op op, int a, int b) {
+  const Node l = nodes_[a], r = nodes_[b];
+  if (l.op == Op::constant && r.op == Op::constant) return constant(apply(op, l.value, r.value));
+  const bool left_negated = l.op == Op::negate, right_negated = r.op == Op::negate;
+  switch (op) {
+    case Op::add:
+      if (is(a, 0)) return b;
+      if (is(b, 0)) return a;
+      if (right_negated) return binary(Op::subtract, a, r.a);
+      if (left_negated) return binary(Op::subtract, b, l.a);
+      break;
+    case Op::subtract:
+      if (is(b, 0)) return a;
+      if (is(a, 0)) return unary(Op::negate, b);
+      if (a == b) return constant(0);
+      if (right_negated) return binary(Op::add, a, r.a);
+      if (left_negated) return unary(Op::negate, binary(Op::add, l.a, b));
+      break;
+    case Op::multiply:
+      if (is(a, 0) || is(b, 0)) return constant(0);
+      if (is(a, 1)) return b;
+      if (is(b, 1)) return a;
+      if (is(a, -1)) return unary(Op::negate, b);
+      if (is(b, -1)) return unary(Op::negate, a);
+      if (left_negated) return unary(Op::negate, binary(Op::multiply, l.a, b));
+      if (right_negated) return unary(Op::negate, binary(Op::multiply, a, r.a));
+      break;
+    case Op::divide:
+      if (is(a, 0)) return constant(0);
+      if (is(b, 1)) return a;
+      if (is(b, -1)) return unary(Op::negate, a);
+      if (left_negated) return unary(Op::negate, binary(Op::divide, l.a, b));
+      if (right_negated) return unary(Op::negate, binary(Op::divide, a, r.a));
+      break;
+    default: break;
+  }
+  if ((op == Op::add || op == Op::multiply) && a > b) std::swap(a, b);
+  return find_or_add(op, a, b);
+}
+
+}  // namespace desmo::generate

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace desmo::generate {
+
+enum class Op { constant, input, add, subtract, multiply, divide, negate, sine, cosine };
+
+/// A node of the expression graph. Nodes are numbered in an order in which operands come first.
+struct Node {
+  Op op;
+  int a = -1, b = -1;  ///< operands
+  double value = 0;    ///< of a constant
+  std::string name;    ///< of an input
+};
+
+/// The graph that recording scalars write. Equal expressions are one node, and constants are
+/// folded. Each node carries its value at a number of sample points, so that an elimination can
+/// look at the sizes of its pivots while it is being recorded.
+class Graph {
+ public:
+  /// Until its destruction, the graph that Expr writes; one at a time.
+  explicit Graph(int samples);
+  ~Graph();
+  Graph(const Graph&) = delete;
+  Graph& operator=(const Graph&) = delete;
+
+  static Graph& current();
+
+  /// A new input with its value at each sample point.
+  int input(std::string name, std::vector<double> sample_values);
+  int constant(double value);
+  int unary(Op op, int a);
+  int binary(Op op, int a, int b);
+
+  const Node& node(int id) const { return nodes_[id]; }
+  int size() const { return static_cast<int>(nodes_.size()); }
+  const std::vector<double>& samples(int id) const { return samples_[id]; }
+  /// Whether the expression is this number.
+  bool is(int id, double value) const;
+
+ private:
+  int add(Node node, std::vector<double> sample_values);
+  int find_or_add(Op op, int a, int b);
+
+  int sample_count_;
+  std::vector<Node> nodes_;
+  std::vector<std::vector<double>> samples_;
+  std::map<std::tuple<Op, int, int>, int> operations_;
+  std::map<double, int> constants_;
+};
+
+/// The recording scalar: arithmetic on it builds the current graph.
+class Expr {
+ public:
+  Expr() : Expr(0.0) {}
+  Expr(double value) : id_(Graph::current().constant(value)) {}
+  static Expr node(int id) { return Expr(id, 0); }
+
+  int id() const { return id_; }
+  bool is_zero() const { return Graph::current().is(id_, 0); }
+  bool is_constant() const { return Graph::current().node(id_).op == Op::constant; }
+
+  friend Expr operator+(Expr a, Expr b) { return binary(Op::add, a, b); }
+  friend Expr operator-(Expr a, Expr b) { return binary(Op::subtract, a, b); }
+  friend Expr operator*(Expr a, Expr b) { return binary(Op::multiply, a, b); }
+  friend Expr operator/(Expr a, Expr b) { return binary(Op::divide, a, b); }
+  friend Expr operator-(Expr a) { return unary(Op::negate, a); }
+  friend Expr sin(Expr a) { return unary(Op::sine, a); }
+  friend Expr cos(Expr a) { return unary(Op::cosine, a); }
+
+ private:
+  Expr(int id, int) : id_(id) {}
+  static Expr binary(Op op, Expr a, Expr b) {
+    return node(Graph::current().binary(op, a.id_, b.id_));
+  }
+  static Expr unary(Op op, Expr a) { return node(Graph::current().unary(op, a.id_)); }
+
+  int id_;
+};
+
+}  // namespace desmo::generate

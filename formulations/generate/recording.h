@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "formulations/generate/expression.h"
+#include "formulations/group_type.h"
+
+namespace desmo::generate {
+
+/// A partial derivative ∂Φ_row/∂input of a recorded group.
+struct RecordedEntry {
+  int row, input;
+  Expr value;
+};
+
+/// The equations of a group type as expressions over its local inputs (named in[i]), their rates
+/// and its dimensions.
+struct RecordedGroup {
+  std::vector<Expr> q, qd, qdd;  ///< of each input; rates of fixed ones are zero
+  std::vector<Expr> phi;         ///< Φ
+  std::vector<Expr> gamma;       ///< Φ̇_q q̇
+  std::vector<RecordedEntry> constant, dependent, known;  ///< Φ_q; fixed inputs left out
+};
+
+/// One place of the type to sample: positions of its inputs, and its dimensions.
+struct SamplePoint {
+  std::vector<double> q, constants;
+};
+
+/// Runs the constraint code of a group type on the recording scalar, in the current graph.
+RecordedGroup record(const GroupType& type, const std::vector<SamplePoint>& samples);
+
+/// Name of an input as a C++ variable, unique within the type.
+std::string variable_name(const GroupType& type, int input);
+
+}  // namespace desmo::generate

@@ -1,0 +1,35 @@
+#include "formulations/inlined_part.h"
+
+#include <cmath>
+
+namespace desmo {
+
+InlinedPart::InlinedPart(BoundKernel bound, double tolerance, int max_iterations,
+                         std::unique_ptr<Part> fallback, std::vector<int> unknowns)
+    : bound_(std::move(bound)),
+      tolerance2_(tolerance * tolerance),
+      max_iterations_(max_iterations),
+      fallback_(std::move(fallback)),
+      unknowns_(std::move(unknowns)),
+      start_(unknowns_.size()) {}
+
+PartResult InlinedPart::solve(State& s, Level level) {
+  const int* in = bound_.inputs.data();
+  const double* c = bound_.constants.data();
+  for (std::size_t i = 0; i < unknowns_.size(); ++i) start_[i] = s.q[unknowns_[i]];
+
+  const InlinedResult position =
+      bound_.kernel->position(s.q.data(), in, c, tolerance2_, max_iterations_);
+  bool good = position.pivots_good && position.residual2 < tolerance2_;  // false for NaN, too
+  if (good && level != Level::position) {
+    double* acc = level == Level::acceleration ? s.qdd.data() : nullptr;
+    good = bound_.kernel->rates(s.q.data(), s.qd.data(), acc, in, c);
+  }
+  if (good) return {Status::converged, position.iterations, std::sqrt(position.residual2), -1};
+
+  ++fallbacks_;
+  for (std::size_t i = 0; i < unknowns_.size(); ++i) s.q[unknowns_[i]] = start_[i];
+  return fallback_->solve(s, level);
+}
+
+}  // namespace desmo

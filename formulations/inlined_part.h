@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+
+#include "formulations/equations/symbolic.h"
+#include "formulations/part.h"
+
+namespace desmo {
+
+/// One group solved by generated code throughout: equations, elimination in a pivot order fixed
+/// at generation time, and substitution. When a pivot turns out too small, or the iterations do
+/// not converge, the step is left to `fallback`, which pivots; fallbacks() counts these steps.
+class InlinedPart final : public Part {
+ public:
+  InlinedPart(BoundKernel bound, double tolerance, int max_iterations,
+              std::unique_ptr<Part> fallback, std::vector<int> unknowns);
+
+  PartResult solve(State& state, Level level) override;
+
+  long fallbacks() const { return fallbacks_; }
+
+ private:
+  BoundKernel bound_;
+  double tolerance2_;
+  int max_iterations_;
+  std::unique_ptr<Part> fallback_;
+  std::vector<int> unknowns_;
+  std::vector<double> start_;  // unknowns at the start of the step
+  long fallbacks_ = 0;
+};
+
+}  // namespace desmo

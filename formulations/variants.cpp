@@ -1,0 +1,81 @@
+#include "formulations/variants.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "formulations/algebra/backend.h"
+#include "formulations/inlined_part.h"
+
+namespace desmo {
+
+namespace {
+
+std::vector<Variant> make_variants() {
+  std::vector<Variant> table;
+  for (const auto& [partition, partition_name] :
+       {std::pair{Partition::global, "global"}, std::pair{Partition::group, "group"}})
+    for (const auto& [evaluation, evaluation_name] :
+         {std::pair{Evaluation::automatic, "automatic"}, std::pair{Evaluation::symbolic, "symbolic"}})
+      for (const Backend* backend : backends())
+        table.push_back({std::string(partition_name) + "_" + evaluation_name + "_" +
+                             std::string(backend->name),
+                         partition, evaluation, backend});
+  table.push_back({"group_symbolic_inlined", Partition::group, Evaluation::symbolic, nullptr});
+  return table;
+}
+
+/// What inlined parts fall back to: it pivots, and allocates nothing.
+const Backend& pivoting_backend() {
+  return **std::ranges::find(backends(), "eigen", [](const Backend* b) { return b->name; });
+}
+
+}  // namespace
+
+std::span<const Variant> variants() {
+  static const std::vector<Variant> table = make_variants();
+  return table;
+}
+
+const Variant& find_variant(std::string_view id) {
+  const auto it = std::ranges::find(variants(), id, &Variant::id);
+  if (it != variants().end()) return *it;
+  std::string known;
+  for (const Variant& v : variants()) known += "\n  " + v.id;
+  throw std::invalid_argument("unknown formulation '" + std::string(id) + "'; there are:" + known);
+}
+
+std::string_view algebra_name(const Variant& v) { return v.backend ? v.backend->name : "inlined"; }
+
+bool is_dense_global(const Variant& v) {
+  return v.partition == Partition::global && v.backend && v.backend->dense;
+}
+
+bool has_phases(const Variant& v) { return v.backend != nullptr; }
+
+std::unique_ptr<Formulation> make_formulation(const Variant& v, const Mechanism& m,
+                                              const Settings& settings, Profile* profile) {
+  std::vector<PartDefinition> definitions = make_partition(m, v.partition);
+  // With p parts, each within tolerance/√p, the whole mechanism is within the tolerance.
+  const double tolerance = settings.tolerance / std::sqrt(static_cast<double>(definitions.size()));
+
+  std::vector<Formulation::DefinedPart> parts;
+  for (PartDefinition& d : definitions) {
+    const PartContext context{m, d, v.evaluation, tolerance, settings.max_iterations, profile};
+    const Backend& backend = v.backend ? *v.backend : pivoting_backend();
+    std::unique_ptr<Part> part = backend.make_part(context);
+    if (!v.backend)
+      part = std::make_unique<InlinedPart>(bind_kernel(m, d.groups.front()), tolerance,
+                                           settings.max_iterations, std::move(part), d.unknowns);
+    parts.push_back({std::move(d), std::move(part)});
+  }
+  return std::make_unique<Formulation>(m, std::move(parts));
+}
+
+std::vector<std::pair<std::string, std::string>> library_versions() {
+  std::vector<std::pair<std::string, std::string>> result;
+  for (const Backend* b : backends()) result.emplace_back(b->name, b->version());
+  return result;
+}
+
+}  // namespace desmo

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "cases/mechanism.h"
+#include "formulations/formulation.h"
+#include "formulations/part.h"
+#include "formulations/partition.h"
+#include "formulations/profile.h"
+
+namespace desmo {
+
+struct Backend;
+enum class Evaluation;
+
+/// One formulation of the suite: a point on the three axes of the design.
+struct Variant {
+  std::string id;  ///< <partition>_<equations>_<algebra>
+  Partition partition;
+  Evaluation evaluation;
+  const Backend* backend;  ///< null: the elimination is generated (inlined)
+};
+
+/// Every variant of this build. Tests, benchmarks and documents iterate this table.
+std::span<const Variant> variants();
+
+/// The variant of that id. Throws std::invalid_argument, listing the ids, when there is none.
+const Variant& find_variant(std::string_view id);
+
+/// "lapack", "klu", …, "inlined".
+std::string_view algebra_name(const Variant& variant);
+
+/// Whether it solves all unknowns at once with dense matrices, at O(n³) a step.
+bool is_dense_global(const Variant& variant);
+
+/// Whether its phases can be measured apart (generated elimination has none).
+bool has_phases(const Variant& variant);
+
+/// Analyses the mechanism and allocates everything. `profile`, when given, must outlive the
+/// formulation and receives the time of its phases. Throws std::invalid_argument, naming the
+/// place, for a mechanism that it cannot solve.
+std::unique_ptr<Formulation> make_formulation(const Variant& variant, const Mechanism& mechanism,
+                                              const Settings& settings = {},
+                                              Profile* profile = nullptr);
+
+/// Libraries of the linear algebra in this build and their versions, by backend name.
+std::vector<std::pair<std::string, std::string>> library_versions();
+
+}  // namespace desmo
