@@ -20,7 +20,7 @@ PartResult InlinedPart::solve(State& s, Level level) {
 
   const InlinedResult position =
       bound_.kernel->position(s.q.data(), in, c, tolerance2_, max_iterations_);
-  bool good = position.pivots_good && position.residual2 < tolerance2_;  // false for NaN, too
+  bool good = position.residual2 < tolerance2_;  // false for NaN, too
   if (good && level != Level::position) {
     double* acc = level == Level::acceleration ? s.qdd.data() : nullptr;
     good = bound_.kernel->rates(s.q.data(), s.qd.data(), acc, in, c);

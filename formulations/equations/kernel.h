@@ -10,11 +10,10 @@ struct KernelEntry {
   int row, input;
 };
 
-/// Outcome of a generated elimination.
+/// Where a generated Newton iteration stopped.
 struct InlinedResult {
   int iterations;
-  double residual2;  ///< ‖Φ‖₂² where it stopped
-  bool pivots_good;  ///< false when a pivot was too small beside its column: q, q̇, q̈ are unusable
+  double residual2;  ///< ‖Φ‖₂²
 };
 
 /// Generated straight-line code for one type of group (see GroupType). `state`, `rate`, `acc` are
@@ -38,11 +37,12 @@ struct Kernel {
   void (*quadratic)(const double* state, const double* rate, const int* in, const double* c,
                     double* gamma);
 
-  /// Newton–Raphson with the elimination inlined, until ‖Φ‖₂² < tolerance2.
+  /// Newton–Raphson with the elimination inlined, until ‖Φ‖₂² < tolerance2 or no longer a number.
+  /// A pivot gone bad shows in the residual of the original equations.
   InlinedResult (*position)(double* state, const int* in, const double* c, double tolerance2,
                             int max_iterations);
   /// Velocities and (when acc is not null) accelerations of the unknowns at a solved position;
-  /// false when a pivot was too small.
+  /// false, and nothing usable, when a pivot was too small beside its column (PivotMonitor).
   bool (*rates)(const double* state, double* rate, double* acc, const int* in, const double* c);
 };
 

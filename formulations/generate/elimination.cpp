@@ -31,7 +31,9 @@ double relative_size(const Rows& rows, int row, int column) {
 }
 
 Candidate choose_pivot(const Rows& rows) {
-  constexpr double threshold = 0.1;
+  // Beside the largest of the column. A constant costs nothing to divide by, and what it lets
+  // through is bounded: KLU prefers its diagonal down to the same ratio.
+  constexpr double least_constant = 1e-3, least_variable = 0.1;
   std::map<int, int> column_count;
   for (const auto& r : rows)
     for (const auto& entry : r) ++column_count[entry.first];
@@ -42,16 +44,31 @@ Candidate choose_pivot(const Rows& rows) {
       const int fill = (static_cast<int>(rows[i].size()) - 1) * (column_count[j] - 1);
       const double size = relative_size(rows, i, j);
       const Candidate c{i, j, {!value.is_constant(), fill, -size}};
-      if (size >= threshold && (best.row < 0 || c.rank < best.rank)) best = c;
+      if (size >= (value.is_constant() ? least_constant : least_variable) &&
+          (best.row < 0 || c.rank < best.rank))
+        best = c;
       const Candidate l{i, j, {false, 0, -size}};
       if (largest.row < 0 || l.rank < largest.rank) largest = l;
     }
   return best.row >= 0 ? best : largest;
 }
 
+/// The largest |a| / |b| over the sample points.
+double largest_ratio(Expr a, Expr b) {
+  const auto& x = Graph::current().samples(a.id());
+  const auto& y = Graph::current().samples(b.id());
+  double largest = 0;
+  for (std::size_t s = 0; s < x.size(); ++s)
+    if (y[s] != 0) largest = std::max(largest, std::abs(x[s] / y[s]));
+  return largest;
+}
+
+/// How much worse than the worst sample a pivot may become before it is distrusted.
+constexpr double magnification_allowed = 1e3, cancellation_allowed = 1e6;
+
 }  // namespace
 
-Elimination::Elimination(Rows rows, const std::vector<std::string>& names) {
+Elimination::Elimination(Rows rows) {
   const std::size_t n = rows.size();
   while (steps_.size() < n) {
     const Candidate pivot = choose_pivot(rows);
@@ -62,7 +79,7 @@ Elimination::Elimination(Rows rows, const std::vector<std::string>& names) {
     pivot_row.erase(pivot.column);
 
     Step step{pivot.row, pivot.column, Expr(1) / p, {}, {pivot_row.begin(), pivot_row.end()}};
-    PivotMonitor monitor{names[pivot.column], p, {}, {}};
+    PivotMonitor monitor{p, {}, {}};
     for (int i = 0; i < static_cast<int>(n); ++i) {
       const auto it = rows[i].find(pivot.column);
       if (it == rows[i].end()) continue;
@@ -76,11 +93,14 @@ Elimination::Elimination(Rows rows, const std::vector<std::string>& names) {
           rows[i][j] = updated;
       }
       step.lower.emplace_back(i, multiplier);
-      monitor.multipliers.push_back(multiplier);
+      if (!multiplier.is_constant())
+        monitor.magnified.push_back(
+            {multiplier, magnification_allowed * (1 + largest_ratio(multiplier, Expr(1)))});
     }
     for (const Step& earlier : steps_)
       for (const auto& [j, value] : earlier.upper)
-        if (j == pivot.column) monitor.above.push_back(value);
+        if (j == pivot.column)
+          monitor.against.push_back({value, 1 / (cancellation_allowed * (1 + largest_ratio(value, p)))});
     if (!p.is_constant()) monitors_.push_back(std::move(monitor));
     steps_.push_back(std::move(step));
   }

@@ -7,22 +7,27 @@
 
 namespace desmo::generate {
 
-/// A condition under which the elimination is trusted at run time.
+/// Conditions under which a recorded pivot is trusted at run time: it must not be far smaller
+/// beside the entries of its column than it was at the worst of the sample points.
 struct PivotMonitor {
-  std::string name;              ///< of the unknown whose column it is
+  struct Bound {
+    Expr value;
+    double bound;
+  };
   Expr pivot;
-  std::vector<Expr> multipliers; ///< rows below, divided by the pivot
-  std::vector<Expr> above;       ///< entries of the column in rows eliminated before
+  std::vector<Bound> magnified;  ///< |value| < bound: a row below, divided by the pivot
+  std::vector<Bound> against;    ///< |pivot| > bound · |value|: a row eliminated before
 };
 
 /// Sparse Gaussian elimination of Φ_φ, recorded once in a pivot order that is fixed here.
 ///
 /// Pivots: constants first, then least fill (Markowitz), among those that at every sample point
-/// are at least a tenth of the largest entry of their column.
+/// are not too small beside the largest entry of their column.
 class Elimination {
  public:
   /// matrix[i][j]: entries of row i by column; absent ones are structurally zero.
-  Elimination(std::vector<std::map<int, Expr>> matrix, const std::vector<std::string>& names);
+  /// Throws std::invalid_argument when it is structurally singular.
+  explicit Elimination(std::vector<std::map<int, Expr>> matrix);
 
   /// x with Φ_φ x = b.
   std::vector<Expr> solve(std::vector<Expr> b) const;

@@ -20,6 +20,17 @@ bool is_leaf(int id) {
   return op == Op::constant || op == Op::input;
 }
 
+int precedence(Op op) {
+  switch (op) {
+    case Op::negate: return 0;  // never bare beside another operator
+    case Op::add:
+    case Op::subtract: return 1;
+    case Op::multiply:
+    case Op::divide: return 2;
+    default: return 4;
+  }
+}
+
 }  // namespace
 
 std::string literal(double value) {
@@ -55,18 +66,19 @@ std::string Emitter::text(Expr e) const { return text(e.id()); }
 std::string Emitter::text(int id) const {
   const Node& n = Graph::current().node(id);
   if (declared_.contains(id)) return "t" + std::to_string(id);
-  const auto operand = [&](int i) {
-    const std::string s = text(i);
-    return is_leaf(i) || declared_.contains(i) ? s : "(" + s + ")";
+  // Operands that bind less tightly than `least` are put in parentheses.
+  const auto operand = [&](int i, int least) {
+    const bool closed = declared_.contains(i) || precedence(Graph::current().node(i).op) >= least;
+    return closed ? text(i) : "(" + text(i) + ")";
   };
   switch (n.op) {
     case Op::constant: return literal(n.value);
     case Op::input: return n.name;
-    case Op::add: return text(n.a) + " + " + operand(n.b);
-    case Op::subtract: return text(n.a) + " - " + operand(n.b);
-    case Op::multiply: return operand(n.a) + " * " + operand(n.b);
-    case Op::divide: return operand(n.a) + " / " + operand(n.b);
-    case Op::negate: return "-" + operand(n.a);
+    case Op::add: return operand(n.a, 1) + " + " + operand(n.b, 2);
+    case Op::subtract: return operand(n.a, 1) + " - " + operand(n.b, 2);
+    case Op::multiply: return operand(n.a, 2) + " * " + operand(n.b, 3);
+    case Op::divide: return operand(n.a, 2) + " / " + operand(n.b, 3);
+    case Op::negate: return "-" + operand(n.a, 3);
     case Op::sine: return "std::sin(" + text(n.a) + ")";
     case Op::cosine: return "std::cos(" + text(n.a) + ")";
   }

@@ -64,10 +64,9 @@ void write(std::ostream& out, const std::vector<FoundType>& types) {
          "// each type of structural group.\n\n"
          "#include <array>\n#include <cmath>\n\n"
          "#include \"formulations/equations/kernel.h\"\n\n"
-         "namespace desmo {\n\nnamespace {\n\n"
-         "// A generated elimination is trusted while its pivots stay within these bounds.\n"
-         "constexpr double largest_multiplier = 1e3;\n"
-         "constexpr double negligible_pivot = 1e-10;\n\n";
+         "// All kernels of a kind share a signature, whether or not they read every argument.\n"
+         "#pragma GCC diagnostic ignored \"-Wunused-parameter\"\n\n"
+         "namespace desmo {\n\nnamespace {\n\n";
   for (const FoundType& f : types) write_kernel(out, f.name, f.type, f.samples);
   out << "constexpr Kernel table[] = {\n";
   for (const FoundType& f : types) write_table_row(out, f.name, f.type);

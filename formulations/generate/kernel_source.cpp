@@ -27,7 +27,7 @@ Expressions values_of(const std::vector<RecordedEntry>& entries) {
 class KernelWriter {
  public:
   KernelWriter(std::ostream& out, const GroupType& type, const RecordedGroup& group)
-      : out_(out), type_(type), g_(group), elimination_(jacobian_rows(), unknown_names()) {
+      : out_(out), type_(type), g_(group), elimination_(jacobian_rows()) {
     for (std::size_t i = 0; i < type_.inputs.size(); ++i) {
       const std::string place = "[in[" + std::to_string(i) + "]]";
       source_[g_.q[i].id()] = "q" + place;
@@ -79,20 +79,18 @@ class KernelWriter {
     const Expressions step = elimination_.solve(g_.phi);
     Expr norm2 = 0;
     for (const Expr& phi : g_.phi) norm2 = norm2 + phi * phi;
-    const Expressions monitored = monitored_expressions();
-    const Expressions all = concatenate({{norm2}, step, monitored});
+    const Expressions all = concatenate({{norm2}, step});
 
     open("InlinedResult position(double* q, const int* in, const double* c, double tolerance2,\n"
          "                       int max_iterations)");
-    load(all, "double");
-    out_ << "  InlinedResult result{0, 0, true};\n  for (;; ++result.iterations) {\n";
+    load(unknown_positions(), "double");
+    load(all, "const double");
+    out_ << "  InlinedResult result{0, 0};\n  for (;; ++result.iterations) {\n";
     Emitter emitter(out_, "    ", all);
     emitter.prepare({norm2});
     out_ << "    result.residual2 = " << emitter.text(norm2) << ";\n"
          << "    if (!(result.residual2 >= tolerance2) || result.iterations == max_iterations) break;\n";
-    emitter.prepare(concatenate({monitored, step}));
-    out_ << "    result.pivots_good = " << monitor_condition(emitter) << ";\n"
-         << "    if (!result.pivots_good) break;\n";
+    emitter.prepare(step);
     // All increments before any update: later ones may be written with the old values.
     for (std::size_t j = 0; j < step.size(); ++j)
       out_ << "    const double delta" << j << " = " << emitter.text(step[j]) << ";\n";
@@ -124,6 +122,7 @@ class KernelWriter {
       out_ << "  const double " << name << " = " << emitter.text(velocity[j]) << ";\n"
            << "  qd[in[" << unknown(j) << "]] = " << name << ";\n";
     }
+    for (const int i : unknowns()) loaded_.insert(g_.qd[i].id());
     out_ << "  if (!qdd) return true;\n";
     load(acceleration, "const double");
     emitter.prepare(acceleration);
@@ -143,9 +142,9 @@ class KernelWriter {
     return result;
   }
 
-  std::vector<std::string> unknown_names() const {
-    std::vector<std::string> result;
-    for (const int i : unknowns()) result.push_back(type_.inputs[i].name);
+  Expressions unknown_positions() const {
+    Expressions result;
+    for (const int i : unknowns()) result.push_back(g_.q[i]);
     return result;
   }
 
@@ -172,34 +171,31 @@ class KernelWriter {
 
   Expressions monitored_expressions() const {
     Expressions result;
-    for (const PivotMonitor& m : elimination_.monitors()) {
-      result.push_back(m.pivot);
-      result.insert(result.end(), m.multipliers.begin(), m.multipliers.end());
-      result.insert(result.end(), m.above.begin(), m.above.end());
-    }
+    for (const PivotMonitor& m : elimination_.monitors())
+      for (const auto* list : {&m.magnified, &m.against})
+        for (const PivotMonitor::Bound& bound : *list) result.push_back(bound.value);
+    for (const PivotMonitor& m : elimination_.monitors()) result.push_back(m.pivot);
     return result;
   }
 
-  /// A pivot is good while no multiplier is large and it is not negligible beside its column.
+  /// True while no pivot is far smaller beside its column than it was at any sample point.
   std::string monitor_condition(const Emitter& emitter) const {
     std::string condition;
+    const auto also = [&](const std::string& term) {
+      condition += (condition.empty() ? "" : "\n        & ") + term;
+    };
     for (const PivotMonitor& m : elimination_.monitors()) {
-      const auto also = [&](const std::string& term) {
-        condition += (condition.empty() ? "" : "\n        & ") + term;
-      };
-      for (const Expr& multiplier : m.multipliers)
-        if (!multiplier.is_constant())
-          also("(std::abs(" + emitter.text(multiplier) + ") < largest_multiplier)");
-      for (const Expr& above : m.above)
-        also("(std::abs(" + emitter.text(m.pivot) + ") > negligible_pivot * std::abs(" +
+      for (const auto& [multiplier, bound] : m.magnified)
+        also("(std::abs(" + emitter.text(multiplier) + ") < " + literal(bound) + ")");
+      for (const auto& [above, bound] : m.against)
+        also("(std::abs(" + emitter.text(m.pivot) + ") > " + literal(bound) + " * std::abs(" +
              emitter.text(above) + "))");
-      if (m.multipliers.empty() && m.above.empty()) also("(" + emitter.text(m.pivot) + " != 0)");
     }
     return condition.empty() ? "true" : condition;
   }
 
   void open(const std::string& signature) {
-    out_ << "[[maybe_unused]] " << signature << " {\n";
+    out_ << signature << " {\n";
     loaded_.clear();
   }
   void close() { out_ << "}\n\n"; }
