@@ -22,7 +22,8 @@ struct Case {
   Mechanism (*build)(int units);
   int base_coordinates;        ///< coordinates(units) = base + per_unit · units
   int coordinates_per_unit;
-  std::vector<int> sizes;      ///< coordinates that are measured, the paper's five first
+  std::vector<int> sizes;        ///< coordinates of the paper's tables, ascending
+  std::vector<int> extra_sizes;  ///< beyond them, for the formulations of the paper only
   double seconds = 30;         ///< motion analysed, from t = 0
   double step = 0.01;          ///< s
 };

@@ -4,6 +4,8 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "cases/mechanism.h"
 #include "formulations/formulation.h"
@@ -45,6 +47,14 @@ bool has_phases(const Variant& variant);
 std::unique_ptr<Formulation> make_formulation(const Variant& variant, const Mechanism& mechanism,
                                               const Settings& settings = {},
                                               Profile* profile = nullptr);
+
+/// What OpenBLAS runs on.
+struct BlasEnvironment {
+  std::string core;  ///< the instruction set its kernels were chosen for
+  int threads;
+};
+BlasEnvironment blas_environment();
+void set_blas_threads(int threads);
 
 /// Libraries of the linear algebra in this build and their versions, by backend name.
 std::vector<std::pair<std::string, std::string>> library_versions();

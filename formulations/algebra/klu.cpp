@@ -34,13 +34,9 @@ class Klu {
 
   bool factor(const double* values) {
     double* ax = const_cast<double*>(values);  // KLU reads them only
-    if (numeric_ && klu_refactor(start_.data(), row_.data(), ax, symbolic_, numeric_, &common_)) {
-      // A pivot order gone bad shows as a tiny reciprocal condition estimate (the rule that
-      // SUNDIALS uses): then, and only then, pivots are chosen anew.
-      klu_rcond(symbolic_, numeric_, &common_);
-      static const double trusted = std::pow(std::numeric_limits<double>::epsilon(), 2.0 / 3.0);
-      if (common_.rcond > trusted) return true;
-    }
+    if (numeric_ && klu_refactor(start_.data(), row_.data(), ax, symbolic_, numeric_, &common_) &&
+        pivots_are_good())
+      return true;
     forget_pivots();
     numeric_ = klu_factor(start_.data(), row_.data(), ax, symbolic_, &common_);
     return numeric_ && common_.status == KLU_OK;
@@ -51,6 +47,15 @@ class Klu {
   void forget_pivots() { klu_free_numeric(&numeric_, &common_); }
 
  private:
+  /// A pivot order gone bad shows as a tiny estimate of the reciprocal condition, as klu_rcond
+  /// makes it from the pivots, against the bound that SUNDIALS uses.
+  bool pivots_are_good() const {
+    static const double trusted = std::pow(std::numeric_limits<double>::epsilon(), 2.0 / 3.0);
+    const auto pivots =
+        Eigen::Map<const Eigen::ArrayXd>(static_cast<const double*>(numeric_->Udiag), n_).abs();
+    return pivots.minCoeff() > trusted * pivots.maxCoeff();
+  }
+
   int n_;
   std::vector<int> start_, row_;
   klu_common common_{};

@@ -4,12 +4,16 @@
 
 #include "formulations/algebra/backend.h"
 #include "formulations/algebra/dense.h"
+#include "formulations/variants.h"
 
 extern "C" {
 void dgetrf_(const int* m, const int* n, double* a, const int* lda, int* ipiv, int* info);
 void dgetrs_(const char* trans, const int* n, const int* nrhs, const double* a, const int* lda,
              const int* ipiv, double* b, const int* ldb, int* info);
 char* openblas_get_config();
+char* openblas_get_corename();
+int openblas_get_num_threads();
+void openblas_set_num_threads(int threads);
 }
 
 namespace desmo {
@@ -44,6 +48,12 @@ class Lapack {
 };
 
 }  // namespace
+
+BlasEnvironment blas_environment() {
+  return {openblas_get_corename(), openblas_get_num_threads()};
+}
+
+void set_blas_threads(int threads) { openblas_set_num_threads(threads); }
 
 extern const Backend lapack_backend;
 const Backend lapack_backend{"lapack", true, &make_newton_part<Lapack>,

@@ -1,0 +1,65 @@
+#include "bench/suite/environment.h"
+
+#include <benchmark/benchmark.h>
+#include <sys/utsname.h>
+
+#include <cstdlib>
+#include <ctime>
+#include <fstream>
+
+#include "commit.h"
+
+namespace desmo::suite {
+
+namespace {
+
+std::string processor_name() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);)
+    if (line.starts_with("model name"))
+      if (const auto colon = line.find(": "); colon != std::string::npos)
+        return line.substr(colon + 2);
+  return "unknown";
+}
+
+std::string first_line(const char* path) {
+  std::ifstream file(path);
+  std::string line;
+  return std::getline(file, line) && !line.empty() ? line : "unknown";
+}
+
+}  // namespace
+
+Machine this_machine() {
+  const benchmark::CPUInfo& info = benchmark::CPUInfo::Get();
+  Machine m{processor_name(), info.num_cpus, {}, "unknown",
+            first_line("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor")};
+  for (const auto& c : info.caches)
+    m.caches.push_back("L" + std::to_string(c.level) + " " + c.type + " " +
+                       std::to_string(c.size / 1024) + " KiB, shared by " +
+                       std::to_string(c.num_sharing));
+  utsname name{};
+  if (uname(&name) == 0) m.kernel = std::string(name.sysname) + " " + name.release;
+  return m;
+}
+
+std::vector<double> load_averages() {
+  double load[3];
+  if (getloadavg(load, 3) != 3) return {};
+  return {load, load + 3};
+}
+
+Build this_build() {
+  return {DESMO_BUILD_TYPE, DESMO_COMPILER, DESMO_FLAGS, DESMO_COMMIT, DESMO_DIRTY};
+}
+
+std::string utc_now() {
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&now, &utc);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return text;
+}
+
+}  // namespace desmo::suite

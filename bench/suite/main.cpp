@@ -1,0 +1,152 @@
+// desmo_bench: every case × size × formulation as a Google Benchmark, verified before it is timed.
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "bench/suite/cell.h"
+#include "bench/suite/environment.h"
+#include "bench/suite/options.h"
+#include "bench/suite/record.h"
+
+namespace desmo::suite {
+
+namespace {
+
+using Cells = std::vector<std::unique_ptr<Cell>>;
+
+/// Keeps the raw samples of every cell beside what the console shows.
+class CollectingReporter final : public benchmark::ConsoleReporter {
+ public:
+  explicit CollectingReporter(const std::vector<Cell*>& cells) : ConsoleReporter(OO_Tabular) {
+    for (Cell* cell : cells) cells_[cell->name()] = cell;
+  }
+
+  void ReportRuns(const std::vector<Run>& runs) override {
+    std::vector<Run> shown;
+    for (const Run& run : runs) {
+      const auto it = cells_.find(run.run_name.function_name);
+      if (it != cells_.end() && run.run_type == Run::RT_Iteration && !run.error_occurred)
+        it->second->cpu_seconds.push_back(run.cpu_accumulated_time /
+                                          static_cast<double>(run.iterations));
+      if (run.error_occurred || run.repetitions == 1 || run.aggregate_name == "median" ||
+          run.aggregate_name == "cv")
+        shown.push_back(run);
+      if (run.error_occurred) break;  // the other repetitions say the same
+    }
+    ConsoleReporter::ReportRuns(shown);
+  }
+
+ private:
+  std::map<std::string, Cell*> cells_;
+};
+
+void run_cell(benchmark::State& state, Cell& cell) {
+  if (cell.state != Cell::State::verified) return state.SkipWithError(cell.message.c_str());
+  for (auto _ : state) {
+    if (!cell.analyse().ok()) return state.SkipWithError(cell.message.c_str());
+  }
+  state.counters["coordinates"] = cell.coordinates;
+  state.counters["groups"] = cell.groups;
+  state.counters["iterations/step"] = cell.iterations_per_step;
+  state.counters["residual"] = cell.residual;
+}
+
+/// Cells whose benchmark the filter selects. Google Benchmark offers no question for that before
+/// registration, so they are registered once for the question and anew for the measurement.
+std::vector<Cell*> selected(const Cells& cells) {
+  struct Names final : benchmark::BenchmarkReporter {
+    std::vector<std::string> found;
+    bool ReportContext(const Context&) override { return true; }
+    void ReportRuns(const std::vector<Run>& runs) override {
+      for (const Run& run : runs) found.push_back(run.run_name.function_name);
+    }
+  } names;
+  for (const auto& cell : cells)
+    benchmark::RegisterBenchmark(cell->name().c_str(), [](benchmark::State& state) {
+      for (auto _ : state) {
+      }
+    })->Repetitions(1);
+  std::vector<Cell*> result;
+  benchmark::RunSpecifiedBenchmarks(&names);
+  benchmark::ClearRegisteredBenchmarks();
+  for (const auto& cell : cells)
+    if (std::ranges::find(names.found, cell->name()) != names.found.end())
+      result.push_back(cell.get());
+  return result;
+}
+
+std::string command_line(int argc, char** argv) {
+  std::string command = std::filesystem::path(argv[0]).filename().string();
+  for (int i = 1; i < argc; ++i) command += std::string(" ") + argv[i];
+  return command;
+}
+
+int run(int argc, char** argv) {
+  std::vector<char*> arguments(argv, argv + argc);
+  const Options options = take_options(arguments);
+  if (options.help) std::cout << usage;
+
+  // Defaults first, so that the user's flags win. An iteration is a whole analysis, and a
+  // repetition is one iteration: the least time is met by the first.
+  std::string interleave = "--benchmark_enable_random_interleaving=true";
+  std::string repetitions = "--benchmark_repetitions=5";
+  std::string least_time = "--benchmark_min_time=1e-6";
+  std::string help = "--help";
+  arguments.insert(arguments.begin() + 1,
+                   {interleave.data(), repetitions.data(), least_time.data()});
+  if (options.help) arguments.push_back(help.data());
+  int count = static_cast<int>(arguments.size());
+  benchmark::Initialize(&count, arguments.data());
+  if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 64;
+  if (!std::getenv("OPENBLAS_NUM_THREADS")) set_blas_threads(1);
+
+  Run record{utc_now(), command_line(argc, argv), load_averages(), {}};
+  const Cells all = make_cells(options);
+  const std::vector<Cell*> cells = selected(all);
+  ReferenceCache references;
+  for (Cell* cell : cells) {
+    cell->verify(references);
+    if (cell->state == Cell::State::not_run) continue;
+    if (cell->state == Cell::State::failed)
+      std::cerr << cell->name() << ": " << cell->message << '\n';
+    benchmark::RegisterBenchmark(cell->name().c_str(), &run_cell, std::ref(*cell))
+        ->Unit(benchmark::kMillisecond);
+  }
+  CollectingReporter reporter(cells);
+  const bool any = benchmark::RunSpecifiedBenchmarks(&reporter) > 0;
+  record.load_after = load_averages();
+  const bool failed = std::ranges::any_of(
+      cells, [](const Cell* cell) { return cell->state == Cell::State::failed; });
+  if (!options.record.empty() && any) {
+    try {
+      write_record(options.record, record, cells);
+    } catch (const std::exception& e) {
+      std::cerr << "desmo_bench: " << e.what() << '\n';
+      return 74;
+    }
+  }
+  benchmark::Shutdown();
+  return failed || !any ? 1 : 0;
+}
+
+}  // namespace
+
+}  // namespace desmo::suite
+
+int main(int argc, char** argv) {
+  try {
+    return desmo::suite::run(argc, argv);
+  } catch (const std::exception& e) {
+    std::cerr << "desmo_bench: " << e.what() << '\n';
+    return 64;
+  }
+}

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace desmo::suite {
+
+/// What desmo_bench takes beside the flags of Google Benchmark.
+struct Options {
+  double step = 0;            ///< s; 0: the case's own
+  double duration = 0;        ///< s; 0: the case's own
+  int dense_limit = 114;      ///< coordinates up to which dense global solves run
+  std::string record;         ///< file for the results record; empty: none
+  bool help = false;
+};
+
+/// Takes our options out of argv and leaves the rest. Throws std::invalid_argument, naming the
+/// option, for a missing or unusable value.
+Options take_options(std::vector<char*>& arguments);
+
+/// Text of --help.
+extern const char* const usage;
+
+}  // namespace desmo::suite

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <array>
+
+#include "cases/motion.h"
+#include "formulations/variants.h"
+
+namespace desmo::suite {
+
+/// Seconds of a step by phase; the clock's own cost is taken off.
+struct PhaseTimes {
+  std::array<double, phase_count> seconds{};
+  double rest = 0;  ///< loops, copies, drivers, delivery
+};
+
+/// Names of the phases in the record.
+inline constexpr std::array<const char*, phase_count> phase_names{
+    "residual", "jacobian", "factorisation", "solve", "right_hand_sides"};
+
+/// Measures where the time goes, over the instants of a grid, with a formulation made for that.
+PhaseTimes measure_phases(const Variant& variant, const Mechanism& mechanism,
+                          const TimeGrid& grid);
+
+}  // namespace desmo::suite

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "formulations/formulation.h"
+#include "formulations/reference.h"
+
+namespace desmo::suite {
+
+/// Largest absolute differences over all coordinates and compared instants.
+struct Errors {
+  int instants = 0;
+  double position = 0, velocity = 0, acceleration = 0;
+};
+
+/// What a formulation may differ from the quadruple-precision reference before it counts as
+/// wrong, in units of the case.
+inline constexpr Errors allowed{0, 1e-9, 1e-8, 1e-7};
+
+/// Compares the instants it is handed with a reference, where the reference has them.
+class VerifyingSink final : public Sink {
+ public:
+  explicit VerifyingSink(std::span<const ReferenceInstant> reference) : reference_(reference) {}
+  void accept(const Instant& instant) override;
+  const Errors& errors() const { return errors_; }
+
+ private:
+  std::span<const ReferenceInstant> reference_;
+  Errors errors_;
+};
+
+/// Empty when within what is allowed; otherwise what is wrong, in words.
+std::string complaint(const Errors& errors, std::size_t expected_instants);
+
+/// Quadruple-precision references at instants spread over a motion, made once for each case and
+/// size and shared by all its formulations.
+class ReferenceCache {
+ public:
+  std::span<const ReferenceInstant> get(const Mechanism& mechanism, const TimeGrid& grid);
+
+ private:
+  std::map<std::pair<std::string, int>, std::vector<ReferenceInstant>> cache_;
+};
+
+}  // namespace desmo::suite
