@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "formulations/diagnosis.h"
+
 namespace desmo {
 
 std::string describe(const Summary& s, const Mechanism& m) {
@@ -16,13 +18,16 @@ std::string describe(const Summary& s, const Mechanism& m) {
   const char* reason = s.status == Status::singular        ? "singular Jacobian"
                        : s.status == Status::not_converged ? "no convergence"
                                                            : "the equations are not finite";
-  std::snprintf(text, sizeof text, "%s at t = %.9g s, residual %.2e, ", reason, s.time, s.residual);
-  return text + ("group '" + m.groups[s.group].name) + "', constraint '" +
-         m.constraints[s.constraint].name + "'";
+  std::snprintf(text, sizeof text, "%s at t = %.9g s, residual %.2e", reason, s.time, s.residual);
+  std::string result = text;
+  if (s.group >= 0) result += ", group '" + m.groups[s.group].name + "'";
+  if (s.constraint >= 0) result += ", constraint '" + m.constraints[s.constraint].name + "'";
+  return result;
 }
 
-Formulation::Formulation(const Mechanism& mechanism, std::vector<DefinedPart> parts)
-    : mechanism_(mechanism), parts_(std::move(parts)) {
+Formulation::Formulation(const Mechanism& mechanism, std::vector<DefinedPart> parts,
+                         double tolerance)
+    : mechanism_(mechanism), parts_(std::move(parts)), tolerance_(tolerance) {
   state_.q.resize(mechanism_.state_size());
   state_.qd.resize(mechanism_.state_size());
   state_.qdd.resize(mechanism_.state_size());
@@ -49,8 +54,10 @@ Summary Formulation::solve_parts(double t, Level level, bool constant) {
     summary.iterations = std::max<long>(summary.iterations, r.iterations);
     if (r.status != Status::converged) {
       summary.status = r.status;
-      summary.constraint = constraint_of_row(mechanism_, definition)[r.worst_row];
-      summary.group = mechanism_.constraints[summary.constraint].group;
+      const Culprit c =
+          find_culprit(mechanism_, definition.groups, state_.q, r.status, tolerance_);
+      summary.group = c.group;
+      summary.constraint = c.constraint;
       break;
     }
   }

@@ -38,8 +38,8 @@ struct Summary {
   long instants = 0;       ///< solved
   long iterations = 0;     ///< Newton iterations, the largest of any part, summed over instants
   double residual = 0;     ///< largest ‖Φ‖₂ of the whole mechanism accepted, or that which failed
-  GroupId group = -1;      ///< on failure, the group of the equation that is worst satisfied
-  int constraint = -1;     ///< on failure, that equation's constraint
+  GroupId group = -1;      ///< on failure, the group that could not be solved (see find_culprit)
+  int constraint = -1;     ///< on failure, the constraint most concerned
   double time = 0;         ///< of the last instant tried, s
   bool ok() const { return status == Status::converged; }
 };
@@ -56,7 +56,8 @@ class Formulation {
     std::unique_ptr<Part> solver;
   };
 
-  Formulation(const Mechanism& mechanism, std::vector<DefinedPart> parts);
+  /// tolerance: ‖Φ‖₂ of the whole mechanism that the parts together keep.
+  Formulation(const Mechanism& mechanism, std::vector<DefinedPart> parts, double tolerance);
 
   /// Assembles the mechanism at time t from its initial estimate, whatever was solved before.
   Summary assemble(double t, Level level = Level::acceleration);
@@ -84,6 +85,7 @@ class Formulation {
 
   const Mechanism& mechanism_;
   std::vector<DefinedPart> parts_;
+  double tolerance_;
   State state_;
 };
 

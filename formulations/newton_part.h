@@ -47,7 +47,6 @@ class NewtonPart final : public Part {
         result = attempt(state, level);
       }
     }
-    if (result.status != Status::converged) result.worst_row = worst_row(q);
     return result;
   }
 
@@ -116,16 +115,6 @@ class NewtonPart final : public Part {
   }
   void restore_start(double* q) const {
     for (int i = 0; i < pattern().n; ++i) q[pattern().unknowns[i]] = start_[i];
-  }
-
-  int worst_row(const double* q) {
-    equations_.residual(q, b_.data());
-    int worst = 0;
-    for (int i = 0; i < pattern().n; ++i) {
-      if (std::isnan(b_[i])) return i;
-      if (std::abs(b_[i]) > std::abs(b_[worst])) worst = i;
-    }
-    return worst;
   }
 
   Equations equations_;

@@ -31,7 +31,6 @@ struct PartResult {
   Status status = Status::converged;
   int iterations = 0;
   double residual = 0;  ///< ‖Φ‖₂ of the part's equations where it stopped
-  int worst_row = -1;   ///< on failure, the part's equation with the largest |Φ|
 };
 
 /// Solves its unknowns, given those of all earlier parts. Owns its workspace; never touches the
@@ -42,7 +41,7 @@ class Part {
 
   /// Solves position (from the values in state.q, which are the initial guess), velocity and
   /// acceleration of the part's unknowns, up to `level`. Overwrites these in `state`; on failure
-  /// they are unspecified.
+  /// the positions are those where it stopped.
   virtual PartResult solve(State& state, Level level) = 0;
 };
 

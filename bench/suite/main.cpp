@@ -74,7 +74,7 @@ std::vector<Cell*> selected(const Cells& cells) {
     benchmark::RegisterBenchmark(cell->name().c_str(), [](benchmark::State& state) {
       for (auto _ : state) {
       }
-    })->Repetitions(1);
+    });
   std::vector<Cell*> result;
   benchmark::RunSpecifiedBenchmarks(&names);
   benchmark::ClearRegisteredBenchmarks();

@@ -22,6 +22,9 @@ class Klu {
       : n_(pattern.n), start_(pattern.column_start), row_(pattern.row) {
     klu_defaults(&common_);
     common_.scale = -1;  // row scaling costs a tenth and these matrices need none
+    // The pivot order has to last: with the default, 0.001, a pivot may be so small that the
+    // mechanism's motion takes it through zero.
+    common_.tol = 0.1;
     symbolic_ = klu_analyze(n_, start_.data(), row_.data(), &common_);
     if (!symbolic_) throw std::invalid_argument("KLU: the Jacobian is structurally singular");
   }

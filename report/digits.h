@@ -1,0 +1,34 @@
+// Rounding to what is shown, once: every format prints these characters.
+#pragma once
+
+#include <string>
+
+namespace desmo::report {
+
+/// How a number is written: chosen for one value and kept for what stands beside it (its spread).
+struct DigitStyle {
+  bool scientific = false;
+  int decimals = 0;
+};
+
+/// So that `value` shows `significant` digits: 7.100, 0.6070, 0.0008123; scientific outside
+/// 1e-6 ... 1e7.
+DigitStyle significant_digits(double value, int significant);
+
+/// Speed-ups: two decimals between 0.1 and 100, three significant digits elsewhere.
+DigitStyle ratio_digits(double value);
+
+/// Locale-independent decimal digits, valid as a JSON number; never "-0". The value is finite.
+std::string write(double value, DigitStyle style);
+
+/// As few digits as tell the value from every other: for settings, 0.01 and 1e-10.
+std::string write_shortest(double value);
+
+inline std::string write_fixed(double value, int decimals) {
+  return write(value, {false, decimals});
+}
+inline std::string write_significant(double value, int significant) {
+  return write(value, significant_digits(value, significant));
+}
+
+}  // namespace desmo::report

@@ -1,0 +1,16 @@
+// Figures 5 and 6 of the paper as Vega-Lite specifications with their data inline.
+#pragma once
+
+#include <vector>
+
+#include "report/formats/formats.h"
+#include "report/record.h"
+
+namespace desmo::report {
+
+/// figure5.vl.json, CPU time over coordinates, and figure6.vl.json, mean speed-up: the paper's own
+/// values beside every sparse family. What failed or is missing has null where a number would be.
+/// The design is in report/figures/*.template.json; only data and subtitle come from the record.
+std::vector<Rendered> figures(const Record& record);
+
+}  // namespace desmo::report

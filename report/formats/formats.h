@@ -1,0 +1,43 @@
+// The forms in which a document can be written. All print Entry::shown or Entry::digits as they
+// are; none rounds.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "report/document.h"
+
+namespace desmo::report {
+
+/// Aligned text for people; leaves out tables of detail and says so. UTF-8.
+std::string to_terminal(const Document& document);
+
+/// {"schema": "desmo-tables", "version", "title", "sections": [{"title", "paragraphs", "tables":
+/// [{"name", "title", "notes", "columns", "rows"}]}]}. A row is an object by column; a place is a
+/// string (text column) or an object with the column's quantities, null where there is no number,
+/// and "note" where there is one.
+std::string to_json(const Document& document);
+
+/// RFC 4180 with "\n". A column with quantities becomes one field per quantity, named
+/// "<column> <quantity>"; where there is no number the first of them holds the note (FAILED, —).
+/// Reservations about numbers are in the last field, "notes".
+std::string to_csv(const Table& table);
+
+/// GitHub's dialect.
+std::string to_markdown(const Document& document);
+
+/// For \input; needs the package longtable only.
+std::string to_latex(const Document& document);
+
+struct Rendered {
+  std::string file_name;
+  std::string content;
+};
+
+/// "terminal", "json", "csv", "markdown", "latex".
+const std::vector<std::string>& format_names();
+
+/// The files of one format: one, or for csv one per table. The format is one of format_names().
+std::vector<Rendered> render(const Document& document, const std::string& format);
+
+}  // namespace desmo::report

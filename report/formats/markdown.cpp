@@ -1,0 +1,65 @@
+#include "report/formats/formats.h"
+
+namespace desmo::report {
+namespace {
+
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) switch (c) {
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '&':
+        result += "&amp;";
+        break;
+      case '\\':
+      case '`':
+      case '*':
+      case '_':
+      case '|':
+      case '[':
+      case ']':
+      case '~':
+      case '$':
+      case '#':
+        result += '\\';
+        [[fallthrough]];
+      default:
+        result += c;
+    }
+  return result;
+}
+
+std::string table_text(const Table& table) {
+  std::string header = "|", rule = "|", rows;
+  for (const Column& column : table.columns) {
+    header += " " + escaped(column.name) + " |";
+    rule += column.quantities.empty() ? " --- |" : " ---: |";
+  }
+  for (const auto& row : table.rows) {
+    rows += "|";
+    for (const Entry& entry : row) rows += " " + escaped(entry.shown) + " |";
+    rows += "\n";
+  }
+  std::string text = "**" + escaped(table.title) + "**\n\n" + header + "\n" + rule + "\n" + rows;
+  for (const std::string& note : table.notes) text += "\n" + escaped(note) + "\n";
+  return text;
+}
+
+}  // namespace
+
+std::string to_markdown(const Document& document) {
+  std::string text = "# " + escaped(document.title) + "\n";
+  for (const Section& section : document.sections) {
+    text += "\n## " + escaped(section.title) + "\n";
+    for (const std::string& paragraph : section.paragraphs)
+      text += "\n" + escaped(paragraph) + "\n";
+    for (const Table& table : section.tables) text += "\n" + table_text(table);
+  }
+  return text;
+}
+
+}  // namespace desmo::report

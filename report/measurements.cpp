@@ -1,0 +1,84 @@
+#include "report/measurements.h"
+
+#include <algorithm>
+#include <set>
+
+#include "report/digits.h"
+#include "report/variants.h"
+
+namespace desmo::report {
+
+Measured measured(const Record& record, const CellKey& key) {
+  const auto cell = record.cells.find(key);
+  if (cell == record.cells.end()) return {std::nullopt, missing_mark};
+  switch (cell->second.status) {
+    case Status::ok:
+      return {summarise(cell->second.cpu_seconds), {}};
+    case Status::failed:
+      return {std::nullopt, failed_mark};
+    case Status::not_run:
+      break;
+  }
+  return {std::nullopt, not_run_mark};
+}
+
+MeasuredSpeedUp measured_speed_up(const Record& record, const CellKey& reference,
+                                  const CellKey& variant) {
+  const Measured fast = measured(record, variant), slow = measured(record, reference);
+  if (!fast.seconds) return {std::nullopt, fast.mark};
+  if (!slow.seconds) return {std::nullopt, "reference " + slow.mark};
+  return {speed_up(*slow.seconds, *fast.seconds), {}};
+}
+
+MeanSpeedUp mean_speed_up(const Record& record, std::string_view family, std::size_t reference,
+                          std::size_t variant, std::span<const std::int64_t> sizes) {
+  std::vector<SpeedUp> found;
+  for (const std::int64_t size : sizes) {
+    const auto one = measured_speed_up(record, family_key(variants[reference], size, family),
+                                       family_key(variants[variant], size, family));
+    if (one.speed_up) found.push_back(*one.speed_up);
+  }
+  if (found.empty()) return {};
+  return {mean(found), found.size()};
+}
+
+std::vector<std::int64_t> recorded_sizes(const Record& record, std::string_view case_name) {
+  std::set<std::int64_t> sizes;
+  for (const auto& [key, cell] : record.cells)
+    if (key.case_name == case_name) sizes.insert(key.coordinates);
+  return {sizes.begin(), sizes.end()};
+}
+
+std::string repetitions(const Record& record) {
+  std::set<std::size_t> counts;
+  for (const auto& [key, cell] : record.cells)
+    if (cell.status == Status::ok) counts.insert(cell.cpu_seconds.size());
+  if (counts.empty()) return "no repetitions";
+  const std::string least = std::to_string(*counts.begin());
+  const std::string largest = std::to_string(*counts.rbegin());
+  return (least == largest ? least : least + " to " + largest) +
+         (largest == "1" ? " repetition" : " repetitions");
+}
+
+Entry seconds_entry(const Measured& measured) {
+  if (!measured.seconds) return note_entry(measured.mark);
+  const Summary& seconds = *measured.seconds;
+  const DigitStyle style = significant_digits(seconds.median, 4);
+  const std::string median = write(seconds.median, style), count = std::to_string(seconds.count);
+  if (seconds.count < 2) return {median + " (one run)", {median, "", count}, "one run"};
+  const std::string half = write(seconds.half_range(), style);
+  return {median + " ±" + half, {median, half, count}, {}};
+}
+
+Entry speed_up_entry(const MeasuredSpeedUp& measured) {
+  if (!measured.speed_up) return note_entry(measured.mark);
+  const SpeedUp& ratio = *measured.speed_up;
+  const DigitStyle style = ratio_digits(ratio.value);
+  const std::string value = write(ratio.value, style), percent = write_fixed(ratio.percent, 1);
+  const std::string tail = " (" + percent + " %)";
+  if (!ratio.spread) return {value + tail + " one run", {value, "", "", percent}, "one run"};
+  const std::string low = write(ratio.low, style), high = write(ratio.high, style);
+  return {value + " [" + low + ", " + high + "]" + tail, {value, low, high, percent}, {}};
+}
+
+}  // namespace desmo::report

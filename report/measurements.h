@@ -1,0 +1,56 @@
+// Finding measurements in a record. Whoever looks for a number gets it or the reason for none.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "report/document.h"
+#include "report/record.h"
+#include "report/statistics.h"
+
+namespace desmo::report {
+
+/// A measurement, or the mark that stands in its place.
+struct Measured {
+  std::optional<Summary> seconds;  ///< CPU time of one analysis
+  std::string mark;  ///< failed_mark, not_run_mark or missing_mark; empty when measured
+};
+
+Measured measured(const Record& record, const CellKey& key);
+
+/// The speed-up of one cell over another, or the mark of the one that has no number.
+struct MeasuredSpeedUp {
+  std::optional<SpeedUp> speed_up;
+  std::string mark;
+};
+
+MeasuredSpeedUp measured_speed_up(const Record& record, const CellKey& reference,
+                                  const CellKey& variant);
+
+/// The mean speed-up of one of the paper's variants over another (both by position in `variants`)
+/// within a family, over those of the sizes where both were measured.
+struct MeanSpeedUp {
+  std::optional<SpeedUp> speed_up;
+  std::size_t sizes = 0;  ///< that went into it
+};
+
+MeanSpeedUp mean_speed_up(const Record& record, std::string_view family, std::size_t reference,
+                          std::size_t variant, std::span<const std::int64_t> sizes);
+
+/// Sizes recorded for a case, in whatever state, ascending.
+std::vector<std::int64_t> recorded_sizes(const Record& record, std::string_view case_name);
+
+/// "5 repetitions", "3 to 5 repetitions", "1 repetition": of all cells that were measured.
+std::string repetitions(const Record& record);
+
+/// "0.4210 ±0.0020", quantities {seconds, half_range, repetitions}; or the mark.
+Entry seconds_entry(const Measured& measured);
+
+/// "1.24 [1.21, 1.27] (19.4 %)", quantities {speed_up, low, high, percent}; or the mark.
+Entry speed_up_entry(const MeasuredSpeedUp& measured);
+
+}  // namespace desmo::report

@@ -1,0 +1,208 @@
+#include "report/record_reader.h"
+
+#include <nlohmann/json.hpp>
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <fstream>
+#include <set>
+
+#include "report/json_node.h"
+
+namespace desmo::report {
+namespace {
+
+constexpr std::array phases{"residual", "jacobian",         "factorisation",
+                            "solve",    "right_hand_sides", "rest"};
+
+// Refuses what the parser would accept and the report must not: a key given twice (which one
+// counts?) and nesting without end.
+class DocumentGuard {
+ public:
+  bool operator()(int depth, nlohmann::json::parse_event_t event, const nlohmann::json& parsed) {
+    using Event = nlohmann::json::parse_event_t;
+    if (depth > deepest_nesting)
+      throw InvalidRecord("nested more than " + std::to_string(deepest_nesting) + " levels deep");
+    if (event == Event::object_start) keys_.emplace_back();
+    if (event == Event::object_end) keys_.pop_back();
+    if (event == Event::key && !keys_.back().insert(parsed.get<std::string>()).second)
+      throw InvalidRecord("the key " + parsed.dump() + " is given twice in one object");
+    return true;
+  }
+
+ private:
+  std::vector<std::set<std::string>> keys_;  // of the objects that are open
+};
+
+nlohmann::json parse_json(std::string_view text) {
+  DocumentGuard guard;
+  try {
+    return nlohmann::json::parse(text, [&guard](int depth, auto event, nlohmann::json& parsed) {
+      return guard(depth, event, parsed);
+    });
+  } catch (const nlohmann::json::exception& error) {
+    const char* what = std::strstr(error.what(), "] ");  // past the library's own error number
+    throw InvalidRecord(std::string("not a complete JSON document: ") +
+                        (what ? what + 2 : error.what()));
+  }
+}
+
+// "1.4.2" -> 1. Nothing but three numbers will do.
+int major_version(const JsonNode& node) {
+  const std::string version = node.text();
+  const char* at = version.data();
+  const char* const end = at + version.size();
+  std::array<int, 3> part{};
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    const bool separated = i == 0 || (at != end && *at++ == '.');
+    const auto [next, error] = std::from_chars(at, end, part[i]);
+    if (!separated || error != std::errc{} || part[i] < 0)
+      node.complain("\"" + version + "\" is not a version of the form 1.2.3");
+    at = next;
+  }
+  if (at != end) node.complain("\"" + version + "\" is not a version of the form 1.2.3");
+  return part[0];
+}
+
+void check_schema(const JsonNode& root) {
+  const std::string schema = root["schema"].text();
+  if (schema != "desmo-results")
+    root["schema"].complain("\"" + schema + "\" is not \"desmo-results\"");
+  const JsonNode version = root["version"];
+  if (major_version(version) != supported_major)
+    version.complain("schema version " + version.text() + " is not supported, only " +
+                     std::to_string(supported_major) + ".x.y");
+}
+
+std::vector<double> read_numbers(const std::optional<JsonNode>& node) {
+  std::vector<double> result;
+  if (node)
+    for (const JsonNode& element : node->elements()) result.push_back(element.not_negative());
+  return result;
+}
+
+Machine read_machine(const JsonNode& node) {
+  Machine machine{.cpu = node["cpu"].text(),
+                  .cores = node["cores"].integer(1),
+                  .caches = {},
+                  .kernel = node["kernel"].text(),
+                  .governor = node["governor"].text(),
+                  .load_before = read_numbers(node.find("load_before")),
+                  .load_after = read_numbers(node.find("load_after"))};
+  for (const JsonNode& cache : node["caches"].elements()) machine.caches.push_back(cache.text());
+  return machine;
+}
+
+Settings read_settings(const JsonNode& node) {
+  return {.tolerance = node["tolerance"].positive(),
+          .max_iterations = node["max_iterations"].integer(1),
+          .guess = node["guess"].text(),
+          .step_seconds = node["step_seconds"].positive(),
+          .duration_seconds = node["duration_seconds"].positive(),
+          .instants = node["instants"].integer(1),
+          .clock = node["clock"].text()};
+}
+
+CellKey read_key(const JsonNode& node) {
+  return {node["case"].name(), node["coordinates"].integer(1), node["id"].text()};
+}
+
+Status read_status(const JsonNode& node) {
+  const std::string status = node.text();
+  if (status == "ok") return Status::ok;
+  if (status == "failed") return Status::failed;
+  if (status == "not_run") return Status::not_run;
+  node.complain("\"" + status + "\" is none of \"ok\", \"failed\", \"not_run\"");
+}
+
+std::optional<double> read_optional(const JsonNode& node, std::string_view key) {
+  const auto member = node.find(key);
+  return member ? std::optional(member->not_negative()) : std::nullopt;
+}
+
+Cell read_cell(const JsonNode& node) {
+  Cell cell{.status = read_status(node["status"]),
+            .message = {},
+            .cpu_seconds = {},
+            .verification = std::nullopt,
+            .setup_seconds = read_optional(node, "setup_seconds"),
+            .iterations_per_step = read_optional(node, "iterations_per_step"),
+            .residual = read_optional(node, "residual")};
+  if (const auto message = node.find("message")) cell.message = message->text();
+  if (const auto checked = node.find("verification"))
+    cell.verification = Verification{
+        (*checked)["instants"].integer(1), (*checked)["position"].not_negative(),
+        (*checked)["velocity"].not_negative(), (*checked)["acceleration"].not_negative()};
+  if (cell.status != Status::ok) return cell;  // times of a wrong answer are not times
+  const JsonNode samples = node["cpu_seconds"];
+  for (const JsonNode& sample : samples.elements()) cell.cpu_seconds.push_back(sample.sample());
+  if (cell.cpu_seconds.empty()) samples.complain("an \"ok\" cell needs at least one sample");
+  return cell;
+}
+
+Profile read_profile(const JsonNode& node) {
+  Profile profile;
+  for (const char* phase : phases) profile.emplace_back(phase, node[phase].not_negative());
+  for (const auto& [phase, seconds] : node.members())
+    if (std::find(phases.begin(), phases.end(), phase) == phases.end())
+      profile.emplace_back(phase, seconds.not_negative());
+  return profile;
+}
+
+template <typename Map, typename Value>
+void insert_once(Map& map, const JsonNode& node, Value value) {
+  const CellKey key = read_key(node);
+  if (!map.emplace(key, std::move(value)).second)
+    node.complain(key.case_name + "/" + std::to_string(key.coordinates) + "/" + key.id +
+                  " is given twice");
+}
+
+}  // namespace
+
+Record parse_record(std::string_view text) {
+  const nlohmann::json document = parse_json(text);
+  const JsonNode root(document);
+  check_schema(root);
+  const JsonNode node = root["record"];
+  const JsonNode build = node["build"], blas = node["blas"];
+  Record record{.version = root["version"].text(),
+                .date = node["date"].text(),
+                .commit = node["commit"].text(),
+                .dirty = node["dirty"].boolean(),
+                .command = node["command"].text(),
+                .machine = read_machine(node["machine"]),
+                .build = {build["type"].text(), build["compiler"].text(), build["flags"].text()},
+                .libraries = {},
+                .blas = {blas["core"].text(), blas["threads"].integer(1)},
+                .settings = read_settings(node["settings"]),
+                .cells = {},
+                .profiles = {}};
+  for (const auto& [name, version] : node["libraries"].members())
+    record.libraries.emplace(name, version.text());
+  for (const JsonNode& cell : root["cells"].elements())
+    insert_once(record.cells, cell, read_cell(cell));
+  if (const auto profiles = root.find("profiles"))
+    for (const JsonNode& profile : profiles->elements())
+      insert_once(record.profiles, profile, read_profile(profile["seconds_per_step"]));
+  return record;
+}
+
+Record read_record(const std::filesystem::path& file) {
+  std::error_code unreadable;  // is for the stream to say
+  if (std::filesystem::is_directory(file, unreadable)) throw InvalidRecord("is a directory");
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw InvalidRecord(std::string("cannot be read: ") + std::strerror(errno));
+  std::string text;
+  std::array<char, 1 << 16> buffer;
+  while (stream.read(buffer.data(), buffer.size()), stream.gcount() > 0) {
+    text.append(buffer.data(), static_cast<std::size_t>(stream.gcount()));
+    if (text.size() > largest_record)
+      throw InvalidRecord("larger than " + std::to_string(largest_record) + " bytes");
+  }
+  if (stream.bad()) throw InvalidRecord("cannot be read to its end");
+  return parse_record(text);
+}
+
+}  // namespace desmo::report

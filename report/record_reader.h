@@ -1,0 +1,33 @@
+// From the text of a results file to a Record.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "report/record.h"
+
+namespace desmo::report {
+
+inline constexpr int supported_major = 1;                        ///< of the schema's version
+inline constexpr std::size_t largest_record = 64 * 1024 * 1024;  ///< bytes
+inline constexpr int deepest_nesting = 32;
+
+/// A results file that cannot be read or is not a valid record. The message names the place in the
+/// document (`cells[3].cpu_seconds[0]: ...`); the caller adds the name of the file.
+class InvalidRecord : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Checks everything the report relies on: the schema's name and major version, required keys,
+/// types, times above zero, every cell and profile given once. Unknown keys are ignored, so that a
+/// record with a newer minor version is read. Throws InvalidRecord.
+Record parse_record(std::string_view text);
+
+/// Reads at most largest_record bytes and parses them. Throws InvalidRecord.
+Record read_record(const std::filesystem::path& file);
+
+}  // namespace desmo::report

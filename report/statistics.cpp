@@ -1,0 +1,86 @@
+#include "report/statistics.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+namespace desmo::report {
+namespace {
+
+// Two-sided 95 % quantiles of Student's t for 1, 2, ... degrees of freedom.
+constexpr std::array student_quantiles{12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306,
+                                       2.262,  2.228, 2.201, 2.179, 2.160, 2.145, 2.131, 2.120,
+                                       2.110,  2.101, 2.093, 2.086, 2.080, 2.074, 2.069, 2.064,
+                                       2.060,  2.056, 2.052, 2.048, 2.045, 2.042};
+
+// Beyond the table its last value serves: 4 % too wide at most.
+double student(std::size_t freedom) {
+  return student_quantiles[std::min(freedom, student_quantiles.size()) - 1];
+}
+
+std::vector<double> logarithms(std::span<const double> values) {
+  std::vector<double> result;
+  for (const double value : values) result.push_back(std::log(value));
+  return result;
+}
+
+double average(std::span<const double> values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+}  // namespace
+
+Summary summarise(std::span<const double> samples) {
+  std::vector<double> sorted(samples.begin(), samples.end());
+  std::sort(sorted.begin(), sorted.end());
+  const std::size_t n = sorted.size();
+  return {.median = (sorted[(n - 1) / 2] + sorted[n / 2]) / 2,
+          .least = sorted.front(),
+          .largest = sorted.back(),
+          .count = n};
+}
+
+SpeedUp speed_up(const Summary& reference, const Summary& variant) {
+  const double ratio = reference.median / variant.median;  // S = t_global / t_topological
+  return {.value = ratio,
+          .low = reference.least / variant.largest,
+          .high = reference.largest / variant.least,
+          .percent = 100 * (1 - 1 / ratio),
+          .spread = reference.count > 1 && variant.count > 1};
+}
+
+SpeedUp mean(std::span<const SpeedUp> sizes) {
+  SpeedUp result{.value = 0, .low = 0, .high = 0, .percent = 0, .spread = true};
+  const double n = static_cast<double>(sizes.size());
+  for (const SpeedUp& size : sizes) {
+    result.value += size.value / n;
+    result.low += size.low / n;
+    result.high += size.high / n;
+    result.percent += size.percent / n;
+    result.spread = result.spread && size.spread;
+  }
+  return result;
+}
+
+std::optional<Slope> fit_slope(std::span<const double> sizes, std::span<const double> seconds) {
+  const std::size_t n = sizes.size();
+  if (n < 3) return std::nullopt;
+  const std::vector<double> x = logarithms(sizes), y = logarithms(seconds);
+  const double x_mean = average(x), y_mean = average(y);
+  double xx = 0, xy = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    xx += (x[i] - x_mean) * (x[i] - x_mean);
+    xy += (x[i] - x_mean) * (y[i] - y_mean);
+  }
+  const double slope = xy / xx;
+  double squares = 0;  // of what the line leaves
+  for (std::size_t i = 0; i < n; ++i)
+    squares += std::pow(y[i] - y_mean - slope * (x[i] - x_mean), 2);
+  const double freedom = static_cast<double>(n - 2);
+  const double half = student(n - 2) * std::sqrt(squares / freedom / xx);  // t sqrt(s^2 / S_xx)
+  return Slope{.value = slope, .low = slope - half, .high = slope + half, .points = n};
+}
+
+}  // namespace desmo::report

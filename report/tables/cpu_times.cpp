@@ -1,0 +1,64 @@
+// Table 1 of the paper.
+#include <set>
+
+#include "report/digits.h"
+#include "report/measurements.h"
+#include "report/paper.h"
+#include "report/tables/tables.h"
+#include "report/variants.h"
+
+namespace desmo::report {
+namespace {
+
+std::set<std::int64_t> rows_of(const Record& record, std::string_view family) {
+  std::set<std::int64_t> sizes(published_sizes().begin(), published_sizes().end());
+  sizes.insert(largest_four_bar);
+  for (const auto& [key, cell] : record.cells)
+    for (const Variant& variant : variants)
+      if (key == family_key(variant, key.coordinates, family)) sizes.insert(key.coordinates);
+  return sizes;
+}
+
+Entry published_entry(const std::string& row, const Variant& variant) {
+  const PublishedTable& table = published_cpu_seconds();
+  const std::string digits = table.text(row, variant.paper_name);
+  if (digits.empty()) return note_entry(missing_mark);
+  if (!table.number(row, variant.paper_name)) return note_entry(digits);  // "<<0.015"
+  return {digits, {digits, "", ""}, {}};
+}
+
+}  // namespace
+
+Table cpu_times(const Record& record, std::string_view family) {
+  const std::string duration = write_shortest(record.settings.duration_seconds);
+  Table table{.name = "table1_" + std::string(family),
+              .title = "Table 1 (" + std::string(family) + "): CPU time in seconds of " + duration +
+                       " s of motion, all coordinates",
+              .notes = {"Ours: median ± half the range of " + repetitions(record) +
+                            ". The paper: MA27 in place of " + std::string(family) +
+                            ", MKL's LAPACK, an Intel Core i5-2400.",
+                        "The paper has no row " + std::to_string(largest_four_bar) +
+                            ": it says that FBL-TP takes 1000 coordinates to begin to show times "
+                            "above 0.015 s."},
+              .columns = {{"coordinates", {}}, {"source", {}}},
+              .rows = {}};
+  for (const Variant& variant : variants)
+    table.columns.push_back(
+        {family_name(variant, family), {"seconds", "half_range", "repetitions"}});
+  for (const std::int64_t size : rows_of(record, family)) {
+    const std::string row = std::to_string(size);
+    std::vector<Entry> ours{text_entry(row), text_entry("ours")};
+    std::vector<Entry> paper{text_entry(row), text_entry("paper")};
+    bool published = false;
+    for (const Variant& variant : variants) {
+      ours.push_back(seconds_entry(measured(record, family_key(variant, size, family))));
+      paper.push_back(published_entry(row, variant));
+      published = published || paper.back().note != missing_mark;
+    }
+    table.rows.push_back(std::move(ours));
+    if (published) table.rows.push_back(std::move(paper));
+  }
+  return table;
+}
+
+}  // namespace desmo::report

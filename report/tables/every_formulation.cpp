@@ -1,0 +1,123 @@
+// All that was recorded, not only what the paper compares.
+#include <algorithm>
+#include <limits>
+
+#include "report/digits.h"
+#include "report/measurements.h"
+#include "report/tables/tables.h"
+#include "report/variants.h"
+
+namespace desmo::report {
+namespace {
+
+// Fastest first; what has no time comes last, by id.
+std::vector<CellKey> ordered_keys(const Record& record, std::string_view case_name,
+                                  std::int64_t coordinates) {
+  std::vector<std::pair<double, CellKey>> found;
+  for (const auto& [key, cell] : record.cells)
+    if (key.case_name == case_name && key.coordinates == coordinates) {
+      const Measured time = measured(record, key);
+      found.emplace_back(
+          time.seconds ? time.seconds->median : std::numeric_limits<double>::infinity(), key);
+    }
+  std::sort(found.begin(), found.end());
+  std::vector<CellKey> keys;
+  for (auto& [seconds, key] : found) keys.push_back(std::move(key));
+  return keys;
+}
+
+std::optional<CellKey> fastest_reference(const Record& record, const std::vector<CellKey>& keys) {
+  for (const CellKey& key : keys)
+    for (const std::string_view family : sparse_families)
+      if (key.id == "global_automatic_" + std::string(family) && measured(record, key).seconds)
+        return key;
+  return std::nullopt;
+}
+
+Entry range_entry(const Measured& time) {
+  if (!time.seconds) return note_entry(time.mark);
+  const DigitStyle style = significant_digits(time.seconds->median, 4);
+  const std::string median = write(time.seconds->median, style),
+                    least = write(time.seconds->least, style),
+                    largest = write(time.seconds->largest, style),
+                    count = std::to_string(time.seconds->count);
+  if (time.seconds->count < 2) return {median + " (one run)", {median, "", "", count}, "one run"};
+  return {median + " (" + least + " – " + largest + ")", {median, least, largest, count}, {}};
+}
+
+Entry number_entry(const std::optional<double>& value, int significant) {
+  if (!value) return note_entry(missing_mark);
+  const std::string digits = write_significant(*value, significant);
+  return {digits, {digits}, {}};
+}
+
+Entry ratio_entry(const Record& record, const std::optional<CellKey>& reference,
+                  const CellKey& key) {
+  if (!reference) return note_entry(missing_mark);
+  const MeasuredSpeedUp ratio = measured_speed_up(record, *reference, key);
+  if (!ratio.speed_up) return note_entry(ratio.mark);
+  const std::string digits = write(ratio.speed_up->value, ratio_digits(ratio.speed_up->value));
+  Entry entry{digits, {digits}, {}};
+  if (key != *reference) return entry;
+  entry.note = "reference";
+  entry.shown += " reference";
+  return entry;
+}
+
+std::string remark(const Cell& cell) {
+  if (cell.status != Status::ok) return cell.message.empty() ? "no reason recorded" : cell.message;
+  return cell.verification ? "" : "not verified";
+}
+
+}  // namespace
+
+Table every_formulation(const Record& record, std::string_view case_name,
+                        std::int64_t coordinates) {
+  const std::string place = std::string(case_name) + ", " + std::to_string(coordinates);
+  Table table{.name = "formulations_" + std::string(case_name) + "_" + std::to_string(coordinates),
+              .title = "Every formulation: " + place + " coordinates, fastest first",
+              .notes = {"CPU seconds: median (smallest – largest) of " + repetitions(record) +
+                        "; speed-up: over the fastest global_automatic_<sparse>, ratio of medians; "
+                        "errors: largest difference from the quadruple-precision reference."},
+              .columns = {{"id", {}},
+                          {"CPU s", {"seconds", "least", "largest", "repetitions"}},
+                          {"µs/step", {"microseconds"}},
+                          {"speed-up", {"speed_up"}},
+                          {"iterations/step", {"iterations"}},
+                          {"error q", {"error"}},
+                          {"error q'", {"error"}},
+                          {"error q''", {"error"}},
+                          {"set-up s", {"seconds"}},
+                          {"remark", {}}},
+              .rows = {}};
+  const std::vector<CellKey> keys = ordered_keys(record, case_name, coordinates);
+  const std::optional<CellKey> reference = fastest_reference(record, keys);
+  for (const CellKey& key : keys) {
+    const Cell& cell = record.cells.at(key);
+    const Measured time = measured(record, key);
+    const auto& checked = cell.verification;
+    std::optional<double> step, position, velocity, acceleration;
+    if (time.seconds)
+      step = time.seconds->median / static_cast<double>(record.settings.instants) * 1e6;
+    if (checked) position = checked->position;
+    if (checked) velocity = checked->velocity;
+    if (checked) acceleration = checked->acceleration;
+    table.rows.push_back({text_entry(key.id), range_entry(time), number_entry(step, 4),
+                          ratio_entry(record, reference, key),
+                          number_entry(cell.iterations_per_step, 3), number_entry(position, 2),
+                          number_entry(velocity, 2), number_entry(acceleration, 2),
+                          number_entry(cell.setup_seconds, 2), text_entry(remark(cell))});
+  }
+  return table;
+}
+
+std::vector<std::string> failures(const Record& record) {
+  std::vector<std::string> lines;
+  for (const auto& [key, cell] : record.cells)
+    if (cell.status == Status::failed)
+      lines.push_back(std::string(failed_mark) + ": " + key.case_name + "/" +
+                      std::to_string(key.coordinates) + "/" + key.id + ": " + remark(cell));
+  return lines;
+}
+
+}  // namespace desmo::report

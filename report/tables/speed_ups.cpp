@@ -1,0 +1,86 @@
+// Table 2 of the paper: S = t_global / t_topological.
+#include <set>
+
+#include "report/measurements.h"
+#include "report/paper.h"
+#include "report/tables/tables.h"
+#include "report/variants.h"
+
+namespace desmo::report {
+namespace {
+
+Entry published_entry(const std::string& row, const Variant& variant) {
+  const std::string value = published_speed_up().text(row, variant.paper_name);
+  const std::string percent = published_improvement_percent().text(row, variant.paper_name);
+  if (value.empty()) return note_entry(missing_mark);
+  return {value + " (" + percent + " %)", {value, "", "", percent}, {}};
+}
+
+// The mean over the paper's sizes; with fewer it cannot stand beside the paper's, and says so.
+Entry mean_entry(const Record& record, std::string_view family, std::size_t variant) {
+  const std::vector<std::int64_t>& sizes = published_sizes();
+  const MeanSpeedUp mean = mean_speed_up(record, family, truck_global, variant, sizes);
+  if (!mean.speed_up) return note_entry(missing_mark);
+  Entry entry = speed_up_entry({mean.speed_up, {}});
+  if (mean.sizes == sizes.size()) return entry;
+  const std::string incomplete =
+      "incomplete " + std::to_string(mean.sizes) + "/" + std::to_string(sizes.size());
+  entry.shown += " " + incomplete;
+  entry.note += (entry.note.empty() ? "" : ", ") + incomplete;
+  return entry;
+}
+
+Entry size_entry(const Record& record, std::string_view family, std::size_t variant,
+                 std::int64_t size) {
+  return speed_up_entry(measured_speed_up(record, family_key(variants[truck_global], size, family),
+                                          family_key(variants[variant], size, family)));
+}
+
+}  // namespace
+
+Table speed_ups(const Record& record, std::string_view family) {
+  const std::string reference = family_name(variants[truck_global], family);
+  Table table{
+      .name = "table2_" + std::string(family),
+      .title = "Table 2 (" + std::string(family) + "): speed-up over " + reference +
+               " and improvement, truck suspension",
+      .notes =
+          {"Ours: ratio of the medians S, [smallest " + reference +
+               " sample over largest sample of the variant, and the reverse], improvement "
+               "100(1 − 1/S). The paper: over TS-G_MA27.",
+           "Mean: arithmetic, of each quantity, over the paper's sizes; incomplete: over fewer, so "
+           "not to be compared."},
+      .columns = {{"coordinates", {}}, {"source", {}}},
+      .rows = {}};
+  for (const std::size_t variant : topological)
+    table.columns.push_back(
+        {family_name(variants[variant], family), {"speed_up", "low", "high", "percent"}});
+
+  std::set<std::int64_t> sizes(published_sizes().begin(), published_sizes().end());
+  for (const auto& [key, cell] : record.cells)
+    for (const std::size_t variant : topological)
+      if (key == family_key(variants[variant], key.coordinates, family))
+        sizes.insert(key.coordinates);
+  std::vector<std::string> names;
+  for (const std::int64_t size : sizes) names.push_back(std::to_string(size));
+  names.push_back("mean");
+
+  auto size = sizes.begin();
+  for (const std::string& name : names) {
+    std::vector<Entry> ours{text_entry(name), text_entry("ours")};
+    std::vector<Entry> paper{text_entry(name), text_entry("paper")};
+    bool published = false;
+    for (const std::size_t variant : topological) {
+      ours.push_back(name == "mean" ? mean_entry(record, family, variant)
+                                    : size_entry(record, family, variant, *size));
+      paper.push_back(published_entry(name, variants[variant]));
+      published = published || paper.back().note != missing_mark;
+    }
+    if (size != sizes.end()) ++size;
+    table.rows.push_back(std::move(ours));
+    if (published) table.rows.push_back(std::move(paper));
+  }
+  return table;
+}
+
+}  // namespace desmo::report

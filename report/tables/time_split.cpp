@@ -1,0 +1,63 @@
+// Where the time of a step goes.
+#include <algorithm>
+#include <set>
+
+#include "report/digits.h"
+#include "report/measurements.h"
+#include "report/tables/tables.h"
+
+namespace desmo::report {
+namespace {
+
+// The schema's phases in its order, then what else any profile holds, by name.
+std::vector<std::string> phases_of(const Record& record) {
+  std::vector<std::string> phases;
+  std::set<std::string> known;
+  for (const auto& [key, profile] : record.profiles)
+    for (const auto& [phase, seconds] : profile)
+      if (known.insert(phase).second) phases.push_back(phase);
+  if (phases.size() > 6) std::sort(phases.begin() + 6, phases.end());
+  return phases;
+}
+
+Entry phase_entry(const Profile& profile, const std::string& phase, double total) {
+  for (const auto& [name, seconds] : profile)
+    if (name == phase) {
+      const std::string microseconds = write_significant(seconds * 1e6, 3);
+      const std::string percent = total > 0 ? write_fixed(100 * seconds / total, 0) : "";
+      return {microseconds + (percent.empty() ? "" : " (" + percent + " %)"),
+              {microseconds, percent},
+              {}};
+    }
+  return note_entry(missing_mark);
+}
+
+}  // namespace
+
+Table time_split(const Record& record) {
+  Table table{
+      .name = "time_split",
+      .title = "Where the time of a step goes: µs per step and share",
+      .notes = {"Measured apart from the tables above, with instrumented parts, which are "
+                "slower than the timed ones."},
+      .columns = {{"case", {}}, {"coordinates", {}}, {"id", {}}, {"total", {"microseconds"}}},
+      .rows = {}};
+  const std::vector<std::string> phases = phases_of(record);
+  for (const std::string& phase : phases)
+    table.columns.push_back({phase, {"microseconds", "percent"}});
+  for (const auto& [key, profile] : record.profiles) {
+    std::vector<Entry> row{text_entry(key.case_name), text_entry(std::to_string(key.coordinates)),
+                           text_entry(key.id)};
+    double total = 0;
+    for (const auto& [phase, seconds] : profile) total += seconds;
+    const bool failed = measured(record, key).mark == failed_mark;
+    const std::string digits = write_significant(total * 1e6, 4);
+    row.push_back(failed ? note_entry(failed_mark) : Entry{digits, {digits}, {}});
+    for (const std::string& phase : phases)
+      row.push_back(failed ? note_entry(failed_mark) : phase_entry(profile, phase, total));
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+}  // namespace desmo::report

@@ -1,0 +1,23 @@
+#include "report/variants.h"
+
+namespace desmo::report {
+namespace {
+
+std::string replaced(std::string_view text, std::string_view from, std::string_view to) {
+  std::string result(text);
+  if (const auto at = result.find(from); at != std::string::npos)
+    result.replace(at, from.size(), to);
+  return result;
+}
+
+}  // namespace
+
+std::string family_name(const Variant& variant, std::string_view family) {
+  return replaced(variant.paper_name, "MA27", family);
+}
+
+CellKey family_key(const Variant& variant, std::int64_t coordinates, std::string_view family) {
+  return {std::string(variant.case_name), coordinates, replaced(variant.id, "<sparse>", family)};
+}
+
+}  // namespace desmo::report

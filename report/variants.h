@@ -1,0 +1,45 @@
+// The paper's seven analyses and the formulations that stand for them: the one table of names.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "report/record.h"
+
+namespace desmo::report {
+
+/// The stand-ins for MA27, which cannot be redistributed.
+inline constexpr std::array<std::string_view, 3> sparse_families{"cholmod", "umfpack", "klu"};
+
+struct Variant {
+  std::string_view paper_name;  ///< "MA27" in it gives way to the family
+  std::string_view case_name;
+  std::string_view id;  ///< "<sparse>" in it gives way to the family
+};
+
+/// In the order of the columns of the paper's table 1.
+inline constexpr std::array<Variant, 7> variants{
+    {{"FBL-G_MA27", "four_bar", "global_automatic_<sparse>"},
+     {"FBL-TP", "four_bar", "group_symbolic_inlined"},
+     {"TS-G_MA27", "truck_suspension", "global_automatic_<sparse>"},
+     {"TS-TPA_MA27", "truck_suspension", "group_automatic_<sparse>"},
+     {"TS-TPA_LAP", "truck_suspension", "group_automatic_lapack"},
+     {"TS-TPS_MA27", "truck_suspension", "group_symbolic_<sparse>"},
+     {"TS-TPS_LAP", "truck_suspension", "group_symbolic_lapack"}}};
+
+inline constexpr std::size_t truck_global = 2;                        ///< reference of table 2
+inline constexpr std::array<std::size_t, 4> topological{3, 4, 5, 6};  ///< columns of table 2
+
+/// Where the paper says that the four-bar's times begin to show.
+inline constexpr std::int64_t largest_four_bar = 1002;
+
+/// TS-TPA_MA27 and klu: TS-TPA_klu.
+std::string family_name(const Variant& variant, std::string_view family);
+
+/// The cell that stands for the variant in a family.
+CellKey family_key(const Variant& variant, std::int64_t coordinates, std::string_view family);
+
+}  // namespace desmo::report

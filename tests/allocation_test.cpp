@@ -1,0 +1,119 @@
+// No heap in a step. The allocator is interposed for the whole program; what UMFPACK and CHOLMOD
+// allocate inside is counted and printed.
+
+#include <dlfcn.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstddef>
+#include <cstdlib>
+#include <iostream>
+
+#include "cases/cases.h"
+#include "formulations/variants.h"
+
+namespace {
+
+std::atomic<bool> counting{false};
+std::atomic<long> allocations{0};
+
+void note() {
+  if (counting) ++allocations;
+}
+
+template <class Function>
+Function next(const char* name) {
+  return reinterpret_cast<Function>(dlsym(RTLD_NEXT, name));
+}
+
+}  // namespace
+
+extern "C" {
+void* __libc_malloc(std::size_t size);
+void* __libc_calloc(std::size_t count, std::size_t size);
+void* __libc_realloc(void* old, std::size_t size);
+
+void* malloc(std::size_t size) {
+  note();
+  return __libc_malloc(size);
+}
+void* calloc(std::size_t count, std::size_t size) {
+  note();
+  return __libc_calloc(count, size);
+}
+void* realloc(void* old, std::size_t size) {
+  note();
+  return __libc_realloc(old, size);
+}
+int posix_memalign(void** memory, std::size_t alignment, std::size_t size) {
+  note();
+  static const auto original = next<int (*)(void**, std::size_t, std::size_t)>("posix_memalign");
+  return original(memory, alignment, size);
+}
+void* aligned_alloc(std::size_t alignment, std::size_t size) {
+  note();
+  static const auto original = next<void* (*)(std::size_t, std::size_t)>("aligned_alloc");
+  return original(alignment, size);
+}
+}
+
+namespace desmo {
+namespace {
+
+long count(const auto& work) {
+  allocations = 0;
+  counting = true;
+  work();
+  counting = false;
+  return allocations;
+}
+
+TEST(Counter, CountsADeliberateAllocation) {
+  void* volatile kept = nullptr;
+  EXPECT_EQ(count([&] { kept = std::malloc(10); }), 1);
+  EXPECT_EQ(count([&] { kept = std::realloc(kept, 1000); }), 1);
+  std::free(kept);
+  EXPECT_EQ(count([&] { kept = std::calloc(3, 3); }), 1);
+  std::free(kept);
+  EXPECT_EQ(count([&] { kept = std::aligned_alloc(64, 64); }), 1);
+  std::free(kept);
+  int* volatile made = nullptr;
+  EXPECT_EQ(count([&] { made = new int(1); }), 1);
+  delete made;
+  EXPECT_EQ(count([] {}), 0);
+}
+
+class EveryVariant : public testing::TestWithParam<const Variant*> {};
+
+TEST_P(EveryVariant, AllocatesNothingInAStep) {
+  const Variant& v = *GetParam();
+  for (const Case& c : cases()) {
+    const Mechanism m = build(c, is_dense_global(v) ? 114 : 558);
+    const auto f = make_formulation(v, m);
+    ASSERT_TRUE(f->assemble(0).ok());
+    constexpr int steps = 50;
+    bool ok = true;
+    const long n = count([&] {
+      for (int i = 1; i <= steps; ++i) ok = f->step(0.01 * i).ok() && ok;
+    });
+    EXPECT_TRUE(ok);
+    const std::string_view algebra = algebra_name(v);
+    if (algebra == "umfpack" || algebra == "cholmod")
+      std::cout << v.id << ", " << c.name << ": the library allocates "
+                << static_cast<double>(n) / steps << " times a step\n";
+    else
+      EXPECT_EQ(n, 0) << c.name;
+  }
+}
+
+std::vector<const Variant*> all_variants() {
+  std::vector<const Variant*> result;
+  for (const Variant& v : variants()) result.push_back(&v);
+  return result;
+}
+
+INSTANTIATE_TEST_SUITE_P(Table, EveryVariant, testing::ValuesIn(all_variants()),
+                         [](const auto& info) { return info.param->id; });
+
+}  // namespace
+}  // namespace desmo

@@ -1,0 +1,94 @@
+#include "report/figures/figures.h"
+
+#include <gtest/gtest.h>
+
+#include "report/tables/tables.h"
+#include "tests/report/sample.h"
+
+namespace desmo::report {
+namespace {
+
+Json data_of(const Json& record, std::size_t figure) {
+  return Json::parse(figures(record_from(record)).at(figure).content)["data"]["values"];
+}
+
+Json find(const Json& values, const Json& wanted) {
+  for (const Json& value : values) {
+    bool found = true;
+    for (const auto& [key, expected] : wanted.items()) found = found && value[key] == expected;
+    if (found) return value;
+  }
+  return nullptr;
+}
+
+TEST(Figures, AreVegaLiteWithInlineData) {
+  const auto files = figures(record_from(complete_record()));
+  ASSERT_EQ(files.size(), 2u);
+  EXPECT_EQ(files[0].file_name, "figure5.vl.json");
+  EXPECT_EQ(files[1].file_name, "figure6.vl.json");
+  for (const Rendered& file : files) {
+    const Json spec = Json::parse(file.content);
+    EXPECT_NE(spec["$schema"].get<std::string>().find("vega-lite/v5"), std::string::npos);
+    EXPECT_FALSE(spec["data"].contains("url"));
+    EXPECT_NE(spec["title"]["subtitle"].dump().find("Synthetic CPU"), std::string::npos);
+  }
+}
+
+TEST(FigureFive, ShowsOursAndThePapers) {
+  Json record = complete_record();
+  set_samples(record, 336, "group_symbolic_klu", {0.3, 0.1, 0.2});
+  const Json values = data_of(record, 0);
+  EXPECT_EQ(values.size(), 6u * 5 + 3 * 7 * 5);  // the paper gives no number for FBL-TP
+  const Json ours =
+      find(values, {{"panel", "klu"}, {"analysis", "TS-TPS sparse"}, {"coordinates", 336}});
+  EXPECT_EQ(ours["seconds"], 0.2);
+  EXPECT_EQ(ours["least"], 0.1);
+  EXPECT_EQ(ours["largest"], 0.3);
+  EXPECT_EQ(find(values, {{"panel", "MA27 (the paper)"},
+                          {"analysis", "TS-G sparse"},
+                          {"coordinates", 558}})["seconds"],
+            7.1);
+}
+
+TEST(FigureFive, HasNoPointForAFailedCell) {
+  Json record = complete_record();
+  fail_cell(record, "truck_suspension", 336, "group_symbolic_lapack");
+  for (const char* family : {"cholmod", "umfpack", "klu"}) {
+    const Json point =
+        find(data_of(record, 0),
+             {{"panel", family}, {"analysis", "TS-TPS LAPACK"}, {"coordinates", 336}});
+    EXPECT_TRUE(point["seconds"].is_null());
+    EXPECT_EQ(point["note"], failed_mark);
+  }
+}
+
+TEST(FigureSix, ShowsTheMeansOfTableTwo) {
+  const Json record = complete_record();
+  const Json values = data_of(record, 1);
+  EXPECT_EQ(values.size(), 4u * 4);
+  for (const char* family : {"cholmod", "umfpack", "klu"}) {
+    const Entry mean =
+        entry_at(speed_ups(record_from(record), family), {"mean", "ours"}, "TS-TPA_LAP");
+    const Json bar = find(values, {{"solver", family}, {"variant", "TS-TPA LAPACK"}});
+    EXPECT_EQ(bar["label"], mean.digits[0]);
+    EXPECT_EQ(bar["low"], std::stod(mean.digits[1]));
+    EXPECT_EQ(bar["high"], std::stod(mean.digits[2]));
+  }
+}
+
+TEST(FigureSix, MarksIncompleteAndMissingMeans) {
+  Json record = complete_record();
+  fail_cell(record, "truck_suspension", 336, "group_automatic_klu");
+  for (const int size : {114, 225, 336, 447, 558})
+    erase_cell(record, "truck_suspension", size, "group_symbolic_klu");
+  const Json values = data_of(record, 1);
+  const std::string label =
+      find(values, {{"solver", "klu"}, {"variant", "TS-TPA sparse"}})["label"];
+  EXPECT_EQ(label.back(), '*');
+  const Json none = find(values, {{"solver", "klu"}, {"variant", "TS-TPS sparse"}});
+  EXPECT_TRUE(none["speed_up"].is_null());
+  EXPECT_EQ(none["label"], "n/a");
+}
+
+}  // namespace
+}  // namespace desmo::report

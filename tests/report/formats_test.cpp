@@ -1,0 +1,160 @@
+#include "report/formats/formats.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <sstream>
+
+#include "report/report.h"
+#include "tests/report/sample.h"
+
+namespace desmo::report {
+namespace {
+
+Document complete_document() { return make_report(record_from(complete_record())); }
+
+// One table, with everything a format could stumble over.
+Document awkward() {
+  Table table{
+      .name = "awkward",
+      .title = "50 % of a_b",
+      .notes = {"a | b"},
+      .columns = {{"id", {}}, {"time", {"seconds", "spread"}}},
+      .rows = {{text_entry("x_y|<z>, \"q\" --quick"), {"-1.50 ±0.10", {"-1.50", "0.10"}, ""}},
+               {text_entry("[w] $5 & #1 {2} ~ ^ \\"), note_entry(failed_mark)},
+               {text_entry("v"), {"7.100 old", {"7.100", ""}, "old"}}}};
+  return {.title = "T", .sections = {{"S", {"p_q"}, {table}}}};
+}
+
+TEST(Csv, QuotesAndMarks) {
+  EXPECT_EQ(to_csv(awkward().sections[0].tables[0]),
+            "id,time seconds,time spread,notes\n"
+            "\"x_y|<z>, \"\"q\"\" --quick\",-1.50,0.10,\n"
+            "[w] $5 & #1 {2} ~ ^ \\,FAILED,,\n"
+            "v,7.100,,time: old\n");
+}
+
+TEST(JsonFormat, IsValidAndKeepsDigits) {
+  const std::string text = to_json(awkward());
+  const Json json = Json::parse(text);
+  const Json& rows = json["sections"][0]["tables"][0]["rows"];
+  EXPECT_EQ(rows[0]["id"], "x_y|<z>, \"q\" --quick");
+  EXPECT_EQ(rows[0]["time"], Json::parse(R"({"seconds": -1.5, "spread": 0.1})"));
+  EXPECT_EQ(rows[1]["time"], Json::parse(R"({"seconds": null, "spread": null, "note": "FAILED"})"));
+  EXPECT_NE(text.find("\"seconds\": 7.100"), std::string::npos);
+}
+
+TEST(Markdown, Escapes) {
+  const std::string text = to_markdown(awkward());
+  EXPECT_NE(text.find("| x\\_y\\|&lt;z&gt;, \"q\" --quick | -1.50 ±0.10 |"), std::string::npos)
+      << text;
+  EXPECT_NE(text.find("| \\[w\\] \\$5 &amp; \\#1 {2} \\~ ^ \\\\ | FAILED |"), std::string::npos)
+      << text;
+  EXPECT_NE(text.find("| --- | ---: |"), std::string::npos) << text;
+}
+
+TEST(Latex, Escapes) {
+  const std::string text = to_latex(awkward());
+  EXPECT_NE(
+      text.find("x\\_y\\textbar{}\\textless{}z\\textgreater{}, \\textquotedbl{}q\\textquotedbl{} "
+                "-{}-{}quick & $-$1.50 $\\pm$0.10 \\\\"),
+      std::string::npos)
+      << text;
+  EXPECT_NE(text.find("{[}w] \\$5 \\& \\#1 \\{2\\} \\textasciitilde{} \\textasciicircum{} "
+                      "\\textbackslash{} & FAILED \\\\"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("\\caption*{50 \\% of a\\_b}"), std::string::npos) << text;
+}
+
+TEST(Terminal, AlignsByCharactersNotBytes) {
+  const std::string text = to_terminal(awkward());
+  EXPECT_NE(text.find("-1.50 ±0.10\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("     FAILED\n"), std::string::npos) << text;
+}
+
+TEST(Terminal, NamesTheTablesItLeavesOut) {
+  Document document = awkward();
+  document.sections[0].tables[0].detail = true;
+  const std::string text = to_terminal(document);
+  EXPECT_EQ(text.find("FAILED"), std::string::npos);
+  EXPECT_NE(text.find("In the other formats only: awkward."), std::string::npos);
+}
+
+std::vector<std::string> csv_numbers(const Document& document) {
+  std::vector<std::string> numbers;
+  for (const Section& section : document.sections)
+    for (const Table& table : section.tables)
+      for (const auto& row : table.rows)
+        for (const Entry& entry : row)
+          for (const std::string& digits : entry.digits) numbers.push_back(digits);
+  return numbers;
+}
+
+// Independent of how a format is written: all digits of every entry stand in each of them, in
+// order, and the JSON's numbers equal those of the CSV.
+TEST(Formats, HoldIdenticalNumbers) {
+  const Document document = complete_document();
+  for (const Section& section : document.sections)
+    for (const Table& table : section.tables)
+      for (const auto& row : table.rows)
+        for (const Entry& entry : row) {
+          std::size_t at = 0;
+          for (const std::string& digits : entry.digits) {
+            if (digits.empty()) continue;
+            const std::size_t found = entry.shown.find(digits, at);
+            // The count of repetitions is the one number that people read in the caption.
+            if (found == std::string::npos) {
+              EXPECT_EQ(digits, "5") << table.name << ": " << entry.shown;
+              continue;
+            }
+            at = found + digits.size();
+          }
+        }
+
+  const Json json = Json::parse(to_json(document));
+  std::vector<double> in_json;
+  for (const Json& section : json["sections"])
+    for (const Json& table : section["tables"])
+      for (const Json& row : table["rows"])
+        for (const auto& [column, place] : row.items())
+          if (place.is_object())
+            for (const auto& [quantity, value] : place.items())
+              if (value.is_number()) in_json.push_back(value.get<double>());
+  std::vector<double> in_document;
+  for (const std::string& digits : csv_numbers(document))
+    if (!digits.empty()) in_document.push_back(std::stod(digits));
+  EXPECT_GT(in_json.size(), 1000u);
+  EXPECT_EQ(in_json, in_document);
+}
+
+TEST(Formats, CsvFieldsMatchTheHeader) {
+  for (const Rendered& file : render(complete_document(), "csv")) {
+    std::istringstream lines(file.content);
+    std::set<long> counts;
+    for (std::string line; std::getline(lines, line);) {
+      bool quoted = false;
+      long count = 1;
+      for (const char c : line) {
+        if (c == '"') quoted = !quoted;
+        if (c == ',' && !quoted) ++count;
+      }
+      counts.insert(count);
+    }
+    EXPECT_EQ(counts.size(), 1u) << file.file_name;
+  }
+}
+
+TEST(Formats, FileNamesAreUnique) {
+  std::set<std::string> names;
+  std::size_t count = 0;
+  for (const std::string& format : format_names())
+    for (const Rendered& file : render(complete_document(), format)) {
+      names.insert(file.file_name);
+      ++count;
+    }
+  EXPECT_EQ(names.size(), count);
+}
+
+}  // namespace
+}  // namespace desmo::report

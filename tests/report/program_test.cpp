@@ -1,0 +1,157 @@
+// desmo_report and the render script as a user runs them: exit codes, messages, files.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <map>
+
+#include "tests/report/sample.h"
+
+namespace desmo::report {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Program : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = (fs::temp_directory_path() / "desmo_report_XXXXXX").string();
+    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
+    folder_ = pattern;
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  // Runs a shell command; its streams end up in out_ and err_.
+  int shell(const std::string& command) {
+    const std::string out = (folder_ / "stdout").string(), err = (folder_ / "stderr").string();
+    const int status = std::system(("{ " + command + "; } >" + out + " 2>" + err).c_str());
+    out_ = read_text(out);
+    err_ = read_text(err);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+  int tables(const std::string& record, const std::string& options = "") {
+    return shell(std::string(DESMO_REPORT_PROGRAM) + " tables " + data_file(record).string() + " " +
+                 options);
+  }
+
+  static std::map<std::string, std::string> files_in(const fs::path& folder) {
+    std::map<std::string, std::string> files;
+    if (fs::exists(folder))
+      for (const auto& entry : fs::directory_iterator(folder))
+        files[entry.path().filename()] = read_text(entry.path());
+    return files;
+  }
+
+  fs::path folder_;
+  std::string out_, err_;
+};
+
+TEST_F(Program, PrintsTheTablesAndWritesNothing) {
+  EXPECT_EQ(tables("complete.json"), 0);
+  EXPECT_NE(out_.find("Table 1 (klu)"), std::string::npos);
+  EXPECT_NE(out_.find("Table 2 (umfpack)"), std::string::npos);
+  EXPECT_EQ(err_, "");
+}
+
+TEST_F(Program, WritesEveryFormatTwiceTheSame) {
+  const fs::path first = folder_ / "a/deep", second = folder_ / "b";
+  EXPECT_EQ(tables("complete.json", "--out " + first.string()), 0);
+  const std::string printed = out_;
+  EXPECT_EQ(tables("complete.json", "--out " + second.string()), 0);
+  EXPECT_EQ(out_, printed);
+  const auto files = files_in(first);
+  EXPECT_EQ(files, files_in(second));
+  for (const char* name : {"tables.txt", "tables.json", "tables.md", "tables.tex",
+                           "table1_cholmod.csv", "table2_klu.csv", "figure5.vl.json",
+                           "figure6.vl.json", "scaling.csv", "conclusion.csv", "provenance.csv"})
+    EXPECT_EQ(files.count(name), 1u) << name;
+  EXPECT_EQ(files.at("tables.txt"), printed);
+  EXPECT_EQ(tables("complete.json", "--out " + first.string()), 0);  // over what is there
+  EXPECT_EQ(files, files_in(first));
+}
+
+TEST_F(Program, TheOrderOfCellsDoesNotMatter) {
+  Json json = complete_record();
+  std::reverse(json["cells"].begin(), json["cells"].end());
+  std::ofstream(folder_ / "reversed.json") << json.dump();
+  EXPECT_EQ(tables("complete.json"), 0);
+  const std::string printed = out_;
+  EXPECT_EQ(tables((folder_ / "reversed.json").string()), 0);
+  EXPECT_EQ(out_, printed);
+}
+
+TEST_F(Program, WritesOnlyTheChosenFormats) {
+  EXPECT_EQ(tables("complete.json", "--format markdown --out " + (folder_ / "out").string()), 0);
+  EXPECT_EQ(files_in(folder_ / "out").count("tables.md"), 1u);
+  EXPECT_EQ(files_in(folder_ / "out").count("tables.tex"), 0u);
+  EXPECT_EQ(tables("complete.json", "--format json"), 0);
+  EXPECT_EQ(Json::parse(out_)["schema"], "desmo-tables");
+}
+
+TEST_F(Program, UsageErrors) {
+  EXPECT_EQ(shell(DESMO_REPORT_PROGRAM), 64);
+  EXPECT_EQ(shell(std::string(DESMO_REPORT_PROGRAM) + " tables"), 64);
+  EXPECT_EQ(shell(std::string(DESMO_REPORT_PROGRAM) + " chairs"), 64);
+  EXPECT_EQ(tables("complete.json", "--format pdf"), 64);
+  EXPECT_EQ(shell(std::string(DESMO_REPORT_PROGRAM) + " --help"), 0);
+}
+
+TEST_F(Program, InvalidRecordsNameFileAndPlace) {
+  EXPECT_EQ(tables("unknown_version.json", "--out " + (folder_ / "out").string()), 65);
+  EXPECT_NE(err_.find("unknown_version.json: version: schema version 2.0.0 is not supported"),
+            std::string::npos)
+      << err_;
+  EXPECT_EQ(out_, "");
+  EXPECT_FALSE(fs::exists(folder_ / "out"));
+  EXPECT_EQ(tables("truncated.json"), 65);
+  EXPECT_NE(err_.find("truncated.json: not a complete JSON document"), std::string::npos) << err_;
+  EXPECT_EQ(tables("no_such.json"), 65);
+  EXPECT_NE(err_.find("no_such.json: cannot be read: No such file"), std::string::npos) << err_;
+}
+
+TEST_F(Program, MarksFailuresEverywhereAndSucceeds) {
+  EXPECT_EQ(tables("failed.json", "--out " + (folder_ / "out").string()), 0);
+  for (const char* name : {"tables.txt", "tables.json", "tables.md", "tables.tex", "table1_klu.csv",
+                           "table2_klu.csv", "figure5.vl.json"})
+    EXPECT_NE(files_in(folder_ / "out")[name].find("FAILED"), std::string::npos) << name;
+}
+
+TEST_F(Program, FullDiskLeavesNothingBehind) {
+  const fs::path out = folder_ / "out";
+  ASSERT_EQ(tables("complete.json", "--format csv --out " + out.string()), 0);
+  const auto before = files_in(out);
+  // No file may grow beyond 8 blocks: the write fails half-way, as on a full disk.
+  EXPECT_EQ(shell("sh -c 'trap \"\" XFSZ; ulimit -f 8; exec " + std::string(DESMO_REPORT_PROGRAM) +
+                  " tables " + data_file("complete.json").string() + " --out " + out.string() +
+                  "' >/dev/null"),
+            74);
+  EXPECT_NE(err_.find("cannot be written"), std::string::npos) << err_;
+  EXPECT_NE(err_.find(out.string()), std::string::npos) << err_;
+  EXPECT_EQ(files_in(out), before);
+}
+
+TEST_F(Program, OutputErrorsNameTheFile) {
+  std::ofstream(folder_ / "file") << "in the way";
+  EXPECT_EQ(tables("complete.json", "--out " + (folder_ / "file").string()), 74);
+  EXPECT_NE(err_.find((folder_ / "file").string()), std::string::npos) << err_;
+  EXPECT_EQ(tables("complete.json", "--out /proc/nowhere"), 74);
+  EXPECT_NE(err_.find("/proc/nowhere"), std::string::npos) << err_;
+  EXPECT_EQ(tables("complete.json", ">/dev/full"), 74);
+  EXPECT_NE(err_.find("standard output cannot be written"), std::string::npos) << err_;
+}
+
+TEST_F(Program, WithoutNodeTheMissingFiguresAreNamed) {
+  const fs::path out = folder_ / "out";
+  ASSERT_EQ(tables("complete.json", "--out " + out.string()), 0);
+  const std::string render = "PATH=/nowhere /bin/sh " + std::string(DESMO_REPORT_RENDER) + " ";
+  EXPECT_EQ(shell(render + out.string() + " " + (folder_ / "work").string()), 0);
+  EXPECT_EQ(out_,
+            "missing figure: figure5.svg (Node.js is not installed)\n"
+            "missing figure: figure6.svg (Node.js is not installed)\n");
+  EXPECT_EQ(shell(render + (folder_ / "no_such").string()), 64);
+}
+
+}  // namespace
+}  // namespace desmo::report

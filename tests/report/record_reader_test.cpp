@@ -1,0 +1,173 @@
+#include "report/record_reader.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/report/sample.h"
+
+namespace desmo::report {
+namespace {
+
+std::string complaint(const std::string& text) {
+  try {
+    parse_record(text);
+  } catch (const InvalidRecord& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+std::string complaint(const Json& json) { return complaint(json.dump()); }
+
+#define EXPECT_CONTAINS(text, part) EXPECT_NE((text).find(part), std::string::npos) << (text)
+
+TEST(RecordReader, ReadsTheCompleteSample) {
+  const Record record = read_record(data_file("complete.json"));
+  EXPECT_EQ(record.settings.instants, 3001);
+  EXPECT_EQ(record.cells.size(), 5u * 16 + 6 * 5);
+  EXPECT_EQ(record.profiles.size(), 3u);
+  const Cell& cell = record.cells.at({"truck_suspension", 558, "group_symbolic_lapack"});
+  EXPECT_EQ(cell.status, Status::ok);
+  EXPECT_EQ(cell.cpu_seconds.size(), 5u);
+}
+
+TEST(RecordReader, RefusesWhatIsNotJson) {
+  EXPECT_CONTAINS(complaint(read_text(data_file("truncated.json"))),
+                  "not a complete JSON document");
+  EXPECT_CONTAINS(complaint(std::string()), "not a complete JSON document");
+  EXPECT_CONTAINS(complaint(std::string("coordinates,FBL-G\n114,0.045\n")), "not a complete JSON");
+  EXPECT_CONTAINS(complaint(std::string("\"\xff\"")), "not a complete JSON document");
+  EXPECT_CONTAINS(complaint(std::string("[1]")), "top level: an object was expected, not array");
+}
+
+// Every prefix of a valid record is invalid, and says so without any other trouble.
+TEST(RecordReader, RefusesEveryPrefix) {
+  const std::string text = read_text(data_file("complete.json"));
+  const std::size_t end = text.find_last_of('}');
+  for (std::size_t length = 0; length <= end; length += 97)
+    EXPECT_NE(complaint(text.substr(0, length)), "accepted") << length;
+}
+
+TEST(RecordReader, RefusesAnotherSchemaOrMajorVersion) {
+  EXPECT_CONTAINS(complaint(read_text(data_file("unknown_version.json"))),
+                  "version: schema version 2.0.0 is not supported, only 1.x.y");
+  Json json = complete_record();
+  json["schema"] = "google-benchmark";
+  EXPECT_CONTAINS(complaint(json), "schema: \"google-benchmark\" is not \"desmo-results\"");
+  for (const char* version :
+       {"1", "1.0", "1.0.0.0", "1.0.0-rc1", "one", "", "1..0", "-1.0.0", "99999999999.0.0"}) {
+    json = complete_record();
+    json["version"] = version;
+    EXPECT_CONTAINS(complaint(json), "is not a version of the form 1.2.3");
+  }
+  json["version"] = 1;
+  EXPECT_CONTAINS(complaint(json), "version: a string was expected, not number");
+}
+
+TEST(RecordReader, ReadsANewerMinorVersionWithUnknownKeys) {
+  Json json = complete_record();
+  json["version"] = "1.7.3";
+  json["later"] = {{"key", 1}};
+  json["cells"][0]["cache_misses"] = {1, 2};
+  EXPECT_EQ(complaint(json), "accepted");
+}
+
+TEST(RecordReader, NamesTheMissingKey) {
+  for (const char* key : {"schema", "version", "record", "cells"}) {
+    Json json = complete_record();
+    json.erase(key);
+    EXPECT_CONTAINS(complaint(json),
+                    "top level: the required key \"" + std::string(key) + "\" is missing");
+  }
+  Json json = complete_record();
+  json["record"]["settings"].erase("instants");
+  EXPECT_CONTAINS(complaint(json), "record.settings: the required key \"instants\" is missing");
+  json = complete_record();
+  json["cells"][3].erase("cpu_seconds");
+  EXPECT_CONTAINS(complaint(json), "cells[3]: the required key \"cpu_seconds\" is missing");
+  json = complete_record();
+  json["profiles"][1]["seconds_per_step"].erase("solve");
+  EXPECT_CONTAINS(complaint(json),
+                  "profiles[1].seconds_per_step: the required key \"solve\" is missing");
+}
+
+TEST(RecordReader, RefusesSamplesThatAreNoTimes) {
+  for (const char* sample : {"0", "-0.1", "1e-30", "1e30", "\"0.1\"", "null", "[0.1]"}) {
+    Json json = complete_record();
+    json["cells"][2]["cpu_seconds"][1] = Json::parse(sample);
+    EXPECT_CONTAINS(complaint(json), "cells[2].cpu_seconds[1]: ");
+  }
+  Json json = complete_record();
+  json["cells"][2]["cpu_seconds"] = Json::array();
+  EXPECT_CONTAINS(complaint(json), "cells[2].cpu_seconds: an \"ok\" cell needs");
+}
+
+TEST(RecordReader, RefusesNotANumberAndInfinity) {
+  const std::string text = complete_record().dump();
+  for (const char* value : {"NaN", "Infinity", "1e999"}) {
+    std::string changed = text;
+    const std::size_t at = changed.find("\"cpu_seconds\":[") + 15;
+    changed.replace(at, changed.find(',', at) - at, value);
+    EXPECT_CONTAINS(complaint(changed), "not a complete JSON document");
+  }
+}
+
+TEST(RecordReader, RefusesWrongTypesAndValues) {
+  const auto with = [](const char* pointer, Json value) {
+    Json json = complete_record();
+    json[Json::json_pointer(pointer)] = std::move(value);
+    return complaint(json);
+  };
+  EXPECT_CONTAINS(with("/record/dirty", 0), "record.dirty: true or false was expected");
+  EXPECT_CONTAINS(with("/record/blas/threads", 1.5), "record.blas.threads: an integer");
+  EXPECT_CONTAINS(with("/record/settings/instants", 0), "record.settings.instants: 0 is not in 1");
+  EXPECT_CONTAINS(with("/record/settings/tolerance", -1), "record.settings.tolerance: -1 is");
+  EXPECT_CONTAINS(with("/cells/0/coordinates", 18446744073709551615u), "cells[0].coordinates: ");
+  EXPECT_CONTAINS(with("/cells/0/status", "great"), "cells[0].status: \"great\" is none of");
+  EXPECT_CONTAINS(with("/cells/0/case", "../escape"), "cells[0].case: \"../escape\" is not a name");
+  EXPECT_CONTAINS(with("/cells/0/verification/position", -1), "cells[0].verification.position: -1");
+  EXPECT_CONTAINS(with("/cells/0/residual", 1e200), "cells[0].residual: ");
+  EXPECT_CONTAINS(with("/cells", Json::object()), "cells: an array was expected, not object");
+  EXPECT_CONTAINS(with("/record/libraries/KLU", 2), "record.libraries.KLU: a string was expected");
+}
+
+TEST(RecordReader, RefusesWhatIsGivenTwice) {
+  Json json = complete_record();
+  json["cells"].push_back(json["cells"][0]);
+  EXPECT_CONTAINS(complaint(json), "truck_suspension/114/global_automatic_cholmod is given twice");
+  json = complete_record();
+  json["profiles"].push_back(json["profiles"][0]);
+  EXPECT_CONTAINS(complaint(json), "profiles[3]: truck_suspension/558/");
+  EXPECT_CONTAINS(complaint(std::string(R"({"schema": "a", "schema": "b"})")),
+                  "the key \"schema\" is given twice");
+}
+
+TEST(RecordReader, RefusesEndlessNestingAndSize) {
+  EXPECT_CONTAINS(complaint(std::string(1'000'000, '[')), "nested more than 32 levels deep");
+  std::string objects;
+  for (int i = 0; i < 100'000; ++i) objects += "{\"a\":";
+  EXPECT_CONTAINS(complaint(objects), "nested more than 32 levels deep");
+  try {
+    read_record("/dev/zero");
+    FAIL();
+  } catch (const InvalidRecord& error) {
+    EXPECT_CONTAINS(std::string(error.what()), "larger than 67108864 bytes");
+  }
+  EXPECT_THROW(read_record("/nowhere/record.json"), InvalidRecord);
+  EXPECT_THROW(read_record(data_file(".")), InvalidRecord);
+}
+
+TEST(RecordReader, IgnoresTheTimesOfAFailedCell) {
+  Json json = complete_record();
+  fail_cell(json, "four_bar", 114, "group_symbolic_inlined");
+  const Record record = record_from(json);
+  EXPECT_TRUE(record.cells.at({"four_bar", 114, "group_symbolic_inlined"}).cpu_seconds.empty());
+}
+
+TEST(RecordReader, ReplacesControlCharacters) {
+  Json json = complete_record();
+  json["record"]["command"] = "desmo_bench\n\x1b[31m";
+  EXPECT_EQ(record_from(json).command, "desmo_bench  [31m");
+}
+
+}  // namespace
+}  // namespace desmo::report

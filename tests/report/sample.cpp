@@ -1,0 +1,79 @@
+#include "tests/report/sample.h"
+
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+#include "report/record_reader.h"
+
+namespace desmo::report {
+
+std::filesystem::path data_file(const std::string& name) {
+  return std::filesystem::path(DESMO_REPORT_DATA) / name;
+}
+
+std::string read_text(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw std::runtime_error("no file " + file.string());
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+Json complete_record() { return Json::parse(read_text(data_file("complete.json"))); }
+
+namespace {
+
+std::size_t position(const Json& record, const std::string& case_name, int coordinates,
+                     const std::string& id) {
+  const Json& cells = record["cells"];
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    if (cells[i]["case"] == case_name && cells[i]["coordinates"] == coordinates &&
+        cells[i]["id"] == id)
+      return i;
+  throw std::runtime_error("no cell " + case_name + "/" + std::to_string(coordinates) + "/" + id);
+}
+
+}  // namespace
+
+Json& cell_of(Json& record, const std::string& case_name, int coordinates, const std::string& id) {
+  return record["cells"][position(record, case_name, coordinates, id)];
+}
+
+void erase_cell(Json& record, const std::string& case_name, int coordinates,
+                const std::string& id) {
+  record["cells"].erase(position(record, case_name, coordinates, id));
+}
+
+void fail_cell(Json& record, const std::string& case_name, int coordinates, const std::string& id) {
+  Json& cell = cell_of(record, case_name, coordinates, id);
+  cell["status"] = "failed";
+  cell["message"] = "wrong by design";
+}
+
+void set_samples(Json& record, int coordinates, const std::string& id,
+                 std::vector<double> samples) {
+  cell_of(record, "truck_suspension", coordinates, id)["cpu_seconds"] = std::move(samples);
+}
+
+Record record_from(const Json& json) { return parse_record(json.dump()); }
+
+Entry entry_at(const Table& table, const std::vector<std::string>& labels,
+               const std::string& column) {
+  for (const auto& row : table.rows) {
+    bool found = true;
+    for (std::size_t i = 0; i < labels.size(); ++i) found = found && row[i].shown == labels[i];
+    for (std::size_t i = 0; found && i < row.size(); ++i)
+      if (table.columns[i].name == column) return row[i];
+  }
+  throw std::runtime_error("table " + table.name + " has no such place in column " + column);
+}
+
+const Table& table_named(const Document& document, const std::string& name) {
+  for (const Section& section : document.sections)
+    for (const Table& table : section.tables)
+      if (table.name == name) return table;
+  throw std::runtime_error("no table " + name);
+}
+
+}  // namespace desmo::report

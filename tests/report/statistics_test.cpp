@@ -1,0 +1,103 @@
+#include "report/statistics.h"
+
+#include <gtest/gtest.h>
+
+#include <clocale>
+#include <cmath>
+#include <vector>
+
+#include "report/digits.h"
+
+namespace desmo::report {
+namespace {
+
+TEST(Statistics, MedianOfOddAndEvenCounts) {
+  const Summary odd = summarise(std::vector{5.0, 1.0, 9.0});
+  EXPECT_EQ(odd.median, 5);
+  EXPECT_EQ(odd.least, 1);
+  EXPECT_EQ(odd.largest, 9);
+  EXPECT_EQ(odd.half_range(), 4);
+  EXPECT_EQ(summarise(std::vector{4.0, 1.0, 2.0, 8.0}).median, 3);
+  EXPECT_EQ(summarise(std::vector{7.0}).median, 7);
+}
+
+TEST(Statistics, SpeedUpAndItsInterval) {
+  // Reference 6, 8, 10; variant 2, 4, 5: S = 8/4, from 6/5 to 10/2.
+  const SpeedUp ratio =
+      speed_up(summarise(std::vector{8.0, 6.0, 10.0}), summarise(std::vector{5.0, 2.0, 4.0}));
+  EXPECT_DOUBLE_EQ(ratio.value, 2);
+  EXPECT_DOUBLE_EQ(ratio.low, 1.2);
+  EXPECT_DOUBLE_EQ(ratio.high, 5);
+  EXPECT_DOUBLE_EQ(ratio.percent, 50);
+  EXPECT_TRUE(ratio.spread);
+}
+
+TEST(Statistics, OneRunHasNoSpread) {
+  EXPECT_FALSE(speed_up(summarise(std::vector{8.0}), summarise(std::vector{5.0, 4.0})).spread);
+}
+
+TEST(Statistics, MeanOfPercentagesNotPercentageOfTheMean) {
+  const SpeedUp half{.value = 2, .low = 1, .high = 3, .percent = 50, .spread = true};
+  const SpeedUp quarter{.value = 4, .low = 3, .high = 5, .percent = 75, .spread = true};
+  const SpeedUp both = mean(std::vector{half, quarter});
+  EXPECT_DOUBLE_EQ(both.value, 3);
+  EXPECT_DOUBLE_EQ(both.low, 2);
+  EXPECT_DOUBLE_EQ(both.high, 4);
+  EXPECT_DOUBLE_EQ(both.percent, 62.5);
+}
+
+TEST(Statistics, SlopeOfAPowerLaw) {
+  const std::vector<double> sizes{114, 225, 336, 447, 558};
+  std::vector<double> seconds;
+  for (const double size : sizes) seconds.push_back(0.01 * std::pow(size, 1.25));
+  const auto slope = fit_slope(sizes, seconds);
+  ASSERT_TRUE(slope);
+  EXPECT_NEAR(slope->value, 1.25, 1e-12);
+  EXPECT_NEAR(slope->low, 1.25, 1e-7);
+  EXPECT_NEAR(slope->high, 1.25, 1e-7);
+  EXPECT_EQ(slope->points, 5u);
+}
+
+// By hand: x = 0, 1, 2 and y = 0, 2, 2 in logarithms. Slope 1, residuals -1/3, 2/3, -1/3, so
+// s^2 = 2/3 with one degree of freedom, S_xx = 2 and the half-width 12.706 sqrt(1/3).
+TEST(Statistics, SlopeIntervalByHand) {
+  const double e = std::exp(1.0);
+  const auto slope = fit_slope(std::vector{1.0, e, e * e}, std::vector{1.0, e * e, e * e});
+  ASSERT_TRUE(slope);
+  EXPECT_NEAR(slope->value, 1, 1e-12);
+  EXPECT_NEAR(slope->high - slope->value, 12.706 / std::sqrt(3.0), 1e-9);
+  EXPECT_NEAR(slope->value - slope->low, 12.706 / std::sqrt(3.0), 1e-9);
+}
+
+TEST(Statistics, NoSlopeOfTwoSizes) {
+  EXPECT_FALSE(fit_slope(std::vector{1.0, 2.0}, std::vector{1.0, 2.0}));
+}
+
+TEST(Digits, Significant) {
+  EXPECT_EQ(write_significant(7.1, 4), "7.100");
+  EXPECT_EQ(write_significant(0.607, 4), "0.6070");
+  EXPECT_EQ(write_significant(9.99996, 4), "10.00");
+  EXPECT_EQ(write_significant(12345.6, 4), "12346");
+  EXPECT_EQ(write_significant(0.000012345, 3), "0.0000123");
+  EXPECT_EQ(write_significant(3.14e-13, 2), "3.1e-13");
+  EXPECT_EQ(write_significant(1e9, 2), "1.0e+09");
+  EXPECT_EQ(write_significant(0, 3), "0.00");
+}
+
+TEST(Digits, RatiosAndNegativeZero) {
+  EXPECT_EQ(write(0.2934, ratio_digits(0.2934)), "0.29");
+  EXPECT_EQ(write(123.4, ratio_digits(123.4)), "123");
+  EXPECT_EQ(write(0.01234, ratio_digits(0.01234)), "0.0123");
+  EXPECT_EQ(write_fixed(-0.04, 1), "0.0");
+  EXPECT_EQ(write_fixed(-0.05001, 1), "-0.1");
+  EXPECT_EQ(write_shortest(1e-10), "1e-10");
+}
+
+TEST(Digits, DoNotFollowTheLocale) {
+  if (!std::setlocale(LC_ALL, "de_DE.UTF-8")) GTEST_SKIP() << "no locale with a decimal comma";
+  EXPECT_EQ(write_fixed(1.5, 1), "1.5");
+  std::setlocale(LC_ALL, "C");
+}
+
+}  // namespace
+}  // namespace desmo::report

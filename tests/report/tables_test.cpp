@@ -1,0 +1,344 @@
+#include "report/tables/tables.h"
+
+#include <gtest/gtest.h>
+
+#include "report/paper.h"
+#include "report/report.h"
+#include "report/variants.h"
+#include "tests/report/sample.h"
+
+namespace desmo::report {
+namespace {
+
+constexpr const char* truck = "truck_suspension";
+
+std::string last_paragraph(const Json& json) {
+  return conclusion(record_from(json)).paragraphs.back();
+}
+
+// Every truck cell of a family gets three samples around `seconds`, at every size of the paper.
+void set_family(Json& json, const std::string& id, double seconds, double spread = 0.01) {
+  for (const int size : {114, 225, 336, 447, 558})
+    set_samples(json, size, id, {seconds * (1 + spread), seconds, seconds * (1 - spread)});
+}
+
+// The paper's own speed-ups, for one family.
+void set_like_the_paper(Json& json, const std::string& family) {
+  set_family(json, "global_automatic_" + family, 7.1);
+  set_family(json, "group_automatic_" + family, 5.7);
+  set_family(json, "group_automatic_lapack", 2.7);
+  set_family(json, "group_symbolic_" + family, 3.5);
+  set_family(json, "group_symbolic_lapack", 1.9);
+}
+
+TEST(Paper, HoldsThePublishedTables) {
+  EXPECT_EQ(published_sizes(), (std::vector<std::int64_t>{114, 225, 336, 447, 558}));
+  EXPECT_EQ(published_cpu_seconds().text("558", "TS-G_MA27"), "7.100");
+  EXPECT_EQ(published_cpu_seconds().text("558", "FBL-TP"), "<<0.015");
+  EXPECT_FALSE(published_cpu_seconds().number("558", "FBL-TP"));
+  EXPECT_EQ(published_cpu_seconds().text("1002", "FBL-TP"), "");
+  EXPECT_EQ(published_speed_up().number("mean", "TS-TPS_LAP"), 3.5);
+  EXPECT_EQ(published_improvement_percent().text("mean", "TS-TPA_MA27"), "14.1");
+}
+
+// The report's own arithmetic, applied to the paper's times, gives the paper's table 2: within the
+// rounding, but for 225 coordinates and TS-TPA_MA27, where the paper prints 14.8 % and its times
+// give 14.1 %.
+TEST(Paper, TableTwoFollowsFromTableOne) {
+  for (const std::size_t variant : topological)
+    for (const std::int64_t size : published_sizes()) {
+      const std::string row = std::to_string(size);
+      const std::string column(variants[variant].paper_name);
+      const double global = *published_cpu_seconds().number(row, "TS-G_MA27");
+      const double group = *published_cpu_seconds().number(row, column);
+      const double rounding = row == "225" && column == "TS-TPA_MA27" ? 0.7 : 0.11;
+      EXPECT_NEAR(*published_speed_up().number(row, column), global / group, 0.0501);
+      EXPECT_NEAR(*published_improvement_percent().number(row, column), 100 * (1 - group / global),
+                  rounding)
+          << row << " " << column;
+    }
+}
+
+TEST(TableOne, ShowsMedianAndHalfRangeAboveThePaper) {
+  Json json = complete_record();
+  set_samples(json, 114, "global_automatic_klu", {0.5, 0.3, 0.4});
+  const Table table = cpu_times(record_from(json), "klu");
+  const Entry ours = entry_at(table, {"114", "ours"}, "TS-G_klu");
+  EXPECT_EQ(ours.shown, "0.4000 ±0.1000");
+  EXPECT_EQ(ours.digits, (std::vector<std::string>{"0.4000", "0.1000", "3"}));
+  EXPECT_EQ(entry_at(table, {"114", "paper"}, "TS-G_klu").shown, "1.258");
+  EXPECT_EQ(entry_at(table, {"114", "paper"}, "FBL-TP").shown, "<<0.015");
+  EXPECT_EQ(table.columns.size(), 2u + 7);
+}
+
+TEST(TableOne, HasTheFourBarAt1002WithoutAPaperRow) {
+  const Table table = cpu_times(record_from(complete_record()), "klu");
+  EXPECT_TRUE(entry_at(table, {"1002", "ours"}, "FBL-TP").has_number());
+  EXPECT_EQ(entry_at(table, {"1002", "ours"}, "TS-G_klu").shown, missing_mark);
+  EXPECT_THROW(entry_at(table, {"1002", "paper"}, "FBL-TP"), std::runtime_error);
+}
+
+TEST(TableOne, MarksWhatHasNoTime) {
+  Json json = complete_record();
+  fail_cell(json, truck, 225, "group_automatic_lapack");
+  erase_cell(json, truck, 336, "group_automatic_lapack");
+  cell_of(json, truck, 447, "group_automatic_lapack")["status"] = "not_run";
+  set_samples(json, 558, "group_automatic_lapack", {0.25});
+  for (const std::string_view family : sparse_families) {
+    const Table table = cpu_times(record_from(json), family);
+    EXPECT_EQ(entry_at(table, {"225", "ours"}, "TS-TPA_LAP").shown, failed_mark);
+    EXPECT_EQ(entry_at(table, {"336", "ours"}, "TS-TPA_LAP").shown, missing_mark);
+    EXPECT_EQ(entry_at(table, {"447", "ours"}, "TS-TPA_LAP").shown, not_run_mark);
+    EXPECT_EQ(entry_at(table, {"558", "ours"}, "TS-TPA_LAP").shown, "0.2500 (one run)");
+  }
+}
+
+TEST(TableTwo, RatioOfMediansWithItsInterval) {
+  Json json = complete_record();
+  set_samples(json, 114, "global_automatic_umfpack", {6, 8, 10});
+  set_samples(json, 114, "group_symbolic_lapack", {5, 2, 3});
+  const Entry& entry =
+      entry_at(speed_ups(record_from(json), "umfpack"), {"114", "ours"}, "TS-TPS_LAP");
+  EXPECT_EQ(entry.digits, (std::vector<std::string>{"2.67", "1.20", "5.00", "62.5"}));  // 8/3
+  EXPECT_EQ(entry.shown, "2.67 [1.20, 5.00] (62.5 %)");
+}
+
+TEST(TableTwo, FamilyStandsInColumnsAndReferenceAlike) {
+  Json json = complete_record();
+  set_family(json, "global_automatic_cholmod", 3);
+  set_family(json, "group_automatic_cholmod", 2);
+  set_family(json, "group_automatic_lapack", 1);
+  const Table table = speed_ups(record_from(json), "cholmod");
+  EXPECT_EQ(entry_at(table, {"558", "ours"}, "TS-TPA_cholmod").digits[0], "1.50");
+  EXPECT_EQ(entry_at(table, {"558", "ours"}, "TS-TPA_LAP").digits[0], "3.00");
+  EXPECT_EQ(entry_at(table, {"mean", "ours"}, "TS-TPA_LAP").digits[0], "3.00");
+  EXPECT_EQ(entry_at(table, {"mean", "ours"}, "TS-TPA_LAP").digits[3], "66.7");
+  EXPECT_EQ(entry_at(table, {"558", "paper"}, "TS-TPA_LAP").shown, "2.6 (62.0 %)");
+  EXPECT_EQ(entry_at(table, {"mean", "paper"}, "TS-TPS_LAP").shown, "3.5 (71.6 %)");
+}
+
+TEST(TableTwo, NoRatioFromAFailedCell) {
+  Json json = complete_record();
+  fail_cell(json, truck, 225, "group_automatic_klu");
+  fail_cell(json, truck, 336, "global_automatic_klu");
+  const Table table = speed_ups(record_from(json), "klu");
+  EXPECT_EQ(entry_at(table, {"225", "ours"}, "TS-TPA_klu").shown, failed_mark);
+  EXPECT_TRUE(entry_at(table, {"225", "ours"}, "TS-TPS_klu").has_number());
+  for (const std::size_t variant : topological)
+    EXPECT_EQ(entry_at(table, {"336", "ours"}, family_name(variants[variant], "klu")).shown,
+              "reference FAILED");
+}
+
+TEST(TableTwo, MarksAnIncompleteMean) {
+  Json json = complete_record();
+  set_family(json, "global_automatic_klu", 4);
+  set_family(json, "group_symbolic_klu", 2);
+  fail_cell(json, truck, 225, "group_symbolic_klu");
+  const Table table = speed_ups(record_from(json), "klu");
+  const Entry mean = entry_at(table, {"mean", "ours"}, "TS-TPS_klu");
+  EXPECT_EQ(mean.digits[0], "2.00");
+  EXPECT_EQ(mean.note, "incomplete 4/5");
+  EXPECT_NE(mean.shown.find("incomplete 4/5"), std::string::npos);
+  EXPECT_TRUE(entry_at(table, {"mean", "ours"}, "TS-TPA_klu").note.empty());
+}
+
+// A size that the paper does not have is a row of its own and no part of the mean.
+TEST(TableTwo, MeanIsOfThePapersSizes) {
+  Json json = complete_record();
+  set_family(json, "global_automatic_klu", 4);
+  set_family(json, "group_symbolic_klu", 2);
+  for (const auto& [id, seconds] :
+       {std::pair{"global_automatic_klu", 9.0}, {"group_symbolic_klu", 1.0}}) {
+    Json extra = cell_of(json, truck, 558, id);
+    extra["coordinates"] = 1113;
+    extra["cpu_seconds"] = {seconds};
+    json["cells"].push_back(extra);
+  }
+  const Table table = speed_ups(record_from(json), "klu");
+  EXPECT_EQ(entry_at(table, {"1113", "ours"}, "TS-TPS_klu").digits[0], "9.00");
+  EXPECT_EQ(entry_at(table, {"mean", "ours"}, "TS-TPS_klu").digits[0], "2.00");
+}
+
+TEST(Conclusion, HoldsWhereTheNumbersAreThePapers) {
+  Json json = complete_record();
+  for (const char* family : {"cholmod", "umfpack", "klu"}) set_like_the_paper(json, family);
+  const std::string text = last_paragraph(json);
+  EXPECT_NE(text.find("The paper's conclusion holds with every sparse solver"), std::string::npos)
+      << text;
+  EXPECT_NE(text.find("TS-TPS_LAP, the paper's fastest variant, is 3.5 times as fast as its global "
+                      "reference with MA27; here 3.74 times with cholmod, 3.74 times with umfpack "
+                      "and 3.74 times with klu."),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("ranking of the four variants is the paper's with cholmod, umfpack and klu"),
+            std::string::npos)
+      << text;
+}
+
+TEST(Conclusion, FollowsTheNumbersWhenOneSolverReversesIt) {
+  Json json = complete_record();
+  for (const char* family : {"cholmod", "umfpack"}) set_like_the_paper(json, family);
+  set_family(json, "global_automatic_klu", 0.5);  // faster than every LAPACK variant
+  set_family(json, "group_automatic_klu", 0.4);
+  set_family(json, "group_symbolic_klu", 0.3);
+  const std::string text = last_paragraph(json);
+  EXPECT_NE(text.find("The choice of the sparse solver changes the conclusion."),
+            std::string::npos);
+  EXPECT_NE(text.find("LAPACK beats the sparse solver holds with cholmod and umfpack; is reversed "
+                      "with klu."),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("holds except for TS-TPA_LAP (slower), TS-TPS_LAP (slower) with klu"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("symbolic equations beat automatic ones holds with cholmod, umfpack and klu"),
+            std::string::npos)
+      << text;
+}
+
+TEST(Conclusion, IsReversedThroughout) {
+  Json json = complete_record();
+  for (const std::string family : {"cholmod", "umfpack", "klu"}) {
+    set_family(json, "global_automatic_" + family, 1);
+    set_family(json, "group_automatic_" + family, 2);
+    set_family(json, "group_symbolic_" + family, 3);
+  }
+  set_family(json, "group_automatic_lapack", 4);
+  set_family(json, "group_symbolic_lapack", 5);
+  const Table table = conclusion(record_from(json)).tables.front();
+  for (const std::string_view family : sparse_families) {
+    for (std::size_t row = 0; row < 3; ++row)
+      EXPECT_EQ(entry_at(table, {table.rows[row][0].shown}, std::string(family)).shown,
+                "is reversed");
+    EXPECT_EQ(entry_at(table, {"ranking of the four variants"}, std::string(family)).shown,
+              "is another than the paper's");
+  }
+  EXPECT_NE(last_paragraph(json).find("the verdict is the same, and it is not the paper's"),
+            std::string::npos);
+}
+
+TEST(Conclusion, IsUndecidedWhereTheSpreadReachesEquality) {
+  Json json = complete_record();
+  set_like_the_paper(json, "klu");
+  for (const char* id : {"group_automatic_klu", "group_automatic_lapack", "group_symbolic_klu",
+                         "group_symbolic_lapack"})
+    set_family(json, id, 2, 0.1);
+  const Table table = conclusion(record_from(json)).tables.front();
+  EXPECT_EQ(entry_at(table, {"solving by groups beats solving globally"}, "klu").shown, "holds");
+  EXPECT_EQ(entry_at(table, {"symbolic equations beat automatic ones"}, "klu").shown,
+            "is undecided within the spread");
+  EXPECT_EQ(entry_at(table, {"ranking of the four variants"}, "klu").shown,
+            "is the paper's within the spread");
+}
+
+TEST(Conclusion, UsesOnlySizesWhereAllWereMeasuredAndSaysSo) {
+  Json json = complete_record();
+  set_like_the_paper(json, "klu");
+  set_samples(json, 558, "group_symbolic_lapack", {100});  // must not count: see the next line
+  fail_cell(json, truck, 558, "global_automatic_klu");
+  const Section section = conclusion(record_from(json));
+  EXPECT_EQ(section.paragraphs[3],
+            "With klu (4 of the paper's 5 sizes only): TS-TPS_LAP 3.74, TS-TPA_LAP 2.63, "
+            "TS-TPS_klu 2.03 and TS-TPA_klu 1.25.");
+}
+
+TEST(Conclusion, SaysNothingWithoutNumbers) {
+  Json json = complete_record();
+  json["cells"] = Json::array();
+  const Section section = conclusion(record_from(json));
+  EXPECT_NE(section.paragraphs[1].find("nothing can be said"), std::string::npos);
+  EXPECT_EQ(section.paragraphs.back().rfind("That solving by groups", 0), 0u);
+}
+
+TEST(Scaling, MarksSlopesInsideAndOutside) {
+  Json json = complete_record();
+  for (const int size : {114, 225, 336, 447, 558}) {
+    set_samples(json, size, "global_automatic_klu", {1e-3 * size});
+    set_samples(json, size, "group_automatic_klu", {1e-6 * size * size});
+  }
+  const Table table = scaling(record_from(json));
+  EXPECT_EQ(entry_at(table, {"TS-G_<sparse>"}, "klu").shown, "1.000 [1.000, 1.000] n=5 inside");
+  EXPECT_EQ(entry_at(table, {"TS-TPA_<sparse>"}, "klu").shown, "2.000 [2.000, 2.000] n=5 OUTSIDE");
+  EXPECT_EQ(entry_at(table, {"TS-TPA_LAP"}, "klu").digits,
+            entry_at(table, {"TS-TPA_LAP"}, "cholmod").digits);
+  EXPECT_EQ(entry_at(table, {"FBL-TP"}, "klu").digits[3], "6");
+  EXPECT_EQ(entry_at(table, {"FBL-TP"}, "paper (MA27)").shown, missing_mark);
+}
+
+TEST(Scaling, NeedsThreeSizesAndMarksFailures) {
+  Json json = complete_record();
+  for (const int size : {114, 225}) fail_cell(json, truck, size, "group_automatic_lapack");
+  for (const int size : {114, 225, 336}) fail_cell(json, truck, size, "group_symbolic_lapack");
+  const Table table = scaling(record_from(json));
+  EXPECT_NE(entry_at(table, {"TS-TPA_LAP"}, "klu").note.find("a size FAILED"), std::string::npos);
+  EXPECT_EQ(entry_at(table, {"TS-TPS_LAP"}, "klu").shown, "too few sizes: 2, a size FAILED");
+}
+
+TEST(EveryFormulation, OrdersAndReferencesTheFastestGlobal) {
+  Json json = complete_record();
+  set_samples(json, 558, "global_automatic_klu", {0.3, 0.2, 0.4});
+  set_samples(json, 558, "group_symbolic_inlined", {0.1, 0.1, 0.1});
+  fail_cell(json, truck, 558, "group_symbolic_klu");
+  const Table table = every_formulation(record_from(json), truck, 558);
+  EXPECT_EQ(table.rows.front().front().shown, "group_symbolic_inlined");
+  EXPECT_EQ(entry_at(table, {"group_symbolic_inlined"}, "speed-up").shown, "3.00");
+  EXPECT_EQ(entry_at(table, {"group_symbolic_inlined"}, "µs/step").shown, "33.32");  // 0.1 s / 3001
+  EXPECT_EQ(entry_at(table, {"global_automatic_klu"}, "CPU s").shown, "0.3000 (0.2000 – 0.4000)");
+  EXPECT_EQ(entry_at(table, {"global_automatic_klu"}, "speed-up").shown, "1.00 reference");
+  EXPECT_EQ(entry_at(table, {"group_symbolic_klu"}, "CPU s").shown, failed_mark);
+  EXPECT_EQ(entry_at(table, {"group_symbolic_klu"}, "speed-up").shown, failed_mark);
+  EXPECT_EQ(entry_at(table, {"group_symbolic_klu"}, "remark").shown, "wrong by design");
+  EXPECT_EQ(entry_at(table, {"global_automatic_lapack"}, "CPU s").shown, not_run_mark);
+  EXPECT_NE(entry_at(table, {"global_automatic_lapack"}, "remark").shown.find("O(n^3)"),
+            std::string::npos);
+}
+
+TEST(EveryFormulation, SaysWhatWasNotVerified) {
+  Json json = complete_record();
+  cell_of(json, truck, 558, "group_symbolic_eigen").erase("verification");
+  const Table table = every_formulation(record_from(json), truck, 558);
+  EXPECT_EQ(entry_at(table, {"group_symbolic_eigen"}, "remark").shown, "not verified");
+  EXPECT_EQ(entry_at(table, {"group_symbolic_eigen"}, "error q").shown, missing_mark);
+}
+
+TEST(TimeSplit, SharesOfTheTotal) {
+  Json json = complete_record();
+  json["profiles"][0]["seconds_per_step"] = {
+      {"residual", 1e-6}, {"jacobian", 2e-6},         {"factorisation", 4e-6}, {"solve", 2e-6},
+      {"rest", 0},        {"right_hand_sides", 1e-6}, {"delivery", 0}};
+  const Table table = time_split(record_from(json));
+  EXPECT_EQ(table.columns.back().name, "delivery");
+  EXPECT_EQ(entry_at(table, {truck, "558", "global_automatic_klu"}, "total").shown, "10.00");
+  EXPECT_EQ(entry_at(table, {truck, "558", "global_automatic_klu"}, "factorisation").shown,
+            "4.00 (40 %)");
+  EXPECT_EQ(entry_at(table, {truck, "558", "group_symbolic_lapack"}, "delivery").shown,
+            missing_mark);
+  fail_cell(json, truck, 558, "global_automatic_klu");
+  EXPECT_EQ(entry_at(time_split(record_from(json)), {truck, "558", "global_automatic_klu"}, "total")
+                .shown,
+            failed_mark);
+}
+
+TEST(Report, NamesEveryFailure) {
+  Json json = complete_record();
+  fail_cell(json, "four_bar", 225, "group_symbolic_eigen");
+  const Document document = make_report(record_from(json));
+  EXPECT_EQ(
+      document.sections.back().paragraphs,
+      (std::vector<std::string>{"FAILED: four_bar/225/group_symbolic_eigen: wrong by design"}));
+}
+
+TEST(Report, ProvenanceComesFromTheRecord) {
+  Json json = complete_record();
+  json["record"]["dirty"] = true;
+  const Document document = make_report(record_from(json));
+  const Table& table = table_named(document, "provenance");
+  EXPECT_NE(entry_at(table, {"commit"}, "value").shown.find("with uncommitted changes"),
+            std::string::npos);
+  EXPECT_EQ(entry_at(table, {"KLU"}, "value").shown, "2.0.1");
+  EXPECT_EQ(entry_at(table, {"BLAS"}, "value").shown, "Synthetic, 1 thread");
+  EXPECT_EQ(entry_at(table, {"duration"}, "value").shown, "30 s, 3001 instants");
+}
+
+}  // namespace
+}  // namespace desmo::report
