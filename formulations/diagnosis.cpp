@@ -1,9 +1,8 @@
 #include "formulations/diagnosis.h"
 
-#include <Eigen/SVD>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "formulations/equations/automatic.h"
 #include "formulations/partition.h"
@@ -12,16 +11,14 @@ namespace desmo {
 
 namespace {
 
-int largest(const Eigen::VectorXd& v) {
-  Eigen::Index i = 0;
-  v.cwiseAbs().maxCoeff(&i);
-  return static_cast<int>(i);
-}
-
-int first_not_finite(const Eigen::VectorXd& v) {
-  for (int i = 0; i < v.size(); ++i)
-    if (!std::isfinite(v[i])) return i;
-  return -1;
+/// The row of the largest component, or of the first that is not a number.
+int worst_row(const Eigen::VectorXd& v) {
+  int worst = 0;
+  for (int i = 0; i < v.size(); ++i) {
+    if (std::isnan(v[i])) return i;
+    if (std::abs(v[i]) > std::abs(v[worst])) worst = i;
+  }
+  return worst;
 }
 
 Eigen::MatrixXd dense_jacobian(const AutomaticEquations& equations, const double* state) {
@@ -35,49 +32,38 @@ Eigen::MatrixXd dense_jacobian(const AutomaticEquations& equations, const double
   return dense;
 }
 
+/// Solves the positions of one group in `state`; the row that stopped it, or -1.
+int solve_group(const AutomaticEquations& equations, std::vector<double>& state,
+                const Settings& settings) {
+  Eigen::VectorXd phi(equations.pattern().n);
+  for (int iteration = 0;; ++iteration) {
+    equations.residual(state.data(), phi.data());
+    if (!phi.allFinite()) return worst_row(phi);
+    const bool solved = phi.norm() < settings.tolerance;
+    if (!solved && iteration == settings.max_iterations) return worst_row(phi);
+    const Eigen::FullPivLU<Eigen::MatrixXd> lu(dense_jacobian(equations, state.data()));
+    if (!lu.isInvertible())  // the rows that depend on each other are in the left null space
+      return worst_row(Eigen::FullPivLU<Eigen::MatrixXd>(
+                           dense_jacobian(equations, state.data()).transpose())
+                           .kernel()
+                           .col(0));
+    if (solved) return -1;
+    const Eigen::VectorXd step = lu.solve(phi);
+    for (int i = 0; i < step.size(); ++i) state[equations.pattern().unknowns[i]] -= step[i];
+  }
+}
+
 }  // namespace
 
 Culprit find_culprit(const Mechanism& m, std::span<const GroupId> groups,
-                     std::span<const double> state, Status status, double tolerance) {
-  struct Candidate {
-    PartDefinition definition;
-    AutomaticEquations equations;
-    Eigen::VectorXd phi;
-  };
-  std::vector<Candidate> candidates;
-  double total = 0;
-  for (PartDefinition& d : make_partition(m, Partition::group)) {
-    if (std::ranges::find(groups, d.groups.front()) == groups.end()) continue;
-    AutomaticEquations equations(m, d);
-    Eigen::VectorXd phi(equations.pattern().n);
-    equations.residual(state.data(), phi.data());
-    if (const int row = first_not_finite(phi); row >= 0)
-      return {d.groups.front(), constraint_of_row(m, d)[row]};
-    total += phi.norm();
-    candidates.push_back({std::move(d), std::move(equations), std::move(phi)});
+                     std::vector<double> state, const Settings& settings) {
+  for (const PartDefinition& group : make_partition(m, Partition::group)) {
+    const GroupId g = group.groups.front();
+    if (std::ranges::find(groups, g) == groups.end()) continue;
+    const int row = solve_group(AutomaticEquations(m, group), state, settings);
+    if (row >= 0) return {g, constraint_of_row(m, group)[row]};
   }
-
-  // Beside the huge residuals of an iteration that ran away, groups that are solved keep what
-  // rounding leaves in them.
-  const double unsatisfied = tolerance + 1e-8 * total;
-  Culprit culprit;
-  double least_condition = std::numeric_limits<double>::infinity();
-  for (const auto& [definition, equations, phi] : candidates) {
-    const GroupId g = definition.groups.front();
-    const std::vector<int> constraint = constraint_of_row(m, definition);
-    if (status != Status::singular) {
-      if (phi.norm() >= unsatisfied) return {g, constraint[largest(phi)]};
-      continue;
-    }
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(dense_jacobian(equations, state.data()),
-                                                Eigen::ComputeFullU);
-    const double condition = svd.singularValues().minCoeff() / svd.singularValues().maxCoeff();
-    if (condition < least_condition) {
-      least_condition = condition;
-      culprit = {g, constraint[largest(svd.matrixU().rightCols<1>())]};
-    }
-  }
-  return culprit;
+  return {};
 }
 
 }  // namespace desmo

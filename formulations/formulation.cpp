@@ -26,8 +26,8 @@ std::string describe(const Summary& s, const Mechanism& m) {
 }
 
 Formulation::Formulation(const Mechanism& mechanism, std::vector<DefinedPart> parts,
-                         double tolerance)
-    : mechanism_(mechanism), parts_(std::move(parts)), tolerance_(tolerance) {
+                         const Settings& settings)
+    : mechanism_(mechanism), parts_(std::move(parts)), settings_(settings) {
   state_.q.resize(mechanism_.state_size());
   state_.qd.resize(mechanism_.state_size());
   state_.qdd.resize(mechanism_.state_size());
@@ -54,8 +54,7 @@ Summary Formulation::solve_parts(double t, Level level, bool constant) {
     summary.iterations = std::max<long>(summary.iterations, r.iterations);
     if (r.status != Status::converged) {
       summary.status = r.status;
-      const Culprit c =
-          find_culprit(mechanism_, definition.groups, state_.q, r.status, tolerance_);
+      const Culprit c = find_culprit(mechanism_, definition.groups, state_.q, settings_);
       summary.group = c.group;
       summary.constraint = c.constraint;
       break;

@@ -56,13 +56,14 @@ class Formulation {
     std::unique_ptr<Part> solver;
   };
 
-  /// tolerance: ‖Φ‖₂ of the whole mechanism that the parts together keep.
-  Formulation(const Mechanism& mechanism, std::vector<DefinedPart> parts, double tolerance);
+  /// settings: those that the parts were made with.
+  Formulation(const Mechanism& mechanism, std::vector<DefinedPart> parts,
+              const Settings& settings);
 
   /// Assembles the mechanism at time t from its initial estimate, whatever was solved before.
   Summary assemble(double t, Level level = Level::acceleration);
-  /// Solves at time t, starting from the positions of the last instant solved. After a failure
-  /// the state is unspecified until assemble().
+  /// Solves at time t, starting from the positions of the last instant solved. A part that fails
+  /// keeps its positions of that instant, so that a later step may go on from there.
   Summary step(double t, Level level = Level::acceleration);
   /// Assembles at the first instant of the grid and steps through the others, handing each to
   /// the sink. Stops at the first failure.
@@ -85,7 +86,7 @@ class Formulation {
 
   const Mechanism& mechanism_;
   std::vector<DefinedPart> parts_;
-  double tolerance_;
+  Settings settings_;
   State state_;
 };
 

@@ -38,7 +38,7 @@ class NewtonPart final : public Part {
 
   PartResult solve(State& state, Level level) override {
     double* q = state.q.data();
-    if constexpr (Algebra::keeps_pivots) remember_start(q);
+    remember_start(q);
     PartResult result = attempt(state, level);
     if constexpr (Algebra::keeps_pivots) {
       if (result.status != Status::converged) {  // perhaps only the pivots had gone bad
@@ -47,6 +47,7 @@ class NewtonPart final : public Part {
         result = attempt(state, level);
       }
     }
+    if (result.status != Status::converged) restore_start(q);
     return result;
   }
 

@@ -69,7 +69,7 @@ std::unique_ptr<Formulation> make_formulation(const Variant& v, const Mechanism&
                                            settings.max_iterations, std::move(part), d.unknowns);
     parts.push_back({std::move(d), std::move(part)});
   }
-  return std::make_unique<Formulation>(m, std::move(parts), settings.tolerance);
+  return std::make_unique<Formulation>(m, std::move(parts), settings);
 }
 
 std::vector<std::pair<std::string, std::string>> library_versions() {
