@@ -16,12 +16,6 @@ bool all_finite(std::span<const double> values) {
   return std::ranges::all_of(values, [](double v) { return std::isfinite(v); });
 }
 
-std::vector<bool> independent_coordinates(const Mechanism& m) {
-  std::vector<bool> independent(m.coordinates(), false);
-  for (const Driver& d : m.drivers) independent[m.entities[d.coordinate].first] = true;
-  return independent;
-}
-
 }  // namespace
 
 int Mechanism::structural_groups() const {
@@ -71,6 +65,12 @@ void Mechanism::add_constraint(Constraint constraint, std::span<const int> opera
   }
   require(all_finite(constraint.constants), where + ": a dimension is not finite");
   constraints.push_back(std::move(constraint));
+}
+
+std::vector<bool> independent_coordinates(const Mechanism& m) {
+  std::vector<bool> independent(m.coordinates(), false);
+  for (const Driver& d : m.drivers) independent[m.entities[d.coordinate].first] = true;
+  return independent;
 }
 
 int rows(const Constraint& constraint) {

@@ -106,6 +106,9 @@ struct Mechanism {
   void add_constraint(Constraint constraint, std::span<const int> operand_sizes);
 };
 
+/// For each coordinate, whether it is driven.
+std::vector<bool> independent_coordinates(const Mechanism& mechanism);
+
 /// Scalar equations of a constraint.
 int rows(const Constraint& constraint);
 

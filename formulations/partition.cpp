@@ -1,6 +1,9 @@
 #include "formulations/partition.h"
 
+#include <algorithm>
+#include <iterator>
 #include <stdexcept>
+#include <utility>
 
 namespace desmo {
 
@@ -15,27 +18,35 @@ void require_solution_order(const Mechanism& m) {
                                     "', which a later group finds");
 }
 
-void append(PartDefinition& part, const Mechanism& m, GroupId g) {
-  part.groups.push_back(g);
-  const std::vector<int> found = unknowns(m, g);
-  part.unknowns.insert(part.unknowns.end(), found.begin(), found.end());
-  for (std::size_t i = 0; i < m.constraints.size(); ++i)
-    if (m.constraints[i].group == g) part.equations.push_back(static_cast<int>(i));
-}
-
 }  // namespace
 
 std::vector<PartDefinition> make_partition(const Mechanism& m, Partition partition) {
   require_solution_order(m);
   std::vector<PartDefinition> constant, moving;
+  std::vector<std::pair<bool, std::size_t>> part_of;  // of each group: constant?, position
   for (GroupId g = 0; g < static_cast<GroupId>(m.groups.size()); ++g) {
     const bool is_constant = m.groups[g].constant;
     std::vector<PartDefinition>& parts = is_constant ? constant : moving;
-    if (is_constant || partition == Partition::group || parts.empty()) parts.emplace_back();
-    append(parts.back(), m, g);
-    parts.back().constant = is_constant;
+    if (is_constant || partition == Partition::group || parts.empty())
+      parts.push_back({{}, {}, {}, is_constant});
+    parts.back().groups.push_back(g);
+    part_of.emplace_back(is_constant, parts.size() - 1);
   }
-  constant.insert(constant.end(), moving.begin(), moving.end());
+  const auto part = [&](GroupId g) -> PartDefinition& {
+    const auto [is_constant, position] = part_of[g];
+    return is_constant ? constant[position] : moving[position];
+  };
+
+  const std::vector<bool> independent = independent_coordinates(m);
+  for (const Entity& e : m.entities)
+    for (int i = e.first; !e.fixed && i < e.first + e.size; ++i)
+      if (!independent[i]) part(e.group).unknowns.push_back(i);
+  for (std::size_t c = 0; c < m.constraints.size(); ++c)
+    part(m.constraints[c].group).equations.push_back(static_cast<int>(c));
+  for (PartDefinition& p : moving) std::ranges::sort(p.unknowns);
+
+  constant.insert(constant.end(), std::make_move_iterator(moving.begin()),
+                  std::make_move_iterator(moving.end()));
   return constant;
 }
 
