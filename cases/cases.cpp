@@ -38,7 +38,8 @@ Mechanism build(const Case& c, int coordinates) {
 TimeGrid time_grid(double seconds, double step) {
   const double intervals = std::round(seconds / step);
   if (!(seconds > 0) || !(step > 0) || !std::isfinite(seconds) || !(intervals <= 1e9 - 1))
-    throw std::invalid_argument("time grid: duration and step must be positive, with at most 1e9 instants");
+    throw std::invalid_argument(
+        "time grid: duration and step must be positive, with at most 1e9 instants");
   return {0, step, static_cast<int>(intervals) + 1};
 }
 

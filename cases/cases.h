@@ -20,12 +20,12 @@ Mechanism truck_suspension(int axles);
 struct Case {
   std::string_view name;
   Mechanism (*build)(int units);
-  int base_coordinates;        ///< coordinates(units) = base + per_unit · units
+  int base_coordinates;  ///< coordinates(units) = base + per_unit · units
   int coordinates_per_unit;
   std::vector<int> sizes;        ///< coordinates of the paper's tables, ascending
   std::vector<int> extra_sizes;  ///< beyond them, for the formulations of the paper only
-  double seconds = 30;         ///< motion analysed, from t = 0
-  double step = 0.01;          ///< s
+  double seconds = 30;           ///< motion analysed, from t = 0
+  double step = 0.01;            ///< s
 };
 
 /// Every case there is, in the order of the paper's tables.

@@ -293,7 +293,8 @@ struct FrameAngle {
     using std::cos;
     using std::sin;
     const auto s = vec::segment<3>(q[2], q[3]);
-    phi[0] = cos(q[4][0]) * vec::dot<3>(q[1], s.data()) + sin(q[4][0]) * vec::dot<3>(q[0], s.data());
+    phi[0] =
+        cos(q[4][0]) * vec::dot<3>(q[1], s.data()) + sin(q[4][0]) * vec::dot<3>(q[0], s.data());
   }
   template <class S, class Entry>
   static void jacobian(const S* const* q, const S*, Entry&& entry) {
@@ -318,10 +319,13 @@ struct FrameAngle {
     const auto s = vec::segment<3>(q[2], q[3]);
     const auto w = vec::segment<3>(v[2], v[3]);
     // P = z·s and Q = x·s, so that Φ = cos φ P + sin φ Q.
-    const S p = vec::dot<3>(q[1], s.data()), p_rate = vec::dot<3>(v[1], s.data()) + vec::dot<3>(q[1], w.data());
-    const S r = vec::dot<3>(q[0], s.data()), r_rate = vec::dot<3>(v[0], s.data()) + vec::dot<3>(q[0], w.data());
+    const S p = vec::dot<3>(q[1], s.data()),
+            p_rate = vec::dot<3>(v[1], s.data()) + vec::dot<3>(q[1], w.data());
+    const S r = vec::dot<3>(q[0], s.data()),
+            r_rate = vec::dot<3>(v[0], s.data()) + vec::dot<3>(q[0], w.data());
     gamma[0] = S(2) * (cosine * vec::dot<3>(v[1], w.data()) + sine * vec::dot<3>(v[0], w.data())) +
-               S(2) * rate * (cosine * r_rate - sine * p_rate) - rate * rate * (cosine * p + sine * r);
+               S(2) * rate * (cosine * r_rate - sine * p_rate) -
+               rate * rate * (cosine * p + sine * r);
   }
 };
 
@@ -340,7 +344,8 @@ constexpr int kind_index() {
     int index = -1;
     ((std::is_same_v<Kind, std::tuple_element_t<I, ConstraintKinds>> ? (index = I) : 0), ...);
     return index;
-  }(std::make_index_sequence<constraint_kind_count>{});
+  }
+  (std::make_index_sequence<constraint_kind_count>{});
 }
 
 /// Calls f with a default-constructed tag of the kind at that position of ConstraintKinds.
@@ -348,7 +353,8 @@ template <class F>
 void visit_kind(int kind, F&& f) {
   [&]<std::size_t... I>(std::index_sequence<I...>) {
     ((kind == static_cast<int>(I) ? f(std::tuple_element_t<I, ConstraintKinds>{}) : void()), ...);
-  }(std::make_index_sequence<constraint_kind_count>{});
+  }
+  (std::make_index_sequence<constraint_kind_count>{});
 }
 
 }  // namespace desmo

@@ -37,8 +37,7 @@ Mechanism four_bar(int dyads) {
     const std::string dyad = "dyad" + std::to_string(k);
     const GroupId g = m.add_group(dyad, {std::to_string(2 * k), std::to_string(2 * k + 1)});
     const EntityId d = m.add_fixed(EntityKind::point, dyad + "/D", Planar{pivot_spacing * k, 0});
-    const EntityId c =
-        m.add(EntityKind::point, dyad + "/C", Planar{pivot_spacing * k - 3, 5}, g);
+    const EntityId c = m.add(EntityKind::point, dyad + "/C", Planar{pivot_spacing * k - 3, 5}, g);
     const EntityId psi = m.add(EntityKind::angle, dyad + "/psi", Scalar{2}, g);
     m.constrain<Length<2>>(g, dyad + " coupler", {b, c}, {link_length * link_length});
     m.constrain<PlanarAngle>(g, dyad + " rocker", {d, c, psi}, {link_length});

@@ -59,9 +59,8 @@ void Mechanism::add_constraint(Constraint constraint, std::span<const int> opera
   const std::string where = "constraint '" + constraint.name + "'";
   for (std::size_t k = 0; k < operand_sizes.size(); ++k) {
     const Entity& e = entities.at(constraint.operands[k]);
-    require(e.size == operand_sizes[k], where + ": '" + e.name + "' has " +
-                                            std::to_string(e.size) + " components, not " +
-                                            std::to_string(operand_sizes[k]));
+    require(e.size == operand_sizes[k], where + ": '" + e.name + "' has " + std::to_string(e.size) +
+                                            " components, not " + std::to_string(operand_sizes[k]));
   }
   require(all_finite(constraint.constants), where + ": a dimension is not finite");
   constraints.push_back(std::move(constraint));

@@ -96,9 +96,11 @@ struct Mechanism {
   void constrain(GroupId group, std::string constraint_name,
                  const std::array<EntityId, Kind::operand_sizes.size()>& operands,
                  const std::array<double, Kind::constants>& constants = {}) {
-    add_constraint({std::move(constraint_name), kind_index<Kind>(),
+    add_constraint({std::move(constraint_name),
+                    kind_index<Kind>(),
                     {operands.begin(), operands.end()},
-                    {constants.begin(), constants.end()}, group},
+                    {constants.begin(), constants.end()},
+                    group},
                    Kind::operand_sizes);
   }
 

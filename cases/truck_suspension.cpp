@@ -120,8 +120,8 @@ class Builder {
     const EntityId zL = scalar(EntityKind::distance, "zL", 0.5);
     const EntityId zR = scalar(EntityKind::distance, "zR", 0.5);
     const EntityId R = fixed_point("R", r_), G4 = fixed_point("G4", g4), G5 = fixed_point("G5", g5);
-    m_.groups[g_].entities = {S,  C4,  C5,  WL_, WR, R,  G4, G5, y1_, x2_,
-                              y2_, z2_, n3, u4, n4, u5, n5, zL, zR};
+    m_.groups[g_].entities = {S,   C4,  C5, WL_, WR, R,  G4, G5, y1_, x2_,
+                              y2_, z2_, n3, u4,  n4, u5, n5, zL, zR};
 
     m_.constrain<Unit<3>>(g_, axle_ + "x2 unit", {x2_});
     m_.constrain<Unit<3>>(g_, axle_ + "y2 unit", {y2_});
@@ -175,7 +175,8 @@ class Builder {
     length("lever " + lever + " length", A, B, arm);
     m_.constrain<Projection<3>>(g_, axle_ + "lever " + lever + " normal to y2", {y2_, A, B}, {0});
     normal("n" + lever, n, y2_, A, B);
-    m_.constrain<Rigid<3, 1>>(g_, axle_ + "e" + lever + " along the lever", {B, A, e}, {arm_length});
+    m_.constrain<Rigid<3, 1>>(g_, axle_ + "e" + lever + " along the lever", {B, A, e},
+                              {arm_length});
     m_.constrain<FrameAngle>(g_, axle_ + "angle of lever " + lever, {x2_, z2_, A, B, phi});
     length("link " + link + " length", G, B, rod);
     normal("u" + link, u, e, G, B);
@@ -206,9 +207,9 @@ class Builder {
   }
 
   Mechanism& m_;
-  std::string axle_;    ///< prefix of the names of the axle under construction
-  Vec3 origin_{};       ///< its origin
-  GroupId g_ = 0;       ///< the group under construction
+  std::string axle_;  ///< prefix of the names of the axle under construction
+  Vec3 origin_{};     ///< its origin
+  GroupId g_ = 0;     ///< the group under construction
   EntityId y1_ = 0, WL_ = 0, x2_ = 0, y2_ = 0, z2_ = 0;
 };
 

@@ -43,10 +43,10 @@ int solve_group(const AutomaticEquations& equations, std::vector<double>& state,
     if (!solved && iteration == settings.max_iterations) return worst_row(phi);
     const Eigen::FullPivLU<Eigen::MatrixXd> lu(dense_jacobian(equations, state.data()));
     if (!lu.isInvertible())  // the rows that depend on each other are in the left null space
-      return worst_row(Eigen::FullPivLU<Eigen::MatrixXd>(
-                           dense_jacobian(equations, state.data()).transpose())
-                           .kernel()
-                           .col(0));
+      return worst_row(
+          Eigen::FullPivLU<Eigen::MatrixXd>(dense_jacobian(equations, state.data()).transpose())
+              .kernel()
+              .col(0));
     if (solved) return -1;
     const Eigen::VectorXd step = lu.solve(phi);
     for (int i = 0; i < step.size(); ++i) state[equations.pattern().unknowns[i]] -= step[i];
@@ -55,8 +55,8 @@ int solve_group(const AutomaticEquations& equations, std::vector<double>& state,
 
 }  // namespace
 
-Culprit find_culprit(const Mechanism& m, std::span<const GroupId> groups,
-                     std::vector<double> state, const Settings& settings) {
+Culprit find_culprit(const Mechanism& m, std::span<const GroupId> groups, std::vector<double> state,
+                     const Settings& settings) {
   for (const PartDefinition& group : make_partition(m, Partition::group)) {
     const GroupId g = group.groups.front();
     if (std::ranges::find(groups, g) == groups.end()) continue;

@@ -35,12 +35,12 @@ class Sink {
 /// What became of a step, or of a whole run.
 struct Summary {
   Status status = Status::converged;
-  long instants = 0;       ///< solved
-  long iterations = 0;     ///< Newton iterations, the largest of any part, summed over instants
-  double residual = 0;     ///< largest ‖Φ‖₂ of the whole mechanism accepted, or that which failed
-  GroupId group = -1;      ///< on failure, the group that could not be solved (see find_culprit)
-  int constraint = -1;     ///< on failure, the constraint most concerned
-  double time = 0;         ///< of the last instant tried, s
+  long instants = 0;    ///< solved
+  long iterations = 0;  ///< Newton iterations, the largest of any part, summed over instants
+  double residual = 0;  ///< largest ‖Φ‖₂ of the whole mechanism accepted, or that which failed
+  GroupId group = -1;   ///< on failure, the group that could not be solved (see find_culprit)
+  int constraint = -1;  ///< on failure, the constraint most concerned
+  double time = 0;      ///< of the last instant tried, s
   bool ok() const { return status == Status::converged; }
 };
 
@@ -57,8 +57,7 @@ class Formulation {
   };
 
   /// settings: those that the parts were made with.
-  Formulation(const Mechanism& mechanism, std::vector<DefinedPart> parts,
-              const Settings& settings);
+  Formulation(const Mechanism& mechanism, std::vector<DefinedPart> parts, const Settings& settings);
 
   /// Assembles the mechanism at time t from its initial estimate, whatever was solved before.
   Summary assemble(double t, Level level = Level::acceleration);

@@ -26,7 +26,7 @@ struct GroupType {
   struct Input {
     std::string name;  ///< entity and component, without the group's prefix: "x2.y"
     Role role;
-    int state;         ///< in the state of the mechanism it was taken from
+    int state;  ///< in the state of the mechanism it was taken from
   };
 
   std::string fingerprint;

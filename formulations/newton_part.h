@@ -73,11 +73,14 @@ class NewtonPart final : public Part {
       equations_.residual(q, b_.data());  // Φ
       result.residual = b_.norm();
       if (result.residual < tolerance_) return result;
-      if (!std::isfinite(result.residual)) result.status = Status::not_finite;
-      else if (result.iterations == max_iterations_) result.status = Status::not_converged;
-      else if (!factor_at(q)) result.status = Status::singular;
+      if (!std::isfinite(result.residual))
+        result.status = Status::not_finite;
+      else if (result.iterations == max_iterations_)
+        result.status = Status::not_converged;
+      else if (!factor_at(q))
+        result.status = Status::singular;
       if (result.status != Status::converged) return result;
-      algebra_.solve(b_.data());  // Φ_φ Δφ = Φ
+      algebra_.solve(b_.data());                                                // Φ_φ Δφ = Φ
       for (int i = 0; i < pattern().n; ++i) q[pattern().unknowns[i]] -= b_[i];  // eq. (2)
     }
   }
@@ -123,7 +126,7 @@ class NewtonPart final : public Part {
   double tolerance_;
   int max_iterations_;
   std::vector<double> values_;  // Φ_φ and Φ_h, laid out by the pattern
-  Eigen::VectorXd b_;       // right-hand side, then solution
+  Eigen::VectorXd b_;           // right-hand side, then solution
   std::vector<double> start_;   // unknowns at the start of the step
 };
 

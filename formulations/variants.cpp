@@ -15,12 +15,12 @@ std::vector<Variant> make_variants() {
   std::vector<Variant> table;
   for (const auto& [partition, partition_name] :
        {std::pair{Partition::global, "global"}, std::pair{Partition::group, "group"}})
-    for (const auto& [evaluation, evaluation_name] :
-         {std::pair{Evaluation::automatic, "automatic"}, std::pair{Evaluation::symbolic, "symbolic"}})
+    for (const auto& [evaluation, evaluation_name] : {std::pair{Evaluation::automatic, "automatic"},
+                                                      std::pair{Evaluation::symbolic, "symbolic"}})
       for (const Backend* backend : backends())
-        table.push_back({std::string(partition_name) + "_" + evaluation_name + "_" +
-                             std::string(backend->name),
-                         partition, evaluation, backend});
+        table.push_back(
+            {std::string(partition_name) + "_" + evaluation_name + "_" + std::string(backend->name),
+             partition, evaluation, backend});
   table.push_back({"group_symbolic_inlined", Partition::group, Evaluation::symbolic, nullptr});
   return table;
 }

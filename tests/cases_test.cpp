@@ -17,9 +17,12 @@ struct Counts {
 Counts entity_counts(const Mechanism& m, const Group& g) {
   Counts c;
   for (const EntityId e : g.entities) {
-    if (m.entities[e].kind == EntityKind::point) ++c.points;
-    else if (m.entities[e].kind == EntityKind::vector) ++c.vectors;
-    else ++c.scalars;
+    if (m.entities[e].kind == EntityKind::point)
+      ++c.points;
+    else if (m.entities[e].kind == EntityKind::vector)
+      ++c.vectors;
+    else
+      ++c.scalars;
   }
   return c;
 }
@@ -133,8 +136,7 @@ TEST(TruckSuspension, MotionIsTheDesigns) {
   EXPECT_EQ(m.entities[m.drivers[5].coordinate].name, "axle3/zR");
   EXPECT_NEAR(zR.position, 0.5 + 0.05 * std::sin(w * 1.3 * t + 0.7 - 0.3 * a), 1e-15);
   EXPECT_NEAR(zR.velocity, 0.05 * w * 1.3 * std::cos(w * 1.3 * t + 0.7 - 0.3 * a), 1e-14);
-  EXPECT_NEAR(zR.acceleration,
-              -0.05 * w * w * 1.69 * std::sin(w * 1.3 * t + 0.7 - 0.3 * a), 1e-13);
+  EXPECT_NEAR(zR.acceleration, -0.05 * w * w * 1.69 * std::sin(w * 1.3 * t + 0.7 - 0.3 * a), 1e-13);
 }
 
 // A mechanism that is wrong is refused where it is described, and the message names the place.
@@ -166,8 +168,7 @@ TEST_F(Broken, UnderConstrained) {
 TEST_F(Broken, OverConstrained) {
   const EntityId p = m.add(EntityKind::point, "p", zero, 0);
   const EntityId o = m.add_fixed(EntityKind::point, "o", zero);
-  for (int i = 0; i < 3; ++i)
-    m.constrain<Length<2>>(0, "length " + std::to_string(i), {o, p}, {1});
+  for (int i = 0; i < 3; ++i) m.constrain<Length<2>>(0, "length " + std::to_string(i), {o, p}, {1});
   expect_message("over-constrained");
 }
 

@@ -48,17 +48,23 @@ TEST_F(Expressions, ShareCommonSubexpressions) {
 
 TEST_F(Expressions, KeepTheirValueThroughEveryRule) {
   std::mt19937 generator(3);
-  std::vector<std::pair<Expr, double>> pool{{x, 2}, {y, 3}, {Expr(0), 0}, {Expr(1), 1}, {Expr(-1), -1}};
+  std::vector<std::pair<Expr, double>> pool{
+      {x, 2}, {y, 3}, {Expr(0), 0}, {Expr(1), 1}, {Expr(-1), -1}};
   for (int i = 0; i < 400; ++i) {
     const auto& [a, va] = pool[generator() % pool.size()];
     const auto& [b, vb] = pool[generator() % pool.size()];
     std::pair<Expr, double> made = [&]() -> std::pair<Expr, double> {
       switch (generator() % 5) {
-        case 0: return {a + b, va + vb};
-        case 1: return {a - b, va - vb};
-        case 2: return {a * b, va * vb};
-        case 3: return {-a, -va};
-        default: return vb != 0 ? std::pair{a / b, va / vb} : std::pair{sin(a), std::sin(va)};
+        case 0:
+          return {a + b, va + vb};
+        case 1:
+          return {a - b, va - vb};
+        case 2:
+          return {a * b, va * vb};
+        case 3:
+          return {-a, -va};
+        default:
+          return vb != 0 ? std::pair{a / b, va / vb} : std::pair{sin(a), std::sin(va)};
       }
     }();
     if (std::abs(made.second) > 1e3) continue;
@@ -85,7 +91,9 @@ TEST_F(Expressions, AreWrittenWithTheParenthesesTheyNeed) {
 
 TEST(Literals, ReadBackToTheSameValue) {
   for (const double v : {0.1, 1.0, -3.0, 1e-300, 6.02e23, -1.0 / 3})
-    EXPECT_EQ(std::strtod(literal(v)[0] == '(' ? literal(v).c_str() + 1 : literal(v).c_str(), nullptr), v);
+    EXPECT_EQ(
+        std::strtod(literal(v)[0] == '(' ? literal(v).c_str() + 1 : literal(v).c_str(), nullptr),
+        v);
   EXPECT_EQ(literal(2), "2.0");
 }
 
@@ -155,7 +163,8 @@ std::string read(const std::string& path) {
 }
 
 TEST(Generate, WritesTheSameBytesEveryTime) {
-  const std::string a = testing::TempDir() + "kernels_a.cpp", b = testing::TempDir() + "kernels_b.cpp";
+  const std::string a = testing::TempDir() + "kernels_a.cpp",
+                    b = testing::TempDir() + "kernels_b.cpp";
   ASSERT_EQ(std::system((DESMO_GENERATE " " + a).c_str()), 0);
   ASSERT_EQ(std::system((DESMO_GENERATE " " + b).c_str()), 0);
   EXPECT_FALSE(read(a).empty());

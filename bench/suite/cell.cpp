@@ -11,7 +11,7 @@ namespace desmo::suite {
 
 namespace {
 
-constexpr int profiled_coordinates = 558;    // the largest of the paper's tables
+constexpr int profiled_coordinates = 558;  // the largest of the paper's tables
 constexpr int profiled_instants = 301;
 
 double cpu_now() {
@@ -93,8 +93,7 @@ std::vector<std::unique_ptr<Cell>> make_cells(const Options& options) {
   std::vector<std::unique_ptr<Cell>> cells;
   for (const Case& c : cases()) {
     for (const int n : c.sizes)
-      for (const Variant& v : variants())
-        cells.push_back(std::make_unique<Cell>(c, n, v, options));
+      for (const Variant& v : variants()) cells.push_back(std::make_unique<Cell>(c, n, v, options));
     for (const int n : c.extra_sizes)
       for (const Variant& v : variants())
         if (is_of_the_paper(v) && !is_dense_global(v))

@@ -36,10 +36,10 @@ class Cell {
   const TimeGrid grid;
 
   State state = State::untouched;
-  std::string message;            ///< why it failed or was not run
+  std::string message;  ///< why it failed or was not run
   int groups = 0, degrees_of_freedom = 0;
   Errors errors;
-  double setup_seconds = 0;       ///< CPU: analysis, ordering, allocation
+  double setup_seconds = 0;  ///< CPU: analysis, ordering, allocation
   double iterations_per_step = 0, residual = 0;
   std::vector<double> cpu_seconds;  ///< one for each repetition
   std::optional<PhaseTimes> phases;

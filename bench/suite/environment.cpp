@@ -32,7 +32,10 @@ std::string first_line(const char* path) {
 
 Machine this_machine() {
   const benchmark::CPUInfo& info = benchmark::CPUInfo::Get();
-  Machine m{processor_name(), info.num_cpus, {}, "unknown",
+  Machine m{processor_name(),
+            info.num_cpus,
+            {},
+            "unknown",
             first_line("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor")};
   for (const auto& c : info.caches)
     m.caches.push_back("L" + std::to_string(c.level) + " " + c.type + " " +

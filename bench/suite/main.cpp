@@ -1,6 +1,7 @@
 // desmo_bench: every case × size × formulation as a Google Benchmark, verified before it is timed.
 
 #include <benchmark/benchmark.h>
+#include <malloc.h>
 
 #include <algorithm>
 #include <cmath>
@@ -90,7 +91,16 @@ std::string command_line(int argc, char** argv) {
   return command;
 }
 
+/// Freed memory stays with the process. Otherwise what UMFPACK frees after each factorisation goes
+/// back to the system beyond some size, its page faults are timed, and whether that happens depends
+/// on what ran before.
+void keep_freed_memory() {
+  mallopt(M_MMAP_THRESHOLD, 1 << 28);
+  mallopt(M_TRIM_THRESHOLD, 1 << 30);
+}
+
 int run(int argc, char** argv) {
+  keep_freed_memory();
   std::vector<char*> arguments(argv, argv + argc);
   const Options options = take_options(arguments);
   if (options.help) std::cout << usage;

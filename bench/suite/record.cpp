@@ -49,9 +49,8 @@ Json environment(const Run& run, const TimeGrid& grid) {
 }
 
 Json cell_json(const Cell& cell) {
-  Json j = {{"case", cell.definition.name},
-            {"coordinates", cell.coordinates},
-            {"id", cell.variant.id}};
+  Json j = {
+      {"case", cell.definition.name}, {"coordinates", cell.coordinates}, {"id", cell.variant.id}};
   if (cell.state == Cell::State::not_run) {
     j["status"] = "not_run";
     j["message"] = cell.message;
@@ -88,8 +87,7 @@ Json profile_json(const Cell& cell) {
 
 }  // namespace
 
-void write_record(const std::string& path, const Run& run,
-                  const std::vector<Cell*>& cells) {
+void write_record(const std::string& path, const Run& run, const std::vector<Cell*>& cells) {
   Json all = {{"schema", "desmo-results"}, {"version", schema_version}};
   all["record"] = environment(run, cells.front()->grid);
   all["cells"] = Json::array();

@@ -17,7 +17,6 @@ struct Run {
 /// Writes the results record (results/record.schema.json) of these cells (at least one), to a file
 /// that appears whole or not at all. Throws std::runtime_error, naming the file, when that
 /// fails.
-void write_record(const std::string& path, const Run& run,
-                  const std::vector<Cell*>& cells);
+void write_record(const std::string& path, const Run& run, const std::vector<Cell*>& cells);
 
 }  // namespace desmo::suite

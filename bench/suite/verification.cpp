@@ -34,8 +34,8 @@ void VerifyingSink::accept(const Instant& instant) {
 
 std::string complaint(const Errors& e, std::size_t expected_instants) {
   if (static_cast<std::size_t>(e.instants) != expected_instants)
-    return "compared with the reference at " + std::to_string(e.instants) + " instants instead of " +
-           std::to_string(expected_instants);
+    return "compared with the reference at " + std::to_string(e.instants) +
+           " instants instead of " + std::to_string(expected_instants);
   if (e.position <= allowed.position && e.velocity <= allowed.velocity &&
       e.acceleration <= allowed.acceleration)
     return {};
@@ -54,9 +54,9 @@ std::span<const ReferenceInstant> ReferenceCache::get(const Mechanism& m, const 
     const int count = std::min(grid.instants, instants_compared);
     std::vector<double> times;
     for (int i = 0; i < count; ++i)
-      times.push_back(grid.time(count == 1 ? 0
-                                           : static_cast<int>(static_cast<long>(i) *
-                                                              (grid.instants - 1) / (count - 1))));
+      times.push_back(grid.time(
+          count == 1 ? 0
+                     : static_cast<int>(static_cast<long>(i) * (grid.instants - 1) / (count - 1))));
     reference = reference_solution(m, times, Precision::quadruple);
   }
   return reference;

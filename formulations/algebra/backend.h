@@ -21,7 +21,7 @@ struct PartContext {
   const Mechanism& mechanism;
   const PartDefinition& definition;
   Evaluation evaluation;
-  double tolerance;            ///< on ‖Φ‖₂ of the part's own equations
+  double tolerance;  ///< on ‖Φ‖₂ of the part's own equations
   int max_iterations;
   Profile* profile = nullptr;  ///< where phases are measured, or null for the timed code
 };
@@ -46,8 +46,8 @@ std::unique_ptr<Part> make_newton_part(const PartContext& context) {
           std::move(equations), context.tolerance, context.max_iterations);
     using Profiled = ProfiledEquations<Equations>;
     return std::make_unique<NewtonPart<Profiled, ProfiledAlgebra<Algebra>>>(
-        Profiled(std::move(equations), *context.profile), context.tolerance,
-        context.max_iterations, *context.profile);
+        Profiled(std::move(equations), *context.profile), context.tolerance, context.max_iterations,
+        *context.profile);
   };
   if (context.evaluation == Evaluation::automatic)
     return make(AutomaticEquations(context.mechanism, context.definition));

@@ -1,6 +1,6 @@
-// Sparse Cholesky by SuiteSparse's CHOLMOD on the normal equations Φ_φᵀ Φ_φ, permuted beforehand
-// so that CHOLMOD factorises in natural order and copies nothing. Ordering and symbolic analysis
-// once; the memory of the numeric factor is reused.
+// Sparse Cholesky by SuiteSparse's CHOLMOD on the normal equations, Φ_φᵀ Φ_φ or Φ_φ Φ_φᵀ, whichever
+// takes fewer operations, permuted beforehand so that CHOLMOD factorises in natural order and
+// copies nothing. Ordering and symbolic analysis once; the memory of the numeric factor is reused.
 
 #include <cholmod.h>
 
@@ -35,26 +35,41 @@ std::vector<int> identity(int n) {
   return p;
 }
 
+/// Normal equations, and the operations that CHOLMOD counts for their factorisation.
+struct Choice {
+  NormalForm form;
+  std::vector<int> order;
+  double operations;
+};
+
 /// The fill-reducing order that CHOLMOD itself finds best.
-std::vector<int> fill_reducing_order(const Pattern& pattern) {
-  NormalEquations normal(pattern, identity(pattern.n));
+Choice fill_reducing_order(const Pattern& pattern, NormalForm form) {
+  NormalEquations normal(pattern, form, identity(pattern.n));
   cholmod_common common;
   cholmod_start(&common);
   cholmod_sparse a = view(normal);
   cholmod_factor* l = cholmod_analyze(&a, &common);
-  std::vector<int> order;
-  if (l) order.assign(static_cast<int*>(l->Perm), static_cast<int*>(l->Perm) + pattern.n);
+  Choice choice{form, {}, common.fl};
+  if (l) choice.order.assign(static_cast<int*>(l->Perm), static_cast<int*>(l->Perm) + pattern.n);
   cholmod_free_factor(&l, &common);
   cholmod_finish(&common);
-  if (order.empty()) throw std::invalid_argument("CHOLMOD: the Jacobian could not be analysed");
-  return order;
+  if (choice.order.empty())
+    throw std::invalid_argument("CHOLMOD: the Jacobian could not be analysed");
+  return choice;
+}
+
+NormalEquations cheapest_normal_equations(const Pattern& pattern) {
+  const Choice columns = fill_reducing_order(pattern, NormalForm::columns);
+  const Choice rows = fill_reducing_order(pattern, NormalForm::rows);
+  const Choice& best = rows.operations < columns.operations ? rows : columns;
+  return NormalEquations(pattern, best.form, best.order);
 }
 
 class Cholmod {
  public:
   static constexpr bool keeps_pivots = false;
 
-  explicit Cholmod(const Pattern& pattern) : normal_(pattern, fill_reducing_order(pattern)) {
+  explicit Cholmod(const Pattern& pattern) : normal_(cheapest_normal_equations(pattern)) {
     cholmod_start(&common_);
     common_.nmethods = 1;
     common_.method[0].ordering = CHOLMOD_NATURAL;
@@ -84,9 +99,11 @@ class Cholmod {
   }
 
   void solve(double* b) {
-    normal_.transposed_product(values_, b, static_cast<double*>(right_->x));
+    normal_.right_side(values_, b, static_cast<double*>(right_->x));
     cholmod_solve2(CHOLMOD_A, l_, right_, nullptr, &x_, nullptr, &y_, &e_, &common_);
-    normal_.unpermute(static_cast<const double*>(x_->x), b);
+    // It comes back cut down to one row, and would be allocated anew in the shape asked for.
+    if (y_) y_->d = y_->nrow = y_->nzmax / y_->ncol;
+    normal_.solution(values_, static_cast<const double*>(x_->x), b);
   }
 
  private:

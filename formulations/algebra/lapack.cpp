@@ -49,9 +49,7 @@ class Lapack {
 
 }  // namespace
 
-BlasEnvironment blas_environment() {
-  return {openblas_get_corename(), openblas_get_num_threads()};
-}
+BlasEnvironment blas_environment() { return {openblas_get_corename(), openblas_get_num_threads()}; }
 
 void set_blas_threads(int threads) { openblas_set_num_threads(threads); }
 

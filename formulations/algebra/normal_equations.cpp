@@ -4,20 +4,31 @@
 
 namespace desmo {
 
-NormalEquations::NormalEquations(const Pattern& p, const std::vector<int>& permutation)
-    : n_(p.n), permutation_(permutation), jacobian_start_(p.column_start), jacobian_row_(p.row) {
-  std::vector<int> new_column(n_);
-  for (int k = 0; k < n_; ++k) new_column[permutation_[k]] = k;
+NormalEquations::NormalEquations(const Pattern& p, NormalForm form,
+                                 const std::vector<int>& permutation)
+    : n_(p.n),
+      form_(form),
+      permutation_(permutation),
+      jacobian_start_(p.column_start),
+      jacobian_row_(p.row) {
+  std::vector<int> new_index(n_);
+  for (int k = 0; k < n_; ++k) new_index[permutation_[k]] = k;
 
-  // Entries of each row of Φ_φ: (new column, position of the value).
-  std::vector<std::vector<std::pair<int, int>>> by_row(n_);
+  // Entries that meet in products, being of one row (columns) or one column (rows) of Φ_φ:
+  // (index in N, position of the value).
+  std::vector<std::vector<std::pair<int, int>>> meeting(n_);
   for (int j = 0; j < n_; ++j)
     for (int e = p.column_start[j]; e < p.column_start[j + 1]; ++e)
-      by_row[p.row[e]].emplace_back(new_column[j], e);
+      if (form_ == NormalForm::columns) {
+        meeting[p.row[e]].emplace_back(new_index[j], e);
+      } else {
+        jacobian_row_[e] = new_index[p.row[e]];
+        meeting[j].emplace_back(jacobian_row_[e], e);
+      }
 
-  // N_ij = Σ_rows Φ_ri Φ_rj, i ≤ j.
+  // N_ij = Σ_r Φ_ri Φ_rj or Σ_c Φ_ic Φ_jc, i ≤ j.
   std::vector<std::map<int, std::vector<Pair>>> columns(n_);
-  for (const auto& entries : by_row)
+  for (const auto& entries : meeting)
     for (const auto& [i, a] : entries)
       for (const auto& [j, b] : entries)
         if (i <= j) columns[j][i].push_back({a, b});
@@ -45,18 +56,18 @@ void NormalEquations::refill(const double* jacobian) {
   }
 }
 
-void NormalEquations::transposed_product(const double* jacobian, const double* b, double* y) const {
-  for (int k = 0; k < n_; ++k) {
-    const int j = permutation_[k];
-    double sum = 0;
-    for (int e = jacobian_start_[j]; e < jacobian_start_[j + 1]; ++e)
-      sum += jacobian[e] * b[jacobian_row_[e]];
-    y[k] = sum;
-  }
+void NormalEquations::right_side(const double* jacobian, const double* b, double* right) const {
+  if (form_ == NormalForm::columns)
+    for (int k = 0; k < n_; ++k) right[k] = column_product(permutation_[k], jacobian, b);
+  else
+    for (int k = 0; k < n_; ++k) right[k] = b[permutation_[k]];
 }
 
-void NormalEquations::unpermute(const double* y, double* x) const {
-  for (int k = 0; k < n_; ++k) x[permutation_[k]] = y[k];
+void NormalEquations::solution(const double* jacobian, const double* y, double* x) const {
+  if (form_ == NormalForm::columns)
+    for (int k = 0; k < n_; ++k) x[permutation_[k]] = y[k];
+  else
+    for (int j = 0; j < n_; ++j) x[j] = column_product(j, jacobian, y);
 }
 
 }  // namespace desmo

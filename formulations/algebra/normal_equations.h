@@ -6,12 +6,18 @@
 
 namespace desmo {
 
-/// The upper triangle of N = Φ_φᵀ Φ_φ with rows and columns permuted, refilled without searching:
-/// each entry is a sum of products of pairs of entries of Φ_φ, listed once.
+/// Which normal equations stand for Φ_φ x = b; either may fill in less.
+enum class NormalForm {
+  columns,  ///< Φ_φᵀ Φ_φ x = Φ_φᵀ b
+  rows,     ///< Φ_φ Φ_φᵀ y = b, x = Φ_φᵀ y
+};
+
+/// The upper triangle of N = Φ_φᵀ Φ_φ or Φ_φ Φ_φᵀ with rows and columns permuted, refilled without
+/// searching: each entry is a sum of products of pairs of entries of Φ_φ, listed once.
 class NormalEquations {
  public:
-  /// permutation[k] is the column of Φ_φ that becomes column k of N.
-  NormalEquations(const Pattern& pattern, const std::vector<int>& permutation);
+  /// permutation[k] is the column or row of Φ_φ that becomes column k of N.
+  NormalEquations(const Pattern& pattern, NormalForm form, const std::vector<int>& permutation);
 
   int n() const { return n_; }
   std::vector<int>& column_start() { return column_start_; }  ///< n + 1
@@ -20,15 +26,24 @@ class NormalEquations {
 
   /// values() = N of these values of Φ_φ, overwritten.
   void refill(const double* jacobian);
-  /// y = P Φ_φᵀ b, overwritten.
-  void transposed_product(const double* jacobian, const double* b, double* y) const;
-  /// x = Pᵀ y, overwritten.
-  void unpermute(const double* y, double* x) const;
+  /// right = P Φ_φᵀ b (columns) or P b (rows), overwritten.
+  void right_side(const double* jacobian, const double* b, double* right) const;
+  /// x of Φ_φ x = b from y = N⁻¹ right, overwritten: Pᵀ y (columns) or Φ_φᵀ Pᵀ y (rows).
+  void solution(const double* jacobian, const double* y, double* x) const;
 
  private:
+  double column_product(int j, const double* jacobian, const double* b) const {
+    double sum = 0;
+    for (int e = jacobian_start_[j]; e < jacobian_start_[j + 1]; ++e)
+      sum += jacobian[e] * b[jacobian_row_[e]];
+    return sum;
+  }
+
   int n_;
+  NormalForm form_;
   std::vector<int> permutation_;
-  std::vector<int> jacobian_start_, jacobian_row_;
+  std::vector<int> jacobian_start_;
+  std::vector<int> jacobian_row_;  // as numbered in N, where N is made of rows
   std::vector<int> column_start_, row_;
   std::vector<double> values_;
   struct Pair {

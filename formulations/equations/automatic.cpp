@@ -62,7 +62,8 @@ AutomaticEquations::AutomaticEquations(const Mechanism& m, const PartDefinition&
 void AutomaticEquations::constant_jacobian(double* values) const {
   const auto write = [&]<class Kind>(const Batch<Kind>& batch) {
     if constexpr (Kind::linear)
-      for (const auto& o : batch.objects) write_jacobian<Kind>(o, Operands<Kind>{}, values);  // they read no state
+      for (const auto& o : batch.objects)
+        write_jacobian<Kind>(o, Operands<Kind>{}, values);  // they read no state
   };
   std::apply([&](const auto&... batch) { (write(batch), ...); }, batches_);
 }
@@ -80,7 +81,8 @@ void AutomaticEquations::residual(const double* state, double* phi) const {
 void AutomaticEquations::jacobian(const double* state, double* values) const {
   const auto evaluate = [&]<class Kind>(const Batch<Kind>& batch) {
     if constexpr (!Kind::linear)
-      for (const auto& o : batch.objects) write_jacobian<Kind>(o, pointers(state, o.operands), values);
+      for (const auto& o : batch.objects)
+        write_jacobian<Kind>(o, pointers(state, o.operands), values);
   };
   std::apply([&](const auto&... batch) { (evaluate(batch), ...); }, batches_);
 }

@@ -18,10 +18,10 @@ struct JacobianEntry {
 /// first Φ_φ (columns of the n unknowns) compressed by columns, then the entries of Φ_h (known
 /// coordinates that move), then one value that nobody reads, for all that never moves.
 struct Pattern {
-  int n = 0;                      ///< unknowns and equations
-  std::vector<int> unknowns;      ///< coordinate of each column, n
-  std::vector<int> column_start;  ///< n + 1
-  std::vector<int> row;           ///< of each entry of Φ_φ, ascending within a column
+  int n = 0;                         ///< unknowns and equations
+  std::vector<int> unknowns;         ///< coordinate of each column, n
+  std::vector<int> column_start;     ///< n + 1
+  std::vector<int> row;              ///< of each entry of Φ_φ, ascending within a column
   std::vector<JacobianEntry> known;  ///< entries of Φ_h, by row
 
   int dependent_entries() const { return static_cast<int>(row.size()); }

@@ -49,9 +49,8 @@ SymbolicEquations::SymbolicEquations(const Mechanism& m, const PartDefinition& p
   for (Block& block : blocks_) {
     for (int& slot : block.slots) slot = made.slots[slot];
     const std::size_t known = block.bound.kernel->known_entries.size();
-    block.known_is_unknown = std::any_of(block.slots.end() - known, block.slots.end(), [&](int s) {
-      return s < pattern_.dependent_entries();
-    });
+    block.known_is_unknown = std::any_of(block.slots.end() - known, block.slots.end(),
+                                         [&](int s) { return s < pattern_.dependent_entries(); });
   }
 }
 

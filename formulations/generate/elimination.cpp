@@ -100,7 +100,8 @@ Elimination::Elimination(Rows rows) {
     for (const Step& earlier : steps_)
       for (const auto& [j, value] : earlier.upper)
         if (j == pivot.column)
-          monitor.against.push_back({value, 1 / (cancellation_allowed * (1 + largest_ratio(value, p)))});
+          monitor.against.push_back(
+              {value, 1 / (cancellation_allowed * (1 + largest_ratio(value, p)))});
     if (!p.is_constant()) monitors_.push_back(std::move(monitor));
     steps_.push_back(std::move(step));
   }

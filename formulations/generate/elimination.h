@@ -38,9 +38,9 @@ class Elimination {
  private:
   struct Step {
     int row, column;
-    Expr reciprocal;                              // of the pivot
-    std::vector<std::pair<int, Expr>> lower;      // (row, multiplier)
-    std::vector<std::pair<int, Expr>> upper;      // (column, entry) of the pivot's row
+    Expr reciprocal;                          // of the pivot
+    std::vector<std::pair<int, Expr>> lower;  // (row, multiplier)
+    std::vector<std::pair<int, Expr>> upper;  // (column, entry) of the pivot's row
   };
   std::vector<Step> steps_;
   std::vector<PivotMonitor> monitors_;

@@ -22,12 +22,16 @@ bool is_leaf(int id) {
 
 int precedence(Op op) {
   switch (op) {
-    case Op::negate: return 0;  // never bare beside another operator
+    case Op::negate:
+      return 0;  // never bare beside another operator
     case Op::add:
-    case Op::subtract: return 1;
+    case Op::subtract:
+      return 1;
     case Op::multiply:
-    case Op::divide: return 2;
-    default: return 4;
+    case Op::divide:
+      return 2;
+    default:
+      return 4;
   }
 }
 
@@ -72,15 +76,24 @@ std::string Emitter::text(int id) const {
     return closed ? text(i) : "(" + text(i) + ")";
   };
   switch (n.op) {
-    case Op::constant: return literal(n.value);
-    case Op::input: return n.name;
-    case Op::add: return operand(n.a, 1) + " + " + operand(n.b, 2);
-    case Op::subtract: return operand(n.a, 1) + " - " + operand(n.b, 2);
-    case Op::multiply: return operand(n.a, 2) + " * " + operand(n.b, 3);
-    case Op::divide: return operand(n.a, 2) + " / " + operand(n.b, 3);
-    case Op::negate: return "-" + operand(n.a, 3);
-    case Op::sine: return "std::sin(" + text(n.a) + ")";
-    case Op::cosine: return "std::cos(" + text(n.a) + ")";
+    case Op::constant:
+      return literal(n.value);
+    case Op::input:
+      return n.name;
+    case Op::add:
+      return operand(n.a, 1) + " + " + operand(n.b, 2);
+    case Op::subtract:
+      return operand(n.a, 1) + " - " + operand(n.b, 2);
+    case Op::multiply:
+      return operand(n.a, 2) + " * " + operand(n.b, 3);
+    case Op::divide:
+      return operand(n.a, 2) + " / " + operand(n.b, 3);
+    case Op::negate:
+      return "-" + operand(n.a, 3);
+    case Op::sine:
+      return "std::sin(" + text(n.a) + ")";
+    case Op::cosine:
+      return "std::cos(" + text(n.a) + ")";
   }
   return {};
 }

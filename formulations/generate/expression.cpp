@@ -12,15 +12,23 @@ Graph* current_graph = nullptr;
 
 double apply(Op op, double a, double b) {
   switch (op) {
-    case Op::add: return a + b;
-    case Op::subtract: return a - b;
-    case Op::multiply: return a * b;
-    case Op::divide: return a / b;
-    case Op::negate: return -a;
-    case Op::sine: return std::sin(a);
-    case Op::cosine: return std::cos(a);
+    case Op::add:
+      return a + b;
+    case Op::subtract:
+      return a - b;
+    case Op::multiply:
+      return a * b;
+    case Op::divide:
+      return a / b;
+    case Op::negate:
+      return -a;
+    case Op::sine:
+      return std::sin(a);
+    case Op::cosine:
+      return std::cos(a);
     case Op::constant:
-    case Op::input: break;
+    case Op::input:
+      break;
   }
   throw std::logic_error("not an operation");
 }
@@ -109,7 +117,8 @@ int Graph::binary(Op op, int a, int b) {
       if (left_negated) return unary(Op::negate, binary(Op::divide, l.a, b));
       if (right_negated) return unary(Op::negate, binary(Op::divide, a, r.a));
       break;
-    default: break;
+    default:
+      break;
   }
   if ((op == Op::add || op == Op::multiply) && a > b) std::swap(a, b);
   return find_or_add(op, a, b);

@@ -42,15 +42,13 @@ void collect(const Mechanism& m, double seconds, std::vector<FoundType>& found) 
   constexpr int sample_count = 12;
   std::vector<double> times;
   for (int i = 0; i < sample_count; ++i) times.push_back(seconds * i / (sample_count - 1));
-  const std::vector<ReferenceInstant> instants =
-      reference_solution(m, times, Precision::standard);
+  const std::vector<ReferenceInstant> instants = reference_solution(m, times, Precision::standard);
 
   for (GroupId g = 0; g < static_cast<GroupId>(m.groups.size()); ++g) {
     GroupType type = describe_group(m, g);
     auto it = std::ranges::find(found, type.fingerprint,
                                 [](const FoundType& f) { return f.type.fingerprint; });
-    if (it == found.end())
-      it = found.insert(it, {kernel_name(m, m.groups[g].name), type, {}});
+    if (it == found.end()) it = found.insert(it, {kernel_name(m, m.groups[g].name), type, {}});
     for (const ReferenceInstant& instant : instants) {
       std::vector<double> state = instant.q;
       state.insert(state.end(), m.fixed_values.begin(), m.fixed_values.end());

@@ -48,7 +48,8 @@ class KernelWriter {
     open("void residual(const double* q, const int* in, const double* c, double* phi)");
     Emitter emitter = begin(g_.phi);
     emitter.prepare(g_.phi);
-    for (int r = 0; r < type_.rows; ++r) assign(emitter, "phi[" + std::to_string(r) + "]", g_.phi[r], type_.row_names[r]);
+    for (int r = 0; r < type_.rows; ++r)
+      assign(emitter, "phi[" + std::to_string(r) + "]", g_.phi[r], type_.row_names[r]);
     close();
   }
 
@@ -58,7 +59,8 @@ class KernelWriter {
     close();
   }
 
-  void jacobian_entries(const char* function, const std::vector<RecordedEntry>& list, std::size_t first) {
+  void jacobian_entries(const char* function, const std::vector<RecordedEntry>& list,
+                        std::size_t first) {
     open(std::string("void ") + function +
          "(const double* q, const int* in, const double* c, const int* slot, double* values)");
     write_values(list, first);
@@ -66,8 +68,9 @@ class KernelWriter {
   }
 
   void quadratic() {
-    open("void quadratic(const double* q, const double* qd, const int* in, const double* c, "
-         "double* gamma)");
+    open(
+        "void quadratic(const double* q, const double* qd, const int* in, const double* c, "
+        "double* gamma)");
     Emitter emitter = begin(g_.gamma);
     emitter.prepare(g_.gamma);
     for (int r = 0; r < type_.rows; ++r)
@@ -81,15 +84,17 @@ class KernelWriter {
     for (const Expr& phi : g_.phi) norm2 = norm2 + phi * phi;
     const Expressions all = concatenate({{norm2}, step});
 
-    open("InlinedResult position(double* q, const int* in, const double* c, double tolerance2,\n"
-         "                       int max_iterations)");
+    open(
+        "InlinedResult position(double* q, const int* in, const double* c, double tolerance2,\n"
+        "                       int max_iterations)");
     load(unknown_positions(), "double");
     load(all, "const double");
     out_ << "  InlinedResult result{0, 0};\n  for (;; ++result.iterations) {\n";
     Emitter emitter(out_, "    ", all);
     emitter.prepare({norm2});
     out_ << "    result.residual2 = " << emitter.text(norm2) << ";\n"
-         << "    if (!(result.residual2 >= tolerance2) || result.iterations == max_iterations) break;\n";
+         << "    if (!(result.residual2 >= tolerance2) || result.iterations == max_iterations) "
+            "break;\n";
     emitter.prepare(step);
     // All increments before any update: later ones may be written with the old values.
     for (std::size_t j = 0; j < step.size(); ++j)
@@ -108,7 +113,8 @@ class KernelWriter {
     const Expressions velocity = elimination_.solve(known_product(g_.qd));
     const Expressions monitored = monitored_expressions();
     Expressions acceleration_right = known_product(g_.qdd);
-    for (int r = 0; r < type_.rows; ++r) acceleration_right[r] = acceleration_right[r] - g_.gamma[r];
+    for (int r = 0; r < type_.rows; ++r)
+      acceleration_right[r] = acceleration_right[r] - g_.gamma[r];
     const Expressions acceleration = elimination_.solve(acceleration_right);
 
     open("bool rates(const double* q, double* qd, double* qdd, const int* in, const double* c)");
@@ -260,9 +266,8 @@ void write_kernel(std::ostream& out, const std::string& name, const GroupType& t
 
 void write_table_row(std::ostream& out, const std::string& name, const GroupType& type) {
   out << "    {\"" << name << "\", \"" << type.fingerprint << "\", " << type.rows;
-  for (const char* member :
-       {"constant_entries", "dependent_entries", "known_entries", "constant", "residual",
-        "dependent", "known", "quadratic", "position", "rates"})
+  for (const char* member : {"constant_entries", "dependent_entries", "known_entries", "constant",
+                             "residual", "dependent", "known", "quadratic", "position", "rates"})
     out << ",\n     " << name << "::" << member;
   out << "},\n";
 }
