@@ -37,9 +37,10 @@ Mechanism build(const Case& c, int coordinates) {
 
 TimeGrid time_grid(double seconds, double step) {
   const double intervals = std::round(seconds / step);
-  if (!(seconds > 0) || !(step > 0) || !std::isfinite(seconds) || !(intervals <= 1e9 - 1))
+  if (!(seconds > 0) || !(step > 0) || !std::isfinite(seconds) || !(intervals >= 1) ||
+      !(intervals <= 1e9 - 1))
     throw std::invalid_argument(
-        "time grid: duration and step must be positive, with at most 1e9 instants");
+        "time grid: duration and step must be positive, with 2 to 1e9 instants");
   return {0, step, static_cast<int>(intervals) + 1};
 }
 

@@ -23,7 +23,7 @@ struct Case {
   int base_coordinates;  ///< coordinates(units) = base + per_unit · units
   int coordinates_per_unit;
   std::vector<int> sizes;        ///< coordinates of the paper's tables, ascending
-  std::vector<int> extra_sizes;  ///< beyond them, for the formulations of the paper only
+  std::vector<int> extra_sizes;  ///< beyond them, for the sparse global references and FBL-TP only
   double seconds = 30;           ///< motion analysed, from t = 0
   double step = 0.01;            ///< s
 };
@@ -39,7 +39,7 @@ const Case& find_case(std::string_view name);
 Mechanism build(const Case& definition, int coordinates);
 
 /// Instants from 0 to `seconds`, both included. Throws std::invalid_argument unless both are
-/// positive and finite and the grid has at most 10⁹ instants.
+/// positive and finite and the grid has 2 to 10⁹ instants.
 TimeGrid time_grid(double seconds, double step);
 
 }  // namespace desmo

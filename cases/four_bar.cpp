@@ -21,7 +21,6 @@ Mechanism four_bar(int dyads) {
     throw std::invalid_argument("four_bar: from 1 to 10000000 dyads, not " + std::to_string(dyads));
   Mechanism m;
   m.name = "four_bar";
-  m.dimension = 2;
 
   const GroupId crank = m.add_group("crank", {"1"});
   const double start = std::numbers::pi / 3;

@@ -57,7 +57,6 @@ struct Driver {
 /// both alike.
 struct Mechanism {
   std::string name;
-  int dimension = 3;  ///< 2 or 3
   std::vector<Entity> entities;
   std::vector<Constraint> constraints;  ///< those of one group stand together, in group order
   std::vector<Group> groups;            ///< in solution order

@@ -31,6 +31,7 @@ Formulation::Formulation(const Mechanism& mechanism, std::vector<DefinedPart> pa
   state_.q.resize(mechanism_.state_size());
   state_.qd.resize(mechanism_.state_size());
   state_.qdd.resize(mechanism_.state_size());
+  start_.resize(mechanism_.state_size());
 }
 
 void Formulation::drive(double t) {
@@ -54,6 +55,7 @@ Summary Formulation::solve_parts(double t, Level level, bool constant) {
     summary.iterations = std::max<long>(summary.iterations, r.iterations);
     if (r.status != Status::converged) {
       summary.status = r.status;
+      for (const int i : definition.unknowns) state_.q[i] = start_[i];
       const Culprit c = find_culprit(mechanism_, definition.groups, state_.q, settings_);
       summary.group = c.group;
       summary.constraint = c.constraint;
@@ -70,13 +72,23 @@ Summary Formulation::assemble(double t, Level level) {
   std::ranges::copy(mechanism_.fixed_values, state_.q.begin() + mechanism_.coordinates());
   std::ranges::fill(state_.qd, 0.0);
   std::ranges::fill(state_.qdd, 0.0);
-  const Summary constant = solve_parts(t, level, true);
-  return constant.ok() ? step(t, level) : constant;
+  start_ = state_.q;
+  assembled_ = false;
+  Summary summary = solve_parts(t, level, true);
+  if (!summary.ok()) return summary;
+  assembled_ = true;
+  summary = step(t, level);
+  assembled_ = summary.ok();
+  return summary;
 }
 
 Summary Formulation::step(double t, Level level) {
+  if (!assembled_) return assemble(t, level);
+  std::ranges::copy(state_.q, start_.begin());
   drive(t);
-  return solve_parts(t, level, false);
+  const Summary summary = solve_parts(t, level, false);
+  if (!summary.ok()) std::ranges::copy(start_, state_.q.begin());
+  return summary;
 }
 
 Summary Formulation::run(const TimeGrid& grid, const Request& request, Sink& sink) {

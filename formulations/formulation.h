@@ -61,8 +61,9 @@ class Formulation {
 
   /// Assembles the mechanism at time t from its initial estimate, whatever was solved before.
   Summary assemble(double t, Level level = Level::acceleration);
-  /// Solves at time t, starting from the positions of the last instant solved. A part that fails
-  /// keeps its positions of that instant, so that a later step may go on from there.
+  /// Solves at time t, starting from the positions of the last instant solved; assembles when
+  /// there is none. After a failure the positions are those of that instant again, so that a
+  /// later step may go on from there; velocities and accelerations are unspecified.
   Summary step(double t, Level level = Level::acceleration);
   /// Assembles at the first instant of the grid and steps through the others, handing each to
   /// the sink. Stops at the first failure.
@@ -87,6 +88,8 @@ class Formulation {
   std::vector<DefinedPart> parts_;
   Settings settings_;
   State state_;
+  std::vector<double> start_;  // positions before the step at hand
+  bool assembled_ = false;
 };
 
 }  // namespace desmo

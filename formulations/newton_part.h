@@ -37,18 +37,14 @@ class NewtonPart final : public Part {
   }
 
   PartResult solve(State& state, Level level) override {
-    double* q = state.q.data();
-    remember_start(q);
-    PartResult result = attempt(state, level);
     if constexpr (Algebra::keeps_pivots) {
-      if (result.status != Status::converged) {  // perhaps only the pivots had gone bad
-        restore_start(q);
-        algebra_.forget_pivots();
-        result = attempt(state, level);
-      }
+      remember_start(state.q.data());
+      const PartResult result = attempt(state, level);
+      if (result.status == Status::converged) return result;
+      restore_start(state.q.data());  // perhaps only the pivots had gone bad
+      algebra_.forget_pivots();
     }
-    if (result.status != Status::converged) restore_start(q);
-    return result;
+    return attempt(state, level);
   }
 
  private:

@@ -41,7 +41,7 @@ class Part {
 
   /// Solves position (from the values in state.q, which are the initial guess), velocity and
   /// acceleration of the part's unknowns, up to `level`. Overwrites these in `state`; on failure
-  /// the positions are the initial guess again, velocities and accelerations unspecified.
+  /// they are unspecified.
   virtual PartResult solve(State& state, Level level) = 0;
 };
 

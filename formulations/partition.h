@@ -13,6 +13,12 @@ enum class Partition {
   group,   ///< the structural groups one after the other
 };
 
+/// How equations are evaluated.
+enum class Evaluation {
+  automatic,  ///< by a loop over constraint objects
+  symbolic,   ///< by generated straight-line code
+};
+
 /// What one part of a formulation solves: whole groups, whose equations are stacked in the order
 /// of the groups.
 struct PartDefinition {

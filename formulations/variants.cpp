@@ -55,6 +55,10 @@ bool has_phases(const Variant& v) { return v.backend != nullptr; }
 
 std::unique_ptr<Formulation> make_formulation(const Variant& v, const Mechanism& m,
                                               const Settings& settings, Profile* profile) {
+  if (!(settings.tolerance > 0) || settings.max_iterations < 1)
+    throw std::invalid_argument(
+        "settings: the tolerance must be positive and at least one "
+        "iteration allowed");
   std::vector<PartDefinition> definitions = make_partition(m, v.partition);
   // With p parts, each within tolerance/√p, the whole mechanism is within the tolerance.
   const double tolerance = settings.tolerance / std::sqrt(static_cast<double>(definitions.size()));

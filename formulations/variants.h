@@ -16,7 +16,6 @@
 namespace desmo {
 
 struct Backend;
-enum class Evaluation;
 
 /// One formulation of the suite: a point on the three axes of the design.
 struct Variant {
@@ -47,14 +46,6 @@ bool has_phases(const Variant& variant);
 std::unique_ptr<Formulation> make_formulation(const Variant& variant, const Mechanism& mechanism,
                                               const Settings& settings = {},
                                               Profile* profile = nullptr);
-
-/// What OpenBLAS runs on.
-struct BlasEnvironment {
-  std::string core;  ///< the instruction set its kernels were chosen for
-  int threads;
-};
-BlasEnvironment blas_environment();
-void set_blas_threads(int threads);
 
 /// Libraries of the linear algebra in this build and their versions, by backend name.
 std::vector<std::pair<std::string, std::string>> library_versions();

@@ -11,6 +11,7 @@
 
 #include "cases/cases.h"
 #include "formulations/variants.h"
+#include "tests/every_variant.h"
 
 namespace {
 
@@ -83,10 +84,8 @@ TEST(Counter, CountsADeliberateAllocation) {
   EXPECT_EQ(count([] {}), 0);
 }
 
-class EveryVariant : public testing::TestWithParam<const Variant*> {};
-
 TEST_P(EveryVariant, AllocatesNothingInAStep) {
-  const Variant& v = *GetParam();
+  const Variant& v = GetParam();
   for (const Case& c : cases()) {
     const Mechanism m = build(c, is_dense_global(v) ? 114 : 558);
     const auto f = make_formulation(v, m);
@@ -105,14 +104,9 @@ TEST_P(EveryVariant, AllocatesNothingInAStep) {
   }
 }
 
-std::vector<const Variant*> all_variants() {
-  std::vector<const Variant*> result;
-  for (const Variant& v : variants()) result.push_back(&v);
-  return result;
-}
-
-INSTANTIATE_TEST_SUITE_P(Table, EveryVariant, testing::ValuesIn(all_variants()),
-                         [](const auto& info) { return info.param->id; });
+INSTANTIATE_TEST_SUITE_P(Table, EveryVariant,
+                         testing::ValuesIn(variants().begin(), variants().end()),
+                         EveryVariant::name);
 
 }  // namespace
 }  // namespace desmo

@@ -50,6 +50,7 @@ TEST(Cases, TimeGridIncludesBothEnds) {
   EXPECT_DOUBLE_EQ(g.time(3000), 30);
   EXPECT_THROW(time_grid(-1, 0.01), std::invalid_argument);
   EXPECT_THROW(time_grid(1, 0), std::invalid_argument);
+  EXPECT_THROW(time_grid(0.001, 0.01), std::invalid_argument);
   EXPECT_THROW(time_grid(1e300, 1e-300), std::invalid_argument);
   EXPECT_THROW(time_grid(NAN, 0.01), std::invalid_argument);
 }
@@ -144,7 +145,6 @@ struct Broken : testing::Test {
   Mechanism m = [] {
     Mechanism m;
     m.name = "broken";
-    m.dimension = 2;
     m.add_group("only", {"1"});
     return m;
   }();

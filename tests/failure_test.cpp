@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -9,6 +10,7 @@
 #include "formulations/algebra/backend.h"
 #include "formulations/inlined_part.h"
 #include "formulations/variants.h"
+#include "tests/every_variant.h"
 
 namespace desmo {
 namespace {
@@ -26,14 +28,13 @@ Mechanism unreachable() {
   return m;
 }
 
-class EveryVariant : public testing::TestWithParam<const Variant*> {};
-
 TEST_P(EveryVariant, NamesTheGroupThatCannotBeAssembled) {
   const Mechanism m = unreachable();
-  const auto f = make_formulation(*GetParam(), m);
+  const auto f = make_formulation(GetParam(), m);
   Discard sink;
   const Summary s = f->run(time_grid(1, 0.01), {}, sink);
   ASSERT_FALSE(s.ok());
+  ASSERT_GE(s.group, 0);
   EXPECT_EQ(sink.instants, 0);
   EXPECT_EQ(s.time, 0);
   EXPECT_EQ(m.groups[s.group].name, "dyad2");
@@ -52,10 +53,11 @@ TEST_P(EveryVariant, NamesTheInstantOfALockUp) {
   m.fixed_values[m.entities[m.find("dyad1/D")].first] = 8;  // … until ‖D − B‖ = 9.
   // ‖(8, 0) − 2 (cos θ, sin θ)‖² = 81 at cos θ = (68 − 81) / 32, past π/3.
   const double lock = std::acos(-13.0 / 32) - std::acos(0.5);
-  const auto f = make_formulation(*GetParam(), m);
+  const auto f = make_formulation(GetParam(), m);
   Discard sink;
   const Summary s = f->run(time_grid(3, 0.01), {}, sink);
   ASSERT_FALSE(s.ok());
+  ASSERT_GE(s.group, 0);
   EXPECT_EQ(m.groups[s.group].name, "dyad1");
   EXPECT_NEAR(s.time, lock, 0.011) << describe(s, m);
   EXPECT_EQ(sink.instants, static_cast<int>(std::lround(s.time / 0.01)));
@@ -64,29 +66,49 @@ TEST_P(EveryVariant, NamesTheInstantOfALockUp) {
 TEST_P(EveryVariant, CallsWhatIsNotFiniteByItsName) {
   Mechanism m = four_bar(2);
   m.estimate[m.entities[m.find("dyad2/C")].first] = std::numeric_limits<double>::quiet_NaN();
-  const Summary s = make_formulation(*GetParam(), m)->assemble(0);
+  const Summary s = make_formulation(GetParam(), m)->assemble(0);
   EXPECT_EQ(s.status, Status::not_finite);
+  ASSERT_GE(s.group, 0);
   EXPECT_EQ(m.groups[s.group].name, "dyad2");
 }
 
-TEST_P(EveryVariant, AssemblesAgainAfterAFailure) {
-  Mechanism m = four_bar(2);
-  const auto f = make_formulation(*GetParam(), m);
+TEST_P(EveryVariant, KeepsThePositionsOfTheLastInstantAfterAFailure) {
+  const Mechanism m = four_bar(2);
+  const auto f = make_formulation(GetParam(), m), undisturbed = make_formulation(GetParam(), m);
   ASSERT_TRUE(f->assemble(0).ok());
+  ASSERT_TRUE(undisturbed->assemble(0).ok());
   const std::vector<double> q(f->q().begin(), f->q().end());
-  f->step(1e9);  // wherever that leads
-  ASSERT_TRUE(f->assemble(0).ok());
-  for (std::size_t i = 0; i < q.size(); ++i) EXPECT_NEAR(f->q()[i], q[i], 1e-12);
+
+  const Summary s = f->step(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_EQ(s.status, Status::not_finite);
+  ASSERT_GE(s.group, 0);
+  EXPECT_EQ(m.groups[s.group].name, "crank");
+  EXPECT_TRUE(std::ranges::equal(f->q(), q));
+
+  ASSERT_TRUE(f->step(0.01).ok());
+  ASSERT_TRUE(undisturbed->step(0.01).ok());
+  for (std::size_t i = 0; i < q.size(); ++i) EXPECT_NEAR(f->q()[i], undisturbed->q()[i], 1e-10);
 }
 
-std::vector<const Variant*> all_variants() {
-  std::vector<const Variant*> result;
-  for (const Variant& v : variants()) result.push_back(&v);
-  return result;
+TEST_P(EveryVariant, AssemblesWhenAStepComesFirst) {
+  const Mechanism m = truck_suspension(1);
+  const auto a = make_formulation(GetParam(), m), b = make_formulation(GetParam(), m);
+  ASSERT_TRUE(a->step(0.2).ok());
+  ASSERT_TRUE(b->assemble(0.2).ok());
+  EXPECT_TRUE(std::ranges::equal(a->q(), b->q()));
 }
 
-INSTANTIATE_TEST_SUITE_P(Table, EveryVariant, testing::ValuesIn(all_variants()),
-                         [](const auto& info) { return info.param->id; });
+TEST(Settings, ThatCannotEndAreRefused) {
+  const Mechanism m = four_bar(1);
+  const Variant& v = variants().front();
+  EXPECT_THROW(make_formulation(v, m, Settings{0, 25}), std::invalid_argument);
+  EXPECT_THROW(make_formulation(v, m, Settings{NAN, 25}), std::invalid_argument);
+  EXPECT_THROW(make_formulation(v, m, Settings{1e-10, 0}), std::invalid_argument);
+}
+
+INSTANTIATE_TEST_SUITE_P(Table, EveryVariant,
+                         testing::ValuesIn(variants().begin(), variants().end()),
+                         EveryVariant::name);
 
 /// Generated elimination hands a step over when its pivots fail, and the answer stays right.
 TEST(Inlined, FallsBackToPivotingWhereItsOrderFails) {
@@ -122,6 +144,29 @@ TEST(Inlined, FallsBackToPivotingWhereItsOrderFails) {
     EXPECT_NEAR(actual.qd[i], expected.qd[i], 1e-12);
     EXPECT_NEAR(actual.qdd[i], expected.qdd[i], 1e-12);
   }
+}
+
+/// A dyad folded onto itself: the determinant that the generated code divides by vanishes.
+TEST(Inlined, MonitorsRefuseAVanishingPivot) {
+  const Mechanism m = four_bar(1);
+  const BoundKernel dyad = bind_kernel(m, 1);
+  std::vector<double> q = m.estimate, qd(m.state_size(), 0.0), qdd = qd;
+  q.insert(q.end(), m.fixed_values.begin(), m.fixed_values.end());
+  const auto set = [&](const char* name, double x, double y) {
+    q[m.state_index(m.find(name))] = x;
+    if (m.entities[m.find(name)].size > 1) q[m.state_index(m.find(name)) + 1] = y;
+  };
+  set("crank/B", 2, 0);
+  set("dyad1/D", 2, 0);
+  const auto rates_at = [&](double angle, double nearly) {
+    set("dyad1/C", 2 + 6 * std::cos(angle), 6 * std::sin(angle));
+    set("dyad1/psi", angle + nearly, 0);
+    return dyad.kernel->rates(q.data(), qd.data(), qdd.data(), dyad.inputs.data(),
+                              dyad.constants.data());
+  };
+  EXPECT_FALSE(rates_at(0.3, 0));
+  EXPECT_FALSE(rates_at(0.3, 1e-9));
+  EXPECT_TRUE(rates_at(0.3, 1));  // no position of the dyad, but one where the pivot is sound
 }
 
 TEST(Inlined, NeedsNoFallbackOnTheCases) {

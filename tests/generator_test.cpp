@@ -169,7 +169,7 @@ TEST(Generate, WritesTheSameBytesEveryTime) {
   ASSERT_EQ(std::system((DESMO_GENERATE " " + b).c_str()), 0);
   EXPECT_FALSE(read(a).empty());
   EXPECT_EQ(read(a), read(b));
-  EXPECT_NE(read(a).find("const double WL_x = q[in["), std::string::npos);  // readable names
+  EXPECT_NE(read(a).find("const double q_WL_x = q[in["), std::string::npos);  // readable names
 }
 
 TEST(Generate, FailsWhereItCannotWrite) {

@@ -73,6 +73,12 @@ TEST_F(Verification, RefusesWhatIsNotANumber) {
   EXPECT_NE(complaint(sink.errors(), 2), "");
 }
 
+TEST_F(Verification, RefusesWhatIsMissing) {
+  accept(0, 0, {});
+  accept(1, 1, {1, 2});
+  EXPECT_NE(complaint(sink.errors(), 2), "");
+}
+
 TEST_F(Verification, RefusesInstantsThatWereNeverSeen) {
   accept(0, 0, {1, 2});
   EXPECT_NE(complaint(sink.errors(), 2), "");
@@ -129,11 +135,30 @@ TEST(Bench, ExitCodesSayWhatHappened) {
   EXPECT_NE(failed.find("\"status\": \"failed\""), std::string::npos);
   EXPECT_EQ(failed.find("\"cpu_seconds\""), std::string::npos);
 
-  EXPECT_EQ(run_bench("--benchmark_filter=nothing_of_that_name"), 1);
+  EXPECT_EQ(run_bench("--benchmark_filter=nothing_of_that_name"), 64);
+  EXPECT_EQ(run_bench("--benchmark_list_tests"), 0);
+  EXPECT_EQ(run_bench("--benchmark_report_aggregates_only" + one), 64);
   EXPECT_EQ(run_bench("--step=zero"), 64);
   EXPECT_EQ(run_bench("--no_such_flag"), 64);
   EXPECT_EQ(run_bench("--duration=0.2 --record=/nonexistent/record.json" + one), 74);
   EXPECT_FALSE(std::filesystem::exists(record + ".unfinished"));
+  EXPECT_EQ(run_bench("--duration=0.2 --record=/dev/null" + one), 0);
+  EXPECT_FALSE(std::filesystem::is_regular_file("/dev/null"));
+}
+
+TEST(Bench, RecordsAreReadByTheReport) {
+  const std::string record = testing::TempDir() + "desmo_end_to_end.json";
+  const std::string report = DESMO_REPORT " tables " + record + " >/dev/null 2>&1";
+  // With a cell that is not run, and with one that fails.
+  ASSERT_EQ(run_bench("--duration=0.02 --record=" + record +
+                      " '--benchmark_filter=/(114|225)/global_automatic_(klu|lapack)$'"),
+            0);
+  EXPECT_EQ(std::system(report.c_str()), 0);
+  ASSERT_EQ(run_bench("--step=2 --record=" + record +
+                      " --benchmark_filter=four_bar/114/group_symbolic_klu"),
+            1);
+  EXPECT_EQ(std::system(report.c_str()), 0);
+  std::filesystem::remove(record);
 }
 
 }  // namespace

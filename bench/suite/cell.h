@@ -27,6 +27,9 @@ class Cell {
   /// wrong ends in message(). Done once.
   void verify(ReferenceCache& references);
 
+  /// Measures where the time goes, at the size where that is shown. Needs verify().
+  void profile();
+
   /// The whole analysis, as timed. Needs State::verified; a failure turns it into State::failed.
   Summary analyse();
 
@@ -34,6 +37,9 @@ class Cell {
   const int coordinates;
   const Variant& variant;
   const TimeGrid grid;
+
+  bool is_failed() const { return state == State::failed; }
+  bool is_not_run() const { return state == State::not_run; }
 
   State state = State::untouched;
   std::string message;  ///< why it failed or was not run

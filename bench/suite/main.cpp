@@ -4,19 +4,21 @@
 #include <malloc.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <iostream>
 #include <map>
+#include <optional>
+#include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bench/suite/cell.h"
 #include "bench/suite/environment.h"
 #include "bench/suite/options.h"
 #include "bench/suite/record.h"
+#include "formulations/algebra/blas.h"
 
 namespace desmo::suite {
 
@@ -91,6 +93,10 @@ std::string command_line(int argc, char** argv) {
   return command;
 }
 
+bool is_listing(std::string_view argument) {
+  return argument.starts_with("--benchmark_list_tests") && !argument.ends_with("=false");
+}
+
 /// Freed memory stays with the process. Otherwise what UMFPACK frees after each factorisation goes
 /// back to the system beyond some size, its page faults are timed, and whether that happens depends
 /// on what ran before.
@@ -102,6 +108,11 @@ void keep_freed_memory() {
 int run(int argc, char** argv) {
   keep_freed_memory();
   std::vector<char*> arguments(argv, argv + argc);
+  for (const std::string_view a : arguments)
+    if (a.starts_with("--benchmark_report_aggregates_only") || a.starts_with("--benchmark_format"))
+      throw std::invalid_argument(std::string(a) +
+                                  ": not here, every sample is recorded; see --record and "
+                                  "--benchmark_out");
   const Options options = take_options(arguments);
   if (options.help) std::cout << usage;
 
@@ -117,35 +128,32 @@ int run(int argc, char** argv) {
   int count = static_cast<int>(arguments.size());
   benchmark::Initialize(&count, arguments.data());
   if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 64;
-  if (!std::getenv("OPENBLAS_NUM_THREADS")) set_blas_threads(1);
+  set_blas_threads(1);  // the clock is the thread's own
 
   Run record{utc_now(), command_line(argc, argv), load_averages(), {}};
   const Cells all = make_cells(options);
   const std::vector<Cell*> cells = selected(all);
+  if (std::ranges::any_of(arguments, is_listing)) return 0;
+  if (cells.empty()) return 64;  // Google Benchmark has said that nothing matches
+  std::optional<RecordFile> file;
+  if (!options.record.empty()) file.emplace(options.record);
+
   ReferenceCache references;
   for (Cell* cell : cells) {
     cell->verify(references);
-    if (cell->state == Cell::State::not_run) continue;
-    if (cell->state == Cell::State::failed)
+    cell->profile();
+    if (cell->state == Cell::State::not_run || cell->state == Cell::State::failed)
       std::cerr << cell->name() << ": " << cell->message << '\n';
+    if (cell->state == Cell::State::not_run) continue;
     benchmark::RegisterBenchmark(cell->name().c_str(), &run_cell, std::ref(*cell))
         ->Unit(benchmark::kMillisecond);
   }
   CollectingReporter reporter(cells);
-  const bool any = benchmark::RunSpecifiedBenchmarks(&reporter) > 0;
-  record.load_after = load_averages();
-  const bool failed = std::ranges::any_of(
-      cells, [](const Cell* cell) { return cell->state == Cell::State::failed; });
-  if (!options.record.empty() && any) {
-    try {
-      write_record(options.record, record, cells);
-    } catch (const std::exception& e) {
-      std::cerr << "desmo_bench: " << e.what() << '\n';
-      return 74;
-    }
-  }
+  if (!std::ranges::all_of(cells, &Cell::is_not_run)) benchmark::RunSpecifiedBenchmarks(&reporter);
   benchmark::Shutdown();
-  return failed || !any ? 1 : 0;
+  record.load_after = load_averages();
+  if (file) file->write(record, cells);
+  return std::ranges::any_of(cells, &Cell::is_failed) ? 1 : 0;
 }
 
 }  // namespace
@@ -155,8 +163,11 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   try {
     return desmo::suite::run(argc, argv);
-  } catch (const std::exception& e) {
+  } catch (const std::invalid_argument& e) {
     std::cerr << "desmo_bench: " << e.what() << '\n';
     return 64;
+  } catch (const std::exception& e) {
+    std::cerr << "desmo_bench: " << e.what() << '\n';
+    return 74;
   }
 }

@@ -31,7 +31,8 @@ const char* const usage =
     "  --duration=SECONDS       motion analysed (default: the case's, 30)\n"
     "  --dense-limit=N          coordinates up to which dense global solves run (default 114)\n"
     "  --record=FILE            write the results record (see results/README.md)\n\n"
-    "Exit code: 0 all verified and timed; 1 some formulation failed; 64 usage; 74 the record\n"
+    "Exit code: 0 all verified and timed; 1 some formulation failed; 64 usage, or no benchmark\n"
+    "matches; 74 the record\n"
     "could not be written. Flags of Google Benchmark (repetitions default to 5,\n"
     "in random order):\n\n";
 

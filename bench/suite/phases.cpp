@@ -4,6 +4,7 @@
 #include <chrono>
 #include <numeric>
 #include <stdexcept>
+#include <vector>
 
 #include "bench/suite/delivery.h"
 
@@ -25,21 +26,16 @@ double clock_seconds() {
   return best;
 }
 
-}  // namespace
-
-PhaseTimes measure_phases(const Variant& variant, const Mechanism& mechanism,
-                          const TimeGrid& grid) {
-  Profile profile;
-  const auto formulation = make_formulation(variant, mechanism, {}, &profile);
-  Delivery sink(mechanism.coordinates());
-  formulation->run(grid, {}, sink);  // warms up
+/// One pass over the grid.
+PhaseTimes one_pass(Formulation& formulation, Profile& profile, const TimeGrid& grid,
+                    double clock) {
+  Delivery sink(formulation.mechanism().coordinates());
   profile = {};
   const auto start = std::chrono::steady_clock::now();
-  const Summary summary = formulation->run(grid, {}, sink);
+  const Summary summary = formulation.run(grid, {}, sink);
   const std::chrono::duration<double> total = std::chrono::steady_clock::now() - start;
-  if (!summary.ok()) throw std::runtime_error(describe(summary, mechanism));
+  if (!summary.ok()) throw std::runtime_error(describe(summary, formulation.mechanism()));
 
-  const double clock = clock_seconds();
   const long calls = std::accumulate(profile.calls.begin(), profile.calls.end(), 0L);
   PhaseTimes times;
   double measured = 0;
@@ -51,6 +47,25 @@ PhaseTimes measure_phases(const Variant& variant, const Mechanism& mechanism,
   }
   times.rest = std::max(0.0, total.count() - calls * clock - measured) / grid.instants;
   return times;
+}
+
+}  // namespace
+
+double PhaseTimes::total() const { return std::accumulate(seconds.begin(), seconds.end(), rest); }
+
+PhaseTimes measure_phases(const Variant& variant, const Mechanism& mechanism,
+                          const TimeGrid& grid) {
+  constexpr int passes = 5;
+  Profile profile;
+  const auto formulation = make_formulation(variant, mechanism, {}, &profile);
+  const double clock = clock_seconds();
+  std::vector<PhaseTimes> times;
+  for (int i = 0; i < passes; ++i) times.push_back(one_pass(*formulation, profile, grid, clock));
+  std::ranges::sort(times, {}, &PhaseTimes::total);
+  PhaseTimes median = times[passes / 2];
+  median.least_total = times.front().total();
+  median.most_total = times.back().total();
+  return median;
 }
 
 }  // namespace desmo::suite

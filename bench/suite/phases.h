@@ -7,10 +7,14 @@
 
 namespace desmo::suite {
 
-/// Seconds of a step by phase; the clock's own cost is taken off.
+/// Wall-clock seconds of a step by phase, the clock's own cost taken off: of the pass with the
+/// median total among several.
 struct PhaseTimes {
   std::array<double, phase_count> seconds{};
-  double rest = 0;  ///< loops, copies, drivers, delivery
+  double rest = 0;                         ///< loops, copies, drivers, delivery
+  double least_total = 0, most_total = 0;  ///< of all passes
+
+  double total() const;
 };
 
 /// Names of the phases in the record.

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "bench/suite/environment.h"
+#include "formulations/algebra/blas.h"
 
 namespace desmo::suite {
 
@@ -14,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* schema_version = "1.0.0";
+constexpr const char* schema_version = "1.1.0";
 
 Json environment(const Run& run, const TimeGrid& grid) {
   const Machine machine = this_machine();
@@ -45,7 +46,11 @@ Json environment(const Run& run, const TimeGrid& grid) {
             {"step_seconds", grid.step},
             {"duration_seconds", grid.time(grid.instants - 1)},
             {"instants", grid.instants},
-            {"clock", "CPU time of the thread"}}}};
+            {"clock", "CPU time of the thread"},
+            {"allowed",
+             {{"position", allowed.position},
+              {"velocity", allowed.velocity},
+              {"acceleration", allowed.acceleration}}}}}};
 }
 
 Json cell_json(const Cell& cell) {
@@ -82,12 +87,28 @@ Json profile_json(const Cell& cell) {
   return {{"case", cell.definition.name},
           {"coordinates", cell.coordinates},
           {"id", cell.variant.id},
-          {"seconds_per_step", seconds}};
+          {"seconds_per_step", seconds},
+          {"total_range", {cell.phases->least_total, cell.phases->most_total}}};
 }
 
 }  // namespace
 
-void write_record(const std::string& path, const Run& run, const std::vector<Cell*>& cells) {
+RecordFile::RecordFile(const std::string& path) : path_(path) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  if (fs::is_symlink(path, ignored)) path_ = fs::weakly_canonical(path, ignored).string();
+  const bool special = fs::exists(path_, ignored) && !fs::is_regular_file(path_, ignored);
+  if (!special) unfinished_ = path_ + ".unfinished";
+  out_.open(special ? path_ : unfinished_);
+  if (!out_) throw std::runtime_error("cannot write the record '" + path + "'");
+}
+
+RecordFile::~RecordFile() {
+  std::error_code ignored;
+  if (!unfinished_.empty()) std::filesystem::remove(unfinished_, ignored);
+}
+
+void RecordFile::write(const Run& run, const std::vector<Cell*>& cells) {
   Json all = {{"schema", "desmo-results"}, {"version", schema_version}};
   all["record"] = environment(run, cells.front()->grid);
   all["cells"] = Json::array();
@@ -97,16 +118,11 @@ void write_record(const std::string& path, const Run& run, const std::vector<Cel
     if (cell->phases && cell->state == Cell::State::verified)
       all["profiles"].push_back(profile_json(*cell));
   }
-
-  const std::string unfinished = path + ".unfinished";
-  std::ofstream out(unfinished);
-  out << all.dump(1) << '\n';
-  out.close();
-  if (!out || std::rename(unfinished.c_str(), path.c_str()) != 0) {
-    std::error_code ignored;
-    std::filesystem::remove(unfinished, ignored);
-    throw std::runtime_error("cannot write the record '" + path + "'");
-  }
+  out_ << all.dump(1) << '\n';
+  out_.close();
+  if (!out_ || (!unfinished_.empty() && std::rename(unfinished_.c_str(), path_.c_str()) != 0))
+    throw std::runtime_error("cannot write the record '" + path_ + "'");
+  unfinished_.clear();
 }
 
 }  // namespace desmo::suite

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -14,9 +15,25 @@ struct Run {
   std::vector<double> load_before, load_after;
 };
 
-/// Writes the results record (results/record.schema.json) of these cells (at least one), to a file
-/// that appears whole or not at all. Throws std::runtime_error, naming the file, when that
-/// fails.
-void write_record(const std::string& path, const Run& run, const std::vector<Cell*>& cells);
+/// The file of the results record (results/record.schema.json). It appears whole or not at all,
+/// unless the path is a device or a pipe, which is written to as it is.
+class RecordFile {
+ public:
+  /// Opens what will become the file, so that an unusable path is known before the work is done.
+  /// Throws std::runtime_error, naming the path.
+  explicit RecordFile(const std::string& path);
+  RecordFile(const RecordFile&) = delete;
+  RecordFile& operator=(const RecordFile&) = delete;
+  /// Leaves nothing behind unless write() has succeeded.
+  ~RecordFile();
+
+  /// Writes the record of these cells, at least one. Throws std::runtime_error, naming the path.
+  void write(const Run& run, const std::vector<Cell*>& cells);
+
+ private:
+  std::string path_;        // links followed
+  std::string unfinished_;  // empty when written to directly
+  std::ofstream out_;
+};
 
 }  // namespace desmo::suite

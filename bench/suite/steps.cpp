@@ -16,8 +16,9 @@ namespace {
 int whole(std::string_view text) {
   int value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || value < 0)
-    throw std::invalid_argument("'" + std::string(text) + "' is not a whole number");
+  if (error != std::errc{} || end != text.data() + text.size() || value < 0 ||
+      value > 1'000'000'000)
+    throw std::invalid_argument("'" + std::string(text) + "' is not a whole number up to 1e9");
   return value;
 }
 

@@ -13,9 +13,6 @@
 
 namespace desmo {
 
-/// How equations are evaluated.
-enum class Evaluation { automatic, symbolic };
-
 /// All that a Newton part is made from.
 struct PartContext {
   const Mechanism& mechanism;

@@ -3,10 +3,11 @@
 
 #include <klu.h>
 
+#include <Eigen/Core>
 #include <cmath>
 #include <limits>
-#include <new>
 #include <stdexcept>
+#include <vector>
 
 #include "formulations/algebra/backend.h"
 

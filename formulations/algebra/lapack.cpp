@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "formulations/algebra/backend.h"
+#include "formulations/algebra/blas.h"
 #include "formulations/algebra/dense.h"
-#include "formulations/variants.h"
 
 extern "C" {
 void dgetrf_(const int* m, const int* n, double* a, const int* lda, int* ipiv, int* info);

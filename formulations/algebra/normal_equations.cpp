@@ -1,6 +1,7 @@
 #include "formulations/algebra/normal_equations.h"
 
 #include <map>
+#include <utility>
 
 namespace desmo {
 

@@ -3,7 +3,9 @@
 
 #include <umfpack.h>
 
+#include <algorithm>
 #include <stdexcept>
+#include <vector>
 
 #include "formulations/algebra/backend.h"
 

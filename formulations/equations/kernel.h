@@ -49,7 +49,4 @@ struct Kernel {
 /// Every generated kernel.
 std::span<const Kernel> kernels();
 
-/// The kernel for a fingerprint, or null.
-const Kernel* find_kernel(std::string_view fingerprint);
-
 }  // namespace desmo

@@ -1,6 +1,7 @@
 #include "formulations/equations/pattern.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <stdexcept>
 

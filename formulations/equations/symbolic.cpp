@@ -12,12 +12,6 @@ const Kernel* find_kernel(std::string_view fingerprint) {
   return it == kernels().end() ? nullptr : &*it;
 }
 
-bool has_kernels(const Mechanism& m) {
-  for (GroupId g = 0; g < static_cast<GroupId>(m.groups.size()); ++g)
-    if (!find_kernel(describe_group(m, g).fingerprint)) return false;
-  return true;
-}
-
 BoundKernel bind_kernel(const Mechanism& m, GroupId group) {
   GroupType type = describe_group(m, group);
   const Kernel* kernel = find_kernel(type.fingerprint);

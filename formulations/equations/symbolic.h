@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "cases/mechanism.h"
@@ -9,8 +10,8 @@
 
 namespace desmo {
 
-/// Whether every group of a mechanism has a generated kernel.
-bool has_kernels(const Mechanism& mechanism);
+/// The kernel for a fingerprint, or null.
+const Kernel* find_kernel(std::string_view fingerprint);
 
 /// A generated kernel bound to one group of a mechanism.
 struct BoundKernel {

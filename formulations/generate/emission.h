@@ -20,7 +20,7 @@ class Emitter {
   void prepare(const std::vector<Expr>& expressions);
   /// The text of an expression, after prepare().
   std::string text(Expr e) const;
-  /// Names of the inputs that the expressions read, in graph order.
+  /// Nodes of the inputs that the expressions read, in graph order.
   static std::vector<int> inputs_of(const std::vector<Expr>& expressions);
 
  private:

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdio>
 #include <exception>
 #include <fstream>
 #include <iostream>
@@ -24,11 +23,14 @@ struct FoundType {
   std::vector<SamplePoint> samples;
 };
 
-std::string kernel_name(const Mechanism& m, const std::string& group) {
+/// A namespace for the type of a group, different from those found.
+std::string kernel_name(const Mechanism& m, const std::string& group,
+                        const std::vector<FoundType>& found) {
   const std::size_t slash = group.rfind('/');
   std::string name = m.name + "_" + (slash == std::string::npos ? group : group.substr(slash + 1));
   for (char& c : name) c = std::isalnum(static_cast<unsigned char>(c)) ? std::tolower(c) : '_';
-  return name;
+  const bool taken = std::ranges::find(found, name, &FoundType::name) != found.end();
+  return taken ? name + "_" + std::to_string(found.size()) : name;
 }
 
 std::vector<double> at(const GroupType& type, const std::vector<double>& state) {
@@ -48,7 +50,8 @@ void collect(const Mechanism& m, double seconds, std::vector<FoundType>& found) 
     GroupType type = describe_group(m, g);
     auto it = std::ranges::find(found, type.fingerprint,
                                 [](const FoundType& f) { return f.type.fingerprint; });
-    if (it == found.end()) it = found.insert(it, {kernel_name(m, m.groups[g].name), type, {}});
+    if (it == found.end())
+      it = found.insert(it, {kernel_name(m, m.groups[g].name, found), type, {}});
     for (const ReferenceInstant& instant : instants) {
       std::vector<double> state = instant.q;
       state.insert(state.end(), m.fixed_values.begin(), m.fixed_values.end());
@@ -85,12 +88,11 @@ int main(int argc, char** argv) {
   try {
     std::vector<generate::FoundType> types;
     for (const Case& c : cases()) generate::collect(c.build(2), c.seconds, types);
-    const std::string path = argv[1], unfinished = path + ".unfinished";
-    std::ofstream out(unfinished);
+    std::ofstream out(argv[1]);
     generate::write(out, types);
     out.close();
-    if (!out || std::rename(unfinished.c_str(), path.c_str()) != 0) {
-      std::cerr << "desmo_generate: cannot write '" << path << "'\n";
+    if (!out) {
+      std::cerr << "desmo_generate: cannot write '" << argv[1] << "'\n";
       return 74;
     }
   } catch (const std::exception& e) {

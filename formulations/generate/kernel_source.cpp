@@ -100,10 +100,10 @@ class KernelWriter {
     for (std::size_t j = 0; j < step.size(); ++j)
       out_ << "    const double delta" << j << " = " << emitter.text(step[j]) << ";\n";
     for (std::size_t j = 0; j < step.size(); ++j)
-      out_ << "    " << variable_name(type_, unknown(j)) << " -= delta" << j << ";\n";
+      out_ << "    q" << variable_name(type_, unknown(j)) << " -= delta" << j << ";\n";
     out_ << "  }\n";
     for (std::size_t j = 0; j < step.size(); ++j)
-      out_ << "  q[in[" << unknown(j) << "]] = " << variable_name(type_, unknown(j)) << ";\n";
+      out_ << "  q[in[" << unknown(j) << "]] = q" << variable_name(type_, unknown(j)) << ";\n";
     out_ << "  return result;\n";
     close();
   }
@@ -124,7 +124,7 @@ class KernelWriter {
     emitter.prepare(first);
     out_ << "  if (!(" << monitor_condition(emitter) << ")) return false;\n";
     for (std::size_t j = 0; j < velocity.size(); ++j) {
-      const std::string name = variable_name(type_, unknown(j)) + "_d";
+      const std::string name = "qd" + variable_name(type_, unknown(j));
       out_ << "  const double " << name << " = " << emitter.text(velocity[j]) << ";\n"
            << "  qd[in[" << unknown(j) << "]] = " << name << ";\n";
     }

@@ -26,9 +26,9 @@ bool depends_on_state(int id, int first_constant_input, int end_constant_input) 
 }  // namespace
 
 std::string variable_name(const GroupType& type, int input) {
-  const std::string name = identifier(type.inputs[input].name);
+  const std::string name = "_" + identifier(type.inputs[input].name);
   for (int i = 0; i < input; ++i)
-    if (identifier(type.inputs[i].name) == name) return name + "_" + std::to_string(input);
+    if ("_" + identifier(type.inputs[i].name) == name) return name + "_" + std::to_string(input);
   return name;
 }
 
@@ -42,9 +42,9 @@ RecordedGroup record(const GroupType& type, const std::vector<SamplePoint>& samp
     const bool fixed = type.inputs[i].role == Role::fixed;
     std::vector<double> values;
     for (const SamplePoint& s : samples) values.push_back(s.q[i]);
-    g.q.push_back(Expr::node(graph.input(name, std::move(values))));
-    g.qd.push_back(fixed ? Expr(0) : Expr::node(graph.input(name + "_d", unsampled)));
-    g.qdd.push_back(fixed ? Expr(0) : Expr::node(graph.input(name + "_dd", unsampled)));
+    g.q.push_back(Expr::node(graph.input("q" + name, std::move(values))));
+    g.qd.push_back(fixed ? Expr(0) : Expr::node(graph.input("qd" + name, unsampled)));
+    g.qdd.push_back(fixed ? Expr(0) : Expr::node(graph.input("qdd" + name, unsampled)));
   }
   std::vector<Expr> constants;
   const int first_constant = graph.size();

@@ -30,7 +30,8 @@ struct SamplePoint {
 /// Runs the constraint code of a group type on the recording scalar, in the current graph.
 RecordedGroup record(const GroupType& type, const std::vector<SamplePoint>& samples);
 
-/// Name of an input as a C++ variable, unique within the type.
+/// What follows q, qd or qdd in the C++ variable of an input: "_" and its name, unique within the
+/// type. The prefix keeps it apart from keywords and from whatever else the code declares.
 std::string variable_name(const GroupType& type, int input);
 
 }  // namespace desmo::generate
