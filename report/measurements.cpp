@@ -1,9 +1,11 @@
 #include "report/measurements.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "report/digits.h"
+#include "report/paper.h"
 #include "report/variants.h"
 
 namespace desmo::report {
@@ -47,6 +49,27 @@ std::vector<std::int64_t> recorded_sizes(const Record& record, std::string_view 
   for (const auto& [key, cell] : record.cells)
     if (key.case_name == case_name) sizes.insert(key.coordinates);
   return {sizes.begin(), sizes.end()};
+}
+
+std::vector<std::string_view> recorded_families(const Record& record) {
+  std::vector<std::string_view> families;
+  for (const std::string_view family : sparse_families)
+    if (std::any_of(record.cells.begin(), record.cells.end(), [&](const auto& cell) {
+          const std::string& id = cell.first.id;  // group_symbolic_klu/lanes:8
+          return id.substr(0, id.find('/')).ends_with("_" + std::string(family));
+        }))
+      families.push_back(family);
+  return families;
+}
+
+Sources sources(const Record& record) {
+  const double duration = record.settings.duration_seconds;
+  if (std::abs(duration - published_duration) < 1e-9) return {"ours", "paper", {}, {}};
+  const std::string ours = write_shortest(duration) + " s";
+  const std::string paper = write_shortest(published_duration) + " s";
+  const std::string motions = "Ours is " + ours + " of motion, the paper's " + paper;
+  return {"ours, " + ours, "paper, " + paper, motions + ": these times are not to be compared.",
+          motions + ": these are ratios of times of unequal motions."};
 }
 
 std::string repetitions(const Record& record) {

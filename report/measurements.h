@@ -44,6 +44,21 @@ MeanSpeedUp mean_speed_up(const Record& record, std::string_view family, std::si
 /// Sizes recorded for a case, in whatever state, ascending.
 std::vector<std::int64_t> recorded_sizes(const Record& record, std::string_view case_name);
 
+/// The sparse families that the record has a cell of, in whatever state: a build without a backend
+/// has none of it, and no table shows it.
+std::vector<std::string_view> recorded_families(const Record& record);
+
+/// How ours and the paper's values are told apart: "ours" and "paper" when both are times of the
+/// same motion, "ours, 2 s" and "paper, 30 s" when they are not.
+struct Sources {
+  std::string ours;
+  std::string paper;
+  std::string warning;        ///< why the times cannot be compared; empty when they can
+  std::string ratio_warning;  ///< likewise, for ratios of them
+};
+
+Sources sources(const Record& record);
+
 /// "5 repetitions", "3 to 5 repetitions", "1 repetition": of all cells that were measured.
 std::string repetitions(const Record& record);
 

@@ -25,6 +25,8 @@ class PublishedTable {
   std::vector<std::vector<std::string>> lines_;  // the first holds the names of the columns
 };
 
+inline constexpr double published_duration = 30;  ///< s, of motion, behind every published time
+
 const PublishedTable& published_cpu_seconds();          ///< table 1
 const PublishedTable& published_speed_up();             ///< table 2
 const PublishedTable& published_improvement_percent();  ///< table 2, in brackets

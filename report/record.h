@@ -1,6 +1,7 @@
 // The record of one run of desmo_bench, as results/record.schema.json defines it: plain data.
 #pragma once
 
+#include <array>
 #include <compare>
 #include <cstdint>
 #include <map>
@@ -32,6 +33,13 @@ struct Blas {
   std::int64_t threads = 0;
 };
 
+/// Largest differences from the reference that a verification may find.
+struct Allowed {
+  double position = 0;
+  double velocity = 0;
+  double acceleration = 0;
+};
+
 struct Settings {
   double tolerance = 0;  ///< of the norm of the constraint equations, whole mechanism
   std::int64_t max_iterations = 0;
@@ -40,6 +48,7 @@ struct Settings {
   double duration_seconds = 0;  ///< s, of simulated motion
   std::int64_t instants = 0;    ///< solved in one analysis
   std::string clock;
+  std::optional<Allowed> allowed;
 };
 
 enum class Status { ok, failed, not_run };
@@ -64,14 +73,19 @@ struct Cell {
   Status status = Status::not_run;
   std::string message;              ///< why it failed or was not run
   std::vector<double> cpu_seconds;  ///< one per repetition; never empty when ok, always when not
-  std::optional<Verification> verification;
+  std::optional<Verification> verification;  ///< always when ok
   std::optional<double> setup_seconds;
   std::optional<double> iterations_per_step;
   std::optional<double> residual;
 };
 
-/// Phase and CPU seconds per step: the schema's six phases in its order, others by name after them.
-using Profile = std::vector<std::pair<std::string, double>>;
+/// Where the wall-clock time of a step went in an instrumented run.
+struct Profile {
+  /// Phase and wall-clock seconds per step, the median where there were several passes: the
+  /// schema's six phases in its order, others by name after them.
+  std::vector<std::pair<std::string, double>> seconds_per_step;
+  std::optional<std::array<double, 2>> total_range;  ///< s, of all phases: least, largest pass
+};
 
 struct Record {
   std::string version;

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "report/digits.h"
 #include "report/json_node.h"
 
 namespace desmo::report {
@@ -95,6 +96,13 @@ Machine read_machine(const JsonNode& node) {
   return machine;
 }
 
+std::optional<Allowed> read_allowed(const JsonNode& settings) {
+  const auto node = settings.find("allowed");
+  if (!node) return std::nullopt;
+  return Allowed{(*node)["position"].positive(), (*node)["velocity"].positive(),
+                 (*node)["acceleration"].positive()};
+}
+
 Settings read_settings(const JsonNode& node) {
   return {.tolerance = node["tolerance"].positive(),
           .max_iterations = node["max_iterations"].integer(1),
@@ -102,7 +110,8 @@ Settings read_settings(const JsonNode& node) {
           .step_seconds = node["step_seconds"].positive(),
           .duration_seconds = node["duration_seconds"].positive(),
           .instants = node["instants"].integer(1),
-          .clock = node["clock"].text()};
+          .clock = node["clock"].text(),
+          .allowed = read_allowed(node)};
 }
 
 CellKey read_key(const JsonNode& node) {
@@ -122,7 +131,21 @@ std::optional<double> read_optional(const JsonNode& node, std::string_view key) 
   return member ? std::optional(member->not_negative()) : std::nullopt;
 }
 
-Cell read_cell(const JsonNode& node) {
+// "velocity differs by 2e-06, 1e-08 is allowed"; empty when nothing exceeds what is allowed.
+std::string excess(const Verification& found, const Allowed& allowed) {
+  std::string text;
+  const auto compare = [&text](const char* what, double difference, double limit) {
+    if (difference > limit)
+      text += (text.empty() ? "" : "; ") + std::string(what) + " differs by " +
+              write_shortest(difference) + ", " + write_shortest(limit) + " is allowed";
+  };
+  compare("position", found.position, allowed.position);
+  compare("velocity", found.velocity, allowed.velocity);
+  compare("acceleration", found.acceleration, allowed.acceleration);
+  return text;
+}
+
+Cell read_cell(const JsonNode& node, const std::optional<Allowed>& allowed) {
   Cell cell{.status = read_status(node["status"]),
             .message = {},
             .cpu_seconds = {},
@@ -136,18 +159,36 @@ Cell read_cell(const JsonNode& node) {
         (*checked)["instants"].integer(1), (*checked)["position"].not_negative(),
         (*checked)["velocity"].not_negative(), (*checked)["acceleration"].not_negative()};
   if (cell.status != Status::ok) return cell;  // times of a wrong answer are not times
+  if (!cell.verification) node.complain("an \"ok\" cell needs \"verification\"");
   const JsonNode samples = node["cpu_seconds"];
   for (const JsonNode& sample : samples.elements()) cell.cpu_seconds.push_back(sample.sample());
   if (cell.cpu_seconds.empty()) samples.complain("an \"ok\" cell needs at least one sample");
+  if (!allowed) return cell;
+  if (std::string reason = excess(*cell.verification, *allowed); !reason.empty()) {
+    cell.status = Status::failed;
+    cell.message = std::move(reason);
+    cell.cpu_seconds.clear();
+  }
   return cell;
+}
+
+std::array<double, 2> read_range(const JsonNode& node) {
+  const std::vector<JsonNode> ends = node.elements();
+  if (ends.size() != 2) node.complain("two numbers were expected, smallest and largest");
+  const std::array range{ends[0].not_negative(), ends[1].not_negative()};
+  if (range[0] > range[1]) node.complain("the smallest exceeds the largest");
+  return range;
 }
 
 Profile read_profile(const JsonNode& node) {
   Profile profile;
-  for (const char* phase : phases) profile.emplace_back(phase, node[phase].not_negative());
-  for (const auto& [phase, seconds] : node.members())
+  const JsonNode split = node["seconds_per_step"];
+  for (const char* phase : phases)
+    profile.seconds_per_step.emplace_back(phase, split[phase].not_negative());
+  for (const auto& [phase, seconds] : split.members())
     if (std::find(phases.begin(), phases.end(), phase) == phases.end())
-      profile.emplace_back(phase, seconds.not_negative());
+      profile.seconds_per_step.emplace_back(phase, seconds.not_negative());
+  if (const auto range = node.find("total_range")) profile.total_range = read_range(*range);
   return profile;
 }
 
@@ -182,10 +223,10 @@ Record parse_record(std::string_view text) {
   for (const auto& [name, version] : node["libraries"].members())
     record.libraries.emplace(name, version.text());
   for (const JsonNode& cell : root["cells"].elements())
-    insert_once(record.cells, cell, read_cell(cell));
+    insert_once(record.cells, cell, read_cell(cell, record.settings.allowed));
   if (const auto profiles = root.find("profiles"))
     for (const JsonNode& profile : profiles->elements())
-      insert_once(record.profiles, profile, read_profile(profile["seconds_per_step"]));
+      insert_once(record.profiles, profile, read_profile(profile));
   return record;
 }
 

@@ -23,8 +23,10 @@ class InvalidRecord : public std::runtime_error {
 };
 
 /// Checks everything the report relies on: the schema's name and major version, required keys,
-/// types, times above zero, every cell and profile given once. Unknown keys are ignored, so that a
-/// record with a newer minor version is read. Throws InvalidRecord.
+/// types, times above zero, the verification of every "ok" cell, every cell and profile given once.
+/// An "ok" cell whose verification exceeds `record.settings.allowed` becomes a failed one that says
+/// so and has no time. Unknown keys are ignored, so that a record with a newer minor version is
+/// read. Throws InvalidRecord.
 Record parse_record(std::string_view text);
 
 /// Reads at most largest_record bytes and parses them. Throws InvalidRecord.

@@ -12,9 +12,12 @@ namespace {
 
 Section paper_tables(const Record& record) {
   Section section{.title = "The paper's tables", .paragraphs = {}, .tables = {}};
-  for (const std::string_view family : sparse_families)
+  const std::vector<std::string_view> families = recorded_families(record);
+  if (families.empty())
+    section.paragraphs.push_back("None: the record has no cell of a sparse solver.");
+  for (const std::string_view family : families)
     section.tables.push_back(cpu_times(record, family));
-  for (const std::string_view family : sparse_families)
+  for (const std::string_view family : families)
     section.tables.push_back(speed_ups(record, family));
   return section;
 }

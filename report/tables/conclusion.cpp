@@ -171,19 +171,22 @@ std::string best_sentence(const std::vector<Family>& families) {
 }
 
 // Whether the verdicts depend on the solver, and whether they are the paper's.
-std::string summary_sentence(const std::vector<std::vector<std::string>>& verdicts_by_family) {
+std::string summary_sentence(const std::vector<std::vector<std::string>>& verdicts_by_family,
+                             const std::vector<std::string>& judged) {
   if (verdicts_by_family.empty()) return {};
   const auto& first = verdicts_by_family.front();
   if (std::any_of(verdicts_by_family.begin(), verdicts_by_family.end(),
                   [&](const auto& verdicts) { return verdicts != first; }))
     return "The choice of the sparse solver changes the conclusion.";
-  const std::string solvers = verdicts_by_family.size() == 1
-                                  ? "the one sparse solver that can be judged"
+  const bool one = judged.size() == 1;
+  const std::string solvers = one ? judged.front() + ", the one sparse solver that can be judged"
                                   : "every sparse solver that can be judged";
   if (std::all_of(first.begin(), first.end(),
                   [](const std::string& verdict) { return verdict == "holds"; }))
     return "The paper's conclusion holds with " + solvers + ".";
-  return "With " + solvers + " the verdict is the same, and it is not the paper's in every point.";
+  return "With " + solvers +
+         (one ? ", the verdict is not the paper's in every point."
+              : " the verdict is the same, and it is not the paper's in every point.");
 }
 
 }  // namespace
@@ -198,10 +201,18 @@ Section conclusion(const Record& record) {
                         "interval from the spread of the repetitions excludes 1."},
               .columns = {{"conclusion of the paper", {}}},
               .rows = {}};
+  if (const Sources source = sources(record); !source.ratio_warning.empty())
+    table.notes.push_back(source.ratio_warning);
   std::vector<Family> families;
-  for (const std::string_view name : sparse_families) {
+  for (const std::string_view name : recorded_families(record)) {
     families.push_back(judge(record, name));
     table.columns.push_back({std::string(name), {}});
+  }
+
+  section.paragraphs.push_back(paper_sentence());
+  if (families.empty()) {
+    section.paragraphs.push_back("Nothing can be said: the record has no cell of a sparse solver.");
+    return section;
   }
 
   std::vector<std::vector<std::string>> by_family(families.size());
@@ -230,10 +241,12 @@ Section conclusion(const Record& record) {
 
   for (std::size_t i = families.size(); i-- > 0;)  // what cannot be judged has no say
     if (families[i].ranking.empty()) by_family.erase(by_family.begin() + i);
+  std::vector<std::string> judged;
+  for (const Family& family : families)
+    if (!family.ranking.empty()) judged.push_back(family.name);
 
-  section.paragraphs.push_back(paper_sentence());
   for (const Family& family : families) section.paragraphs.push_back(family_sentence(family));
-  std::string last = summary_sentence(by_family);
+  std::string last = summary_sentence(by_family, judged);
   if (const std::string best = best_sentence(families); !best.empty()) last += " " + best;
   last += claim_text;
   section.paragraphs.push_back(last.substr(last.find_first_not_of(' ')));

@@ -31,9 +31,12 @@ Entry published_entry(const std::string& row, const Variant& variant) {
 
 Table cpu_times(const Record& record, std::string_view family) {
   const std::string duration = write_shortest(record.settings.duration_seconds);
+  const Sources source = sources(record);
   Table table{.name = "table1_" + std::string(family),
               .title = "Table 1 (" + std::string(family) + "): CPU time in seconds of " + duration +
-                       " s of motion, all coordinates",
+                       " s of motion" +
+                       (source.warning.empty() ? "" : " (the " + source.paper + ")") +
+                       ", all coordinates",
               .notes = {"Ours: median ± half the range of " + repetitions(record) +
                             ". The paper: MA27 in place of " + std::string(family) +
                             ", MKL's LAPACK, an Intel Core i5-2400.",
@@ -42,13 +45,14 @@ Table cpu_times(const Record& record, std::string_view family) {
                             "above 0.015 s."},
               .columns = {{"coordinates", {}}, {"source", {}}},
               .rows = {}};
+  if (!source.warning.empty()) table.notes.push_back(source.warning);
   for (const Variant& variant : variants)
     table.columns.push_back(
         {family_name(variant, family), {"seconds", "half_range", "repetitions"}});
   for (const std::int64_t size : rows_of(record, family)) {
     const std::string row = std::to_string(size);
-    std::vector<Entry> ours{text_entry(row), text_entry("ours")};
-    std::vector<Entry> paper{text_entry(row), text_entry("paper")};
+    std::vector<Entry> ours{text_entry(row), text_entry(source.ours)};
+    std::vector<Entry> paper{text_entry(row), text_entry(source.paper)};
     bool published = false;
     for (const Variant& variant : variants) {
       ours.push_back(seconds_entry(measured(record, family_key(variant, size, family))));

@@ -65,8 +65,8 @@ Entry ratio_entry(const Record& record, const std::optional<CellKey>& reference,
 }
 
 std::string remark(const Cell& cell) {
-  if (cell.status != Status::ok) return cell.message.empty() ? "no reason recorded" : cell.message;
-  return cell.verification ? "" : "not verified";
+  if (cell.status == Status::ok) return {};
+  return cell.message.empty() ? "no reason recorded" : cell.message;
 }
 
 }  // namespace

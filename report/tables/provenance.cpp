@@ -52,6 +52,10 @@ Table provenance(const Record& record) {
   add("duration", write_shortest(settings.duration_seconds) + " s, " +
                       std::to_string(settings.instants) + " instants");
   add("clock", settings.clock);
+  if (const auto& allowed = settings.allowed)
+    add("errors allowed", "q " + write_shortest(allowed->position) + ", q' " +
+                              write_shortest(allowed->velocity) + ", q'' " +
+                              write_shortest(allowed->acceleration));
   add("schema version", record.version);
   return table;
 }

@@ -74,12 +74,12 @@ Table scaling(const Record& record) {
               .rows = {}};
   const std::vector<std::string> quantities{"slope", "low", "high", "sizes"};
   table.columns.push_back({"paper (MA27)", quantities});
-  for (const std::string_view family : sparse_families)
+  for (const std::string_view family : recorded_families(record))
     table.columns.push_back({std::string(family), quantities});
   for (const Variant& variant : variants) {
     std::vector<Entry> row{text_entry(family_name(variant, "<sparse>")),
                            slope_entry(published_points(variant))};
-    for (const std::string_view family : sparse_families)
+    for (const std::string_view family : recorded_families(record))
       row.push_back(slope_entry(measured_points(record, variant, family)));
     table.rows.push_back(std::move(row));
   }

@@ -52,6 +52,8 @@ Table speed_ups(const Record& record, std::string_view family) {
            "not to be compared."},
       .columns = {{"coordinates", {}}, {"source", {}}},
       .rows = {}};
+  if (const Sources source = sources(record); !source.ratio_warning.empty())
+    table.notes.push_back(source.ratio_warning);
   for (const std::size_t variant : topological)
     table.columns.push_back(
         {family_name(variants[variant], family), {"speed_up", "low", "high", "percent"}});

@@ -62,6 +62,33 @@ TEST(FigureFive, HasNoPointForAFailedCell) {
   }
 }
 
+TEST(FigureFive, NamesTheMotionsThatDiffer) {
+  Json record = complete_record();
+  record["record"]["settings"]["duration_seconds"] = 2.0;
+  const Json values = data_of(record, 0);
+  EXPECT_FALSE(find(values, {{"panel", "MA27 (the paper, 30 s)"}}).is_null());
+  EXPECT_FALSE(find(values, {{"panel", "klu (ours, 2 s)"}}).is_null());
+  EXPECT_TRUE(find(values, {{"panel", "klu"}}).is_null());
+  const Json spec = Json::parse(figures(record_from(record)).front().content);
+  EXPECT_EQ(spec["facet"]["sort"], Json({"MA27 (the paper, 30 s)", "cholmod (ours, 2 s)",
+                                         "umfpack (ours, 2 s)", "klu (ours, 2 s)"}));
+  const std::string subtitle = spec["title"]["subtitle"].dump();
+  EXPECT_NE(subtitle.find("CPU time of 2 s of motion"), std::string::npos);
+  EXPECT_NE(subtitle.find("the paper's 30 s: these times are not to be"), std::string::npos);
+}
+
+TEST(Figures, SkipFamiliesWithoutACellAndKeepTheColours) {
+  Json record = complete_record();
+  for (const char* family : {"cholmod", "umfpack"}) erase_family(record, family);
+  const auto files = figures(record_from(record));
+  for (const Rendered& file : files)
+    for (const char* family : {"cholmod", "umfpack"})
+      EXPECT_EQ(file.content.find(family), std::string::npos) << file.file_name;
+  const Json scale = Json::parse(files[1].content)["layer"][0]["encoding"]["color"]["scale"];
+  EXPECT_EQ(scale["domain"], Json({"MA27 (the paper)", "klu"}));
+  EXPECT_EQ(scale["range"], Json({"#3b3b3b", "#f2e3c2"}));
+}
+
 TEST(FigureSix, ShowsTheMeansOfTableTwo) {
   const Json record = complete_record();
   const Json values = data_of(record, 1);

@@ -163,6 +163,52 @@ TEST(RecordReader, IgnoresTheTimesOfAFailedCell) {
   EXPECT_TRUE(record.cells.at({"four_bar", 114, "group_symbolic_inlined"}).cpu_seconds.empty());
 }
 
+TEST(RecordReader, RefusesAnOkCellWithoutVerification) {
+  Json json = complete_record();
+  json["cells"][3].erase("verification");
+  EXPECT_CONTAINS(complaint(json), "cells[3]: an \"ok\" cell needs \"verification\"");
+  json["cells"][3]["status"] = "failed";
+  EXPECT_EQ(complaint(json), "accepted");
+}
+
+TEST(RecordReader, FailsTheCellThatExceedsWhatIsAllowed) {
+  Json json = complete_record();
+  Json& cell = cell_of(json, "truck_suspension", 558, "group_symbolic_lapack");
+  const CellKey key{"truck_suspension", 558, "group_symbolic_lapack"};
+  cell["verification"]["velocity"] = 1e-8;  // the limit itself is allowed
+  EXPECT_EQ(record_from(json).cells.at(key).status, Status::ok);
+  cell["verification"]["velocity"] = 2e-6;
+  cell["verification"]["acceleration"] = 1;
+  const Cell failed = record_from(json).cells.at(key);
+  EXPECT_EQ(failed.status, Status::failed);
+  EXPECT_TRUE(failed.cpu_seconds.empty());
+  EXPECT_EQ(failed.message,
+            "velocity differs by 2e-06, 1e-08 is allowed; "
+            "acceleration differs by 1, 1e-07 is allowed");
+  json["record"]["settings"].erase("allowed");
+  EXPECT_EQ(record_from(json).cells.at(key).status, Status::ok);
+}
+
+TEST(RecordReader, NamesWhatIsWrongWithTheLimits) {
+  Json json = complete_record();
+  json["record"]["settings"]["allowed"]["velocity"] = 0;
+  EXPECT_CONTAINS(complaint(json), "record.settings.allowed.velocity: ");
+  json["record"]["settings"]["allowed"].erase("velocity");
+  EXPECT_CONTAINS(complaint(json),
+                  "record.settings.allowed: the required key \"velocity\" is missing");
+}
+
+TEST(RecordReader, ReadsTheRangeOfAProfile) {
+  Json json = complete_record();
+  EXPECT_EQ(complaint(json), "accepted");
+  json["profiles"][0]["total_range"] = {2e-6, 1e-6};
+  EXPECT_CONTAINS(complaint(json), "profiles[0].total_range: the smallest exceeds the largest");
+  json["profiles"][0]["total_range"] = {1e-6};
+  EXPECT_CONTAINS(complaint(json), "profiles[0].total_range: two numbers were expected");
+  json["profiles"][0]["total_range"] = {1e-6, -1};
+  EXPECT_CONTAINS(complaint(json), "profiles[0].total_range[1]: ");
+}
+
 TEST(RecordReader, ReplacesControlCharacters) {
   Json json = complete_record();
   json["record"]["command"] = "desmo_bench\n\x1b[31m";

@@ -51,6 +51,13 @@ void fail_cell(Json& record, const std::string& case_name, int coordinates, cons
   cell["message"] = "wrong by design";
 }
 
+void erase_family(Json& record, const std::string& family) {
+  Json kept = Json::array();
+  for (const Json& cell : record["cells"])
+    if (!cell["id"].get<std::string>().ends_with("_" + family)) kept.push_back(cell);
+  record["cells"] = kept;
+}
+
 void set_samples(Json& record, int coordinates, const std::string& id,
                  std::vector<double> samples) {
   cell_of(record, "truck_suspension", coordinates, id)["cpu_seconds"] = std::move(samples);

@@ -24,6 +24,9 @@ Json& cell_of(Json& record, const std::string& case_name, int coordinates, const
 void erase_cell(Json& record, const std::string& case_name, int coordinates, const std::string& id);
 void fail_cell(Json& record, const std::string& case_name, int coordinates, const std::string& id);
 
+/// Erases every cell with this sparse solver, as of a build without it.
+void erase_family(Json& record, const std::string& family);
+
 /// Replaces the samples of a truck cell.
 void set_samples(Json& record, int coordinates, const std::string& id, std::vector<double> samples);
 
