@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <map>
+#include <sstream>
 
 #include "tests/report/sample.h"
 
@@ -151,6 +152,29 @@ TEST_F(Program, WithoutNodeTheMissingFiguresAreNamed) {
             "missing figure: figure5.svg (Node.js is not installed)\n"
             "missing figure: figure6.svg (Node.js is not installed)\n");
   EXPECT_EQ(shell(render + (folder_ / "no_such").string()), 64);
+}
+
+// The README quotes a recorded run: each line of its tables is a line of that run's report.
+TEST_F(Program, TheReadmeQuotesItsRecord) {
+  const fs::path source = DESMO_SOURCE_DIR;
+  const std::string readme = read_text(source / "README.md");
+  const std::string mark = "<!-- measured: ";
+  const std::size_t begin = readme.find(mark), end = readme.find("<!-- end of measured -->");
+  ASSERT_NE(begin, std::string::npos);
+  ASSERT_NE(end, std::string::npos);
+  const std::size_t path = begin + mark.size();
+  const fs::path record = source / readme.substr(path, readme.find(" -->", path) - path);
+  ASSERT_EQ(shell(std::string(DESMO_REPORT_PROGRAM) + " tables " + record.string() +
+                  " --format markdown"),
+            0);
+  std::istringstream lines(readme.substr(begin, end - begin));
+  int rows = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("|")) continue;
+    ++rows;
+    EXPECT_NE(out_.find("\n" + line + "\n"), std::string::npos) << line;
+  }
+  EXPECT_GT(rows, 60);
 }
 
 }  // namespace
