@@ -104,8 +104,7 @@ std::vector<std::unique_ptr<Cell>> make_cells(const Options& options) {
     if (cell->grid.step != cells.front()->grid.step ||
         cell->grid.instants != cells.front()->grid.instants)
       throw std::invalid_argument(
-          "the cases differ in step or duration: give --step and "
-          "--duration");
+          "the cases differ in step or duration: give --step and --duration");
   return cells;
 }
 
