@@ -1,6 +1,7 @@
 #include "cases/mechanism.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <unordered_set>
 
@@ -23,30 +24,38 @@ int Mechanism::structural_groups() const {
 }
 
 EntityId Mechanism::find(const std::string& entity_name) const {
-  const auto it = std::ranges::find(entities, entity_name, &Entity::name);
-  require(it != entities.end(), name + ": there is no entity '" + entity_name + "'");
-  return static_cast<EntityId>(it - entities.begin());
+  const auto it = by_name_.find(entity_name);
+  require(it != by_name_.end(), name + ": there is no entity '" + entity_name + "'");
+  return it->second;
 }
 
 GroupId Mechanism::add_group(std::string group_name, std::vector<std::string> bodies) {
-  groups.push_back({std::move(group_name), std::move(bodies), {}, false});
+  groups.push_back({std::move(group_name), std::move(bodies), {}, {}, false});
   return static_cast<GroupId>(groups.size()) - 1;
+}
+
+EntityId Mechanism::add_entity(Entity entity) {
+  const EntityId id = static_cast<EntityId>(entities.size());
+  by_name_.try_emplace(entity.name, id);
+  entities.push_back(std::move(entity));
+  return id;
 }
 
 EntityId Mechanism::add(EntityKind kind, std::string entity_name,
                         std::span<const double> initial_estimate, GroupId group) {
-  entities.push_back({std::move(entity_name), kind, false, coordinates(),
-                      static_cast<int>(initial_estimate.size()), group});
+  const EntityId id = add_entity({std::move(entity_name), kind, false, coordinates(),
+                                  static_cast<int>(initial_estimate.size()), group});
   estimate.insert(estimate.end(), initial_estimate.begin(), initial_estimate.end());
-  return static_cast<EntityId>(entities.size()) - 1;
+  return id;
 }
 
 EntityId Mechanism::add_fixed(EntityKind kind, std::string entity_name,
                               std::span<const double> values) {
-  entities.push_back({std::move(entity_name), kind, true, static_cast<int>(fixed_values.size()),
-                      static_cast<int>(values.size()), -1});
+  const EntityId id =
+      add_entity({std::move(entity_name), kind, true, static_cast<int>(fixed_values.size()),
+                  static_cast<int>(values.size()), -1});
   fixed_values.insert(fixed_values.end(), values.begin(), values.end());
-  return static_cast<EntityId>(entities.size()) - 1;
+  return id;
 }
 
 void Mechanism::drive(EntityId coordinate, Motion motion) {
@@ -66,6 +75,14 @@ void Mechanism::add_constraint(Constraint constraint, std::span<const int> opera
   constraints.push_back(std::move(constraint));
 }
 
+std::vector<EntityId> entity_of_coordinate(const Mechanism& m) {
+  std::vector<EntityId> result(m.coordinates());
+  for (EntityId e = 0; e < static_cast<EntityId>(m.entities.size()); ++e)
+    for (int i = 0; !m.entities[e].fixed && i < m.entities[e].size; ++i)
+      result[m.entities[e].first + i] = e;
+  return result;
+}
+
 std::vector<bool> independent_coordinates(const Mechanism& m) {
   std::vector<bool> independent(m.coordinates(), false);
   for (const Driver& d : m.drivers) independent[m.entities[d.coordinate].first] = true;
@@ -76,6 +93,10 @@ int rows(const Constraint& constraint) {
   int result = 0;
   visit_kind(constraint.kind, [&](auto kind) { result = kind.rows; });
   return result;
+}
+
+int kept_rows(const Constraint& constraint) {
+  return rows(constraint) - std::popcount(constraint.left_out);
 }
 
 std::vector<int> unknowns(const Mechanism& m, GroupId group) {
@@ -99,7 +120,7 @@ void validate(const Mechanism& m) {
           m.name + ": constraints are not in the order of their groups");
 
   std::vector<int> equations(m.groups.size(), 0), found(m.groups.size(), 0);
-  for (const Constraint& c : m.constraints) equations.at(c.group) += rows(c);
+  for (const Constraint& c : m.constraints) equations.at(c.group) += kept_rows(c);
   const std::vector<bool> independent = independent_coordinates(m);
   for (const Entity& e : m.entities)
     for (int i = 0; !e.fixed && i < e.size; ++i) found.at(e.group) += !independent[e.first + i];

@@ -4,6 +4,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "cases/constraints.h"
@@ -32,7 +33,8 @@ struct Constraint {
   int kind;  ///< position in ConstraintKinds
   std::vector<EntityId> operands;
   std::vector<double> constants;
-  GroupId group;  ///< the group that it determines
+  GroupId group;          ///< the group that it determines
+  unsigned left_out = 0;  ///< bit r: row r follows from other equations and is not one
 };
 
 /// A structural group: a chain that is kinematically determinate once the groups before it are
@@ -41,6 +43,7 @@ struct Group {
   std::string name;
   std::vector<std::string> bodies;
   std::vector<EntityId> entities;  ///< what models it, as the paper counts them
+  std::vector<GroupId> after;      ///< groups to whose bodies its own are joined: solved before it
   bool constant = false;           ///< depends on no driver; not counted as a structural group
 };
 
@@ -57,6 +60,7 @@ struct Driver {
 /// both alike.
 struct Mechanism {
   std::string name;
+  std::string length_unit = "m";  ///< "1": any one unit
   std::vector<Entity> entities;
   std::vector<Constraint> constraints;  ///< those of one group stand together, in group order
   std::vector<Group> groups;            ///< in solution order
@@ -72,6 +76,9 @@ struct Mechanism {
   int state_index(EntityId e) const {
     return entities[e].fixed ? coordinates() + entities[e].first : entities[e].first;
   }
+
+  /// Whether an entity never moves: fixed, or of a constant group.
+  bool rests(EntityId e) const { return entities[e].fixed || groups[entities[e].group].constant; }
 
   /// Structural groups, the constant ones left out (as the paper counts).
   int structural_groups() const;
@@ -99,19 +106,28 @@ struct Mechanism {
                     kind_index<Kind>(),
                     {operands.begin(), operands.end()},
                     {constants.begin(), constants.end()},
-                    group},
+                    group,
+                    0},
                    Kind::operand_sizes);
   }
 
  private:
+  EntityId add_entity(Entity entity);
   void add_constraint(Constraint constraint, std::span<const int> operand_sizes);
+
+  std::unordered_map<std::string, EntityId> by_name_;  // the first of that name
 };
+
+/// For each coordinate, the entity that it belongs to.
+std::vector<EntityId> entity_of_coordinate(const Mechanism& mechanism);
 
 /// For each coordinate, whether it is driven.
 std::vector<bool> independent_coordinates(const Mechanism& mechanism);
 
-/// Scalar equations of a constraint.
+/// Scalar equations of a constraint, those left out included.
 int rows(const Constraint& constraint);
+/// Scalar equations of a constraint, without those left out.
+int kept_rows(const Constraint& constraint);
 
 /// The coordinates that a group solves for, ascending; independent ones are left out.
 std::vector<int> unknowns(const Mechanism& mechanism, GroupId group);

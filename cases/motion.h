@@ -1,26 +1,68 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <span>
 #include <variant>
+#include <vector>
 
 namespace desmo {
 
-/// z(t) = start + rate t.
-struct ConstantRate {
-  double start = 0;  ///< z(0), unit of the coordinate
-  double rate = 0;   ///< ż, unit of the coordinate per second
+// Units: z in that of the coordinate, t in seconds.
+
+/// z(t) = c₀ + c₁ t + c₂ t² + …
+struct Polynomial {
+  std::vector<double> coefficients;  ///< c₀ first; none at all is 0
 };
 
-/// z(t) = mean + amplitude sin(angular_frequency t + phase).
-struct Harmonic {
-  double mean = 0;               ///< unit of the coordinate
-  double amplitude = 0;          ///< unit of the coordinate
-  double angular_frequency = 0;  ///< rad/s
-  double phase = 0;              ///< rad
+/// z(t) = mean + Σ amplitude sin(angular_frequency t + phase).
+struct HarmonicSum {
+  struct Term {
+    double amplitude = 0;
+    double angular_frequency = 0;  ///< rad/s
+    double phase = 0;              ///< rad
+  };
+  double mean = 0;
+  std::vector<Term> terms;
 };
+
+/// What holds at the ends of a spline, where interpolation leaves two conditions open.
+enum class SplineEnds {
+  natural,   ///< z̈ = 0 at both
+  clamped,   ///< ż = 0 at both
+  periodic,  ///< z, ż and z̈ at the last knot as at the first
+};
+
+/// A cubic spline through the points of a table: a cubic in each interval, twice continuously
+/// differentiable. Outside of the table the first and the last cubic are continued (a periodic
+/// spline too: it is not repeated).
+class Spline {
+ public:
+  /// z = c₀ + c₁ τ + c₂ τ² + c₃ τ³, where τ is the time since the interval's first knot.
+  using Piece = std::array<double, 4>;
+
+  double first_time() const { return knots_.front(); }
+  double last_time() const { return knots_.back(); }
+  const std::vector<double>& knots() const { return knots_; }   ///< ascending, two or more
+  const std::vector<Piece>& pieces() const { return pieces_; }  ///< one an interval
+
+  friend Spline make_spline(std::vector<double> times, std::vector<double> values, SplineEnds ends);
+
+ private:
+  Spline() = default;
+
+  std::vector<double> knots_;
+  std::vector<Piece> pieces_;
+};
+
+/// Throws std::invalid_argument unless there are as many times as values, two or more (periodic:
+/// three), all finite, the times strictly ascending, and (periodic) the last value is the first.
+Spline make_spline(std::vector<double> times, std::vector<double> values, SplineEnds ends);
 
 /// The prescribed motion of one independent coordinate.
-using Motion = std::variant<ConstantRate, Harmonic>;
+using Motion = std::variant<Polynomial, HarmonicSum, Spline>;
 
 /// z, ż and z̈ at one instant.
 template <class S>
@@ -28,19 +70,49 @@ struct MotionSample {
   S position, velocity, acceleration;
 };
 
+/// Horner's rule, c[0] being the constant term.
 template <class S>
-MotionSample<S> sample(const ConstantRate& m, const S& t) {
-  return {S(m.start) + S(m.rate) * t, S(m.rate), S(0)};
+MotionSample<S> sample_polynomial(std::span<const double> c, const S& t) {
+  if (c.empty()) return {S(0), S(0), S(0)};
+  S z(c.back()), first(0), half_second(0);
+  for (std::size_t i = c.size() - 1; i-- > 0;) {
+    half_second = half_second * t + first;
+    first = first * t + z;
+    z = z * t + S(c[i]);
+  }
+  return {z, first, S(2) * half_second};
 }
 
 template <class S>
-MotionSample<S> sample(const Harmonic& m, const S& t) {
+MotionSample<S> sample(const Polynomial& m, const S& t) {
+  return sample_polynomial(m.coefficients, t);
+}
+
+template <class S>
+MotionSample<S> sample(const HarmonicSum& m, const S& t) {
   using std::cos;
   using std::sin;
-  const S w(m.angular_frequency), a(m.amplitude);
-  const S angle = w * t + S(m.phase);
-  const S sine = sin(angle);
-  return {S(m.mean) + a * sine, a * w * cos(angle), -(a * w * w * sine)};
+  MotionSample<S> z{S(m.mean), S(0), S(0)};
+  for (const HarmonicSum::Term& term : m.terms) {
+    const S w(term.angular_frequency), a(term.amplitude);
+    const S angle = w * t + S(term.phase);
+    const S sine = sin(angle);
+    z.position = z.position + a * sine;
+    z.velocity = z.velocity + a * w * cos(angle);
+    z.acceleration = z.acceleration - a * w * w * sine;
+  }
+  return z;
+}
+
+template <class S>
+MotionSample<S> sample(const Spline& m, const S& t) {
+  // Only inner knots are searched, so that the outer cubics reach beyond the table.
+  const auto begin = m.knots().begin() + 1, end = m.knots().end() - 1;
+  const auto i =
+      std::upper_bound(begin, end, t, [](const S& time, double knot) { return time < S(knot); }) -
+      begin;
+  const S since_knot = t - S(m.knots()[i]);
+  return sample_polynomial(std::span<const double>(m.pieces()[i]), since_knot);
 }
 
 /// z(t), ż(t), z̈(t) of a motion, evaluated in the scalar S of t (seconds).

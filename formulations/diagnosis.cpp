@@ -61,7 +61,7 @@ Culprit find_culprit(const Mechanism& m, std::span<const GroupId> groups, std::v
     const GroupId g = group.groups.front();
     if (std::ranges::find(groups, g) == groups.end()) continue;
     const int row = solve_group(AutomaticEquations(m, group), state, settings);
-    if (row >= 0) return {g, constraint_of_row(m, group)[row]};
+    if (row >= 0) return {g, group.equations[row].constraint};
   }
   return {};
 }

@@ -34,6 +34,13 @@ Formulation::Formulation(const Mechanism& mechanism, std::vector<DefinedPart> pa
   start_.resize(mechanism_.state_size());
 }
 
+void Formulation::solve_only(std::span<const Level> needed) {
+  for (DefinedPart& part : parts_) {
+    part.level = Level::position;
+    for (const int i : part.definition.unknowns) part.level = std::max(part.level, needed[i]);
+  }
+}
+
 void Formulation::drive(double t) {
   for (const Driver& d : mechanism_.drivers) {
     const int i = mechanism_.entities[d.coordinate].first;
@@ -48,9 +55,9 @@ Summary Formulation::solve_parts(double t, Level level, bool constant) {
   Summary summary;
   summary.time = t;
   double residual2 = 0;
-  for (auto& [definition, solver] : parts_) {
+  for (const auto& [definition, solver, as_named, part_level] : parts_) {
     if (definition.constant != constant) continue;
-    const PartResult r = solver->solve(state_, level);
+    const PartResult r = solver->solve(state_, std::min(level, part_level));
     residual2 += r.residual * r.residual;
     summary.iterations = std::max<long>(summary.iterations, r.iterations);
     if (r.status != Status::converged) {

@@ -54,6 +54,8 @@ class Formulation {
   struct DefinedPart {
     PartDefinition definition;
     std::unique_ptr<Part> solver;
+    bool as_named = true;  ///< false: automatic, for want of the generated code that its id promises
+    Level level = Level::acceleration;  ///< as far as anyone asks for its unknowns
   };
 
   /// settings: those that the parts were made with.
@@ -68,6 +70,11 @@ class Formulation {
   /// Assembles at the first instant of the grid and steps through the others, handing each to
   /// the sink. Stops at the first failure.
   Summary run(const TimeGrid& grid, const Request& request, Sink& sink);
+
+  /// Leaves out the levels of parts that nobody asks for: a part is solved as far as the highest
+  /// level of its unknowns. needed: one for each coordinate; what a part needs must be asked for at
+  /// the part's own level or a higher one. Values of levels left out are unspecified.
+  void solve_only(std::span<const Level> needed);
 
   const Mechanism& mechanism() const { return mechanism_; }
   const std::vector<DefinedPart>& parts() const { return parts_; }

@@ -2,10 +2,9 @@
 
 #include <vector>
 
-namespace desmo {
+#include "cases/level.h"
 
-/// How far an analysis goes; each level includes those before it.
-enum class Level { position, velocity, acceleration };
+namespace desmo {
 
 /// What an analysis may use. The defaults are the paper's.
 struct Settings {

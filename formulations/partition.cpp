@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <stdexcept>
 #include <utility>
 
@@ -18,49 +19,62 @@ void require_solution_order(const Mechanism& m) {
                                     "', which a later group finds");
 }
 
+/// All of each group, in the order of the groups.
+std::vector<PartDefinition> whole_groups(const Mechanism& m) {
+  std::vector<PartDefinition> parts(m.groups.size());
+  for (GroupId g = 0; g < static_cast<GroupId>(parts.size()); ++g) {
+    parts[g].groups = {g};
+    parts[g].constant = m.groups[g].constant;
+  }
+  const std::vector<bool> independent = independent_coordinates(m);
+  for (const Entity& e : m.entities)
+    for (int i = e.first; !e.fixed && i < e.first + e.size; ++i)
+      if (!independent[i]) parts[e.group].unknowns.push_back(i);
+  for (int c = 0; c < static_cast<int>(m.constraints.size()); ++c)
+    for (int row = 0; row < rows(m.constraints[c]); ++row)
+      if (!(m.constraints[c].left_out >> row & 1))
+        parts[m.constraints[c].group].equations.push_back({c, row});
+  for (PartDefinition& p : parts) std::ranges::sort(p.unknowns);
+  return parts;
+}
+
+void append(PartDefinition& to, const PartDefinition& part) {
+  to.groups.insert(to.groups.end(), part.groups.begin(), part.groups.end());
+  to.unknowns.insert(to.unknowns.end(), part.unknowns.begin(), part.unknowns.end());
+  to.equations.insert(to.equations.end(), part.equations.begin(), part.equations.end());
+}
+
 }  // namespace
 
 std::vector<PartDefinition> make_partition(const Mechanism& m, Partition partition) {
   require_solution_order(m);
   std::vector<PartDefinition> constant, moving;
-  std::vector<std::pair<bool, std::size_t>> part_of;  // of each group: constant?, position
-  for (GroupId g = 0; g < static_cast<GroupId>(m.groups.size()); ++g) {
-    const bool is_constant = m.groups[g].constant;
-    std::vector<PartDefinition>& parts = is_constant ? constant : moving;
-    if (is_constant || partition == Partition::group || parts.empty())
-      parts.push_back({{}, {}, {}, is_constant});
-    parts.back().groups.push_back(g);
-    part_of.emplace_back(is_constant, parts.size() - 1);
+  for (PartDefinition& group : whole_groups(m)) {
+    if (group.constant) {
+      constant.push_back(std::move(group));
+    } else if (partition == Partition::block) {
+      std::ranges::move(irreducible_blocks(m, group), std::back_inserter(moving));
+    } else if (partition == Partition::group || moving.empty()) {
+      moving.push_back(std::move(group));
+    } else {
+      append(moving.front(), group);
+    }
   }
-  const auto part = [&](GroupId g) -> PartDefinition& {
-    const auto [is_constant, position] = part_of[g];
-    return is_constant ? constant[position] : moving[position];
-  };
-
-  const std::vector<bool> independent = independent_coordinates(m);
-  for (const Entity& e : m.entities)
-    for (int i = e.first; !e.fixed && i < e.first + e.size; ++i)
-      if (!independent[i]) part(e.group).unknowns.push_back(i);
-  for (std::size_t c = 0; c < m.constraints.size(); ++c)
-    part(m.constraints[c].group).equations.push_back(static_cast<int>(c));
-  for (PartDefinition& p : moving) std::ranges::sort(p.unknowns);
-
-  constant.insert(constant.end(), std::make_move_iterator(moving.begin()),
-                  std::make_move_iterator(moving.end()));
+  if (partition == Partition::global && !moving.empty()) std::ranges::sort(moving.front().unknowns);
+  std::ranges::move(moving, std::back_inserter(constant));
   return constant;
 }
 
-std::vector<bool> constant_coordinates(const Mechanism& m) {
-  std::vector<bool> result(m.coordinates(), false);
-  for (const Entity& e : m.entities)
-    if (!e.fixed && m.groups[e.group].constant)
-      for (int i = 0; i < e.size; ++i) result[e.first + i] = true;
-  return result;
-}
-
-std::vector<int> constraint_of_row(const Mechanism& m, const PartDefinition& part) {
-  std::vector<int> result;
-  for (const int c : part.equations) result.insert(result.end(), rows(m.constraints[c]), c);
+std::vector<PartDefinition> split_by_group(const Mechanism& m, const PartDefinition& part) {
+  if (part.groups.size() == 1) return {part};
+  std::map<GroupId, PartDefinition> groups;
+  for (const GroupId g : part.groups) groups[g] = {{g}, {}, {}, part.constant};
+  const std::vector<EntityId> owner = entity_of_coordinate(m);
+  for (const int i : part.unknowns) groups.at(m.entities[owner[i]].group).unknowns.push_back(i);
+  for (const Equation& e : part.equations)
+    groups.at(m.constraints[e.constraint].group).equations.push_back(e);
+  std::vector<PartDefinition> result;
+  for (auto& [g, definition] : groups) result.push_back(std::move(definition));
   return result;
 }
 

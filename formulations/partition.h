@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@ namespace desmo {
 enum class Partition {
   global,  ///< all structural groups at once
   group,   ///< the structural groups one after the other
+  block,   ///< the irreducible blocks of each group's equations one after the other
 };
 
 /// How equations are evaluated.
@@ -19,23 +21,34 @@ enum class Evaluation {
   symbolic,   ///< by generated straight-line code
 };
 
-/// What one part of a formulation solves: whole groups, whose equations are stacked in the order
-/// of the groups.
+/// One scalar equation.
+struct Equation {
+  int constraint;  ///< position in Mechanism::constraints
+  int row;         ///< of that constraint
+  bool operator==(const Equation&) const = default;
+};
+
+/// What one part of a formulation solves: as many scalar equations as unknowns.
 struct PartDefinition {
   std::vector<GroupId> groups;
-  std::vector<int> unknowns;   ///< coordinates solved for, ascending
-  std::vector<int> equations;  ///< positions in Mechanism::constraints
-  bool constant = false;       ///< depends on no driver: solved once, at assembly
+  std::vector<int> unknowns;        ///< coordinates solved for, ascending
+  std::vector<Equation> equations;  ///< ascending
+  bool constant = false;            ///< depends on no driver: solved once, at assembly
 };
 
 /// The parts of a partition in solution order; constant groups come first, each on its own.
-/// Throws std::invalid_argument when a group needs a coordinate that is found after it.
+/// Throws std::invalid_argument when a group needs a coordinate that is found after it, or when its
+/// equations cannot determine its unknowns whatever the numbers are.
 std::vector<PartDefinition> make_partition(const Mechanism& mechanism, Partition partition);
 
-/// For each coordinate, whether it belongs to a constant group.
-std::vector<bool> constant_coordinates(const Mechanism& mechanism);
+/// A part cut into what belongs to each of its groups, in solution order.
+std::vector<PartDefinition> split_by_group(const Mechanism& mechanism, const PartDefinition& part);
 
-/// For each scalar equation of a part, the constraint (position in Mechanism::constraints).
-std::vector<int> constraint_of_row(const Mechanism& mechanism, const PartDefinition& part);
+/// The irreducible blocks of a part's equations in solution order: the strong components of a
+/// matching of equations with unknowns (block triangular form; Dulmage & Mendelsohn 1958, as
+/// CXSparse computes it). Throws std::invalid_argument, naming what cannot be matched, when the
+/// part is structurally singular.
+std::vector<PartDefinition> irreducible_blocks(const Mechanism& mechanism,
+                                               const PartDefinition& part);
 
 }  // namespace desmo

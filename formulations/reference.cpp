@@ -84,9 +84,10 @@ class GroupwiseSolver {
     jacobian.setZero();
     velocity.setZero();
     acceleration.setZero();
-    int row = 0;
-    for (const int c : part.equations) {
-      const Constraint& constraint = m_.constraints[c];
+    const int n = static_cast<int>(part.equations.size());
+    for (int row = 0; row < n;) {
+      const int position = part.equations[row].constraint;
+      const Constraint& constraint = m_.constraints[position];
       visit_kind(constraint.kind, [&]<class Kind>(Kind) {
         std::array<const S*, Kind::operand_sizes.size()> x, v;
         std::array<int, Kind::operand_sizes.size()> first;
@@ -97,18 +98,27 @@ class GroupwiseSolver {
         }
         std::array<S, Kind::constants + 1> constants{};
         std::ranges::copy(constraint.constants, constants.begin());
-        Kind::residual(x.data(), constants.data(), &phi[row]);
-        Kind::quadratic(x.data(), v.data(), constants.data(), &gamma[row]);
+        std::array<S, Kind::rows> all_phi, all_gamma;
+        Kind::residual(x.data(), constants.data(), all_phi.data());
+        Kind::quadratic(x.data(), v.data(), constants.data(), all_gamma.data());
+        std::array<int, Kind::rows> place;
+        place.fill(-1);
+        for (; row < n && part.equations[row].constraint == position; ++row) {
+          const int r = part.equations[row].row;
+          place[r] = row;
+          phi[row] = all_phi[r];
+          gamma[row] = all_gamma[r];
+        }
         Kind::jacobian(x.data(), constants.data(), [&](int r, int operand, int i, const S& value) {
           const int state = first[operand] + i;
+          if (place[r] < 0) return;
           if (column_[state] >= 0) {
-            jacobian(row + r, column_[state]) = value;
+            jacobian(place[r], column_[state]) = value;
           } else {
-            velocity[row + r] -= value * qd[state];
-            acceleration[row + r] -= value * qdd[state];
+            velocity[place[r]] -= value * qd[state];
+            acceleration[place[r]] -= value * qdd[state];
           }
         });
-        row += Kind::rows;
       });
     }
   }

@@ -14,14 +14,19 @@ namespace {
 std::vector<Variant> make_variants() {
   std::vector<Variant> table;
   for (const auto& [partition, partition_name] :
-       {std::pair{Partition::global, "global"}, std::pair{Partition::group, "group"}})
+       {std::pair{Partition::global, std::string("global")},
+        std::pair{Partition::group, std::string("group")},
+        std::pair{Partition::block, std::string("block")}}) {
     for (const auto& [evaluation, evaluation_name] : {std::pair{Evaluation::automatic, "automatic"},
                                                       std::pair{Evaluation::symbolic, "symbolic"}})
       for (const Backend* backend : backends())
-        table.push_back(
-            {std::string(partition_name) + "_" + evaluation_name + "_" + std::string(backend->name),
-             partition, evaluation, backend});
-  table.push_back({"group_symbolic_inlined", Partition::group, Evaluation::symbolic, nullptr});
+        table.push_back({partition_name + "_" + evaluation_name + "_" + std::string(backend->name),
+                         partition, evaluation, backend});
+    // All unknowns at once would be one type of part for every size of a mechanism.
+    if (partition != Partition::global)
+      table.push_back(
+          {partition_name + "_symbolic_inlined", partition, Evaluation::symbolic, nullptr});
+  }
   return table;
 }
 
@@ -65,13 +70,15 @@ std::unique_ptr<Formulation> make_formulation(const Variant& v, const Mechanism&
 
   std::vector<Formulation::DefinedPart> parts;
   for (PartDefinition& d : definitions) {
-    const PartContext context{m, d, v.evaluation, tolerance, settings.max_iterations, profile};
+    PartContext context{m, d, std::nullopt, tolerance, settings.max_iterations, profile};
+    if (v.evaluation == Evaluation::symbolic) context.kernels = bind_kernels(m, d);
+    const bool as_named = v.evaluation == Evaluation::automatic || context.kernels;
     const Backend& backend = v.backend ? *v.backend : pivoting_backend();
     std::unique_ptr<Part> part = backend.make_part(context);
-    if (!v.backend)
-      part = std::make_unique<InlinedPart>(bind_kernel(m, d.groups.front()), tolerance,
+    if (!v.backend && context.kernels)
+      part = std::make_unique<InlinedPart>(std::move(context.kernels->front()), tolerance,
                                            settings.max_iterations, std::move(part), d.unknowns);
-    parts.push_back({std::move(d), std::move(part)});
+    parts.push_back({std::move(d), std::move(part), as_named});
   }
   return std::make_unique<Formulation>(m, std::move(parts), settings);
 }

@@ -12,6 +12,7 @@
 #include "cases/cases.h"
 #include "formulations/variants.h"
 #include "tests/every_variant.h"
+#include "tests/mechanisms.h"
 
 namespace {
 
@@ -87,7 +88,7 @@ TEST(Counter, CountsADeliberateAllocation) {
 TEST_P(EveryVariant, AllocatesNothingInAStep) {
   const Variant& v = GetParam();
   for (const Case& c : cases()) {
-    const Mechanism m = build(c, is_dense_global(v) ? 114 : 558);
+    const Mechanism m = make_mechanism(describe(c, is_dense_global(v) ? 114 : 558));
     const auto f = make_formulation(v, m);
     ASSERT_TRUE(f->assemble(0).ok());
     constexpr int steps = 50;

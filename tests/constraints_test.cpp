@@ -1,11 +1,16 @@
 // Every constraint kind against derivatives that share no code with it: the complex step, which
-// has no truncation and no cancellation.
+// has no truncation and no cancellation. And what the kinds mean, in configurations whose residual
+// is known.
 
 #include "cases/constraints.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <complex>
+#include <numbers>
 #include <random>
 #include <set>
 #include <vector>
@@ -119,11 +124,159 @@ TYPED_TEST(ConstraintKind, LinearMeansThatTheJacobianIsConstant) {
   EXPECT_EQ(jacobian(a) == jacobian(b), TypeParam::linear);
 }
 
+TYPED_TEST(ConstraintKind, LinearMeansThatTheJacobianReadsNoStateAndThereIsNoQuadraticTerm) {
+  if constexpr (TypeParam::linear) {
+    const Setup<TypeParam> s(1);
+    const std::array<const Complex*, Setup<TypeParam>::operands> none{};
+    TypeParam::jacobian(none.data(), s.c.data(), [](int, int, int, Complex) {});
+
+    std::vector<Complex> gamma(TypeParam::rows, Complex(1));
+    TypeParam::quadratic(pointers(s.q).data(), pointers(s.v).data(), s.c.data(), gamma.data());
+    for (const Complex& value : gamma) EXPECT_EQ(value, Complex(0));
+  }
+}
+
+TYPED_TEST(ConstraintKind, EmitsItsEntriesInTheSameOrder) {
+  const auto order = [](const Setup<TypeParam>& s) {
+    std::vector<std::array<int, 3>> entries;
+    TypeParam::jacobian(pointers(s.q).data(), s.c.data(), [&](int r, int k, int i, Complex) {
+      entries.push_back({r, k, i});
+      EXPECT_TRUE(r >= 0 && r < TypeParam::rows);
+      EXPECT_TRUE(i >= 0 && i < TypeParam::operand_sizes[k]);
+    });
+    return entries;
+  };
+  Setup<TypeParam> nothing(1);
+  for (auto& x : nothing.q) std::ranges::fill(x, Complex(0));
+  std::ranges::fill(nothing.c, Complex(0));
+  EXPECT_EQ(order(Setup<TypeParam>(2)), order(nothing));
+}
+
 TEST(ConstraintKinds, HaveDistinctNames) {
   std::set<std::string_view> names;
   for (int kind = 0; kind < constraint_kind_count; ++kind)
     visit_kind(kind, [&](auto k) { EXPECT_TRUE(names.insert(k.name).second) << k.name; });
   EXPECT_EQ(names.size(), static_cast<std::size_t>(constraint_kind_count));
+}
+
+using Vec = std::vector<double>;
+
+/// Φ of a kind in a configuration, within rounding.
+template <class Kind>
+void expect_residual(const std::array<Vec, Kind::operand_sizes.size()>& q, Vec c,
+                     const Vec& expected) {
+  ASSERT_EQ(c.size(), static_cast<std::size_t>(Kind::constants));
+  ASSERT_EQ(expected.size(), static_cast<std::size_t>(Kind::rows));
+  std::array<const double*, Kind::operand_sizes.size()> x;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    ASSERT_EQ(q[k].size(), static_cast<std::size_t>(Kind::operand_sizes[k]));
+    x[k] = q[k].data();
+  }
+  c.push_back(0);  // never read; data() must not be null
+  Vec phi(Kind::rows);
+  Kind::residual(x.data(), c.data(), phi.data());
+  for (int r = 0; r < Kind::rows; ++r)
+    EXPECT_NEAR(phi[r], expected[r], 1e-14) << Kind::name << ", row " << r;
+}
+
+const double pi = std::numbers::pi;
+const double right = pi / 2;
+
+TEST(Meaning, OfThePlanarInstances) {
+  expect_residual<Unit<2>>({{{0.6, -0.8}}}, {}, {0});
+  expect_residual<Unit<2>>({{{3, 4}}}, {}, {24});
+  expect_residual<Rigid<2, 0>>({{{1, 2}, {1, 2}}}, {}, {0, 0});
+  expect_residual<Rigid<2, 0>>({{{1, 2}, {4, 1}}}, {}, {-3, 1});
+  expect_residual<Rigid<2, 1>>({{{7, 2}, {1, 2}, {3, 0}}}, {2}, {0, 0});
+  expect_residual<Rigid<2, 1>>({{{7, 2}, {1, 2}, {3, 1}}}, {1}, {3, -1});
+  expect_residual<Along<2>>({{{1, 2}, {4, 6}, {0.6, 0.8}, {5}}}, {}, {0, 0});
+  expect_residual<Along<2>>({{{1, 2}, {4, 6}, {0.6, 0.8}, {10}}}, {}, {-3, -4});
+}
+
+TEST(Meaning, OfComponents) {
+  expect_residual<Component<2, 0>>({{{3, 4}, {3}}}, {}, {0});
+  expect_residual<Component<2, 1>>({{{3, 4}, {3}}}, {}, {1});
+  expect_residual<Component<3, 0>>({{{3, 4, 5}, {3}}}, {}, {0});
+  expect_residual<Component<3, 1>>({{{3, 4, 5}, {3}}}, {}, {1});
+}
+
+TEST(Meaning, OfCombinations) {
+  const Vec x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1}, d{1, 1, 1};
+  expect_residual<Combination<3, 1>>({{{-2, 0, 0}, x}}, {-2}, {0, 0, 0});
+  expect_residual<Combination<3, 2>>({{{3, 5, 0}, x, y}}, {3, 5}, {0, 0, 0});
+  expect_residual<Combination<3, 3>>({{{3, 5, 7}, x, y, z}}, {3, 5, 7}, {0, 0, 0});
+  expect_residual<Combination<3, 4>>({{{3, 5, 7}, x, y, z, d}}, {2, 4, 6, 1}, {0, 0, 0});
+  expect_residual<Combination<3, 2>>({{{3, 5, 1}, x, y}}, {2, 3}, {1, 2, 1});
+}
+
+TEST(Meaning, OfPlanarRelations) {
+  // By d = (3, 1), J d = (−1, 3): 2 d + J d = (5, 5).
+  const Vec a{10, 20}, d{3, 1}, b{13, 21};
+  expect_residual<PlanarRelation<true, false>>({{{15, 25}, a, d}}, {2, 1}, {0, 0});
+  expect_residual<PlanarRelation<true, true>>({{{15, 25}, a, b}}, {2, 1}, {0, 0});
+  expect_residual<PlanarRelation<false, false>>({{{5, 5}, d}}, {2, 1}, {0, 0});
+  expect_residual<PlanarRelation<false, true>>({{{5, 5}, a, b}}, {2, 1}, {0, 0});
+  // To the right of d instead of to the left: off by 2 J d.
+  expect_residual<PlanarRelation<true, false>>({{{15, 25}, a, d}}, {2, -1}, {-2, 6});
+  expect_residual<PlanarRelation<true, true>>({{{15, 25}, a, b}}, {2, -1}, {-2, 6});
+  expect_residual<PlanarRelation<false, false>>({{{5, 5}, d}}, {2, -1}, {-2, 6});
+  expect_residual<PlanarRelation<false, true>>({{{5, 5}, a, b}}, {2, -1}, {-2, 6});
+}
+
+TEST(Meaning, OfAnOffsetIsTheDistanceToTheLeftOfTheLine) {
+  const Vec u{0.6, 0.8}, o{1, 1};
+  expect_residual<Offset>({{u, o, {1 + 3, 1 + 4}}}, {0}, {0});               // on the line
+  expect_residual<Offset>({{u, o, {1 + 3 - 1.6, 1 + 4 + 1.2}}}, {2}, {0});   // to the left
+  expect_residual<Offset>({{u, o, {1 + 3 + 1.6, 1 + 4 - 1.2}}}, {2}, {-4});  // to the right
+}
+
+TEST(Meaning, OfADistance) {
+  expect_residual<Distance<2>>({{{1, 1}, {4, 5}, {5}}}, {}, {0});
+  expect_residual<Distance<2>>({{{1, 1}, {4, 5}, {4}}}, {}, {9});
+  expect_residual<Distance<3>>({{{1, 1, 1}, {2, 3, 3}, {3}}}, {}, {0});
+  expect_residual<Distance<3>>({{{1, 1, 1}, {2, 3, 3}, {1}}}, {}, {8});
+}
+
+TEST(Meaning, OfAPlanarDirection) {
+  expect_residual<PlanarDirection>({{{0, 1}, {right}}}, {}, {0, 0});
+  expect_residual<PlanarDirection>({{{-1, 0}, {pi}}}, {}, {0, 0});
+  expect_residual<PlanarDirection>({{{0, 1}, {-right}}}, {}, {0, 2});
+}
+
+TEST(Meaning, OfAPlanarTurnIsTheAngleCounterClockwise) {
+  // e = (2, 1) turned by π/2 and stretched by 3 is d = (−3, 6).
+  const Vec d{-3, 6}, e{2, 1}, a{1, 1}, b{-2, 7}, p{5, 5}, q{7, 6}, quarter{right};
+  expect_residual<PlanarTurn<false, false>>({{d, e, quarter}}, {3}, {0, 0});
+  expect_residual<PlanarTurn<false, true>>({{d, p, q, quarter}}, {3}, {0, 0});
+  expect_residual<PlanarTurn<true, false>>({{a, b, e, quarter}}, {3}, {0, 0});
+  expect_residual<PlanarTurn<true, true>>({{a, b, p, q, quarter}}, {3}, {0, 0});
+  expect_residual<PlanarTurnAtPoint>({{p, {2, 11}, q, quarter}}, {3}, {0, 0});
+  // The other way round it would be −d.
+  const Vec back{-right};
+  expect_residual<PlanarTurn<false, false>>({{d, e, back}}, {3}, {-6, 12});
+  expect_residual<PlanarTurn<false, true>>({{d, p, q, back}}, {3}, {-6, 12});
+  expect_residual<PlanarTurn<true, false>>({{a, b, e, back}}, {3}, {-6, 12});
+  expect_residual<PlanarTurn<true, true>>({{a, b, p, q, back}}, {3}, {-6, 12});
+  expect_residual<PlanarTurnAtPoint>({{p, {2, 11}, q, back}}, {3}, {-6, 12});
+}
+
+TEST(Meaning, OfAFrameAngle) {
+  const Vec x{0, 1, 0}, z{0, 0, 1}, a{1, 2, 3};
+  const double angle = 0.4, cosine = std::cos(angle), sine = std::sin(angle);
+  // A direction of length 2 at this angle from x towards z, out of their plane by 5; and from −x.
+  const Vec from_x{5, 2 * cosine, 2 * sine}, from_minus_x{5, -2 * cosine, 2 * sine};
+  const auto after = [&](const Vec& w) { return Vec{a[0] + w[0], a[1] + w[1], a[2] + w[2]}; };
+  expect_residual<FrameAngle<1, false>>({{x, z, from_x, {angle}}}, {}, {0});
+  expect_residual<FrameAngle<1, true>>({{x, z, a, after(from_x), {angle}}}, {}, {0});
+  expect_residual<FrameAngle<-1, false>>({{x, z, from_minus_x, {angle}}}, {}, {0});
+  expect_residual<FrameAngle<-1, true>>({{x, z, a, after(from_minus_x), {angle}}}, {}, {0});
+  // Otherwise 2 sin of the angle that is missing.
+  const double missing = 2 * std::sin(0.1);
+  const Vec less{angle - 0.1};
+  expect_residual<FrameAngle<1, false>>({{x, z, from_x, less}}, {}, {missing});
+  expect_residual<FrameAngle<1, true>>({{x, z, a, after(from_x), less}}, {}, {missing});
+  expect_residual<FrameAngle<-1, false>>({{x, z, from_minus_x, less}}, {}, {missing});
+  expect_residual<FrameAngle<-1, true>>({{x, z, a, after(from_minus_x), less}}, {}, {missing});
 }
 
 }  // namespace

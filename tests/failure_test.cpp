@@ -11,6 +11,7 @@
 #include "formulations/inlined_part.h"
 #include "formulations/variants.h"
 #include "tests/every_variant.h"
+#include "tests/mechanisms.h"
 
 namespace desmo {
 namespace {
@@ -23,7 +24,7 @@ class Discard final : public Sink {
 
 /// A chain whose second dyad is pulled apart: its ground pivot is out of reach from the start.
 Mechanism unreachable() {
-  Mechanism m = four_bar(3);
+  Mechanism m = four_bar_mechanism(3);
   m.fixed_values[m.entities[m.find("dyad2/D")].first] = 100;
   return m;
 }
@@ -37,16 +38,16 @@ TEST_P(EveryVariant, NamesTheGroupThatCannotBeAssembled) {
   ASSERT_GE(s.group, 0);
   EXPECT_EQ(sink.instants, 0);
   EXPECT_EQ(s.time, 0);
-  EXPECT_EQ(m.groups[s.group].name, "dyad2");
+  EXPECT_EQ(m.groups[s.group].name, "dyad2/SG-I");
   EXPECT_TRUE(m.constraints[s.constraint].name.starts_with("dyad2")) << s.constraint;
-  EXPECT_NE(describe(s, m).find("'dyad2'"), std::string::npos) << describe(s, m);
+  EXPECT_NE(describe(s, m).find("'dyad2/SG-I'"), std::string::npos) << describe(s, m);
 }
 
 /// The crank grows too long for the loop to close as it turns: reach ends at a known instant.
 TEST_P(EveryVariant, NamesTheInstantOfALockUp) {
-  Mechanism m = four_bar(1);
+  Mechanism m = four_bar_mechanism(1);
   for (Constraint& c : m.constraints)
-    if (c.name == "dyad1 coupler") c.constants[0] = 3 * 3;  // 2 + 3 + 6 spans the pivots, not all
+    if (c.name.starts_with("dyad1/coupler")) c.constants[0] = 3 * 3;  // 2 + 3 + 6 spans the pivots, not all
   m.estimate[m.entities[m.find("dyad1/C")].first] = 1.5;
   m.estimate[m.entities[m.find("dyad1/C")].first + 1] = 4;
   // Coupler 3, rocker 6: B may be from 3 to 9 away from D, and 6 − 2 … 6 + 2 is within reach …
@@ -58,22 +59,22 @@ TEST_P(EveryVariant, NamesTheInstantOfALockUp) {
   const Summary s = f->run(time_grid(3, 0.01), {}, sink);
   ASSERT_FALSE(s.ok());
   ASSERT_GE(s.group, 0);
-  EXPECT_EQ(m.groups[s.group].name, "dyad1");
+  EXPECT_EQ(m.groups[s.group].name, "dyad1/SG-I");
   EXPECT_NEAR(s.time, lock, 0.011) << describe(s, m);
   EXPECT_EQ(sink.instants, static_cast<int>(std::lround(s.time / 0.01)));
 }
 
 TEST_P(EveryVariant, CallsWhatIsNotFiniteByItsName) {
-  Mechanism m = four_bar(2);
+  Mechanism m = four_bar_mechanism(2);
   m.estimate[m.entities[m.find("dyad2/C")].first] = std::numeric_limits<double>::quiet_NaN();
   const Summary s = make_formulation(GetParam(), m)->assemble(0);
   EXPECT_EQ(s.status, Status::not_finite);
   ASSERT_GE(s.group, 0);
-  EXPECT_EQ(m.groups[s.group].name, "dyad2");
+  EXPECT_EQ(m.groups[s.group].name, "dyad2/SG-I");
 }
 
 TEST_P(EveryVariant, KeepsThePositionsOfTheLastInstantAfterAFailure) {
-  const Mechanism m = four_bar(2);
+  const Mechanism m = four_bar_mechanism(2);
   const auto f = make_formulation(GetParam(), m), undisturbed = make_formulation(GetParam(), m);
   ASSERT_TRUE(f->assemble(0).ok());
   ASSERT_TRUE(undisturbed->assemble(0).ok());
@@ -82,7 +83,7 @@ TEST_P(EveryVariant, KeepsThePositionsOfTheLastInstantAfterAFailure) {
   const Summary s = f->step(std::numeric_limits<double>::quiet_NaN());
   EXPECT_EQ(s.status, Status::not_finite);
   ASSERT_GE(s.group, 0);
-  EXPECT_EQ(m.groups[s.group].name, "crank");
+  EXPECT_EQ(m.groups[s.group].name, "SG-I");
   EXPECT_TRUE(std::ranges::equal(f->q(), q));
 
   ASSERT_TRUE(f->step(0.01).ok());
@@ -91,7 +92,7 @@ TEST_P(EveryVariant, KeepsThePositionsOfTheLastInstantAfterAFailure) {
 }
 
 TEST_P(EveryVariant, AssemblesWhenAStepComesFirst) {
-  const Mechanism m = truck_suspension(1);
+  const Mechanism m = truck_mechanism(1);
   const auto a = make_formulation(GetParam(), m), b = make_formulation(GetParam(), m);
   ASSERT_TRUE(a->step(0.2).ok());
   ASSERT_TRUE(b->assemble(0.2).ok());
@@ -99,7 +100,7 @@ TEST_P(EveryVariant, AssemblesWhenAStepComesFirst) {
 }
 
 TEST(Settings, ThatCannotEndAreRefused) {
-  const Mechanism m = four_bar(1);
+  const Mechanism m = four_bar_mechanism(1);
   const Variant& v = variants().front();
   EXPECT_THROW(make_formulation(v, m, Settings{0, 25}), std::invalid_argument);
   EXPECT_THROW(make_formulation(v, m, Settings{NAN, 25}), std::invalid_argument);
@@ -112,13 +113,13 @@ INSTANTIATE_TEST_SUITE_P(Table, EveryVariant,
 
 /// Generated elimination hands a step over when its pivots fail, and the answer stays right.
 TEST(Inlined, FallsBackToPivotingWhereItsOrderFails) {
-  const Mechanism m = four_bar(1);
+  const Mechanism m = four_bar_mechanism(1);
   const std::vector<PartDefinition> parts = make_partition(m, Partition::group);
-  const PartContext context{m, parts[1], Evaluation::symbolic, 1e-12, 50};
+  const PartContext context{m, parts[1], bind_kernels(m, parts[1]), 1e-12, 50};
   const Backend* eigen = nullptr;
   for (const Backend* b : backends())
     if (b->name == "eigen") eigen = b;
-  BoundKernel sabotaged = bind_kernel(m, 1);
+  BoundKernel sabotaged = bind_kernel(m, make_partition(m, Partition::group)[1]).value();
   Kernel kernel = *sabotaged.kernel;
   kernel.rates = [](const double*, double*, double*, const int*, const double*) { return false; };
   sabotaged.kernel = &kernel;
@@ -132,7 +133,7 @@ TEST(Inlined, FallsBackToPivotingWhereItsOrderFails) {
     s.qd[m.entities[m.find("crank/B")].first] = 1;
     return s;
   };
-  InlinedPart good(bind_kernel(m, 1), 1e-12, 50, eigen->make_part(context), parts[1].unknowns);
+  InlinedPart good(bind_kernel(m, make_partition(m, Partition::group)[1]).value(), 1e-12, 50, eigen->make_part(context), parts[1].unknowns);
   InlinedPart bad(sabotaged, 1e-12, 50, eigen->make_part(context), parts[1].unknowns);
   State expected = at_start(), actual = at_start();
   ASSERT_EQ(good.solve(expected, Level::acceleration).status, Status::converged);
@@ -148,8 +149,8 @@ TEST(Inlined, FallsBackToPivotingWhereItsOrderFails) {
 
 /// A dyad folded onto itself: the determinant that the generated code divides by vanishes.
 TEST(Inlined, MonitorsRefuseAVanishingPivot) {
-  const Mechanism m = four_bar(1);
-  const BoundKernel dyad = bind_kernel(m, 1);
+  const Mechanism m = four_bar_mechanism(1);
+  const BoundKernel dyad = bind_kernel(m, make_partition(m, Partition::group)[1]).value();
   std::vector<double> q = m.estimate, qd(m.state_size(), 0.0), qdd = qd;
   q.insert(q.end(), m.fixed_values.begin(), m.fixed_values.end());
   const auto set = [&](const char* name, double x, double y) {
@@ -171,7 +172,7 @@ TEST(Inlined, MonitorsRefuseAVanishingPivot) {
 
 TEST(Inlined, NeedsNoFallbackOnTheCases) {
   for (const Case& c : cases()) {
-    const Mechanism m = c.build(2);
+    const Mechanism m = make_mechanism(c.describe(2));
     const auto f = make_formulation(find_variant("group_symbolic_inlined"), m);
     Discard sink;
     ASSERT_TRUE(f->run(time_grid(3, 0.01), {}, sink).ok());

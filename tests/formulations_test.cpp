@@ -10,6 +10,7 @@
 #include "formulations/reference.h"
 #include "formulations/variants.h"
 #include "tests/every_variant.h"
+#include "tests/mechanisms.h"
 
 namespace desmo {
 namespace {
@@ -74,29 +75,30 @@ TEST_P(Sizes, DenseGlobalSolvesAgreeOverAShorterMotion) {
 /// Equal lengths: every rocker moves in parallel with the first.
 class ChainSink final : public Sink {
  public:
-  explicit ChainSink(const Mechanism& m) : m_(m), first_(m.entities[m.find("dyad1/C")].first) {}
-  void accept(const Instant& instant) override {
-    const int dyads = m_.structural_groups() - 1;
-    for (int k = 1; k < dyads; ++k) {  // each dyad adds C and ψ
-      const int c = first_ + 3 * k;
-      worst = std::max({worst, std::abs(instant.q[c] - (instant.q[first_] + 6.0 * k)),
-                        std::abs(instant.q[c + 1] - instant.q[first_ + 1]),
-                        std::abs(instant.q[c + 2] - instant.q[first_ + 2])});
+  explicit ChainSink(const Mechanism& m) {
+    for (int k = 1; k < m.structural_groups(); ++k) {
+      const std::string dyad = "dyad" + std::to_string(k) + "/";
+      c_.push_back(m.entities[m.find(dyad + "C")].first);
+      psi_.push_back(m.entities[m.find(dyad + "psi")].first);
     }
+  }
+  void accept(const Instant& instant) override {
+    for (std::size_t k = 1; k < c_.size(); ++k)
+      worst = std::max({worst, std::abs(instant.q[c_[k]] - (instant.q[c_[0]] + 6.0 * k)),
+                        std::abs(instant.q[c_[k] + 1] - instant.q[c_[0] + 1]),
+                        std::abs(instant.q[psi_[k]] - instant.q[psi_[0]])});
     ++instants;
   }
   double worst = 0;
   int instants = 0;
 
  private:
-  const Mechanism& m_;
-  int first_;
+  std::vector<int> c_, psi_;  // first coordinate of each dyad's
 };
 
 TEST_P(EveryVariant, KeepsTheChainParallel) {
   const Variant& v = GetParam();
-  const Mechanism m = four_bar(is_dense_global(v) ? 37 : 185);
-  ASSERT_EQ(m.entities[m.find("dyad1/C")].first + 3, m.entities[m.find("dyad2/C")].first);
+  const Mechanism m = four_bar_mechanism(is_dense_global(v) ? 37 : 185);
   ChainSink sink(m);
   const TimeGrid grid = time_grid(DESMO_TEST_SECONDS, 0.01);
   const Summary s = make_formulation(v, m)->run(grid, {}, sink);
@@ -106,7 +108,7 @@ TEST_P(EveryVariant, KeepsTheChainParallel) {
 }
 
 TEST_P(EveryVariant, RepeatsARunToTheLastBit) {
-  const Mechanism m = truck_suspension(1);
+  const Mechanism m = truck_mechanism(1);
   const auto f = make_formulation(GetParam(), m);
   struct Last final : Sink {
     std::vector<double> values;
@@ -124,7 +126,7 @@ TEST_P(EveryVariant, RepeatsARunToTheLastBit) {
 }
 
 TEST_P(EveryVariant, SolvesOnlyTheLevelAsked) {
-  const Mechanism m = truck_suspension(1);
+  const Mechanism m = truck_mechanism(1);
   struct Spans final : Sink {
     std::size_t q = 0, qd = 0, qdd = 0;
     void accept(const Instant& i) override { q = i.q.size(), qd = i.qd.size(), qdd = i.qdd.size(); }
@@ -139,7 +141,7 @@ TEST_P(EveryVariant, SolvesOnlyTheLevelAsked) {
 }
 
 TEST_P(EveryVariant, VelocitiesAndAccelerationsAreDerivativesOfPositions) {
-  const Mechanism m = truck_suspension(1);
+  const Mechanism m = truck_mechanism(1);
   const auto f = make_formulation(GetParam(), m, Settings{1e-13, 25});
   const double t = 0.7, h = 1e-4;
   std::vector<double> q[3];
@@ -161,13 +163,14 @@ INSTANTIATE_TEST_SUITE_P(Table, EveryVariant,
 
 TEST(Variants, TableHoldsEveryPointOfTheDesign) {
   for (const char* id : {"global_automatic_klu", "global_symbolic_klu", "group_automatic_lapack",
-                         "group_symbolic_lapack", "group_symbolic_eigen", "group_symbolic_inlined"})
+                         "group_symbolic_lapack", "group_symbolic_eigen", "group_symbolic_inlined",
+                         "block_automatic_klu", "block_symbolic_inlined"})
     EXPECT_EQ(find_variant(id).id, id);
   EXPECT_THROW(find_variant("group_symbolic_ma27"), std::invalid_argument);
 }
 
 TEST(Reference, QuadrupleAndDoubleDifferByRoundingOnly) {
-  const Mechanism m = truck_suspension(1);
+  const Mechanism m = truck_mechanism(1);
   const std::vector<double> times{0, 0.5, 1};
   const auto standard = reference_solution(m, times, Precision::standard);
   const auto quadruple = reference_solution(m, times, Precision::quadruple);
@@ -179,7 +182,7 @@ TEST(Reference, QuadrupleAndDoubleDifferByRoundingOnly) {
 }
 
 TEST(Reference, SatisfiesTheClosedFormOfTheFourBar) {
-  const Mechanism m = four_bar(1);
+  const Mechanism m = four_bar_mechanism(1);
   const double t = 0.8;
   const auto r = reference_solution(m, std::vector{0.0, t}, Precision::quadruple)[1];
   // C is where circles about B and D meet, above the line BD.

@@ -13,7 +13,8 @@
 #include "formulations/generate/elimination.h"
 #include "formulations/generate/emission.h"
 #include "formulations/generate/kernel_source.h"
-#include "formulations/group_type.h"
+#include "formulations/part_type.h"
+#include "tests/mechanisms.h"
 
 namespace desmo::generate {
 namespace {
@@ -144,11 +145,11 @@ TEST(Elimination, RefusesAStructurallySingularMatrix) {
   EXPECT_THROW(Elimination({{{0, Expr(1)}}, {{0, Expr(2)}}}), std::invalid_argument);
 }
 
-TEST(GroupTypes, AreEqualForTwinsAndDifferOtherwise) {
-  const Mechanism m = truck_suspension(2);
+TEST(PartTypes, AreEqualForTwinsAndDifferOtherwise) {
+  const Mechanism m = truck_mechanism(2);
   const auto fingerprint = [&](const char* name) {
-    for (std::size_t g = 0; g < m.groups.size(); ++g)
-      if (m.groups[g].name == name) return describe_group(m, static_cast<int>(g)).fingerprint;
+    for (const PartDefinition& part : make_partition(m, Partition::group))
+      if (m.groups[part.groups.front()].name == name) return describe_type(m, part).fingerprint;
     return std::string("none");
   };
   EXPECT_EQ(fingerprint("axle1/SG-II"), fingerprint("axle2/SG-III"));

@@ -11,6 +11,7 @@
 #include "cases/cases.h"
 #include "formulations/algebra/backend.h"
 #include "formulations/reference.h"
+#include "tests/mechanisms.h"
 
 namespace desmo {
 namespace {
@@ -21,7 +22,7 @@ class EveryBackend : public testing::TestWithParam<const Backend*> {};
 /// backward error in ‖Φ_φ q̇ + Φ_h ḣ‖ must be a small multiple of ε ‖Φ_φ‖ ‖q̇‖, times cond for
 /// the normal equations.
 TEST_P(EveryBackend, VelocityHasASmallBackwardError) {
-  const Mechanism m = truck_suspension(1);
+  const Mechanism m = truck_mechanism(1);
   for (const PartDefinition& part : make_partition(m, Partition::global)) {
     if (part.constant) continue;
     const AutomaticEquations equations(m, part);
@@ -30,7 +31,7 @@ TEST_P(EveryBackend, VelocityHasASmallBackwardError) {
     State s{at.q, at.qd, at.qdd};
     for (auto* v : {&s.q, &s.qd, &s.qdd}) v->resize(m.state_size(), 0.0);
     std::copy(m.fixed_values.begin(), m.fixed_values.end(), s.q.begin() + m.coordinates());
-    const auto solver = GetParam()->make_part({m, part, Evaluation::automatic, 1e-8, 25});
+    const auto solver = GetParam()->make_part({m, part, std::nullopt, 1e-8, 25});
     ASSERT_EQ(solver->solve(s, Level::velocity).status, Status::converged);
 
     std::vector<double> values(p.size());
@@ -55,7 +56,7 @@ TEST_P(EveryBackend, VelocityHasASmallBackwardError) {
 /// A dyad folded onto itself, rocker along the coupler: the position is exact and Φ_φ exactly
 /// singular. The normal equations may lose the last zero to rounding, but not more than that.
 TEST_P(EveryBackend, NeverCallsASingularPositionSolved) {
-  Mechanism m = four_bar(1);
+  Mechanism m = four_bar_mechanism(1);
   m.fixed_values[m.entities[m.find("dyad1/D")].first] = 2;
   State s;
   s.q = m.estimate;
@@ -72,7 +73,7 @@ TEST_P(EveryBackend, NeverCallsASingularPositionSolved) {
   set(s.q, "dyad1/psi", 0, 0);
   set(s.qd, "crank/B", 0, 2);
   const auto parts = make_partition(m, Partition::group);
-  const auto solver = GetParam()->make_part({m, parts[1], Evaluation::automatic, 1e-10, 25});
+  const auto solver = GetParam()->make_part({m, parts[1], std::nullopt, 1e-10, 25});
   const PartResult r = solver->solve(s, Level::velocity);
   const double psi_rate = s.qd[m.entities[m.find("dyad1/psi")].first];
   if (GetParam()->name == "cholmod" && r.status == Status::converged)

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "bench/suite/delivery.h"
+#include "formulations/modelling/model.h"
 
 namespace desmo::suite {
 
@@ -27,14 +28,15 @@ bool runs_at_extra_sizes(const Variant& v) {
          !is_dense_global(v);
 }
 
-TimeGrid grid_of(const Case& c, const Options& o) {
-  return time_grid(o.duration > 0 ? o.duration : c.seconds, o.step > 0 ? o.step : c.step);
+TimeGrid grid_of(const TimeGrid& own, const Options& o) {
+  const double duration = own.time(own.instants - 1) - own.start;
+  return time_grid(o.duration > 0 ? o.duration : duration, o.step > 0 ? o.step : own.step);
 }
 
 }  // namespace
 
 Cell::Cell(const Case& d, int n, const Variant& v, const Options& options)
-    : definition(d), coordinates(n), variant(v), grid(grid_of(d, options)) {
+    : definition(d), coordinates(n), variant(v), grid(grid_of(d.describe(1).grid, options)) {
   if (is_dense_global(v) && n > options.dense_limit) {
     state = State::not_run;
     message = "a dense global solve costs O(n^3) a step: run up to " +
@@ -54,7 +56,7 @@ void Cell::fail(std::string why) {
 void Cell::verify(ReferenceCache& references) {
   if (state != State::untouched) return;
   try {
-    mechanism_ = std::make_unique<Mechanism>(build(definition, coordinates));
+    mechanism_ = std::make_unique<Mechanism>(make_mechanism(describe(definition, coordinates)));
     groups = mechanism_->structural_groups();
     degrees_of_freedom = mechanism_->degrees_of_freedom();
     const double before_setup = cpu_now();

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "formulations/equations/automatic.h"
 #include "formulations/equations/symbolic.h"
@@ -17,7 +19,8 @@ namespace desmo {
 struct PartContext {
   const Mechanism& mechanism;
   const PartDefinition& definition;
-  Evaluation evaluation;
+  /// Of the symbolic equations, by bind_kernels(); without them the equations are automatic.
+  std::optional<std::vector<BoundKernel>> kernels;
   double tolerance;  ///< on ‖Φ‖₂ of the part's own equations
   int max_iterations;
   Profile* profile = nullptr;  ///< where phases are measured, or null for the timed code
@@ -46,9 +49,8 @@ std::unique_ptr<Part> make_newton_part(const PartContext& context) {
         Profiled(std::move(equations), *context.profile), context.tolerance, context.max_iterations,
         *context.profile);
   };
-  if (context.evaluation == Evaluation::automatic)
-    return make(AutomaticEquations(context.mechanism, context.definition));
-  return make(SymbolicEquations(context.mechanism, context.definition));
+  if (!context.kernels) return make(AutomaticEquations(context.mechanism, context.definition));
+  return make(SymbolicEquations(context.mechanism, context.definition, *context.kernels));
 }
 
 }  // namespace desmo

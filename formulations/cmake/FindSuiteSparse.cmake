@@ -1,11 +1,15 @@
-# Imported targets SuiteSparse::KLU, SuiteSparse::UMFPACK and SuiteSparse::CHOLMOD, for
-# installations of SuiteSparse that bring no CMake package of their own.
-#   find_package(SuiteSparse COMPONENTS KLU [UMFPACK] [CHOLMOD])
+# Imported targets SuiteSparse::KLU, SuiteSparse::CXSPARSE, SuiteSparse::UMFPACK and
+# SuiteSparse::CHOLMOD, for installations of SuiteSparse that bring no CMake package of their own.
+#   find_package(SuiteSparse COMPONENTS KLU CXSPARSE [UMFPACK] [CHOLMOD])
 
 set(_suitesparse_required "")
 foreach(component IN LISTS SuiteSparse_FIND_COMPONENTS)
   string(TOLOWER ${component} name)
-  find_path(SuiteSparse_${component}_INCLUDE_DIR ${name}.h PATH_SUFFIXES suitesparse)
+  set(header ${name}.h)
+  if(component STREQUAL CXSPARSE)
+    set(header cs.h)
+  endif()
+  find_path(SuiteSparse_${component}_INCLUDE_DIR ${header} PATH_SUFFIXES suitesparse)
   find_library(SuiteSparse_${component}_LIBRARY ${name})
   mark_as_advanced(SuiteSparse_${component}_INCLUDE_DIR SuiteSparse_${component}_LIBRARY)
   if(SuiteSparse_${component}_INCLUDE_DIR AND SuiteSparse_${component}_LIBRARY)

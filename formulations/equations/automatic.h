@@ -40,10 +40,12 @@ class AutomaticEquations {
     struct Object {
       std::array<int, Kind::operand_sizes.size()> operands;  // in the state
       std::array<double, Kind::constants> constants;
-      int row;
+      int row;                                    // first of the part, when it has them all
       std::array<int, Kind::entries> slots;
+      std::array<int, Kind::rows> rows;  // of the part, or -1 where another part has it
     };
-    std::vector<Object> objects;
+    std::vector<Object> whole;  // all their equations belong to the part
+    std::vector<Object> cut;    // some do
   };
   template <class Tuple>
   struct BatchesOf;

@@ -16,13 +16,13 @@ struct InlinedResult {
   double residual2;  ///< ‖Φ‖₂²
 };
 
-/// Generated straight-line code for one type of group (see GroupType). `state`, `rate`, `acc` are
+/// Generated straight-line code for one type of group (see PartType). `state`, `rate`, `acc` are
 /// q, q̇, q̈ with fixed entities behind, `in[i]` the position of local input i in them, `c` the
 /// dimensions, `slot[e]` the place in `values` of entry e: constant ones first, then dependent,
 /// then known.
 struct Kernel {
   std::string_view name;         ///< of the group it was first seen in
-  std::string_view fingerprint;  ///< GroupType::fingerprint
+  std::string_view fingerprint;  ///< PartType::fingerprint
   int rows;
   std::span<const KernelEntry> constant_entries;   ///< of Φ_q that never change
   std::span<const KernelEntry> dependent_entries;  ///< of Φ_φ, the group's own unknowns

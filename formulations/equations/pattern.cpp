@@ -13,26 +13,26 @@ PatternWithSlots make_pattern(const Mechanism& m, const PartDefinition& part,
   p.n = static_cast<int>(part.unknowns.size());
   p.unknowns = part.unknowns;
 
-  std::vector<int> column(m.state_size(), -1);  // of an unknown
-  for (int j = 0; j < p.n; ++j) column[part.unknowns[j]] = j;
-  std::vector<bool> at_rest = constant_coordinates(m);
-  at_rest.resize(m.state_size(), true);
-
-  // Order: unknown columns ascending with rows ascending; then known by row; then what rests.
+  // Order: unknown columns ascending with rows ascending; then known by row; then what is unread.
   const auto rank = [&](const JacobianEntry& e) {
-    if (column[e.state] >= 0) return std::array{0, column[e.state], e.row};
-    if (!at_rest[e.state]) return std::array{1, e.row, e.state};
-    return std::array{2, 0, 0};
+    constexpr std::array unread{2, 0, 0};
+    if (e.row < 0) return unread;
+    const auto column = std::ranges::lower_bound(p.unknowns, e.state);
+    if (column != p.unknowns.end() && *column == e.state)
+      return std::array{0, static_cast<int>(column - p.unknowns.begin()), e.row};
+    return e.resting ? unread : std::array{1, e.row, e.state};
   };
+  std::vector<std::array<int, 3>> ranks;
+  for (const JacobianEntry& e : entries) ranks.push_back(rank(e));
   std::vector<int> order(entries.size());
   std::iota(order.begin(), order.end(), 0);
-  std::ranges::stable_sort(order, {}, [&](int i) { return rank(entries[i]); });
+  std::ranges::stable_sort(order, {}, [&](int i) { return ranks[i]; });
 
   std::vector<int> slots(entries.size());
   p.column_start.assign(p.n + 1, 0);
   std::array<int, 3> previous{-1, -1, -1};
   for (const int i : order) {
-    const auto r = rank(entries[i]);
+    const auto& r = ranks[i];
     if (r[0] < 2 && r == previous)
       throw std::invalid_argument(m.name + ": an equation refers to the same coordinate twice");
     previous = r;

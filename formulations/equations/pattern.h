@@ -10,8 +10,9 @@ namespace desmo {
 
 /// One partial derivative that a set of equations can emit.
 struct JacobianEntry {
-  int row;    ///< equation of the part
-  int state;  ///< component of the state (q, then the fixed entities)
+  int row;               ///< equation of the part, or -1: of another part
+  int state;             ///< component of the state (q, then the fixed entities)
+  bool resting = false;  ///< it never moves, unless it is an unknown
 };
 
 /// Where the partial derivatives of a part's n equations are kept: one array of `size()` values,

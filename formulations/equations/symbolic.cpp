@@ -1,33 +1,48 @@
 #include "formulations/equations/symbolic.h"
 
 #include <algorithm>
-#include <stdexcept>
+#include <unordered_map>
 
-#include "formulations/group_type.h"
+#include "formulations/part_type.h"
 
 namespace desmo {
 
 const Kernel* find_kernel(std::string_view fingerprint) {
-  const auto it = std::ranges::find(kernels(), fingerprint, &Kernel::fingerprint);
-  return it == kernels().end() ? nullptr : &*it;
+  static const auto by_fingerprint = [] {
+    std::unordered_map<std::string_view, const Kernel*> map;
+    for (const Kernel& k : kernels()) map.emplace(k.fingerprint, &k);
+    return map;
+  }();
+  const auto it = by_fingerprint.find(fingerprint);
+  return it == by_fingerprint.end() ? nullptr : it->second;
 }
 
-BoundKernel bind_kernel(const Mechanism& m, GroupId group) {
-  GroupType type = describe_group(m, group);
+std::optional<BoundKernel> bind_kernel(const Mechanism& m, const PartDefinition& part) {
+  PartType type = describe_type(m, part);
   const Kernel* kernel = find_kernel(type.fingerprint);
-  if (!kernel)
-    throw std::invalid_argument(m.name + ", group '" + m.groups[group].name +
-                                "': no symbolic equations were generated for its type");
+  if (!kernel) return std::nullopt;
   std::vector<int> inputs;
-  for (const GroupType::Input& input : type.inputs) inputs.push_back(input.state);
-  return {kernel, std::move(inputs), std::move(type.constants)};
+  for (const PartType::Input& input : type.inputs) inputs.push_back(input.state);
+  return BoundKernel{kernel, std::move(inputs), std::move(type.constants)};
 }
 
-SymbolicEquations::SymbolicEquations(const Mechanism& m, const PartDefinition& part) {
+std::optional<std::vector<BoundKernel>> bind_kernels(const Mechanism& m,
+                                                     const PartDefinition& part) {
+  std::vector<BoundKernel> result;
+  for (const PartDefinition& group : split_by_group(m, part)) {
+    std::optional<BoundKernel> bound = bind_kernel(m, group);
+    if (!bound) return std::nullopt;
+    result.push_back(std::move(*bound));
+  }
+  return result;
+}
+
+SymbolicEquations::SymbolicEquations(const Mechanism& m, const PartDefinition& part,
+                                     std::vector<BoundKernel> kernels) {
   std::vector<JacobianEntry> entries;
   int row = 0;
-  for (const GroupId g : part.groups) {
-    Block block{bind_kernel(m, g), row, {}, false};
+  for (BoundKernel& bound : kernels) {
+    Block block{std::move(bound), row, {}, false};
     const Kernel& k = *block.bound.kernel;
     for (const auto& list : {k.constant_entries, k.dependent_entries, k.known_entries})
       for (const KernelEntry& e : list) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -13,23 +14,28 @@ namespace desmo {
 /// The kernel for a fingerprint, or null.
 const Kernel* find_kernel(std::string_view fingerprint);
 
-/// A generated kernel bound to one group of a mechanism.
+/// A generated kernel bound to a group, or a block of one, of a mechanism.
 struct BoundKernel {
   const Kernel* kernel;
   std::vector<int> inputs;        ///< position in the state of each local input
-  std::vector<double> constants;  ///< dimensions of the group
+  std::vector<double> constants;  ///< its dimensions
 };
 
-/// Finds and binds the kernel of a group. Throws std::invalid_argument, naming the group, when
-/// none was generated for its type.
-BoundKernel bind_kernel(const Mechanism& mechanism, GroupId group);
+/// Finds and binds the kernel for a part of one group; nothing when none was generated for its
+/// type.
+std::optional<BoundKernel> bind_kernel(const Mechanism& mechanism, const PartDefinition& part);
+
+/// The kernels of a part, group by group; nothing when one is missing.
+std::optional<std::vector<BoundKernel>> bind_kernels(const Mechanism& mechanism,
+                                                     const PartDefinition& part);
 
 /// Symbolic equations: the generated kernels of a part's groups, one after the other. Meets the
 /// contract of AutomaticEquations.
 class SymbolicEquations {
  public:
-  /// Throws std::invalid_argument when a group has no kernel.
-  SymbolicEquations(const Mechanism& mechanism, const PartDefinition& part);
+  /// kernels: of the part, by bind_kernels().
+  SymbolicEquations(const Mechanism& mechanism, const PartDefinition& part,
+                    std::vector<BoundKernel> kernels);
 
   const Pattern& pattern() const { return pattern_; }
 

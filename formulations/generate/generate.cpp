@@ -10,7 +10,8 @@
 
 #include "cases/cases.h"
 #include "formulations/generate/kernel_source.h"
-#include "formulations/group_type.h"
+#include "formulations/modelling/model.h"
+#include "formulations/part_type.h"
 #include "formulations/reference.h"
 
 namespace desmo::generate {
@@ -19,7 +20,7 @@ namespace {
 
 struct FoundType {
   std::string name;
-  GroupType type;
+  PartType type;
   std::vector<SamplePoint> samples;
 };
 
@@ -33,31 +34,36 @@ std::string kernel_name(const Mechanism& m, const std::string& group,
   return taken ? name + "_" + std::to_string(found.size()) : name;
 }
 
-std::vector<double> at(const GroupType& type, const std::vector<double>& state) {
+std::vector<double> at(const PartType& type, const std::vector<double>& state) {
   std::vector<double> result;
-  for (const GroupType::Input& input : type.inputs) result.push_back(state[input.state]);
+  for (const PartType::Input& input : type.inputs) result.push_back(state[input.state]);
   return result;
 }
 
-/// Adds the types of a mechanism's groups, sampled at instants over its motion, to those found.
-void collect(const Mechanism& m, double seconds, std::vector<FoundType>& found) {
+/// Adds the types of a scene's groups and blocks, sampled over its motion, to those found.
+void collect(const Scene& scene, std::vector<FoundType>& found) {
   constexpr int sample_count = 12;
+  const Mechanism m = make_mechanism(scene);
   std::vector<double> times;
-  for (int i = 0; i < sample_count; ++i) times.push_back(seconds * i / (sample_count - 1));
+  for (int i = 0; i < sample_count; ++i)
+    times.push_back(scene.grid.time((scene.grid.instants - 1) * i / (sample_count - 1)));
   const std::vector<ReferenceInstant> instants = reference_solution(m, times, Precision::standard);
 
-  for (GroupId g = 0; g < static_cast<GroupId>(m.groups.size()); ++g) {
-    GroupType type = describe_group(m, g);
-    auto it = std::ranges::find(found, type.fingerprint,
-                                [](const FoundType& f) { return f.type.fingerprint; });
-    if (it == found.end())
-      it = found.insert(it, {kernel_name(m, m.groups[g].name, found), type, {}});
-    for (const ReferenceInstant& instant : instants) {
-      std::vector<double> state = instant.q;
-      state.insert(state.end(), m.fixed_values.begin(), m.fixed_values.end());
-      it->samples.push_back({at(type, state), type.constants});
-    }
+  std::vector<std::vector<double>> states;
+  for (const ReferenceInstant& instant : instants) {
+    states.push_back(instant.q);
+    states.back().insert(states.back().end(), m.fixed_values.begin(), m.fixed_values.end());
   }
+  for (const Partition partition : {Partition::group, Partition::block})
+    for (const PartDefinition& part : make_partition(m, partition)) {
+      PartType type = describe_type(m, part);
+      auto it = std::ranges::find(found, type.fingerprint,
+                                  [](const FoundType& f) { return f.type.fingerprint; });
+      if (it == found.end())
+        it = found.insert(it, {kernel_name(m, m.groups[part.groups.front()].name, found), type, {}});
+      for (const std::vector<double>& state : states)
+        it->samples.push_back({at(type, state), type.constants});
+    }
 }
 
 void write(std::ostream& out, const std::vector<FoundType>& types) {
@@ -65,8 +71,10 @@ void write(std::ostream& out, const std::vector<FoundType>& types) {
          "// each type of structural group.\n\n"
          "#include <array>\n#include <cmath>\n\n"
          "#include \"formulations/equations/kernel.h\"\n\n"
-         "// All kernels of a kind share a signature, whether or not they read every argument.\n"
-         "#pragma GCC diagnostic ignored \"-Wunused-parameter\"\n\n"
+         "// All kernels of a kind share a signature, whether or not they read every argument; what\n"
+         "// turns out a sign may leave its operand unread.\n"
+         "#pragma GCC diagnostic ignored \"-Wunused-parameter\"\n"
+         "#pragma GCC diagnostic ignored \"-Wunused-variable\"\n\n"
          "namespace desmo {\n\nnamespace {\n\n";
   for (const FoundType& f : types) write_kernel(out, f.name, f.type, f.samples);
   out << "constexpr Kernel table[] = {\n";
@@ -87,7 +95,7 @@ int main(int argc, char** argv) {
   }
   try {
     std::vector<generate::FoundType> types;
-    for (const Case& c : cases()) generate::collect(c.build(2), c.seconds, types);
+    for (const Case& c : cases()) generate::collect(c.describe(2), types);
     std::ofstream out(argv[1]);
     generate::write(out, types);
     out.close();

@@ -26,7 +26,7 @@ Expressions values_of(const std::vector<RecordedEntry>& entries) {
 /// Writes the functions of one kernel.
 class KernelWriter {
  public:
-  KernelWriter(std::ostream& out, const GroupType& type, const RecordedGroup& group)
+  KernelWriter(std::ostream& out, const PartType& type, const RecordedPart& group)
       : out_(out), type_(type), g_(group), elimination_(jacobian_rows()) {
     for (std::size_t i = 0; i < type_.inputs.size(); ++i) {
       const std::string place = "[in[" + std::to_string(i) + "]]";
@@ -48,7 +48,7 @@ class KernelWriter {
     open("void residual(const double* q, const int* in, const double* c, double* phi)");
     Emitter emitter = begin(g_.phi);
     emitter.prepare(g_.phi);
-    for (int r = 0; r < type_.rows; ++r)
+    for (int r = 0; r < type_.rows(); ++r)
       assign(emitter, "phi[" + std::to_string(r) + "]", g_.phi[r], type_.row_names[r]);
     close();
   }
@@ -73,7 +73,7 @@ class KernelWriter {
         "double* gamma)");
     Emitter emitter = begin(g_.gamma);
     emitter.prepare(g_.gamma);
-    for (int r = 0; r < type_.rows; ++r)
+    for (int r = 0; r < type_.rows(); ++r)
       assign(emitter, "gamma[" + std::to_string(r) + "]", g_.gamma[r], type_.row_names[r]);
     close();
   }
@@ -113,7 +113,7 @@ class KernelWriter {
     const Expressions velocity = elimination_.solve(known_product(g_.qd));
     const Expressions monitored = monitored_expressions();
     Expressions acceleration_right = known_product(g_.qdd);
-    for (int r = 0; r < type_.rows; ++r)
+    for (int r = 0; r < type_.rows(); ++r)
       acceleration_right[r] = acceleration_right[r] - g_.gamma[r];
     const Expressions acceleration = elimination_.solve(acceleration_right);
 
@@ -157,7 +157,7 @@ class KernelWriter {
   std::vector<std::map<int, Expr>> jacobian_rows() const {
     std::map<int, int> column;
     for (const int i : unknowns()) column.emplace(i, static_cast<int>(column.size()));
-    std::vector<std::map<int, Expr>> result(type_.rows);
+    std::vector<std::map<int, Expr>> result(type_.rows());
     for (const auto* list : {&g_.constant, &g_.dependent})
       for (const RecordedEntry& e : *list)
         if (const auto it = column.find(e.input); it != column.end())
@@ -167,7 +167,7 @@ class KernelWriter {
 
   /// −Φ_h w for the rates w of the known inputs.
   Expressions known_product(const Expressions& rate) const {
-    Expressions result(type_.rows, Expr(0));
+    Expressions result(type_.rows(), Expr(0));
     for (const auto* list : {&g_.constant, &g_.known})
       for (const RecordedEntry& e : *list)
         if (type_.inputs[e.input].role == Role::known)
@@ -236,8 +236,8 @@ class KernelWriter {
   }
 
   std::ostream& out_;
-  const GroupType& type_;
-  const RecordedGroup& g_;
+  const PartType& type_;
+  const RecordedPart& g_;
   Elimination elimination_;
   std::map<int, std::string> source_;  // where an input is read from
   std::set<int> loaded_;               // inputs declared in the function being written
@@ -245,10 +245,10 @@ class KernelWriter {
 
 }  // namespace
 
-void write_kernel(std::ostream& out, const std::string& name, const GroupType& type,
+void write_kernel(std::ostream& out, const std::string& name, const PartType& type,
                   const std::vector<SamplePoint>& samples) {
   Graph graph(static_cast<int>(samples.size()));
-  const RecordedGroup group = record(type, samples);
+  const RecordedPart group = record(type, samples);
   KernelWriter writer(out, type, group);
   out << "namespace " << name << " {\n\n// " << type.fingerprint << "\n\n";
   writer.entries("constant_entries", group.constant);
@@ -264,8 +264,8 @@ void write_kernel(std::ostream& out, const std::string& name, const GroupType& t
   out << "}  // namespace " << name << "\n\n";
 }
 
-void write_table_row(std::ostream& out, const std::string& name, const GroupType& type) {
-  out << "    {\"" << name << "\", \"" << type.fingerprint << "\", " << type.rows;
+void write_table_row(std::ostream& out, const std::string& name, const PartType& type) {
+  out << "    {\"" << name << "\", \"" << type.fingerprint << "\", " << type.rows();
   for (const char* member : {"constant_entries", "dependent_entries", "known_entries", "constant",
                              "residual", "dependent", "known", "quadratic", "position", "rates"})
     out << ",\n     " << name << "::" << member;

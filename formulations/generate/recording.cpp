@@ -25,16 +25,16 @@ bool depends_on_state(int id, int first_constant_input, int end_constant_input) 
 
 }  // namespace
 
-std::string variable_name(const GroupType& type, int input) {
+std::string variable_name(const PartType& type, int input) {
   const std::string name = "_" + identifier(type.inputs[input].name);
   for (int i = 0; i < input; ++i)
     if ("_" + identifier(type.inputs[i].name) == name) return name + "_" + std::to_string(input);
   return name;
 }
 
-RecordedGroup record(const GroupType& type, const std::vector<SamplePoint>& samples) {
+RecordedPart record(const PartType& type, const std::vector<SamplePoint>& samples) {
   Graph& graph = Graph::current();
-  RecordedGroup g;
+  RecordedPart g;
   const std::vector<double> unsampled(samples.size(), 0.0);  // rates: no pivot depends on them
   const int inputs = static_cast<int>(type.inputs.size());
   for (int i = 0; i < inputs; ++i) {
@@ -55,29 +55,33 @@ RecordedGroup record(const GroupType& type, const std::vector<SamplePoint>& samp
   }
   const int end_constant = graph.size();
 
-  g.phi.resize(type.rows);
-  g.gamma.resize(type.rows);
-  int row = 0;
-  for (const GroupType::Equation& equation : type.equations) {
-    visit_kind(equation.kind, [&]<class Kind>(Kind) {
+  for (const PartType::Constraint& constraint : type.constraints) {
+    visit_kind(constraint.kind, [&]<class Kind>(Kind) {
       std::array<const Expr*, Kind::operand_sizes.size()> x, v;
       for (std::size_t k = 0; k < x.size(); ++k) {
-        x[k] = g.q.data() + equation.operands[k];
-        v[k] = g.qd.data() + equation.operands[k];
+        x[k] = g.q.data() + constraint.operands[k];
+        v[k] = g.qd.data() + constraint.operands[k];
       }
-      const Expr* c = constants.data() + equation.first_constant;
-      Kind::residual(x.data(), c, g.phi.data() + row);
-      Kind::quadratic(x.data(), v.data(), c, g.gamma.data() + row);
+      const Expr* c = constants.data() + constraint.first_constant;
+      std::array<Expr, Kind::rows> phi, gamma;
+      Kind::residual(x.data(), c, phi.data());
+      Kind::quadratic(x.data(), v.data(), c, gamma.data());
+      std::array<int, Kind::rows> row;
+      row.fill(-1);
+      for (const int r : constraint.rows) {
+        row[r] = static_cast<int>(g.phi.size());
+        g.phi.push_back(phi[r]);
+        g.gamma.push_back(gamma[r]);
+      }
       Kind::jacobian(x.data(), c, [&](int r, int operand, int component, Expr value) {
-        const int input = equation.operands[operand] + component;
+        const int input = constraint.operands[operand] + component;
         const Role role = type.inputs[input].role;
-        if (role == Role::fixed) return;
+        if (role == Role::fixed || row[r] < 0) return;
         auto& list = !depends_on_state(value.id(), first_constant, end_constant) ? g.constant
                      : role == Role::unknown                                     ? g.dependent
                                                                                  : g.known;
-        list.push_back({row + r, input, value});
+        list.push_back({row[r], input, value});
       });
-      row += Kind::rows;
     });
   }
   return g;

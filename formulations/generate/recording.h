@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "formulations/generate/expression.h"
-#include "formulations/group_type.h"
+#include "formulations/part_type.h"
 
 namespace desmo::generate {
 
@@ -15,7 +15,7 @@ struct RecordedEntry {
 
 /// The equations of a group type as expressions over its local inputs (named in[i]), their rates
 /// and its dimensions.
-struct RecordedGroup {
+struct RecordedPart {
   std::vector<Expr> q, qd, qdd;  ///< of each input; rates of fixed ones are zero
   std::vector<Expr> phi;         ///< Φ
   std::vector<Expr> gamma;       ///< Φ̇_q q̇
@@ -28,10 +28,10 @@ struct SamplePoint {
 };
 
 /// Runs the constraint code of a group type on the recording scalar, in the current graph.
-RecordedGroup record(const GroupType& type, const std::vector<SamplePoint>& samples);
+RecordedPart record(const PartType& type, const std::vector<SamplePoint>& samples);
 
 /// What follows q, qd or qdd in the C++ variable of an input: "_" and its name, unique within the
 /// type. The prefix keeps it apart from keywords and from whatever else the code declares.
-std::string variable_name(const GroupType& type, int input);
+std::string variable_name(const PartType& type, int input);
 
 }  // namespace desmo::generate

@@ -1,0 +1,46 @@
+#pragma once
+
+// The little vector algebra that constraint kinds share, for any scalar.
+
+#include <array>
+
+namespace desmo::vec {
+
+template <int D, class S>
+S dot(const S* u, const S* v) {
+  S sum = u[0] * v[0];
+  for (int i = 1; i < D; ++i) sum = sum + u[i] * v[i];
+  return sum;
+}
+
+/// u × v in the plane: uₓ v_y − u_y vₓ
+template <class S>
+S cross(const S* u, const S* v) {
+  return u[0] * v[1] - u[1] * v[0];
+}
+
+/// b − a
+template <int D, class S>
+std::array<S, D> segment(const S* a, const S* b) {
+  std::array<S, D> s;
+  for (int i = 0; i < D; ++i) s[i] = b[i] - a[i];
+  return s;
+}
+
+/// A direction: the segment from the first operand to the second, or the vector that is the first.
+template <int D, bool Segment, class S>
+std::array<S, D> direction(const S* const* x) {
+  if constexpr (Segment) {
+    return segment<D>(x[0], x[1]);
+  } else {
+    std::array<S, D> d;
+    for (int i = 0; i < D; ++i) d[i] = x[0][i];
+    return d;
+  }
+}
+
+/// How many operands a direction takes.
+template <bool Segment>
+inline constexpr int direction_operands = Segment ? 2 : 1;
+
+}  // namespace desmo::vec

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace desmo {
+
+/// What validate(const Description&) throws: says also which entry is wrong, so that a parser can
+/// point at its place in the file.
+class DescriptionError : public std::invalid_argument {
+ public:
+  enum class Part { description, point, vector, body, joint, coordinate };
+
+  DescriptionError(Part part, int index, const std::string& message)
+      : std::invalid_argument(message), part_(part), index_(index) {}
+
+  Part part() const { return part_; }
+  int index() const { return index_; }  ///< in the part's list
+
+ private:
+  Part part_;
+  int index_;
+};
+
+}  // namespace desmo

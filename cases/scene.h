@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cases/description.h"
+#include "cases/level.h"
+#include "cases/motion.h"
+
+namespace desmo {
+
+/// One thing that a scene asks for.
+struct Wanted {
+  enum class Kind { point, vector, coordinate };
+  Kind kind;
+  int index;  ///< in the description's points, vectors or coordinates
+  Level level;
+};
+
+/// What is to be solved: a mechanism, how it is driven, when, and what is asked.
+struct Scene {
+  std::string name;
+  Description mechanism;
+  std::vector<Motion> motions;  ///< one for each driven coordinate, in the description's order
+  TimeGrid grid;
+  /// Nothing twice; empty: everything, at the level of acceleration.
+  std::vector<Wanted> request;
+  std::string formulation;  ///< id; empty: the program's choice
+  double tolerance = 1e-10;  ///< on ‖Φ‖₂, in the mechanism's units
+};
+
+}  // namespace desmo

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "formulations/modelling/candidates.h"
+
+namespace desmo {
+
+/// A candidate equation that was left out because it follows from others.
+struct LeftOut {
+  std::string equation;                  ///< name of the constraint
+  std::vector<int> rows;                 ///< its scalar equations concerned
+  GroupId group;                         ///< whose equation it would have been
+  std::vector<std::string> follows_from;  ///< constraints
+  bool redundant;  ///< the group has more restrictions than freedoms, not just more equations
+};
+
+/// Leaves out of the candidates (Constraint::left_out; whole constraints are removed) those scalar
+/// equations that depend on others, so that each group has as many equations as unknowns.
+///
+/// Equations are taken in this order: linear ones first, then those with the fewest entries, then
+/// by Origin, then as they stand. One is left out if it depends on those taken before, in the
+/// unknowns of its group, at the nominal position and at two perturbed ones, each assembled: a
+/// special pose deceives. `size`: the extent of the mechanism, in its unit of length.
+///
+/// surplus: for each group, restrictions beyond its freedoms.
+/// Throws std::invalid_argument, naming group, bodies and equations, when the nominal position
+/// cannot be assembled, when a group is left under-constrained, and when it cannot follow its
+/// drivers (too many drivers, contradictory constraints).
+std::vector<LeftOut> leave_out_dependent(Candidates& candidates, double size,
+                                         const std::vector<int>& surplus);
+
+}  // namespace desmo

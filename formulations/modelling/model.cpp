@@ -1,0 +1,35 @@
+#include "formulations/modelling/model.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+#include "formulations/modelling/candidates.h"
+#include "formulations/modelling/rigid_bodies.h"
+#include "formulations/modelling/structure.h"
+
+namespace desmo {
+
+Model model(const Description& d, const std::vector<Motion>& motions) {
+  validate(d);
+  const auto drivers = std::ranges::count(d.coordinates, true, &Description::Coordinate::driven);
+  if (static_cast<std::size_t>(drivers) != motions.size())
+    throw std::invalid_argument(d.name + ": " + std::to_string(motions.size()) + " motions for " +
+                                std::to_string(drivers) + " drivers");
+  const RigidBodies rigid = find_rigid_bodies(d);
+  const Structure structure = find_structure(d, rigid);
+  Candidates candidates = make_candidates(d, rigid, structure, motions);
+
+  const std::size_t constant = candidates.mechanism.groups.size() - structure.groups.size();
+  std::vector<int> surplus(constant, 0);
+  for (const StructuralGroup& g : structure.groups) surplus.push_back(g.restrictions - g.freedoms);
+  Model result;
+  result.left_out = leave_out_dependent(candidates, nominal::size(d), surplus);
+  result.mechanism = std::move(candidates.mechanism);
+  validate(result.mechanism);
+  return result;
+}
+
+Mechanism make_mechanism(const Scene& scene) { return model(scene.mechanism, scene.motions).mechanism; }
+
+}  // namespace desmo

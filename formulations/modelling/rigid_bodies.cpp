@@ -1,0 +1,144 @@
+#include "formulations/modelling/rigid_bodies.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+namespace desmo {
+
+namespace nominal {
+
+Vec operator-(const Vec& a, const Vec& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+double dot(const Vec& a, const Vec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+double norm(const Vec& a) { return std::sqrt(dot(a, a)); }
+
+Vec direction(const Description& d, const Description::Direction& direction) {
+  return direction.is_segment()
+             ? d.points[direction.to].position - d.points[direction.from].position
+             : d.vectors[direction.vector].direction;
+}
+
+double size(const Description& d) {
+  double largest = 0;
+  for (const Description::Point& p : d.points)
+    largest = std::max(largest, norm(p.position - d.points.front().position));
+  return largest > 0 ? largest : 1;
+}
+
+}  // namespace nominal
+
+namespace {
+
+using nominal::Vec;
+
+/// Adds to an orthonormal set what is new in a direction; false when it is (nearly) in its span.
+bool extend(std::vector<Vec>& orthonormal, Vec v) {
+  constexpr double least_sine = 1e-6;
+  const double length = nominal::norm(v);
+  if (length == 0) return false;
+  for (int pass = 0; pass < 2; ++pass)
+    for (const Vec& u : orthonormal) {
+      const double along = nominal::dot(u, v);
+      for (int i = 0; i < 3; ++i) v[i] -= along * u[i];
+    }
+  const double rest = nominal::norm(v);
+  if (rest < least_sine * length) return false;
+  for (double& x : v) x /= rest;
+  orthonormal.push_back(v);
+  return true;
+}
+
+Basis choose_basis(const Description& d, const RigidBody& body) {
+  const std::size_t enough = d.dimension == 2 ? 1 : 3;
+  Basis basis;
+  std::vector<Vec> orthonormal;
+  for (const int v : body.vectors)
+    if (!d.vectors[v].along && orthonormal.size() < enough &&
+        extend(orthonormal, d.vectors[v].direction))
+      basis.directions.push_back({v});
+  if (body.points.empty()) return basis;
+  basis.origin = body.points.front();
+  for (const int p : body.points) {
+    const Description::Direction segment{-1, basis.origin, p};
+    if (orthonormal.size() < enough && extend(orthonormal, nominal::direction(d, segment)))
+      basis.directions.push_back(segment);
+  }
+  return basis;
+}
+
+int count_freedoms(int dimension, const Basis& basis) {
+  const int translations = basis.origin >= 0 ? dimension : 0;
+  const int directions = static_cast<int>(basis.directions.size());
+  if (dimension == 2) return translations + directions;
+  return translations + (directions < 2 ? 2 * directions : 3);
+}
+
+void add_once(std::vector<int>& list, const std::vector<int>& more) {
+  for (const int x : more)
+    if (std::ranges::find(list, x) == list.end()) list.push_back(x);
+}
+
+/// For each body the first of those that it moves with.
+std::vector<int> merge_fixed(const Description& d) {
+  std::vector<int> first(d.bodies.size());
+  std::iota(first.begin(), first.end(), 0);
+  const auto root = [&](int b) {
+    while (first[b] != b) b = first[b] = first[first[b]];
+    return b;
+  };
+  for (const Description::Joint& j : d.joints) {
+    if (j.type != Description::JointType::fixed) continue;
+    const auto [a, b] = std::minmax(root(j.bodies[0]), root(j.bodies[1]));
+    first[b] = a;
+  }
+  for (int b = 0; b < static_cast<int>(first.size()); ++b) first[b] = root(b);
+  return first;
+}
+
+}  // namespace
+
+bool Basis::has_point(int point) const {
+  return point == origin || std::ranges::any_of(directions, [&](const auto& d) {
+           return d.is_segment() && d.to == point;
+         });
+}
+
+bool Basis::has_vector(int vector) const {
+  return std::ranges::any_of(
+      directions, [&](const auto& d) { return !d.is_segment() && d.vector == vector; });
+}
+
+RigidBodies find_rigid_bodies(const Description& d) {
+  RigidBodies rigid;
+  const std::vector<int> first = merge_fixed(d);
+  rigid.of_body.resize(d.bodies.size());
+  for (int b = 0; b < static_cast<int>(d.bodies.size()); ++b) {
+    if (first[b] == b) {
+      rigid.of_body[b] = static_cast<int>(rigid.list.size());
+      rigid.list.emplace_back();
+    }
+    rigid.of_body[b] = rigid.of_body[first[b]];
+    RigidBody& body = rigid.list[rigid.of_body[b]];
+    body.bodies.push_back(b);
+    add_once(body.points, d.bodies[b].points);
+    add_once(body.vectors, d.bodies[b].vectors);
+    if (d.bodies[b].length) body.length = *d.bodies[b].length;
+  }
+  rigid.of_point.resize(d.points.size());
+  rigid.of_vector.resize(d.vectors.size());
+  for (int r = 0; r < static_cast<int>(rigid.list.size()); ++r) {
+    RigidBody& body = rigid.list[r];
+    for (const int p : body.points) rigid.of_point[p].push_back(r);
+    for (const int v : body.vectors) rigid.of_vector[v].push_back(r);
+    if (r == 0) continue;
+    body.basis = choose_basis(d, body);
+    body.freedoms = count_freedoms(d.dimension, body.basis);
+    if (body.freedoms == 0)
+      throw std::invalid_argument("body '" + d.bodies[body.bodies.front()].name +
+                                  "' carries no point and no vector: nothing can tell where it is");
+  }
+  return rigid;
+}
+
+}  // namespace desmo

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cases/description.h"
+
+namespace desmo {
+
+/// What the coordinates of a rigid body are built on: a point and up to three independent
+/// directions (one in the plane), each a vector or the segment from that point to another.
+/// Everything else on the body is a linear function of them.
+struct Basis {
+  int origin = -1;  ///< point; -1: the body carries none
+  std::vector<Description::Direction> directions;
+
+  bool has_point(int point) const;
+  bool has_vector(int vector) const;
+};
+
+/// Bodies that fixed joints make one.
+struct RigidBody {
+  std::vector<int> bodies;           ///< of the description, ascending
+  std::vector<int> points, vectors;  ///< carried by any of them, each once
+  Basis basis;
+  int freedoms = 0;  ///< 3 or 6, less what its points and vectors cannot tell (a rod's spin)
+  double length = 0;  ///< when positive: the distance of its two points, given
+};
+
+/// The rigid bodies of a description, by their first body; the first contains the ground.
+struct RigidBodies {
+  std::vector<RigidBody> list;
+  std::vector<int> of_body;                          ///< of each body of the description
+  std::vector<std::vector<int>> of_point, of_vector;  ///< those that carry it, ascending
+};
+
+/// Merges bodies and chooses bases: vectors first, in the order of the description, those defined
+/// along a segment left out; then segments from the first point. Throws std::invalid_argument,
+/// naming the body, when one carries nothing.
+RigidBodies find_rigid_bodies(const Description& description);
+
+namespace nominal {
+
+using Vec = Description::Vec;
+
+Vec operator-(const Vec& a, const Vec& b);
+double dot(const Vec& a, const Vec& b);
+double norm(const Vec& a);
+/// The direction in the nominal position; a segment with its length.
+Vec direction(const Description& description, const Description::Direction& d);
+/// The largest distance between the nominal position of a point and that of the first, but 1 for a
+/// mechanism that has no extent.
+double size(const Description& description);
+
+}  // namespace nominal
+
+}  // namespace desmo
