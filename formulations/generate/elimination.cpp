@@ -53,13 +53,15 @@ Candidate choose_pivot(const Rows& rows) {
   return best.row >= 0 ? best : largest;
 }
 
-/// The largest |a| / |b| over the sample points.
+/// The largest |a| / |b| over the sample points, except where it is not finite: where the order of
+/// the pivots fails, the monitors shall refuse it.
 double largest_ratio(Expr a, Expr b) {
   const auto& x = Graph::current().samples(a.id());
   const auto& y = Graph::current().samples(b.id());
   double largest = 0;
   for (std::size_t s = 0; s < x.size(); ++s)
-    if (y[s] != 0) largest = std::max(largest, std::abs(x[s] / y[s]));
+    if (const double ratio = std::abs(x[s] / y[s]); std::isfinite(ratio))
+      largest = std::max(largest, ratio);
   return largest;
 }
 

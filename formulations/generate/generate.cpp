@@ -1,4 +1,5 @@
-// desmo_generate FILE: writes the kernels of every type of group of the suite's cases.
+// desmo_generate FILE: writes the kernels of every type of group and block of the suite's cases, of
+// what is asked of them, and of the library's mechanisms.
 
 #include <algorithm>
 #include <cctype>
@@ -9,9 +10,12 @@
 #include <vector>
 
 #include "cases/cases.h"
+#include "cases/files.h"
+#include "cases/library.h"
 #include "formulations/generate/kernel_source.h"
 #include "formulations/modelling/model.h"
 #include "formulations/part_type.h"
+#include "formulations/plan.h"
 #include "formulations/reference.h"
 
 namespace desmo::generate {
@@ -43,7 +47,8 @@ std::vector<double> at(const PartType& type, const std::vector<double>& state) {
 /// Adds the types of a scene's groups and blocks, sampled over its motion, to those found.
 void collect(const Scene& scene, std::vector<FoundType>& found) {
   constexpr int sample_count = 12;
-  const Mechanism m = make_mechanism(scene);
+  const Mechanism whole = make_mechanism(scene);
+  const Mechanism m = make_plan(whole, asked_by(scene, whole)).mechanism;
   std::vector<double> times;
   for (int i = 0; i < sample_count; ++i)
     times.push_back(scene.grid.time((scene.grid.instants - 1) * i / (sample_count - 1)));
@@ -96,6 +101,10 @@ int main(int argc, char** argv) {
   try {
     std::vector<generate::FoundType> types;
     for (const Case& c : cases()) generate::collect(c.describe(2), types);
+    for (const RequestScene& r : request_scenes())
+      generate::collect(parse_scene(r.scene, std::string(r.name), {}), types);
+    for (const LibraryMechanism& l : library())
+      generate::collect(parse_scene(l.scene, std::string(l.name), {}), types);
     std::ofstream out(argv[1]);
     generate::write(out, types);
     out.close();

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numeric>
 #include <optional>
 #include <set>
@@ -20,54 +19,26 @@ using nominal::Vec;
 using nominal::operator-;
 using Direction = Description::Direction;
 
-/// I, II, III, IV, … as the paper numbers its groups.
-std::string roman(int n) {
-  if (n >= 4000) return std::to_string(n);
-  static constexpr std::pair<int, const char*> digits[] = {
-      {1000, "M"}, {900, "CM"}, {500, "D"}, {400, "CD"}, {100, "C"}, {90, "XC"}, {50, "L"},
-      {40, "XL"},  {10, "X"},   {9, "IX"},  {5, "V"},    {4, "IV"},  {1, "I"}};
-  std::string text;
-  for (const auto& [value, digit] : digits)
-    for (; n >= value; n -= value) text += digit;
-  return text;
-}
-
-/// What the names of the bodies have in common up to a "/": "axle1/".
-std::string common_prefix(const std::vector<std::string>& names) {
-  std::string prefix = names.front();
-  for (const std::string& name : names)
-    prefix.resize(std::ranges::mismatch(prefix, name).in1 - prefix.begin());
-  const std::size_t slash = prefix.rfind('/');
-  return slash == std::string::npos ? "" : prefix.substr(0, slash + 1);
-}
-
 template <int D>
-class Modeller {
+class EquationWriter {
  public:
-  Modeller(const Description& d, const RigidBodies& rigid, const Structure& structure,
-           const std::vector<Motion>& motions)
+  EquationWriter(const Description& d, const RigidBodies& rigid, Coordinates coordinates)
       : d_(d),
         rigid_(rigid),
-        structure_(structure),
-        motions_(motions),
-        point_(d.points.size(), -1),
-        vector_(d.vectors.size(), -1) {
+        c_(std::move(coordinates)),
+        m_(c_.mechanism),
+        point_(c_.points),
+        vector_(c_.vectors),
+        declared_(d) {
     for (const Description::Point& p : d.points)
       for (const double x : p.position) reach_ = std::max(reach_, std::abs(x));
-    m_.name = d.name;
-    m_.length_unit = d.length_unit;
   }
 
-  Candidates make() {
-    add_ground();
-    place_entities();
-    place_coordinates();
-    add_groups();
-    drive();
-    list_group_entities();
+  Candidates write() {
+    hold_ground_vectors();
     for (std::size_t r = 1; r < rigid_.list.size(); ++r) model_body(rigid_.list[r]);
     for (const Description::Joint& j : d_.joints) model_joint(j);
-    for (std::size_t c = 0; c < measured_.size(); ++c) model_coordinate(c);
+    for (std::size_t c = 0; c < c_.measured.size(); ++c) model_coordinate(c);
     sort_by_group();
     return {std::move(m_), std::move(origins_)};
   }
@@ -75,160 +46,15 @@ class Modeller {
  private:
   static constexpr double eps = std::numeric_limits<double>::epsilon();
 
-  // ---- entities ----
-
-  void add_ground() {
-    const RigidBody& ground = rigid_.list.front();
-    for (const int p : ground.points)
-      point_[p] = m_.add_fixed(EntityKind::point, d_.points[p].name, components(d_.points[p].position));
-    for (const int v : ground.vectors) {
-      const std::string& name = d_.vectors[v].name;
-      const auto value = components(d_.vectors[v].direction);
-      if (rigid_.of_vector[v].size() == 1) {
-        vector_[v] = m_.add_fixed(EntityKind::vector, name, value);
-        continue;
-      }
-      const GroupId g = m_.add_group("ground/" + name, {d_.bodies.front().name});
-      m_.groups[g].constant = true;
-      const EntityId held = m_.add_fixed(EntityKind::vector, "ground: " + name, value);
-      vector_[v] = m_.add(EntityKind::vector, name, value, g);
-      m_.groups[g].entities = {vector_[v]};
-      constrain<Rigid<D, 0>>(Origin::ground, name + " on the ground", {vector_[v], held}, {});
-    }
-    constant_groups_ = static_cast<int>(m_.groups.size());
-  }
-
-  /// The structural group that finds an entity carried by these bodies.
-  template <class InBasis>
-  int finder(const std::vector<int>& carriers, InBasis&& in_basis) const {
-    std::set<int> building, following;
-    for (const int r : carriers)
-      (in_basis(rigid_.list[r].basis) ? building : following).insert(structure_.of_body[r]);
-    if (building.empty()) return *following.begin();
-    const bool serves_one = building.size() == 1;
-    if (!following.empty() && *following.begin() < *building.begin() && !serves_one)
-      return *following.begin();
-    return *building.begin();
-  }
-
-  void place_entities() {
-    found_points_.assign(d_.points.size(), -1);
-    found_vectors_.assign(d_.vectors.size(), -1);
-    for (std::size_t p = 0; p < d_.points.size(); ++p)
-      if (point_[p] < 0 && !rigid_.of_point[p].empty())
-        found_points_[p] = finder(rigid_.of_point[p], [&](const Basis& b) {
-          return b.has_point(static_cast<int>(p));
-        });
-    for (std::size_t v = 0; v < d_.vectors.size(); ++v)
-      if (vector_[v] < 0 && !rigid_.of_vector[v].empty())
-        found_vectors_[v] = finder(rigid_.of_vector[v], [&](const Basis& b) {
-          return b.has_vector(static_cast<int>(v));
-        });
-  }
-
-  /// Relative coordinates: those declared, and the distances of spatial sliding joints.
-  void place_coordinates() {
-    measured_ = d_.coordinates;
-    for (const Description::Joint& j : d_.joints)
-      if (D == 3 && slides(j) && !measures_slide(j)) {
-        Description::Coordinate& c = measured_.emplace_back();
-        c.name = j.name + "/distance";
-        c.type = Description::CoordinateType::along;
-        c.of = {-1, j.points[0], j.points[1]};
-        c.vector = j.vectors[0];
-      }
-    coordinate_.assign(measured_.size(), -1);
-    measured_by_.resize(structure_.groups.size());
-    for (std::size_t c = 0; c < measured_.size(); ++c) {
-      const int group = finder(measured_[c]);
-      if (group < 0)
-        throw std::invalid_argument("coordinate '" + measured_[c].name +
-                                    "' measures nothing that can move");
-      measured_by_[group].push_back(static_cast<int>(c));
+  void hold_ground_vectors() {
+    for (const int v : rigid_.list.front().vectors) {
+      if (m_.entities[vector_[v]].fixed) continue;
+      const EntityId held = m_.add_fixed(EntityKind::vector, "ground: " + d_.vectors[v].name,
+                                         components(d_.vectors[v].direction));
+      constrain<Rigid<D, 0>>(Origin::ground, d_.vectors[v].name + " on the ground",
+                             {vector_[v], held}, {});
     }
   }
-
-  /// The last structural group that finds something a coordinate is measured from; -1 when none.
-  int finder(const Description::Coordinate& c) const {
-    int last = -1;
-    for (const Direction* d : {&c.of, &c.from, &c.towards}) {
-      if (d->is_segment())
-        last = std::max({last, found_points_[d->from], found_points_[d->to]});
-      else if (d->is_given())
-        last = std::max(last, found_vectors_[d->vector]);
-    }
-    if (c.vector >= 0) last = std::max(last, found_vectors_[c.vector]);
-    if (c.point >= 0) last = std::max(last, found_points_[c.point]);
-    return last;
-  }
-
-  void add_groups() {
-    std::map<std::string, int> numbers;
-    for (std::size_t position = 0; position < structure_.groups.size(); ++position) {
-      const StructuralGroup& group = structure_.groups[position];
-      std::vector<int> order;
-      for (const int r : group.bodies)
-        order.insert(order.end(), rigid_.list[r].bodies.begin(), rigid_.list[r].bodies.end());
-      std::ranges::sort(order);
-      std::vector<std::string> bodies;
-      for (const int b : order) bodies.push_back(d_.bodies[b].name);
-      const std::string prefix = common_prefix(bodies);
-      const GroupId g = m_.add_group(prefix + "SG-" + roman(++numbers[prefix]), std::move(bodies));
-      for (const int a : group.after) m_.groups[g].after.push_back(constant_groups_ + a);
-      for (const int b : order) add_entities(b, static_cast<int>(position), g);
-      for (const int c : measured_by_[position]) {
-        const bool angle = measured_[c].type == Description::CoordinateType::angle;
-        const double start = measured_[c].estimate ? *measured_[c].estimate : measure(measured_[c]);
-        coordinate_[c] = m_.add(angle ? EntityKind::angle : EntityKind::distance,
-                                measured_[c].name, std::array{start}, g);
-      }
-    }
-  }
-
-  /// Of what a body carries, that which this group finds.
-  void add_entities(int body, int position, GroupId g) {
-    for (const int p : d_.bodies[body].points)
-      if (point_[p] < 0 && found_points_[p] == position)
-        point_[p] = m_.add(EntityKind::point, d_.points[p].name,
-                           components(d_.points[p].position), g);
-    for (const int v : d_.bodies[body].vectors)
-      if (vector_[v] < 0 && found_vectors_[v] == position)
-        vector_[v] = m_.add(EntityKind::vector, d_.vectors[v].name,
-                            components(d_.vectors[v].direction), g);
-  }
-
-  void drive() {
-    std::size_t motion = 0;
-    for (std::size_t c = 0; c < d_.coordinates.size(); ++c)
-      if (d_.coordinates[c].driven) m_.drive(coordinate_[c], motions_.at(motion++));
-  }
-
-  /// As the paper counts: what the bodies carry and the joints name, unless a later group finds it.
-  void list_group_entities() {
-    std::vector<std::set<EntityId>> seen(m_.groups.size());
-    const auto list = [&](GroupId g, EntityId e) {
-      if (m_.entities[e].group <= g && seen[g].insert(e).second) m_.groups[g].entities.push_back(e);
-    };
-    const auto group_of = [&](int body) {
-      const int r = rigid_.of_body[body];
-      return r == 0 ? -1 : constant_groups_ + structure_.of_body[r];
-    };
-    for (int b = 1; b < static_cast<int>(d_.bodies.size()); ++b) {
-      const GroupId g = group_of(b);
-      if (g < 0) continue;
-      for (const int p : d_.bodies[b].points) list(g, point_[p]);
-      for (const int v : d_.bodies[b].vectors) list(g, vector_[v]);
-    }
-    for (const Description::Joint& j : d_.joints) {
-      const GroupId g = std::max(group_of(j.bodies[0]), group_of(j.bodies[1]));
-      if (g < 0) continue;
-      for (const int p : j.points) list(g, point_[p]);
-      for (const int v : j.vectors) list(g, vector_[v]);
-    }
-    for (const EntityId c : coordinate_) list(m_.entities[c].group, c);
-  }
-
-  // ---- equations ----
 
   template <class Kind>
   void constrain(Origin origin, std::string name,
@@ -406,7 +232,7 @@ class Modeller {
   void model_joint(const Description::Joint& j) {
     if (rigid_.of_body[j.bodies[0]] == rigid_.of_body[j.bodies[1]]) return;
     if constexpr (D == 2) {
-      if (slides(j) && !measures_slide(j)) {
+      if (DeclaredSlides::slides(j) && !declared_.contain(j)) {
         const Vec u = d_.vectors[j.vectors[0]].direction;
         const Vec s = d_.points[j.points[1]].position - d_.points[j.points[0]].position;
         constrain<Offset>(Origin::joint, j.name + ": offset",
@@ -425,8 +251,8 @@ class Modeller {
 
   void model_coordinate(std::size_t index) {
     using enum Description::CoordinateType;
-    const Description::Coordinate& c = measured_[index];
-    const EntityId value = coordinate_[index];
+    const Description::Coordinate& c = c_.measured[index];
+    const EntityId value = c_.coordinates[index];
     const auto define = [&]<class Kind>(const std::array<EntityId, Kind::operand_sizes.size()>& o,
                                         const std::array<double, Kind::constants>& constants = {}) {
       constrain<Kind>(Origin::coordinate, c.name + ": definition", o, constants);
@@ -543,45 +369,11 @@ class Modeller {
                                   "' in the nominal position");
   }
 
-  // ---- helpers ----
-
-  static bool slides(const Description::Joint& j) {
-    using enum Description::JointType;
-    return j.type == prismatic || j.type == cylindrical || j.type == revolute_on_slider;
-  }
-
-  /// Whether a declared coordinate is the distance along a sliding joint, and so defines it.
-  bool measures_slide(const Description::Joint& j) {
-    if (slides_measured_.empty())
-      for (const Description::Coordinate& c : d_.coordinates)
-        if (c.type == Description::CoordinateType::along)
-          slides_measured_.insert(
-              {c.vector, std::min(c.of.from, c.of.to), std::max(c.of.from, c.of.to)});
-    const auto [low, high] = std::minmax(j.points[0], j.points[1]);
-    return slides_measured_.contains({j.vectors[0], low, high});
-  }
-
   /// The last of the groups that find these entities; -1 when all are fixed.
   GroupId last_group(const std::vector<EntityId>& operands) const {
     GroupId g = -1;
     for (const EntityId e : operands) g = std::max(g, m_.entities.at(e).group);
     return g;
-  }
-
-  /// The value of a coordinate in the nominal position.
-  double measure(const Description::Coordinate& c) const {
-    using enum Description::CoordinateType;
-    if (c.type == component) return d_.points[c.point].position[c.axis];
-    const Vec w = nominal::direction(d_, c.of);
-    if (c.type == distance) return nominal::norm(w);
-    if (c.type == along) return nominal::dot(w, d_.vectors[c.vector].direction);
-    if constexpr (D == 3) {
-      const double cosine = nominal::dot(w, nominal::direction(d_, c.from));
-      return std::atan2(nominal::dot(w, nominal::direction(d_, c.towards)),
-                        c.opposite ? -cosine : cosine);
-    }
-    const Vec x = c.from.is_given() ? nominal::direction(d_, c.from) : Vec{1, 0, 0};
-    return std::atan2(x[0] * w[1] - x[1] * w[0], nominal::dot(x, w));
   }
 
   /// Zero when a value is what rounding leaves of products of this magnitude.
@@ -618,27 +410,22 @@ class Modeller {
 
   const Description& d_;
   const RigidBodies& rigid_;
-  const Structure& structure_;
-  const std::vector<Motion>& motions_;
-  Mechanism m_;
+  Coordinates c_;
+  Mechanism& m_;                                   // c_.mechanism
+  const std::vector<EntityId>&point_, &vector_;  // those of c_
+  DeclaredSlides declared_;
   std::vector<Origin> origins_;
   double reach_ = 0;  // largest nominal coordinate
-  int constant_groups_ = 0;
-  std::vector<EntityId> point_, vector_;  // of the description's; -1: not modelled (yet)
-  std::vector<int> found_points_, found_vectors_;  // structural group that finds each
-  std::vector<Description::Coordinate> measured_;
-  std::vector<EntityId> coordinate_;            // of those measured
-  std::vector<std::vector<int>> measured_by_;   // by each structural group
   std::set<std::pair<std::array<int, 3>, std::array<int, 3>>> products_;
-  std::set<std::array<int, 3>> slides_measured_;
 };
 
 }  // namespace
 
 Candidates make_candidates(const Description& d, const RigidBodies& rigid,
                            const Structure& structure, const std::vector<Motion>& motions) {
-  return d.dimension == 2 ? Modeller<2>(d, rigid, structure, motions).make()
-                          : Modeller<3>(d, rigid, structure, motions).make();
+  Coordinates coordinates = make_coordinates(d, rigid, structure, motions);
+  return d.dimension == 2 ? EquationWriter<2>(d, rigid, std::move(coordinates)).write()
+                          : EquationWriter<3>(d, rigid, std::move(coordinates)).write();
 }
 
 }  // namespace desmo

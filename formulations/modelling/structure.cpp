@@ -171,7 +171,17 @@ std::vector<int> bodies_related(const RigidBodies& rigid,
     add(a);
     add(b);
   };
-  add_direction(c.of);
+  if (c.type == Description::CoordinateType::along) {
+    // What slides along the vector are the bodies that carry it, as far as they do.
+    for (const int point : {c.of.from, c.of.to}) {
+      std::vector<int> both;
+      std::ranges::set_intersection(rigid.of_point[point], rigid.of_vector[c.vector],
+                                    std::back_inserter(both));
+      add(both.empty() ? rigid.of_point[point] : both);
+    }
+  } else {
+    add_direction(c.of);
+  }
   add_direction(c.from);
   add_direction(c.towards);
   if (c.point >= 0) add(rigid.of_point[c.point]);

@@ -29,7 +29,8 @@ struct Structure {
 Structure find_structure(const Description& description, const RigidBodies& rigid);
 
 /// The rigid bodies, ground left out, whose relative position a coordinate measures, ascending.
-/// Of several bodies that carry a point it is the first.
+/// Of several bodies that carry a point it is the first; for a distance along a vector, the first
+/// that carries the vector too.
 std::vector<int> bodies_related(const RigidBodies& rigid,
                                 const Description::Coordinate& coordinate);
 
