@@ -48,7 +48,7 @@ class Describer {
   }
   void joint(Description::JointType type, int a, int b, std::vector<int> points,
              std::vector<int> vectors = {}) {
-    d_.joints.push_back({d_.bodies[a].name + " with " + d_.bodies[b].name, type, {a, b},
+    d_.joints.push_back({d_.bodies[a].name + "-" + d_.bodies[b].name, type, {a, b},
                          std::move(points), std::move(vectors)});
   }
   Description::Coordinate& coordinate(std::string name, Description::CoordinateType type) {

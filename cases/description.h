@@ -102,11 +102,14 @@ struct Description {
 
 /// Throws std::invalid_argument, naming the offender and the remedy, unless: dimension is 2 or 3;
 /// names are not empty, and unique among bodies, among joints, and among points, vectors and
-/// coordinates together; indices are in range; numbers are finite, vectors of length 1; joints have
-/// the entities that their type and the dimension ask for, carried by the bodies they name; an
-/// entity carried by several bodies is shared by joints between them all; no segment that is used
-/// as a direction (of a body with a length, along, angle) has zero length; a given length is
-/// positive and of a body with exactly two points.
+/// coordinates together; indices are in range and nothing is listed twice; numbers are finite, third
+/// components 0 in the plane, vectors of length 1; joints have the entities that their type and the
+/// dimension ask for, carried by the bodies they name, which are two; the vectors of a spatial
+/// prismatic joint are not parallel; an entity carried by several bodies is shared by joints between
+/// them all; an `along` vector has its points on a body that carries it; coordinates are of entities
+/// that bodies carry, different ones, and an angle in space has `from` and `towards`, not parallel;
+/// no segment that is used as a direction has zero length; a given length is positive and of a body
+/// with exactly two points.
 void validate(const Description& description);
 
 }  // namespace desmo

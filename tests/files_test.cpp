@@ -283,6 +283,8 @@ TEST(MechanismFile, WhatIsWrongIsNamedWithItsPlaceAndRemedy) {
        "/joints/1: joint 'revolute/crank/rod': the point 'C' is not carried by 'crank'; revolute"},
       {"[\"crank\", \"rod\"], \"points\": [\"B\"]", "[\"crank\", \"rod\"]",
        "/joints/1: joint 'revolute/crank/rod': has 0 points and 0 vectors; revolute takes one"},
+      {"\"points\": [\"A\", \"C\"]}", "\"points\": [\"A\", \"A\"]}",
+       "/joints/3: joint 'prismatic/ground/slider': lists the point 'A' twice; "},
       {"\"points\": [\"A\", \"C\"]}", "\"points\": [\"C\", \"A\"]}",
        "/joints/3: joint 'prismatic/ground/slider': the point 'C' is not carried by 'ground'"},
       {"{\"type\": \"revolute\", \"bodies\": [\"rod\", \"slider\"], \"points\": [\"C\"]},", "",

@@ -33,6 +33,56 @@ void pick(const std::array<int, N>& rows, const std::array<double, N>& all, doub
 
 }  // namespace
 
+template <class Kind, bool Whole>
+struct AutomaticEquations::LoopsOf {
+  static const auto& objects(const Batches& batches) {
+    const Batch<Kind>& batch = std::get<Batch<Kind>>(batches);
+    return Whole ? batch.whole : batch.cut;
+  }
+
+  static void constant_jacobian(const Batches& batches, double* values) {
+    if constexpr (Kind::linear)
+      for (const auto& o : objects(batches))
+        write_jacobian<Kind>(o, Operands<Kind>{}, values);  // they read no state
+  }
+
+  static void residual(const Batches& batches, const double* state, double* phi) {
+    for (const auto& o : objects(batches)) {
+      const auto x = pointers(state, o.operands);
+      if constexpr (Whole) {
+        Kind::residual(x.data(), o.constants.data(), phi + o.row);
+      } else {
+        std::array<double, Kind::rows> all;
+        Kind::residual(x.data(), o.constants.data(), all.data());
+        pick(o.rows, all, phi);
+      }
+    }
+  }
+
+  static void jacobian(const Batches& batches, const double* state, double* values) {
+    if constexpr (!Kind::linear)
+      for (const auto& o : objects(batches))
+        write_jacobian<Kind>(o, pointers(state, o.operands), values);
+  }
+
+  static void quadratic(const Batches& batches, const double* state, const double* rate,
+                        double* gamma) {
+    for (const auto& o : objects(batches)) {
+      const auto x = pointers(state, o.operands);
+      const auto v = pointers(rate, o.operands);
+      if constexpr (Whole) {
+        Kind::quadratic(x.data(), v.data(), o.constants.data(), gamma + o.row);
+      } else {
+        std::array<double, Kind::rows> all;
+        Kind::quadratic(x.data(), v.data(), o.constants.data(), all.data());
+        pick(o.rows, all, gamma);
+      }
+    }
+  }
+
+  static constexpr Loops table{&constant_jacobian, &residual, &jacobian, &quadratic};
+};
+
 AutomaticEquations::AutomaticEquations(const Mechanism& m, const PartDefinition& part) {
   std::vector<JacobianEntry> entries;
   const int n = static_cast<int>(part.equations.size());
@@ -65,66 +115,30 @@ AutomaticEquations::AutomaticEquations(const Mechanism& m, const PartDefinition&
 
   PatternWithSlots made = make_pattern(m, part, entries);
   pattern_ = std::move(made.pattern);
-  const auto assign = [&](auto& batch) {
+  const auto assign = [&]<class Kind>(Batch<Kind>& batch) {
     for (auto* objects : {&batch.whole, &batch.cut})
       for (auto& o : *objects)
         for (int& slot : o.slots) slot = made.slots[slot];
+    if (!batch.whole.empty()) loops_.push_back(&LoopsOf<Kind, true>::table);
+    if (!batch.cut.empty()) loops_.push_back(&LoopsOf<Kind, false>::table);
   };
   std::apply([&](auto&... batch) { (assign(batch), ...); }, batches_);
 }
 
 void AutomaticEquations::constant_jacobian(double* values) const {
-  const auto write = [&]<class Kind>(const Batch<Kind>& batch) {
-    if constexpr (Kind::linear)
-      for (const auto* objects : {&batch.whole, &batch.cut})
-        for (const auto& o : *objects)
-          write_jacobian<Kind>(o, Operands<Kind>{}, values);  // they read no state
-  };
-  std::apply([&](const auto&... batch) { (write(batch), ...); }, batches_);
+  for (const Loops* l : loops_) l->constant_jacobian(batches_, values);
 }
 
 void AutomaticEquations::residual(const double* state, double* phi) const {
-  const auto evaluate = [&]<class Kind>(const Batch<Kind>& batch) {
-    for (const auto& o : batch.whole) {
-      const auto x = pointers(state, o.operands);
-      Kind::residual(x.data(), o.constants.data(), phi + o.row);
-    }
-    for (const auto& o : batch.cut) {
-      std::array<double, Kind::rows> all;
-      const auto x = pointers(state, o.operands);
-      Kind::residual(x.data(), o.constants.data(), all.data());
-      pick(o.rows, all, phi);
-    }
-  };
-  std::apply([&](const auto&... batch) { (evaluate(batch), ...); }, batches_);
+  for (const Loops* l : loops_) l->residual(batches_, state, phi);
 }
 
 void AutomaticEquations::jacobian(const double* state, double* values) const {
-  const auto evaluate = [&]<class Kind>(const Batch<Kind>& batch) {
-    if constexpr (!Kind::linear)
-      for (const auto* objects : {&batch.whole, &batch.cut})
-        for (const auto& o : *objects)
-          write_jacobian<Kind>(o, pointers(state, o.operands), values);
-  };
-  std::apply([&](const auto&... batch) { (evaluate(batch), ...); }, batches_);
+  for (const Loops* l : loops_) l->jacobian(batches_, state, values);
 }
 
 void AutomaticEquations::quadratic(const double* state, const double* rate, double* gamma) const {
-  const auto evaluate = [&]<class Kind>(const Batch<Kind>& batch) {
-    for (const auto& o : batch.whole) {
-      const auto x = pointers(state, o.operands);
-      const auto v = pointers(rate, o.operands);
-      Kind::quadratic(x.data(), v.data(), o.constants.data(), gamma + o.row);
-    }
-    for (const auto& o : batch.cut) {
-      std::array<double, Kind::rows> all;
-      const auto x = pointers(state, o.operands);
-      const auto v = pointers(rate, o.operands);
-      Kind::quadratic(x.data(), v.data(), o.constants.data(), all.data());
-      pick(o.rows, all, gamma);
-    }
-  };
-  std::apply([&](const auto&... batch) { (evaluate(batch), ...); }, batches_);
+  for (const Loops* l : loops_) l->quadratic(batches_, state, rate, gamma);
 }
 
 }  // namespace desmo

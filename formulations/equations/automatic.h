@@ -40,7 +40,7 @@ class AutomaticEquations {
     struct Object {
       std::array<int, Kind::operand_sizes.size()> operands;  // in the state
       std::array<double, Kind::constants> constants;
-      int row;                                    // first of the part, when it has them all
+      int row;  // first of the part, when it has them all
       std::array<int, Kind::entries> slots;
       std::array<int, Kind::rows> rows;  // of the part, or -1 where another part has it
     };
@@ -53,9 +53,21 @@ class AutomaticEquations {
   struct BatchesOf<std::tuple<Kinds...>> {
     using type = std::tuple<Batch<Kinds>...>;
   };
+  using Batches = BatchesOf<ConstraintKinds>::type;
+
+  /// The loops over the objects of one batch.
+  struct Loops {
+    void (*constant_jacobian)(const Batches&, double* values);
+    void (*residual)(const Batches&, const double* state, double* phi);
+    void (*jacobian)(const Batches&, const double* state, double* values);
+    void (*quadratic)(const Batches&, const double* state, const double* rate, double* gamma);
+  };
+  template <class Kind, bool Whole>
+  struct LoopsOf;
 
   Pattern pattern_;
-  BatchesOf<ConstraintKinds>::type batches_;
+  Batches batches_;
+  std::vector<const Loops*> loops_;  // of the batches that have objects: a part has few kinds
 };
 
 }  // namespace desmo

@@ -32,9 +32,9 @@ namespace {
 
 using nominal::Vec;
 
-/// Adds to an orthonormal set what is new in a direction; false when it is (nearly) in its span.
-bool extend(std::vector<Vec>& orthonormal, Vec v) {
-  constexpr double least_sine = 1e-6;
+/// Adds to an orthonormal set what is new in a direction; false when the angle between it and
+/// their span has no larger sine than that.
+bool extend(std::vector<Vec>& orthonormal, Vec v, double least_sine) {
   const double length = nominal::norm(v);
   if (length == 0) return false;
   for (int pass = 0; pass < 2; ++pass)
@@ -53,17 +53,21 @@ Basis choose_basis(const Description& d, const RigidBody& body) {
   const std::size_t enough = d.dimension == 2 ? 1 : 3;
   Basis basis;
   std::vector<Vec> orthonormal;
-  for (const int v : body.vectors)
-    if (!d.vectors[v].along && orthonormal.size() < enough &&
-        extend(orthonormal, d.vectors[v].direction))
-      basis.directions.push_back({v});
-  if (body.points.empty()) return basis;
-  basis.origin = body.points.front();
-  for (const int p : body.points) {
-    const Description::Direction segment{-1, basis.origin, p};
-    if (orthonormal.size() < enough && extend(orthonormal, nominal::direction(d, segment)))
-      basis.directions.push_back(segment);
+  if (!body.points.empty()) basis.origin = body.points.front();
+  // Directions nearly in the span of others make bad coordinates: only where there is no choice.
+  for (const double least_sine : {0.1, 1e-6}) {
+    for (const int v : body.vectors)
+      if (!d.vectors[v].along && orthonormal.size() < enough && !basis.has_vector(v) &&
+          extend(orthonormal, d.vectors[v].direction, least_sine))
+        basis.directions.push_back({v});
+    for (const int p : body.points) {
+      const Description::Direction segment{-1, basis.origin, p};
+      if (orthonormal.size() < enough && !basis.has_point(p) &&
+          extend(orthonormal, nominal::direction(d, segment), least_sine))
+        basis.directions.push_back(segment);
+    }
   }
+  std::ranges::stable_partition(basis.directions, [](const auto& x) { return !x.is_segment(); });
   return basis;
 }
 

@@ -35,7 +35,8 @@ struct RigidBodies {
 };
 
 /// Merges bodies and chooses bases: vectors first, in the order of the description, those defined
-/// along a segment left out; then segments from the first point. Throws std::invalid_argument,
+/// along a segment left out; then segments from the first point; what is within 6 degrees of the
+/// span of those before only at the end, where nothing better is left. Throws std::invalid_argument,
 /// naming the body, when one carries nothing.
 RigidBodies find_rigid_bodies(const Description& description);
 

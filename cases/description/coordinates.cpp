@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "cases/description_checks.h"
-#include "cases/directions.h"
+#include "cases/description/checks.h"
+#include "cases/description/directions.h"
 #include "cases/names.h"
 
 namespace desmo {

@@ -1,4 +1,4 @@
-#include "cases/joint_forms.h"
+#include "cases/description/joint_forms.h"
 
 #include <algorithm>
 #include <array>

@@ -22,7 +22,8 @@ class Carriers {
   Carriers(const Description& description, std::vector<int> Description::Body::*carried);
 
   bool carries(int body, int entity) const { return find({entity, body}) >= 0; }
-  bool is_carried(int entity) const;
+  bool is_carried(int entity) const { return !of(entity).empty(); }
+  std::span<const Pair> of(int entity) const;             ///< one for each body that carries it
   int find(Pair pair) const;                              ///< position in pairs(); -1: not carried
   std::span<const Pair> pairs() const { return pairs_; }  ///< ascending
 

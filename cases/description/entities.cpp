@@ -3,8 +3,8 @@
 #include <set>
 #include <string_view>
 
-#include "cases/description_checks.h"
-#include "cases/directions.h"
+#include "cases/description/checks.h"
+#include "cases/description/directions.h"
 #include "cases/names.h"
 
 namespace desmo {
@@ -45,8 +45,7 @@ void check_along(const Description& d, int i, const Carriers& points, const Carr
     refuse(d, Part::vector, i,
            "points from " + quoted(d.points[p].name) + " to " + quoted(d.points[q].name) +
                ", which coincide; give them different positions");
-  const auto pairs = vectors.pairs();
-  const auto carriers = std::ranges::equal_range(pairs, i, {}, &Carriers::Pair::entity);
+  const auto carriers = vectors.of(i);
   const bool carried = std::ranges::any_of(carriers, [&, p = p, q = q](const Carriers::Pair& v) {
     return points.carries(v.body, p) && points.carries(v.body, q);
   });

@@ -1,4 +1,4 @@
-#include "cases/directions.h"
+#include "cases/description/directions.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "cases/carriers.h"
-#include "cases/description_error.h"
+#include "cases/description/carriers.h"
+#include "cases/description/error.h"
 
 namespace desmo {
 

@@ -1,7 +1,7 @@
 #include <numeric>
 
-#include "cases/description_checks.h"
-#include "cases/joint_forms.h"
+#include "cases/description/checks.h"
+#include "cases/description/joint_forms.h"
 #include "cases/names.h"
 
 namespace desmo {

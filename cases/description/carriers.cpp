@@ -1,4 +1,4 @@
-#include "cases/carriers.h"
+#include "cases/description/carriers.h"
 
 #include <algorithm>
 
@@ -15,9 +15,10 @@ int Carriers::find(Pair pair) const {
   return found != pairs_.end() && *found == pair ? static_cast<int>(found - pairs_.begin()) : -1;
 }
 
-bool Carriers::is_carried(int entity) const {
-  const auto found = std::ranges::lower_bound(pairs_, entity, {}, &Pair::entity);
-  return found != pairs_.end() && found->entity == entity;
+std::span<const Carriers::Pair> Carriers::of(int entity) const {
+  const auto begin = std::ranges::lower_bound(pairs_, entity, {}, &Pair::entity);
+  const auto end = std::ranges::upper_bound(begin, pairs_.end(), entity, {}, &Pair::entity);
+  return {begin, end};
 }
 
 }  // namespace desmo

@@ -1,6 +1,6 @@
 #include "cases/description.h"
 
-#include "cases/description_checks.h"
+#include "cases/description/checks.h"
 #include "cases/names.h"
 
 namespace desmo {

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <string_view>
 
-#include "cases/description_checks.h"
-#include "cases/directions.h"
-#include "cases/joint_forms.h"
+#include "cases/description/checks.h"
+#include "cases/description/directions.h"
+#include "cases/description/joint_forms.h"
 #include "cases/names.h"
 
 namespace desmo {
@@ -36,6 +36,10 @@ void check_carried(const Description& d, int i, const JointForm& form,
   for (int k = 0; k < static_cast<int>(joined.size()); ++k) {
     if (!is_in(joined[k], entries))
       refuse(d, Part::joint, i, std::string("joins a ") + kind + " that does not exist");
+    if (k > 0 && joined[k] == joined[0])
+      refuse(d, Part::joint, i,
+             std::string("lists the ") + kind + " " + quoted(entries[joined[k]].name) +
+                 " twice; name two different ones");
     for (int side = 0; side < 2; ++side) {
       if (k >= common && side != k - common) continue;
       if (carriers.carries(joint.bodies[side], joined[k])) continue;

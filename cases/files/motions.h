@@ -1,0 +1,22 @@
+#pragma once
+
+#include "cases/description.h"
+#include "cases/files/format.h"
+#include "cases/motion.h"
+
+namespace desmo {
+
+/// The motion of one coordinate, in metres (or the mechanism's free unit) or radians.
+Motion read_motion(const JsonValue& value, Description::CoordinateType coordinate,
+                   const Units& units);
+
+/// `motion` of a scene: one for each driven coordinate, in the description's order. Those that
+/// `known` has already (all, or none) may be left out.
+std::vector<Motion> read_motions(const JsonValue& root, const Description& mechanism,
+                                 const Units& units, std::vector<Motion> known);
+
+/// Complains when a table does not cover the instants. Motions as read_motions returned them.
+void check_tables(const JsonValue& root, const Description& mechanism,
+                  const std::vector<Motion>& motions, const TimeGrid& grid);
+
+}  // namespace desmo

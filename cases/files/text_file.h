@@ -1,0 +1,20 @@
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+
+namespace desmo {
+
+constexpr std::size_t largest_file = std::size_t{64} << 20;  ///< bytes
+
+/// Why a file cannot be read, and the remedy.
+class UnreadableFile : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The bytes of a regular file, at most `largest_file`. Throws UnreadableFile.
+std::string read_text(const std::filesystem::path& file);
+
+}  // namespace desmo

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "tests/library/jet.h"
+
+namespace desmo::exact {
+
+template <std::size_t D>
+struct Vec : std::array<Jet, D> {};
+
+using Vec2 = Vec<2>;
+using Vec3 = Vec<3>;
+
+template <std::size_t D>
+Vec<D> operator+(const Vec<D>& a, const Vec<D>& b) {
+  Vec<D> c;
+  for (std::size_t i = 0; i < D; ++i) c[i] = a[i] + b[i];
+  return c;
+}
+template <std::size_t D>
+Vec<D> operator*(Jet s, const Vec<D>& a) {
+  Vec<D> c;
+  for (std::size_t i = 0; i < D; ++i) c[i] = s * a[i];
+  return c;
+}
+template <std::size_t D>
+Vec<D> operator-(const Vec<D>& a, const Vec<D>& b) {
+  return a + Jet(-1) * b;
+}
+template <std::size_t D>
+Jet dot(const Vec<D>& a, const Vec<D>& b) {
+  Jet sum;
+  for (std::size_t i = 0; i < D; ++i) sum = sum + a[i] * b[i];
+  return sum;
+}
+template <std::size_t D>
+Jet norm(const Vec<D>& a) {
+  return sqrt(dot(a, a));
+}
+template <std::size_t D>
+Vec<D> unit(const Vec<D>& a) {
+  return (Jet(1) / norm(a)) * a;
+}
+
+// ——— In the plane ———
+
+inline Vec2 polar(Jet r, Jet angle) { return {{r * cos(angle), r * sin(angle)}}; }
+inline Jet angle(const Vec2& a) { return atan2(a[1], a[0]); }
+/// a turned by a right angle, anticlockwise.
+inline Vec2 turned(const Vec2& a) { return {{-a[1], a[0]}}; }
+/// The angle of a from b.
+inline Jet angle(const Vec2& a, const Vec2& b) { return atan2(dot(turned(b), a), dot(b, a)); }
+
+enum class Side { left, right };
+
+/// Where the circles about p and q meet, on that side of the way from p to q.
+inline Vec2 meet(const Vec2& p, Jet p_radius, const Vec2& q, Jet q_radius, Side side) {
+  const Vec2 w = q - p;
+  const Jet w2 = dot(w, w);
+  const Jet along = (p_radius * p_radius - q_radius * q_radius + w2) / (Jet(2) * w2);
+  const Jet across = sqrt(p_radius * p_radius / w2 - along * along);
+  return p + along * w + (side == Side::left ? across : -across) * turned(w);
+}
+
+/// A body's third point: where it lies when two others, at a0 and b0 in a drawing in which it is
+/// at c0, are at a and b.
+inline Vec2 carried(const Vec2& a, const Vec2& b, const Vec2& a0, const Vec2& b0, const Vec2& c0) {
+  const Vec2 w = b0 - a0, at = c0 - a0;
+  return a + (dot(w, at) / dot(w, w)) * (b - a) + (dot(turned(w), at) / dot(w, w)) * turned(b - a);
+}
+
+// ——— In space ———
+
+inline constexpr Vec3 x_axis{{1, 0, 0}}, y_axis{{0, 1, 0}}, z_axis{{0, 0, 1}};
+
+inline Vec3 cross(const Vec3& a, const Vec3& b) {
+  return {{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}};
+}
+
+/// a turned about a unit vector (Rodrigues' formula).
+inline Vec3 rotated(const Vec3& a, const Vec3& axis, Jet angle) {
+  const Vec3 along = dot(axis, a) * axis;
+  return along + cos(angle) * (a - along) + sin(angle) * cross(axis, a);
+}
+
+/// a turned by 2 atan ‖c‖ about c: a rotation in three parameters, regular short of half a turn.
+inline Vec3 rotated(const Vec3& a, const Vec3& c) {
+  const Vec3 moved = cross(c, a);
+  return a + (Jet(2) / (Jet(1) + dot(c, c))) * (moved + cross(c, moved));
+}
+
+/// An angle with a cos + b sin = c; the greater of the two beside that of (a, b), or the less.
+enum class Root { greater, less };
+inline Jet angle_with(Jet a, Jet b, Jet c, Root root) {
+  const Jet half = atan2(sqrt(a * a + b * b - c * c), c);
+  return atan2(b, a) + (root == Root::greater ? half : -half);
+}
+
+}  // namespace desmo::exact

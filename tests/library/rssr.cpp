@@ -1,0 +1,33 @@
+#include "tests/library/solutions.h"
+
+namespace desmo::exact {
+
+Solution rssr(double time) {
+  constexpr Real crank = 0.3L, rocker = 0.8L;
+  const Vec3 O{{0, 0, 0}}, C{{0.8L, 0.6L, 0.3L}}, a{{crank, 0, 0}}, b{{0.288L, 1.08L, 0.684L}};
+  const Vec3 w{{0.6L, 0, 0.8L}}, v{{-0.8L, 0, 0.6L}};  // the rocker turns from y towards v
+  const Jet theta = Jet(2 * pi) * Jet::time(time);
+  const Vec3 A{{Jet(crank) * cos(theta), Jet(crank) * sin(theta), 0}};
+
+  // ‖C + r (cos ψ y + sin ψ v) − A‖² = L²
+  const Vec3 g = C - A;
+  const Jet psi = angle_with(Jet(2 * rocker) * g[1], Jet(2 * rocker) * dot(g, v),
+                             dot(b - a, b - a) - dot(g, g) - Jet(rocker * rocker), Root::greater);
+  const Vec3 B = C + Jet(rocker) * (cos(psi) * y_axis + sin(psi) * v);
+
+  Solution s;
+  s.add("O", O);
+  s.add("C", C);
+  s.add("A", A);
+  s.add("B", B);
+  s.add("x", x_axis);
+  s.add("y", y_axis);
+  s.add("z", z_axis);
+  s.add("w", w);
+  s.add("v", v);
+  s.add("theta", theta);
+  s.add("psi", psi);
+  return s;
+}
+
+}  // namespace desmo::exact

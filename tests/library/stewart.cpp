@@ -1,0 +1,74 @@
+#include <array>
+#include <string>
+
+#include "tests/library/newton.h"
+#include "tests/library/solutions.h"
+
+namespace desmo::exact {
+
+namespace {
+
+Vec3 on_circle(Real radius, Real degrees, Real height) {
+  const Real angle = degrees * pi / 180;
+  return {{radius * std::cos(angle), radius * std::sin(angle), height}};
+}
+
+/// The platform's position and its turn.
+struct Pose {
+  Vec3 P, c;
+  explicit Pose(const std::array<Jet, 6>& x) : P{{x[0], x[1], x[2]}}, c{{x[3], x[4], x[5]}} {}
+};
+
+}  // namespace
+
+/// The lengths of the legs are known functions of the platform's pose.
+Solution stewart(double time) {
+  constexpr Real base[] = {-12, 12, 108, 132, 228, 252}, top[] = {-48, 48, 72, 168, 192, 288};
+  Vec3 A[6], b[6], g[6];
+  Jet length[6];
+  const Jet t = Jet::time(time);
+  for (int i = 0; i < 6; ++i) {
+    A[i] = on_circle(1, base[i], 0);
+    b[i] = on_circle(0.6L, top[i], 0);  // on the platform
+    g[i] = cross(z_axis, A[i]);
+    const int q = i + 1;
+    length[i] = Jet(1.35L) + Jet(0.12L) * sin(Jet(pi) * t + Jet(q)) +
+                Jet(0.03L) * sin(Jet(2 * pi) * t + Jet(q * q));
+  }
+
+  const Pose pose(solve<6>({0, 0, 1.2L, 0, 0, 0}, [&](const std::array<Jet, 6>& x) {
+    const Pose guess(x);
+    std::array<Jet, 6> residual;
+    for (int i = 0; i < 6; ++i) {
+      const Vec3 leg = guess.P + rotated(b[i], guess.c) - A[i];
+      residual[i] = dot(leg, leg) - length[i] * length[i];
+    }
+    return residual;
+  }));
+
+  const Vec3 px = rotated(x_axis, pose.c), pz = rotated(z_axis, pose.c);
+  Solution s;
+  s.add("P", pose.P);
+  s.add("x", x_axis);
+  s.add("y", y_axis);
+  s.add("z", z_axis);
+  s.add("px", px);
+  s.add("py", rotated(y_axis, pose.c));
+  s.add("pz", pz);
+  for (int i = 0; i < 6; ++i) {
+    const std::string n = std::to_string(i + 1);
+    const Vec3 B = pose.P + rotated(b[i], pose.c), d = unit(B - A[i]);
+    s.add("A" + n, A[i]);
+    s.add("B" + n, B);
+    s.add("g" + n, g[i]);
+    s.add("d" + n, d);
+    s.add("u" + n, unit(cross(g[i], d)));
+    s.add("s" + n, length[i]);
+  }
+  s.add("heave", pose.P[2]);
+  s.add("yaw", atan2(px[1], px[0]));
+  s.add("tilt", atan2(pz[0], pz[2]));
+  return s;
+}
+
+}  // namespace desmo::exact
