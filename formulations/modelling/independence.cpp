@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "formulations/incidence.h"
+
 namespace desmo {
 
 namespace {
@@ -58,10 +60,13 @@ class Selector {
   Selector(Candidates& candidates, double size, const std::vector<int>& surplus)
       : candidates_(candidates), m_(candidates.mechanism), surplus_(surplus) {
     scale_.assign(m_.state_size(), 1.0);
+    moves_.assign(m_.state_size(), 0);
     for (EntityId e = 0; e < static_cast<EntityId>(m_.entities.size()); ++e) {
       const EntityKind kind = m_.entities[e].kind;
-      if (kind == EntityKind::point || kind == EntityKind::distance)
-        for (int i = 0; i < m_.entities[e].size; ++i) scale_[m_.state_index(e) + i] = size;
+      for (int i = m_.state_index(e); i < m_.state_index(e) + m_.entities[e].size; ++i) {
+        if (kind == EntityKind::point || kind == EntityKind::distance) scale_[i] = size;
+        moves_[i] = !m_.rests(e);
+      }
     }
     column_.assign(m_.state_size(), -1);
     list_systems();
@@ -199,26 +204,20 @@ class Selector {
 
   /// Positions in rows, in the order in which they are taken.
   std::vector<int> preference(const GroupSystem& s) const {
-    std::vector<int> order(s.rows.size());
-    std::iota(order.begin(), order.end(), 0);
-    const auto rank = [&](int i) {
-      const int c = s.rows[i].first;
+    using Rank = std::tuple<bool, int, Origin, int>;
+    std::vector<Rank> ranks;
+    for (int c = s.first_constraint; c < s.end_constraint; ++c) {
+      const Constraint& constraint = m_.constraints[c];
+      std::vector<int> entries(desmo::rows(constraint), 0);
+      visit_incidence(m_, constraint, [&](int row, int state) { entries[row] += moves_[state]; });
       bool linear = false;
-      int entries = 0;
-      visit_kind(m_.constraints[c].kind, [&](auto kind) {
-        linear = kind.linear;
-        Eigen::Index k = 0;
-        for (const EntityId e : m_.constraints[c].operands) {
-          if (!m_.rests(e)) entries += kind.operand_sizes[k];
-          ++k;
-        }
-        if (kind.rows > 1 && kind.entries > 0) {  // of one of its rows
-          entries = (entries + kind.rows - 1) / kind.rows;
-        }
-      });
-      return std::tuple(!linear, entries, candidates_.origins[c], s.rows[i]);
-    };
-    std::ranges::sort(order, {}, rank);
+      visit_kind(constraint.kind, [&](auto kind) { linear = kind.linear; });
+      for (const int n : entries)
+        ranks.emplace_back(!linear, n, candidates_.origins[c], static_cast<int>(ranks.size()));
+    }
+    std::ranges::sort(ranks);
+    std::vector<int> order;
+    for (const Rank& r : ranks) order.push_back(std::get<3>(r));
     return order;
   }
 
@@ -372,6 +371,7 @@ class Selector {
   Mechanism& m_;
   const std::vector<int>& surplus_;
   std::vector<double> scale_;  // natural magnitude of each component of the state
+  std::vector<char> moves_;    // whether it does
   std::vector<int> column_;    // of each component in the group at hand, or -1
   std::vector<GroupSystem> systems_;
   std::array<std::vector<double>, positions> states_;

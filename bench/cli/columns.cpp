@@ -1,0 +1,52 @@
+#include "bench/cli/columns.h"
+
+#include "bench/cli/inspection.h"
+
+namespace desmo::cli {
+namespace {
+
+constexpr const char* prefixes[] = {"", "d/dt ", "d2/dt2 "};
+
+std::string unit_of(const Entity& e, Level level, const std::string& length_unit) {
+  static constexpr const char* per_time[] = {"", "/s", "/s^2"};
+  const int order = static_cast<int>(level);
+  switch (e.kind) {
+    case EntityKind::vector:
+      return order == 0 ? "-" : std::string("1") + per_time[order];
+    case EntityKind::angle:
+      return std::string("rad") + per_time[order];
+    case EntityKind::point:
+    case EntityKind::distance:
+      break;
+  }
+  return length_unit + per_time[order];
+}
+
+void add_entity(const Mechanism& m, const Asked& asked, std::vector<Column>& columns) {
+  const Entity& e = m.entities[asked.entity];
+  for (int order = 0; order <= static_cast<int>(asked.level); ++order) {
+    const auto level = static_cast<Level>(order);
+    for (int i = e.first; i < e.first + e.size; ++i) {
+      Column& column = columns.emplace_back();
+      column.name = prefixes[order] + coordinate_name(m, asked.entity, i);
+      column.unit = unit_of(e, level, m.length_unit);
+      column.level = level;
+      if (!e.fixed)
+        column.coordinate = i;
+      else if (order == 0)
+        column.constant = m.fixed_values[i];
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Column> make_columns(const Plan& plan, const Scene& scene) {
+  std::vector<Column> columns;
+  for (const Asked& asked : plan.outputs)
+    if (!scene.request.empty() || !plan.mechanism.rests(asked.entity))
+      add_entity(plan.mechanism, asked, columns);
+  return columns;
+}
+
+}  // namespace desmo::cli

@@ -1,0 +1,20 @@
+// The subcommands: one file each, and one name in this list.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace desmo::cli {
+
+/// Adds a subcommand, whose callback does the work and throws what errors.h lists.
+using AddCommand = void(CLI::App& program);
+
+/// For options: an empty text is more likely a variable that is not set.
+inline std::string refuse_empty(const std::string& text) {
+  return text.empty() ? "is empty; give a value or leave the option out" : "";
+}
+
+AddCommand add_list, add_show, add_inspect, add_solve;
+inline constexpr AddCommand* commands[] = {add_list, add_show, add_inspect, add_solve};
+
+}  // namespace desmo::cli

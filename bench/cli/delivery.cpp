@@ -1,0 +1,29 @@
+#include "bench/cli/delivery.h"
+
+namespace desmo::cli {
+namespace {
+
+constexpr std::size_t enough_to_write = std::size_t{1} << 16;
+
+}  // namespace
+
+Delivery::Delivery(SeriesHeading heading, std::unique_ptr<SeriesFormat> format, Output& output,
+                   Progress& progress)
+    : heading_(std::move(heading)),
+      format_(std::move(format)),
+      output_(output),
+      progress_(progress),
+      text_(format_->heading(heading_)) {}
+
+void Delivery::accept(const Instant& instant) {
+  format_->append(heading_, instant, text_);
+  if (text_.size() >= enough_to_write) flush();
+  progress_.solved(instant.index + 1);
+}
+
+void Delivery::flush() {
+  output_.write(text_);
+  text_.clear();
+}
+
+}  // namespace desmo::cli

@@ -1,0 +1,31 @@
+// From solved instants to the output.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "bench/cli/output.h"
+#include "bench/cli/progress.h"
+#include "bench/cli/series.h"
+
+namespace desmo::cli {
+
+/// Writes each instant it is handed, some at a time. Throws what Output throws.
+class Delivery final : public Sink {
+ public:
+  Delivery(SeriesHeading heading, std::unique_ptr<SeriesFormat> format, Output& output,
+           Progress& progress);
+
+  void accept(const Instant& instant) override;
+  /// Writes what has been handed to it but not written.
+  void flush();
+
+ private:
+  SeriesHeading heading_;
+  std::unique_ptr<SeriesFormat> format_;
+  Output& output_;
+  Progress& progress_;
+  std::string text_;
+};
+
+}  // namespace desmo::cli

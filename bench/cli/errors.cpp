@@ -1,0 +1,36 @@
+#include "bench/cli/errors.h"
+
+#include <cstdio>
+#include <new>
+
+namespace desmo::cli {
+namespace {
+
+int complain(const char* message, int code) {
+  std::fprintf(stderr, "desmo: %s\n", message);
+  return code;
+}
+
+}  // namespace
+
+int report_current_exception() noexcept {
+  try {
+    throw;
+  } catch (const OutputClosed&) {
+    return output_closed;
+  } catch (const Error& error) {
+    return complain(error.what(), error.code());
+  } catch (const InputError& error) {
+    return complain(error.what(), bad_input);
+  } catch (const std::invalid_argument& error) {
+    return complain(error.what(), bad_input);
+  } catch (const std::bad_alloc&) {
+    return complain("out of memory; choose a smaller mechanism", internal_error);
+  } catch (const std::exception& error) {
+    return complain(error.what(), internal_error);
+  } catch (...) {
+    return complain("an error of unknown kind", internal_error);
+  }
+}
+
+}  // namespace desmo::cli

@@ -1,0 +1,63 @@
+#include "bench/cli/explanation.h"
+
+#include <set>
+
+#include "bench/cli/text.h"
+
+namespace desmo::cli {
+namespace {
+
+constexpr std::size_t names_shown = 8;
+constexpr const char* level_names[] = {"position", "velocity", "acceleration"};
+
+std::string fraction(int kept, int all, const std::string& noun) {
+  return std::to_string(kept) + " of " + count(all, noun);
+}
+
+std::string group_text(const Plan::GroupUse& use) {
+  std::string text = use.name + ": keeps " + fraction(use.kept_unknowns, use.unknowns, "unknown") +
+                     " in " + fraction(use.kept_blocks, use.blocks, "block") + ", to " +
+                     level_names[static_cast<int>(use.level)];
+  if (!use.serves.empty()) text += "; serves " + use.serves;
+  text += "; kept: " + enumerate(use.kept, names_shown);
+  if (!use.dropped.empty()) text += "; dropped: " + enumerate(use.dropped, names_shown);
+  return text;
+}
+
+std::vector<std::string> drivers_not_needed(const Plan& plan, const Mechanism& whole) {
+  std::set<std::string> kept;
+  for (const Driver& d : plan.mechanism.drivers)
+    kept.insert(plan.mechanism.entities[d.coordinate].name);
+  std::vector<std::string> names;
+  for (const Driver& d : whole.drivers)
+    if (!kept.contains(whole.entities[d.coordinate].name))
+      names.push_back(whole.entities[d.coordinate].name);
+  return names;
+}
+
+}  // namespace
+
+std::string explain(const Plan& plan, const Mechanism& whole) {
+  int kept = 0, all = 0;
+  std::string groups;
+  std::vector<std::string> not_needed;
+  for (const Plan::GroupUse& use : plan.groups) {
+    kept += use.kept_unknowns;
+    all += use.unknowns;
+    if (use.kept.empty())
+      not_needed.push_back(use.name);
+    else
+      groups += "  " + wrap(group_text(use), 4) + "\n";
+  }
+  if (!not_needed.empty())
+    groups += "  " + wrap("groups not needed: " + enumerate(not_needed, names_shown), 4) + "\n";
+  std::string text =
+      "solved: " + fraction(kept, all, "unknown") + ", " +
+      fraction(plan.mechanism.degrees_of_freedom(), whole.degrees_of_freedom(), "driver") + "\n" +
+      groups;
+  if (const auto unused = drivers_not_needed(plan, whole); !unused.empty())
+    text += "  " + wrap("drivers not needed: " + enumerate(unused, names_shown), 4) + "\n";
+  return text;
+}
+
+}  // namespace desmo::cli

@@ -1,0 +1,13 @@
+// Why what is solved is solved, and what is not.
+#pragma once
+
+#include <string>
+
+#include "formulations/plan.h"
+
+namespace desmo::cli {
+
+/// Group by group: what a plan keeps, as far as which level, for whom, and what it drops.
+std::string explain(const Plan& plan, const Mechanism& whole);
+
+}  // namespace desmo::cli

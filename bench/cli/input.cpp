@@ -1,0 +1,135 @@
+#include "bench/cli/input.h"
+
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <filesystem>
+#include <optional>
+
+#include "bench/cli/errors.h"
+#include "cases/cases.h"
+#include "cases/files.h"
+#include "cases/files/json_document.h"
+#include "cases/files/text_file.h"
+#include "cases/library.h"
+#include "cases/names.h"
+
+namespace desmo::cli {
+namespace {
+
+std::string read_standard_input(const std::string& source) {
+  std::string text;
+  std::array<char, 1 << 16> buffer;
+  for (;;) {
+    const ssize_t size = ::read(STDIN_FILENO, buffer.data(), buffer.size());
+    if (size < 0 && errno == EINTR) continue;
+    if (size < 0)
+      throw Error(unreadable_input, source + ": cannot be read (" + std::strerror(errno) +
+                                        "); send a scene or give a file");
+    if (size == 0) return text;
+    text.append(buffer.data(), static_cast<std::size_t>(size));
+    if (text.size() > largest_file)
+      throw Error(unreadable_input, source + ": is larger than 64 MiB; divide it");
+  }
+}
+
+/// Drivers at rest: what does not depend on motion needs some value all the same.
+Scene at_rest(Description mechanism) {
+  Scene scene;
+  scene.name = mechanism.name;
+  for (const Description::Coordinate& c : mechanism.coordinates)
+    if (c.driven) scene.motions.push_back(Polynomial{{c.estimate.value_or(0)}});
+  scene.mechanism = std::move(mechanism);
+  return scene;
+}
+
+bool is_mechanism(const std::string& text, const std::string& source) {
+  const JsonDocument document(text, source);
+  const auto format = document.root().find("format");
+  return format && format->is_string() && format->text() == "desmo-mechanism";
+}
+
+Input from_text(const std::string& text, const std::string& source,
+                const std::filesystem::path& folder, bool mechanism_will_do) {
+  if (!is_mechanism(text, source)) return {source, parse_scene(text, source, folder)};
+  if (!mechanism_will_do)
+    throw InputError(source + ": /format: a mechanism says nothing of motion and time; give a " +
+                     "scene that names it (an example: desmo show slider_crank --scene)");
+  return {source, at_rest(parse_mechanism(text, source))};
+}
+
+Input from_file(const std::string& name, bool mechanism_will_do) {
+  const std::string source = printable(name, 300);
+  std::string text;
+  try {
+    text = read_text(name);
+  } catch (const UnreadableFile& error) {
+    throw Error(unreadable_input, source + ": " + error.what());
+  }
+  return from_text(text, source, std::filesystem::path(name).parent_path(), mechanism_will_do);
+}
+
+/// "truck_suspension:5"; none when it is not of that form or no such case exists.
+std::optional<Scene> scalable_case(const std::string& argument) {
+  const std::size_t colon = argument.find(':');
+  for (const Case& c : cases()) {
+    if (argument.substr(0, colon) != c.name) continue;
+    int units = 0;
+    const char* const end = argument.data() + argument.size();
+    const char* const begin = colon == std::string::npos ? end : argument.data() + colon + 1;
+    const auto [last, error] = std::from_chars(begin, end, units);
+    if (error != std::errc{} || last != end || begin == end)
+      throw Error(usage_error, desmo::quoted(argument) + ": how many " + std::string(c.unit_name) +
+                                   " there are is missing; write " + std::string(c.name) + ":5");
+    try {
+      return c.describe(units);
+    } catch (const std::invalid_argument& wrong) {
+      throw Error(usage_error, desmo::quoted(argument) + ": " + wrong.what());
+    }
+  }
+  return std::nullopt;
+}
+
+Input load(const std::string& argument, bool mechanism_will_do) {
+  if (argument == "-") {
+    const std::string source = "standard input";
+    return from_text(read_standard_input(source), source, {}, mechanism_will_do);
+  }
+  if (argument.find_first_of("/.") != std::string::npos)
+    return from_file(argument, mechanism_will_do);
+  if (const LibraryMechanism* const found = find_library(argument))
+    return {argument, parse_scene(found->scene, "library/" + argument + ".scene.json", {})};
+  if (std::optional<Scene> scene = scalable_case(argument)) return {argument, std::move(*scene)};
+  std::error_code ignored;
+  if (std::filesystem::exists(argument, ignored)) return from_file(argument, mechanism_will_do);
+  std::vector<std::string_view> names = library_names();
+  for (const Case& c : cases()) names.push_back(c.name);
+  throw Error(unreadable_input, desmo::quoted(argument) +
+                                    ": there is no such file, library mechanism or " +
+                                    "scalable case; " + suggestion(argument, names));
+}
+
+}  // namespace
+
+Input load_scene(const std::string& argument) { return load(argument, false); }
+
+Input load_mechanism(const std::string& argument) { return load(argument, true); }
+
+Model model(const Input& input) {
+  try {
+    return desmo::model(input.scene.mechanism, input.scene.motions);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(input.source + ": " + error.what());
+  }
+}
+
+std::vector<std::string_view> library_names() {
+  std::vector<std::string_view> names;
+  for (const LibraryMechanism& m : library()) names.push_back(m.name);
+  return names;
+}
+
+}  // namespace desmo::cli

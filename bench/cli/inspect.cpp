@@ -1,0 +1,71 @@
+// desmo inspect: the structure of a mechanism.
+#include <memory>
+
+#include "bench/cli/commands.h"
+#include "bench/cli/errors.h"
+#include "bench/cli/graphviz.h"
+#include "bench/cli/inspection.h"
+#include "bench/cli/output.h"
+#include "cases/names.h"
+
+namespace desmo::cli {
+namespace {
+
+struct Options {
+  std::string mechanism;
+  std::string diagram;
+  bool json = false;
+
+  bool draws() const { return diagram.ends_with(".svg"); }
+  bool diagram_only() const { return diagram == "-"; }
+};
+
+void check(const Options& options) {
+  const std::string& file = options.diagram;
+  if (!file.empty() && !options.draws() && !options.diagram_only() && !file.ends_with(".dot"))
+    throw Error(usage_error, "--diagram " + desmo::quoted(file) +
+                                 ": the kind of file cannot be told; end its name in .svg or .dot");
+  if (options.json && options.diagram_only())
+    throw Error(usage_error,
+                "--json and --diagram - both need standard output; write the diagram "
+                "to a file");
+}
+
+void write_diagram(const std::string& dot, const Options& options) {
+  Output output(options.diagram);
+  if (options.draws())
+    draw_svg(dot, output);
+  else
+    output.write(dot);
+  output.finish();
+}
+
+void run(const Options& options) {
+  check(options);
+  const Inspection inspection = inspect(load_mechanism(options.mechanism));
+  if (!options.diagram.empty()) write_diagram(to_dot(inspection), options);
+  if (!options.diagram_only())
+    write_standard_output(options.json ? to_json(inspection) : to_text(inspection));
+}
+
+}  // namespace
+
+void add_inspect(CLI::App& program) {
+  CLI::App* command = program.add_subcommand(
+      "inspect", "Structural groups, coordinates and equations of a mechanism");
+  const auto options = std::make_shared<Options>();
+  command
+      ->add_option("mechanism", options->mechanism,
+                   "Mechanism or scene file, - for standard input, library mechanism, or scalable "
+                   "case with its units, such as truck_suspension:5")
+      ->required();
+  command->add_flag("--json", options->json, "As JSON, with equations and unknowns by name");
+  command
+      ->add_option("--diagram", options->diagram,
+                   "Write the structural diagram: FILE.svg (drawn by Graphviz), FILE.dot, or - "
+                   "for DOT on standard output and nothing else")
+      ->check(refuse_empty);
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace desmo::cli

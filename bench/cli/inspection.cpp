@@ -1,0 +1,82 @@
+#include "bench/cli/inspection.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "bench/cli/errors.h"
+
+namespace desmo::cli {
+namespace {
+
+constexpr GroupId ground = -1;
+
+/// The group of each rigid body.
+std::vector<GroupId> group_of_rigid_bodies(const Mechanism& m, const Description& d,
+                                           const RigidBodies& rigid) {
+  std::map<std::string, GroupId> by_name;
+  for (GroupId g = 0; g < static_cast<GroupId>(m.groups.size()); ++g)
+    if (!m.groups[g].constant)
+      for (const std::string& body : m.groups[g].bodies) by_name[body] = g;
+  std::vector<GroupId> groups(rigid.list.size(), ground);
+  for (std::size_t r = 1; r < groups.size(); ++r)
+    groups[r] = by_name.at(d.bodies[rigid.list[r].bodies.front()].name);
+  return groups;
+}
+
+void find_neighbours(const Description& d, Inspection& result) {
+  const RigidBodies rigid = find_rigid_bodies(d);
+  const std::vector<GroupId> group = group_of_rigid_bodies(result.mechanism(), d, rigid);
+  for (std::size_t r = 1; r < group.size(); ++r) ++result.groups[group[r]].moving_bodies;
+  std::vector<std::set<GroupId>> joined(result.groups.size());
+  for (const Description::Joint& joint : d.joints) {
+    const auto [first, last] =
+        std::minmax(group[rigid.of_body[joint.bodies[0]]], group[rigid.of_body[joint.bodies[1]]]);
+    if (first == last) continue;
+    if (first == ground)
+      result.groups[last].on_ground = true;
+    else
+      joined[last].insert(first);
+  }
+  for (std::size_t g = 0; g < joined.size(); ++g)
+    result.groups[g].joined_to.assign(joined[g].begin(), joined[g].end());
+}
+
+}  // namespace
+
+int Inspection::constant_parts() const {
+  return static_cast<int>(std::ranges::count(mechanism().groups, true, &Group::constant));
+}
+
+Inspection inspect(const Input& input) {
+  const Description& d = input.scene.mechanism;
+  Inspection result{d.title,
+                    d.dimension,
+                    static_cast<int>(d.bodies.size()) - 1,
+                    static_cast<int>(d.joints.size()),
+                    model(input),
+                    {}};
+  const Mechanism& m = result.mechanism();
+  result.groups.resize(m.groups.size());
+  for (const Driver& driver : m.drivers)
+    result.groups[m.entities[driver.coordinate].group].drivers.push_back(
+        m.entities[driver.coordinate].name);
+  try {
+    for (PartDefinition& block : make_partition(m, Partition::block)) {
+      InspectedGroup& group = result.groups[block.groups.front()];
+      group.unknowns.insert(group.unknowns.end(), block.unknowns.begin(), block.unknowns.end());
+      group.blocks.push_back(std::move(block));
+    }
+  } catch (const std::invalid_argument& error) {
+    throw InputError(input.source + ": " + error.what());
+  }
+  find_neighbours(d, result);
+  return result;
+}
+
+std::string coordinate_name(const Mechanism& m, EntityId owner, int coordinate) {
+  const Entity& e = m.entities[owner];
+  return e.size == 1 ? e.name : e.name + "." + "xyz"[coordinate - e.first];
+}
+
+}  // namespace desmo::cli

@@ -1,0 +1,103 @@
+#include <algorithm>
+#include <functional>
+
+#include "bench/cli/inspection.h"
+#include "bench/cli/text.h"
+#include "cases/names.h"
+
+namespace desmo::cli {
+namespace {
+
+/// Sizes of the irreducible blocks: "16 + 6×3 + 5×1".
+std::string block_sizes(const std::vector<PartDefinition>& blocks) {
+  std::vector<std::size_t> sizes;
+  for (const PartDefinition& b : blocks) sizes.push_back(b.unknowns.size());
+  std::ranges::sort(sizes, std::greater{});
+  std::string text;
+  for (std::size_t i = 0; i < sizes.size();) {
+    const auto end = std::find_if(sizes.begin() + i, sizes.end(),
+                                  [&](std::size_t size) { return size != sizes[i]; });
+    const std::size_t times = end - sizes.begin() - i;
+    text += (text.empty() ? "" : " + ") + (times > 1 ? std::to_string(times) + "×" : "") +
+            std::to_string(sizes[i]);
+    i += times;
+  }
+  return text.empty() ? "none" : text;
+}
+
+std::string line(const std::string& label, const std::string& text) {
+  constexpr std::size_t indent = 18;
+  return "    " + label + std::string(indent - 4 - label.size(), ' ') + wrap(text, indent) + "\n";
+}
+
+std::vector<std::string> names_of(const Mechanism& m, const std::vector<EntityId>& entities) {
+  std::vector<std::string> names;
+  for (const EntityId e : entities) names.push_back(m.entities[e].name);
+  return names;
+}
+
+std::string group_text(const Inspection& inspection, GroupId g) {
+  const Mechanism& m = inspection.mechanism();
+  const Group& group = m.groups[g];
+  const InspectedGroup& inspected = inspection.groups[g];
+  std::vector<std::string> after;
+  if (inspected.on_ground) after.push_back("ground");
+  for (const GroupId a : group.after) after.push_back(m.groups[a].name);
+  std::string text = "  " + group.name;
+  if (!group.constant)
+    text += " (" + std::to_string(inspected.moving_bodies) + ", " +
+            std::to_string(inspected.drivers.size()) + ")";
+  text += "\n" + line(group.bodies.size() == 1 ? "body" : "bodies", enumerate(group.bodies));
+  if (!inspected.drivers.empty()) text += line("driven", enumerate(inspected.drivers));
+  text += line("unknowns", std::to_string(inspected.unknowns.size()));
+  text += line("blocks", block_sizes(inspected.blocks));
+  text += line("entities", enumerate(names_of(m, group.entities)));
+  if (!group.constant) text += line("after", enumerate(after));
+  return text;
+}
+
+std::string left_out_text(const LeftOut& left_out, const Mechanism& m) {
+  const bool in_part =
+      std::ranges::find(m.constraints, left_out.equation, &Constraint::name) != m.constraints.end();
+  std::string what = left_out.equation;
+  if (in_part) what += ", " + count(static_cast<long>(left_out.rows.size()), "row") + " of it";
+  what += " (" + m.groups[left_out.group].name + "): follows from " +
+          (left_out.follows_from.empty() ? "what earlier groups determine"
+                                         : enumerate(left_out.follows_from, 12));
+  if (left_out.redundant) what += "; redundant but consistent: accepted";
+  return "  " + wrap(what, 4) + "\n";
+}
+
+}  // namespace
+
+std::string to_text(const Inspection& inspection) {
+  const Mechanism& m = inspection.mechanism();
+  std::vector<std::string> drivers;
+  for (const Driver& d : m.drivers) drivers.push_back(m.entities[d.coordinate].name);
+  const int independent = m.degrees_of_freedom();
+  std::string text = m.name;
+  if (!inspection.title.empty()) text += ": " + printable(inspection.title, 200);
+  text += "\n\n" + std::string(inspection.dimension == 2 ? "plane" : "space") + ", " +
+          count(inspection.bodies, "moving body", "moving bodies") + ", " +
+          count(inspection.joints, "joint") + "\n";
+  text += wrap(count(m.coordinates(), "coordinate") + ": " +
+                   std::to_string(m.coordinates() - independent) + " dependent, " +
+                   std::to_string(independent) + " independent (" + enumerate(drivers, 24) + ")",
+               2) +
+          "\n";
+
+  text += "\nStructural groups in solution order, each with (moving bodies, driven coordinates): " +
+          std::to_string(m.structural_groups()) + "\n";
+  for (GroupId g = 0; g < static_cast<GroupId>(m.groups.size()); ++g)
+    if (!m.groups[g].constant) text += group_text(inspection, g);
+  text += "\nConstant parts, solved once: " + std::to_string(inspection.constant_parts()) + "\n";
+  for (GroupId g = 0; g < static_cast<GroupId>(m.groups.size()); ++g)
+    if (m.groups[g].constant) text += group_text(inspection, g);
+
+  text += "\nConstraints left out, because they follow from others: " +
+          std::to_string(inspection.model.left_out.size()) + "\n";
+  for (const LeftOut& l : inspection.model.left_out) text += left_out_text(l, m);
+  return text;
+}
+
+}  // namespace desmo::cli

@@ -1,0 +1,134 @@
+// desmo list: what the program brings.
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "bench/cli/commands.h"
+#include "bench/cli/input.h"
+#include "bench/cli/output.h"
+#include "bench/cli/text.h"
+#include "cases/cases.h"
+#include "cases/names.h"
+#include "formulations/variants.h"
+
+namespace desmo::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Options {
+  std::string what;  // empty: everything
+  bool json = false;
+};
+
+constexpr const char* partition_names[] = {"global", "group", "block"};
+constexpr const char* evaluation_names[] = {"automatic", "symbolic"};
+
+Json mechanisms() {
+  Json list = Json::array();
+  for (const std::string_view name : library_names()) {
+    const Input input = load_mechanism(std::string(name));
+    const Mechanism m = model(input).mechanism;
+    const Description& d = input.scene.mechanism;
+    list.push_back({{"name", name},
+                    {"title", d.title},
+                    {"dimension", d.dimension},
+                    {"bodies", d.bodies.size() - 1},
+                    {"degrees_of_freedom", m.degrees_of_freedom()},
+                    {"coordinates", m.coordinates()}});
+  }
+  return list;
+}
+
+Json scalable_cases() {
+  Json list = Json::array();
+  for (const Case& c : cases())
+    list.push_back({{"name", c.name},
+                    {"unit", c.unit_name},
+                    {"base_coordinates", c.base_coordinates},
+                    {"coordinates_per_unit", c.coordinates_per_unit},
+                    {"sizes", c.sizes},
+                    {"extra_sizes", c.extra_sizes}});
+  return list;
+}
+
+Json formulations() {
+  Json list = Json::array();
+  for (const Variant& v : variants())
+    list.push_back({{"id", v.id},
+                    {"partition", partition_names[static_cast<int>(v.partition)]},
+                    {"equations", evaluation_names[static_cast<int>(v.evaluation)]},
+                    {"algebra", algebra_name(v)}});
+  return list;
+}
+
+std::string cell(const Json& value) {
+  if (value.is_string()) return printable(value.get<std::string>(), 200);
+  if (!value.is_array()) return value.dump();
+  std::vector<std::string> items;
+  for (const Json& item : value) items.push_back(cell(item));
+  return items.empty() ? "-" : enumerate(items);
+}
+
+struct Section {
+  const char* key;
+  Json (*collect)();
+  const char* title;
+  std::vector<std::string> columns;
+  const char* right;
+};
+
+const std::vector<Section>& sections() {
+  static const std::vector<Section> all{
+      {"mechanisms",
+       mechanisms,
+       "Library mechanisms (desmo show NAME, desmo inspect NAME, desmo solve NAME)",
+       {"name", "dimension", "bodies", "degrees_of_freedom", "coordinates", "title"},
+       "lrrrrl"},
+      {"cases",
+       scalable_cases,
+       "Scalable cases, written NAME:UNITS, such as truck_suspension:5; sizes of the benchmark in "
+       "coordinates",
+       {"name", "unit", "base_coordinates", "coordinates_per_unit", "sizes", "extra_sizes"},
+       "llrrll"},
+      {"formulations",
+       formulations,
+       "Formulations",
+       {"id", "partition", "equations", "algebra"},
+       "llll"}};
+  return all;
+}
+
+std::string to_text(const Section& section, const Json& entries) {
+  std::vector<std::vector<std::string>> rows{section.columns};
+  for (std::string& heading : rows.front()) std::ranges::replace(heading, '_', ' ');
+  for (const Json& entry : entries) {
+    std::vector<std::string>& row = rows.emplace_back();
+    for (const std::string& column : section.columns) row.push_back(cell(entry[column]));
+  }
+  return std::string(section.title) + "\n" + table(rows, section.right);
+}
+
+void list(const Options& options) {
+  Json all = Json::object();
+  std::string text;
+  for (const Section& section : sections()) {
+    if (!options.what.empty() && options.what != section.key) continue;
+    all[section.key] = section.collect();
+    text += (text.empty() ? "" : "\n") + to_text(section, all[section.key]);
+  }
+  write_standard_output(options.json ? all.dump(1) + "\n" : text);
+}
+
+}  // namespace
+
+void add_list(CLI::App& program) {
+  CLI::App* command =
+      program.add_subcommand("list", "Mechanisms, scalable cases and formulations that there are");
+  const auto options = std::make_shared<Options>();
+  command->add_option("what", options->what, "Only these")
+      ->check(CLI::IsMember({"mechanisms", "cases", "formulations"}));
+  command->add_flag("--json", options->json, "As JSON");
+  command->callback([options] { list(*options); });
+}
+
+}  // namespace desmo::cli

@@ -1,0 +1,72 @@
+// desmo: structure and kinematics of mechanisms from the command line.
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "bench/cli/commands.h"
+#include "bench/cli/errors.h"
+#include "bench/cli/interruption.h"
+#include "bench/cli/output.h"
+#include "cases/names.h"
+
+namespace {
+
+using namespace desmo;
+
+/// Files opened later must not take the place of a standard stream that the caller has closed.
+void occupy_standard_streams() {
+  int file = ::open("/dev/null", O_RDONLY);
+  while (file >= 0 && file <= STDERR_FILENO) file = ::dup(file);
+  if (file > STDERR_FILENO) ::close(file);
+}
+
+void require_known_command(const CLI::App& program, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  std::vector<std::string> names;
+  for (const CLI::App* command : program.get_subcommands({})) names.push_back(command->get_name());
+  if (std::ranges::find(names, argv[1]) != names.end()) return;
+  throw cli::Error(cli::usage_error, "unknown command " + quoted(argv[1]) + "; " +
+                                         suggestion(argv[1], std::vector<std::string_view>(
+                                                                 names.begin(), names.end())));
+}
+
+void run(int argc, char** argv) {
+  CLI::App program{"Kinematics of multibody systems by structural groups", "desmo"};
+  program.set_version_flag("--version", "desmo " DESMO_VERSION);
+  program.require_subcommand(1);
+  program.footer(
+      "Examples:\n"
+      "  desmo show slider_crank > mine.json\n"
+      "  desmo inspect mine.json --diagram mine.svg\n"
+      "  desmo solve slider_crank -o motion.csv\n"
+      "Exit codes: 0 done, 1 the mechanism cannot be solved, 64 usage, 65 a file says something\n"
+      "wrong, 66 a file cannot be read, 69 Graphviz is missing, 70 an internal error, 74 output\n"
+      "cannot be written, 129, 130, 143 interrupted, 141 standard output was closed");
+  for (cli::AddCommand* const add : cli::commands) add(program);
+  require_known_command(program, argc, argv);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::Success& wanted) {  // --help, --version
+    std::ostringstream text, unused;
+    program.exit(wanted, text, unused);
+    cli::write_standard_output(text.str());
+  } catch (const CLI::ParseError& error) {
+    throw cli::Error(cli::usage_error,
+                     printable(error.what(), 300) + "; 'desmo --help' shows what there is");
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    occupy_standard_streams();
+    cli::handle_signals();
+    run(argc, argv);
+    return cli::success;
+  } catch (...) {
+    return cli::report_current_exception();
+  }
+}

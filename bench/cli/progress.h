@@ -1,0 +1,30 @@
+// How far a run has come, for somebody who waits at a terminal.
+#pragma once
+
+#include <chrono>
+
+namespace desmo::cli {
+
+/// One line on standard error, rewritten at most five times a second and removed in the end; none
+/// when standard error is no terminal.
+class Progress {
+ public:
+  Progress(int instants, bool wanted);
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+  ~Progress() { clear(); }
+
+  void solved(int instants);
+  /// Makes room for a message.
+  void clear();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  int all_;
+  bool shows_;
+  bool on_screen_ = false;
+  Clock::time_point begin_, last_;
+};
+
+}  // namespace desmo::cli

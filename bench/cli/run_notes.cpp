@@ -1,0 +1,53 @@
+#include "bench/cli/run_notes.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "bench/cli/text.h"
+#include "formulations/inlined_part.h"
+
+namespace desmo::cli {
+
+std::string note_on_code(const Formulation& f) {
+  const auto without = std::ranges::count(f.parts(), false, &Formulation::DefinedPart::as_named);
+  if (without == 0) return "";
+  return "note: no generated code for " + std::to_string(without) + " of " +
+         count(static_cast<long>(f.parts().size()), "part") +
+         (without == 1 ? "; it is evaluated automatically\n"
+                       : "; they are evaluated automatically\n");
+}
+
+std::string note_on_pivoting(const Formulation& f) {
+  long steps = 0, parts = 0;
+  for (const Formulation::DefinedPart& part : f.parts())
+    if (const auto* inlined = dynamic_cast<const InlinedPart*>(part.solver.get())) {
+      steps += inlined->fallbacks();
+      parts += inlined->fallbacks() > 0;
+    }
+  if (steps == 0) return "";
+  return "note: " + count(steps, "step") + " of " + count(parts, "part") +
+         " needed pivoting; generated elimination was left for " + (steps == 1 ? "it\n" : "them\n");
+}
+
+std::string failure_text(const Summary& s, const Mechanism& m) {
+  struct Reason {
+    const char *what, *remedy;
+  };
+  const Reason reason =
+      s.status == Status::singular
+          ? Reason{"the position is singular", "choose a motion that avoids it"}
+      : s.status == Status::not_converged
+          ? Reason{"no position was found", "keep the motion within reach, or take smaller steps"}
+          : Reason{"the equations are not finite", "check the motion and the estimates"};
+  std::string place;
+  if (s.group >= 0)
+    place =
+        "group '" + m.groups[s.group].name + "' (" + enumerate(m.groups[s.group].bodies, 8) + "), ";
+  if (s.constraint >= 0) place += "constraint '" + m.constraints[s.constraint].name + "', ";
+  char numbers[96];
+  std::snprintf(numbers, sizeof numbers, "t = %.9g s: %s (residual %.1e)", s.time, reason.what,
+                s.residual);
+  return place + numbers + "; " + reason.remedy;
+}
+
+}  // namespace desmo::cli

@@ -1,0 +1,20 @@
+// What a user should know of a formulation and of its run.
+#pragma once
+
+#include <string>
+
+#include "formulations/formulation.h"
+
+namespace desmo::cli {
+
+/// A line when parts lack the generated code that the formulation's id promises; otherwise empty.
+std::string note_on_code(const Formulation& formulation);
+
+/// A line when generated eliminations left steps to pivoting; otherwise empty.
+std::string note_on_pivoting(const Formulation& formulation);
+
+/// "group 'SG-I' (crank, rod), constraint 'rod/length', t = 0.3 s: no position was found …;
+/// <remedy>"
+std::string failure_text(const Summary& summary, const Mechanism& mechanism);
+
+}  // namespace desmo::cli

@@ -1,0 +1,79 @@
+#include "bench/cli/series.h"
+
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace desmo::cli {
+namespace {
+
+void append_number(double value, std::string& text) {
+  char digits[32];
+  const double unsigned_zero = value + 0.0;  // −0 + 0 = 0
+  const auto end = std::to_chars(digits, digits + sizeof digits, unsigned_zero).ptr;
+  text.append(digits, end);
+}
+
+/// As RFC 4180 has it.
+std::string csv_cell(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+class Csv final : public SeriesFormat {
+ public:
+  std::string heading(const SeriesHeading& heading) const override {
+    std::string text = "t [s]";
+    for (const Column& c : heading.columns) text += "," + csv_cell(c.name + " [" + c.unit + "]");
+    return text + "\n";
+  }
+  void append(const SeriesHeading& heading, const Instant& instant,
+              std::string& text) const override {
+    append_number(instant.time, text);
+    for (const Column& c : heading.columns) {
+      text += ',';
+      append_number(c.value(instant), text);
+    }
+    text += '\n';
+  }
+};
+
+class JsonLines final : public SeriesFormat {
+ public:
+  std::string heading(const SeriesHeading& heading) const override {
+    using Json = nlohmann::ordered_json;
+    Json columns = Json::array({{{"name", "t"}, {"unit", "s"}}});
+    for (const Column& c : heading.columns) columns.push_back({{"name", c.name}, {"unit", c.unit}});
+    const Json all = {{"format", "desmo-series"},           {"version", 1},
+                      {"mechanism", heading.mechanism},     {"scene", heading.scene},
+                      {"formulation", heading.formulation}, {"columns", columns}};
+    return all.dump() + "\n";
+  }
+  void append(const SeriesHeading& heading, const Instant& instant,
+              std::string& text) const override {
+    text += '[';
+    append_finite(instant.time, text);
+    for (const Column& c : heading.columns) {
+      text += ',';
+      append_finite(c.value(instant), text);
+    }
+    text += "]\n";
+  }
+
+ private:
+  /// JSON knows no others.
+  static void append_finite(double value, std::string& text) {
+    std::isfinite(value) ? append_number(value, text) : void(text += "null");
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<SeriesFormat> series_format(std::string_view name) {
+  if (name == "jsonl") return std::make_unique<JsonLines>();
+  return std::make_unique<Csv>();
+}
+
+}  // namespace desmo::cli

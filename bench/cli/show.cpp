@@ -1,0 +1,38 @@
+// desmo show: a library mechanism as JSON, to start from.
+#include <memory>
+
+#include "bench/cli/commands.h"
+#include "bench/cli/errors.h"
+#include "bench/cli/input.h"
+#include "bench/cli/output.h"
+#include "cases/library.h"
+#include "cases/names.h"
+
+namespace desmo::cli {
+namespace {
+
+struct Options {
+  std::string name;
+  bool scene = false;
+};
+
+void show(const Options& options) {
+  const LibraryMechanism* const found = find_library(options.name);
+  if (!found)
+    throw Error(usage_error, "unknown library mechanism " + desmo::quoted(options.name) + "; " +
+                                 suggestion(options.name, library_names()));
+  write_standard_output(options.scene ? found->scene : found->mechanism);
+}
+
+}  // namespace
+
+void add_show(CLI::App& program) {
+  CLI::App* command =
+      program.add_subcommand("show", "Print a library mechanism, or its scene, as JSON");
+  const auto options = std::make_shared<Options>();
+  command->add_option("name", options->name, "Library mechanism (see desmo list)")->required();
+  command->add_flag("--scene", options->scene, "Print its scene instead");
+  command->callback([options] { show(*options); });
+}
+
+}  // namespace desmo::cli

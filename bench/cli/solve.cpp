@@ -1,0 +1,113 @@
+// desmo solve: the motion of a scene, as numbers.
+#include <unistd.h>
+
+#include <cstdio>
+#include <memory>
+
+#include "bench/cli/commands.h"
+#include "bench/cli/delivery.h"
+#include "bench/cli/errors.h"
+#include "bench/cli/explanation.h"
+#include "bench/cli/input.h"
+#include "bench/cli/run_notes.h"
+#include "cases/names.h"
+#include "formulations/variants.h"
+
+namespace desmo::cli {
+namespace {
+
+constexpr const char* default_formulation = "block_symbolic_inlined";
+
+struct Options {
+  std::string scene, output, format, formulation;
+  bool explain = false, quiet = false;
+
+  std::string format_name() const {
+    if (!format.empty()) return format;
+    return output.ends_with(".jsonl") ? "jsonl" : "csv";
+  }
+};
+
+const Variant& choose_variant(const Options& options, const Input& input) {
+  const std::string& id = !options.formulation.empty()       ? options.formulation
+                          : !input.scene.formulation.empty() ? input.scene.formulation
+                                                             : default_formulation;
+  std::vector<std::string_view> ids;
+  for (const Variant& v : variants()) {
+    if (v.id == id) return v;
+    ids.push_back(v.id);
+  }
+  const std::string what = "unknown formulation " + desmo::quoted(id) + "; " + suggestion(id, ids) +
+                           " ('desmo list formulations' shows all)";
+  if (!options.formulation.empty()) throw Error(usage_error, what);
+  throw InputError(input.source + ": /formulation: " + what);
+}
+
+void say(const std::string& text) {
+  std::fputs(text.c_str(), stderr);
+  std::fflush(stderr);
+}
+
+[[noreturn]] void fail(const Summary& summary, const Mechanism& m, const Input& input,
+                       const Output& output) {
+  std::string text = input.source + ": " + failure_text(summary, m);
+  if (output.is_standard_output())
+    text += "\ndesmo: the " + std::to_string(summary.instants) +
+            " instants before it are on standard output";
+  throw Error(not_solved, text);
+}
+
+void solve(const Options& options) {
+  const Input input = load_scene(options.scene);
+  const Variant& variant = choose_variant(options, input);
+  Output output(options.output);
+  const Mechanism whole = model(input).mechanism;
+  const Plan plan = make_plan(whole, asked_by(input.scene, whole));
+  if (options.explain) say(explain(plan, whole));
+  const auto formulation =
+      make_formulation(variant, plan.mechanism, Settings{input.scene.tolerance});
+  formulation->solve_only(plan.levels);
+  if (!options.quiet) say(note_on_code(*formulation));
+
+  const bool in_the_way = output.is_standard_output() && ::isatty(STDOUT_FILENO) == 1;
+  Progress progress(input.scene.grid.instants, !options.quiet && !in_the_way);
+  Delivery delivery({whole.name, input.scene.name, variant.id, make_columns(plan, input.scene)},
+                    series_format(options.format_name()), output, progress);
+  const Summary summary = formulation->run(input.scene.grid, Request{plan.level()}, delivery);
+  progress.clear();
+  if (summary.ok() || output.is_standard_output()) delivery.flush();
+  if (!summary.ok()) fail(summary, plan.mechanism, input, output);
+  output.finish();
+  if (!options.quiet) say(note_on_pivoting(*formulation));
+}
+
+}  // namespace
+
+void add_solve(CLI::App& program) {
+  CLI::App* command = program.add_subcommand("solve", "Solve a scene and write what it asks for");
+  const auto options = std::make_shared<Options>();
+  command
+      ->add_option("scene", options->scene,
+                   "Scene file, - for standard input, library mechanism (its scene), or scalable "
+                   "case with its units, such as truck_suspension:5")
+      ->required();
+  command
+      ->add_option("-o,--output", options->output,
+                   "Write to this file, whole or not at all, instead of standard output")
+      ->check(refuse_empty);
+  command
+      ->add_option("--format", options->format,
+                   "csv, or jsonl (JSON lines); by default as the name of the output ends")
+      ->check(CLI::IsMember({"csv", "jsonl"}));
+  command
+      ->add_option("--formulation", options->formulation,
+                   "Formulation (see desmo list formulations); by default the scene's, or " +
+                       std::string(default_formulation))
+      ->check(refuse_empty);
+  command->add_flag("--explain", options->explain,
+                    "Say on standard error what has to be solved for what is asked, and why");
+  command->add_flag("--quiet", options->quiet, "No progress and no notes");
+  command->callback([options] { solve(*options); });
+}
+
+}  // namespace desmo::cli

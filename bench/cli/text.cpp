@@ -1,0 +1,65 @@
+#include "bench/cli/text.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace desmo::cli {
+namespace {
+
+constexpr std::size_t line_width = 100;
+
+/// Characters, not bytes.
+std::size_t width(std::string_view text) {
+  return std::ranges::count_if(text, [](char c) { return (c & 0xc0) != 0x80; });
+}
+
+}  // namespace
+
+std::string count(long n, const std::string& noun, const std::string& plural) {
+  return std::to_string(n) + " " + (n == 1 ? noun : plural.empty() ? noun + "s" : plural);
+}
+
+std::string enumerate(const std::vector<std::string>& names, std::size_t most) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size() && i < most; ++i)
+    text += (i == 0 ? "" : ", ") + names[i];
+  if (names.size() > most) text += ", … (" + std::to_string(names.size() - most) + " more)";
+  return text;
+}
+
+std::string wrap(const std::string& text, std::size_t indent) {
+  std::istringstream words(text);
+  std::string result;
+  std::size_t column = 0;
+  for (std::string word; words >> word;) {
+    if (column > 0 && column + 1 + width(word) > line_width - indent) {
+      result += "\n" + std::string(indent, ' ');
+      column = 0;
+    }
+    result += (column > 0 ? " " : "") + word;
+    column += width(word) + (column > 0);
+  }
+  return result;
+}
+
+std::string table(const std::vector<std::vector<std::string>>& rows, std::string_view right) {
+  std::vector<std::size_t> widths;
+  for (const auto& row : rows) {
+    widths.resize(std::max(widths.size(), row.size()));
+    for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], width(row[c]));
+  }
+  std::string text;
+  for (const auto& row : rows) {
+    std::string line;
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      const std::string space(widths[c] - width(row[c]), ' ');
+      const bool to_the_right = c < right.size() && right[c] == 'r';
+      line += "  " + (to_the_right ? space + row[c] : row[c] + space);
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + "\n";
+  }
+  return text;
+}
+
+}  // namespace desmo::cli
