@@ -10,12 +10,12 @@
 
 namespace desmo::report {
 
-Measured measured(const Record& record, const CellKey& key) {
-  const auto cell = record.cells.find(key);
-  if (cell == record.cells.end()) return {std::nullopt, missing_mark};
-  switch (cell->second.status) {
+namespace {
+
+Measured measured(Status status, const std::vector<double>& cpu_seconds) {
+  switch (status) {
     case Status::ok:
-      return {summarise(cell->second.cpu_seconds), {}};
+      return {summarise(cpu_seconds), {}};
     case Status::failed:
       return {std::nullopt, failed_mark};
     case Status::not_run:
@@ -24,12 +24,25 @@ Measured measured(const Record& record, const CellKey& key) {
   return {std::nullopt, not_run_mark};
 }
 
+}  // namespace
+
+Measured measured(const Record& record, const CellKey& key) {
+  const auto cell = record.cells.find(key);
+  if (cell == record.cells.end()) return {std::nullopt, missing_mark};
+  return measured(cell->second.status, cell->second.cpu_seconds);
+}
+
+Measured measured(const Request& request) { return measured(request.status, request.cpu_seconds); }
+
 MeasuredSpeedUp measured_speed_up(const Record& record, const CellKey& reference,
                                   const CellKey& variant) {
-  const Measured fast = measured(record, variant), slow = measured(record, reference);
-  if (!fast.seconds) return {std::nullopt, fast.mark};
-  if (!slow.seconds) return {std::nullopt, "reference " + slow.mark};
-  return {speed_up(*slow.seconds, *fast.seconds), {}};
+  return measured_speed_up(measured(record, reference), measured(record, variant));
+}
+
+MeasuredSpeedUp measured_speed_up(const Measured& reference, const Measured& variant) {
+  if (!variant.seconds) return {std::nullopt, variant.mark};
+  if (!reference.seconds) return {std::nullopt, "reference " + reference.mark};
+  return {speed_up(*reference.seconds, *variant.seconds), {}};
 }
 
 MeanSpeedUp mean_speed_up(const Record& record, std::string_view family, std::size_t reference,
@@ -83,6 +96,11 @@ std::string repetitions(const Record& record) {
          (largest == "1" ? " repetition" : " repetitions");
 }
 
+std::string remark(Status status, const std::string& message) {
+  if (status == Status::ok) return {};
+  return message.empty() ? "no reason recorded" : message;
+}
+
 Entry seconds_entry(const Measured& measured) {
   if (!measured.seconds) return note_entry(measured.mark);
   const Summary& seconds = *measured.seconds;
@@ -91,6 +109,12 @@ Entry seconds_entry(const Measured& measured) {
   if (seconds.count < 2) return {median + " (one run)", {median, "", count}, "one run"};
   const std::string half = write(seconds.half_range(), style);
   return {median + " ±" + half, {median, half, count}, {}};
+}
+
+Entry number_entry(const std::optional<double>& value, int significant) {
+  if (!value) return note_entry(missing_mark);
+  const std::string digits = write_significant(*value, significant);
+  return {digits, {digits}, {}};
 }
 
 Entry speed_up_entry(const MeasuredSpeedUp& measured) {

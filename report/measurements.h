@@ -21,6 +21,7 @@ struct Measured {
 };
 
 Measured measured(const Record& record, const CellKey& key);
+Measured measured(const Request& request);
 
 /// The speed-up of one cell over another, or the mark of the one that has no number.
 struct MeasuredSpeedUp {
@@ -30,6 +31,7 @@ struct MeasuredSpeedUp {
 
 MeasuredSpeedUp measured_speed_up(const Record& record, const CellKey& reference,
                                   const CellKey& variant);
+MeasuredSpeedUp measured_speed_up(const Measured& reference, const Measured& variant);
 
 /// The mean speed-up of one of the paper's variants over another (both by position in `variants`)
 /// within a family, over those of the sizes where both were measured.
@@ -62,8 +64,14 @@ Sources sources(const Record& record);
 /// "5 repetitions", "3 to 5 repetitions", "1 repetition": of all cells that were measured.
 std::string repetitions(const Record& record);
 
+/// Why there is no time; empty when there is one.
+std::string remark(Status status, const std::string& message);
+
 /// "0.4210 ±0.0020", quantities {seconds, half_range, repetitions}; or the mark.
 Entry seconds_entry(const Measured& measured);
+
+/// So many significant digits, or the mark of what is missing.
+Entry number_entry(const std::optional<double>& value, int significant);
 
 /// "1.24 [1.21, 1.27] (19.4 %)", quantities {speed_up, low, high, percent}; or the mark.
 Entry speed_up_entry(const MeasuredSpeedUp& measured);

@@ -38,6 +38,7 @@ struct Allowed {
   double position = 0;
   double velocity = 0;
   double acceleration = 0;
+  std::optional<double> request;  ///< of a request from the whole mechanism
 };
 
 struct Settings {
@@ -87,6 +88,41 @@ struct Profile {
   std::optional<std::array<double, 2>> total_range;  ///< s, of all phases: least, largest pass
 };
 
+/// What names the structure that a partition gives: ordered by case, size, partition.
+struct StructureKey {
+  std::string case_name;
+  std::int64_t coordinates = 0;
+  std::string partition;  ///< as in the ids: "global", "group", "block"
+  auto operator<=>(const StructureKey&) const = default;
+};
+
+/// So many parts with so many unknowns each.
+struct PartSizes {
+  std::int64_t unknowns = 0;
+  std::int64_t count = 0;
+};
+
+/// The parts into which a partition cuts the unknowns; constant ones are left out.
+struct Structure {
+  std::int64_t units = 1;        ///< equal ones of which the case is built
+  std::vector<PartSizes> parts;  ///< each number of unknowns once, largest first; never empty
+};
+
+/// A formulation that solves only what is asked.
+struct Request {
+  CellKey cell;       ///< the formulation, and the cell that solves everything with it
+  std::string name;   ///< unique for a cell
+  std::string title;  ///< what is asked, for people
+  std::string level;  ///< "position", "velocity", "acceleration"
+  std::int64_t unknowns = 0;
+  std::int64_t all_unknowns = 0;  ///< of the whole mechanism
+  Status status = Status::not_run;
+  std::string message;               ///< why it failed or was not run
+  std::vector<double> cpu_seconds;   ///< one per repetition; never empty when ok, always when not
+  std::optional<double> difference;  ///< from the whole mechanism's solution; always when ok
+  std::optional<double> iterations_per_step;
+};
+
 struct Record {
   std::string version;
   std::string date;  ///< UTC, ISO 8601
@@ -100,6 +136,8 @@ struct Record {
   Settings settings;
   std::map<CellKey, Cell> cells;
   std::map<CellKey, Profile> profiles;
+  std::map<StructureKey, Structure> structure;  ///< since 1.2.0
+  std::vector<Request> requests;                ///< since 1.2.0, in the record's order
 };
 
 }  // namespace desmo::report

@@ -99,8 +99,10 @@ Machine read_machine(const JsonNode& node) {
 std::optional<Allowed> read_allowed(const JsonNode& settings) {
   const auto node = settings.find("allowed");
   if (!node) return std::nullopt;
-  return Allowed{(*node)["position"].positive(), (*node)["velocity"].positive(),
-                 (*node)["acceleration"].positive()};
+  Allowed allowed{(*node)["position"].positive(), (*node)["velocity"].positive(),
+                  (*node)["acceleration"].positive(), std::nullopt};
+  if (const auto request = node->find("request")) allowed.request = request->positive();
+  return allowed;
 }
 
 Settings read_settings(const JsonNode& node) {
@@ -131,18 +133,31 @@ std::optional<double> read_optional(const JsonNode& node, std::string_view key) 
   return member ? std::optional(member->not_negative()) : std::nullopt;
 }
 
-// "velocity differs by 2e-06, 1e-08 is allowed"; empty when nothing exceeds what is allowed.
+// "velocity differs by 2e-06, 1e-08 is allowed"; empty when it is allowed.
+std::string excess(const std::string& what, double difference, double limit) {
+  if (difference <= limit) return {};
+  return what + " differs by " + write_shortest(difference) + ", " + write_shortest(limit) +
+         " is allowed";
+}
+
 std::string excess(const Verification& found, const Allowed& allowed) {
   std::string text;
   const auto compare = [&text](const char* what, double difference, double limit) {
-    if (difference > limit)
-      text += (text.empty() ? "" : "; ") + std::string(what) + " differs by " +
-              write_shortest(difference) + ", " + write_shortest(limit) + " is allowed";
+    const std::string reason = excess(what, difference, limit);
+    if (!reason.empty()) text += (text.empty() ? "" : "; ") + reason;
   };
   compare("position", found.position, allowed.position);
   compare("velocity", found.velocity, allowed.velocity);
   compare("acceleration", found.acceleration, allowed.acceleration);
   return text;
+}
+
+std::vector<double> read_samples(const JsonNode& node, const std::string& what) {
+  const JsonNode samples = node["cpu_seconds"];
+  std::vector<double> seconds;
+  for (const JsonNode& sample : samples.elements()) seconds.push_back(sample.sample());
+  if (seconds.empty()) samples.complain("an \"ok\" " + what + " needs at least one sample");
+  return seconds;
 }
 
 Cell read_cell(const JsonNode& node, const std::optional<Allowed>& allowed) {
@@ -160,9 +175,7 @@ Cell read_cell(const JsonNode& node, const std::optional<Allowed>& allowed) {
         (*checked)["velocity"].not_negative(), (*checked)["acceleration"].not_negative()};
   if (cell.status != Status::ok) return cell;  // times of a wrong answer are not times
   if (!cell.verification) node.complain("an \"ok\" cell needs \"verification\"");
-  const JsonNode samples = node["cpu_seconds"];
-  for (const JsonNode& sample : samples.elements()) cell.cpu_seconds.push_back(sample.sample());
-  if (cell.cpu_seconds.empty()) samples.complain("an \"ok\" cell needs at least one sample");
+  cell.cpu_seconds = read_samples(node, "cell");
   if (!allowed) return cell;
   if (std::string reason = excess(*cell.verification, *allowed); !reason.empty()) {
     cell.status = Status::failed;
@@ -192,6 +205,88 @@ Profile read_profile(const JsonNode& node) {
   return profile;
 }
 
+Structure read_structure(const JsonNode& node) {
+  Structure structure;
+  if (const auto units = node.find("units")) structure.units = units->integer(1);
+  const JsonNode parts = node["parts"];
+  for (const JsonNode& part : parts.elements()) {
+    const PartSizes sizes{part["unknowns"].integer(1), part["count"].integer(1)};
+    if (!structure.parts.empty() && structure.parts.back().unknowns <= sizes.unknowns)
+      part["unknowns"].complain("the parts do not stand largest first, each size once");
+    structure.parts.push_back(sizes);
+  }
+  if (structure.parts.empty()) parts.complain("a structure needs at least one part");
+  return structure;
+}
+
+std::string read_level(const JsonNode& node) {
+  const std::string level = node.text();
+  if (level != "position" && level != "velocity" && level != "acceleration")
+    node.complain("\"" + level + "\" is none of \"position\", \"velocity\", \"acceleration\"");
+  return level;
+}
+
+// Only the levels asked were compared.
+std::string request_excess(const JsonNode& verification, const Allowed& allowed) {
+  Verification found{.instants = verification["instants"].integer(1),
+                     .position = verification["position"].not_negative()};
+  found.velocity = read_optional(verification, "velocity").value_or(0);
+  found.acceleration = read_optional(verification, "acceleration").value_or(0);
+  return excess(found, allowed);
+}
+
+Request read_request(const JsonNode& node, const std::optional<Allowed>& allowed) {
+  Request request{.cell = read_key(node),
+                  .name = node["request"].name(),
+                  .title = node["title"].text(),
+                  .level = read_level(node["level"]),
+                  .unknowns = node["unknowns"].integer(1),
+                  .all_unknowns = node["all_unknowns"].integer(1),
+                  .status = read_status(node["status"]),
+                  .message = {},
+                  .cpu_seconds = {},
+                  .difference = read_optional(node, "difference"),
+                  .iterations_per_step = read_optional(node, "iterations_per_step")};
+  if (request.unknowns > request.all_unknowns)
+    node["unknowns"].complain("more unknowns than the whole mechanism has");
+  if (const auto message = node.find("message")) request.message = message->text();
+  if (request.status != Status::ok) return request;  // times of a wrong answer are not times
+  const JsonNode verification = node["verification"];
+  if (!request.difference) node.complain("an \"ok\" request needs \"difference\"");
+  request.cpu_seconds = read_samples(node, "request");
+  if (!allowed) return request;
+  std::string reason = request_excess(verification, *allowed);
+  if (reason.empty() && allowed->request)
+    reason =
+        excess("the answer beside the whole mechanism's", *request.difference, *allowed->request);
+  if (!reason.empty()) {
+    request.status = Status::failed;
+    request.message = std::move(reason);
+    request.cpu_seconds.clear();
+  }
+  return request;
+}
+
+void read_structures(Record& record, const JsonNode& list) {
+  for (const JsonNode& node : list.elements()) {
+    const StructureKey key{node["case"].name(), node["coordinates"].integer(1),
+                           node["partition"].name()};
+    if (!record.structure.emplace(key, read_structure(node)).second)
+      node.complain("the structure of " + key.case_name + "/" + std::to_string(key.coordinates) +
+                    "/" + key.partition + " is given twice");
+  }
+}
+
+void read_requests(Record& record, const JsonNode& list) {
+  std::set<std::pair<CellKey, std::string>> seen;
+  for (const JsonNode& node : list.elements()) {
+    record.requests.push_back(read_request(node, record.settings.allowed));
+    const Request& request = record.requests.back();
+    if (!seen.emplace(request.cell, request.name).second)
+      node.complain("the request " + request.name + " of " + request.cell.id + " is given twice");
+  }
+}
+
 template <typename Map, typename Value>
 void insert_once(Map& map, const JsonNode& node, Value value) {
   const CellKey key = read_key(node);
@@ -219,7 +314,9 @@ Record parse_record(std::string_view text) {
                 .blas = {blas["core"].text(), blas["threads"].integer(1)},
                 .settings = read_settings(node["settings"]),
                 .cells = {},
-                .profiles = {}};
+                .profiles = {},
+                .structure = {},
+                .requests = {}};
   for (const auto& [name, version] : node["libraries"].members())
     record.libraries.emplace(name, version.text());
   for (const JsonNode& cell : root["cells"].elements())
@@ -227,6 +324,8 @@ Record parse_record(std::string_view text) {
   if (const auto profiles = root.find("profiles"))
     for (const JsonNode& profile : profiles->elements())
       insert_once(record.profiles, profile, read_profile(profile));
+  if (const auto structure = root.find("structure")) read_structures(record, *structure);
+  if (const auto requests = root.find("requests")) read_requests(record, *requests);
   return record;
 }
 

@@ -23,9 +23,9 @@ class InvalidRecord : public std::runtime_error {
 };
 
 /// Checks everything the report relies on: the schema's name and major version, required keys,
-/// types, times above zero, the verification of every "ok" cell, every cell and profile given once.
-/// An "ok" cell whose verification exceeds `record.settings.allowed` becomes a failed one that says
-/// so and has no time. Unknown keys are ignored, so that a record with a newer minor version is
+/// types, times above zero, the verification of every "ok" cell and request, nothing given twice.
+/// An "ok" cell or request that exceeds `record.settings.allowed` becomes a failed one that says so
+/// and has no time. Unknown keys are ignored, so that a record with a newer minor version is
 /// read. Throws InvalidRecord.
 Record parse_record(std::string_view text);
 

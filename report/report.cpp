@@ -52,6 +52,8 @@ Document make_report(const Record& record) {
   sections.push_back({"Growth with the number of coordinates", {}, {scaling(record)}});
   sections.push_back(paper_tables(record));
   sections.push_back(conclusion(record));
+  if (!record.structure.empty()) sections.push_back(partitions(record));
+  if (!record.requests.empty()) sections.push_back(requests(record));
   if (const auto lines = failures(record); !lines.empty())
     sections.push_back({"Failed verification: no time, and no ratio computed from one", lines, {}});
   return document;

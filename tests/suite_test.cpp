@@ -1,4 +1,4 @@
-// desmo_bench: options, verification, and what it does when a formulation is wrong.
+// desmo_bench: options, verification, requests, and what it does when a formulation is wrong.
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -11,7 +11,12 @@
 
 #include "bench/suite/cell.h"
 #include "bench/suite/options.h"
+#include "bench/suite/request.h"
+#include "bench/suite/structure.h"
 #include "bench/suite/verification.h"
+#include "cases/files.h"
+#include "cases/library.h"
+#include "formulations/modelling/model.h"
 
 namespace desmo::suite {
 namespace {
@@ -114,6 +119,109 @@ TEST(Cells, SayWhyDenseGlobalSolvesAreNotRun) {
   EXPECT_NE(cell.message.find("O(n^3)"), std::string::npos);
 }
 
+TEST(Cells, AreNotTimedWithoutTheGeneratedCodeTheirIdPromises) {
+  const Mechanism m = make_mechanism(four_bar(2));
+  const Settings settings;
+  const auto named = make_formulation(find_variant("group_symbolic_klu"), m);
+  EXPECT_EQ(missing_code(*named), "");
+  std::vector<Formulation::DefinedPart> parts;
+  for (PartDefinition& d : make_partition(m, Partition::group))
+    parts.push_back({std::move(d), nullptr, parts.size() != 1});
+  const Formulation unnamed(m, std::move(parts), settings);
+  EXPECT_EQ(missing_code(unnamed),
+            "no generated code for 1 of 3 parts, first of group '" + m.groups[1].name + "'");
+}
+
+TEST(Structure, CountsThePartsOfEachPartition) {
+  const auto found = structures(find_case("truck_suspension"), 225);
+  ASSERT_EQ(found.size(), 3u);
+  EXPECT_EQ(found[0].partition, "global");
+  EXPECT_EQ(found[0].parts, (std::vector<PartSizes>{{218, 1}}));
+  EXPECT_EQ(found[1].partition, "group");
+  EXPECT_EQ(found[1].parts, (std::vector<PartSizes>{{39, 2}, {19, 4}, {16, 4}}));
+  EXPECT_EQ(found[2].partition, "block");
+  int unknowns = 0;
+  for (const PartSizes& p : found[2].parts) unknowns += p.count * p.unknowns;
+  EXPECT_EQ(unknowns, 218);
+  EXPECT_LT(found[2].parts.front().unknowns, 39);
+}
+
+struct Requests : testing::Test {
+  Options options = [] {
+    Options o;
+    o.duration = 0.5;
+    return o;
+  }();
+  ReferenceCache references;
+
+  std::shared_ptr<const PlannedRequest> planned(std::string_view name) const {
+    for (const RequestScene& r : request_scenes())
+      if (r.name == name)
+        return std::make_shared<const PlannedRequest>(
+            name, parse_scene(r.scene, std::string(name), {}), options);
+    throw std::invalid_argument("no such request");
+  }
+};
+
+TEST_F(Requests, AreVerifiedBeforeTheyAreTimed) {
+  int verified = 0;
+  for (const auto& cell : make_requests(options)) {
+    EXPECT_TRUE(cell->name().starts_with("truck_suspension/558/" + cell->variant.id + "/request:"))
+        << cell->name();
+    cell->verify(references);
+    if (cell->is_not_run()) {
+      EXPECT_NE(cell->message.find("no generated code"), std::string::npos) << cell->name();
+      continue;
+    }
+    ++verified;
+    EXPECT_EQ(cell->state, Timed::State::verified) << cell->name() << ": " << cell->message;
+    EXPECT_LE(cell->difference, allowed_request_difference) << cell->name();
+    EXPECT_EQ(cell->errors.instants, 51);
+    EXPECT_LT(cell->request().unknowns, cell->request().all_unknowns);
+    EXPECT_TRUE(cell->analyse().ok());
+  }
+  EXPECT_GE(verified, 8);
+}
+
+TEST_F(Requests, DeliverWhatIsAskedAndNothingElse) {
+  const auto request = planned("damper");
+  ASSERT_EQ(request->asked.size(), 1u);
+  RequestedDelivery delivery(request->asked);
+  const auto f = make_formulation(find_variant("block_symbolic_inlined"), request->plan.mechanism);
+  f->solve_only(request->plan.levels);
+  ASSERT_TRUE(f->run(request->grid, {request->plan.level()}, delivery).ok());
+  ASSERT_EQ(delivery.q().size(), 1u);
+  ASSERT_EQ(delivery.qd().size(), 1u);
+  EXPECT_TRUE(delivery.qdd().empty());
+  const int s10 = request->asked[0].kept;
+  EXPECT_EQ(delivery.q()[0], f->q()[s10]);
+  EXPECT_EQ(delivery.qd()[0], f->qd()[s10]);
+}
+
+TEST_F(Requests, DifferWhereSomethingNeededIsLeftOut) {
+  const auto request = planned("damper");
+  const Variant& v = find_variant("global_automatic_klu");
+  const auto whole = make_formulation(v, request->whole);
+  const auto kept = make_formulation(v, request->plan.mechanism);
+  const auto differences = [&](Level level) {
+    return largest_differences(*whole, *kept, request->asked, level, request->grid);
+  };
+  EXPECT_LT(differences(Level::velocity).velocity, 1e-9);
+  EXPECT_GT(differences(Level::position).velocity, 1e-3);  // its velocities are never solved
+}
+
+TEST_F(Requests, FailWhereTheWholeMechanismCannotBeSolved) {
+  Scene scene = truck_suspension(1);
+  scene.request = {{Wanted::Kind::point, 0, Level::position}};
+  scene.motions.front() = HarmonicSum{5, {}};  // out of the axle's reach
+  RequestCell cell(std::make_shared<const PlannedRequest>("far", scene, options),
+                   find_variant("global_automatic_klu"));
+  cell.verify(references);
+  EXPECT_EQ(cell.state, Timed::State::failed);
+  EXPECT_TRUE(cell.message.starts_with("the whole mechanism: ")) << cell.message;
+  EXPECT_FALSE(cell.is_timed());
+}
+
 int run_bench(const std::string& flags) {
   const int status = std::system((DESMO_BENCH " " + flags + " >/dev/null 2>&1").c_str());
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
@@ -158,6 +266,16 @@ TEST(Bench, RecordsAreReadByTheReport) {
                       " --benchmark_filter=four_bar/114/group_symbolic_klu"),
             1);
   EXPECT_EQ(std::system(report.c_str()), 0);
+  // With requests, with and without everything beside them.
+  for (const std::string filter : {"558/block_symbolic_inlined", "request:(damper|axle)$"}) {
+    ASSERT_EQ(
+        run_bench("--duration=0.02 --record=" + record + " '--benchmark_filter=" + filter + "'"),
+        0);
+    EXPECT_EQ(std::system((report + " && " DESMO_REPORT " tables " + record +
+                           " | grep -q 'What a request costs'")
+                              .c_str()),
+              0);
+  }
   std::filesystem::remove(record);
 }
 

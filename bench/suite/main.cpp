@@ -1,4 +1,5 @@
-// desmo_bench: every case × size × formulation as a Google Benchmark, verified before it is timed.
+// desmo_bench: every case × size × formulation, and every request, as a Google Benchmark, verified
+// before it is timed.
 
 #include <benchmark/benchmark.h>
 #include <malloc.h>
@@ -8,7 +9,9 @@
 #include <filesystem>
 #include <iostream>
 #include <map>
+#include <memory>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -18,26 +21,25 @@
 #include "bench/suite/environment.h"
 #include "bench/suite/options.h"
 #include "bench/suite/record.h"
+#include "bench/suite/request.h"
 #include "formulations/algebra/blas.h"
 
 namespace desmo::suite {
 
 namespace {
 
-using Cells = std::vector<std::unique_ptr<Cell>>;
-
-/// Keeps the raw samples of every cell beside what the console shows.
+/// Keeps the raw samples of everything timed beside what the console shows.
 class CollectingReporter final : public benchmark::ConsoleReporter {
  public:
-  explicit CollectingReporter(const std::vector<Cell*>& cells) : ConsoleReporter(OO_Tabular) {
-    for (Cell* cell : cells) cells_[cell->name()] = cell;
+  explicit CollectingReporter(const std::vector<Timed*>& all) : ConsoleReporter(OO_Tabular) {
+    for (Timed* timed : all) timed_[timed->name()] = timed;
   }
 
   void ReportRuns(const std::vector<Run>& runs) override {
     std::vector<Run> shown;
     for (const Run& run : runs) {
-      const auto it = cells_.find(run.run_name.function_name);
-      if (it != cells_.end() && run.run_type == Run::RT_Iteration && !run.error_occurred)
+      const auto it = timed_.find(run.run_name.function_name);
+      if (it != timed_.end() && run.run_type == Run::RT_Iteration && !run.error_occurred)
         it->second->cpu_seconds.push_back(run.cpu_accumulated_time /
                                           static_cast<double>(run.iterations));
       if (run.error_occurred || run.repetitions == 1 || run.aggregate_name == "median" ||
@@ -49,42 +51,52 @@ class CollectingReporter final : public benchmark::ConsoleReporter {
   }
 
  private:
-  std::map<std::string, Cell*> cells_;
+  std::map<std::string, Timed*> timed_;
 };
 
-void run_cell(benchmark::State& state, Cell& cell) {
-  if (cell.state != Cell::State::verified) return state.SkipWithError(cell.message.c_str());
+void run_timed(benchmark::State& state, Timed& timed) {
+  if (timed.state != Timed::State::verified) return state.SkipWithError(timed.message.c_str());
   for (auto _ : state) {
-    if (!cell.analyse().ok()) return state.SkipWithError(cell.message.c_str());
+    if (!timed.analyse().ok()) return state.SkipWithError(timed.message.c_str());
   }
-  state.counters["coordinates"] = cell.coordinates;
-  state.counters["groups"] = cell.groups;
-  state.counters["iterations/step"] = cell.iterations_per_step;
-  state.counters["residual"] = cell.residual;
+  for (const auto& [name, value] : timed.counters()) state.counters[name] = value;
 }
 
-/// Cells whose benchmark the filter selects. Google Benchmark offers no question for that before
+/// Those whose benchmark the filter selects. Google Benchmark offers no question for that before
 /// registration, so they are registered once for the question and anew for the measurement.
-std::vector<Cell*> selected(const Cells& cells) {
+std::vector<Timed*> selected(const std::vector<Timed*>& all) {
   struct Names final : benchmark::BenchmarkReporter {
-    std::vector<std::string> found;
+    std::set<std::string> found;
     bool ReportContext(const Context&) override { return true; }
     void ReportRuns(const std::vector<Run>& runs) override {
-      for (const Run& run : runs) found.push_back(run.run_name.function_name);
+      for (const Run& run : runs) found.insert(run.run_name.function_name);
     }
   } names;
-  for (const auto& cell : cells)
-    benchmark::RegisterBenchmark(cell->name().c_str(), [](benchmark::State& state) {
+  for (const Timed* timed : all)
+    benchmark::RegisterBenchmark(timed->name().c_str(), [](benchmark::State& state) {
       for (auto _ : state) {
       }
     });
-  std::vector<Cell*> result;
+  std::vector<Timed*> result;
   benchmark::RunSpecifiedBenchmarks(&names);
   benchmark::ClearRegisteredBenchmarks();
-  for (const auto& cell : cells)
-    if (std::ranges::find(names.found, cell->name()) != names.found.end())
-      result.push_back(cell.get());
+  for (Timed* timed : all)
+    if (names.found.contains(timed->name())) result.push_back(timed);
   return result;
+}
+
+template <class Kind>
+void append(std::vector<Timed*>& all, const std::vector<std::unique_ptr<Kind>>& some) {
+  for (const auto& timed : some) all.push_back(timed.get());
+}
+
+/// A record has one time grid.
+void require_one_grid(const std::vector<Timed*>& all) {
+  const TimeGrid& first = all.front()->grid;
+  for (const Timed* timed : all)
+    if (timed->grid.step != first.step || timed->grid.instants != first.instants)
+      throw std::invalid_argument(
+          "the cases differ in step or duration: give --step and --duration");
 }
 
 std::string command_line(int argc, char** argv) {
@@ -131,29 +143,35 @@ int run(int argc, char** argv) {
   set_blas_threads(1);  // the clock is the thread's own
 
   Run record{utc_now(), command_line(argc, argv), load_averages(), {}};
-  const Cells all = make_cells(options);
-  const std::vector<Cell*> cells = selected(all);
+  const auto cells = make_cells(options);
+  const auto requests = make_requests(options);
+  std::vector<Timed*> all;
+  append(all, cells);
+  append(all, requests);
+  require_one_grid(all);
+  const std::vector<Timed*> chosen = selected(all);
   if (std::ranges::any_of(arguments, is_listing)) return 0;
-  if (cells.empty()) return 64;  // Google Benchmark has said that nothing matches
+  if (chosen.empty()) return 64;  // Google Benchmark has said that nothing matches
   std::optional<RecordFile> file;
   if (!options.record.empty()) file.emplace(options.record);
 
   ReferenceCache references;
-  for (Cell* cell : cells) {
-    cell->verify(references);
-    cell->profile();
-    if (cell->state == Cell::State::not_run || cell->state == Cell::State::failed)
-      std::cerr << cell->name() << ": " << cell->message << '\n';
-    if (cell->state == Cell::State::not_run) continue;
-    benchmark::RegisterBenchmark(cell->name().c_str(), &run_cell, std::ref(*cell))
+  for (Timed* timed : chosen) {
+    timed->verify(references);
+    timed->profile();
+    if (timed->is_not_run() || timed->is_failed())
+      std::cerr << timed->name() << ": " << timed->message << '\n';
+    if (timed->is_not_run()) continue;
+    benchmark::RegisterBenchmark(timed->name().c_str(), &run_timed, std::ref(*timed))
         ->Unit(benchmark::kMillisecond);
   }
-  CollectingReporter reporter(cells);
-  if (!std::ranges::all_of(cells, &Cell::is_not_run)) benchmark::RunSpecifiedBenchmarks(&reporter);
+  CollectingReporter reporter(chosen);
+  if (!std::ranges::all_of(chosen, &Timed::is_not_run))
+    benchmark::RunSpecifiedBenchmarks(&reporter);
   benchmark::Shutdown();
   record.load_after = load_averages();
-  if (file) file->write(record, cells);
-  return std::ranges::any_of(cells, &Cell::is_failed) ? 1 : 0;
+  if (file) file->write(record, chosen);
+  return std::ranges::any_of(chosen, &Timed::is_failed) ? 1 : 0;
 }
 
 }  // namespace

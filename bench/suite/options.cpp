@@ -7,6 +7,8 @@
 #include <string_view>
 #include <utility>
 
+#include "cases/cases.h"
+
 namespace desmo::suite {
 
 namespace {
@@ -26,7 +28,8 @@ Number positive(std::string_view option, std::string_view text) {
 
 const char* const usage =
     "desmo_bench: verifies, then times, every case, size and formulation.\n"
-    "A benchmark is named <case>/<coordinates>/<id>; one iteration is the whole analysis.\n\n"
+    "A benchmark is named <case>/<coordinates>/<id>; one iteration is the whole analysis.\n"
+    "<case>/<coordinates>/<id>/request:<name> solves only what that request needs.\n\n"
     "  --step=SECONDS           time step (default: the case's, 0.01)\n"
     "  --duration=SECONDS       motion analysed (default: the case's, 30)\n"
     "  --dense-limit=N          coordinates up to which dense global solves run (default 114)\n"
@@ -73,6 +76,11 @@ Options take_options(std::vector<char*>& arguments) {
   }
   arguments = std::move(rest);
   return o;
+}
+
+TimeGrid chosen_grid(const TimeGrid& own, const Options& o) {
+  const double duration = own.time(own.instants - 1) - own.start;
+  return time_grid(o.duration > 0 ? o.duration : duration, o.step > 0 ? o.step : own.step);
 }
 
 }  // namespace desmo::suite

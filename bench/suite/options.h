@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "cases/motion.h"
+
 namespace desmo::suite {
 
 /// What desmo_bench takes beside the flags of Google Benchmark.
@@ -17,6 +19,9 @@ struct Options {
 /// Takes our options out of argv and leaves the rest. Throws std::invalid_argument, naming the
 /// option, for a missing or unusable value.
 Options take_options(std::vector<char*>& arguments);
+
+/// The instants that are analysed: a scene's own, but for what the options say.
+TimeGrid chosen_grid(const TimeGrid& own, const Options& options);
 
 /// Text of --help.
 extern const char* const usage;

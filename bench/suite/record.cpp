@@ -1,12 +1,19 @@
 #include "bench/suite/record.h"
 
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <stdexcept>
+#include <string_view>
+#include <utility>
 
+#include "bench/suite/cell.h"
 #include "bench/suite/environment.h"
+#include "bench/suite/request.h"
+#include "bench/suite/structure.h"
 #include "formulations/algebra/blas.h"
 
 namespace desmo::suite {
@@ -15,7 +22,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* schema_version = "1.1.0";
+constexpr std::array level_names{"position", "velocity", "acceleration"};
+constexpr const char* schema_version = "1.2.0";
 
 Json environment(const Run& run, const TimeGrid& grid) {
   const Machine machine = this_machine();
@@ -50,34 +58,81 @@ Json environment(const Run& run, const TimeGrid& grid) {
             {"allowed",
              {{"position", allowed.position},
               {"velocity", allowed.velocity},
-              {"acceleration", allowed.acceleration}}}}}};
+              {"acceleration", allowed.acceleration},
+              {"request", allowed_request_difference}}}}}};
+}
+
+/// Status, and the message unless it is "ok": of what has no time, nothing that follows is written.
+void add_status(Json& j, const Timed& timed) {
+  j["status"] = timed.is_timed() ? "ok" : timed.is_not_run() ? "not_run" : "failed";
+  if (!timed.is_timed()) j["message"] = timed.message.empty() ? "not timed" : timed.message;
+}
+
+Json errors_json(const Errors& errors) {
+  return {{"instants", errors.instants},
+          {"position", errors.position},
+          {"velocity", errors.velocity},
+          {"acceleration", errors.acceleration}};
 }
 
 Json cell_json(const Cell& cell) {
   Json j = {
       {"case", cell.definition.name}, {"coordinates", cell.coordinates}, {"id", cell.variant.id}};
-  if (cell.state == Cell::State::not_run) {
-    j["status"] = "not_run";
-    j["message"] = cell.message;
-    return j;
+  if (!cell.is_not_run()) {
+    j["groups"] = cell.groups;
+    j["degrees_of_freedom"] = cell.degrees_of_freedom;
   }
-  const bool ok = cell.state == Cell::State::verified && !cell.cpu_seconds.empty();
-  j["groups"] = cell.groups;
-  j["degrees_of_freedom"] = cell.degrees_of_freedom;
-  j["status"] = ok ? "ok" : "failed";
-  if (!ok) {
-    j["message"] = cell.message.empty() ? "not timed" : cell.message;
-    return j;
-  }
-  j["verification"] = {{"instants", cell.errors.instants},
-                       {"position", cell.errors.position},
-                       {"velocity", cell.errors.velocity},
-                       {"acceleration", cell.errors.acceleration}};
+  add_status(j, cell);
+  if (!cell.is_timed()) return j;
+  j["verification"] = errors_json(cell.errors);
   j["cpu_seconds"] = cell.cpu_seconds;
   j["setup_seconds"] = cell.setup_seconds;
   j["iterations_per_step"] = cell.iterations_per_step;
   j["residual"] = cell.residual;
   return j;
+}
+
+/// Levels that were not asked were not compared.
+Json errors_json(const Errors& errors, Level level) {
+  Json j = errors_json(errors);
+  if (level < Level::velocity) j.erase("velocity");
+  if (level < Level::acceleration) j.erase("acceleration");
+  return j;
+}
+
+Json request_json(const RequestCell& cell) {
+  const PlannedRequest& request = cell.request();
+  Json j = {{"case", request.definition.name},
+            {"coordinates", request.whole.coordinates()},
+            {"id", cell.variant.id},
+            {"request", request.name},
+            {"title", request.title},
+            {"level", level_names[static_cast<int>(request.plan.level())]},
+            {"unknowns", request.unknowns},
+            {"all_unknowns", request.all_unknowns}};
+  add_status(j, cell);
+  if (!cell.is_timed()) return j;
+  j["difference"] = cell.difference;
+  j["verification"] = errors_json(cell.errors, request.plan.level());
+  j["cpu_seconds"] = cell.cpu_seconds;
+  j["setup_seconds"] = cell.setup_seconds;
+  j["iterations_per_step"] = cell.iterations_per_step;
+  j["residual"] = cell.residual;
+  return j;
+}
+
+Json structure_json(const Structure& structure) {
+  const Case& definition = *structure.definition;
+  Json parts = Json::array();
+  for (const PartSizes& p : structure.parts)
+    parts.push_back({{"unknowns", p.unknowns}, {"count", p.count}});
+  return {{"case", definition.name},
+          {"coordinates", structure.coordinates},
+          {"partition", structure.partition},
+          {"unit", definition.unit_name},
+          {"units",
+           (structure.coordinates - definition.base_coordinates) / definition.coordinates_per_unit},
+          {"parts", parts}};
 }
 
 Json profile_json(const Cell& cell) {
@@ -108,15 +163,22 @@ RecordFile::~RecordFile() {
   if (!unfinished_.empty()) std::filesystem::remove(unfinished_, ignored);
 }
 
-void RecordFile::write(const Run& run, const std::vector<Cell*>& cells) {
+void RecordFile::write(const Run& run, const std::vector<Timed*>& timed) {
   Json all = {{"schema", "desmo-results"}, {"version", schema_version}};
-  all["record"] = environment(run, cells.front()->grid);
-  all["cells"] = Json::array();
-  all["profiles"] = Json::array();
-  for (const Cell* cell : cells) {
+  all["record"] = environment(run, timed.front()->grid);
+  for (const char* list : {"cells", "profiles", "structure", "requests"}) all[list] = Json::array();
+  std::set<std::pair<std::string_view, int>> described;
+  for (const Timed* one : timed) {
+    if (const auto* request = dynamic_cast<const RequestCell*>(one))
+      all["requests"].push_back(request_json(*request));
+    const auto* cell = dynamic_cast<const Cell*>(one);
+    if (!cell) continue;
     all["cells"].push_back(cell_json(*cell));
-    if (cell->phases && cell->state == Cell::State::verified)
+    if (cell->phases && cell->state == Timed::State::verified)
       all["profiles"].push_back(profile_json(*cell));
+    if (described.emplace(cell->definition.name, cell->coordinates).second)
+      for (const Structure& structure : structures(cell->definition, cell->coordinates))
+        all["structure"].push_back(structure_json(structure));
   }
   out_ << all.dump(1) << '\n';
   out_.close();

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "bench/suite/cell.h"
+#include "bench/suite/timed.h"
 
 namespace desmo::suite {
 
-/// What the record holds beside its cells.
+/// What the record holds beside what was timed.
 struct Run {
   std::string date;     ///< UTC, when it began
   std::string command;  ///< program name and arguments
@@ -27,8 +27,9 @@ class RecordFile {
   /// Leaves nothing behind unless write() has succeeded.
   ~RecordFile();
 
-  /// Writes the record of these cells, at least one. Throws std::runtime_error, naming the path.
-  void write(const Run& run, const std::vector<Cell*>& cells);
+  /// Writes the record of these, at least one; all have the same time grid. Throws
+  /// std::runtime_error, naming the path.
+  void write(const Run& run, const std::vector<Timed*>& timed);
 
  private:
   std::string path_;        // links followed

@@ -32,8 +32,7 @@ int main(int argc, char** argv) {
     return 64;
   }
   try {
-    const Mechanism mechanism =
-        make_mechanism(describe(find_case(argv[1]), whole(argv[2])));
+    const Mechanism mechanism = make_mechanism(describe(find_case(argv[1]), whole(argv[2])));
     const auto formulation = make_formulation(find_variant(argv[3]), mechanism);
     suite::Delivery sink(mechanism.coordinates());
     const Summary s = formulation->run(TimeGrid{0, 0.01, whole(argv[4]) + 1}, {}, sink);

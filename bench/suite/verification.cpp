@@ -10,18 +10,20 @@ namespace {
 
 constexpr int instants_compared = 51;
 
-/// NaN, and what is missing, count as infinitely wrong.
+/// What is missing counts as infinitely wrong.
 double largest_difference(std::span<const double> a, std::span<const double> b) {
   if (a.size() != b.size()) return INFINITY;
   double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const double d = std::abs(a[i] - b[i]);
-    if (!(d <= largest)) largest = std::isnan(d) ? INFINITY : d;
-  }
+  for (std::size_t i = 0; i < a.size(); ++i) widen(largest, a[i], b[i]);
   return largest;
 }
 
 }  // namespace
+
+void widen(double& largest, double a, double b) {
+  const double d = std::abs(a - b);
+  if (!(d <= largest)) largest = std::isnan(d) ? INFINITY : d;
+}
 
 void VerifyingSink::accept(const Instant& instant) {
   if (static_cast<std::size_t>(errors_.instants) == reference_.size()) return;
@@ -47,6 +49,18 @@ std::string complaint(const Errors& e, std::size_t expected_instants) {
                 e.position, e.velocity, e.acceleration, allowed.position, allowed.velocity,
                 allowed.acceleration);
   return text;
+}
+
+std::string missing_code(const Formulation& f) {
+  int missing = 0;
+  std::string first;
+  for (const auto& part : f.parts()) {
+    if (part.as_named) continue;
+    if (missing++ == 0) first = f.mechanism().groups[part.definition.groups.front()].name;
+  }
+  if (missing == 0) return {};
+  return "no generated code for " + std::to_string(missing) + " of " +
+         std::to_string(f.parts().size()) + " parts, first of group '" + first + "'";
 }
 
 std::span<const ReferenceInstant> ReferenceCache::get(const Mechanism& m, const TimeGrid& grid) {

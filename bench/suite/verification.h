@@ -18,6 +18,9 @@ struct Errors {
   double position = 0, velocity = 0, acceleration = 0;
 };
 
+/// Raises `largest` to |a − b| where that is larger; NaN counts as infinitely wrong.
+void widen(double& largest, double a, double b);
+
 /// What a formulation may differ from the quadruple-precision reference before it counts as
 /// wrong, in units of the case.
 inline constexpr Errors allowed{0, 1e-9, 1e-8, 1e-7};
@@ -36,6 +39,10 @@ class VerifyingSink final : public Sink {
 
 /// Empty when within what is allowed; otherwise what is wrong, in words.
 std::string complaint(const Errors& errors, std::size_t expected_instants);
+
+/// Empty when every part is what the formulation's id says; otherwise which are not: without
+/// generated code a part falls back to automatic equations, and is not to be timed under that id.
+std::string missing_code(const Formulation& formulation);
 
 /// Quadruple-precision references at instants spread over a motion, made once for each case and
 /// size and shared by all its formulations.

@@ -86,8 +86,11 @@ class CoordinateCheck {
     }
     if (!c_.from.is_given() || !c_.towards.is_given())
       complain("an angle in space needs the directions where it is 0 and π/2; give both");
-    if (!common_normal(check_direction(c_.from), check_direction(c_.towards)))
-      complain("the directions where it is 0 and π/2 are parallel; choose another");
+    if (c_.from.is_segment() || c_.towards.is_segment())
+      complain("the directions where it is 0 and π/2 must be vectors in space; declare vectors");
+    const Description::Vec u = check_direction(c_.from), v = check_direction(c_.towards);
+    if (std::abs(u[0] * v[0] + u[1] * v[1] + u[2] * v[2]) > 1e-6)
+      complain("the directions where it is 0 and π/2 are not at a right angle; choose another");
   }
 
   const Description& d_;

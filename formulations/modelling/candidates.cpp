@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <optional>
-#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -66,14 +66,16 @@ class EquationWriter {
     origins_.push_back(origin);
   }
 
-  /// Whether a product of two directions is met for the first time; bodies that share both state it
-  /// once.
-  bool is_new_product(const Direction& a, const Direction& b) {
+  /// Whether a constant product of two directions is met for the first time; bodies that share
+  /// both state it once, unless they contradict each other.
+  bool is_new_product(const Direction& a, const Direction& b, double product) {
     const auto key = [](const Direction& d) {
       return d.is_segment() ? std::array{1, std::min(d.from, d.to), std::max(d.from, d.to)}
                             : std::array{0, d.vector, d.vector};
     };
-    return products_.insert(std::minmax(key(a), key(b))).second;
+    const auto [it, is_new] = products_.emplace(std::minmax({key(a), key(b)}), product);
+    return is_new || std::abs(std::abs(it->second) - std::abs(product)) >
+                         1e-12 * std::max(1.0, reach_ * reach_);
   }
 
   void model_body(const RigidBody& body) {
@@ -81,12 +83,11 @@ class EquationWriter {
     const std::vector<Direction>& directions = body.basis.directions;
     for (std::size_t i = 0; i < directions.size(); ++i)
       for (std::size_t j = i; j < directions.size(); ++j)
-        if (is_new_product(directions[i], directions[j]))
-          keep_product(name, body, directions[i], directions[j]);
+        keep_product(name, body, directions[i], directions[j]);
     for (const int p : body.points)
-      if (!body.basis.has_point(p)) relate_point(name, body.basis, p);
+      if (!body.basis.has_point(p)) relate_point(name, body, p);
     for (const int v : body.vectors)
-      if (d_.vectors[v].along)
+      if (follows_from_points(d_, body, v))
         keep_along(name, body, v);
       else if (!body.basis.has_vector(v))
         relate_vector(name, body.basis, v);
@@ -95,14 +96,13 @@ class EquationWriter {
   /// A constant product of two directions; vectors come before segments in a basis.
   void keep_product(const std::string& name, const RigidBody& body, const Direction& a,
                     const Direction& b) {
-    const Vec u = nominal::direction(d_, a), v = nominal::direction(d_, b);
+    const Vec u = nominal::direction(d_, body, a), v = nominal::direction(d_, body, b);
+    if (!is_new_product(a, b, nominal::dot(u, v))) return;
     if (!a.is_segment() && a.vector == b.vector)
       return constrain<Unit<D>>(Origin::body, name + text(a) + " unit", {vector_[a.vector]}, {});
-    if (a.is_segment() && a.to == b.to) {
-      const double length2 = body.length > 0 ? body.length * body.length : nominal::dot(u, u);
+    if (a.is_segment() && a.to == b.to)
       return constrain<Length<D>>(Origin::body, name + text(a) + " length",
-                                  {point_[a.from], point_[a.to]}, {length2});
-    }
+                                  {point_[a.from], point_[a.to]}, {nominal::dot(u, u)});
     if constexpr (D == 3) {
       const double product = snap(nominal::dot(u, v), scale(a) * scale(b));
       const std::string product_name = name + text(a) + " with " + text(b);
@@ -122,16 +122,14 @@ class EquationWriter {
 
   void keep_along(const std::string& name, const RigidBody& body, int v) {
     const auto& [from, to] = *d_.vectors[v].along;
-    const double length = body.length > 0 ? body.length
-                                          : nominal::norm(d_.points[to].position -
-                                                          d_.points[from].position);
+    const double length = nominal::norm(nominal::direction(d_, body, {-1, from, to}));
     constrain<Rigid<D, 1>>(Origin::body, name + d_.vectors[v].name + " along " + text({-1, from, to}),
                            {point_[to], point_[from], vector_[v]}, {length});
   }
 
-  void relate_point(const std::string& name, const Basis& basis, int p) {
-    relate(name + d_.points[p].name + " rigid", basis, point_[p],
-           d_.points[p].position - d_.points[basis.origin].position, reach_, true);
+  void relate_point(const std::string& name, const RigidBody& body, int p) {
+    relate(name + d_.points[p].name + " rigid", body.basis, point_[p],
+           nominal::direction(d_, body, {-1, body.basis.origin, p}), reach_, true);
   }
 
   void relate_vector(const std::string& name, const Basis& basis, int v) {
@@ -241,11 +239,11 @@ class EquationWriter {
       }
     } else if (j.type == Description::JointType::universal) {
       const Direction a{j.vectors[0]}, b{j.vectors[1]};
-      if (is_new_product(a, b))
-        constrain<Dot<3>>(
-            Origin::joint, j.name + ": " + text(a) + " with " + text(b),
-            {vector_[a.vector], vector_[b.vector]},
-            {snap(nominal::dot(nominal::direction(d_, a), nominal::direction(d_, b)), 1)});
+      const double product =
+          snap(nominal::dot(nominal::direction(d_, a), nominal::direction(d_, b)), 1);
+      if (is_new_product(a, b, product))
+        constrain<Dot<3>>(Origin::joint, j.name + ": " + text(a) + " with " + text(b),
+                          {vector_[a.vector], vector_[b.vector]}, {product});
     }
   }
 
@@ -351,10 +349,8 @@ class EquationWriter {
   double constant_length(const Description::Coordinate& c, const Direction& d) const {
     if (!d.is_segment()) return 1;
     for (const int r : rigid_.of_point[d.from])
-      if (std::ranges::binary_search(rigid_.of_point[d.to], r)) {
-        const double given = rigid_.list[r].length;
-        return given > 0 ? given : nominal::norm(nominal::direction(d_, d));
-      }
+      if (std::ranges::binary_search(rigid_.of_point[d.to], r))
+        return nominal::norm(nominal::direction(d_, rigid_.list[r], d));
     throw std::invalid_argument("coordinate '" + c.name + "': no body carries both points of " +
                                 text(d) + "; an angle needs a segment of constant length");
   }
@@ -416,7 +412,7 @@ class EquationWriter {
   DeclaredSlides declared_;
   std::vector<Origin> origins_;
   double reach_ = 0;  // largest nominal coordinate
-  std::set<std::pair<std::array<int, 3>, std::array<int, 3>>> products_;
+  std::map<std::pair<std::array<int, 3>, std::array<int, 3>>, double> products_;
 };
 
 }  // namespace

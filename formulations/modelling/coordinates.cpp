@@ -80,30 +80,46 @@ class Modeller {
 
   /// The structural group that finds an entity carried by these bodies.
   template <class InBasis>
-  int finder(const std::vector<int>& carriers, InBasis&& in_basis) const {
-    std::set<int> building, following;
+  int finder(const std::vector<int>& carriers, bool measured_by_driver, InBasis&& in_basis) const {
+    std::vector<int> building, following;  // groups of the bodies that build on it, and the others
     for (const int r : carriers)
-      (in_basis(rigid_.list[r].basis) ? building : following).insert(structure_.of_body[r]);
-    if (building.empty()) return *following.begin();
-    const bool serves_one = building.size() == 1;
-    if (!following.empty() && *following.begin() < *building.begin() && !serves_one)
-      return *following.begin();
-    return *building.begin();
+      (in_basis(rigid_.list[r].basis) ? building : following).push_back(structure_.of_body[r]);
+    std::ranges::sort(building);
+    std::ranges::sort(following);
+    if (building.empty()) return following.front();
+    if (following.empty() || building.front() <= following.front()) return building.front();
+    // An earlier body carries it, too. It can wait for the later group that builds on it, when
+    // that is the only one and nothing needs it before.
+    const bool one_builds = building.front() == building.back();
+    const bool needed_before =
+        measured_by_driver || std::ranges::upper_bound(following, building.front()) -
+                                      following.begin() > 1;
+    return one_builds && !needed_before ? building.front() : following.front();
   }
 
   void place_entities() {
+    std::vector<bool> point_drives(d_.points.size(), false), vector_drives(d_.vectors.size(), false);
+    for (const Description::Coordinate& c : d_.coordinates) {
+      if (!c.driven) continue;
+      for (const Direction* direction : {&c.of, &c.from, &c.towards}) {
+        if (direction->is_segment())
+          point_drives[direction->from] = point_drives[direction->to] = true;
+        else if (direction->is_given())
+          vector_drives[direction->vector] = true;
+      }
+      if (c.point >= 0) point_drives[c.point] = true;
+      if (c.vector >= 0) vector_drives[c.vector] = true;
+    }
     found_points_.assign(d_.points.size(), -1);
     found_vectors_.assign(d_.vectors.size(), -1);
-    for (std::size_t p = 0; p < d_.points.size(); ++p)
+    for (int p = 0; p < static_cast<int>(d_.points.size()); ++p)
       if (result_.points[p] < 0 && !rigid_.of_point[p].empty())
-        found_points_[p] = finder(rigid_.of_point[p], [&](const Basis& b) {
-          return b.has_point(static_cast<int>(p));
-        });
-    for (std::size_t v = 0; v < d_.vectors.size(); ++v)
+        found_points_[p] = finder(rigid_.of_point[p], point_drives[p],
+                                  [&](const Basis& b) { return b.has_point(p); });
+    for (int v = 0; v < static_cast<int>(d_.vectors.size()); ++v)
       if (result_.vectors[v] < 0 && !rigid_.of_vector[v].empty())
-        found_vectors_[v] = finder(rigid_.of_vector[v], [&](const Basis& b) {
-          return b.has_vector(static_cast<int>(v));
-        });
+        found_vectors_[v] = finder(rigid_.of_vector[v], vector_drives[v],
+                                   [&](const Basis& b) { return b.has_vector(v); });
   }
 
   /// Relative coordinates: those declared, and the distances of spatial sliding joints.

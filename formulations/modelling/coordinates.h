@@ -35,8 +35,8 @@ class DeclaredSlides {
 
 /// Points of the ground are constants; a vector of the ground that moving bodies share is a
 /// coordinate vector of a constant group, as the paper models it. An entity is found by the first
-/// group in which it is in the basis of a body; one that follows from a body by a linear relation,
-/// by the only later group that builds on it, if there is one. Groups are named as in the paper,
+/// group in which it is in the basis of a body; one that follows from an earlier body by a linear
+/// relation, by the only later group that builds on it, if nothing needs it before. Groups are named as in the paper,
 /// SG-I, SG-II, …, after what the names of their bodies have in common up to a "/".
 /// motions: one for each driven coordinate, in order. Throws std::invalid_argument, naming the
 /// coordinate, for one that measures nothing that can move.

@@ -221,20 +221,25 @@ class Selector {
     return order;
   }
 
-  /// For each row, whether it is taken.
+  /// For each row, whether it is taken: at the most general of the positions, the perturbed ones
+  /// first, for a pose with lower rank is a special one.
   std::vector<bool> select(const GroupSystem& s) {
-    std::vector<bool> kept(s.rows.size(), false);
-    std::vector<RowSpace> spaces(positions, RowSpace(s.unknowns));
     VectorXd phi;
     for (int p = 0; p < positions; ++p) evaluate(s, states_[p], phi, jacobians_[p]);
-    int count = 0;
-    for (const int i : preference(s)) {
-      if (count == s.unknowns) break;
-      for (int p = 0; p < positions; ++p)
-        if (spaces[p].add(jacobians_[p].row(i).head(s.unknowns).transpose())) kept[i] = true;
-      count += kept[i];
+    const std::vector<int> order = preference(s);
+    std::vector<bool> best;
+    int best_rank = -1;
+    for (const int p : {1, 2, 0}) {
+      std::vector<bool> taken(s.rows.size(), false);
+      RowSpace space(s.unknowns);
+      for (const int i : order)
+        taken[i] = space.add(jacobians_[p].row(i).head(s.unknowns).transpose());
+      if (space.rank() <= best_rank) continue;
+      best_rank = space.rank();
+      best = std::move(taken);
+      if (best_rank == s.unknowns) break;
     }
-    return kept;
+    return best;
   }
 
   /// Freedoms that the candidates leave to a group, drivers free, at the most general position.

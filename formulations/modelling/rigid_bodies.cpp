@@ -19,6 +19,17 @@ Vec direction(const Description& d, const Description::Direction& direction) {
              : d.vectors[direction.vector].direction;
 }
 
+Vec direction(const Description& d, const RigidBody& body,
+              const Description::Direction& segment) {
+  Vec v = direction(d, segment);
+  for (const auto& [a, b, length] : body.lengths)
+    if (segment.is_segment() && std::minmax({segment.from, segment.to}) == std::minmax({a, b})) {
+      const double scale = length / norm(v);
+      for (double& x : v) x *= scale;
+    }
+  return v;
+}
+
 double size(const Description& d) {
   double largest = 0;
   for (const Description::Point& p : d.points)
@@ -57,7 +68,7 @@ Basis choose_basis(const Description& d, const RigidBody& body) {
   // Directions nearly in the span of others make bad coordinates: only where there is no choice.
   for (const double least_sine : {0.1, 1e-6}) {
     for (const int v : body.vectors)
-      if (!d.vectors[v].along && orthonormal.size() < enough && !basis.has_vector(v) &&
+      if (!follows_from_points(d, body, v) && orthonormal.size() < enough && !basis.has_vector(v) &&
           extend(orthonormal, d.vectors[v].direction, least_sine))
         basis.directions.push_back({v});
     for (const int p : body.points) {
@@ -93,7 +104,7 @@ std::vector<int> merge_fixed(const Description& d) {
   };
   for (const Description::Joint& j : d.joints) {
     if (j.type != Description::JointType::fixed) continue;
-    const auto [a, b] = std::minmax(root(j.bodies[0]), root(j.bodies[1]));
+    const auto [a, b] = std::minmax({root(j.bodies[0]), root(j.bodies[1])});
     first[b] = a;
   }
   for (int b = 0; b < static_cast<int>(first.size()); ++b) first[b] = root(b);
@@ -113,6 +124,12 @@ bool Basis::has_vector(int vector) const {
       directions, [&](const auto& d) { return !d.is_segment() && d.vector == vector; });
 }
 
+bool follows_from_points(const Description& d, const RigidBody& body, int vector) {
+  const auto& along = d.vectors[vector].along;
+  const auto carries = [&](int point) { return std::ranges::find(body.points, point) != body.points.end(); };
+  return along && carries((*along)[0]) && carries((*along)[1]);
+}
+
 RigidBodies find_rigid_bodies(const Description& d) {
   RigidBodies rigid;
   const std::vector<int> first = merge_fixed(d);
@@ -127,7 +144,8 @@ RigidBodies find_rigid_bodies(const Description& d) {
     body.bodies.push_back(b);
     add_once(body.points, d.bodies[b].points);
     add_once(body.vectors, d.bodies[b].vectors);
-    if (d.bodies[b].length) body.length = *d.bodies[b].length;
+    if (d.bodies[b].length)
+      body.lengths.push_back({d.bodies[b].points[0], d.bodies[b].points[1], *d.bodies[b].length});
   }
   rigid.of_point.resize(d.points.size());
   rigid.of_vector.resize(d.vectors.size());

@@ -24,7 +24,13 @@ struct RigidBody {
   std::vector<int> points, vectors;  ///< carried by any of them, each once
   Basis basis;
   int freedoms = 0;  ///< 3 or 6, less what its points and vectors cannot tell (a rod's spin)
-  double length = 0;  ///< when positive: the distance of its two points, given
+
+  /// A distance that a body of the description gives for its two points.
+  struct GivenLength {
+    int a, b;  ///< points
+    double length;
+  };
+  std::vector<GivenLength> lengths;
 };
 
 /// The rigid bodies of a description, by their first body; the first contains the ground.
@@ -34,8 +40,11 @@ struct RigidBodies {
   std::vector<std::vector<int>> of_point, of_vector;  ///< those that carry it, ascending
 };
 
-/// Merges bodies and chooses bases: vectors first, in the order of the description, those defined
-/// along a segment left out; then segments from the first point; what is within 6 degrees of the
+/// Whether a vector is defined along two points of this body, and so follows from them.
+bool follows_from_points(const Description& description, const RigidBody& body, int vector);
+
+/// Merges bodies and chooses bases: vectors first, in the order of the description, those that
+/// follow from points left out; then segments from the first point; what is within 6 degrees of the
 /// span of those before only at the end, where nothing better is left. Throws std::invalid_argument,
 /// naming the body, when one carries nothing.
 RigidBodies find_rigid_bodies(const Description& description);
@@ -47,8 +56,12 @@ using Vec = Description::Vec;
 Vec operator-(const Vec& a, const Vec& b);
 double dot(const Vec& a, const Vec& b);
 double norm(const Vec& a);
-/// The direction in the nominal position; a segment with its length.
+/// The direction in the nominal position; a segment with its nominal length.
 Vec direction(const Description& description, const Description::Direction& d);
+/// The same on a rigid body: a segment has the length that the body gives for its points, if it
+/// does.
+Vec direction(const Description& description, const RigidBody& body,
+              const Description::Direction& d);
 /// The largest distance between the nominal position of a point and that of the first, but 1 for a
 /// mechanism that has no extent.
 double size(const Description& description);

@@ -84,8 +84,8 @@ std::string names_of(const Description& d, const RigidBodies& rigid, const std::
       measured += (measured.empty() ? "'" : ", '") + c.name + "'";
   throw std::invalid_argument(
       d.name + " is under-constrained: " + std::to_string(missing) +
-      (missing == 1 ? " freedom" : " freedoms") + " of " + names_of(d, rigid, bodies) +
-      " are determined by no joint or driver; add a driver" +
+      (missing == 1 ? " freedom" : " freedoms") + " among " + names_of(d, rigid, bodies) +
+      (missing == 1 ? " is" : " are") + " determined by no joint or driver; add a driver" +
       (measured.empty() ? " (declare a coordinate to drive)" : ", such as " + measured) +
       " or a joint");
 }
@@ -214,7 +214,7 @@ Structure find_structure(const Description& d, const RigidBodies& rigid) {
     return result;
   };
   if (form->cc[1] > 0)
-    refuse_undetermined(d, rigid, bodies_of_columns(0, form->cc[1]), form->cc[1]);
+    refuse_undetermined(d, rigid, bodies_of_columns(0, form->cc[2]), form->cc[1]);
 
   // A group for each irreducible block; bodies with too many restrictions are one group wherever
   // a restriction joins them.

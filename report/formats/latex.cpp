@@ -15,7 +15,7 @@ struct Replacement {
 
 // The first that fits counts. Brackets: "\\ [" would be read as an optional argument; "--": as a
 // dash where a command line was meant.
-constexpr std::array<Replacement, 23> replacements{{{"\\", "\\textbackslash{}"},
+constexpr std::array<Replacement, 24> replacements{{{"\\", "\\textbackslash{}"},
                                                     {"&", "\\&"},
                                                     {"%", "\\%"},
                                                     {"$", "\\$"},
@@ -37,7 +37,8 @@ constexpr std::array<Replacement, 23> replacements{{{"\\", "\\textbackslash{}"},
                                                     {"−", "$-$"},
                                                     {"–", "--"},
                                                     {"—", "---"},
-                                                    {"µ", "$\\mu$"}}};
+                                                    {"µ", "$\\mu$"},
+                                                    {"×", "$\\times$"}}};
 
 bool starts_number(std::string_view text, std::size_t at) {
   const bool digit = at + 1 < text.size() && text[at + 1] >= '0' && text[at + 1] <= '9';

@@ -45,12 +45,6 @@ Entry range_entry(const Measured& time) {
   return {median + " (" + least + " – " + largest + ")", {median, least, largest, count}, {}};
 }
 
-Entry number_entry(const std::optional<double>& value, int significant) {
-  if (!value) return note_entry(missing_mark);
-  const std::string digits = write_significant(*value, significant);
-  return {digits, {digits}, {}};
-}
-
 Entry ratio_entry(const Record& record, const std::optional<CellKey>& reference,
                   const CellKey& key) {
   if (!reference) return note_entry(missing_mark);
@@ -64,9 +58,9 @@ Entry ratio_entry(const Record& record, const std::optional<CellKey>& reference,
   return entry;
 }
 
-std::string remark(const Cell& cell) {
-  if (cell.status == Status::ok) return {};
-  return cell.message.empty() ? "no reason recorded" : cell.message;
+std::string failure(const CellKey& key, const std::string& request, const std::string& why) {
+  return std::string(failed_mark) + ": " + key.case_name + "/" + std::to_string(key.coordinates) +
+         "/" + key.id + request + ": " + why;
 }
 
 }  // namespace
@@ -102,11 +96,11 @@ Table every_formulation(const Record& record, std::string_view case_name,
     if (checked) position = checked->position;
     if (checked) velocity = checked->velocity;
     if (checked) acceleration = checked->acceleration;
-    table.rows.push_back({text_entry(key.id), range_entry(time), number_entry(step, 4),
-                          ratio_entry(record, reference, key),
-                          number_entry(cell.iterations_per_step, 3), number_entry(position, 2),
-                          number_entry(velocity, 2), number_entry(acceleration, 2),
-                          number_entry(cell.setup_seconds, 2), text_entry(remark(cell))});
+    table.rows.push_back(
+        {text_entry(key.id), range_entry(time), number_entry(step, 4),
+         ratio_entry(record, reference, key), number_entry(cell.iterations_per_step, 3),
+         number_entry(position, 2), number_entry(velocity, 2), number_entry(acceleration, 2),
+         number_entry(cell.setup_seconds, 2), text_entry(remark(cell.status, cell.message))});
   }
   return table;
 }
@@ -115,8 +109,11 @@ std::vector<std::string> failures(const Record& record) {
   std::vector<std::string> lines;
   for (const auto& [key, cell] : record.cells)
     if (cell.status == Status::failed)
-      lines.push_back(std::string(failed_mark) + ": " + key.case_name + "/" +
-                      std::to_string(key.coordinates) + "/" + key.id + ": " + remark(cell));
+      lines.push_back(failure(key, "", remark(cell.status, cell.message)));
+  for (const Request& request : record.requests)
+    if (request.status == Status::failed)
+      lines.push_back(failure(request.cell, "/request:" + request.name,
+                              remark(request.status, request.message)));
   return lines;
 }
 

@@ -33,7 +33,15 @@ Table time_split(const Record& record);
 /// When, on what and how it was measured.
 Table provenance(const Record& record);
 
-/// One line for every cell that failed its verification; empty when none did.
+/// How each partition cuts the unknowns, what the equations know beyond the bodies, and what that
+/// is worth. Without tables when the record has no structure.
+Section partitions(const Record& record);
+
+/// What it costs to solve only what is asked, one table for each case and size. Without tables when
+/// the record has no requests.
+Section requests(const Record& record);
+
+/// One line for every cell or request that failed its verification; empty when none did.
 std::vector<std::string> failures(const Record& record);
 
 }  // namespace desmo::report

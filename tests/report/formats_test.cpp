@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <iterator>
 #include <set>
 #include <sstream>
 
@@ -65,6 +67,8 @@ TEST(Latex, Escapes) {
             std::string::npos)
       << text;
   EXPECT_NE(text.find("\\caption*{50 \\% of a\\_b}"), std::string::npos) << text;
+  EXPECT_NE(to_latex(make_report(record_from(structured_record()))).find("2$\\times$19"),
+            std::string::npos);
 }
 
 TEST(Terminal, AlignsByCharactersNotBytes) {
@@ -93,8 +97,7 @@ std::vector<std::string> csv_numbers(const Document& document) {
 
 // Independent of how a format is written: all digits of every entry stand in each of them, in
 // order, and the JSON's numbers equal those of the CSV.
-TEST(Formats, HoldIdenticalNumbers) {
-  const Document document = complete_document();
+void expect_identical_numbers(const Document& document) {
   for (const Section& section : document.sections)
     for (const Table& table : section.tables)
       for (const auto& row : table.rows)
@@ -105,7 +108,7 @@ TEST(Formats, HoldIdenticalNumbers) {
             const std::size_t found = entry.shown.find(digits, at);
             // The count of repetitions is the one number that people read in the caption.
             if (found == std::string::npos) {
-              EXPECT_EQ(digits, "5") << table.name << ": " << entry.shown;
+              EXPECT_TRUE(digits == "3" || digits == "5") << table.name << ": " << entry.shown;
               continue;
             }
             at = found + digits.size();
@@ -124,12 +127,20 @@ TEST(Formats, HoldIdenticalNumbers) {
   std::vector<double> in_document;
   for (const std::string& digits : csv_numbers(document))
     if (!digits.empty()) in_document.push_back(std::stod(digits));
-  EXPECT_GT(in_json.size(), 1000u);
+  EXPECT_GT(in_json.size(), 200u);
   EXPECT_EQ(in_json, in_document);
 }
 
+TEST(Formats, HoldIdenticalNumbers) {
+  expect_identical_numbers(complete_document());
+  expect_identical_numbers(make_report(record_from(structured_record())));
+}
+
 TEST(Formats, CsvFieldsMatchTheHeader) {
-  for (const Rendered& file : render(complete_document(), "csv")) {
+  std::vector<Rendered> files = render(complete_document(), "csv");
+  std::ranges::move(render(make_report(record_from(structured_record())), "csv"),
+                    std::back_inserter(files));
+  for (const Rendered& file : files) {
     std::istringstream lines(file.content);
     std::set<long> counts;
     for (std::string line; std::getline(lines, line);) {

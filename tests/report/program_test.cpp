@@ -83,6 +83,17 @@ TEST_F(Program, TheOrderOfCellsDoesNotMatter) {
   EXPECT_EQ(out_, printed);
 }
 
+TEST_F(Program, WritesTheTablesOfPartitionsAndRequests) {
+  EXPECT_EQ(tables("structured.json", "--out " + (folder_ / "out").string()), 0);
+  const auto files = files_in(folder_ / "out");
+  for (const char* name :
+       {"partitions.csv", "partition_times_four_bar.csv", "partition_times_truck_suspension.csv",
+        "requests_truck_suspension_225.csv"})
+    EXPECT_EQ(files.count(name), 1u) << name;
+  for (const char* name : {"tables.txt", "tables.md", "tables.tex", "tables.json"})
+    EXPECT_NE(files.at(name).find("What a request costs"), std::string::npos) << name;
+}
+
 TEST_F(Program, WritesOnlyTheChosenFormats) {
   EXPECT_EQ(tables("complete.json", "--format markdown --out " + (folder_ / "out").string()), 0);
   EXPECT_EQ(files_in(folder_ / "out").count("tables.md"), 1u);
@@ -152,6 +163,24 @@ TEST_F(Program, WithoutNodeTheMissingFiguresAreNamed) {
             "missing figure: figure5.svg (Node.js is not installed)\n"
             "missing figure: figure6.svg (Node.js is not installed)\n");
   EXPECT_EQ(shell(render + (folder_ / "no_such").string()), 64);
+}
+
+// What is filed of a run stays what its record gives, byte for byte, whatever later schemas add.
+TEST_F(Program, EveryFiledRecordGivesTheReportBesideIt) {
+  int runs = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(DESMO_SOURCE_DIR "/results/runs")) {
+    const fs::path record = entry.path(), report = fs::path(record).replace_extension();
+    if (record.extension() != ".json" || !fs::is_directory(report)) continue;
+    ++runs;
+    const fs::path out = folder_ / std::to_string(runs);
+    ASSERT_EQ(shell(std::string(DESMO_REPORT_PROGRAM) + " tables " + record.string() + " --out " +
+                    out.string()),
+              0);
+    std::map<std::string, std::string> filed = files_in(report);
+    std::erase_if(filed, [](const auto& file) { return file.first.ends_with(".svg"); });
+    EXPECT_EQ(files_in(out), filed) << record;
+  }
+  EXPECT_GT(runs, 0);
 }
 
 // The README quotes a recorded run: each line of its tables is a line of that run's report.

@@ -22,6 +22,8 @@ std::string read_text(const std::filesystem::path& file) {
 
 Json complete_record() { return Json::parse(read_text(data_file("complete.json"))); }
 
+Json structured_record() { return Json::parse(read_text(data_file("structured.json"))); }
+
 namespace {
 
 std::size_t position(const Json& record, const std::string& case_name, int coordinates,

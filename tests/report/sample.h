@@ -19,6 +19,9 @@ std::string read_text(const std::filesystem::path& file);
 /// data/complete.json: every family, size and status "ok". Made-up numbers.
 Json complete_record();
 
+/// data/structured.json: small, with structure and requests (schema 1.2.0). Made-up numbers.
+Json structured_record();
+
 /// A cell of such a record. Fails the test when there is none.
 Json& cell_of(Json& record, const std::string& case_name, int coordinates, const std::string& id);
 void erase_cell(Json& record, const std::string& case_name, int coordinates, const std::string& id);

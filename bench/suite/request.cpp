@@ -1,0 +1,227 @@
+#include "bench/suite/request.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include "bench/suite/cpu_clock.h"
+#include "cases/files.h"
+#include "cases/library.h"
+#include "formulations/modelling/model.h"
+
+namespace desmo::suite {
+
+namespace {
+
+/// With these, requests are timed: the reference, and what can leave out more and more.
+constexpr std::array<std::string_view, 4> formulations{
+    "global_automatic_klu", "global_symbolic_klu", "group_symbolic_inlined",
+    "block_symbolic_inlined"};
+
+/// As far as double precision goes, for the whole mechanism.
+constexpr double converged = 1e-13;
+
+/// What is asked, component by component; what never moves needs no solving and no delivery.
+std::vector<AskedComponent> components(const Mechanism& whole, const Plan& plan,
+                                       std::span<const Asked> asked) {
+  std::vector<AskedComponent> result;
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    const Entity& from = whole.entities[asked[i].entity];
+    const Entity& to = plan.mechanism.entities[plan.outputs[i].entity];
+    for (int k = 0; !from.fixed && k < from.size; ++k)
+      result.push_back({from.first + k, to.first + k, asked[i].level});
+  }
+  return result;
+}
+
+int moving_unknowns(const Mechanism& m) {
+  std::size_t count = 0;
+  for (const PartDefinition& part : make_partition(m, Partition::group))
+    if (!part.constant) count += part.unknowns.size();
+  return static_cast<int>(count);
+}
+
+/// Widens `largest` by the differences of what is asked between an instant of the whole mechanism
+/// and one of what is kept of it.
+void compare(Errors& largest, std::span<const AskedComponent> asked, const Instant& whole,
+             const Instant& kept) {
+  ++largest.instants;
+  for (const AskedComponent& a : asked) {
+    widen(largest.position, whole.q[a.whole], kept.q[a.kept]);
+    if (a.level >= Level::velocity) widen(largest.velocity, whole.qd[a.whole], kept.qd[a.kept]);
+    if (a.level >= Level::acceleration)
+      widen(largest.acceleration, whole.qdd[a.whole], kept.qdd[a.kept]);
+  }
+}
+
+Instant instant_of(const Formulation& f, double t) { return {0, t, f.q(), f.qd(), f.qdd()}; }
+
+/// Compares what is asked with a reference of the whole mechanism, where the reference has it.
+class VerifyingRequest final : public Sink {
+ public:
+  VerifyingRequest(std::span<const ReferenceInstant> reference,
+                   std::span<const AskedComponent> asked)
+      : reference_(reference), asked_(asked) {}
+
+  void accept(const Instant& instant) override {
+    if (static_cast<std::size_t>(errors.instants) == reference_.size()) return;
+    const ReferenceInstant& r = reference_[errors.instants];
+    if (instant.time == r.time) compare(errors, asked_, {0, r.time, r.q, r.qd, r.qdd}, instant);
+  }
+
+  Errors errors;
+
+ private:
+  std::span<const ReferenceInstant> reference_;
+  std::span<const AskedComponent> asked_;
+};
+
+std::string difference_complaint(double difference) {
+  char text[120];
+  std::snprintf(text, sizeof text,
+                "differs from the solution of the whole mechanism by %.1e (allowed: %.0e)",
+                difference, allowed_request_difference);
+  return text;
+}
+
+}  // namespace
+
+PlannedRequest::PlannedRequest(std::string_view short_name, const Scene& scene,
+                               const Options& options)
+    : name(short_name),
+      title(scene.name),
+      whole(make_mechanism(scene)),
+      definition(find_case(scene.mechanism.name)),
+      grid(chosen_grid(scene.grid, options)) {
+  const std::vector<Asked> everything_asked = asked_by(scene, whole);
+  plan = make_plan(whole, everything_asked);
+  asked = components(whole, plan, everything_asked);
+  if (asked.empty())
+    throw std::invalid_argument("request " + name + ": asks for nothing that moves");
+  unknowns = moving_unknowns(plan.mechanism);
+  all_unknowns = moving_unknowns(whole);
+}
+
+RequestedDelivery::RequestedDelivery(std::span<const AskedComponent> asked) {
+  for (const AskedComponent& a : asked) {
+    q_.from.push_back(a.kept);
+    if (a.level >= Level::velocity) qd_.from.push_back(a.kept);
+    if (a.level >= Level::acceleration) qdd_.from.push_back(a.kept);
+  }
+  for (Output* output : {&q_, &qd_, &qdd_}) output->values.resize(output->from.size());
+}
+
+void RequestedDelivery::Output::take(std::span<const double> coordinates) {
+  for (std::size_t i = 0; i < from.size(); ++i) values[i] = coordinates[from[i]];
+}
+
+void RequestedDelivery::accept(const Instant& instant) {
+  q_.take(instant.q);
+  qd_.take(instant.qd);
+  qdd_.take(instant.qdd);
+}
+
+Errors largest_differences(Formulation& whole, Formulation& kept,
+                           std::span<const AskedComponent> asked, Level level,
+                           const TimeGrid& grid) {
+  Errors largest;
+  for (int i = 0; i < grid.instants; ++i) {
+    const double t = grid.time(i);
+    const Summary all = i == 0 ? whole.assemble(t) : whole.step(t);
+    if (!all.ok())
+      throw std::runtime_error("the whole mechanism: " + describe(all, whole.mechanism()));
+    const Summary some = i == 0 ? kept.assemble(t, level) : kept.step(t, level);
+    if (!some.ok()) throw std::runtime_error(describe(some, kept.mechanism()));
+    compare(largest, asked, instant_of(whole, t), instant_of(kept, t));
+  }
+  return largest;
+}
+
+RequestCell::RequestCell(std::shared_ptr<const PlannedRequest> request, const Variant& v)
+    : Timed(request->grid), variant(v), request_(std::move(request)) {}
+
+std::string RequestCell::name() const {
+  return std::string(request_->definition.name) + "/" +
+         std::to_string(request_->whole.coordinates()) + "/" + variant.id +
+         "/request:" + request_->name;
+}
+
+std::unique_ptr<Formulation> RequestCell::make(const Settings& settings) const {
+  std::unique_ptr<Formulation> f = make_formulation(variant, request_->plan.mechanism, settings);
+  f->solve_only(request_->plan.levels);
+  return f;
+}
+
+void RequestCell::verify(ReferenceCache& references) {
+  if (state != State::untouched) return;
+  try {
+    const double before_setup = cpu_now();
+    formulation_ = make({});
+    setup_seconds = cpu_now() - before_setup;
+    delivery_ = std::make_unique<RequestedDelivery>(request_->asked);
+    if (const std::string missing = missing_code(*formulation_); !missing.empty())
+      return leave_out(missing);
+    if (const std::string wrong = compare_with_whole(); !wrong.empty()) return fail(wrong);
+
+    const auto reference = references.get(request_->whole, request_->grid);
+    VerifyingRequest sink(reference, request_->asked);
+    const Summary summary = run(sink);
+    errors = sink.errors;
+    if (!summary.ok()) return fail(describe(summary, request_->plan.mechanism));
+    if (const std::string wrong = complaint(errors, reference.size()); !wrong.empty())
+      return fail(wrong);
+    iterations_per_step = static_cast<double>(summary.iterations) / summary.instants;
+    residual = summary.residual;
+    state = State::verified;
+  } catch (const std::exception& e) {
+    fail(e.what());
+  }
+}
+
+std::string RequestCell::compare_with_whole() {
+  const auto whole = make_formulation(variant, request_->whole, {.tolerance = converged});
+  // Each part stops at tolerance/√parts: the same residual in both, so that equal parts do the
+  // same.
+  const double share = static_cast<double>(formulation_->parts().size()) /
+                       static_cast<double>(whole->parts().size());
+  const auto kept = make({.tolerance = converged * std::sqrt(share)});
+  const Errors largest =
+      largest_differences(*whole, *kept, request_->asked, request_->plan.level(), request_->grid);
+  difference = std::max({largest.position, largest.velocity, largest.acceleration});
+  return difference <= allowed_request_difference ? "" : difference_complaint(difference);
+}
+
+Summary RequestCell::run(Sink& sink) {
+  return formulation_->run(request_->grid, {request_->plan.level()}, sink);
+}
+
+Summary RequestCell::analyse() {
+  const Summary summary = run(*delivery_);
+  if (!summary.ok()) fail(describe(summary, request_->plan.mechanism));
+  return summary;
+}
+
+std::vector<std::pair<std::string, double>> RequestCell::counters() const {
+  return {{"unknowns", request_->unknowns},
+          {"of", request_->all_unknowns},
+          {"iterations/step", iterations_per_step},
+          {"residual", residual}};
+}
+
+std::vector<std::unique_ptr<RequestCell>> make_requests(const Options& options) {
+  std::vector<std::unique_ptr<RequestCell>> cells;
+  for (const RequestScene& source : request_scenes()) {
+    const Scene scene = parse_scene(source.scene, std::string(source.name), {});
+    const auto request = std::make_shared<const PlannedRequest>(source.name, scene, options);
+    for (const std::string_view id : formulations)
+      cells.push_back(std::make_unique<RequestCell>(request, find_variant(id)));
+  }
+  return cells;
+}
+
+}  // namespace desmo::suite

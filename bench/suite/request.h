@@ -1,0 +1,110 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "bench/suite/options.h"
+#include "bench/suite/timed.h"
+#include "cases/cases.h"
+#include "cases/motion.h"
+#include "cases/scene.h"
+#include "formulations/plan.h"
+#include "formulations/variants.h"
+
+namespace desmo::suite {
+
+/// A component that a request asks for: where it stands in the whole mechanism and in the part of
+/// it that is solved.
+struct AskedComponent {
+  int whole;
+  int kept;
+  Level level;
+};
+
+/// A scene's request of a case at one size, and what has to be solved for it. Shared by its
+/// formulations, whose mechanisms these are.
+struct PlannedRequest {
+  /// Throws std::invalid_argument when the scene's mechanism is not a case of the suite, or nothing
+  /// that is asked moves.
+  PlannedRequest(std::string_view short_name, const Scene& scene, const Options& options);
+
+  std::string name;   ///< in the benchmark's name
+  std::string title;  ///< for people
+  Mechanism whole;
+  Plan plan;
+  const Case& definition;
+  TimeGrid grid;
+  std::vector<AskedComponent> asked;  ///< without what never moves
+  int unknowns, all_unknowns;         ///< solved for at every instant, of how many
+};
+
+/// Delivers, of each instant, what is asked and nothing else into plain vectors.
+class RequestedDelivery final : public Sink {
+ public:
+  explicit RequestedDelivery(std::span<const AskedComponent> asked);
+  void accept(const Instant& instant) override;
+
+  std::span<const double> q() const { return q_.values; }
+  std::span<const double> qd() const { return qd_.values; }
+  std::span<const double> qdd() const { return qdd_.values; }
+
+ private:
+  struct Output {
+    std::vector<int> from;  // coordinates of the mechanism solved
+    std::vector<double> values;
+    void take(std::span<const double> coordinates);
+  };
+  Output q_, qd_, qdd_;
+};
+
+/// Largest absolute differences of what is asked, at the levels asked, between two formulations
+/// that step through the same instants. Throws std::runtime_error, saying where, when one of them
+/// cannot be solved.
+Errors largest_differences(Formulation& whole, Formulation& kept,
+                           std::span<const AskedComponent> asked, Level level,
+                           const TimeGrid& grid);
+
+/// What a request's answers may differ from those of the whole mechanism when both are converged
+/// as far as double precision goes.
+inline constexpr double allowed_request_difference = 1e-12;
+
+/// One request with one formulation.
+class RequestCell final : public Timed {
+ public:
+  RequestCell(std::shared_ptr<const PlannedRequest> request, const Variant& variant);
+
+  /// <case>/<coordinates>/<id>/request:<name>
+  std::string name() const override;
+  /// Against the whole mechanism, both converged as far as double precision goes, which shows that
+  /// nothing needed was left out; and, as it is timed, against the quadruple-precision reference.
+  void verify(ReferenceCache& references) override;
+  Summary analyse() override;
+  std::vector<std::pair<std::string, double>> counters() const override;
+
+  const PlannedRequest& request() const { return *request_; }
+
+  const Variant& variant;
+  Errors errors;             ///< from the reference
+  double difference = 0;     ///< from the whole mechanism, at any level
+  double setup_seconds = 0;  ///< CPU: analysis, ordering, allocation
+  double iterations_per_step = 0, residual = 0;
+
+ private:
+  std::unique_ptr<Formulation> make(const Settings& settings) const;
+  /// Empty when the answers are those of the whole mechanism; otherwise what is wrong.
+  std::string compare_with_whole();
+  Summary run(Sink& sink);
+
+  std::shared_ptr<const PlannedRequest> request_;
+  std::unique_ptr<Formulation> formulation_;
+  std::unique_ptr<Sink> delivery_;
+};
+
+/// Every request of the library with every formulation that requests are timed with.
+std::vector<std::unique_ptr<RequestCell>> make_requests(const Options& options);
+
+}  // namespace desmo::suite

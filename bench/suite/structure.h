@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "cases/cases.h"
+#include "cases/mechanism.h"
+#include "formulations/partition.h"
+
+namespace desmo::suite {
+
+/// So many parts with so many unknowns each.
+struct PartSizes {
+  int unknowns;
+  int count;
+  bool operator==(const PartSizes&) const = default;
+};
+
+/// How one partition cuts one case at one size.
+struct Structure {
+  const Case* definition;
+  int coordinates;
+  std::string_view partition;    ///< as in the ids: "global", "group", "block"
+  std::vector<PartSizes> parts;  ///< largest first; constant parts are not counted
+};
+
+std::vector<PartSizes> part_sizes(const Mechanism& mechanism, Partition partition);
+
+/// Every partition of one case at one size.
+std::vector<Structure> structures(const Case& definition, int coordinates);
+
+}  // namespace desmo::suite

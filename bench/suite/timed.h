@@ -1,0 +1,60 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bench/suite/verification.h"
+#include "cases/motion.h"
+#include "formulations/formulation.h"
+
+namespace desmo::suite {
+
+/// What is verified and then timed under the name of one benchmark.
+class Timed {
+ public:
+  enum class State { untouched, verified, failed, not_run };
+
+  virtual ~Timed() = default;
+  Timed(const Timed&) = delete;
+  Timed& operator=(const Timed&) = delete;
+
+  /// Name of the benchmark.
+  virtual std::string name() const = 0;
+
+  /// Builds what is timed and checks it over the whole motion; what goes wrong ends in `message`.
+  /// Done once.
+  virtual void verify(ReferenceCache& references) = 0;
+
+  /// Measures where the time goes, where that is shown. Needs verify().
+  virtual void profile() {}
+
+  /// The whole analysis, as timed. Needs State::verified; a failure turns it into State::failed.
+  virtual Summary analyse() = 0;
+
+  /// What stands beside the time on the console.
+  virtual std::vector<std::pair<std::string, double>> counters() const = 0;
+
+  bool is_failed() const { return state == State::failed; }
+  bool is_not_run() const { return state == State::not_run; }
+  bool is_timed() const { return state == State::verified && !cpu_seconds.empty(); }
+
+  const TimeGrid grid;
+  State state = State::untouched;
+  std::string message;              ///< why it failed or was not run
+  std::vector<double> cpu_seconds;  ///< one for each repetition
+
+ protected:
+  explicit Timed(const TimeGrid& instants) : grid(instants) {}
+
+  void fail(std::string why) { stop(State::failed, std::move(why)); }
+  void leave_out(std::string why) { stop(State::not_run, std::move(why)); }
+
+ private:
+  void stop(State reached, std::string why) {
+    state = reached;
+    message = std::move(why);
+  }
+};
+
+}  // namespace desmo::suite

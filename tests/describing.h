@@ -1,0 +1,207 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "cases/describe.h"
+#include "formulations/modelling/model.h"
+#include "formulations/variants.h"
+
+namespace desmo {
+
+using Vec = Description::Vec;
+using JointType = Description::JointType;
+using CoordinateType = Description::CoordinateType;
+
+inline Vec operator+(const Vec& a, const Vec& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+inline Vec operator*(double s, const Vec& a) { return {s * a[0], s * a[1], s * a[2]}; }
+inline Vec operator-(const Vec& a, const Vec& b) { return a + -1.0 * b; }
+inline double dot(const Vec& a, const Vec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+inline double norm(const Vec& a) { return std::sqrt(dot(a, a)); }
+inline Vec unit(const Vec& a) { return 1 / norm(a) * a; }
+inline Vec cross(const Vec& a, const Vec& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+inline Vec polar(double r, double angle) { return {r * std::cos(angle), r * std::sin(angle), 0}; }
+/// The angle of b from a, counter-clockwise.
+inline double turn(const Vec& a, const Vec& b) { return std::atan2(cross(a, b)[2], dot(a, b)); }
+
+/// A Describer with words for what tests describe again and again. Joints take entities that both
+/// bodies carry already.
+class Sketch : public Describer {
+ public:
+  using Describer::Describer;
+
+  int ground_point(const std::string& name, const Vec& at) {
+    const int p = point(name, at);
+    carry(ground, {p});
+    return p;
+  }
+  int ground_vector(const std::string& name, const Vec& direction) {
+    const int v = vector(name, direction);
+    carry(ground, {}, {v});
+    return v;
+  }
+  void revolute(int a, int b, int point) { joint(JointType::revolute, a, b, {point}); }
+  void weld(int a, int b) { joint(JointType::fixed, a, b, {}); }
+
+  Description::Coordinate& angle(const std::string& name, const Description::Direction& of,
+                                 const Description::Direction& from = {}) {
+    Description::Coordinate& c = coordinate(name, CoordinateType::angle);
+    c.of = of;
+    c.from = from;
+    return c;
+  }
+  Description::Coordinate& distance(const std::string& name, int from, int to) {
+    Description::Coordinate& c = coordinate(name, CoordinateType::distance);
+    c.of = {-1, from, to};
+    return c;
+  }
+  Description::Coordinate& along(const std::string& name, int from, int to, int vector) {
+    Description::Coordinate& c = coordinate(name, CoordinateType::along);
+    c.of = {-1, from, to};
+    c.vector = vector;
+    return c;
+  }
+  Description::Coordinate& component(const std::string& name, int point, int axis) {
+    Description::Coordinate& c = coordinate(name, CoordinateType::component);
+    c.point = point;
+    c.axis = axis;
+    return c;
+  }
+};
+
+/// From one point to another.
+inline Description::Direction segment(int from, int to) { return {-1, from, to}; }
+
+/// A mechanism solved at some instants.
+class Solved {
+ public:
+  Solved(Mechanism mechanism, std::span<const double> times,
+         std::string_view id = "global_automatic_eigen", double tolerance = 1e-13)
+      : m_(std::move(mechanism)) {
+    const auto f = make_formulation(find_variant(id), m_, Settings{tolerance, 50});
+    for (const double t : times) {
+      const Summary s = f->step(t);
+      EXPECT_TRUE(s.ok()) << id << ": " << describe(s, m_);
+      q_.emplace_back(f->q().begin(), f->q().end());
+      qd_.emplace_back(f->qd().begin(), f->qd().end());
+      qdd_.emplace_back(f->qdd().begin(), f->qdd().end());
+    }
+  }
+  Solved(const Description& d, const std::vector<Motion>& motions, std::span<const double> times)
+      : Solved(model(d, motions).mechanism, times) {}
+
+  const Mechanism& mechanism() const { return m_; }
+  int instants() const { return static_cast<int>(q_.size()); }
+
+  /// Of a point, a vector or (first component) a scalar.
+  Vec position(int instant, const std::string& name) const { return value(q_, instant, name); }
+  Vec velocity(int instant, const std::string& name) const { return value(qd_, instant, name); }
+  Vec acceleration(int instant, const std::string& name) const {
+    return value(qdd_, instant, name);
+  }
+  double scalar(int instant, const std::string& name) const { return position(instant, name)[0]; }
+
+ private:
+  Vec value(const std::vector<std::vector<double>>& table, int instant,
+            const std::string& name) const {
+    const Entity& e = m_.entities[m_.find(name)];
+    Vec result{};
+    for (int i = 0; i < e.size; ++i) {
+      if (!e.fixed)
+        result[i] = table[instant][e.first + i];
+      else if (&table == &q_)
+        result[i] = m_.fixed_values[e.first + i];
+    }
+    return result;
+  }
+
+  Mechanism m_;
+  std::vector<std::vector<double>> q_, qd_, qdd_;
+};
+
+inline void expect_near(const Vec& actual, const Vec& expected, double tolerance,
+                        const std::string& what) {
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(actual[i], expected[i], tolerance) << what << ", " << i;
+}
+
+/// Angles are equal up to whole turns.
+inline void expect_same_angle(double actual, double expected, double tolerance,
+                              const std::string& what) {
+  EXPECT_NEAR(std::remainder(actual - expected, 2 * std::numbers::pi), 0, tolerance) << what;
+}
+
+/// Instants in steps of 10 ms, so that Newton's method follows the branch.
+inline std::vector<double> instants(double end, double step = 0.01) {
+  std::vector<double> times;
+  for (int i = 0; i * step <= end; ++i) times.push_back(i * step);
+  return times;
+}
+
+/// Nothing on a body moves relative to anything else on it: distances, products and, in space, the
+/// handedness are those of the nominal position. Recomputed from points, whatever the equations.
+inline void expect_rigid(const Description& d, const std::vector<int>& points,
+                         const std::vector<int>& vectors, const Solved& solved, int instant,
+                         double tolerance) {
+  std::vector<std::pair<Vec, Vec>> directions;  // nominal and solved
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::size_t j = i + 1; j < points.size(); ++j) {
+      const auto &p = d.points[points[i]], &q = d.points[points[j]];
+      directions.emplace_back(q.position - p.position,
+                              solved.position(instant, q.name) - solved.position(instant, p.name));
+      names.push_back(p.name + "-" + q.name);
+    }
+  for (const int v : vectors) {
+    directions.emplace_back(d.vectors[v].direction, solved.position(instant, d.vectors[v].name));
+    names.push_back(d.vectors[v].name);
+  }
+  for (std::size_t i = 0; i < directions.size(); ++i)
+    for (std::size_t j = i; j < directions.size(); ++j) {
+      const auto& [a, a_now] = directions[i];
+      const auto& [b, b_now] = directions[j];
+      EXPECT_NEAR(dot(a_now, b_now), dot(a, b), tolerance) << names[i] << " · " << names[j];
+      if (d.dimension == 2) {
+        EXPECT_NEAR(cross(a_now, b_now)[2], cross(a, b)[2], tolerance)
+            << names[i] << " × " << names[j];
+      }
+      for (std::size_t k = j; d.dimension == 3 && k < directions.size(); ++k)
+        EXPECT_NEAR(dot(cross(a_now, b_now), directions[k].second),
+                    dot(cross(a, b), directions[k].first), tolerance)
+            << names[i] << " × " << names[j] << " · " << names[k];
+    }
+}
+
+/// Every body of a description whose dimensions are the nominal ones is rigid at every instant.
+inline void expect_rigid_bodies(const Description& d, const Solved& solved, double tolerance) {
+  for (int k = 0; k < solved.instants() && !testing::Test::HasFailure(); ++k)
+    for (const Description::Body& b : d.bodies) {
+      if (!b.length) expect_rigid(d, b.points, b.vectors, solved, k, tolerance);
+    }
+}
+
+/// A description is refused with a message that holds all of these.
+inline void expect_refused(const Description& d, const std::vector<Motion>& motions,
+                           std::initializer_list<std::string_view> parts) {
+  try {
+    model(d, motions);
+    ADD_FAILURE() << d.name << ": accepted";
+  } catch (const std::invalid_argument& e) {
+    for (const std::string_view part : parts)
+      EXPECT_NE(std::string_view(e.what()).find(part), std::string_view::npos)
+          << "'" << part << "' is not in: " << e.what();
+  }
+}
+
+}  // namespace desmo
