@@ -8,12 +8,12 @@
 
 namespace desmo {
 
-/// The scalable four-bar, driven for 30 s: a crank and K dyads, 3 + 3 K coordinates, lengths in one free unit.
-/// Throws std::invalid_argument unless 1 ≤ dyads ≤ 10⁷.
+/// The scalable four-bar, driven for 30 s: a crank and K dyads, 3 + 3 K coordinates, lengths in one
+/// free unit. Throws std::invalid_argument unless 1 ≤ dyads ≤ 10⁷.
 Scene four_bar(int dyads);
 
-/// The truck suspension on its road for 30 s: k axles of five groups, 3 + 111 k coordinates, metres.
-/// Throws std::invalid_argument unless 1 ≤ axles ≤ 10⁵.
+/// The truck suspension on its road for 30 s: k axles of five groups, 3 + 111 k coordinates,
+/// metres. Throws std::invalid_argument unless 1 ≤ axles ≤ 10⁵.
 Scene truck_suspension(int axles);
 
 /// A scalable case of the suite.

@@ -48,8 +48,11 @@ class Describer {
   }
   void joint(Description::JointType type, int a, int b, std::vector<int> points,
              std::vector<int> vectors = {}) {
-    d_.joints.push_back({d_.bodies[a].name + "-" + d_.bodies[b].name, type, {a, b},
-                         std::move(points), std::move(vectors)});
+    d_.joints.push_back({d_.bodies[a].name + "-" + d_.bodies[b].name,
+                         type,
+                         {a, b},
+                         std::move(points),
+                         std::move(vectors)});
   }
   Description::Coordinate& coordinate(std::string name, Description::CoordinateType type) {
     Description::Coordinate& c = d_.coordinates.emplace_back();

@@ -78,20 +78,20 @@ struct Description {
   struct Coordinate {
     std::string name;
     CoordinateType type;
-    Direction of;            ///< angle: what turns; distance, along: the segment
-    Direction from;          ///< angle: where it is 0; not given (plane only): the x axis
-    bool opposite = false;   ///< angle: it is 0 at −from instead
-    Direction towards;       ///< angle in space: where it is π/2
-    int vector = -1;         ///< along
-    int point = -1;          ///< component
-    int axis = 0;            ///< component: 0, 1, 2 for x, y, z
+    Direction of;                    ///< angle: what turns; distance, along: the segment
+    Direction from;                  ///< angle: where it is 0; not given (plane only): the x axis
+    bool opposite = false;           ///< angle: it is 0 at −from instead
+    Direction towards;               ///< angle in space: where it is π/2
+    int vector = -1;                 ///< along
+    int point = -1;                  ///< component
+    int axis = 0;                    ///< component: 0, 1, 2 for x, y, z
     std::optional<double> estimate;  ///< initial; otherwise measured in the nominal position
     bool driven = false;
   };
 
   std::string name;
-  std::string title;  ///< one line about it, may be empty
-  int dimension = 3;  ///< 2 or 3
+  std::string title;              ///< one line about it, may be empty
+  int dimension = 3;              ///< 2 or 3
   std::string length_unit = "m";  ///< "m", or "1": any one unit
   std::vector<Point> points;
   std::vector<Vector> vectors;
@@ -102,14 +102,14 @@ struct Description {
 
 /// Throws std::invalid_argument, naming the offender and the remedy, unless: dimension is 2 or 3;
 /// names are not empty, and unique among bodies, among joints, and among points, vectors and
-/// coordinates together; indices are in range and nothing is listed twice; numbers are finite, third
-/// components 0 in the plane, vectors of length 1; joints have the entities that their type and the
-/// dimension ask for, carried by the bodies they name, which are two; the vectors of a spatial
-/// prismatic joint are not parallel; an entity carried by several bodies is shared by joints between
-/// them all; an `along` vector has its points on a body that carries it; coordinates are of entities
-/// that bodies carry, different ones, and an angle in space has `from` and `towards`, not parallel;
-/// no segment that is used as a direction has zero length; a given length is positive and of a body
-/// with exactly two points.
+/// coordinates together; indices are in range and nothing is listed twice; numbers are finite,
+/// third components 0 in the plane, vectors of length 1; joints have the entities that their type
+/// and the dimension ask for, carried by the bodies they name, which are two; the vectors of a
+/// spatial prismatic joint are not parallel; an entity carried by several bodies is shared by
+/// joints between them all; an `along` vector has its points on a body that carries it; coordinates
+/// are of entities that bodies carry, different ones, and an angle in space has `from` and
+/// `towards`, not parallel; no segment that is used as a direction has zero length; a given length
+/// is positive and of a body with exactly two points.
 void validate(const Description& description);
 
 }  // namespace desmo

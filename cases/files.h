@@ -31,8 +31,8 @@ Scene parse_scene(std::string_view text, const std::string& file_name,
                   const std::filesystem::path& folder);
 Scene read_scene(const std::filesystem::path& file);
 
-/// The scene of a library mechanism. Throws std::invalid_argument, with the nearest names, when there
-/// is none of that name.
+/// The scene of a library mechanism. Throws std::invalid_argument, with the nearest names, when
+/// there is none of that name.
 Scene library_scene(std::string_view name);
 
 /// The text of a mechanism file that describes the same mechanism.

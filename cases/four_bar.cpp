@@ -22,8 +22,7 @@ Scene four_bar(int dyads) {
   d.carry(Describer::ground, {a});
   int before = d.link("crank", a, b, crank_length);
   d.joint(revolute, Describer::ground, before, {a});
-  Description::Coordinate& theta =
-      d.coordinate("crank/theta", Description::CoordinateType::angle);
+  Description::Coordinate& theta = d.coordinate("crank/theta", Description::CoordinateType::angle);
   theta.of = {-1, a, b};
   theta.estimate = start;
   theta.driven = true;

@@ -25,7 +25,7 @@ struct Scene {
   TimeGrid grid;
   /// Nothing twice; empty: everything, at the level of acceleration.
   std::vector<Wanted> request;
-  std::string formulation;  ///< id; empty: the program's choice
+  std::string formulation;   ///< id; empty: the program's choice
   double tolerance = 1e-10;  ///< on ‖Φ‖₂, in the mechanism's units
 };
 

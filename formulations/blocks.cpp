@@ -35,8 +35,8 @@ std::unique_ptr<cs_di, Free> incidence_matrix(const Mechanism& m, const PartDefi
     while (end < equations && part.equations[end].constraint == c) ++end;
     visit_incidence(m, m.constraints[c], [&](int row, int state) {
       const int j = state < m.coordinates() ? column_of(part.unknowns, state) : -1;
-      const auto equation = std::find(part.equations.begin() + i, part.equations.begin() + end,
-                                      Equation{c, row});
+      const auto equation =
+          std::find(part.equations.begin() + i, part.equations.begin() + end, Equation{c, row});
       if (j >= 0 && equation != part.equations.begin() + end)
         cs_di_entry(triplets.get(), static_cast<int>(equation - part.equations.begin()), j, 1);
     });

@@ -54,7 +54,8 @@ class Formulation {
   struct DefinedPart {
     PartDefinition definition;
     std::unique_ptr<Part> solver;
-    bool as_named = true;  ///< false: automatic, for want of the generated code that its id promises
+    bool as_named =
+        true;  ///< false: automatic, for want of the generated code that its id promises
     Level level = Level::acceleration;  ///< as far as anyone asks for its unknowns
   };
 

@@ -25,7 +25,8 @@ class Upstream {
         blocks_of_constraint_(m.constraints.size()) {
     for (int b = 0; b < static_cast<int>(blocks.size()); ++b) {
       for (const int i : blocks[b].unknowns) block_of_coordinate_[i] = b;
-      for (const Equation& e : blocks[b].equations) blocks_of_constraint_[e.constraint].push_back(b);
+      for (const Equation& e : blocks[b].equations)
+        blocks_of_constraint_[e.constraint].push_back(b);
     }
   }
 
@@ -48,7 +49,7 @@ class Upstream {
   }
 
   std::vector<PartDefinition> blocks;
-  std::vector<std::optional<Level>> block_level;   // none: not needed
+  std::vector<std::optional<Level>> block_level;  // none: not needed
   std::vector<std::optional<Level>> entity_level;
   std::vector<bool> constraint_kept;
   std::vector<EntityId> serves;  // the first asked entity that needs each
@@ -92,7 +93,8 @@ std::pair<Mechanism, std::vector<EntityId>> reduce(const Mechanism& whole, const
     const Entity& e = whole.entities[i];
     const std::vector<double>& values = e.fixed ? whole.fixed_values : whole.estimate;
     const std::span<const double> own(values.data() + e.first, e.size);
-    entity[i] = e.fixed ? m.add_fixed(e.kind, e.name, own) : m.add(e.kind, e.name, own, group[e.group]);
+    entity[i] =
+        e.fixed ? m.add_fixed(e.kind, e.name, own) : m.add(e.kind, e.name, own, group[e.group]);
   }
   for (std::size_t g = 0; g < group.size(); ++g)
     for (const EntityId e : whole.groups[g].entities)
@@ -173,9 +175,10 @@ Plan make_plan(const Mechanism& whole, std::span<const Asked> asked) {
 std::vector<Asked> asked_by(const Scene& scene, const Mechanism& whole) {
   std::vector<Asked> result;
   for (const Wanted& w : scene.request) {
-    const std::string& name = w.kind == Wanted::Kind::point    ? scene.mechanism.points[w.index].name
-                              : w.kind == Wanted::Kind::vector ? scene.mechanism.vectors[w.index].name
-                                                               : scene.mechanism.coordinates[w.index].name;
+    const std::string& name = w.kind == Wanted::Kind::point ? scene.mechanism.points[w.index].name
+                              : w.kind == Wanted::Kind::vector
+                                  ? scene.mechanism.vectors[w.index].name
+                                  : scene.mechanism.coordinates[w.index].name;
     result.push_back({whole.find(name), w.level});
   }
   return result;

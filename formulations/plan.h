@@ -21,16 +21,16 @@ struct Plan {
   struct GroupUse {
     std::string name;
     int unknowns = 0, kept_unknowns = 0;
-    int blocks = 0, kept_blocks = 0;  ///< irreducible ones
-    Level level = Level::position;    ///< the highest that anything asks of it
+    int blocks = 0, kept_blocks = 0;         ///< irreducible ones
+    Level level = Level::position;           ///< the highest that anything asks of it
     std::vector<std::string> kept, dropped;  ///< entities that it finds
     /// When kept only in part or for others: the first entity asked for that it serves.
     std::string serves;
   };
 
-  Mechanism mechanism;         ///< the part of the whole that is to be solved
-  std::vector<Level> levels;   ///< of each of its coordinates: as far as anything asks
-  std::vector<Asked> outputs;  ///< what was asked for, in this mechanism
+  Mechanism mechanism;           ///< the part of the whole that is to be solved
+  std::vector<Level> levels;     ///< of each of its coordinates: as far as anything asks
+  std::vector<Asked> outputs;    ///< what was asked for, in this mechanism
   std::vector<GroupUse> groups;  ///< of the whole mechanism, in solution order
 
   /// The highest level that anything asks for.

@@ -41,9 +41,9 @@ bool is_dense_global(const Variant& variant);
 bool has_phases(const Variant& variant);
 
 /// Analyses the mechanism and allocates everything. Parts for which no symbolic equations were
-/// generated are evaluated automatically and are not `as_named`. `profile`, when given, must outlive the
-/// formulation and receives the time of its phases. Throws std::invalid_argument, naming the
-/// place, for a mechanism that it cannot solve.
+/// generated are evaluated automatically and are not `as_named`. `profile`, when given, must
+/// outlive the formulation and receives the time of its phases. Throws std::invalid_argument,
+/// naming the place, for a mechanism that it cannot solve.
 std::unique_ptr<Formulation> make_formulation(const Variant& variant, const Mechanism& mechanism,
                                               const Settings& settings = {},
                                               Profile* profile = nullptr);

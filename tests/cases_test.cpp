@@ -32,7 +32,8 @@ Counts entity_counts(const Mechanism& m, const Group& g) {
 TEST(Cases, HaveThePapersSizes) {
   for (const Case& c : cases()) {
     EXPECT_EQ(c.sizes, (std::vector{114, 225, 336, 447, 558})) << c.name;
-    for (const int n : c.sizes) EXPECT_EQ(make_mechanism(describe(c, n)).coordinates(), n) << c.name;
+    for (const int n : c.sizes)
+      EXPECT_EQ(make_mechanism(describe(c, n)).coordinates(), n) << c.name;
   }
   EXPECT_EQ(make_mechanism(describe(find_case("four_bar"), 1002)).coordinates(), 1002);
 }

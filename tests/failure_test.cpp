@@ -47,7 +47,8 @@ TEST_P(EveryVariant, NamesTheGroupThatCannotBeAssembled) {
 TEST_P(EveryVariant, NamesTheInstantOfALockUp) {
   Mechanism m = four_bar_mechanism(1);
   for (Constraint& c : m.constraints)
-    if (c.name.starts_with("dyad1/coupler")) c.constants[0] = 3 * 3;  // 2 + 3 + 6 spans the pivots, not all
+    if (c.name.starts_with("dyad1/coupler"))
+      c.constants[0] = 3 * 3;  // 2 + 3 + 6 spans the pivots, not all
   m.estimate[m.entities[m.find("dyad1/C")].first] = 1.5;
   m.estimate[m.entities[m.find("dyad1/C")].first + 1] = 4;
   // Coupler 3, rocker 6: B may be from 3 to 9 away from D, and 6 − 2 … 6 + 2 is within reach …
@@ -133,7 +134,8 @@ TEST(Inlined, FallsBackToPivotingWhereItsOrderFails) {
     s.qd[m.entities[m.find("crank/B")].first] = 1;
     return s;
   };
-  InlinedPart good(bind_kernel(m, make_partition(m, Partition::group)[1]).value(), 1e-12, 50, eigen->make_part(context), parts[1].unknowns);
+  InlinedPart good(bind_kernel(m, make_partition(m, Partition::group)[1]).value(), 1e-12, 50,
+                   eigen->make_part(context), parts[1].unknowns);
   InlinedPart bad(sabotaged, 1e-12, 50, eigen->make_part(context), parts[1].unknowns);
   State expected = at_start(), actual = at_start();
   ASSERT_EQ(good.solve(expected, Level::acceleration).status, Status::converged);

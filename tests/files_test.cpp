@@ -332,7 +332,8 @@ TEST(MechanismFile, WhatIsWrongInSpaceIsNamedToo) {
       {"\"from\": \"-w\", ", "", "/coordinates/theta: the key 'from' is missing; add it"},
       {"\"from\": \"-w\"", "\"from\": \"-q\"", "/coordinates/theta/from: unknown vector 'q'; "},
       {"\"from\": \"-w\"", "\"from\": \"-v\"",
-       "/coordinates/theta: coordinate 'theta': the directions where it is 0 and π/2 are not at a right angle"},
+       "/coordinates/theta: coordinate 'theta': the directions where it is 0 and π/2 are not at a "
+       "right angle"},
       {", \"towards\": \"v\"", "", "/coordinates/theta: the key 'towards' is missing; add it"},
       {"\"axis\": \"z\"", "\"axis\": \"q\"", "/coordinates/z/axis: unknown axis 'q'; "},
       {"\"vectors\": [\"u\", \"v\", \"w\"]", "\"vectors\": [\"u\", \"v\"]",

@@ -43,6 +43,17 @@ TEST(Fuzz, SizesOfScalableMechanismsAreCut) {
   EXPECT_EQ(with_few_units(R"({"dyads" : 1e5, "axles": )", 3), R"({"dyads" : 3, "axles": )");
 }
 
+// The sizes that are cut elsewhere.
+TEST(Fuzz, SizesBeyondTheLimitsAreRefused) {
+  for (const char* mechanism : {R"({"generator": "four_bar", "dyads": 100001})",
+                                R"({"generator": "four_bar", "dyads": 1e99})",
+                                R"({"generator": "truck_suspension", "axles": 4294967297})"}) {
+    const std::string scene =
+        R"({"format": "desmo-scene", "version": 1, "mechanism": )" + std::string(mechanism) + "}";
+    EXPECT_EQ(attempt(scene, corpus, variants().front()), Outcome::refused_as_file) << mechanism;
+  }
+}
+
 TEST(Fuzz, SpoiltFilesAreRefusedOrSolvedAndReachEveryStage) {
   Options options;
   options.corpus = corpus;

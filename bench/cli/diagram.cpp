@@ -18,13 +18,16 @@ std::string dot_string(const std::string& text) {
 
 std::string node(GroupId g) { return "g" + std::to_string(g); }
 
-/// Group, and its bodies a few on each line.
-std::string legend(const Group& group) {
+/// (N_m, n_c), the group, and its bodies a few on each line, without what their names have in
+/// common with the group's.
+std::string label(const InspectedGroup& inspected, const Group& group) {
   constexpr std::size_t on_a_line = 4;
-  std::string text = group.name;
+  const std::size_t prefix = group.name.rfind('/') + 1;  // 0 when there is none
+  std::string text = "(" + std::to_string(inspected.moving_bodies) + ", " +
+                     std::to_string(inspected.drivers.size()) + ")\n" + group.name + "\n{";
   for (std::size_t b = 0; b < group.bodies.size(); ++b)
-    text += (b % on_a_line == 0 ? (b == 0 ? "\n" : ",\n") : ", ") + group.bodies[b];
-  return text;
+    text += (b == 0 ? "" : b % on_a_line == 0 ? ",\n" : ", ") + group.bodies[b].substr(prefix);
+  return text + "}";
 }
 
 std::string arrow(const std::string& from, const std::string& to, const char* style = "") {
@@ -49,19 +52,14 @@ std::string to_dot(const Inspection& inspection) {
   std::string nodes, arrows;
   for (GroupId g = 0; g < static_cast<GroupId>(m.groups.size()); ++g) {
     if (m.groups[g].constant) continue;
-    const InspectedGroup& group = inspection.groups[g];
-    nodes += "  " + node(g) + " [label=\"(" + std::to_string(group.moving_bodies) + ", " +
-             std::to_string(group.drivers.size()) +
-             ")\", xlabel=" + dot_string(legend(m.groups[g])) + "];\n";
+    nodes +=
+        "  " + node(g) + " [label=" + dot_string(label(inspection.groups[g], m.groups[g])) + "];\n";
     arrows += arrows_to(inspection, g);
   }
   return "digraph " + dot_string(m.name) +
          " {\n"
          "  rankdir=LR;\n"
-         "  nodesep=0.8;\n"
-         "  ranksep=1;\n"
-         "  forcelabels=true;\n"
-         "  node [shape=circle, fixedsize=true, width=0.8, fontname=\"Helvetica\", fontsize=12];\n"
+         "  node [shape=circle, margin=0.02, fontname=\"Helvetica\", fontsize=11];\n"
          "  ground [label=\"0\"];\n" +
          nodes + arrows + "}\n";
 }

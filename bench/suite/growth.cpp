@@ -1,5 +1,5 @@
-// desmo_growth [BODIES...]: how reading, analysing and solving a mechanism file grow with the number
-// of bodies, for generated files of both scalable cases. Default: 100 1000 10000.
+// desmo_growth [BODIES...]: how reading, analysing and solving a mechanism file grow with the
+// number of bodies, for generated files of both scalable cases. Default: 100 1000 10000.
 
 #include <algorithm>
 #include <charconv>
@@ -24,8 +24,8 @@ namespace {
 using namespace desmo;
 
 constexpr int steps = 20;
-/// Rounding leaves more in the squared lengths of links that are ten thousand lengths from the origin
-/// than the usual tolerance allows; Newton's last step goes far below either.
+/// Rounding leaves more in the squared lengths of links that are ten thousand lengths from the
+/// origin than the usual tolerance allows; Newton's last step goes far below either.
 constexpr double tolerance = 1e-7;
 
 double now() {
@@ -57,7 +57,8 @@ void measure(const Case& c, int bodies) {
   const double modelled = now();
   const std::size_t blocks = make_partition(m, Partition::block).size();
   const double cut = now();
-  const auto formulation = make_formulation(find_variant("group_symbolic_inlined"), m, Settings{tolerance, 25});
+  const auto formulation =
+      make_formulation(find_variant("group_symbolic_inlined"), m, Settings{tolerance, 25});
   suite::Delivery sink(m.coordinates());
   const double constructed = now();
   const Summary s = formulation->run({0, scene.grid.step, steps + 1}, {}, sink);

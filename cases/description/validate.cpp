@@ -1,5 +1,4 @@
 #include "cases/description.h"
-
 #include "cases/description/checks.h"
 #include "cases/names.h"
 

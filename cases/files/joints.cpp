@@ -2,8 +2,8 @@
 #include <map>
 #include <set>
 
-#include "cases/files/mechanism_reader.h"
 #include "cases/description/joint_forms.h"
+#include "cases/files/mechanism_reader.h"
 #include "cases/names.h"
 
 namespace desmo {

@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cases/files.h"
+#include "cases/names.h"
 
 namespace desmo {
 namespace {
@@ -25,7 +26,8 @@ class Writer {
                                      : Json(components(v.direction));
     j["ground"] = body(d_.bodies.front());
     j["bodies"] = Json::object();
-    for (std::size_t b = 1; b < d_.bodies.size(); ++b) j["bodies"][d_.bodies[b].name] = body(d_.bodies[b]);
+    for (std::size_t b = 1; b < d_.bodies.size(); ++b)
+      j["bodies"][d_.bodies[b].name] = body(d_.bodies[b]);
     j["joints"] = Json::array();
     for (const Description::Joint& joint : d_.joints) j["joints"].push_back(write(joint));
     j["coordinates"] = Json::object();
@@ -55,9 +57,10 @@ class Writer {
   }
 
   Json write(const Description::Joint& joint) const {
-    Json j = {{"name", joint.name},
-              {"type", joint_types[static_cast<int>(joint.type)]},
-              {"bodies", {d_.bodies[joint.bodies[0]].name, d_.bodies[joint.bodies[1]].name}}};
+    Json j = Json::object();
+    if (is_name(joint.name)) j["name"] = joint.name;  // one made of long names may be too long
+    j["type"] = joint_types[static_cast<int>(joint.type)];
+    j["bodies"] = {d_.bodies[joint.bodies[0]].name, d_.bodies[joint.bodies[1]].name};
     for (const int p : joint.points) j["points"].push_back(point(p));
     for (const int v : joint.vectors) j["vectors"].push_back(d_.vectors[v].name);
     return j;

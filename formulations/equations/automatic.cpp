@@ -105,8 +105,8 @@ AutomaticEquations::AutomaticEquations(const Mechanism& m, const PartDefinition&
       x.fill(any.data());
       Kind::jacobian(x.data(), o.constants.data(), [&](int r, int operand, int component, double) {
         o.slots[i++] = static_cast<int>(entries.size());  // its place in `entries`, for now
-        entries.push_back({o.rows[r], o.operands[operand] + component,
-                           m.rests(constraint.operands[operand])});
+        entries.push_back(
+            {o.rows[r], o.operands[operand] + component, m.rests(constraint.operands[operand])});
       });
       Batch<Kind>& batch = std::get<Batch<Kind>>(batches_);
       (row - o.row == Kind::rows ? batch.whole : batch.cut).push_back(o);

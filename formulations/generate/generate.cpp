@@ -65,7 +65,8 @@ void collect(const Scene& scene, std::vector<FoundType>& found) {
       auto it = std::ranges::find(found, type.fingerprint,
                                   [](const FoundType& f) { return f.type.fingerprint; });
       if (it == found.end())
-        it = found.insert(it, {kernel_name(m, m.groups[part.groups.front()].name, found), type, {}});
+        it =
+            found.insert(it, {kernel_name(m, m.groups[part.groups.front()].name, found), type, {}});
       for (const std::vector<double>& state : states)
         it->samples.push_back({at(type, state), type.constants});
     }
@@ -76,7 +77,8 @@ void write(std::ostream& out, const std::vector<FoundType>& types) {
          "// each type of structural group.\n\n"
          "#include <array>\n#include <cmath>\n\n"
          "#include \"formulations/equations/kernel.h\"\n\n"
-         "// All kernels of a kind share a signature, whether or not they read every argument; what\n"
+         "// All kernels of a kind share a signature, whether or not they read every argument; "
+         "what\n"
          "// turns out a sign may leave its operand unread.\n"
          "#pragma GCC diagnostic ignored \"-Wunused-parameter\"\n"
          "#pragma GCC diagnostic ignored \"-Wunused-variable\"\n\n"

@@ -123,7 +123,8 @@ class EquationWriter {
   void keep_along(const std::string& name, const RigidBody& body, int v) {
     const auto& [from, to] = *d_.vectors[v].along;
     const double length = nominal::norm(nominal::direction(d_, body, {-1, from, to}));
-    constrain<Rigid<D, 1>>(Origin::body, name + d_.vectors[v].name + " along " + text({-1, from, to}),
+    constrain<Rigid<D, 1>>(Origin::body,
+                           name + d_.vectors[v].name + " along " + text({-1, from, to}),
                            {point_[to], point_[from], vector_[v]}, {length});
   }
 
@@ -174,10 +175,9 @@ class EquationWriter {
       const Vec x = nominal::direction(d_, basis.directions[k]);
       for (int i = 0; i < 3; ++i) directions(i, k) = x[i];
     }
-    const Eigen::VectorXd c =
-        n == 0 ? Eigen::VectorXd()
-               : Eigen::VectorXd(directions.colPivHouseholderQr().solve(
-                     Eigen::Vector3d(offset[0], offset[1], offset[2])));
+    const Eigen::VectorXd c = n == 0 ? Eigen::VectorXd()
+                                     : Eigen::VectorXd(directions.colPivHouseholderQr().solve(
+                                           Eigen::Vector3d(offset[0], offset[1], offset[2])));
 
     double of_origin = is_point ? 1 : 0;
     bool has_segments = false;
@@ -360,9 +360,8 @@ class EquationWriter {
     const double along = nominal::dot(s, u);
     const Vec off = s - Vec{along * u[0], along * u[1], along * u[2]};
     if (nominal::norm(off) > 1e-6 * nominal::size(d_))
-      throw std::invalid_argument("coordinate '" + c.name + "': " + text(c.of) +
-                                  " is not along '" + d_.vectors[c.vector].name +
-                                  "' in the nominal position");
+      throw std::invalid_argument("coordinate '" + c.name + "': " + text(c.of) + " is not along '" +
+                                  d_.vectors[c.vector].name + "' in the nominal position");
   }
 
   /// The last of the groups that find these entities; -1 when all are fixed.
@@ -407,7 +406,7 @@ class EquationWriter {
   const Description& d_;
   const RigidBodies& rigid_;
   Coordinates c_;
-  Mechanism& m_;                                   // c_.mechanism
+  Mechanism& m_;                                 // c_.mechanism
   const std::vector<EntityId>&point_, &vector_;  // those of c_
   DeclaredSlides declared_;
   std::vector<Origin> origins_;

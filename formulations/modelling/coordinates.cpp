@@ -92,13 +92,14 @@ class Modeller {
     // that is the only one and nothing needs it before.
     const bool one_builds = building.front() == building.back();
     const bool needed_before =
-        measured_by_driver || std::ranges::upper_bound(following, building.front()) -
-                                      following.begin() > 1;
+        measured_by_driver ||
+        std::ranges::upper_bound(following, building.front()) - following.begin() > 1;
     return one_builds && !needed_before ? building.front() : following.front();
   }
 
   void place_entities() {
-    std::vector<bool> point_drives(d_.points.size(), false), vector_drives(d_.vectors.size(), false);
+    std::vector<bool> point_drives(d_.points.size(), false),
+        vector_drives(d_.vectors.size(), false);
     for (const Description::Coordinate& c : d_.coordinates) {
       if (!c.driven) continue;
       for (const Direction* direction : {&c.of, &c.from, &c.towards}) {
@@ -175,9 +176,10 @@ class Modeller {
       for (const int b : order) add_entities(b, static_cast<int>(position), g);
       for (const int c : measured_by_[position]) {
         const bool angle = result_.measured[c].type == Description::CoordinateType::angle;
-        const double start = result_.measured[c].estimate ? *result_.measured[c].estimate : measure(result_.measured[c]);
+        const double start = result_.measured[c].estimate ? *result_.measured[c].estimate
+                                                          : measure(result_.measured[c]);
         result_.coordinates[c] = m_.add(angle ? EntityKind::angle : EntityKind::distance,
-                                result_.measured[c].name, std::array{start}, g);
+                                        result_.measured[c].name, std::array{start}, g);
       }
     }
   }
@@ -186,12 +188,12 @@ class Modeller {
   void add_entities(int body, int position, GroupId g) {
     for (const int p : d_.bodies[body].points)
       if (result_.points[p] < 0 && found_points_[p] == position)
-        result_.points[p] = m_.add(EntityKind::point, d_.points[p].name,
-                           components(d_.points[p].position), g);
+        result_.points[p] =
+            m_.add(EntityKind::point, d_.points[p].name, components(d_.points[p].position), g);
     for (const int v : d_.bodies[body].vectors)
       if (result_.vectors[v] < 0 && found_vectors_[v] == position)
-        result_.vectors[v] = m_.add(EntityKind::vector, d_.vectors[v].name,
-                            components(d_.vectors[v].direction), g);
+        result_.vectors[v] =
+            m_.add(EntityKind::vector, d_.vectors[v].name, components(d_.vectors[v].direction), g);
   }
 
   void drive() {

@@ -12,7 +12,7 @@ namespace desmo {
 
 /// Natural and mixed coordinates of a description, and where its entities went.
 struct Coordinates {
-  Mechanism mechanism;                ///< groups, entities and drivers; no constraints yet
+  Mechanism mechanism;                    ///< groups, entities and drivers; no constraints yet
   std::vector<EntityId> points, vectors;  ///< of the description's; -1: carried by no body
   /// Relative coordinates: those of the description, then the distances of its spatial sliding
   /// joints that it does not declare, `<joint>/distance`.
@@ -36,10 +36,10 @@ class DeclaredSlides {
 /// Points of the ground are constants; a vector of the ground that moving bodies share is a
 /// coordinate vector of a constant group, as the paper models it. An entity is found by the first
 /// group in which it is in the basis of a body; one that follows from an earlier body by a linear
-/// relation, by the only later group that builds on it, if nothing needs it before. Groups are named as in the paper,
-/// SG-I, SG-II, …, after what the names of their bodies have in common up to a "/".
-/// motions: one for each driven coordinate, in order. Throws std::invalid_argument, naming the
-/// coordinate, for one that measures nothing that can move.
+/// relation, by the only later group that builds on it, if nothing needs it before. Groups are
+/// named as in the paper, SG-I, SG-II, …, after what the names of their bodies have in common up to
+/// a "/". motions: one for each driven coordinate, in order. Throws std::invalid_argument, naming
+/// the coordinate, for one that measures nothing that can move.
 Coordinates make_coordinates(const Description& description, const RigidBodies& rigid,
                              const Structure& structure, const std::vector<Motion>& motions);
 

@@ -284,14 +284,14 @@ class Selector {
     if (count == s.unknowns) return;
     if (freedoms > s.drivers()) {
       throw std::invalid_argument(
-          where(s) + "under-constrained: " + std::to_string(freedoms - s.drivers()) +
-          " freedom" + (freedoms - s.drivers() == 1 ? "" : "s") +
-          " not determined by any joint or driver ('" + loosest(s) +
-          "' can still move); add a driver or a joint");
+          where(s) + "under-constrained: " + std::to_string(freedoms - s.drivers()) + " freedom" +
+          (freedoms - s.drivers() == 1 ? "" : "s") + " not determined by any joint or driver ('" +
+          loosest(s) + "' can still move); add a driver or a joint");
     }
-    throw std::invalid_argument(where(s) + "its drivers (" + driver_names(s) +
-                                ") do not determine it: '" + loosest(s) +
-                                "' can still move while they are held; drive other coordinates");
+    const std::string drivers =
+        s.drivers() > 0 ? "its drivers (" + driver_names(s) + ") do" : "what comes before it does";
+    throw std::invalid_argument(where(s) + drivers + " not determine it: '" + loosest(s) +
+                                "' can still move while all that is held; drive other coordinates");
   }
 
   /// The entity that moves most when all candidates and drivers hold.

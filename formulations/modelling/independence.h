@@ -9,9 +9,9 @@ namespace desmo {
 
 /// A candidate equation that was left out because it follows from others.
 struct LeftOut {
-  std::string equation;                  ///< name of the constraint
-  std::vector<int> rows;                 ///< its scalar equations concerned
-  GroupId group;                         ///< whose equation it would have been
+  std::string equation;                   ///< name of the constraint
+  std::vector<int> rows;                  ///< its scalar equations concerned
+  GroupId group;                          ///< whose equation it would have been
   std::vector<std::string> follows_from;  ///< constraints
   bool redundant;  ///< the group has more restrictions than freedoms, not just more equations
 };
@@ -22,7 +22,8 @@ struct LeftOut {
 /// Equations are taken in this order: linear ones first, then those with the fewest entries, then
 /// by Origin, then as they stand. One is left out if it depends on those taken before, in the
 /// unknowns of its group. A special pose deceives: this is judged where the group has the highest
-/// rank, of the nominal position and two perturbed ones, each assembled. `size`: the extent of the mechanism, in its unit of length.
+/// rank, of the nominal position and two perturbed ones, each assembled. `size`: the extent of the
+/// mechanism, in its unit of length.
 ///
 /// surplus: for each group, restrictions beyond its freedoms.
 /// Throws std::invalid_argument, naming group, bodies and equations, when the nominal position

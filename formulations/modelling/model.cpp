@@ -30,6 +30,8 @@ Model model(const Description& d, const std::vector<Motion>& motions) {
   return result;
 }
 
-Mechanism make_mechanism(const Scene& scene) { return model(scene.mechanism, scene.motions).mechanism; }
+Mechanism make_mechanism(const Scene& scene) {
+  return model(scene.mechanism, scene.motions).mechanism;
+}
 
 }  // namespace desmo

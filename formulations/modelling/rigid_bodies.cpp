@@ -19,8 +19,7 @@ Vec direction(const Description& d, const Description::Direction& direction) {
              : d.vectors[direction.vector].direction;
 }
 
-Vec direction(const Description& d, const RigidBody& body,
-              const Description::Direction& segment) {
+Vec direction(const Description& d, const RigidBody& body, const Description::Direction& segment) {
   Vec v = direction(d, segment);
   for (const auto& [a, b, length] : body.lengths)
     if (segment.is_segment() && std::minmax({segment.from, segment.to}) == std::minmax({a, b})) {
@@ -120,13 +119,15 @@ bool Basis::has_point(int point) const {
 }
 
 bool Basis::has_vector(int vector) const {
-  return std::ranges::any_of(
-      directions, [&](const auto& d) { return !d.is_segment() && d.vector == vector; });
+  return std::ranges::any_of(directions,
+                             [&](const auto& d) { return !d.is_segment() && d.vector == vector; });
 }
 
 bool follows_from_points(const Description& d, const RigidBody& body, int vector) {
   const auto& along = d.vectors[vector].along;
-  const auto carries = [&](int point) { return std::ranges::find(body.points, point) != body.points.end(); };
+  const auto carries = [&](int point) {
+    return std::ranges::find(body.points, point) != body.points.end();
+  };
   return along && carries((*along)[0]) && carries((*along)[1]);
 }
 

@@ -36,7 +36,7 @@ struct RigidBody {
 /// The rigid bodies of a description, by their first body; the first contains the ground.
 struct RigidBodies {
   std::vector<RigidBody> list;
-  std::vector<int> of_body;                          ///< of each body of the description
+  std::vector<int> of_body;                           ///< of each body of the description
   std::vector<std::vector<int>> of_point, of_vector;  ///< those that carry it, ascending
 };
 
@@ -45,8 +45,8 @@ bool follows_from_points(const Description& description, const RigidBody& body, 
 
 /// Merges bodies and chooses bases: vectors first, in the order of the description, those that
 /// follow from points left out; then segments from the first point; what is within 6 degrees of the
-/// span of those before only at the end, where nothing better is left. Throws std::invalid_argument,
-/// naming the body, when one carries nothing.
+/// span of those before only at the end, where nothing better is left. Throws
+/// std::invalid_argument, naming the body, when one carries nothing.
 RigidBodies find_rigid_bodies(const Description& description);
 
 namespace nominal {

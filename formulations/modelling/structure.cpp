@@ -54,8 +54,7 @@ Matrix incidence(const std::vector<Restriction>& all, const std::vector<int>& fi
     for (const int b : r.bodies)
       entries += static_cast<std::size_t>(r.count) * (first_freedom[b + 1] - first_freedom[b]);
   }
-  Matrix triplets(
-      cs_di_spalloc(rows, first_freedom.back(), static_cast<int>(entries), 1, 1));
+  Matrix triplets(cs_di_spalloc(rows, first_freedom.back(), static_cast<int>(entries), 1, 1));
   if (!triplets) throw std::bad_alloc();
   int row = 0;
   for (const Restriction& r : all)
@@ -144,19 +143,25 @@ Structure order_groups(const RigidBodies& rigid, const std::vector<Restriction>&
 int restrictions(Description::JointType type, int dimension) {
   using enum Description::JointType;
   switch (type) {
-    case revolute: return dimension == 2 ? 2 : 5;
-    case prismatic: return dimension == 2 ? 2 : 5;
-    case revolute_on_slider: return 1;
-    case cylindrical: return 4;
-    case universal: return 4;
-    case spherical: return 3;
-    case fixed: return dimension == 2 ? 3 : 6;
+    case revolute:
+      return dimension == 2 ? 2 : 5;
+    case prismatic:
+      return dimension == 2 ? 2 : 5;
+    case revolute_on_slider:
+      return 1;
+    case cylindrical:
+      return 4;
+    case universal:
+      return 4;
+    case spherical:
+      return 3;
+    case fixed:
+      return dimension == 2 ? 3 : 6;
   }
   return 0;
 }
 
-std::vector<int> bodies_related(const RigidBodies& rigid,
-                                const Description::Coordinate& c) {
+std::vector<int> bodies_related(const RigidBodies& rigid, const Description::Coordinate& c) {
   std::vector<int> result;
   const auto add = [&](const std::vector<int>& carriers) {
     if (!carriers.empty() && carriers.front() != 0) result.push_back(carriers.front());

@@ -12,7 +12,7 @@ struct StructuralGroup {
   std::vector<int> bodies;  ///< positions in RigidBodies::list, ascending
   std::vector<int> after;   ///< groups to whose bodies it is joined, ascending
   int freedoms = 0;         ///< of its bodies
-  int restrictions = 0;     ///< of its joints and drivers; more than freedoms when some are redundant
+  int restrictions = 0;  ///< of its joints and drivers; more than freedoms when some are redundant
 };
 
 struct Structure {

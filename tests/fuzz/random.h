@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+
+namespace desmo::fuzz {
+
+/// SplitMix64: the same numbers on every machine, which the distributions of the standard library
+/// do not promise.
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : state_(seed) {}
+
+  std::uint64_t next() {
+    std::uint64_t z = state_ += 0x9e3779b97f4a7c15;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
+    return z ^ (z >> 31);
+  }
+
+  /// From 0 to n - 1; 0 when n is 0.
+  std::size_t below(std::size_t n) { return n == 0 ? 0 : next() % n; }
+  bool one_in(std::size_t n) { return below(n) == 0; }
+  /// From -1 to 1.
+  double around_zero() { return static_cast<double>(next() >> 11) * 0x1p-52 - 1; }
+
+  /// An element of a list that is not empty.
+  template <class List>
+  decltype(auto) pick(List& list) {
+    return list[below(std::size(list))];
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
+}  // namespace desmo::fuzz

@@ -1,0 +1,323 @@
+// Welded bodies, given lengths, and what follows from a body: geometry recomputed from solved
+// points.
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <optional>
+#include <random>
+#include <set>
+
+#include "cases/cases.h"
+#include "formulations/modelling/model.h"
+#include "tests/modelling/common.h"
+
+namespace desmo {
+namespace {
+
+/// A four-bar whose coupler carries a point P; `split` says how: in one body, or welded ones.
+enum class Coupler { whole, two, three };
+Description welded_coupler(Coupler split) {
+  Sketch d("welded", 2);
+  const int A = d.ground_point("A", {0, 0, 0}), D = d.ground_point("D", {4, 0, 0});
+  const int B = d.point("B", polar(1, 1)), C = d.point("C", {3.2, 2.9, 0}),
+            P = d.point("P", {1.5, 3.1, 0}), v = d.vector("v", polar(1, 0.4));
+  const int crank = d.body("crank", {A, B}), rocker = d.body("rocker", {D, C});
+  int at_crank = 0, at_rocker = 0;
+  if (split == Coupler::whole) {
+    at_crank = at_rocker = d.body("coupler", {B, C, P}, {v});
+  } else if (split == Coupler::two) {
+    at_crank = d.body("front", {B, P});
+    at_rocker = d.body("back", {C}, {v});
+    d.weld(at_rocker, at_crank);
+  } else {
+    // Welded in a chain whose order is not that of the bodies.
+    at_crank = d.body("front", {B});
+    at_rocker = d.body("back", {C}, {v});
+    const int middle = d.body("middle", {P});
+    d.weld(middle, at_rocker);
+    d.weld(middle, at_crank);
+  }
+  d.revolute(Sketch::ground, crank, A);
+  d.revolute(crank, at_crank, B);
+  d.revolute(at_rocker, rocker, C);
+  d.revolute(Sketch::ground, rocker, D);
+  d.angle("theta", segment(A, B)).driven = true;
+  return d.take();
+}
+
+TEST(FixedJoint, WeldedBodiesMoveAsTheirMergedBodyDoes) {
+  const std::vector<double> times = instants(2);
+  const Description whole = welded_coupler(Coupler::whole);
+  const Solved expected(whole, turning, times);
+  expect_rigid_bodies(whole, expected, 1e-11);
+  for (const Coupler split : {Coupler::two, Coupler::three}) {
+    const Solved actual(welded_coupler(split), turning, times);
+    EXPECT_EQ(actual.mechanism().coordinates(), expected.mechanism().coordinates());
+    EXPECT_EQ(actual.mechanism().structural_groups(), 2);
+    for (int k = 0; k < expected.instants() && !HasFailure(); ++k)
+      for (const char* name : {"B", "C", "P", "v"}) {
+        expect_near(actual.position(k, name), expected.position(k, name), 1e-12, name);
+        expect_near(actual.acceleration(k, name), expected.acceleration(k, name), 1e-10, name);
+      }
+  }
+}
+
+TEST(FixedJoint, BodyFixedToTheGroundIsGround) {
+  Sketch d("bracketed", 2);
+  const int A = d.ground_point("A", {0, 0, 0});
+  const int B = d.point("B", polar(1, 1)), C = d.point("C", {3.2, 2.9, 0}),
+            D = d.point("D", {4, 0, 0}), E = d.point("E", {4, 1, 0});
+  const int crank = d.body("crank", {A, B}), coupler = d.body("coupler", {B, C}),
+            rocker = d.body("rocker", {D, C});
+  const int bracket = d.body("bracket", {E}), foot = d.body("foot", {D});
+  d.weld(bracket, foot);  // through another body, and found after it
+  d.weld(bracket, Sketch::ground);
+  d.revolute(Sketch::ground, crank, A);
+  d.revolute(crank, coupler, B);
+  d.revolute(coupler, rocker, C);
+  d.revolute(foot, rocker, D);
+  d.angle("theta", segment(A, B)).driven = true;
+  const std::vector<double> times = instants(1);
+  const Solved actual(d.take(), turning, times);
+  const Solved expected(driven(four_bar_sketch().take(), {"theta"}), turning, times);
+  const Mechanism& m = actual.mechanism();
+  EXPECT_TRUE(m.entities[m.find("D")].fixed);
+  EXPECT_TRUE(m.entities[m.find("E")].fixed);
+  for (int k = 0; k < expected.instants() && !HasFailure(); ++k)
+    expect_near(actual.position(k, "C"), expected.position(k, "C"), 1e-12, "C");
+}
+
+TEST(FixedJoint, GivenLengthIsThatOfItsOwnLinkOnly) {
+  // A link of given length welded to a plate: the plate keeps its own dimensions.
+  Sketch d("welded link", 2);
+  const int O = d.ground_point("O", {0, 0, 0});
+  const int P = d.point("P", {3, 0, 0}), A = d.point("A", {0, 1, 0}), B = d.point("B", {1, 1, 0});
+  const int plate = d.body("plate", {O, P}), link = d.link("link", A, B, 1);
+  d.weld(plate, link);
+  d.revolute(Sketch::ground, plate, O);
+  d.angle("theta", segment(O, P)).driven = true;
+  const std::vector<double> times = instants(1);
+  const Solved s(d.take(), {Polynomial{{0, 1}}}, times);
+  for (int k = 0; k < s.instants() && !HasFailure(); ++k) {
+    expect_near(s.position(k, "P"), polar(3, times[k]), 1e-12, "P");
+    EXPECT_NEAR(norm(s.position(k, "B") - s.position(k, "A")), 1, 1e-12);
+  }
+}
+
+// ---- dimensions given as lengths ----
+
+TEST(Length, IsKeptByALinkThatCarriesAVectorToo) {
+  // The vector may be the basis of the link's coordinates; its two points are still that far apart.
+  for (const bool with_vector : {false, true}) {
+    Sketch d("linkage", 2);
+    const int A = d.ground_point("A", {0, 0, 0}), D = d.ground_point("D", {4, 0, 0});
+    const int B = d.point("B", polar(1, 1)), C = d.point("C", {3.2, 2.9, 0});
+    const int crank = d.body("crank", {A, B}), coupler = d.link("coupler", B, C, 3.1),
+              rocker = d.body("rocker", {D, C});
+    if (with_vector) d.carry(coupler, {}, {d.vector("v", polar(1, 0.7))});
+    d.revolute(Sketch::ground, crank, A);
+    d.revolute(crank, coupler, B);
+    d.revolute(coupler, rocker, C);
+    d.revolute(Sketch::ground, rocker, D);
+    d.angle("theta", segment(A, B)).driven = true;
+    const std::vector<double> times = instants(1);
+    const Solved s(d.take(), turning, times);
+    for (int k = 0; k < s.instants() && !HasFailure(); ++k)
+      EXPECT_NEAR(norm(s.position(k, "C") - s.position(k, "B")), 3.1, 1e-12)
+          << (with_vector ? "with" : "without") << " a vector";
+  }
+}
+
+// ---- derived points and vectors ----
+
+TEST(Derived, CouplerPointsAndVectorsFollowRigidly) {
+  // The same body built on a segment and on a vector; Q is on the line of the segment, B2 where B
+  // is.
+  for (const bool on_vector : {false, true}) {
+    Sketch d("coupler curve", 2);
+    const int A = d.ground_point("A", {0, 0, 0}), D = d.ground_point("D", {4, 0, 0});
+    const Vec b = polar(1, 1), c{3.2, 2.9, 0};
+    const int B = d.point("B", b), C = d.point("C", c), P = d.point("P", {1.5, 3.1, 0}),
+              Q = d.point("Q", 0.3 * b + 0.7 * c), B2 = d.point("B2", b);
+    std::vector<int> vectors{d.vector_along("e", unit(c - b), B, C),
+                             d.vector_along("f", unit(Vec{1.5, 3.1, 0} - c), C, P)};
+    if (on_vector) vectors.push_back(d.vector("v", polar(1, 0.4)));
+    if (on_vector) vectors.push_back(d.vector("w", polar(1, -2)));
+    const int crank = d.body("crank", {A, B}), rocker = d.body("rocker", {D, C}),
+              coupler = d.body("coupler", {B, C, P, Q, B2}, vectors);
+    d.revolute(Sketch::ground, crank, A);
+    d.revolute(crank, coupler, B);
+    d.revolute(coupler, rocker, C);
+    d.revolute(Sketch::ground, rocker, D);
+    d.angle("theta", segment(A, B)).driven = true;
+    const Description described = d.take();
+    const Solved s(described, turning, instants(2));
+    expect_rigid_bodies(described, s, 1e-11);
+    for (int k = 0; k < s.instants() && !HasFailure(); ++k)
+      expect_near(s.position(k, "B2"), s.position(k, "B"), 1e-13, "B2");
+  }
+}
+
+/// What a spatial body is built on.
+struct SpatialBody {
+  const char* name;
+  std::vector<Vec> points, vectors;
+};
+
+TEST(Derived, SpatialBodiesFollowRigidlyWhateverTheyAreBuiltOn) {
+  // A free body, driven by six components of three of its points, which come last in one case so
+  // that they are derived.
+  const Vec o{1, 2, 3}, p{2, 2.2, 3.1}, q{1.3, 3, 2.8},
+      in_plane = o + 0.4 * (p - o) + 0.3 * (q - o), on_line = o + 0.25 * (p - o),
+      out{1.4, 2.1, 4.2}, farther{0, 1, 2};
+  const Vec u = unit({1, 2, -1}), v = unit({0.2, -1, 0.5}), w = unit({-1, 0.3, 2}),
+            n = unit(cross(p - o, q - o)), in_plane_vector = unit(p - q);
+  const SpatialBody bodies[] = {
+      {"three points", {o, p, q, in_plane, on_line}, {}},
+      {"three points, and one out of their plane", {o, p, q, in_plane, out, farther}, {}},
+      {"three points and vectors", {o, p, q, out}, {n, in_plane_vector, u}},
+      {"two points and a vector", {o, p, q, in_plane, out}, {u}},
+      {"two points and a vector along them", {o, p, q, out}, {unit(p - o), v}},
+      {"a point and two vectors", {o, p, q, out}, {u, v}},
+      {"a point and three vectors", {o, on_line, p, q, out, farther}, {u, v, w, n}},
+      {"vectors normal to each other", {o, p, q}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
+      {"the driven points last", {farther, out, on_line, o, p, q}, {}},
+  };
+  for (const SpatialBody& b : bodies) {
+    Sketch d(b.name, 3);
+    std::vector<int> points, vectors;
+    int driven_points[3] = {};
+    for (const Vec& at : b.points) {
+      points.push_back(d.point("p" + std::to_string(points.size()), at));
+      for (int i = 0; i < 3; ++i)
+        if (at == (i == 0 ? o : i == 1 ? p : q)) driven_points[i] = points.back();
+    }
+    for (const Vec& direction : b.vectors)
+      vectors.push_back(d.vector("v" + std::to_string(vectors.size()), direction));
+    vectors.push_back(
+        d.vector_along("along", unit(b.points[2] - b.points[1]), points[1], points[2]));
+    d.ground_point("origin", {0, 0, 0});
+    d.body("body", points, vectors);
+    std::vector<Motion> motions;
+    const auto drive = [&](int of, int axis, double from, double rate) {
+      d.component("c" + std::to_string(motions.size()), driven_points[of], axis).driven = true;
+      motions.push_back(Polynomial{{from, rate}});
+    };
+    drive(0, 0, o[0], 0.3), drive(0, 1, o[1], -0.2), drive(0, 2, o[2], 0.1);
+    drive(1, 1, p[1], 0.25), drive(1, 2, p[2], -0.35), drive(2, 2, q[2], 0.2);
+    const Description described = d.take();
+    const Solved s(described, motions, instants(0.5));
+    expect_rigid_bodies(described, s, 1e-10);
+    EXPECT_NEAR(s.position(50, "p0")[0], b.points[0] == o ? o[0] + 0.15 : s.position(50, "p0")[0],
+                1e-12);
+    if (HasFailure()) FAIL() << b.name;
+  }
+}
+
+TEST(Derived, PointOfTwoBodiesBeyondTheBasisOfBoth) {
+  // The pin P of two ternary links is listed last by each; a third link hangs on it and builds on
+  // it. Whoever finds P, its two relations hold the first two links together.
+  for (const bool with_hanging_link : {false, true}) {
+    Sketch d("shared pin", 2);
+    const int A = d.ground_point("A", {0, 0, 0}), D = d.ground_point("D", {4, 0, 0});
+    const int B = d.point("B", polar(1, 1)), Q = d.point("Q", {1, 2, 0}),
+              R = d.point("R", {4, 2, 0}), P = d.point("P", {3.2, 2.9, 0});
+    const int crank = d.body("crank", {A, B}), coupler = d.body("coupler", {B, Q, P}),
+              rocker = d.body("rocker", {D, R, P});
+    d.revolute(Sketch::ground, crank, A);
+    d.revolute(crank, coupler, B);
+    d.revolute(coupler, rocker, P);
+    d.revolute(Sketch::ground, rocker, D);
+    if (with_hanging_link) {
+      const int E = d.ground_point("E", {7, 0, 0}), F = d.point("F", {6, 3, 0});
+      const int hanging = d.body("hanging", {P, F}), last = d.body("last", {E, F});
+      d.revolute(rocker, hanging, P);
+      d.revolute(hanging, last, F);
+      d.revolute(Sketch::ground, last, E);
+    }
+    d.angle("theta", segment(A, B)).driven = true;
+    const Description described = d.take();
+    try {
+      const Solved s(described, turning, instants(1));
+      EXPECT_EQ(s.mechanism().structural_groups(), with_hanging_link ? 3 : 2);
+      expect_rigid_bodies(described, s, 1e-11);
+    } catch (const std::invalid_argument& e) {
+      ADD_FAILURE() << e.what();
+    }
+  }
+}
+
+TEST(Derived, DriverOfAPointThatALaterGroupBuildsOn) {
+  // The crank's basis is its mark M; its end B, which the coupler builds on, is driven.
+  for (const bool by_angle : {true, false}) {
+    Sketch d("marked crank", 2);
+    const int A = d.ground_point("A", {0, 0, 0}), D = d.ground_point("D", {4, 0, 0});
+    const int M = d.point("M", {0.3, 0.1, 0}), B = d.point("B", polar(1, 1)),
+              C = d.point("C", {3.2, 2.9, 0});
+    const int crank = d.body("crank", {A, M, B}), coupler = d.body("coupler", {B, C}),
+              rocker = d.body("rocker", {D, C});
+    d.revolute(Sketch::ground, crank, A);
+    d.revolute(crank, coupler, B);
+    d.revolute(coupler, rocker, C);
+    d.revolute(Sketch::ground, rocker, D);
+    if (by_angle)
+      d.angle("drive", segment(A, B)).driven = true;
+    else
+      d.component("drive", B, 0).driven = true;
+    const Description described = d.take();
+    const double start = by_angle ? 1 : std::cos(1);
+    try {
+      const Solved s(described, {Polynomial{{start, -0.5}}}, instants(0.5));
+      EXPECT_EQ(s.mechanism().structural_groups(), 2);
+      expect_rigid_bodies(described, s, 1e-11);
+    } catch (const std::invalid_argument& e) {
+      ADD_FAILURE() << (by_angle ? "angle: " : "component: ") << e.what();
+    }
+  }
+}
+
+TEST(Derived, SliderOnAVectorAlongAnotherBodysSegment) {
+  // The guide's vector follows from the guide's points. The block that shares it has not both of
+  // them: it still turns with the guide, and its own length is not that of the guide's segment.
+  enum class Guide { vector, along, along_with_a_link };
+  for (const Guide kind : {Guide::vector, Guide::along, Guide::along_with_a_link}) {
+    Sketch d("swinging block", 2);
+    const int A = d.ground_point("A", {0, 0, 0}), O = d.ground_point("O", {3, 0, 0});
+    const Vec b = polar(1, 1), direction = unit(Vec{3, 0, 0} - b);
+    const int B = d.point("B", b), E = d.point("E", b + 5 * direction);
+    const int u =
+        kind == Guide::vector ? d.vector("u", direction) : d.vector_along("u", direction, B, E);
+    const int crank = d.body("crank", {A, B}), guide = d.body("guide", {B, E}, {u});
+    const int block = d.body("block", {O}, {u});
+    if (kind == Guide::along_with_a_link) {
+      const int F = d.point("F", Vec{3, 0, 0} + polar(2, 1.5));
+      d.carry(block, {F});
+    }
+    d.revolute(Sketch::ground, crank, A);
+    d.revolute(crank, guide, B);
+    d.joint(JointType::prismatic, guide, block, {B, O}, {u});
+    d.revolute(Sketch::ground, block, O);
+    d.angle("theta", segment(A, B)).driven = true;
+    const std::string what = "kind " + std::to_string(static_cast<int>(kind));
+    Description described = d.take();
+    if (kind == Guide::along_with_a_link) described.bodies[block].length = 2;
+    const std::vector<double> times = instants(1);
+    try {
+      const Model modelled = model(described, turning);
+      EXPECT_EQ(modelled.mechanism.structural_groups(), 2) << what;
+      EXPECT_FALSE(std::ranges::any_of(modelled.left_out, &LeftOut::redundant)) << what;
+      const Solved s(modelled.mechanism, times);
+      for (int k = 0; k < s.instants() && !HasFailure(); ++k) {
+        const Vec from = polar(1, 1 + times[k]), way = unit(Vec{3, 0, 0} - from);
+        expect_near(s.position(k, "u"), way, 1e-11, "u, " + what);
+        expect_near(s.position(k, "E"), from + 5 * way, 1e-11, "E, " + what);
+      }
+    } catch (const std::invalid_argument& e) {
+      ADD_FAILURE() << what << ": " << e.what();
+    }
+  }
+}
+
+}  // namespace
+}  // namespace desmo

@@ -1,0 +1,127 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <optional>
+#include <set>
+
+#include "tests/describing.h"
+#include "tests/mechanisms.h"
+
+namespace desmo {
+
+/// An equation as an engineer would compare it: which kind, of what, with which numbers.
+struct Stated {
+  std::string kind;
+  std::vector<std::string> operands;
+  std::vector<double> constants;
+};
+
+/// Where a kind says the same of its operands in another order, the alphabetical one.
+inline Stated canonical(Stated s) {
+  const auto starts = [&](const char* prefix) { return s.kind.starts_with(prefix); };
+  auto& o = s.operands;
+  if (starts("length") || starts("dot") || starts("distance")) {
+    if (o[1] < o[0]) std::swap(o[0], o[1]);
+  } else if (starts("projection") && o[2] < o[1]) {
+    std::swap(o[1], o[2]);
+    s.constants[0] = -s.constants[0];
+  } else if (starts("rigid")) {
+    std::map<std::string, double> terms;
+    for (std::size_t k = 2; k < o.size(); ++k) terms[o[k]] = s.constants[k - 2];
+    std::size_t k = 0;
+    for (const auto& [name, c] : terms) o[k + 2] = name, s.constants[k++] = c;
+  }
+  return s;
+}
+
+/// The equations of a group, none of them in part.
+inline std::vector<Stated> equations_of(const Mechanism& m, GroupId g) {
+  std::vector<Stated> result;
+  for (const Constraint& c : m.constraints) {
+    if (c.group != g) continue;
+    Stated s{{}, {}, c.constants};
+    visit_kind(c.kind, [&](auto kind) { s.kind = kind.name; });
+    for (const EntityId e : c.operands) s.operands.push_back(m.entities[e].name);
+    result.push_back(canonical(std::move(s)));
+  }
+  return result;
+}
+
+inline void expect_equations(const Mechanism& m, GroupId g, std::vector<Stated> expected) {
+  std::vector<Stated> actual = equations_of(m, g);
+  for (Stated& s : expected) s = canonical(std::move(s));
+  const auto what = [](const Stated& s) { return std::pair(s.kind, s.operands); };
+  std::ranges::sort(actual, {}, what);
+  std::ranges::sort(expected, {}, what);
+  const auto text = [](const Stated& s) {
+    std::string t = s.kind;
+    for (const std::string& o : s.operands) t += " " + o;
+    return t;
+  };
+  std::vector<std::string> actual_texts, expected_texts;
+  for (const Stated& s : actual) actual_texts.push_back(text(s));
+  for (const Stated& s : expected) expected_texts.push_back(text(s));
+  ASSERT_EQ(actual_texts, expected_texts) << m.groups[g].name;
+  for (std::size_t i = 0; i < actual.size(); ++i) {
+    ASSERT_EQ(actual[i].constants.size(), expected[i].constants.size()) << actual_texts[i];
+    for (std::size_t k = 0; k < actual[i].constants.size(); ++k)
+      EXPECT_NEAR(actual[i].constants[k], expected[i].constants[k], 1e-14) << actual_texts[i];
+  }
+}
+
+inline const std::vector<Motion> turning{Polynomial{{1.0, 1}}};
+
+/// Cranks of length 1 on pivots along the x axis, their ends joined by one coupler; the first is
+/// driven, nominally at `angle`. Their lengths are equal unless the last one's differs.
+inline Description parallelogram(const std::vector<double>& pivots, double angle = 1,
+                                 double last_length = 1) {
+  Sketch d("parallelogram", 2);
+  std::vector<int> feet, ends;
+  for (std::size_t i = 0; i < pivots.size(); ++i) {
+    const std::string n = std::to_string(i + 1);
+    // The ends are where the coupler wants them; another length is that of another pivot.
+    const bool last = i + 1 == pivots.size();
+    const Vec end = Vec{pivots[i], 0, 0} + polar(1, angle);
+    feet.push_back(d.ground_point("D" + n, end - polar(last ? last_length : 1, angle)));
+    ends.push_back(d.point("C" + n, end));
+  }
+  std::vector<int> cranks;
+  for (std::size_t i = 0; i < pivots.size(); ++i) {
+    cranks.push_back(d.body("crank" + std::to_string(i + 1), {feet[i], ends[i]}));
+    d.revolute(Sketch::ground, cranks[i], feet[i]);
+  }
+  const int coupler = d.body("coupler", ends);
+  for (std::size_t i = 0; i < pivots.size(); ++i) d.revolute(cranks[i], coupler, ends[i]);
+  d.angle("theta", segment(feet[0], ends[0])).driven = true;
+  return d.take();
+}
+
+/// A four-bar whose two pivoted links may both be driven.
+inline Sketch four_bar_sketch(std::optional<double> coupler_length = {}) {
+  Sketch d("linkage", 2);
+  const int A = d.ground_point("A", {0, 0, 0}), D = d.ground_point("D", {4, 0, 0});
+  const int B = d.point("B", polar(1, 1)), C = d.point("C", {3.2, 2.9, 0});
+  const int crank = d.body("crank", {A, B});
+  const int coupler =
+      coupler_length ? d.link("coupler", B, C, *coupler_length) : d.body("coupler", {B, C});
+  const int rocker = d.body("rocker", {D, C});
+  d.revolute(Sketch::ground, crank, A);
+  d.revolute(crank, coupler, B);
+  d.revolute(coupler, rocker, C);
+  d.revolute(Sketch::ground, rocker, D);
+  d.angle("theta", segment(A, B));
+  d.angle("psi", segment(D, C));
+  return d;
+}
+
+inline Description driven(Description d, const std::vector<std::string>& names) {
+  for (Description::Coordinate& c : d.coordinates)
+    c.driven = std::ranges::find(names, c.name) != names.end();
+  return d;
+}
+
+inline const Motion still = Polynomial{{1}};
+
+}  // namespace desmo

@@ -1,0 +1,197 @@
+// What relative coordinates measure, recomputed from solved points.
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <optional>
+#include <random>
+#include <set>
+
+#include "cases/cases.h"
+#include "formulations/modelling/model.h"
+#include "tests/modelling/common.h"
+
+namespace desmo {
+namespace {
+
+TEST(Coordinates, PlanarOnesMeasureGeometry) {
+  Sketch d("measured", 2);
+  const int A = d.ground_point("A", {0, 0, 0}), D = d.ground_point("D", {4, 0, 0});
+  const int x = d.ground_vector("x", {1, 0, 0}), g = d.ground_vector("g", polar(1, 2.1));
+  const int B = d.point("B", polar(1, 1)), C = d.point("C", {3.2, 2.9, 0}),
+            P = d.point("P", {1.5, 3.1, 0}), R = d.point("R", {4.5, 1.4, 0});
+  const int v = d.vector("v", polar(1, 0.4)), w = d.vector("w", polar(1, -1.2));
+  const int crank = d.body("crank", {A, B}), coupler = d.body("coupler", {B, C, P}, {v}),
+            rocker = d.body("rocker", {D, C, R}, {w});
+  d.revolute(Sketch::ground, crank, A);
+  d.revolute(crank, coupler, B);
+  d.revolute(coupler, rocker, C);
+  d.revolute(Sketch::ground, rocker, D);
+  // A piston on a rod behind the rocker, and a sleeve at the far end of the line.
+  const int S = d.point("S", {8, 0, 0}), slider_rod = d.body("slider rod", {R, S});
+  d.revolute(rocker, slider_rod, R);
+  d.joint(JointType::revolute_on_slider, Sketch::ground, slider_rod, {D, S}, {x});
+  d.angle("theta", segment(A, B)).driven = true;
+  const Description::Direction AB = segment(A, B), BC = segment(B, C), CB = segment(C, B),
+                               BP = segment(B, P), DC = segment(D, C), DR = segment(D, R);
+  using Measured = std::pair<Description::Direction, Description::Direction>;
+  const std::vector<Measured> angles{
+      {BC, {}},
+      {{v}, {}},
+      {BC, {v}},
+      {{v}, BC},
+      {{w}, {v}},
+      {{w}, {g}},
+      {DR, AB},
+      {{w}, AB},
+      {AB, {w}},
+      {{v}, {x}},
+      {BC, BP},             // from the same start
+      {segment(P, C), BC},  // to the same end
+      {BC, AB},             // from where the other ends
+      {AB, BC},             // to where the other starts
+      {CB, DC},
+      {DC, CB},
+      {DR, DC},
+      {segment(R, D), segment(C, D)},
+  };
+  for (std::size_t i = 0; i < angles.size(); ++i)
+    d.angle("angle" + std::to_string(i), angles[i].first, angles[i].second);
+  d.distance("BD", B, D);
+  d.distance("PA", P, A);
+  d.along("forward", D, S, x);
+  d.along("backward", S, D, x);
+  d.component("Px", P, 0);
+  d.component("Py", P, 1);
+  const Description described = d.take();
+  const std::vector<double> times = instants(2);
+  const Solved s(described, turning, times);
+  expect_rigid_bodies(described, s, 1e-10);
+  for (int k = 0; k < s.instants() && !HasFailure(); ++k) {
+    const auto at = [&](int p) { return s.position(k, described.points[p].name); };
+    const auto direction = [&](const Description::Direction& e) -> Vec {
+      if (!e.is_given()) return {1, 0, 0};
+      if (e.is_segment()) return at(e.to) - at(e.from);
+      return s.position(k, described.vectors[e.vector].name);
+    };
+    expect_near(at(B), polar(1, 1 + times[k]), 1e-12, "B");
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+      const std::string name = "angle" + std::to_string(i);
+      expect_same_angle(s.scalar(k, name),
+                        turn(direction(angles[i].second), direction(angles[i].first)), 1e-10, name);
+    }
+    EXPECT_NEAR(s.scalar(k, "BD"), norm(at(D) - at(B)), 1e-11);
+    EXPECT_NEAR(s.scalar(k, "PA"), norm(at(A) - at(P)), 1e-11);
+    EXPECT_NEAR(at(S)[1], 0, 1e-12);
+    EXPECT_NEAR(s.scalar(k, "forward"), at(S)[0] - 4, 1e-11);
+    EXPECT_GT(s.scalar(k, "forward"), 0);
+    EXPECT_NEAR(s.scalar(k, "backward"), 4 - at(S)[0], 1e-11);
+    EXPECT_LT(s.scalar(k, "backward"), 0);
+    EXPECT_NEAR(s.scalar(k, "Px"), at(P)[0], 1e-13);
+    EXPECT_NEAR(s.scalar(k, "Py"), at(P)[1], 1e-13);
+  }
+}
+
+TEST(Coordinates, SpatialOnesMeasureGeometry) {
+  // An arm that turns about y, and a sleeve that slides and turns on a shaft fixed to it.
+  for (const double start : {0.3, 2.6, -0.8}) {
+    Sketch d("arm and sleeve", 3);
+    const int O = d.ground_point("O", {0.5, 1, 2}), F = d.ground_point("F", {-2, 0, 0});
+    const int x = d.ground_vector("x", {1, 0, 0}), y = d.ground_vector("y", {0, 1, 0}),
+              z = d.ground_vector("z", {0, 0, 1});
+    const Vec o{0.5, 1, 2}, radial{std::cos(start), 0, std::sin(start)};
+    const int P = d.point("P", o + 2 * radial), Q = d.point("Q", o + 2 * radial + Vec{0, 0.5, 0});
+    const int r = d.vector("r", radial), n = d.vector("n", cross({0, 1, 0}, radial));
+    const int S = d.point("S", o + 3 * radial), T = d.point("T", o + 3 * radial + Vec{0, 1, 0});
+    const int b = d.vector("b", {0, 1, 0}), c = d.vector("c", cross({0, 1, 0}, radial));
+    const int arm = d.body("arm", {O, P, Q}, {y, r, n}),
+              sleeve = d.body("sleeve", {S, T}, {r, b, c});
+    d.joint(JointType::revolute, Sketch::ground, arm, {O}, {y});
+    d.joint(JointType::cylindrical, arm, sleeve, {P, S}, {r});
+    const auto angle = [&](const char* name, const Description::Direction& of, int from,
+                           int towards, bool opposite) -> Description::Coordinate& {
+      auto& a = d.angle(name, of, {from});
+      a.towards = {towards};
+      a.opposite = opposite;
+      return a;
+    };
+    angle("phi", segment(O, P), x, z, false).driven = true;
+    angle("spin", {b}, y, n, false).driven = true;
+    angle("phi vector", {r}, x, z, false);
+    angle("phi opposite", segment(O, P), x, z, true);
+    angle("phi vector opposite", {r}, x, z, true);
+    d.component("sleeve x", S, 0);
+    d.component("sleeve y", S, 1);
+    d.component("sleeve z", S, 2);
+    d.distance("reach", F, T);
+    d.along("slide", P, S, r).driven = true;
+    d.along("back", S, O, r);
+    const Description described = d.take();
+    const std::vector<double> times = instants(1);
+    const Solved s(described, {Polynomial{{start, 0.7}}, Polynomial{{0, 1}}, Polynomial{{1, 0.5}}},
+                   times);
+    expect_rigid_bodies(described, s, 1e-10);
+    for (int k = 0; k < s.instants() && !HasFailure(); ++k) {
+      const double t = times[k], phi = start + 0.7 * t;
+      const Vec now{std::cos(phi), 0, std::sin(phi)}, sleeve_at = o + (3 + 0.5 * t) * now;
+      expect_near(s.position(k, "r"), now, 1e-11, "r");
+      expect_near(s.position(k, "S"), sleeve_at, 1e-11, "S");
+      expect_same_angle(s.scalar(k, "phi vector"), phi, 1e-11, "phi vector");
+      for (const char* name : {"phi opposite", "phi vector opposite"})
+        expect_same_angle(s.scalar(k, name), std::atan2(now[2], -now[0]), 1e-11, name);
+      const Vec up = s.position(k, "b");
+      EXPECT_NEAR(up[1], std::cos(t), 1e-11);
+      EXPECT_NEAR(dot(up, cross({0, 1, 0}, now)), std::sin(t), 1e-11);
+      EXPECT_NEAR(s.scalar(k, "sleeve x"), sleeve_at[0], 1e-11);
+      EXPECT_NEAR(s.scalar(k, "sleeve y"), sleeve_at[1], 1e-11);
+      EXPECT_NEAR(s.scalar(k, "sleeve z"), sleeve_at[2], 1e-11);
+      EXPECT_NEAR(s.scalar(k, "reach"), norm(s.position(k, "T") - Vec{-2, 0, 0}), 1e-11);
+      EXPECT_NEAR(s.scalar(k, "back"), -(3 + 0.5 * t), 1e-11);
+    }
+  }
+}
+
+TEST(Coordinates, SpatialSlidingJointsHaveADistanceUnlessOneIsDeclared) {
+  for (const bool declared : {false, true}) {
+    Sketch d("slide", 3);
+    const int O = d.ground_point("O", {0, 0, 0}), P = d.point("P", {2, 0, 0});
+    const int x = d.ground_vector("x", {1, 0, 0}), z = d.ground_vector("z", {0, 0, 1});
+    const int block = d.body("block", {P}, {x, z});
+    d.joint(JointType::prismatic, Sketch::ground, block, {O, P}, {x, z});
+    if (declared) d.along("s", P, O, x);  // either way round
+    d.component("at", P, 0).driven = true;
+    const Description described = d.take();
+    const Solved s(described, {Polynomial{{2, 1}}}, instants(0.5));
+    const Mechanism& m = s.mechanism();
+    const std::string automatic = described.joints.front().name + "/distance";
+    const bool present =
+        std::ranges::find(m.entities, automatic, &Entity::name) != m.entities.end();
+    ASSERT_EQ(present, !declared);
+    EXPECT_NEAR(s.scalar(50, declared ? "s" : automatic), declared ? -2.5 : 2.5, 1e-12);
+  }
+}
+
+TEST(Coordinates, AnyOfThemCanDrive) {
+  // The same four-bar in the same motion, driven by what another coordinate of it measured.
+  const auto described = [](const std::string& driver) {
+    Sketch d = four_bar_sketch();
+    d.distance("BD", 2, 1);
+    d.angle("mu", segment(2, 3), segment(0, 2));     // B-C from A-B
+    d.angle("gamma", segment(3, 2), segment(3, 1));  // C-B from C-D
+    d.component("Cx", 3, 0);
+    d.component("By", 2, 1);
+    return driven(d.take(), {driver});
+  };
+  const double t = 0.2;
+  const Solved expected(described("theta"), turning, std::vector{t});
+  for (const char* driver : {"psi", "BD", "mu", "gamma", "Cx", "By"}) {
+    const double value = expected.scalar(0, driver);
+    Solved actual(described(driver), {Polynomial{{value}}}, std::vector{0.0});
+    for (const char* name : {"B", "C"})
+      expect_near(actual.position(0, name), expected.position(0, name), 1e-10,
+                  name + std::string(" driven by ") + driver);
+  }
+}
+
+}  // namespace
+}  // namespace desmo

@@ -1,0 +1,210 @@
+// Equations that depend on others: redundant mechanisms, and positions that deceive.
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <optional>
+#include <random>
+#include <set>
+
+#include "cases/cases.h"
+#include "formulations/modelling/model.h"
+#include "tests/modelling/common.h"
+
+namespace desmo {
+namespace {
+
+TEST(Redundant, ParallelogramWithThreeCranksIsAcceptedAndReported) {
+  const Description d = parallelogram({0, 2, 5});
+  const Model modelled = model(d, turning);
+  const Mechanism& m = modelled.mechanism;
+  EXPECT_EQ(m.structural_groups(), 1);
+  EXPECT_EQ(m.groups[0].bodies,
+            (std::vector<std::string>{"crank1", "crank2", "crank3", "coupler"}));
+  // The first crank's length defines nothing new; one equation of the others is too many.
+  ASSERT_EQ(modelled.left_out.size(), 2u);
+  std::set<std::string> concerned;
+  for (const LeftOut& l : modelled.left_out) {
+    EXPECT_TRUE(l.redundant) << l.equation;
+    EXPECT_FALSE(l.follows_from.empty()) << l.equation;
+    concerned.insert(l.equation);
+    for (const std::string& source : l.follows_from) {
+      EXPECT_TRUE(std::ranges::any_of(m.constraints, [&](const Constraint& c) {
+        return c.name == source;
+      })) << source;
+      EXPECT_NE(source, l.equation);
+    }
+  }
+  EXPECT_EQ(concerned.size(), 2u);
+
+  const std::vector<double> times = instants(1.5);
+  for (const char* id : {"global_automatic_lapack", "global_automatic_eigen", "group_automatic_klu",
+                         "block_automatic_eigen"}) {
+    const Solved s(m, times, id);
+    for (int k = 0; k < s.instants() && !HasFailure(); ++k) {
+      const double theta = 1 + times[k];
+      const double pivots[] = {0, 2, 5};
+      for (int i = 0; i < 3; ++i) {
+        const std::string end = "C" + std::to_string(i + 1);
+        const Vec spoke = polar(1, theta), rim = polar(1, theta + std::numbers::pi / 2);
+        expect_near(s.position(k, end), Vec{pivots[i], 0, 0} + spoke, 1e-12, end);
+        expect_near(s.velocity(k, end), rim, 1e-12, end + " velocity");
+        expect_near(s.acceleration(k, end), -1.0 * spoke, 1e-12, end + " acceleration");
+      }
+    }
+  }
+}
+
+TEST(Redundant, PlanarFourBarInSpaceWithParallelAxesIsAccepted) {
+  Sketch d("bennett_no_more", 3);
+  const int A = d.ground_point("A", {0, 0, 0}), D = d.ground_point("D", {4, 0, 0});
+  const int B = d.point("B", polar(1, 1)), C = d.point("C", {3.2, 2.9, 0});
+  const int z = d.ground_vector("z", {0, 0, 1});
+  const int crank = d.body("crank", {A, B}, {z}), coupler = d.body("coupler", {B, C}, {z}),
+            rocker = d.body("rocker", {D, C}, {z});
+  const int x = d.ground_vector("x", {1, 0, 0}), y = d.ground_vector("y", {0, 1, 0});
+  d.joint(JointType::revolute, Sketch::ground, crank, {A}, {z});
+  d.joint(JointType::revolute, crank, coupler, {B}, {z});
+  d.joint(JointType::revolute, coupler, rocker, {C}, {z});
+  d.joint(JointType::revolute, Sketch::ground, rocker, {D}, {z});
+  auto& theta = d.angle("theta", segment(A, B), {x});
+  theta.towards = {y};
+  theta.driven = true;
+  const Description described = d.take();
+  const Model modelled = model(described, turning);
+  EXPECT_TRUE(std::ranges::any_of(modelled.left_out, &LeftOut::redundant));
+  const std::vector<double> times = instants(1.5);
+  for (const char* id :
+       {"global_automatic_eigen", "group_automatic_klu", "block_automatic_lapack"}) {
+    const Solved s(modelled.mechanism, times, id);
+    const auto nominal = [&](const char* name) {
+      return std::ranges::find(described.points, name, &Description::Point::name)->position;
+    };
+    for (int k = 0; k < s.instants() && !HasFailure(); ++k) {
+      const Vec b = s.position(k, "B"), c = s.position(k, "C");
+      expect_near(b, polar(1, 1 + times[k]), 1e-12, "B");
+      EXPECT_NEAR(norm(c - b), norm(nominal("C") - nominal("B")), 1e-12);
+      EXPECT_NEAR(norm(c - nominal("D")), norm(nominal("C") - nominal("D")), 1e-12);
+      EXPECT_NEAR(c[2], 0, 1e-12);
+    }
+  }
+}
+
+// ---- a special position deceives ----
+
+TEST(SpecialPosition, FoldedFourBarKeepsAllItsEquations) {
+  // Drawn with all links on one line, a change point of the parallelogram: its coupler and its
+  // second crank restrict the same direction there, and there only.
+  const Model folded = model(parallelogram({0, 2}, 0), {Polynomial{{0, 1}}});
+  const Model open = model(parallelogram({0, 2}, 1), {Polynomial{{0, 1}}});
+  for (GroupId g = 0; g < 2; ++g) {
+    std::vector<Stated> expected = equations_of(open.mechanism, g);
+    expect_equations(folded.mechanism, g, expected);
+  }
+  EXPECT_EQ(folded.left_out.size(), open.left_out.size());
+}
+
+TEST(SpecialPosition, CrankRockerAtItsDeadPointKeepsAllItsEquations) {
+  // Crank 1, coupler 3, rocker 3, base 4 with crank and coupler in line: C is at 4 from A, and the
+  // rocker, driven, cannot tell the crank's velocity in this position.
+  const auto describe_at_dead_point = [](bool driven_by_rocker) {
+    Sketch d("dead point", 2);
+    const int A = d.ground_point("A", {0, 0, 0}), D = d.ground_point("D", {4, 0, 0});
+    const double angle = 2 * std::asin(3.0 / 8);  // isosceles: A-C = A-D = 4, C-D = 3
+    const int B = d.point("B", polar(1, angle)), C = d.point("C", polar(4, angle));
+    const int crank = d.body("crank", {A, B}), coupler = d.body("coupler", {B, C}),
+              rocker = d.body("rocker", {D, C});
+    d.revolute(Sketch::ground, crank, A);
+    d.revolute(crank, coupler, B);
+    d.revolute(coupler, rocker, C);
+    d.revolute(Sketch::ground, rocker, D);
+    d.angle("theta", segment(A, B)).driven = !driven_by_rocker;
+    d.angle("psi", segment(D, C)).driven = driven_by_rocker;
+    return d.take();
+  };
+  const double start = 2 * std::asin(3.0 / 8);
+  const Mechanism by_crank =
+      model(describe_at_dead_point(false), {Polynomial{{start, 1}}}).mechanism;
+  expect_equations(by_crank, 0, {{"planar_angle", {"A", "B", "theta"}, {1}}});
+  expect_equations(by_crank, 1,
+                   {{"length2", {"B", "C"}, {9}}, {"planar_angle", {"D", "C", "psi"}, {3}}});
+  const Mechanism by_rocker = model(describe_at_dead_point(true), {Polynomial{{1.0, 1}}}).mechanism;
+  expect_equations(by_rocker, 0, {{"planar_angle", {"D", "C", "psi"}, {3}}});
+  expect_equations(by_rocker, 1,
+                   {{"length2", {"B", "C"}, {9}}, {"planar_angle", {"A", "B", "theta"}, {1}}});
+}
+
+/// Crank 1 and rod 3 from the origin, the slider on the x axis, nominally at its turning point.
+Description slider_at_turning_point(bool driven_by_slider) {
+  Sketch d("slider", 2);
+  const int O = d.ground_point("O", {0, 0, 0}), x = d.ground_vector("x", {1, 0, 0});
+  const int B = d.point("B", {1, 0, 0}), P = d.point("P", {4, 0, 0});
+  const int crank = d.body("crank", {O, B}), rod = d.body("rod", {B, P});
+  d.revolute(Sketch::ground, crank, O);
+  d.revolute(crank, rod, B);
+  d.joint(JointType::revolute_on_slider, Sketch::ground, rod, {O, P}, {x});
+  d.angle("theta", segment(O, B)).driven = !driven_by_slider;
+  d.along("s", O, P, x).driven = driven_by_slider;
+  return d.take();
+}
+
+TEST(SpecialPosition, SliderAtItsTurningPointKeepsAllItsEquations) {
+  const Mechanism m = model(slider_at_turning_point(false), {Polynomial{{0, 1}}}).mechanism;
+  expect_equations(m, 0, {{"planar_angle", {"O", "B", "theta"}, {1}}});
+  expect_equations(m, 1, {{"length2", {"B", "P"}, {9}}, {"along2", {"O", "P", "x", "s"}, {}}});
+  const std::vector<double> times = instants(1.5);
+  const Solved s(m, times);
+  for (int k = 0; k < s.instants() && !HasFailure(); ++k) {
+    const double t = times[k];
+    EXPECT_NEAR(s.scalar(k, "s"), std::cos(t) + std::sqrt(9 - std::sin(t) * std::sin(t)), 1e-12);
+  }
+  EXPECT_NO_THROW(model(slider_at_turning_point(true), {Polynomial{{3.5, -1}}}));
+}
+
+TEST(SpecialPosition, RedundantLinkageDrawnFoldedKeepsEquationsThatDetermineIt) {
+  // Two bell cranks joined by two couplers: one coupler too many. Folded, the first coupler
+  // restricts the direction that the second crank does and the other one does not; in every other
+  // position it is the other one that follows. Chosen for the folded position, the equations would
+  // leave `far` undetermined everywhere else.
+  const auto bell_cranks = [](double angle) {
+    Sketch d("bell cranks", 2);
+    int ends[2], ears[2], cranks[2];
+    for (const int i : {0, 1}) {
+      const std::string n = std::to_string(i + 1);
+      const Vec foot{2.0 * i, 0, 0};
+      const int D = d.ground_point("D" + n, foot);
+      ends[i] = d.point("P" + n, foot + polar(1, angle));
+      ears[i] = d.point("Q" + n, foot + polar(0.5, angle + 1));
+      cranks[i] = d.body("crank" + n, {D, ends[i], ears[i]});
+      d.revolute(Sketch::ground, cranks[i], D);
+      if (i == 0) d.angle("theta", segment(D, ends[0])).driven = true;
+    }
+    const int upper = d.body("coupler", {ends[0], ends[1]});
+    const int lower = d.body("second coupler", {ears[0], ears[1]});
+    for (const int i : {0, 1}) {
+      d.revolute(cranks[i], upper, ends[i]);
+      d.revolute(cranks[i], lower, ears[i]);
+    }
+    d.distance("far", ends[1], ears[0]);
+    return d.take();
+  };
+  const std::vector<double> times = instants(1);
+  for (const double angle : {1.0, 0.0}) {
+    const Mechanism m = model(bell_cranks(angle), {Polynomial{{1, 1}}}).mechanism;
+    std::set<std::string> kinds;
+    for (const Stated& s : equations_of(m, 0)) kinds.insert(s.kind);
+    EXPECT_TRUE(kinds.contains("distance2")) << "drawn at " << angle;
+    if (!kinds.contains("distance2")) continue;
+    Mechanism open = m;  // solved away from the fold, where any choice would fail
+    open.estimate = model(bell_cranks(1), {Polynomial{{1, 1}}}).mechanism.estimate;
+    const Solved s(open, times);
+    for (int k = 0; k < s.instants() && !HasFailure(); ++k) {
+      const Vec p = Vec{2, 0, 0} + polar(1, 1 + times[k]);
+      expect_near(s.position(k, "P2"), p, 1e-11, "P2");
+      EXPECT_NEAR(s.scalar(k, "far"), norm(p - polar(0.5, 2 + times[k])), 1e-11);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace desmo

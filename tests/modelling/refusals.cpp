@@ -1,0 +1,145 @@
+// What is no mechanism that its drivers determine is refused, by name.
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <optional>
+#include <random>
+#include <set>
+
+#include "cases/cases.h"
+#include "formulations/modelling/model.h"
+#include "tests/modelling/common.h"
+
+namespace desmo {
+namespace {
+
+TEST(Refused, ThirdCrankOfAnotherLength) {
+  expect_refused(parallelogram({0, 2, 5}, 1, 1.3), turning,
+                 {"over-constrained", "crank3", "coupler", "'theta'"});
+}
+
+TEST(Refused, TriangleWithADriver) {
+  Sketch d("truss", 2);
+  const int A = d.ground_point("A", {0, 0, 0}), B = d.ground_point("B", {2, 0, 0});
+  const int C = d.point("C", {1, 1, 0});
+  const int left = d.body("left strut", {A, C}), right = d.body("right strut", {B, C});
+  d.revolute(Sketch::ground, left, A);
+  d.revolute(Sketch::ground, right, B);
+  d.revolute(left, right, C);
+  d.angle("phi", segment(A, C)).driven = true;
+  expect_refused(d.take(), {still}, {"over-constrained", "left strut", "right strut", "'phi'"});
+}
+
+TEST(Refused, TooManyDrivers) {
+  expect_refused(
+      driven(four_bar_sketch().take(), {"theta", "psi"}), {still, still},
+      {"over-constrained", "crank", "coupler", "rocker", "'theta'", "'psi'", "too many drivers"});
+}
+
+TEST(Refused, MissingDriver) {
+  expect_refused(four_bar_sketch().take(), {},
+                 {"under-constrained", "'crank'", "'coupler'", "'rocker'", "add a driver",
+                  "'theta'", "'psi'"});
+}
+
+TEST(Refused, BothDriversOnOneChainWhileAnotherIsFree) {
+  Sketch d = four_bar_sketch();
+  const int O = d.ground_point("O", {9, 0, 0}), E = d.point("E", {10, 0, 0});
+  d.revolute(Sketch::ground, d.body("free arm", {O, E}), O);
+  d.angle("alpha", segment(O, E));
+  expect_refused(driven(d.take(), {"theta", "psi"}), {still, still},
+                 {"under-constrained", "'free arm'", "'alpha'"});
+}
+
+TEST(Refused, FiveBarDrivenTwiceAtOneCrank) {
+  Sketch d("five-bar", 2);
+  const int A = d.ground_point("A", {0, 0, 0}), E = d.ground_point("E", {4, 0, 0});
+  const int B = d.point("B", {0, 1, 0}), C = d.point("C", {2, 2, 0}), D = d.point("D", {4, 1, 0});
+  const int crank = d.body("crank", {A, B}), left = d.body("left", {B, C}),
+            right = d.body("right", {C, D}), second = d.body("second crank", {E, D});
+  d.revolute(Sketch::ground, crank, A);
+  d.revolute(crank, left, B);
+  d.revolute(left, right, C);
+  d.revolute(right, second, D);
+  d.revolute(Sketch::ground, second, E);
+  d.angle("theta", segment(A, B)).driven = true;
+  d.component("height", B, 1).driven = true;
+  expect_refused(d.take(), {still, still}, {"under-constrained", "'second crank'"});
+}
+
+TEST(Refused, DriverThatMeasuresAConstantDistance) {
+  // By their number the restrictions suffice; but a crank's length cannot be driven.
+  Sketch d = four_bar_sketch();
+  d.distance("spoke", 0, 2);  // A-B
+  expect_refused(driven(d.take(), {"spoke"}), {still},
+                 {"crank", "'spoke'", "do not determine", "drive other coordinates"});
+}
+
+TEST(Refused, LinkThatCannotReach) {
+  expect_refused(driven(four_bar_sketch(100).take(), {"theta"}), turning,
+                 {"cannot be assembled", "coupler", "rocker", "check the dimensions"});
+}
+
+TEST(Refused, CoordinateThatMeasuresNothingThatMoves) {
+  Sketch d = four_bar_sketch();
+  d.distance("base", 0, 1);  // A-D
+  const Description measured = driven(d.take(), {"theta"});
+  expect_refused(measured, turning, {"'base'", "measures nothing that can move"});
+  expect_refused(driven(measured, {"theta", "base"}), {still, still},
+                 {"'base'", "measures nothing that can move"});
+}
+
+TEST(Refused, BodyThatCarriesNothing) {
+  Sketch d = four_bar_sketch();
+  d.body("ghost", {});
+  expect_refused(driven(d.take(), {"theta"}), turning, {"'ghost'", "carries no point"});
+}
+
+TEST(Refused, MechanismWithoutMovingBodies) {
+  Sketch d("rock", 2);
+  d.ground_point("A", {0, 0, 0});
+  expect_refused(d.take(), {}, {"rock", "no body that moves"});
+}
+
+TEST(Refused, MotionsThatAreNotOneForEachDriver) {
+  expect_refused(driven(four_bar_sketch().take(), {"theta"}), {},
+                 {"linkage", "0 motions for 1 driver"});
+}
+
+TEST(Refused, TwoLinksOfDifferentLengthBetweenTheSamePoints) {
+  Sketch d = four_bar_sketch(3.0);
+  const int twin = d.link("twin", 2, 3, 3.5);  // B-C, as the coupler
+  d.revolute(1, twin, 2);
+  d.revolute(3, twin, 3);
+  expect_refused(driven(d.take(), {"theta"}), turning, {"coupler", "twin"});
+}
+
+TEST(Refused, SpatialAngleFromASegment) {
+  // The definition of an angle in space takes vectors; a segment would be silently misread.
+  Sketch d("arm", 3);
+  const int O = d.ground_point("O", {0, 0, 0}), X = d.ground_point("X", {1, 0, 0}),
+            Z = d.ground_point("Z", {0, 0, 1}), P = d.point("P", {1, 0, 1});
+  const int y = d.ground_vector("y", {0, 1, 0});
+  d.joint(JointType::revolute, Sketch::ground, d.body("arm", {O, P}, {y}), {O}, {y});
+  auto& c = d.angle("phi", segment(O, P), segment(O, X));
+  c.towards = segment(O, Z);
+  c.driven = true;
+  expect_refused(d.take(), turning, {"'phi'"});
+}
+
+TEST(Refused, SpatialAngleBetweenDirectionsThatAreNotNormal) {
+  // With `towards` at 60 degrees from `from` the definition does not measure an angle.
+  Sketch d("arm", 3);
+  const int O = d.ground_point("O", {0, 0, 0}), P = d.point("P", {1, 0, 1});
+  const int y = d.ground_vector("y", {0, 1, 0}), x = d.ground_vector("x", {1, 0, 0}),
+            oblique = d.ground_vector("oblique", {0.5, 0, std::sqrt(0.75)});
+  d.joint(JointType::revolute, Sketch::ground, d.body("arm", {O, P}, {y}), {O}, {y});
+  auto& c = d.angle("phi", segment(O, P), {x});
+  c.towards = {oblique};
+  c.driven = true;
+  expect_refused(d.take(), turning, {"'phi'"});
+}
+
+}  // namespace
+}  // namespace desmo
