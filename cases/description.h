@@ -108,8 +108,9 @@ struct Description {
 /// spatial prismatic joint are not parallel; an entity carried by several bodies is shared by
 /// joints between them all; an `along` vector has its points on a body that carries it; coordinates
 /// are of entities that bodies carry, different ones, and an angle in space has `from` and
-/// `towards`, not parallel; no segment that is used as a direction has zero length; a given length
-/// is positive and of a body with exactly two points.
+/// `towards`, vectors at a right angle; no segment that is used as a direction has zero length, and
+/// the points of a body that carries nothing else do not all coincide; a given length is positive
+/// and of a body with exactly two points.
 void validate(const Description& description);
 
 }  // namespace desmo

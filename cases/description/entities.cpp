@@ -95,6 +95,15 @@ void check_length(const Description& d, int i) {
                " coincide; estimate different positions");
 }
 
+// A body that carries points alone is where they are apart.
+void check_extent(const Description& d, int i) {
+  const Description::Body& body = d.bodies[i];
+  if (i == 0 || body.points.size() < 2 || !body.vectors.empty()) return;
+  for (const int p : body.points)
+    if (direction(d.points[body.points[0]].position, d.points[p].position)) return;
+  refuse(d, Part::body, i, "all its points coincide, a link of zero length; move them apart");
+}
+
 }  // namespace
 
 void check_names(const Description& d) {
@@ -114,6 +123,7 @@ void check_entities(const Description& d) {
     check_carried(d, i, d.bodies[i].points, d.points, "point");
     check_carried(d, i, d.bodies[i].vectors, d.vectors, "vector");
     if (d.bodies[i].length) check_length(d, i);
+    check_extent(d, i);
   }
 }
 

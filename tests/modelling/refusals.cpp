@@ -14,6 +14,12 @@
 namespace desmo {
 namespace {
 
+TEST(Refused, LinkOfZeroLength) {
+  Description d = four_bar_sketch().take();
+  d.points[3].position = d.points[2].position;  // C at B
+  expect_refused(driven(std::move(d), {"theta"}), turning, {"'coupler'", "zero length"});
+}
+
 TEST(Refused, ThirdCrankOfAnotherLength) {
   expect_refused(parallelogram({0, 2, 5}, 1, 1.3), turning,
                  {"over-constrained", "crank3", "coupler", "'theta'"});
