@@ -1,22 +1,15 @@
 // The block triangular form of a part's equations.
 
-#include <cs.h>
-
 #include <algorithm>
-#include <memory>
 #include <stdexcept>
 
+#include "formulations/csparse.h"
 #include "formulations/incidence.h"
 #include "formulations/partition.h"
 
 namespace desmo {
 
 namespace {
-
-struct Free {
-  void operator()(cs_did* d) const { cs_di_dfree(d); }
-  void operator()(cs_di* a) const { cs_di_spfree(a); }
-};
 
 /// Position of a coordinate among the ascending unknowns, or -1.
 int column_of(const std::vector<int>& unknowns, int coordinate) {
@@ -25,10 +18,10 @@ int column_of(const std::vector<int>& unknowns, int coordinate) {
 }
 
 /// Equations × unknowns, one where an equation reads an unknown.
-std::unique_ptr<cs_di, Free> incidence_matrix(const Mechanism& m, const PartDefinition& part) {
+CSparseMatrix incidence_matrix(const Mechanism& m, const PartDefinition& part) {
   const int n = static_cast<int>(part.unknowns.size());
   const int equations = static_cast<int>(part.equations.size());
-  const std::unique_ptr<cs_di, Free> triplets(cs_di_spalloc(equations, n, 4 * n, 1, 1));
+  const CSparseMatrix triplets(cs_di_spalloc(equations, n, 4 * n, 1, 1));
   for (int i = 0; i < equations;) {
     const int c = part.equations[i].constraint;
     int end = i;
@@ -42,15 +35,15 @@ std::unique_ptr<cs_di, Free> incidence_matrix(const Mechanism& m, const PartDefi
     });
     i = end;
   }
-  return std::unique_ptr<cs_di, Free>(cs_di_compress(triplets.get()));
+  return CSparseMatrix(cs_di_compress(triplets.get()));
 }
 
 }  // namespace
 
 std::vector<PartDefinition> irreducible_blocks(const Mechanism& m, const PartDefinition& part) {
   const int n = static_cast<int>(part.unknowns.size());
-  const std::unique_ptr<cs_di, Free> matrix = incidence_matrix(m, part);
-  const std::unique_ptr<cs_did, Free> form(cs_di_dmperm(matrix.get(), 0));
+  const CSparseMatrix matrix = incidence_matrix(m, part);
+  const CSparseForm form(cs_di_dmperm(matrix.get(), 0));
   if (!form) throw std::bad_alloc();
   if (static_cast<int>(part.equations.size()) != n || form->rr[4] != form->rr[3] ||
       form->cc[1] != 0) {

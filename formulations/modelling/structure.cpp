@@ -1,24 +1,17 @@
 #include "formulations/modelling/structure.h"
 
-#include <cs.h>
-
 #include <algorithm>
 #include <array>
-#include <memory>
 #include <numeric>
 #include <queue>
 #include <stdexcept>
 #include <string>
 
+#include "formulations/csparse.h"
+
 namespace desmo {
 
 namespace {
-
-struct Free {
-  void operator()(cs_did* d) const { cs_di_dfree(d); }
-  void operator()(cs_di* a) const { cs_di_spfree(a); }
-};
-using Matrix = std::unique_ptr<cs_di, Free>;
 
 /// Bodies that one restriction concerns, and how many equal restrictions there are.
 struct Restriction {
@@ -46,7 +39,8 @@ std::vector<Restriction> collect_restrictions(const Description& d, const RigidB
 }
 
 /// Restrictions × freedoms.
-Matrix incidence(const std::vector<Restriction>& all, const std::vector<int>& first_freedom) {
+CSparseMatrix incidence(const std::vector<Restriction>& all,
+                        const std::vector<int>& first_freedom) {
   int rows = 0;
   std::size_t entries = 1;
   for (const Restriction& r : all) {
@@ -54,7 +48,8 @@ Matrix incidence(const std::vector<Restriction>& all, const std::vector<int>& fi
     for (const int b : r.bodies)
       entries += static_cast<std::size_t>(r.count) * (first_freedom[b + 1] - first_freedom[b]);
   }
-  Matrix triplets(cs_di_spalloc(rows, first_freedom.back(), static_cast<int>(entries), 1, 1));
+  CSparseMatrix triplets(
+      cs_di_spalloc(rows, first_freedom.back(), static_cast<int>(entries), 1, 1));
   if (!triplets) throw std::bad_alloc();
   int row = 0;
   for (const Restriction& r : all)
@@ -62,7 +57,7 @@ Matrix incidence(const std::vector<Restriction>& all, const std::vector<int>& fi
       for (const int b : r.bodies)
         for (int j = first_freedom[b]; j < first_freedom[b + 1]; ++j)
           cs_di_entry(triplets.get(), row, j, 1);
-  return Matrix(cs_di_compress(triplets.get()));
+  return CSparseMatrix(cs_di_compress(triplets.get()));
 }
 
 std::string names_of(const Description& d, const RigidBodies& rigid, const std::vector<int>& list) {
@@ -208,8 +203,8 @@ Structure find_structure(const Description& d, const RigidBodies& rigid) {
   for (std::size_t r = 0; r < all.size(); ++r)
     restriction_of_row.insert(restriction_of_row.end(), all[r].count, static_cast<int>(r));
 
-  const Matrix matrix = incidence(all, first_freedom);
-  const std::unique_ptr<cs_did, Free> form(cs_di_dmperm(matrix.get(), 0));
+  const CSparseMatrix matrix = incidence(all, first_freedom);
+  const CSparseForm form(cs_di_dmperm(matrix.get(), 0));
   if (!form) throw std::bad_alloc();
   const auto bodies_of_columns = [&](int begin, int end) {
     std::vector<int> result;
