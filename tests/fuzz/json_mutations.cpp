@@ -56,6 +56,7 @@ void rename_key(Tree& root, Random& random) {
   Tree* const at = any(root, random, [](const Tree& n) { return !n.key.empty(); });
   if (!at) return;
   const std::vector<std::string> names = all_names(root);
+  if (names.empty()) return;
   at->key = random.one_in(3) ? at->key + (random.one_in(2) ? "\\u0007" : "x") : random.pick(names);
 }
 
@@ -84,6 +85,7 @@ void replace_name(Tree& root, Random& random) {
       "*",   "**", "?",  "",        "ground",     "-",       "x",        "*a*",
       "a/*", ".",  "..", "\\u0000", "\\u001b[0m", "\\u202e", "\xc3\xa4", "1"};
   const std::vector<std::string> names = all_names(root);
+  if (names.empty()) return;
   const std::string old(at->name());
   switch (random.below(6)) {
     case 0:
@@ -104,6 +106,7 @@ void replace_name(Tree& root, Random& random) {
 // An entity keeps its references under its new name.
 void rename_everywhere(Tree& root, Random& random) {
   const std::vector<std::string> names = all_names(root);
+  if (names.empty()) return;
   const std::string old = random.pick(names);
   const std::string renamed = random.one_in(3)   ? std::string(100 + random.below(2), 'n')
                               : random.one_in(2) ? random.pick(names)
