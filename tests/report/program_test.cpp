@@ -183,26 +183,29 @@ TEST_F(Program, EveryFiledRecordGivesTheReportBesideIt) {
   EXPECT_GT(runs, 0);
 }
 
-// The README quotes a recorded run: each line of its tables is a line of that run's report.
-TEST_F(Program, TheReadmeQuotesItsRecord) {
+// The README quotes recorded runs: each line of its tables is a line of that run's report.
+TEST_F(Program, TheReadmeQuotesItsRecords) {
   const fs::path source = DESMO_SOURCE_DIR;
   const std::string readme = read_text(source / "README.md");
   const std::string mark = "<!-- measured: ";
-  const std::size_t begin = readme.find(mark), end = readme.find("<!-- end of measured -->");
-  ASSERT_NE(begin, std::string::npos);
-  ASSERT_NE(end, std::string::npos);
-  const std::size_t path = begin + mark.size();
-  const fs::path record = source / readme.substr(path, readme.find(" -->", path) - path);
-  ASSERT_EQ(shell(std::string(DESMO_REPORT_PROGRAM) + " tables " + record.string() +
-                  " --format markdown"),
-            0);
-  std::istringstream lines(readme.substr(begin, end - begin));
-  int rows = 0;
-  for (std::string line; std::getline(lines, line);) {
-    if (!line.starts_with("|")) continue;
-    ++rows;
-    EXPECT_NE(out_.find("\n" + line + "\n"), std::string::npos) << line;
+  int rows = 0, records = 0;
+  for (std::size_t begin = 0; (begin = readme.find(mark, begin)) != std::string::npos; ++records) {
+    const std::size_t path = begin + mark.size(),
+                      end = readme.find("<!-- end of measured -->", path);
+    ASSERT_NE(end, std::string::npos);
+    const fs::path record = source / readme.substr(path, readme.find(" -->", path) - path);
+    ASSERT_EQ(shell(std::string(DESMO_REPORT_PROGRAM) + " tables " + record.string() +
+                    " --format markdown"),
+              0);
+    std::istringstream lines(readme.substr(begin, end - begin));
+    for (std::string line; std::getline(lines, line);) {
+      if (!line.starts_with("|")) continue;
+      ++rows;
+      EXPECT_NE(out_.find("\n" + line + "\n"), std::string::npos) << line;
+    }
+    begin = end;
   }
+  EXPECT_EQ(records, 2);
   EXPECT_GT(rows, 60);
 }
 
