@@ -34,7 +34,7 @@ struct Constraint {
   std::vector<EntityId> operands;
   std::vector<double> constants;
   GroupId group;          ///< the group that it determines
-  unsigned left_out = 0;  ///< bit r: row r follows from other equations and is not one
+  unsigned left_out = 0;  ///< bit r: row r depends on other equations and is not one
 };
 
 /// A structural group: a chain that is kinematically determinate once the groups before it are

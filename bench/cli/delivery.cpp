@@ -1,5 +1,9 @@
 #include "bench/cli/delivery.h"
 
+#include <cstdio>
+
+#include "bench/cli/errors.h"
+
 namespace desmo::cli {
 namespace {
 
@@ -7,15 +11,26 @@ constexpr std::size_t enough_to_write = std::size_t{1} << 16;
 
 }  // namespace
 
-Delivery::Delivery(SeriesHeading heading, std::unique_ptr<SeriesFormat> format, Output& output,
-                   Progress& progress)
+Delivery::Delivery(SeriesHeading heading, std::unique_ptr<SeriesFormat> format, const Plan& plan,
+                   Output& output, Progress& progress)
     : heading_(std::move(heading)),
       format_(std::move(format)),
       output_(output),
       progress_(progress),
+      plan_(plan),
+      monitor_(plan),
       text_(format_->heading(heading_)) {}
 
 void Delivery::accept(const Instant& instant) {
+  if (const int c = monitor_.violated(instant); c >= 0) {
+    char time[40];
+    std::snprintf(time, sizeof time, "%.9g", instant.time);
+    throw Error(not_solved, "constraint '" + plan_.mechanism.constraints[c].name +
+                                "', t = " + time +
+                                " s: the part of it that was left out as dependent does not hold "
+                                "here, so that the part kept does not tell the position; measure "
+                                "this coordinate in another way, or leave it out");
+  }
   format_->append(heading_, instant, text_);
   if (text_.size() >= enough_to_write) flush();
   progress_.solved(instant.index + 1);

@@ -7,14 +7,17 @@
 #include "bench/cli/output.h"
 #include "bench/cli/progress.h"
 #include "bench/cli/series.h"
+#include "formulations/left_out_monitor.h"
 
 namespace desmo::cli {
 
-/// Writes each instant it is handed, some at a time. Throws what Output throws.
+/// Writes each instant it is handed, some at a time. Throws what Output throws, and Error when an
+/// instant does not satisfy the equations that were left out as dependent.
 class Delivery final : public Sink {
  public:
-  Delivery(SeriesHeading heading, std::unique_ptr<SeriesFormat> format, Output& output,
-           Progress& progress);
+  /// The plan must outlive the delivery.
+  Delivery(SeriesHeading heading, std::unique_ptr<SeriesFormat> format, const Plan& plan,
+           Output& output, Progress& progress);
 
   void accept(const Instant& instant) override;
   /// Writes what has been handed to it but not written.
@@ -25,6 +28,8 @@ class Delivery final : public Sink {
   std::unique_ptr<SeriesFormat> format_;
   Output& output_;
   Progress& progress_;
+  const Plan& plan_;
+  LeftOutMonitor monitor_;
   std::string text_;
 };
 

@@ -52,8 +52,7 @@ void say(const std::string& text) {
                        const Output& output) {
   std::string text = input.source + ": " + failure_text(summary, m);
   if (output.is_standard_output())
-    text += "\ndesmo: the " + std::to_string(summary.instants) +
-            " instants before it are on standard output";
+    text += "\ndesmo: instants before it, on standard output: " + std::to_string(summary.instants);
   throw Error(not_solved, text);
 }
 
@@ -72,7 +71,7 @@ void solve(const Options& options) {
   const bool in_the_way = output.is_standard_output() && ::isatty(STDOUT_FILENO) == 1;
   Progress progress(input.scene.grid.instants, !options.quiet && !in_the_way);
   Delivery delivery({whole.name, input.scene.name, variant.id, make_columns(plan, input.scene)},
-                    series_format(options.format_name()), output, progress);
+                    series_format(options.format_name()), plan, output, progress);
   const Summary summary = formulation->run(input.scene.grid, Request{plan.level()}, delivery);
   progress.clear();
   if (summary.ok() || output.is_standard_output()) delivery.flush();

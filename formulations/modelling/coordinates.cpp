@@ -140,8 +140,10 @@ class Modeller {
     for (std::size_t c = 0; c < result_.measured.size(); ++c) {
       const int group = finder(result_.measured[c]);
       if (group < 0)
-        throw std::invalid_argument("coordinate '" + result_.measured[c].name +
-                                    "' measures nothing that can move");
+        throw std::invalid_argument(
+            "coordinate '" + result_.measured[c].name +
+            "' measures nothing that can move; measure something that moves, or "
+            "leave it out");
       measured_by_[group].push_back(static_cast<int>(c));
     }
   }

@@ -110,6 +110,19 @@ std::vector<int> merge_fixed(const Description& d) {
   return first;
 }
 
+/// Where a fixed joint adds other points to a link, all have their places in the nominal position.
+void require_nominal_lengths(const Description& d, const RigidBody& body) {
+  for (const auto& [a, b, given] : body.lengths) {
+    const double actual = nominal::norm(nominal::direction(d, {-1, a, b}));
+    if (std::abs(actual - given) > 1e-9 * given)
+      throw std::invalid_argument(
+          "body '" + d.bodies[body.bodies.front()].name + "': the length of '" + d.points[a].name +
+          "'-'" + d.points[b].name +
+          "' is not that of the nominal positions, but a fixed joint joins it to other points; "
+          "give nominal positions with that length");
+  }
+}
+
 }  // namespace
 
 bool Basis::has_point(int point) const {
@@ -152,6 +165,7 @@ RigidBodies find_rigid_bodies(const Description& d) {
   rigid.of_vector.resize(d.vectors.size());
   for (int r = 0; r < static_cast<int>(rigid.list.size()); ++r) {
     RigidBody& body = rigid.list[r];
+    if (r == 0 || body.points.size() > 2) require_nominal_lengths(d, body);
     for (const int p : body.points) rigid.of_point[p].push_back(r);
     for (const int v : body.vectors) rigid.of_vector[v].push_back(r);
     if (r == 0) continue;

@@ -80,7 +80,7 @@ std::string names_of(const Description& d, const RigidBodies& rigid, const std::
       d.name + " is under-constrained: " + std::to_string(missing) +
       (missing == 1 ? " freedom" : " freedoms") + " among " + names_of(d, rigid, bodies) +
       (missing == 1 ? " is" : " are") + " determined by no joint or driver; add a driver" +
-      (measured.empty() ? " (declare a coordinate to drive)" : ", such as " + measured) +
+      (measured.empty() ? " (declare a coordinate to drive)" : ", such as " + measured + ",") +
       " or a joint");
 }
 

@@ -1,0 +1,66 @@
+#include "formulations/left_out_monitor.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace desmo {
+
+namespace {
+
+constexpr double relative = 1e-6;
+
+bool is_solved_to(const Plan& plan, const Constraint& constraint, Level level) {
+  return std::ranges::all_of(constraint.operands, [&](EntityId id) {
+    const Entity& e = plan.mechanism.entities[id];
+    return e.fixed || plan.levels[e.first] >= level;
+  });
+}
+
+}  // namespace
+
+LeftOutMonitor::LeftOutMonitor(const Plan& plan)
+    : plan_(plan), state_(plan.mechanism.state_size()), rate_(plan.mechanism.state_size()) {
+  const Mechanism& m = plan.mechanism;
+  std::ranges::copy(m.fixed_values, state_.begin() + m.coordinates());
+  for (int c = 0; c < static_cast<int>(m.constraints.size()); ++c)
+    if (m.constraints[c].left_out != 0) watched_.push_back(c);
+}
+
+int LeftOutMonitor::violated(const Instant& instant) {
+  if (watched_.empty()) return -1;
+  const Mechanism& m = plan_.mechanism;
+  std::ranges::copy(instant.q, state_.begin());
+  std::ranges::copy(instant.qd, rate_.begin());
+  for (const int c : watched_) {
+    const Constraint& constraint = m.constraints[c];
+    const bool has_rate = !instant.qd.empty() && is_solved_to(plan_, constraint, Level::velocity);
+    bool holds = true;
+    visit_kind(constraint.kind, [&]<class Kind>(Kind) {
+      std::array<const double*, Kind::operand_sizes.size()> x;
+      std::array<int, Kind::operand_sizes.size()> first;
+      for (std::size_t k = 0; k < x.size(); ++k) {
+        first[k] = m.state_index(constraint.operands[k]);
+        x[k] = state_.data() + first[k];
+      }
+      std::array<double, Kind::rows> phi, rate{}, size{}, rate_size{};
+      Kind::residual(x.data(), constraint.constants.data(), phi.data());
+      Kind::jacobian(x.data(), constraint.constants.data(),
+                     [&](int row, int operand, int i, double value) {
+                       const int at = first[operand] + i;
+                       size[row] += std::abs(value * state_[at]);
+                       if (!has_rate) return;
+                       rate[row] += value * rate_[at];
+                       rate_size[row] += std::abs(value * rate_[at]);
+                     });
+      for (int r = 0; r < Kind::rows; ++r)
+        if (constraint.left_out >> r & 1)
+          holds = holds && std::abs(phi[r]) <= relative * size[r] &&
+                  std::abs(rate[r]) <= relative * (rate_size[r] + size[r]);
+    });
+    if (!holds) return c;
+  }
+  return -1;
+}
+
+}  // namespace desmo
