@@ -11,6 +11,8 @@
 //   rows            how many scalar equations it contributes
 //   entries         how many partial derivatives it emits
 //   linear          true when all partial derivatives are constant; jacobian then reads no x
+//   modulo_pi       true, where it is given, when Φ determines its last operand, an angle, modulo π
+//                   only; where the angle is the one meant, the derivative by it is negative
 // and three functions, where x[k] points at the first component of operand k, v[k] at its
 // velocity and c at the constants:
 //   residual(x, c, phi)        phi[rows] = Φ, overwritten
@@ -29,6 +31,7 @@
 #include "cases/constraints/coordinates.h"
 #include "cases/constraints/joints.h"
 #include "cases/constraints/rigid_body.h"
+#include "cases/constraints/scalar_definitions.h"
 
 namespace desmo {
 
@@ -44,9 +47,16 @@ using ConstraintKinds =
                Component<3, 0>, Component<3, 1>, Distance<2>, Distance<3>, PlanarDirection,
                PlanarTurn<false, false>, PlanarTurn<false, true>, PlanarTurn<true, false>,
                PlanarTurn<true, true>, PlanarTurnAtPoint, FrameAngle<-1, false>,
-               FrameAngle<1, true>, FrameAngle<1, false>>;
+               FrameAngle<1, true>, FrameAngle<1, false>, Reach<2>, Reach<3>, PlanarBearing<false>,
+               PlanarBearing<true>, PlanarBearingFrom<false, false>, PlanarBearingFrom<false, true>,
+               PlanarBearingFrom<true, false>, PlanarBearingFrom<true, true>, PlanarBearingAtPoint>;
 
 inline constexpr int constraint_kind_count = std::tuple_size_v<ConstraintKinds>;
+
+template <class Kind>
+inline constexpr bool holds_modulo_pi = requires {
+  requires Kind::modulo_pi;
+};
 
 /// Position of Kind in ConstraintKinds.
 template <class Kind>

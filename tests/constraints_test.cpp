@@ -260,6 +260,54 @@ TEST(Meaning, OfAPlanarTurnIsTheAngleCounterClockwise) {
   expect_residual<PlanarTurnAtPoint>({{p, {2, 11}, q, back}}, {3}, {-6, 12});
 }
 
+TEST(Meaning, OfAReach) {
+  expect_residual<Reach<2>>({{{1, 2}, {4, 6}, {0.6, 0.8}, {5}}}, {}, {0});
+  expect_residual<Reach<2>>({{{1, 2}, {4, 6}, {-0.6, -0.8}, {5}}}, {}, {-10});
+  expect_residual<Reach<3>>({{{1, 2, 3}, {1, 2, 7}, {0, 0, 1}, {3}}}, {}, {1});
+}
+
+/// The derivative of Φ by an angle, the last operand of its kind: negative where it is the one
+/// meant.
+template <class Kind>
+double derivative_by_angle(const std::array<Vec, Kind::operand_sizes.size()>& q, const Vec& c) {
+  static_assert(holds_modulo_pi<Kind>);
+  std::array<const double*, Kind::operand_sizes.size()> x;
+  for (std::size_t k = 0; k < x.size(); ++k) x[k] = q[k].data();
+  double derivative = 0;
+  Kind::jacobian(x.data(), c.data(), [&](int, std::size_t operand, int, double value) {
+    if (operand + 1 == x.size()) derivative = value;
+  });
+  return derivative;
+}
+
+/// A direction d and whatever it is measured from, with d at this angle.
+template <class Kind>
+void expect_modulo_pi(std::array<Vec, Kind::operand_sizes.size()> q, const Vec& c, double angle) {
+  q.back() = {angle};
+  expect_residual<Kind>(q, c, {0});
+  EXPECT_LT(derivative_by_angle<Kind>(q, c), -0.1) << Kind::name;
+  q.back() = {angle + pi};
+  expect_residual<Kind>(q, c, {0});
+  EXPECT_GT(derivative_by_angle<Kind>(q, c), 0.1) << Kind::name;
+}
+
+TEST(Meaning, OfABearingIsAnAngleModuloPi) {
+  const Vec a{1, 1}, after_a{1 - 2, 1}, up{0, 1}, none{0};
+  expect_modulo_pi<PlanarBearing<false>>({{up, none}}, {}, right);
+  expect_modulo_pi<PlanarBearing<true>>({{a, after_a, none}}, {}, pi);
+  expect_residual<PlanarBearing<true>>({{a, after_a, {right}}}, {}, {2});
+
+  // As in PlanarTurn: e = (2, 1)/10 turned by π/2 and stretched by 3 is d = (−3, 6)/10.
+  const Vec d{-0.3, 0.6}, e{0.2, 0.1}, b{0.7, 1.6}, p{0, 0}, q{0.2, 0.1}, end{-0.3, 0.6};
+  expect_modulo_pi<PlanarBearingFrom<false, false>>({{d, e, none}}, {3}, right);
+  expect_modulo_pi<PlanarBearingFrom<false, true>>({{d, p, q, none}}, {3}, right);
+  expect_modulo_pi<PlanarBearingFrom<true, false>>({{a, b, e, none}}, {3}, right);
+  expect_modulo_pi<PlanarBearingFrom<true, true>>({{a, b, p, q, none}}, {3}, right);
+  expect_modulo_pi<PlanarBearingAtPoint>({{p, end, q, none}}, {3}, right);
+  expect_modulo_pi<PlanarBearingAtPoint>({{p, end, q, none}}, {-3}, -right);
+  expect_residual<PlanarBearingFrom<false, false>>({{d, e, {0}}}, {3}, {0.45});
+}
+
 TEST(Meaning, OfAFrameAngle) {
   const Vec x{0, 1, 0}, z{0, 0, 1}, a{1, 2, 3};
   const double angle = 0.4, cosine = std::cos(angle), sine = std::sin(angle);
@@ -277,6 +325,8 @@ TEST(Meaning, OfAFrameAngle) {
   expect_residual<FrameAngle<1, true>>({{x, z, a, after(from_x), less}}, {}, {missing});
   expect_residual<FrameAngle<-1, false>>({{x, z, from_minus_x, less}}, {}, {missing});
   expect_residual<FrameAngle<-1, true>>({{x, z, a, after(from_minus_x), less}}, {}, {missing});
+  expect_modulo_pi<FrameAngle<1, false>>({{x, z, from_x, {}}}, {}, angle);
+  expect_modulo_pi<FrameAngle<-1, true>>({{x, z, a, after(from_minus_x), {}}}, {}, angle);
 }
 
 }  // namespace

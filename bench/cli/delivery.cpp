@@ -27,9 +27,9 @@ void Delivery::accept(const Instant& instant) {
     std::snprintf(time, sizeof time, "%.9g", instant.time);
     throw Error(not_solved, "constraint '" + plan_.mechanism.constraints[c].name +
                                 "', t = " + time +
-                                " s: the part of it that was left out as dependent does not hold "
-                                "here, so that the part kept does not tell the position; measure "
-                                "this coordinate in another way, or leave it out");
+                                " s: solved on another branch than the one it means, such as an "
+                                "angle half a turn away; take smaller time steps, or measure this "
+                                "coordinate in another way");
   }
   format_->append(heading_, instant, text_);
   if (text_.size() >= enough_to_write) flush();

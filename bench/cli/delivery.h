@@ -7,7 +7,7 @@
 #include "bench/cli/output.h"
 #include "bench/cli/progress.h"
 #include "bench/cli/series.h"
-#include "formulations/left_out_monitor.h"
+#include "formulations/branch_monitor.h"
 
 namespace desmo::cli {
 
@@ -29,7 +29,7 @@ class Delivery final : public Sink {
   Output& output_;
   Progress& progress_;
   const Plan& plan_;
-  LeftOutMonitor monitor_;
+  BranchMonitor monitor_;
   std::string text_;
 };
 

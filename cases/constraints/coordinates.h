@@ -282,7 +282,7 @@ struct FrameAngle {
     return sizes;
   }();
   static constexpr int constants = 0, rows = 1, entries = 3 * angle + 1;
-  static constexpr bool linear = false;
+  static constexpr bool linear = false, modulo_pi = true;
 
   template <class S>
   static void residual(const S* const* q, const S*, S* phi) {

@@ -9,6 +9,7 @@
 #include <random>
 #include <stdexcept>
 #include <tuple>
+#include <type_traits>
 
 #include "formulations/incidence.h"
 
@@ -75,8 +76,8 @@ class Selector {
   std::vector<LeftOut> run() {
     assemble_all();
     std::vector<LeftOut> left_out;
-    for (const GroupSystem& s : systems_) {
-      const std::vector<bool> kept = select(s);
+    for (GroupSystem& s : systems_) {
+      const std::vector<bool> kept = select_and_shorten(s);
       require_square(s, kept);
       mark_left_out(s, kept, left_out);
     }
@@ -100,10 +101,16 @@ class Selector {
     int c = 0;
     for (GroupSystem& s : systems_) {
       s.first_constraint = c;
-      for (; c < static_cast<int>(m_.constraints.size()) && m_.constraints[c].group == s.group; ++c)
-        for (int r = 0; r < desmo::rows(m_.constraints[c]); ++r) s.rows.emplace_back(c, r);
+      while (c < static_cast<int>(m_.constraints.size()) && m_.constraints[c].group == s.group) ++c;
       s.end_constraint = c;
+      list_rows(s);
     }
+  }
+
+  void list_rows(GroupSystem& s) const {
+    s.rows.clear();
+    for (int c = s.first_constraint; c < s.end_constraint; ++c)
+      for (int r = 0; r < desmo::rows(m_.constraints[c]); ++r) s.rows.emplace_back(c, r);
   }
 
   /// Φ and Φ_q of a group's candidates, in columns of natural magnitude; rows have length 1 over
@@ -240,6 +247,50 @@ class Selector {
       if (best_rank == s.unknowns) break;
     }
     return best;
+  }
+
+  /// Like select. A definition of which one equation would be taken is replaced by the one equation
+  /// that says the same: of the sine and the cosine of an angle, either is singular somewhere.
+  std::vector<bool> select_and_shorten(GroupSystem& s) {
+    std::vector<bool> taken = select(s);
+    for (;;) {
+      const auto first = m_.constraints.begin() + s.first_constraint,
+                 end = m_.constraints.begin() + s.end_constraint;
+      const std::vector<Constraint> before(first, end);
+      if (!shorten_definitions(s, taken)) return taken;
+      list_rows(s);
+      std::vector<bool> shortened = select(s);
+      if (std::ranges::count(shortened, true) < std::ranges::count(taken, true)) {
+        std::ranges::copy(before, first);
+        list_rows(s);
+        return select(s);
+      }
+      taken = std::move(shortened);
+    }
+  }
+
+  /// Whether there was any.
+  bool shorten_definitions(const GroupSystem& s, const std::vector<bool>& taken) {
+    std::vector<int> rows_taken(s.end_constraint - s.first_constraint, 0);
+    for (std::size_t i = 0; i < taken.size(); ++i)
+      rows_taken[s.rows[i].first - s.first_constraint] += taken[i];
+    bool any = false;
+    for (int c = s.first_constraint; c < s.end_constraint; ++c)
+      if (rows_taken[c - s.first_constraint] == 1) any = shorten(m_.constraints[c]) || any;
+    return any;
+  }
+
+  static bool shorten(Constraint& constraint) {
+    bool shorter = false;
+    visit_kind(constraint.kind, [&]<class Kind>(Kind) {
+      using Scalar = typename ScalarDefinition<Kind>::type;
+      if constexpr (!std::is_void_v<Scalar>) {
+        constraint.kind = kind_index<Scalar>();
+        constraint.constants.resize(Scalar::constants);
+        shorter = true;
+      }
+    });
+    return shorter;
   }
 
   /// Freedoms that the candidates leave to a group, drivers free, at the most general position.

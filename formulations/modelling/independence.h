@@ -22,7 +22,8 @@ struct LeftOut {
 /// Equations are taken in this order: linear ones first, then those with the fewest entries, then
 /// by Origin, then as they stand. One is left out if it depends on those taken before, in the
 /// unknowns of its group. A special pose deceives: this is judged where the group has the highest
-/// rank, of the nominal position and two perturbed ones, each assembled. `size`: the extent of the
+/// rank, of the nominal position and two perturbed ones, each assembled. A definition of several
+/// equations of which one is taken is replaced by its ScalarDefinition. `size`: the extent of the
 /// mechanism, in its unit of length.
 ///
 /// surplus: for each group, restrictions beyond its freedoms.

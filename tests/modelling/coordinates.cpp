@@ -8,6 +8,8 @@
 #include <set>
 
 #include "cases/cases.h"
+#include "cases/files.h"
+#include "cases/library.h"
 #include "formulations/modelling/model.h"
 #include "tests/modelling/common.h"
 
@@ -89,6 +91,105 @@ TEST(Coordinates, PlanarOnesMeasureGeometry) {
     EXPECT_LT(s.scalar(k, "backward"), 0);
     EXPECT_NEAR(s.scalar(k, "Px"), at(P)[0], 1e-13);
     EXPECT_NEAR(s.scalar(k, "Py"), at(P)[1], 1e-13);
+  }
+}
+
+/// Adds the angle of every segment of every body from the x axis, both ways round, and from the
+/// segment before it.
+std::vector<Description::Coordinate> measure_all_angles(Description& d) {
+  std::vector<Description::Coordinate> added;
+  const auto measure = [&](const Description::Direction& of, const Description::Direction& from) {
+    Description::Coordinate c;
+    c.name = "measured" + std::to_string(added.size());
+    c.type = CoordinateType::angle;
+    c.of = of;
+    c.from = from;
+    added.push_back(c);
+  };
+  Description::Direction before{};
+  for (std::size_t b = 1; b < d.bodies.size(); ++b) {
+    const std::vector<int>& points = d.bodies[b].points;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      const Description::Direction now = segment(points[i - 1], points[i]);
+      measure(now, {});
+      measure(segment(points[i], points[i - 1]), {});
+      if (before.is_given()) measure(now, before);
+      before = now;
+    }
+  }
+  d.coordinates.insert(d.coordinates.end(), added.begin(), added.end());
+  return added;
+}
+
+/// However often it is measured, and wherever the body turns: one equation for each angle more.
+TEST(Coordinates, EveryPlanarBodyIsMeasuredAgainOverTheWholeMotion) {
+  int mechanisms = 0;
+  for (const LibraryMechanism& l : library()) {
+    Scene scene = library_scene(l.name);
+    if (scene.mechanism.dimension != 2) continue;
+    ++mechanisms;
+    SCOPED_TRACE(l.name);
+    const auto added = measure_all_angles(scene.mechanism);
+    const Description& d = scene.mechanism;
+    const Mechanism m = make_mechanism(scene);
+    for (const Constraint& c : m.constraints)
+      visit_kind(c.kind, [&](auto kind) {
+        EXPECT_TRUE(c.left_out == 0 || kind.linear) << c.name << ": " << kind.name;
+      });
+    std::vector<double> times;
+    for (int i = 0; i < scene.grid.instants; ++i) times.push_back(scene.grid.time(i));
+    for (const char* id : {"global_automatic_eigen", "block_automatic_klu"}) {
+      const Solved s(m, times, id, scene.tolerance);
+      for (int k = 0; k < s.instants() && !HasFailure(); ++k) {
+        const auto direction = [&](const Description::Direction& e, bool rate) -> Vec {
+          if (!e.is_given()) return rate ? Vec{} : Vec{1, 0, 0};
+          const std::string &from = d.points[e.from].name, &to = d.points[e.to].name;
+          return rate ? s.velocity(k, to) - s.velocity(k, from)
+                      : s.position(k, to) - s.position(k, from);
+        };
+        const auto turning_rate = [&](const Description::Direction& e) {
+          const Vec now = direction(e, false);
+          return cross(now, direction(e, true))[2] / dot(now, now);
+        };
+        for (const Description::Coordinate& c : added) {
+          expect_same_angle(s.scalar(k, c.name),
+                            turn(direction(c.from, false), direction(c.of, false)), 1e-8, c.name);
+          const double rate = turning_rate(c.of) - turning_rate(c.from);
+          EXPECT_NEAR(s.velocity(k, c.name)[0], rate, 1e-7 * (1 + std::abs(rate))) << c.name;
+        }
+      }
+    }
+  }
+  EXPECT_GE(mechanisms, 7);
+}
+
+TEST(Coordinates, SlideIsMeasuredAgainFromTheOtherEndAndFromAside) {
+  // The slider's path is along x once and along y once: either component of the definition's
+  // remainder would vanish in one of the two.
+  for (const double tilt : {0.0, std::numbers::pi / 2, 0.7}) {
+    Sketch d("slide", 2);
+    const int A = d.ground_point("A", {0, 0, 0}), E = d.ground_point("E", polar(-3, tilt));
+    const int x = d.ground_vector("x", polar(1, tilt));
+    const int B = d.point("B", polar(1, tilt + 1));
+    const double reach = std::cos(1) + std::sqrt(9 - std::sin(1) * std::sin(1));
+    const int C = d.point("C", polar(reach, tilt));
+    const int crank = d.body("crank", {A, B}), rod = d.body("rod", {B, C});
+    d.revolute(Sketch::ground, crank, A);
+    d.revolute(crank, rod, B);
+    d.joint(JointType::revolute_on_slider, Sketch::ground, rod, {A, C}, {x});
+    d.angle("theta", segment(A, B)).driven = true;
+    d.along("s", A, C, x);
+    d.along("further", E, C, x);
+    d.along("back", C, A, x);
+    const std::vector<double> times = instants(6.3);
+    const Solved s(d.take(), {Polynomial{{tilt + 1, 1}}}, times);
+    for (int k = 0; k < s.instants() && !HasFailure(); ++k) {
+      const double theta = 1 + times[k], sine = std::sin(theta);
+      const double expected = std::cos(theta) + std::sqrt(9 - sine * sine);
+      EXPECT_NEAR(s.scalar(k, "s"), expected, 1e-11);
+      EXPECT_NEAR(s.scalar(k, "further"), expected + 3, 1e-11);
+      EXPECT_NEAR(s.scalar(k, "back"), -expected, 1e-11);
+    }
   }
 }
 

@@ -1,4 +1,4 @@
-#include "formulations/left_out_monitor.h"
+#include "formulations/branch_monitor.h"
 
 #include <algorithm>
 #include <array>
@@ -10,6 +10,12 @@ namespace {
 
 constexpr double relative = 1e-6;
 
+bool is_watched(const Constraint& constraint) {
+  bool modulo_pi = false;
+  visit_kind(constraint.kind, [&]<class Kind>(Kind) { modulo_pi = holds_modulo_pi<Kind>; });
+  return modulo_pi || constraint.left_out != 0;
+}
+
 bool is_solved_to(const Plan& plan, const Constraint& constraint, Level level) {
   return std::ranges::all_of(constraint.operands, [&](EntityId id) {
     const Entity& e = plan.mechanism.entities[id];
@@ -19,15 +25,15 @@ bool is_solved_to(const Plan& plan, const Constraint& constraint, Level level) {
 
 }  // namespace
 
-LeftOutMonitor::LeftOutMonitor(const Plan& plan)
+BranchMonitor::BranchMonitor(const Plan& plan)
     : plan_(plan), state_(plan.mechanism.state_size()), rate_(plan.mechanism.state_size()) {
   const Mechanism& m = plan.mechanism;
   std::ranges::copy(m.fixed_values, state_.begin() + m.coordinates());
   for (int c = 0; c < static_cast<int>(m.constraints.size()); ++c)
-    if (m.constraints[c].left_out != 0) watched_.push_back(c);
+    if (is_watched(m.constraints[c])) watched_.push_back(c);
 }
 
-int LeftOutMonitor::violated(const Instant& instant) {
+int BranchMonitor::violated(const Instant& instant) {
   if (watched_.empty()) return -1;
   const Mechanism& m = plan_.mechanism;
   std::ranges::copy(instant.q, state_.begin());
@@ -49,6 +55,8 @@ int LeftOutMonitor::violated(const Instant& instant) {
                      [&](int row, int operand, int i, double value) {
                        const int at = first[operand] + i;
                        size[row] += std::abs(value * state_[at]);
+                       if (holds_modulo_pi<Kind> && operand + 1 == x.size())
+                         holds = holds && value <= 0;
                        if (!has_rate) return;
                        rate[row] += value * rate_[at];
                        rate_size[row] += std::abs(value * rate_[at]);

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vector>
+
+#include "formulations/formulation.h"
+#include "formulations/plan.h"
+
+namespace desmo {
+
+/// Watches what solved positions must satisfy beyond the equations that were solved:
+/// - an angle that its equation tells modulo π only (holds_modulo_pi) is the one meant, not the one
+///   half a turn away, where a large step can end;
+/// - the equations that were left out of a constraint as dependent while others of it were kept
+///   (Constraint::left_out) hold: they follow from others nearly everywhere, but may not in single
+///   positions or on another branch.
+/// The plan must outlive the monitor.
+class BranchMonitor {
+ public:
+  explicit BranchMonitor(const Plan& plan);
+
+  /// A constraint of the plan's mechanism that a solved instant does not satisfy in this sense, in
+  /// position or, as far as it was solved, in velocity, to 1e-6 of what its equations add up; -1:
+  /// none.
+  int violated(const Instant& instant);
+
+ private:
+  const Plan& plan_;
+  std::vector<int> watched_;          // constraints
+  std::vector<double> state_, rate_;  // q and the fixed components, and their rates
+};
+
+}  // namespace desmo
