@@ -1,7 +1,5 @@
 // What solved positions satisfy beyond the equations solved, and how it is told when they do not.
 
-#include "formulations/branch_monitor.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 
 #include "cases/cases.h"
 #include "cases/files.h"
+#include "formulations/branch_monitor.h"
 #include "formulations/modelling/model.h"
 #include "tests/describing.h"
 

@@ -33,7 +33,7 @@ TEST(Growth, IsNearLinearUpToTenThousandBodies) {
   for (const std::size_t last : {2u, 5u}) {
     EXPECT_GT(rows[last].bodies, 9'900);
     // Ten times the bodies: a quadratic cost would show as 100. The bound leaves room for a cache
-    // that no longer holds everything and for a busy machine.
+    // that no longer holds everything and for a neighbour that shares it.
     EXPECT_LT(rows[last].analysis(), 40 * rows[last - 1].analysis()) << rows[last].name;
     EXPECT_LT(rows[last].step, 40 * rows[last - 1].step) << rows[last].name;
   }

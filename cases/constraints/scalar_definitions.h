@@ -75,8 +75,7 @@ struct Parallel {
 /// vector or, with Segment, the points a, b with d = b − a, then θ. It holds modulo π.
 template <bool Segment>
 struct PlanarBearing {
-  static constexpr std::string_view name =
-      Segment ? "planar_bearing" : "planar_bearing_of_vector";
+  static constexpr std::string_view name = Segment ? "planar_bearing" : "planar_bearing_of_vector";
   static constexpr int theta = vec::direction_operands<Segment>;
   static constexpr std::array<int, theta + 1> operand_sizes = [] {
     std::array<int, theta + 1> sizes{};
@@ -114,8 +113,8 @@ struct PlanarBearing {
   }
 };
 
-/// Angle θ of a plane direction d from a direction e, counter-clockwise: r R(θ) e × d = 0. Operands,
-/// r and R(θ) as in PlanarTurn; c = {r}. It holds modulo π.
+/// Angle θ of a plane direction d from a direction e, counter-clockwise: r R(θ) e × d = 0.
+/// Operands, r and R(θ) as in PlanarTurn; c = {r}. It holds modulo π.
 template <bool OfSegment, bool FromSegment>
 struct PlanarBearingFrom {
   static constexpr std::string_view name =
