@@ -5,6 +5,7 @@
 
 #include "bench/suite/cpu_clock.h"
 #include "bench/suite/delivery.h"
+#include "bench/suite/model_digest.h"
 #include "formulations/modelling/model.h"
 
 namespace desmo::suite {
@@ -39,6 +40,7 @@ void Cell::verify(ReferenceCache& references) {
   if (state != State::untouched) return;
   try {
     mechanism_ = std::make_unique<Mechanism>(make_mechanism(describe(definition, coordinates)));
+    model = model_digest(*mechanism_);
     groups = mechanism_->structural_groups();
     degrees_of_freedom = mechanism_->degrees_of_freedom();
     const double before_setup = cpu_now();
@@ -52,6 +54,7 @@ void Cell::verify(ReferenceCache& references) {
     VerifyingSink sink(reference);
     const Summary summary = formulation_->run(grid, {}, sink);
     errors = sink.errors();
+    results = sink.results();
     if (!summary.ok()) return fail(describe(summary, *mechanism_));
     if (const std::string wrong = complaint(errors, reference.size()); !wrong.empty())
       return fail(wrong);

@@ -28,6 +28,15 @@ std::string first_line(const char* path) {
   return std::getline(file, line) && !line.empty() ? line : "unknown";
 }
 
+/// What the driver of Intel's frequencies, or that of the others, says.
+std::string turbo() {
+  const std::string off = first_line("/sys/devices/system/cpu/intel_pstate/no_turbo");
+  const std::string on = first_line("/sys/devices/system/cpu/cpufreq/boost");
+  if (off == "0" || on == "1") return "on";
+  if (off == "1" || on == "0") return "off";
+  return "unknown";
+}
+
 }  // namespace
 
 Machine this_machine() {
@@ -36,7 +45,8 @@ Machine this_machine() {
             info.num_cpus,
             {},
             "unknown",
-            first_line("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor")};
+            first_line("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor"),
+            turbo()};
   for (const auto& c : info.caches)
     m.caches.push_back("L" + std::to_string(c.level) + " " + c.type + " " +
                        std::to_string(c.size / 1024) + " KiB, shared by " +

@@ -12,6 +12,7 @@ struct Machine {
   std::vector<std::string> caches;
   std::string kernel;
   std::string governor;
+  std::string turbo;  ///< "on", "off": whether the clock may exceed its nominal frequency
 };
 Machine this_machine();
 

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "bench/suite/binary.h"
 #include "bench/suite/cell.h"
 #include "bench/suite/environment.h"
 #include "bench/suite/request.h"
@@ -23,11 +24,12 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::array level_names{"position", "velocity", "acceleration"};
-constexpr const char* schema_version = "1.2.0";
+constexpr const char* schema_version = "1.3.0";
 
 Json environment(const Run& run, const TimeGrid& grid) {
   const Machine machine = this_machine();
   const Build build = this_build();
+  const Link link = this_link();
   const BlasEnvironment blas = blas_environment();
   const Settings settings;
   Json libraries = Json::object();
@@ -42,9 +44,15 @@ Json environment(const Run& run, const TimeGrid& grid) {
             {"caches", machine.caches},
             {"kernel", machine.kernel},
             {"governor", machine.governor},
+            {"turbo", machine.turbo},
             {"load_before", run.load_before},
             {"load_after", run.load_after}}},
-          {"build", {{"type", build.type}, {"compiler", build.compiler}, {"flags", build.flags}}},
+          {"build",
+           {{"type", build.type},
+            {"compiler", build.compiler},
+            {"flags", build.flags},
+            {"link", {{"type", link.type}, {"flags", link.flags}, {"libraries", link.libraries}}},
+            {"binary", binary_digest()}}},
           {"libraries", libraries},
           {"blas", {{"core", blas.core}, {"threads", blas.threads}}},
           {"settings",
@@ -55,6 +63,7 @@ Json environment(const Run& run, const TimeGrid& grid) {
             {"duration_seconds", grid.time(grid.instants - 1)},
             {"instants", grid.instants},
             {"clock", "CPU time of the thread"},
+            {"reducer", "median"},
             {"allowed",
              {{"position", allowed.position},
               {"velocity", allowed.velocity},
@@ -62,10 +71,20 @@ Json environment(const Run& run, const TimeGrid& grid) {
               {"request", allowed_request_difference}}}}}};
 }
 
-/// Status, and the message unless it is "ok": of what has no time, nothing that follows is written.
+/// Status, the message unless it is "ok", and what was solved, where, with which results: of what
+/// has no time, nothing that follows is written.
 void add_status(Json& j, const Timed& timed) {
   j["status"] = timed.is_timed() ? "ok" : timed.is_not_run() ? "not_run" : "failed";
   if (!timed.is_timed()) j["message"] = timed.message.empty() ? "not timed" : timed.message;
+  if (timed.is_not_run()) return;
+  j["machine"] = this_machine().cpu;
+  if (!timed.model.empty()) j["model"] = timed.model;
+  if (!timed.results.empty()) j["results"] = timed.results;
+}
+
+void add_samples(Json& j, const Timed& timed) {
+  j["cpu_seconds"] = timed.cpu_seconds;
+  j["repetitions"] = timed.cpu_seconds.size();
 }
 
 Json errors_json(const Errors& errors) {
@@ -85,7 +104,7 @@ Json cell_json(const Cell& cell) {
   add_status(j, cell);
   if (!cell.is_timed()) return j;
   j["verification"] = errors_json(cell.errors);
-  j["cpu_seconds"] = cell.cpu_seconds;
+  add_samples(j, cell);
   j["setup_seconds"] = cell.setup_seconds;
   j["iterations_per_step"] = cell.iterations_per_step;
   j["residual"] = cell.residual;
@@ -114,7 +133,7 @@ Json request_json(const RequestCell& cell) {
   if (!cell.is_timed()) return j;
   j["difference"] = cell.difference;
   j["verification"] = errors_json(cell.errors, request.plan.level());
-  j["cpu_seconds"] = cell.cpu_seconds;
+  add_samples(j, cell);
   j["setup_seconds"] = cell.setup_seconds;
   j["iterations_per_step"] = cell.iterations_per_step;
   j["residual"] = cell.residual;

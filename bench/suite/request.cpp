@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "bench/suite/cpu_clock.h"
+#include "bench/suite/model_digest.h"
 #include "cases/files.h"
 #include "cases/library.h"
 #include "formulations/modelling/model.h"
@@ -71,10 +72,19 @@ class VerifyingRequest final : public Sink {
   void accept(const Instant& instant) override {
     if (static_cast<std::size_t>(errors.instants) == reference_.size()) return;
     const ReferenceInstant& r = reference_[errors.instants];
-    if (instant.time == r.time) compare(errors, asked_, {0, r.time, r.q, r.qd, r.qdd}, instant);
+    if (instant.time != r.time) return;
+    compare(errors, asked_, {0, r.time, r.q, r.qd, r.qdd}, instant);
+    for (const AskedComponent& a : asked_) {
+      results.add(instant.q[a.kept], r.q[a.whole], allowed.position);
+      if (a.level >= Level::velocity)
+        results.add(instant.qd[a.kept], r.qd[a.whole], allowed.velocity);
+      if (a.level >= Level::acceleration)
+        results.add(instant.qdd[a.kept], r.qdd[a.whole], allowed.acceleration);
+    }
   }
 
   Errors errors;
+  ResultDigest results;
 
  private:
   std::span<const ReferenceInstant> reference_;
@@ -160,6 +170,7 @@ std::unique_ptr<Formulation> RequestCell::make(const Settings& settings) const {
 void RequestCell::verify(ReferenceCache& references) {
   if (state != State::untouched) return;
   try {
+    model = model_digest(request_->whole);
     const double before_setup = cpu_now();
     formulation_ = make({});
     setup_seconds = cpu_now() - before_setup;
@@ -172,6 +183,7 @@ void RequestCell::verify(ReferenceCache& references) {
     VerifyingRequest sink(reference, request_->asked);
     const Summary summary = run(sink);
     errors = sink.errors;
+    results = sink.results.hex();
     if (!summary.ok()) return fail(describe(summary, request_->plan.mechanism));
     if (const std::string wrong = complaint(errors, reference.size()); !wrong.empty())
       return fail(wrong);

@@ -42,6 +42,8 @@ class Timed {
   const TimeGrid grid;
   State state = State::untouched;
   std::string message;              ///< why it failed or was not run
+  std::string model;                ///< digest of the model it solves; empty: there is none
+  std::string results;              ///< digest of what was compared with the reference, or empty
   std::vector<double> cpu_seconds;  ///< one for each repetition
 
  protected:

@@ -11,11 +11,16 @@ namespace {
 constexpr int instants_compared = 51;
 
 /// What is missing counts as infinitely wrong.
-double largest_difference(std::span<const double> a, std::span<const double> b) {
-  if (a.size() != b.size()) return INFINITY;
-  double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) widen(largest, a[i], b[i]);
-  return largest;
+void compare(double& largest, ResultDigest& results, std::span<const double> found,
+             std::span<const double> reference, double unit) {
+  if (found.size() != reference.size()) {
+    largest = INFINITY;
+    return;
+  }
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    widen(largest, found[i], reference[i]);
+    results.add(found[i], reference[i], unit);
+  }
 }
 
 }  // namespace
@@ -30,9 +35,9 @@ void VerifyingSink::accept(const Instant& instant) {
   const ReferenceInstant& r = reference_[errors_.instants];
   if (instant.time != r.time) return;
   ++errors_.instants;
-  errors_.position = std::max(errors_.position, largest_difference(instant.q, r.q));
-  errors_.velocity = std::max(errors_.velocity, largest_difference(instant.qd, r.qd));
-  errors_.acceleration = std::max(errors_.acceleration, largest_difference(instant.qdd, r.qdd));
+  compare(errors_.position, results_, instant.q, r.q, allowed.position);
+  compare(errors_.velocity, results_, instant.qd, r.qd, allowed.velocity);
+  compare(errors_.acceleration, results_, instant.qdd, r.qdd, allowed.acceleration);
 }
 
 std::string complaint(const Errors& e, std::size_t expected_instants) {

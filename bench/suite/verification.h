@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "bench/suite/result_digest.h"
 #include "formulations/formulation.h"
 #include "formulations/reference.h"
 
@@ -25,16 +26,19 @@ void widen(double& largest, double a, double b);
 /// wrong, in units of the case.
 inline constexpr Errors allowed{0, 1e-9, 1e-8, 1e-7};
 
-/// Compares the instants it is handed with a reference, where the reference has them.
+/// Compares the instants it is handed with a reference, where the reference has them, and takes the
+/// digest of what it compares, in units of what is allowed.
 class VerifyingSink final : public Sink {
  public:
   explicit VerifyingSink(std::span<const ReferenceInstant> reference) : reference_(reference) {}
   void accept(const Instant& instant) override;
   const Errors& errors() const { return errors_; }
+  std::string results() { return results_.hex(); }  ///< digest; ends it
 
  private:
   std::span<const ReferenceInstant> reference_;
   Errors errors_;
+  ResultDigest results_;
 };
 
 /// Empty when within what is allowed; otherwise what is wrong, in words.
