@@ -49,6 +49,16 @@ std::vector<JsonNode> JsonNode::elements() const {
   return result;
 }
 
+std::optional<std::string> JsonNode::find_text(std::string_view key) const {
+  const auto member = find(key);
+  return member ? std::optional(member->text()) : std::nullopt;
+}
+
+std::optional<std::string> JsonNode::find_digest(std::string_view key) const {
+  const auto member = find(key);
+  return member ? std::optional(member->digest()) : std::nullopt;
+}
+
 std::string JsonNode::text() const {
   if (!value_->is_string())
     complain(std::string("a string was expected, not ") + value_->type_name());
@@ -64,6 +74,13 @@ std::string JsonNode::name() const {
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
   if (text.empty() || text.find_first_not_of(allowed) != std::string::npos)
     complain(value_->dump() + " is not a name of letters, digits, _ and -");
+  return text;
+}
+
+std::string JsonNode::digest() const {
+  const std::string text = this->text();
+  if (text.size() != 64 || text.find_first_not_of("0123456789abcdef") != std::string::npos)
+    complain(value_->dump() + " is not a SHA-256 digest");
   return text;
 }
 

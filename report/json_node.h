@@ -22,8 +22,13 @@ class JsonNode {
   std::vector<std::pair<std::string, JsonNode>> members() const;  ///< of an object, by name
   std::vector<JsonNode> elements() const;                         ///< of an array
 
-  std::string text() const;  ///< control characters, which a terminal would obey, become spaces
-  std::string name() const;  ///< letters, digits, "_" and "-" only: it becomes part of file names
+  /// Optional members of an object, as text() and digest().
+  std::optional<std::string> find_text(std::string_view key) const;
+  std::optional<std::string> find_digest(std::string_view key) const;
+
+  std::string text() const;    ///< control characters, which a terminal would obey, become spaces
+  std::string name() const;    ///< letters, digits, "_" and "-" only: it becomes part of file names
+  std::string digest() const;  ///< SHA-256: 64 hexadecimal digits in lower case
   bool boolean() const;
   std::int64_t integer(std::int64_t least) const;  ///< in least ... 1e9
   double number() const;

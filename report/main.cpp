@@ -1,8 +1,10 @@
-// desmo_report: from a record to the paper's tables and figures.
+// desmo_report: from records to the paper's tables and figures, and to comparisons.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
 
+#include "report/comparability.h"
+#include "report/comparison.h"
 #include "report/figures/figures.h"
 #include "report/formats/formats.h"
 #include "report/output_files.h"
@@ -13,8 +15,19 @@ namespace {
 
 using namespace desmo::report;
 
-// The numbers of sysexits.h.
-enum ExitCode { success = 0, usage_error = 64, invalid_data = 65, io_error = 74 };
+// From 64 on, the numbers of sysexits.h.
+enum ExitCode { success = 0, incomparable = 4, usage_error = 64, invalid_data = 65, io_error = 74 };
+
+Record read_named(const std::string& file) {
+  const auto named = [&file](const InvalidRecord& error) { return file + ": " + error.what(); };
+  try {
+    return read_record(file);
+  } catch (const MixedRecord& error) {
+    throw MixedRecord(named(error));
+  } catch (const InvalidRecord& error) {
+    throw InvalidRecord(named(error));
+  }
+}
 
 struct TablesCommand {
   std::string record;
@@ -32,26 +45,44 @@ std::string on_standard_output(const Document& document, const std::vector<std::
   return text;
 }
 
-void tables(const TablesCommand& command) {
-  const Record record = read_record(command.record);
+ExitCode tables(const TablesCommand& command) {
+  const Record record = read_named(command.record);
   const Document document = make_report(record);
   const auto& chosen = command.formats;
   if (command.folder.empty()) {
     write_standard_output(on_standard_output(
         document, chosen.empty() ? std::vector<std::string>{"terminal"} : chosen));
-    return;
+    return success;
   }
   std::vector<Rendered> files = figures(record);
   for (const std::string& format : chosen.empty() ? format_names() : chosen)
     std::ranges::move(render(document, format), std::back_inserter(files));
   write_files(command.folder, files);
   write_standard_output(to_terminal(document));
+  return success;
+}
+
+struct CompareCommand {
+  std::string first, second;
+  std::string format = "terminal";
+};
+
+ExitCode compare(const CompareCommand& command) {
+  const Record first = read_named(command.first), second = read_named(command.second);
+  if (const auto differences = why_incomparable(first, second); !differences.empty()) {
+    std::cerr << "desmo_report: " << command.first << " and " << command.second
+              << " cannot be compared:\n"
+              << describe(differences);
+    return incomparable;
+  }
+  write_standard_output(on_standard_output(make_comparison(first, second), {command.format}));
+  return success;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"The paper's tables and figures from a record of desmo_bench"};
+  CLI::App app{"The paper's tables and figures from records of desmo_bench, and their comparison"};
   app.require_subcommand(1);
   TablesCommand command;
   CLI::App* tables_app =
@@ -64,16 +95,25 @@ int main(int argc, char** argv) {
       ->add_option("--format", command.formats,
                    "Only these formats: terminal, json, csv, markdown, latex")
       ->check(CLI::IsMember(format_names()));
+  CompareCommand comparison;
+  CLI::App* compare_app =
+      app.add_subcommand("compare", "How many times as fast the second record is");
+  compare_app->add_option("A", comparison.first, "The first record")->required();
+  compare_app->add_option("B", comparison.second, "The second record")->required();
+  compare_app->add_option("--format", comparison.format, "terminal, json, csv, markdown or latex")
+      ->check(CLI::IsMember(format_names()));
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? success : usage_error;
   }
   try {
-    tables(command);
-    return success;
+    return compare_app->parsed() ? compare(comparison) : tables(command);
+  } catch (const MixedRecord& error) {
+    std::cerr << "desmo_report: " << error.what() << "\n";
+    return incomparable;
   } catch (const InvalidRecord& error) {
-    std::cerr << "desmo_report: " << command.record << ": " << error.what() << "\n";
+    std::cerr << "desmo_report: " << error.what() << "\n";
     return invalid_data;
   } catch (const OutputError& error) {
     std::cerr << "desmo_report: " << error.what() << "\n";

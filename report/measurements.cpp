@@ -34,6 +34,19 @@ Measured measured(const Record& record, const CellKey& key) {
 
 Measured measured(const Request& request) { return measured(request.status, request.cpu_seconds); }
 
+std::map<CellKey, Timing> timings(const Record& record) {
+  std::map<CellKey, Timing> all;
+  for (const auto& [key, cell] : record.cells)
+    all[key] = {measured(cell.status, cell.cpu_seconds), remark(cell.status, cell.message),
+                cell.origin};
+  for (const Request& request : record.requests) {
+    CellKey key = request.cell;
+    key.id += "/request:" + request.name;
+    all[key] = {measured(request), remark(request.status, request.message), request.origin};
+  }
+  return all;
+}
+
 MeasuredSpeedUp measured_speed_up(const Record& record, const CellKey& reference,
                                   const CellKey& variant) {
   return measured_speed_up(measured(record, reference), measured(record, variant));
@@ -101,6 +114,11 @@ std::string remark(Status status, const std::string& message) {
   return message.empty() ? "no reason recorded" : message;
 }
 
+void add_note(Entry& entry, const std::string& note) {
+  entry.shown += " " + note;
+  entry.note += (entry.note.empty() ? "" : ", ") + note;
+}
+
 Entry seconds_entry(const Measured& measured) {
   if (!measured.seconds) return note_entry(measured.mark);
   const Summary& seconds = *measured.seconds;
@@ -125,7 +143,9 @@ Entry speed_up_entry(const MeasuredSpeedUp& measured) {
   const std::string tail = " (" + percent + " %)";
   if (!ratio.spread) return {value + tail + " one run", {value, "", "", percent}, "one run"};
   const std::string low = write(ratio.low, style), high = write(ratio.high, style);
-  return {value + " [" + low + ", " + high + "]" + tail, {value, low, high, percent}, {}};
+  Entry entry{value + " [" + low + ", " + high + "]" + tail, {value, low, high, percent}, {}};
+  if (ratio.inconclusive()) add_note(entry, inconclusive_mark);
+  return entry;
 }
 
 }  // namespace desmo::report

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -22,6 +23,16 @@ struct Measured {
 
 Measured measured(const Record& record, const CellKey& key);
 Measured measured(const Request& request);
+
+/// What a cell or request says of its time.
+struct Timing {
+  Measured time;
+  std::string remark;  ///< why there is no time; empty when there is one
+  Origin origin;
+};
+
+/// All that was to be timed; of a request, the id ends in "/request:<name>".
+std::map<CellKey, Timing> timings(const Record& record);
 
 /// The speed-up of one cell over another, or the mark of the one that has no number.
 struct MeasuredSpeedUp {
@@ -67,13 +78,17 @@ std::string repetitions(const Record& record);
 /// Why there is no time; empty when there is one.
 std::string remark(Status status, const std::string& message);
 
+/// Adds a reservation about what the entry shows.
+void add_note(Entry& entry, const std::string& note);
+
 /// "0.4210 ±0.0020", quantities {seconds, half_range, repetitions}; or the mark.
 Entry seconds_entry(const Measured& measured);
 
 /// So many significant digits, or the mark of what is missing.
 Entry number_entry(const std::optional<double>& value, int significant);
 
-/// "1.24 [1.21, 1.27] (19.4 %)", quantities {speed_up, low, high, percent}; or the mark.
+/// "1.24 [1.21, 1.27] (19.4 %)", quantities {speed_up, low, high, percent}, with inconclusive_mark
+/// where the interval is too wide; or the mark.
 Entry speed_up_entry(const MeasuredSpeedUp& measured);
 
 }  // namespace desmo::report

@@ -18,14 +18,23 @@ struct Machine {
   std::vector<std::string> caches;
   std::string kernel;
   std::string governor;
+  std::optional<std::string> turbo;  ///< "on", "off", "unknown"; since 1.3.0
   std::vector<double> load_before;
   std::vector<double> load_after;
+};
+
+struct Link {
+  std::string type;  ///< "dynamic", "static"
+  std::string flags;
+  std::vector<std::string> libraries;  ///< shared objects loaded
 };
 
 struct Build {
   std::string type;
   std::string compiler;
   std::string flags;
+  std::optional<Link> link;           ///< since 1.3.0
+  std::optional<std::string> binary;  ///< SHA-256 of the program, or "unknown"; since 1.3.0
 };
 
 struct Blas {
@@ -50,6 +59,7 @@ struct Settings {
   std::int64_t instants = 0;    ///< solved in one analysis
   std::string clock;
   std::optional<Allowed> allowed;
+  std::optional<std::string> reducer;  ///< of samples to a time; since 1.3.0
 };
 
 enum class Status { ok, failed, not_run };
@@ -62,6 +72,13 @@ struct Verification {
   double acceleration = 0;
 };
 
+/// What a time is of. All since 1.3.0; digests are SHA-256.
+struct Origin {
+  std::optional<std::string> machine;  ///< CPU that it was measured on
+  std::optional<std::string> model;    ///< digest of the mechanism
+  std::optional<std::string> results;  ///< digest of the answers, rounded to what is allowed
+};
+
 /// What names a cell: unique in a record. Ordered by case, size, id.
 struct CellKey {
   std::string case_name;
@@ -72,7 +89,8 @@ struct CellKey {
 
 struct Cell {
   Status status = Status::not_run;
-  std::string message;              ///< why it failed or was not run
+  std::string message;  ///< why it failed or was not run
+  Origin origin;
   std::vector<double> cpu_seconds;  ///< one per repetition; never empty when ok, always when not
   std::optional<Verification> verification;  ///< always when ok
   std::optional<double> setup_seconds;
@@ -117,7 +135,8 @@ struct Request {
   std::int64_t unknowns = 0;
   std::int64_t all_unknowns = 0;  ///< of the whole mechanism
   Status status = Status::not_run;
-  std::string message;               ///< why it failed or was not run
+  std::string message;  ///< why it failed or was not run
+  Origin origin;
   std::vector<double> cpu_seconds;   ///< one per repetition; never empty when ok, always when not
   std::optional<double> difference;  ///< from the whole mechanism's solution; always when ok
   std::optional<double> iterations_per_step;

@@ -10,7 +10,9 @@
 #include <set>
 
 #include "report/digits.h"
+#include "report/environment_reader.h"
 #include "report/json_node.h"
+#include "report/one_origin.h"
 
 namespace desmo::report {
 namespace {
@@ -72,48 +74,15 @@ void check_schema(const JsonNode& root) {
   if (schema != "desmo-results")
     root["schema"].complain("\"" + schema + "\" is not \"desmo-results\"");
   const JsonNode version = root["version"];
-  if (major_version(version) != supported_major)
+  const int major = major_version(version);
+  if (major != supported_major)
     version.complain("schema version " + version.text() + " is not supported, only " +
-                     std::to_string(supported_major) + ".x.y");
+                     std::to_string(supported_major) + ".x.y" +
+                     (major > supported_major ? "; a newer desmo_report reads it" : ""));
 }
 
-std::vector<double> read_numbers(const std::optional<JsonNode>& node) {
-  std::vector<double> result;
-  if (node)
-    for (const JsonNode& element : node->elements()) result.push_back(element.not_negative());
-  return result;
-}
-
-Machine read_machine(const JsonNode& node) {
-  Machine machine{.cpu = node["cpu"].text(),
-                  .cores = node["cores"].integer(1),
-                  .caches = {},
-                  .kernel = node["kernel"].text(),
-                  .governor = node["governor"].text(),
-                  .load_before = read_numbers(node.find("load_before")),
-                  .load_after = read_numbers(node.find("load_after"))};
-  for (const JsonNode& cache : node["caches"].elements()) machine.caches.push_back(cache.text());
-  return machine;
-}
-
-std::optional<Allowed> read_allowed(const JsonNode& settings) {
-  const auto node = settings.find("allowed");
-  if (!node) return std::nullopt;
-  Allowed allowed{(*node)["position"].positive(), (*node)["velocity"].positive(),
-                  (*node)["acceleration"].positive(), std::nullopt};
-  if (const auto request = node->find("request")) allowed.request = request->positive();
-  return allowed;
-}
-
-Settings read_settings(const JsonNode& node) {
-  return {.tolerance = node["tolerance"].positive(),
-          .max_iterations = node["max_iterations"].integer(1),
-          .guess = node["guess"].text(),
-          .step_seconds = node["step_seconds"].positive(),
-          .duration_seconds = node["duration_seconds"].positive(),
-          .instants = node["instants"].integer(1),
-          .clock = node["clock"].text(),
-          .allowed = read_allowed(node)};
+Origin read_origin(const JsonNode& node) {
+  return {node.find_text("machine"), node.find_digest("model"), node.find_digest("results")};
 }
 
 CellKey read_key(const JsonNode& node) {
@@ -157,12 +126,17 @@ std::vector<double> read_samples(const JsonNode& node, const std::string& what) 
   std::vector<double> seconds;
   for (const JsonNode& sample : samples.elements()) seconds.push_back(sample.sample());
   if (seconds.empty()) samples.complain("an \"ok\" " + what + " needs at least one sample");
+  if (const auto count = node.find("repetitions"))
+    if (const std::int64_t said = count->integer(1);
+        said != static_cast<std::int64_t>(seconds.size()))
+      samples.complain(std::to_string(seconds.size()) + " samples of " + std::to_string(said));
   return seconds;
 }
 
 Cell read_cell(const JsonNode& node, const std::optional<Allowed>& allowed) {
   Cell cell{.status = read_status(node["status"]),
             .message = {},
+            .origin = read_origin(node),
             .cpu_seconds = {},
             .verification = std::nullopt,
             .setup_seconds = read_optional(node, "setup_seconds"),
@@ -244,6 +218,7 @@ Request read_request(const JsonNode& node, const std::optional<Allowed>& allowed
                   .all_unknowns = node["all_unknowns"].integer(1),
                   .status = read_status(node["status"]),
                   .message = {},
+                  .origin = read_origin(node),
                   .cpu_seconds = {},
                   .difference = read_optional(node, "difference"),
                   .iterations_per_step = read_optional(node, "iterations_per_step")};
@@ -302,14 +277,14 @@ Record parse_record(std::string_view text) {
   const JsonNode root(document);
   check_schema(root);
   const JsonNode node = root["record"];
-  const JsonNode build = node["build"], blas = node["blas"];
+  const JsonNode blas = node["blas"];
   Record record{.version = root["version"].text(),
                 .date = node["date"].text(),
                 .commit = node["commit"].text(),
                 .dirty = node["dirty"].boolean(),
                 .command = node["command"].text(),
                 .machine = read_machine(node["machine"]),
-                .build = {build["type"].text(), build["compiler"].text(), build["flags"].text()},
+                .build = read_build(node["build"]),
                 .libraries = {},
                 .blas = {blas["core"].text(), blas["threads"].integer(1)},
                 .settings = read_settings(node["settings"]),
@@ -326,6 +301,7 @@ Record parse_record(std::string_view text) {
       insert_once(record.profiles, profile, read_profile(profile));
   if (const auto structure = root.find("structure")) read_structures(record, *structure);
   if (const auto requests = root.find("requests")) read_requests(record, *requests);
+  require_one_origin(record);
   return record;
 }
 

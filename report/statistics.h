@@ -12,6 +12,11 @@ struct Summary {
   double median = 0;  ///< of an even count: the mean of the two in the middle
   double least = 0;
   double largest = 0;
+  /// The samples between which the true median lies with a probability of 97.5 % at least, whatever
+  /// the distribution of independent samples: those as far from either end as that allows. With
+  /// fewer than 7 no two samples allow it, and these are the least and the largest.
+  double median_low = 0;
+  double median_high = 0;
   std::size_t count = 0;
   double half_range() const { return (largest - least) / 2; }
 };
@@ -19,16 +24,24 @@ struct Summary {
 /// Of one sample or more.
 Summary summarise(std::span<const double> samples);
 
+/// Relative half-width of a speed-up's interval beyond which it is called inconclusive. An idle
+/// machine reaches 0.02.
+inline constexpr double widest_conclusive = 0.05;
+
 /// How many times as fast: S = t_reference / t_variant.
 struct SpeedUp {
   double value = 0;  ///< ratio of the medians
-  /// Smallest reference sample over largest variant sample, and the reverse: the interval that no
-  /// choice of repetitions leaves. With n repetitions each, it holds the ratio of the true medians
-  /// with probability (1 - 2^(1-n))^2 at least, whatever the distribution.
+  /// The reference's median_low over the variant's median_high, and the reverse. It holds the ratio
+  /// of the true medians with a probability of 95 % at least from 7 repetitions each, and of
+  /// (1 - 2^(1-n))^2 with n < 7.
   double low = 0;
   double high = 0;
   double percent = 0;   ///< improvement 100 (1 - 1/S), from the unrounded S
   bool spread = false;  ///< two repetitions or more on both sides: low and high mean something
+
+  double half_width() const { return (high - low) / 2 / value; }  ///< of the interval, relative
+  /// Whether the interval is too wide for the number to be quoted.
+  bool inconclusive() const { return spread && half_width() > widest_conclusive; }
 };
 
 SpeedUp speed_up(const Summary& reference, const Summary& variant);

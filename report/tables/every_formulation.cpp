@@ -52,9 +52,10 @@ Entry ratio_entry(const Record& record, const std::optional<CellKey>& reference,
   if (!ratio.speed_up) return note_entry(ratio.mark);
   const std::string digits = write(ratio.speed_up->value, ratio_digits(ratio.speed_up->value));
   Entry entry{digits, {digits}, {}};
-  if (key != *reference) return entry;
-  entry.note = "reference";
-  entry.shown += " reference";
+  if (key == *reference)
+    add_note(entry, "reference");
+  else if (ratio.speed_up->inconclusive())
+    add_note(entry, inconclusive_mark);
   return entry;
 }
 

@@ -37,11 +37,16 @@ Table provenance(const Record& record) {
   add("caches", joined(machine.caches));
   add("kernel", machine.kernel);
   add("frequency governor", machine.governor);
+  if (machine.turbo) add("turbo", *machine.turbo);
   add("load before", loads(machine.load_before));
   add("load after", loads(machine.load_after));
   add("compiler", record.build.compiler);
   add("build type", record.build.type);
   add("flags", record.build.flags);
+  if (const auto& link = record.build.link)
+    add("linking", link->type + (link->flags.empty() ? "" : ", " + link->flags) + ": " +
+                       joined(link->libraries));
+  if (const auto& binary = record.build.binary) add("SHA-256 of the program", *binary);
   for (const auto& [name, version] : record.libraries) add(name, version);
   add("BLAS", record.blas.core + ", " + std::to_string(record.blas.threads) +
                   (record.blas.threads == 1 ? " thread" : " threads"));

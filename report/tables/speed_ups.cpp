@@ -1,6 +1,7 @@
 // Table 2 of the paper: S = t_global / t_topological.
 #include <set>
 
+#include "report/digits.h"
 #include "report/measurements.h"
 #include "report/paper.h"
 #include "report/tables/tables.h"
@@ -23,10 +24,7 @@ Entry mean_entry(const Record& record, std::string_view family, std::size_t vari
   if (!mean.speed_up) return note_entry(missing_mark);
   Entry entry = speed_up_entry({mean.speed_up, {}});
   if (mean.sizes == sizes.size()) return entry;
-  const std::string incomplete =
-      "incomplete " + std::to_string(mean.sizes) + "/" + std::to_string(sizes.size());
-  entry.shown += " " + incomplete;
-  entry.note += (entry.note.empty() ? "" : ", ") + incomplete;
+  add_note(entry, "incomplete " + std::to_string(mean.sizes) + "/" + std::to_string(sizes.size()));
   return entry;
 }
 
@@ -45,9 +43,10 @@ Table speed_ups(const Record& record, std::string_view family) {
       .title = "Table 2 (" + std::string(family) + "): speed-up over " + reference +
                " and improvement, truck suspension",
       .notes =
-          {"Ours: ratio of the medians S, [smallest " + reference +
-               " sample over largest sample of the variant, and the reverse], improvement "
-               "100(1 − 1/S). The paper: over TS-G_MA27.",
+          {"Ours: ratio of the medians S over " + reference +
+               ", [its interval], improvement 100(1 − 1/S); inconclusive where half the interval "
+               "is more than " +
+               write_shortest(100 * widest_conclusive) + " %. The paper: over TS-G_MA27.",
            "Mean: arithmetic, of each quantity, over the paper's sizes; incomplete: over fewer, so "
            "not to be compared."},
       .columns = {{"coordinates", {}}, {"source", {}}},

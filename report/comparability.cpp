@@ -1,0 +1,97 @@
+#include "report/comparability.h"
+
+#include <optional>
+#include <set>
+
+#include "report/digits.h"
+#include "report/measurements.h"
+
+namespace desmo::report {
+namespace {
+
+class Comparison {
+ public:
+  void require_same(const std::string& what, const std::optional<std::string>& first,
+                    const std::optional<std::string>& second) {
+    if (first && second && *first == *second) return;
+    if (!named_.insert(what).second) return;  // once for all cells of a case and size
+    differences_.push_back({what, first.value_or("not recorded"), second.value_or("not recorded")});
+  }
+
+  std::vector<Difference> differences() && { return std::move(differences_); }
+
+ private:
+  std::vector<Difference> differences_;
+  std::set<std::string> named_;
+};
+
+std::string major_version(const Record& record) {
+  return record.version.substr(0, record.version.find('.'));
+}
+
+std::optional<std::string> linking(const Build& build) {
+  if (!build.link) return std::nullopt;
+  return build.link->type + (build.link->flags.empty() ? "" : " " + build.link->flags);
+}
+
+void compare_environment(Comparison& all, const Record& a, const Record& b) {
+  all.require_same("schema", major_version(a), major_version(b));
+  all.require_same("CPU model", a.machine.cpu, b.machine.cpu);
+  all.require_same("compiler", a.build.compiler, b.build.compiler);
+  all.require_same("build type", a.build.type, b.build.type);
+  all.require_same("flags", a.build.flags, b.build.flags);
+  all.require_same("linking", linking(a.build), linking(b.build));
+  all.require_same("BLAS core", a.blas.core, b.blas.core);
+  all.require_same("BLAS threads", std::to_string(a.blas.threads), std::to_string(b.blas.threads));
+}
+
+void compare_settings(Comparison& all, const Settings& a, const Settings& b) {
+  const auto number = [&](const char* what, double first, double second) {
+    all.require_same(what, write_shortest(first), write_shortest(second));
+  };
+  number("tolerance", a.tolerance, b.tolerance);
+  number("iterations at most", static_cast<double>(a.max_iterations),
+         static_cast<double>(b.max_iterations));
+  all.require_same("first guess", a.guess, b.guess);
+  number("step", a.step_seconds, b.step_seconds);
+  number("duration", a.duration_seconds, b.duration_seconds);
+  all.require_same("clock", a.clock, b.clock);
+  all.require_same("reducer", a.reducer, b.reducer);
+}
+
+// Of what has no time in one of them, there is nothing to compare.
+void compare_timings(Comparison& all, const Record& a, const Record& b) {
+  const auto second = timings(b);
+  bool shared = false;
+  for (const auto& [key, one] : timings(a)) {
+    const auto other = second.find(key);
+    if (other == second.end()) continue;
+    shared = true;
+    if (!one.time.seconds || !other->second.time.seconds) continue;
+    const std::string place = key.case_name + "/" + std::to_string(key.coordinates);
+    const auto request = key.id.find("/request:");
+    all.require_same("model of " + place, one.origin.model, other->second.origin.model);
+    all.require_same("results of " + place + (request == key.id.npos ? "" : key.id.substr(request)),
+                     one.origin.results, other->second.origin.results);
+  }
+  if (!shared) all.require_same("cells in common", "none", std::nullopt);
+}
+
+}  // namespace
+
+std::vector<Difference> why_incomparable(const Record& first, const Record& second) {
+  Comparison all;
+  compare_environment(all, first, second);
+  compare_settings(all, first.settings, second.settings);
+  compare_timings(all, first, second);
+  return std::move(all).differences();
+}
+
+std::string describe(const std::vector<Difference>& differences) {
+  std::string text;
+  for (const Difference& d : differences)
+    text += d.what + ": " + d.first + " here, " + d.second + " there\n";
+  return text;
+}
+
+}  // namespace desmo::report

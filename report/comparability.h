@@ -1,0 +1,26 @@
+// Which records may be compared: the comparability key.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "report/record.h"
+
+namespace desmo::report {
+
+/// Something that must be the same and is not.
+struct Difference {
+  std::string what;           ///< "CPU model", "model of four_bar/114", ...
+  std::string first, second;  ///< what each record says, or "not recorded"
+};
+
+/// Why times of the two records cannot be compared; empty when they can. They must agree in the
+/// schema's major version, CPU model, compiler, flags, linking, BLAS core and threads, settings of
+/// the analysis, and, for what both have timed, in the model solved and the results found. What
+/// either does not record, as those before 1.3.0, counts as different.
+std::vector<Difference> why_incomparable(const Record& first, const Record& second);
+
+/// "CPU model: A here, B there", a line for each.
+std::string describe(const std::vector<Difference>& differences);
+
+}  // namespace desmo::report

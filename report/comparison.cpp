@@ -1,0 +1,64 @@
+#include "report/comparison.h"
+
+#include <set>
+
+#include "report/digits.h"
+#include "report/measurements.h"
+
+namespace desmo::report {
+namespace {
+
+std::string origin(const std::string& name, const Record& record) {
+  return name + ": " + record.date + ", commit " + record.commit +
+         (record.dirty ? " with uncommitted changes" : "");
+}
+
+Timing timing_of(const std::map<CellKey, Timing>& all, const CellKey& key) {
+  const auto found = all.find(key);
+  if (found != all.end()) return found->second;
+  return {{std::nullopt, missing_mark}, {}, {}};
+}
+
+std::string remarks(const Timing& a, const Timing& b) {
+  std::string text = a.remark.empty() ? "" : "A: " + a.remark;
+  if (!b.remark.empty()) text += (text.empty() ? "B: " : "; B: ") + b.remark;
+  return text;
+}
+
+Entry ratio_entry(const Timing& a, const Timing& b) {
+  return speed_up_entry(measured_speed_up(a.time, b.time));
+}
+
+}  // namespace
+
+Document make_comparison(const Record& first, const Record& second) {
+  const std::vector<std::string> seconds{"seconds", "half_range", "repetitions"};
+  Table table{.name = "comparison",
+              .title = "CPU seconds of A and B",
+              .notes = {"Median ± half the range. A over B: how many times as fast B is, ratio of "
+                        "the medians [its interval] (time saved); inconclusive where half the "
+                        "interval is more than " +
+                        write_shortest(100 * widest_conclusive) + " %."},
+              .columns = {{"case", {}},
+                          {"coordinates", {}},
+                          {"id", {}},
+                          {"A", seconds},
+                          {"B", seconds},
+                          {"A over B", {"speed_up", "low", "high", "percent"}},
+                          {"remark", {}}},
+              .rows = {}};
+  const auto a = timings(first), b = timings(second);
+  std::set<CellKey> keys;
+  for (const auto* all : {&a, &b})
+    for (const auto& [key, timing] : *all) keys.insert(key);
+  for (const CellKey& key : keys) {
+    const Timing one = timing_of(a, key), other = timing_of(b, key);
+    table.rows.push_back({text_entry(key.case_name), text_entry(std::to_string(key.coordinates)),
+                          text_entry(key.id), seconds_entry(one.time), seconds_entry(other.time),
+                          ratio_entry(one, other), text_entry(remarks(one, other))});
+  }
+  return {.title = "desmo: one run beside another",
+          .sections = {{"Two runs", {origin("A", first), origin("B", second)}, {table}}}};
+}
+
+}  // namespace desmo::report

@@ -1,0 +1,71 @@
+#include "report/environment_reader.h"
+
+namespace desmo::report {
+namespace {
+
+std::vector<double> read_numbers(const std::optional<JsonNode>& node) {
+  std::vector<double> result;
+  if (node)
+    for (const JsonNode& element : node->elements()) result.push_back(element.not_negative());
+  return result;
+}
+
+std::optional<std::string> read_reducer(const JsonNode& settings) {
+  const auto node = settings.find("reducer");
+  if (!node) return std::nullopt;
+  const std::string reducer = node->text();
+  if (reducer != "median") node->complain("\"" + reducer + "\" is not \"median\"");
+  return reducer;
+}
+
+std::optional<Allowed> read_allowed(const JsonNode& settings) {
+  const auto node = settings.find("allowed");
+  if (!node) return std::nullopt;
+  Allowed allowed{(*node)["position"].positive(), (*node)["velocity"].positive(),
+                  (*node)["acceleration"].positive(), std::nullopt};
+  if (const auto request = node->find("request")) allowed.request = request->positive();
+  return allowed;
+}
+
+}  // namespace
+
+Machine read_machine(const JsonNode& node) {
+  Machine machine{.cpu = node["cpu"].text(),
+                  .cores = node["cores"].integer(1),
+                  .caches = {},
+                  .kernel = node["kernel"].text(),
+                  .governor = node["governor"].text(),
+                  .turbo = node.find_text("turbo"),
+                  .load_before = read_numbers(node.find("load_before")),
+                  .load_after = read_numbers(node.find("load_after"))};
+  for (const JsonNode& cache : node["caches"].elements()) machine.caches.push_back(cache.text());
+  return machine;
+}
+
+Build read_build(const JsonNode& node) {
+  Build build{.type = node["type"].text(),
+              .compiler = node["compiler"].text(),
+              .flags = node["flags"].text(),
+              .link = std::nullopt,
+              .binary = node.find_text("binary")};
+  if (const auto link = node.find("link")) {
+    build.link = Link{(*link)["type"].text(), (*link)["flags"].text(), {}};
+    for (const JsonNode& library : (*link)["libraries"].elements())
+      build.link->libraries.push_back(library.text());
+  }
+  return build;
+}
+
+Settings read_settings(const JsonNode& node) {
+  return {.tolerance = node["tolerance"].positive(),
+          .max_iterations = node["max_iterations"].integer(1),
+          .guess = node["guess"].text(),
+          .step_seconds = node["step_seconds"].positive(),
+          .duration_seconds = node["duration_seconds"].positive(),
+          .instants = node["instants"].integer(1),
+          .clock = node["clock"].text(),
+          .allowed = read_allowed(node),
+          .reducer = read_reducer(node)};
+}
+
+}  // namespace desmo::report
