@@ -7,10 +7,10 @@
 
 namespace desmo::report {
 
+inline constexpr const char* inconclusive_mark = "inconclusive";
 inline constexpr const char* missing_mark = "—";
 inline constexpr const char* failed_mark = "FAILED";
 inline constexpr const char* not_run_mark = "not run";
-inline constexpr const char* inconclusive_mark = "inconclusive";
 
 /// One place in a table. `shown` is composed of `digits` and `note` and nothing else, so that a
 /// reader of the Markdown and a program reading the JSON see the same numbers.

@@ -157,7 +157,7 @@ std::vector<Rendered> figures(const Record& record) {
   std::vector<std::string> ratios{
       place,
       "Ratio of the medians of " + repetitions(record) + ", mean of five sizes (* of fewer),",
-      "with the interval from the smallest and largest samples.",
+      "with its interval.",
       "The same sparse solver stands in the columns named sparse and in the global "
       "reference."};
   if (!source.ratio_warning.empty()) ratios.push_back(source.ratio_warning);

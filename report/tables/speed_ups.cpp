@@ -24,7 +24,10 @@ Entry mean_entry(const Record& record, std::string_view family, std::size_t vari
   if (!mean.speed_up) return note_entry(missing_mark);
   Entry entry = speed_up_entry({mean.speed_up, {}});
   if (mean.sizes == sizes.size()) return entry;
-  add_note(entry, "incomplete " + std::to_string(mean.sizes) + "/" + std::to_string(sizes.size()));
+  const std::string incomplete =
+      "incomplete " + std::to_string(mean.sizes) + "/" + std::to_string(sizes.size());
+  entry.shown += " " + incomplete;
+  entry.note += (entry.note.empty() ? "" : ", ") + incomplete;
   return entry;
 }
 

@@ -1,0 +1,48 @@
+// Records of every minor version there was are read forever, and give the report that they gave.
+// When the report itself is changed on purpose, DESMO_UPDATE_GOLDEN=1 writes it anew; the change is
+// then to be reviewed like any other.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+
+#include "report/formats/formats.h"
+#include "report/record_reader.h"
+#include "report/report.h"
+#include "tests/report/sample.h"
+
+namespace desmo::report {
+namespace {
+
+class Golden : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(Golden, GivesTheReportItGave) {
+  const std::string name = std::string("golden/") + GetParam();
+  const Record record = read_record(data_file(name + ".json"));
+  EXPECT_EQ(record.version, GetParam());
+  const std::string report = to_markdown(make_report(record));
+  if (std::getenv("DESMO_UPDATE_GOLDEN")) std::ofstream(data_file(name + ".md")) << report;
+  EXPECT_EQ(report, read_text(data_file(name + ".md")));
+}
+
+INSTANTIATE_TEST_SUITE_P(Minors, Golden, ::testing::Values("1.0.0", "1.1.0", "1.2.0", "1.3.0"),
+                         [](const auto& minor) {
+                           std::string name = minor.param;
+                           for (char& c : name)
+                             if (c == '.') c = '_';
+                           return "v" + name;
+                         });
+
+TEST(GoldenRecords, WereRecordedWithWhatTheirMinorHas) {
+  for (const char* minor : {"1.0.0", "1.1.0", "1.2.0", "1.3.0"}) {
+    const Record record = read_record(data_file(std::string("golden/") + minor + ".json"));
+    const std::string version = minor;
+    EXPECT_EQ(record.settings.allowed.has_value(), version >= "1.1.0") << minor;
+    EXPECT_EQ(record.structure.empty(), version < "1.2.0") << minor;
+    EXPECT_EQ(record.settings.reducer.has_value(), version >= "1.3.0") << minor;
+    EXPECT_EQ(record.build.binary.has_value(), version >= "1.3.0") << minor;
+  }
+}
+
+}  // namespace
+}  // namespace desmo::report
