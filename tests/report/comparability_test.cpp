@@ -132,8 +132,8 @@ TEST(Comparison, ShowsNoTimeOfWhatFailedInEither) {
   Json failed = newest();
   cell_of(failed, row[0], 114, row[2])["verification"]["velocity"] = 1;
   EXPECT_EQ(reasons(newest(), failed), Names{});
-  const Table table = table_named(make_comparison(record_from(newest()), record_from(failed)),
-                                  "comparison");
+  const Table table =
+      table_named(make_comparison(record_from(newest()), record_from(failed)), "comparison");
   EXPECT_TRUE(entry_at(table, row, "A").has_number());
   EXPECT_EQ(entry_at(table, row, "B").shown, failed_mark);
   EXPECT_EQ(entry_at(table, row, "A over B").shown, failed_mark);

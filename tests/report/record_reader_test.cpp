@@ -63,6 +63,14 @@ TEST(RecordReader, RefusesAnotherSchemaOrMajorVersion) {
   EXPECT_CONTAINS(complaint(json), "version: a string was expected, not number");
 }
 
+TEST(RecordReader, SaysThatAFutureVersionNeedsANewerReport) {
+  Json json = complete_record();
+  json["version"] = "2.0.0";
+  EXPECT_CONTAINS(complaint(json), "; a newer desmo_report reads it");
+  json["version"] = "0.9.0";
+  EXPECT_EQ(complaint(json), "version: schema version 0.9.0 is not supported, only 1.x.y");
+}
+
 TEST(RecordReader, ReadsANewerMinorVersionWithUnknownKeys) {
   Json json = complete_record();
   json["version"] = "1.7.3";
@@ -139,6 +147,66 @@ TEST(RecordReader, RefusesWhatIsGivenTwice) {
   EXPECT_CONTAINS(complaint(json), "profiles[3]: truck_suspension/558/");
   EXPECT_CONTAINS(complaint(std::string(R"({"schema": "a", "schema": "b"})")),
                   "the key \"schema\" is given twice");
+}
+
+TEST(RecordReader, ReadsWhatAMeasurementIsOf) {
+  const Record record = read_record(data_file("golden/1.3.0.json"));
+  EXPECT_EQ(record.machine.turbo, "unknown");
+  ASSERT_TRUE(record.build.link);
+  EXPECT_EQ(record.build.link->type, "dynamic");
+  EXPECT_FALSE(record.build.link->libraries.empty());
+  EXPECT_EQ(record.build.binary->size(), 64u);
+  EXPECT_EQ(record.settings.reducer, "median");
+  for (const auto& [key, cell] : record.cells) {
+    if (cell.status != Status::ok) continue;
+    EXPECT_EQ(cell.origin.machine, record.machine.cpu);
+    EXPECT_EQ(cell.origin.model->size(), 64u);
+    EXPECT_EQ(cell.origin.results->size(), 64u);
+  }
+  ASSERT_FALSE(record.requests.empty());
+  EXPECT_TRUE(record.requests.front().origin.model);
+}
+
+Json newest_record() { return Json::parse(read_text(data_file("golden/1.3.0.json"))); }
+
+TEST(RecordReader, RefusesSamplesThatWereLost) {
+  Json json = newest_record();
+  json["cells"][0]["cpu_seconds"].erase(0);
+  EXPECT_CONTAINS(complaint(json), "cells[0].cpu_seconds: 6 samples of 7");
+  json = newest_record();
+  json["requests"][0]["cpu_seconds"].push_back(1);
+  EXPECT_CONTAINS(complaint(json), "requests[0].cpu_seconds: 8 samples of 7");
+}
+
+TEST(RecordReader, RefusesAReducerAndDigestsItDoesNotKnow) {
+  Json json = newest_record();
+  json["record"]["settings"]["reducer"] = "minimum";
+  EXPECT_CONTAINS(complaint(json), "record.settings.reducer: \"minimum\" is not \"median\"");
+  for (const std::string bad : {"", "12ab", "G"}) {
+    json = newest_record();
+    json["cells"][0]["model"] = bad;
+    EXPECT_CONTAINS(complaint(json), "cells[0].model: \"" + bad + "\" is not a SHA-256 digest");
+  }
+}
+
+// Cells of two records put together, by whatever shows that they are.
+TEST(RecordReader, RefusesARecordOfTwoOrigins) {
+  const std::string other(64, 'f');
+  Json json = newest_record();
+  json["cells"][1]["machine"] = "Other CPU";
+  EXPECT_CONTAINS(complaint(json), ": measured on \"Other CPU\", the record on \"");
+  EXPECT_THROW(record_from(json), MixedRecord);
+  json = newest_record();
+  json["requests"][0]["machine"] = "Other CPU";
+  EXPECT_CONTAINS(complaint(json), "/request:damper: measured on");
+  json = newest_record();
+  json["cells"][1]["model"] = other;
+  EXPECT_CONTAINS(complaint(json), " solves another model than ");
+  json = newest_record();
+  json["cells"][1]["results"] = other;
+  EXPECT_CONTAINS(complaint(json), " has other results than ");
+  json["cells"][1]["status"] = "failed";  // then they are expected to differ
+  EXPECT_EQ(complaint(json), "accepted");
 }
 
 TEST(RecordReader, RefusesEndlessNestingAndSize) {
