@@ -2,7 +2,6 @@
 
 #include <set>
 
-#include "report/digits.h"
 #include "report/measurements.h"
 
 namespace desmo::report {
@@ -36,9 +35,8 @@ Document make_comparison(const Record& first, const Record& second) {
   Table table{.name = "comparison",
               .title = "CPU seconds of A and B",
               .notes = {"Median ± half the range. A over B: how many times as fast B is, ratio of "
-                        "the medians [its interval] (time saved); inconclusive where half the "
-                        "interval is more than " +
-                        write_shortest(100 * widest_conclusive) + " %."},
+                        "the medians [its interval] (time saved); " +
+                        inconclusive_note() + "."},
               .columns = {{"case", {}},
                           {"coordinates", {}},
                           {"id", {}},

@@ -114,6 +114,11 @@ std::string remark(Status status, const std::string& message) {
   return message.empty() ? "no reason recorded" : message;
 }
 
+std::string inconclusive_note() {
+  return std::string(inconclusive_mark) + ": half the interval of the ratio is more than " +
+         write_shortest(100 * widest_conclusive) + " % of it";
+}
+
 void add_note(Entry& entry, const std::string& note) {
   entry.shown += " " + note;
   entry.note += (entry.note.empty() ? "" : ", ") + note;

@@ -78,6 +78,9 @@ std::string repetitions(const Record& record);
 /// Why there is no time; empty when there is one.
 std::string remark(Status status, const std::string& message);
 
+/// What inconclusive_mark means, for the notes of a table.
+std::string inconclusive_note();
+
 /// Adds a reservation about what the entry shows.
 void add_note(Entry& entry, const std::string& note);
 

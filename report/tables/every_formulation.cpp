@@ -69,22 +69,24 @@ std::string failure(const CellKey& key, const std::string& request, const std::s
 Table every_formulation(const Record& record, std::string_view case_name,
                         std::int64_t coordinates) {
   const std::string place = std::string(case_name) + ", " + std::to_string(coordinates);
-  Table table{.name = "formulations_" + std::string(case_name) + "_" + std::to_string(coordinates),
-              .title = "Every formulation: " + place + " coordinates, fastest first",
-              .notes = {"CPU seconds: median (smallest – largest) of " + repetitions(record) +
-                        "; speed-up: over the fastest global_automatic_<sparse>, ratio of medians; "
-                        "errors: largest difference from the quadruple-precision reference."},
-              .columns = {{"id", {}},
-                          {"CPU s", {"seconds", "least", "largest", "repetitions"}},
-                          {"µs/step", {"microseconds"}},
-                          {"speed-up", {"speed_up"}},
-                          {"iterations/step", {"iterations"}},
-                          {"error q", {"error"}},
-                          {"error q'", {"error"}},
-                          {"error q''", {"error"}},
-                          {"set-up s", {"seconds"}},
-                          {"remark", {}}},
-              .rows = {}};
+  Table table{
+      .name = "formulations_" + std::string(case_name) + "_" + std::to_string(coordinates),
+      .title = "Every formulation: " + place + " coordinates, fastest first",
+      .notes = {"CPU seconds: median (smallest – largest) of " + repetitions(record) +
+                "; speed-up: over the fastest global_automatic_<sparse>, ratio of medians; " +
+                inconclusive_note() +
+                "; errors: largest difference from the quadruple-precision reference."},
+      .columns = {{"id", {}},
+                  {"CPU s", {"seconds", "least", "largest", "repetitions"}},
+                  {"µs/step", {"microseconds"}},
+                  {"speed-up", {"speed_up"}},
+                  {"iterations/step", {"iterations"}},
+                  {"error q", {"error"}},
+                  {"error q'", {"error"}},
+                  {"error q''", {"error"}},
+                  {"set-up s", {"seconds"}},
+                  {"remark", {}}},
+      .rows = {}};
   const std::vector<CellKey> keys = ordered_keys(record, case_name, coordinates);
   const std::optional<CellKey> reference = fastest_reference(record, keys);
   for (const CellKey& key : keys) {

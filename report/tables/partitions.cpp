@@ -127,7 +127,8 @@ Table times_table(const Record& record, const std::string& case_name) {
               .title = "Partitions: CPU time in seconds and speed-up, " + case_name,
               .notes = {"Median ± half the range of " + repetitions(record) +
                             "; speed-up: with the same equations and algebra, ratio of the medians "
-                            "[its interval] (improvement).",
+                            "[its interval] (improvement); " +
+                            inconclusive_note() + ".",
                         "klu finds the irreducible blocks by itself, in every partition."},
               .columns = {{"coordinates", {}},
                           {"equations and algebra", {}},

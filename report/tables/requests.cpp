@@ -82,7 +82,8 @@ Table request_table(const Record& record, const Place& place) {
            "anything asks of it; delivered: what is asked. CPU s: median ± half the range of " +
                repetitions_at(record, place) + ".",
            "Times cheaper: everything over the request with the same formulation in the same run, "
-           "ratio of the medians [its interval] (CPU time saved).",
+           "ratio of the medians [its interval] (CPU time saved); " +
+               inconclusive_note() + ".",
            "Both stop at the tolerance for what they solve, so that a request may need fewer "
            "iterations. Difference: largest of what is asked, over the whole motion, from the "
            "solution of the whole mechanism with the same formulation, both converged as far as "

@@ -1,7 +1,6 @@
 // Table 2 of the paper: S = t_global / t_topological.
 #include <set>
 
-#include "report/digits.h"
 #include "report/measurements.h"
 #include "report/paper.h"
 #include "report/tables/tables.h"
@@ -47,9 +46,8 @@ Table speed_ups(const Record& record, std::string_view family) {
                " and improvement, truck suspension",
       .notes =
           {"Ours: ratio of the medians S over " + reference +
-               ", [its interval], improvement 100(1 − 1/S); inconclusive where half the interval "
-               "is more than " +
-               write_shortest(100 * widest_conclusive) + " %. The paper: over TS-G_MA27.",
+               ", [its interval], improvement 100(1 − 1/S); " + inconclusive_note() +
+               ". The paper: over TS-G_MA27.",
            "Mean: arithmetic, of each quantity, over the paper's sizes; incomplete: over fewer, so "
            "not to be compared."},
       .columns = {{"coordinates", {}}, {"source", {}}},
