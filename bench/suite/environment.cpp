@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <fstream>
+#include <map>
 
 #include "commit.h"
 
@@ -13,13 +14,23 @@ namespace desmo::suite {
 
 namespace {
 
-std::string processor_name() {
+/// What the system says of its first processor, by the names it uses.
+std::map<std::string, std::string> processor() {
+  std::map<std::string, std::string> found;
   std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);)
-    if (line.starts_with("model name"))
-      if (const auto colon = line.find(": "); colon != std::string::npos)
-        return line.substr(colon + 2);
-  return "unknown";
+  for (std::string line; std::getline(info, line) && !line.empty();)
+    if (const auto colon = line.find(": "); colon != std::string::npos)
+      found[line.substr(0, line.find_first_of("\t:"))] = line.substr(colon + 2);
+  return found;
+}
+
+/// A virtual machine may call different processors by one name: their numbers tell them apart.
+std::string processor_name() {
+  auto p = processor();
+  const std::string name = p.contains("model name") ? p["model name"] : "unknown";
+  if (!p.contains("cpu family")) return name;
+  return name + " (family " + p["cpu family"] + ", model " + p["model"] + ", stepping " +
+         p["stepping"] + ")";
 }
 
 std::string first_line(const char* path) {

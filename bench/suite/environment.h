@@ -7,7 +7,7 @@ namespace desmo::suite {
 
 /// The machine, as far as it says; "unknown" where it does not.
 struct Machine {
-  std::string cpu;
+  std::string cpu;  ///< name, with family, model and stepping where they are told
   int cores;
   std::vector<std::string> caches;
   std::string kernel;
