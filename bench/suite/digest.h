@@ -8,7 +8,8 @@ struct evp_md_ctx_st;  // OpenSSL's
 
 namespace desmo::suite {
 
-/// SHA-256 of all that is added, in order.
+/// SHA-256 of all that is added, in order. By OpenSSL, whose interface is public and kept: Boost's
+/// digests are either a detail of another library (SHA-1) or younger than what Debian has.
 class Digest {
  public:
   /// Throws std::runtime_error when OpenSSL does not offer the algorithm.
