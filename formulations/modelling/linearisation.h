@@ -1,0 +1,35 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "formulations/modelling/group_system.h"
+
+namespace desmo {
+
+/// Φ and Φ_q of a group's candidates, in columns of natural magnitude; rows have length 1 over all
+/// that they read.
+struct Linearisation {
+  Eigen::VectorXd phi;
+  Eigen::MatrixXd jacobian;
+};
+
+/// Linearises the systems of a mechanism's groups, whose lengths are of the order of `size`.
+class Lineariser {
+ public:
+  /// The mechanism must outlive it; its constraints may change.
+  Lineariser(const Mechanism& mechanism, double size);
+
+  Linearisation at(const std::vector<double>& state, const GroupSystem& system);
+
+  /// Adds a step, in columns of natural magnitude, to the state.
+  void move(std::vector<double>& state, const GroupSystem& system,
+            const Eigen::VectorXd& step) const;
+
+ private:
+  const Mechanism& m_;
+  std::vector<double> scale_;  // natural magnitude of each component of the state
+  std::vector<int> column_;    // of each component in the system at hand, or -1
+};
+
+}  // namespace desmo

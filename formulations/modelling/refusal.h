@@ -1,0 +1,17 @@
+#pragma once
+
+#include "formulations/modelling/row_selection.h"
+
+namespace desmo {
+
+/// Throws std::invalid_argument, naming group, bodies and the constraint that Φ says is satisfied
+/// worst.
+[[noreturn]] void refuse_assembly(const Mechanism& mechanism, const GroupSystem& system,
+                                  const Eigen::VectorXd& phi);
+
+/// Throws std::invalid_argument, naming group, bodies, drivers and what can still move, unless the
+/// selected rows determine the group and it can follow its drivers.
+void require_determined(const Mechanism& mechanism, const GroupSystem& system,
+                        const SelectedRows& selected);
+
+}  // namespace desmo
