@@ -55,7 +55,7 @@ int BranchMonitor::violated(const Instant& instant) {
                      [&](int row, int operand, int i, double value) {
                        const int at = first[operand] + i;
                        size[row] += std::abs(value * state_[at]);
-                       if (holds_modulo_pi<Kind> && operand + 1 == x.size())
+                       if (holds_modulo_pi<Kind> && operand + 1 == static_cast<int>(x.size()))
                          holds = holds && value <= 0;
                        if (!has_rate) return;
                        rate[row] += value * rate_[at];

@@ -55,12 +55,7 @@ void Cell::verify(ReferenceCache& references) {
     const Summary summary = formulation_->run(grid, {}, sink);
     errors = sink.errors();
     results = sink.results();
-    if (!summary.ok()) return fail(describe(summary, *mechanism_));
-    if (const std::string wrong = complaint(errors, reference.size()); !wrong.empty())
-      return fail(wrong);
-    iterations_per_step = static_cast<double>(summary.iterations) / summary.instants;
-    residual = summary.residual;
-    state = State::verified;
+    conclude(summary, *mechanism_, reference.size());
   } catch (const std::exception& e) {
     fail(e.what());
   }

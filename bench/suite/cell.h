@@ -32,9 +32,6 @@ class Cell final : public Timed {
   const Variant& variant;
 
   int groups = 0, degrees_of_freedom = 0;
-  Errors errors;
-  double setup_seconds = 0;  ///< CPU: analysis, ordering, allocation
-  double iterations_per_step = 0, residual = 0;
   std::optional<PhaseTimes> phases;
 
  private:

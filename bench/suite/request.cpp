@@ -184,12 +184,7 @@ void RequestCell::verify(ReferenceCache& references) {
     const Summary summary = run(sink);
     errors = sink.errors;
     results = sink.results.hex();
-    if (!summary.ok()) return fail(describe(summary, request_->plan.mechanism));
-    if (const std::string wrong = complaint(errors, reference.size()); !wrong.empty())
-      return fail(wrong);
-    iterations_per_step = static_cast<double>(summary.iterations) / summary.instants;
-    residual = summary.residual;
-    state = State::verified;
+    conclude(summary, request_->plan.mechanism, reference.size());
   } catch (const std::exception& e) {
     fail(e.what());
   }

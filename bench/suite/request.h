@@ -88,10 +88,7 @@ class RequestCell final : public Timed {
   const PlannedRequest& request() const { return *request_; }
 
   const Variant& variant;
-  Errors errors;             ///< from the reference
-  double difference = 0;     ///< from the whole mechanism, at any level
-  double setup_seconds = 0;  ///< CPU: analysis, ordering, allocation
-  double iterations_per_step = 0, residual = 0;
+  double difference = 0;  ///< from the whole mechanism, at any level
 
  private:
   std::unique_ptr<Formulation> make(const Settings& settings) const;

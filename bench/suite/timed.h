@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -45,12 +46,26 @@ class Timed {
   std::string model;                ///< digest of the model it solves; empty: there is none
   std::string results;              ///< digest of what was compared with the reference, or empty
   std::vector<double> cpu_seconds;  ///< one for each repetition
+  Errors errors;                    ///< from the reference
+  double setup_seconds = 0;         ///< CPU: analysis, ordering, allocation
+  double iterations_per_step = 0, residual = 0;
 
  protected:
   explicit Timed(const TimeGrid& instants) : grid(instants) {}
 
   void fail(std::string why) { stop(State::failed, std::move(why)); }
   void leave_out(std::string why) { stop(State::not_run, std::move(why)); }
+
+  /// Ends verify(), once `errors` are known: what solved the whole motion and agrees with its
+  /// reference in all `expected_instants` is verified.
+  void conclude(const Summary& summary, const Mechanism& mechanism, std::size_t expected_instants) {
+    if (!summary.ok()) return fail(describe(summary, mechanism));
+    if (std::string wrong = complaint(errors, expected_instants); !wrong.empty())
+      return fail(std::move(wrong));
+    iterations_per_step = static_cast<double>(summary.iterations) / summary.instants;
+    residual = summary.residual;
+    state = State::verified;
+  }
 
  private:
   void stop(State reached, std::string why) {
