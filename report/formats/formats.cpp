@@ -5,7 +5,8 @@
 namespace desmo::report {
 
 const std::vector<std::string>& format_names() {
-  static const std::vector<std::string> names{"terminal", "json", "csv", "markdown", "latex"};
+  static const std::vector<std::string> names{"terminal", "json",  "csv",
+                                              "markdown", "latex", "html"};
   return names;
 }
 
@@ -14,6 +15,7 @@ std::vector<Rendered> render(const Document& document, const std::string& format
   if (format == "json") return {{"tables.json", to_json(document)}};
   if (format == "markdown") return {{"tables.md", to_markdown(document)}};
   if (format == "latex") return {{"tables.tex", to_latex(document)}};
+  if (format == "html") return {{"report.html", to_html(document)}};
   if (format != "csv") throw std::invalid_argument("no such format: " + format);
   std::vector<Rendered> files;
   for (const Section& section : document.sections)
