@@ -27,6 +27,10 @@ function showHint(handler, event, item, value) {
   hint.style.top = `${window.scrollY + point.clientY + 14}px`;
 }
 
+function stacks(spec, width) {
+  return width < narrow && spec.layout?.columns > 0;
+}
+
 // Everything that is fitted to the reader's window; the specification is the static drawing's.
 function fitted(spec, width) {
   for (const legend of spec.legends ?? []) {
@@ -38,7 +42,7 @@ function fitted(spec, width) {
     }
     if (width < narrow) Object.assign(legend, {orient: 'bottom', columns: 2});
   }
-  if (width < narrow && spec.layout?.columns) spec.layout.columns = 1;
+  if (stacks(spec, width)) spec.layout.columns = 1;
   return spec;
 }
 
@@ -81,7 +85,7 @@ async function bring(figure) {
     renderer: 'svg', container, hover: true, tooltip: showHint, logLevel: vega.Error,
   });
   await view.runAsync();
-  figure.classList.toggle('narrow', width < narrow);
+  figure.classList.toggle('stacked', stacks(spec, width));
   drawing.replaceChildren(container);
   addToggles(figure, drawing, view);
   figure.dataset.state = 'live';

@@ -1,10 +1,15 @@
 // The page: one file that asks the network for nothing. Where a figure goes stands between two
 // comments, which report/figures/render fills; until then a sentence there names what is missing.
+#include <algorithm>
+
 #include "report/embedded.h"
 #include "report/formats/formats.h"
 
 namespace desmo::report {
 namespace {
+
+// A row with more characters has its intervals below the numbers.
+constexpr std::size_t most_in_line = 130;
 
 std::string escaped(std::string_view text) {
   std::string result;
@@ -52,14 +57,24 @@ std::string entry_html(const Entry& entry) {
     note = note_html(entry.note);
   }
   return entry.digits.front() +
-         (rest.empty() ? "" : element("span class=\"rest\"", escaped(rest))) + note;
+         (rest.find_first_not_of(' ') == std::string::npos
+              ? rest
+              : element("span class=\"rest\"", escaped(rest))) +
+         note;
+}
+
+// An id may break after its underscores.
+std::string breakable(const std::string& text) {
+  std::string result;
+  for (const char c : escaped(text)) result += c == '_' ? "_<wbr>" : std::string(1, c);
+  return result;
 }
 
 std::string header_html(const Table& table) {
   std::string text;
   for (const Column& column : table.columns)
     text += element(column.quantities.empty() ? "th scope=\"col\"" : "th scope=\"col\" class=\"n\"",
-                    escaped(column.name));
+                    breakable(column.name));
   return "<thead><tr>" + text + "</tr></thead>\n";
 }
 
@@ -86,11 +101,22 @@ std::string notes_html(const Table& table) {
   return text;
 }
 
+bool is_wide(const Table& table) {
+  std::size_t width = 0;
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    std::size_t widest = 0;
+    for (const auto& row : table.rows) widest = std::max(widest, row[i].shown.size());
+    width += widest;
+  }
+  return width > most_in_line;
+}
+
 // A wide table scrolls inside its own frame, by keyboard too.
 std::string table_html(const Table& table) {
   const std::string caption = table.name + "-caption";
   return "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-labelledby=\"" + caption +
-         "\">\n<table id=\"" + table.name + (table.figure ? "-data" : "") + "\">\n" +
+         "\">\n<table id=\"" + table.name + (table.figure ? "-data" : "") + "\"" +
+         (is_wide(table) ? " class=\"wide\"" : "") + ">\n" +
          element("caption id=\"" + caption + "\"", escaped(table.title)) + "\n" +
          header_html(table) + rows_html(table) + "</table>\n</div>\n";
 }

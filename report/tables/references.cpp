@@ -35,6 +35,15 @@ std::vector<CellKey> references_of(const Record& record, const std::string& case
   return keys;
 }
 
+// "6.10 [4.38, 7.41]": the table is wide enough without the improvement.
+Entry without_percent(Entry entry) {
+  if (!entry.has_number()) return entry;
+  const std::size_t begin = entry.shown.find(" ("), end = entry.shown.find(')', begin);
+  entry.shown.erase(begin, end + 1 - begin);
+  entry.digits.pop_back();
+  return entry;
+}
+
 // The paper's own reference, where one of its variants stands for the column.
 std::vector<Entry> paper_row(const std::vector<std::string_view>& columns, std::int64_t size) {
   const std::string name = std::to_string(size);
@@ -46,7 +55,7 @@ std::vector<Entry> paper_row(const std::vector<std::string_view>& columns, std::
                      [&](std::size_t candidate) { return variants[candidate].id == id; });
     row.push_back(variant == topological.end()
                       ? note_entry(missing_mark)
-                      : published_speed_up_entry(name, variants[*variant]));
+                      : without_percent(published_speed_up_entry(name, variants[*variant])));
   }
   return row;
 }
@@ -69,16 +78,16 @@ std::optional<Table> references(const Record& record, const std::string& case_na
                std::to_string(size) + " coordinates",
       .notes = {"Fastest reference first, median [smallest, largest] of " + repetitions(record) +
                 "; speed-up: ratio of the medians [smallest over largest sample, and the "
-                "reverse] (improvement)."},
+                "reverse]."},
       .columns = {{"global reference", {}}, {"CPU s", {"seconds", "low", "high", "repetitions"}}},
       .rows = {}};
   for (const std::string_view id : columns)
-    table.columns.push_back({std::string(id), {"speed_up", "low", "high", "percent"}});
+    table.columns.push_back({std::string(id), {"speed_up", "low", "high"}});
   for (const CellKey& reference : rows) {
     std::vector<Entry> row{text_entry(reference.id), interval_entry(measured(record, reference))};
     for (const std::string_view id : columns)
-      row.push_back(
-          speed_up_entry(measured_speed_up(record, reference, {case_name, size, std::string(id)})));
+      row.push_back(without_percent(speed_up_entry(
+          measured_speed_up(record, reference, {case_name, size, std::string(id)}))));
     table.rows.push_back(std::move(row));
   }
   const auto& published = published_sizes();
