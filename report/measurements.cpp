@@ -156,7 +156,7 @@ Entry mean_speed_up_entry(const Record& record, std::string_view family, std::si
   if (mean.sizes == sizes.size()) return entry;
   const std::string incomplete =
       "incomplete " + std::to_string(mean.sizes) + "/" + std::to_string(sizes.size());
-  entry.shown += " " + incomplete;
+  entry.shown += (entry.note.empty() ? " " : ", ") + incomplete;
   entry.note += (entry.note.empty() ? "" : ", ") + incomplete;
   return entry;
 }
