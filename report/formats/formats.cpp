@@ -1,5 +1,6 @@
 #include "report/formats/formats.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace desmo::report {
@@ -8,6 +9,23 @@ const std::vector<std::string>& format_names() {
   static const std::vector<std::string> names{"terminal", "json",  "csv",
                                               "markdown", "latex", "html"};
   return names;
+}
+
+// Continuation bytes take no room.
+std::size_t characters(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+  }));
+}
+
+std::size_t row_width(const Table& table) {
+  std::size_t width = 0;
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    std::size_t longest = 0;
+    for (const auto& row : table.rows) longest = std::max(longest, characters(row[i].shown));
+    width += longest;
+  }
+  return width;
 }
 
 std::vector<Rendered> render(const Document& document, const std::string& format) {

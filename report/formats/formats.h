@@ -34,6 +34,12 @@ std::string to_latex(const Document& document);
 /// "scripts", belongs to report/figures/render, which puts the figures there.
 std::string to_html(const Document& document);
 
+/// Characters of UTF-8, not bytes.
+std::size_t characters(const std::string& text);
+
+/// Characters of a row in which every entry is its column's longest: how wide a table gets.
+std::size_t row_width(const Table& table);
+
 struct Rendered {
   std::string file_name;
   std::string content;

@@ -1,7 +1,5 @@
 // The page: one file that asks the network for nothing. Where a figure goes stands between two
 // comments, which report/figures/render fills; until then a sentence there names what is missing.
-#include <algorithm>
-
 #include "report/embedded.h"
 #include "report/formats/formats.h"
 
@@ -101,22 +99,12 @@ std::string notes_html(const Table& table) {
   return text;
 }
 
-bool is_wide(const Table& table) {
-  std::size_t width = 0;
-  for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    std::size_t widest = 0;
-    for (const auto& row : table.rows) widest = std::max(widest, row[i].shown.size());
-    width += widest;
-  }
-  return width > most_in_line;
-}
-
 // A wide table scrolls inside its own frame, by keyboard too.
 std::string table_html(const Table& table) {
   const std::string caption = table.name + "-caption";
   return "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-labelledby=\"" + caption +
          "\">\n<table id=\"" + table.name + (table.figure ? "-data" : "") + "\"" +
-         (is_wide(table) ? " class=\"wide\"" : "") + ">\n" +
+         (row_width(table) > most_in_line ? " class=\"wide\"" : "") + ">\n" +
          element("caption id=\"" + caption + "\"", escaped(table.title)) + "\n" +
          header_html(table) + rows_html(table) + "</table>\n</div>\n";
 }

@@ -124,6 +124,9 @@ TEST_F(Program, WithoutNodeTheMissingFiguresAreNamed) {
   EXPECT_EQ(out_,
             "missing figure: figure5.svg (Node.js is not installed)\n"
             "missing figure: figure6.svg (Node.js is not installed)\n");
+  for (const char* name : {"figure5", "figure6"})
+    EXPECT_NE(files_in(out)["report.html"].find(std::string("Missing figure: ") + name),
+              std::string::npos);
   EXPECT_EQ(shell(render + (folder_ / "no_such").string()), 64);
 }
 
