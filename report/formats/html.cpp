@@ -7,7 +7,7 @@ namespace desmo::report {
 namespace {
 
 // A row with more characters has its intervals below the numbers.
-constexpr std::size_t most_in_line = 130;
+constexpr std::size_t most_in_line = 122;
 
 std::string escaped(std::string_view text) {
   std::string result;

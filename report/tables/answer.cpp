@@ -77,7 +77,7 @@ Section answer(const Record& record) {
   if (const std::size_t count = failures(record).size(); count > 0)
     text += " " + std::to_string(count) + (count == 1 ? " formulation" : " formulations") +
             " failed the verification and " + (count == 1 ? "has" : "have") +
-            " no time: the last section names them.";
+            " no time: the last section says which and why.";
   return {"The question and its answer", {text}, {}};
 }
 

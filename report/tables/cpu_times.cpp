@@ -19,6 +19,10 @@ std::set<std::int64_t> rows_of(const Record& record, std::string_view family) {
   return sizes;
 }
 
+constexpr const char* marks =
+    "; in or out of our interval, as printed. On another processor most are out: ratios compare, "
+    "seconds do not";
+
 }  // namespace
 
 Entry published_seconds_entry(const std::string& row, const Variant& variant) {
@@ -39,9 +43,8 @@ Table cpu_times(const Record& record, std::string_view family) {
                        ", all coordinates",
               .notes = {"Ours: median [smallest, largest] of " + repetitions(record) +
                             ". The paper: MA27 in place of " + std::string(family) +
-                            ", MKL's LAPACK, an Intel Core i5-2400; in or out of our interval, as "
-                            "printed. On another processor most are out: ratios compare, seconds "
-                            "do not.",
+                            ", MKL's LAPACK, an Intel Core i5-2400" +
+                            (source.warning.empty() ? marks : "") + ".",
                         "The paper has no row " + std::to_string(largest_four_bar) +
                             ": it says that FBL-TP takes 1000 coordinates to begin to show times "
                             "above 0.015 s."},

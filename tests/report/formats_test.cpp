@@ -80,7 +80,7 @@ TEST(Latex, SetsWideTablesSmaller) {
 
 TEST(Formats, MeasureRowsInCharacters) {
   EXPECT_EQ(characters("±µ—a"), 4u);
-  EXPECT_EQ(row_width(awkward().sections[0].tables[0]), 24u + 11u);
+  EXPECT_EQ(row_width(awkward().sections[0].tables[0]), 21u + 11u);
 }
 
 TEST(Terminal, AlignsByCharactersNotBytes) {

@@ -1,5 +1,6 @@
 // The page: what stands in it before it has figures, and how it behaves in a browser when it has.
 #include <algorithm>
+#include <fstream>
 #include <regex>
 
 #include "report/formats/formats.h"
@@ -166,14 +167,17 @@ void expect_answers(const Json& figure, const Table& table) {
 
 TEST_F(PageInBrowser, FiguresAnswerWithoutARequestOrAnError) {
   if (!installed("report/figures", "figures")) GTEST_SKIP() << out_;
-  const fs::path filed = DESMO_SOURCE_DIR "/results/runs/amd-epyc/2026-11-21-2.json";
+  Json json = Json::parse(read_text(DESMO_SOURCE_DIR "/results/runs/amd-epyc/2026-11-21-2.json"));
+  fail_cell(json, "truck_suspension", 336, "group_symbolic_lapack");  // a gap, and one line more
+  const fs::path recorded = folder_ / "record.json";
+  std::ofstream(recorded) << json;
   const fs::path out = folder_ / "out", page = out / "report.html";
-  ASSERT_EQ(tables(filed, "--out " + out.string()), 0);
+  ASSERT_EQ(tables(recorded, "--out " + out.string()), 0);
   ASSERT_NO_FATAL_FAILURE(render(out));
   const auto files = files_in(out);
   ASSERT_NO_FATAL_FAILURE(render(out));  // over what is there
   EXPECT_EQ(files_in(out), files);
-  ASSERT_EQ(tables(filed, "--out " + out.string()), 0);  // and from the beginning
+  ASSERT_EQ(tables(recorded, "--out " + out.string()), 0);  // and from the beginning
   ASSERT_NO_FATAL_FAILURE(render(out));
   EXPECT_EQ(files_in(out), files);
   EXPECT_LE(fs::file_size(page), size_limit);
@@ -187,7 +191,7 @@ TEST_F(PageInBrowser, FiguresAnswerWithoutARequestOrAnError) {
   EXPECT_EQ(seen["errors"], Json::array());
   EXPECT_EQ(seen["overflow"], 0);  // on a phone nothing but tables and figures scrolls sideways
   ASSERT_EQ(seen["figures"].size(), 2u);
-  const Record record = record_from(Json::parse(read_text(filed)));
+  const Record record = record_from(json);
   expect_answers(seen["figures"][0], figure_of_speed_ups(record));
   expect_answers(seen["figures"][1], figure_of_times(record));
 }
