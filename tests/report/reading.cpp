@@ -89,6 +89,70 @@ std::string between(const std::string& text, const std::string& begin, const std
   return text.substr(from + begin.size(), to - from - begin.size());
 }
 
+std::vector<ReadTable> tables_of_markdown(const std::string& text) {
+  std::vector<ReadTable> tables;
+  std::istringstream lines(text);
+  std::string title;
+  bool inside = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("**") && line.ends_with("**")) title = line.substr(2, line.size() - 4);
+    if (!line.starts_with("| ")) {
+      inside = false;
+      continue;
+    }
+    if (!inside) tables.push_back({from_markdown(title), {}});
+    inside = true;
+    if (line.starts_with("| ---")) continue;
+    std::vector<std::string> row;
+    for (const std::string& cell : split(line.substr(2, line.size() - 4), " | "))
+      row.push_back(from_markdown(cell));
+    tables.back().rows.push_back(row);
+  }
+  return tables;
+}
+
+std::vector<ReadTable> tables_of_latex(const std::string& text) {
+  std::vector<ReadTable> tables;
+  std::size_t at = 0;
+  while (true) {
+    const std::string body = between(text, "\\begin{longtable}", "\\end{longtable}", at);
+    if (at == std::string::npos) return tables;
+    std::size_t place = 0;
+    const std::string title = between(body, "\\caption*{", "}\\\\\n", place);
+    const std::string head = between(body, "\\hline\n", " \\\\\n\\hline", place);
+    const std::string rows = body.substr(body.find("\\endhead\n") + 9);
+    tables.push_back({from_latex(title), {}});
+    std::vector<std::string> lines{head};
+    for (const std::string& line : split(rows, " \\\\\n")) lines.push_back(line);
+    lines.pop_back();  // the rule
+    for (const std::string& line : lines) {
+      tables.back().rows.emplace_back();
+      for (const std::string& cell : split(line, " & "))
+        tables.back().rows.back().push_back(from_latex(cell));
+    }
+  }
+}
+
+std::vector<ReadTable> tables_of_html(const std::string& text) {
+  std::vector<ReadTable> tables;
+  std::size_t at = 0;
+  while (true) {
+    const std::string body = between(text, "<table", "</table>", at);
+    if (at == std::string::npos) return tables;
+    std::size_t place = 0;
+    const std::string caption = between(body, "<caption", "</caption>", place);
+    tables.push_back({from_html("<" + caption), {}});
+    while (true) {
+      const std::string row = between(body, "<tr", "</tr>", place);
+      if (place == std::string::npos) break;
+      static const std::regex cell("<(th|td)[ >](.*?)</(th|td)>");
+      tables.back().rows.emplace_back();
+      for (std::sregex_iterator it(row.begin(), row.end(), cell), end; it != end; ++it)
+        tables.back().rows.back().push_back(from_html(it->str()));
+    }
+  }
+}
+
 }  // namespace
 
 std::string plain(std::string text) { return replaced(text, {{"−", "-"}}); }
@@ -112,69 +176,13 @@ std::vector<std::vector<std::string>> read_csv(const std::string& text) {
   return rows;
 }
 
-std::vector<ReadTable> read_markdown(const std::string& text) {
-  std::vector<ReadTable> tables;
-  std::istringstream lines(text);
-  std::string title;
-  bool inside = false;
-  for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with("**") && line.ends_with("**")) title = line.substr(2, line.size() - 4);
-    if (!line.starts_with("| ")) {
-      inside = false;
-      continue;
-    }
-    if (!inside) tables.push_back({from_markdown(title), {}});
-    inside = true;
-    if (line.starts_with("| ---")) continue;
-    std::vector<std::string> row;
-    for (const std::string& cell : split(line.substr(2, line.size() - 4), " | "))
-      row.push_back(from_markdown(cell));
-    tables.back().rows.push_back(row);
-  }
-  return tables;
+ReadReport read_markdown(const std::string& text) {
+  return {tables_of_markdown(text), from_markdown(text)};
 }
 
-std::vector<ReadTable> read_latex(const std::string& text) {
-  std::vector<ReadTable> tables;
-  std::size_t at = 0;
-  while (true) {
-    const std::string body = between(text, "\\begin{longtable}", "\\end{longtable}", at);
-    if (at == std::string::npos) return tables;
-    std::size_t place = 0;
-    const std::string title = between(body, "\\caption*{", "}\\\\\n", place);
-    const std::string head = between(body, "\\hline\n", " \\\\\n\\hline", place);
-    const std::string rows = body.substr(body.find("\\endhead\n") + 9);
-    tables.push_back({from_latex(title), {}});
-    std::vector<std::string> lines{head};
-    for (const std::string& line : split(rows, " \\\\\n")) lines.push_back(line);
-    lines.pop_back();  // the rule
-    for (const std::string& line : lines) {
-      tables.back().rows.emplace_back();
-      for (const std::string& cell : split(line, " & "))
-        tables.back().rows.back().push_back(from_latex(cell));
-    }
-  }
-}
+ReadReport read_latex(const std::string& text) { return {tables_of_latex(text), from_latex(text)}; }
 
-std::vector<ReadTable> read_html(const std::string& text) {
-  std::vector<ReadTable> tables;
-  std::size_t at = 0;
-  while (true) {
-    const std::string body = between(text, "<table", "</table>", at);
-    if (at == std::string::npos) return tables;
-    std::size_t place = 0;
-    const std::string caption = between(body, "<caption", "</caption>", place);
-    tables.push_back({from_html("<" + caption), {}});
-    while (true) {
-      const std::string row = between(body, "<tr", "</tr>", place);
-      if (place == std::string::npos) break;
-      static const std::regex cell("<(th|td)[ >](.*?)</(th|td)>");
-      tables.back().rows.emplace_back();
-      for (std::sregex_iterator it(row.begin(), row.end(), cell), end; it != end; ++it)
-        tables.back().rows.back().push_back(from_html(it->str()));
-    }
-  }
-}
+ReadReport read_html(const std::string& text) { return {tables_of_html(text), from_html(text)}; }
 
 std::vector<std::string> numbers_in(const std::string& text) {
   static const std::regex number(R"(-?[0-9]+(\.[0-9]+)?(e[-+]?[0-9]+)?)");

@@ -13,10 +13,15 @@ struct ReadTable {
   std::vector<std::vector<std::string>> rows;
 };
 
+struct ReadReport {
+  std::vector<ReadTable> tables;
+  std::string text;  ///< all of it, for looking up paragraphs and notes
+};
+
 std::vector<std::vector<std::string>> read_csv(const std::string& text);
-std::vector<ReadTable> read_markdown(const std::string& text);
-std::vector<ReadTable> read_latex(const std::string& text);
-std::vector<ReadTable> read_html(const std::string& text);
+ReadReport read_markdown(const std::string& text);
+ReadReport read_latex(const std::string& text);
+ReadReport read_html(const std::string& text);
 
 /// A text of the report as the readers above give it.
 std::string plain(std::string text);
