@@ -162,7 +162,8 @@ Entry mean_speed_up_entry(const Record& record, std::string_view family, std::si
 }
 
 Entry compared(Entry published, const Entry& ours) {
-  if (!published.has_number() || !ours.note.empty() || ours.digits.size() < 3) return published;
+  const bool incomplete = ours.note.find("incomplete") != std::string::npos;
+  if (!published.has_number() || incomplete || ours.digits.size() < 3) return published;
   const std::optional<double> value = number(published.digits[0]), low = number(ours.digits[1]),
                               high = number(ours.digits[2]);
   if (!value || !low || !high) return published;

@@ -85,7 +85,7 @@ Entry mean_speed_up_entry(const Record& record, std::string_view family, std::si
 
 /// The paper's value and whether our interval contains it, both as printed: inside_mark or
 /// outside_mark. Of both entries the first quantity is the value, of ours the second and third are
-/// the interval. As it is where one of them is missing or `ours` carries a reservation.
+/// the interval. As it is where one of them is missing or ours is of fewer sizes.
 Entry compared(Entry published, const Entry& ours);
 
 }  // namespace desmo::report
