@@ -11,6 +11,8 @@ inline constexpr const char* inconclusive_mark = "inconclusive";
 inline constexpr const char* missing_mark = "—";
 inline constexpr const char* failed_mark = "FAILED";
 inline constexpr const char* not_run_mark = "not run";
+inline constexpr const char* inside_mark = "in";  ///< the paper's value, of our interval
+inline constexpr const char* outside_mark = "out";
 
 /// One place in a table. `shown` is composed of `digits` and `note` and nothing else, so that a
 /// reader of the Markdown and a program reading the JSON see the same numbers.
@@ -40,7 +42,8 @@ struct Table {
   std::vector<std::string> notes;
   std::vector<Column> columns;
   std::vector<std::vector<Entry>> rows;  ///< one entry per column
-  bool detail = false;                   ///< left out on the terminal, which says so
+  bool detail = false;  ///< left out on the terminal, which says so; folded on the page
+  bool figure = false;  ///< the data of the figure `name`, which stands above it on the page
 };
 
 struct Section {

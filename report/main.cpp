@@ -93,7 +93,7 @@ int main(int argc, char** argv) {
                          "Write the files of every format, and the figures, into this folder");
   tables_app
       ->add_option("--format", command.formats,
-                   "Only these formats: terminal, json, csv, markdown, latex")
+                   "Only these formats: terminal, json, csv, markdown, latex, html")
       ->check(CLI::IsMember(format_names()));
   CompareCommand comparison;
   CLI::App* compare_app =

@@ -1,6 +1,7 @@
 #include "report/measurements.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <set>
 
@@ -11,6 +12,14 @@
 namespace desmo::report {
 
 namespace {
+
+// Printed digits; nothing when there are none.
+std::optional<double> number(const std::string& digits) {
+  double value = 0;
+  const char* end = digits.data() + digits.size();
+  if (std::from_chars(digits.data(), end, value).ec != std::errc()) return std::nullopt;
+  return value;
+}
 
 Measured measured(Status status, const std::vector<double>& cpu_seconds) {
   switch (status) {
@@ -134,6 +143,16 @@ Entry seconds_entry(const Measured& measured) {
   return {median + " ±" + half, {median, half, count}, {}};
 }
 
+Entry interval_entry(const Measured& measured) {
+  if (!measured.seconds) return note_entry(measured.mark);
+  const Summary& seconds = *measured.seconds;
+  const DigitStyle style = significant_digits(seconds.median, 4);
+  const std::string median = write(seconds.median, style), count = std::to_string(seconds.count);
+  if (seconds.count < 2) return {median + " (one run)", {median, "", "", count}, "one run"};
+  const std::string low = write(seconds.least, style), high = write(seconds.largest, style);
+  return {median + " [" + low + ", " + high + "]", {median, low, high, count}, {}};
+}
+
 Entry number_entry(const std::optional<double>& value, int significant) {
   if (!value) return note_entry(missing_mark);
   const std::string digits = write_significant(*value, significant);
@@ -151,6 +170,31 @@ Entry speed_up_entry(const MeasuredSpeedUp& measured) {
   Entry entry{value + " [" + low + ", " + high + "]" + tail, {value, low, high, percent}, {}};
   if (ratio.inconclusive()) add_note(entry, inconclusive_mark);
   return entry;
+}
+
+// With fewer sizes than the paper's it cannot stand beside the paper's, and says so.
+Entry mean_speed_up_entry(const Record& record, std::string_view family, std::size_t variant) {
+  const std::vector<std::int64_t>& sizes = published_sizes();
+  const MeanSpeedUp mean = mean_speed_up(record, family, truck_global, variant, sizes);
+  if (!mean.speed_up) return note_entry(missing_mark);
+  Entry entry = speed_up_entry({mean.speed_up, {}});
+  if (mean.sizes == sizes.size()) return entry;
+  const std::string incomplete =
+      "incomplete " + std::to_string(mean.sizes) + "/" + std::to_string(sizes.size());
+  entry.shown += (entry.note.empty() ? " " : ", ") + incomplete;
+  entry.note += (entry.note.empty() ? "" : ", ") + incomplete;
+  return entry;
+}
+
+Entry compared(Entry published, const Entry& ours) {
+  const bool incomplete = ours.note.find("incomplete") != std::string::npos;
+  if (!published.has_number() || incomplete || ours.digits.size() < 3) return published;
+  const std::optional<double> value = number(published.digits[0]), low = number(ours.digits[1]),
+                              high = number(ours.digits[2]);
+  if (!value || !low || !high) return published;
+  published.note = *low <= *value && *value <= *high ? inside_mark : outside_mark;
+  published.shown += " " + published.note;
+  return published;
 }
 
 }  // namespace desmo::report

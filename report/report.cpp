@@ -22,12 +22,27 @@ Section paper_tables(const Record& record) {
   return section;
 }
 
+Section paper_figures(const Record& record) {
+  return {"The paper's figures", {}, {figure_of_speed_ups(record), figure_of_times(record)}};
+}
+
+std::set<std::string> recorded_cases(const Record& record) {
+  std::set<std::string> cases;
+  for (const auto& [key, cell] : record.cells) cases.insert(key.case_name);
+  return cases;
+}
+
+Section sparse_solvers(const Record& record) {
+  Section section = conclusion(record);
+  for (const std::string& name : recorded_cases(record))
+    if (auto table = references(record, name)) section.tables.push_back(std::move(*table));
+  return section;
+}
+
 // Each case in full; on the terminal at the paper's largest size, or the largest there is.
 Section formulations(const Record& record) {
   Section section{.title = "Every formulation", .paragraphs = {}, .tables = {}};
-  std::set<std::string> cases;
-  for (const auto& [key, cell] : record.cells) cases.insert(key.case_name);
-  for (const std::string& name : cases) {
+  for (const std::string& name : recorded_cases(record)) {
     const std::vector<std::int64_t> sizes = recorded_sizes(record, name);
     std::int64_t foremost = sizes.back();
     for (const std::int64_t size : sizes)
@@ -45,15 +60,18 @@ Section formulations(const Record& record) {
 Document make_report(const Record& record) {
   Document document{.title = "desmo: the paper's experiment", .sections = {}};
   auto& sections = document.sections;
-  sections.push_back({"How it was measured", {}, {provenance(record)}});
+  sections.push_back(answer(record));
+  sections.push_back(paper_figures(record));
+  sections.push_back(paper_tables(record));
+  sections.push_back(sparse_solvers(record));
+  sections.push_back({"Growth with the number of coordinates", {}, {scaling(record)}});
+  if (!record.structure.empty()) sections.push_back(partitions(record));
+  if (!record.requests.empty()) sections.push_back(requests(record));
   sections.push_back(formulations(record));
   if (!record.profiles.empty())
     sections.push_back({"Where the time goes", {}, {time_split(record)}});
-  sections.push_back({"Growth with the number of coordinates", {}, {scaling(record)}});
-  sections.push_back(paper_tables(record));
-  sections.push_back(conclusion(record));
-  if (!record.structure.empty()) sections.push_back(partitions(record));
-  if (!record.requests.empty()) sections.push_back(requests(record));
+  sections.push_back({"How it was measured", {}, {provenance(record)}});
+  sections.push_back(limitations(record));
   if (const auto lines = failures(record); !lines.empty())
     sections.push_back({"Failed verification: no time, and no ratio computed from one", lines, {}});
   return document;

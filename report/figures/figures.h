@@ -10,7 +10,8 @@ namespace desmo::report {
 
 /// figure5.vl.json, CPU time over coordinates, and figure6.vl.json, mean speed-up: the paper's own
 /// values beside every sparse family. What failed or is missing has null where a number would be.
-/// The design is in report/figures/*.template.json; only data and subtitle come from the record.
+/// The design is in report/figures/*.template.json; data, title and subtitle are those of the
+/// tables of the figures (tables/tables.h).
 std::vector<Rendered> figures(const Record& record);
 
 }  // namespace desmo::report

@@ -1,32 +1,54 @@
-// Renders Vega-Lite specifications to SVG: node render.mjs FOLDER writes name.svg for every
-// name.vl.json in it. No canvas, no fonts, no clock: the same specification gives the same bytes.
-import {readFileSync, readdirSync, renameSync, writeFileSync} from 'node:fs';
+// Renders Vega-Lite specifications: node render.mjs FOLDER writes name.svg for every name.vl.json in
+// it and puts the figures into FOLDER/report.html, when that is there. No canvas, no fonts, no
+// clock: the same specification gives the same bytes.
+import {existsSync, readFileSync, readdirSync, renameSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 import * as vega from 'vega';
 import {compile} from 'vega-lite';
+import {filled} from './page.mjs';
 
 const suffix = '.vl.json';
 
-async function render(path) {
-  const spec = compile(JSON.parse(readFileSync(path, 'utf8'))).spec;
-  const view = new vega.View(vega.parse(spec), {renderer: 'none', logLevel: vega.Error});
-  const svg = await view.toSVG();
+async function svg(specification) {
+  const view = new vega.View(vega.parse(specification), {renderer: 'none', logLevel: vega.Error});
+  const drawing = await view.toSVG();
   view.finalize();
-  return svg + '\n';
+  return drawing + '\n';
+}
+
+// On the page, title and subtitle are text beside the figure, and the page is its background.
+async function figure(name, {title, ...design}) {
+  const specification =
+      compile({...design, config: {...design.config, background: 'transparent'}}).spec;
+  return {name, specification, drawing: await svg(specification)};
+}
+
+function write(folder, name, text) {
+  writeFileSync(join(folder, `.${name}.part`), text);
+  renameSync(join(folder, `.${name}.part`), join(folder, name));
+  console.log(`rendered: ${name}`);
 }
 
 const folder = process.argv[2];
+const page = join(folder, 'report.html');
+const figures = [];
 let failed = false;
-for (const file of readdirSync(folder).filter(name => name.endsWith(suffix)).sort()) {
-  const target = file.slice(0, -suffix.length) + '.svg';
+async function attempt(file, action) {
   try {
-    const svg = await render(join(folder, file));
-    writeFileSync(join(folder, `.${target}.part`), svg);
-    renameSync(join(folder, `.${target}.part`), join(folder, target));
-    console.log(`rendered: ${target}`);
+    await action();
   } catch (error) {
     failed = true;
-    console.error(`render: ${join(folder, file)}: ${error.message}`);
+    console.error(`render: ${file}: ${error.message}`);
   }
 }
+
+for (const file of readdirSync(folder).filter(name => name.endsWith(suffix)).sort())
+  await attempt(join(folder, file), async () => {
+    const name = file.slice(0, -suffix.length);
+    const design = JSON.parse(readFileSync(join(folder, file), 'utf8'));
+    write(folder, `${name}.svg`, await svg(compile(design).spec));
+    if (existsSync(page)) figures.push(await figure(name, design));
+  });
+if (existsSync(page))
+  await attempt(page, () => write(folder, 'report.html', filled(readFileSync(page, 'utf8'), figures)));
 process.exit(failed ? 1 : 0);

@@ -1,12 +1,31 @@
 #include "report/formats/formats.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace desmo::report {
 
 const std::vector<std::string>& format_names() {
-  static const std::vector<std::string> names{"terminal", "json", "csv", "markdown", "latex"};
+  static const std::vector<std::string> names{"terminal", "json",  "csv",
+                                              "markdown", "latex", "html"};
   return names;
+}
+
+// Continuation bytes take no room.
+std::size_t characters(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+  }));
+}
+
+std::size_t row_width(const Table& table) {
+  std::size_t width = 0;
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    std::size_t longest = 0;
+    for (const auto& row : table.rows) longest = std::max(longest, characters(row[i].shown));
+    width += longest;
+  }
+  return width;
 }
 
 std::vector<Rendered> render(const Document& document, const std::string& format) {
@@ -14,6 +33,7 @@ std::vector<Rendered> render(const Document& document, const std::string& format
   if (format == "json") return {{"tables.json", to_json(document)}};
   if (format == "markdown") return {{"tables.md", to_markdown(document)}};
   if (format == "latex") return {{"tables.tex", to_latex(document)}};
+  if (format == "html") return {{"report.html", to_html(document)}};
   if (format != "csv") throw std::invalid_argument("no such format: " + format);
   std::vector<Rendered> files;
   for (const Section& section : document.sections)

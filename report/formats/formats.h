@@ -29,12 +29,23 @@ std::string to_markdown(const Document& document);
 /// For \input; needs the package longtable only.
 std::string to_latex(const Document& document);
 
+/// One page, self-contained: no script, no request to a network, figures missing and named. What
+/// stands between the comments "<!-- NAME -->" and "<!-- end of NAME -->", NAME a figure or
+/// "scripts", belongs to report/figures/render, which puts the figures there.
+std::string to_html(const Document& document);
+
+/// Characters of UTF-8, not bytes.
+std::size_t characters(const std::string& text);
+
+/// Characters of a row in which every entry is its column's longest: how wide a table gets.
+std::size_t row_width(const Table& table);
+
 struct Rendered {
   std::string file_name;
   std::string content;
 };
 
-/// "terminal", "json", "csv", "markdown", "latex".
+/// "terminal", "json", "csv", "markdown", "latex", "html".
 const std::vector<std::string>& format_names();
 
 /// The files of one format: one, or for csv one per table. The format is one of format_names().

@@ -8,6 +8,9 @@
 namespace desmo::report {
 namespace {
 
+// A landscape page of A4 has room for so many characters.
+constexpr std::size_t most_in_scriptsize = 125;
+
 struct Replacement {
   std::string_view from;
   std::string_view to;
@@ -94,7 +97,9 @@ std::string table_text(const Table& table) {
   for (const std::string& note : table.notes)
     notes += "\n\\noindent{\\footnotesize " + escaped(note) + "}\n";
   const std::string head = "\\hline\n" + header + " \\\\\n\\hline\n";
-  return "{\\scriptsize\\setlength{\\tabcolsep}{3pt}\\renewcommand{\\arraystretch}{1.2}\n"
+  const std::string size = row_width(table) > most_in_scriptsize ? "\\tiny" : "\\scriptsize";
+  return "{" + size +
+         "\\setlength{\\tabcolsep}{3pt}\\renewcommand{\\arraystretch}{1.2}\n"
          "\\begin{longtable}{" +
          layout_of(table.columns) + "}\n\\caption*{" + escaped(table.title) + "}\\\\\n" + head +
          "\\endfirsthead\n" + head + "\\endhead\n" + rows + "\\hline\n\\end{longtable}}\n" + notes;

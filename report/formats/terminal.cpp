@@ -7,13 +7,6 @@ namespace {
 
 constexpr std::size_t line_width = 100;
 
-// Characters, not bytes: UTF-8 continuation bytes take no room.
-std::size_t width(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-  }));
-}
-
 // Lines of at most line_width characters, each after `indent`.
 std::string wrapped(const std::string& text, const std::string& indent) {
   std::string result, line = indent;
@@ -21,7 +14,7 @@ std::string wrapped(const std::string& text, const std::string& indent) {
   while (at < text.size()) {
     const std::size_t space = std::min(text.find(' ', at), text.size());
     const std::string word = text.substr(at, space - at);
-    if (line.size() > indent.size() && width(line) + 1 + width(word) > line_width) {
+    if (line.size() > indent.size() && characters(line) + 1 + characters(word) > line_width) {
       result += line + "\n";
       line = indent;
     }
@@ -32,7 +25,7 @@ std::string wrapped(const std::string& text, const std::string& indent) {
 }
 
 std::string aligned(const std::string& text, std::size_t room, bool right, bool last) {
-  const std::string space(room - std::min(room, width(text)), ' ');
+  const std::string space(room - std::min(room, characters(text)), ' ');
   if (right) return space + text;
   return last ? text : text + space;
 }
@@ -40,8 +33,8 @@ std::string aligned(const std::string& text, std::size_t room, bool right, bool 
 std::string table_text(const Table& table) {
   std::vector<std::size_t> widths;
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    widths.push_back(width(table.columns[i].name));
-    for (const auto& row : table.rows) widths[i] = std::max(widths[i], width(row[i].shown));
+    widths.push_back(characters(table.columns[i].name));
+    for (const auto& row : table.rows) widths[i] = std::max(widths[i], characters(row[i].shown));
   }
   const auto line = [&](auto text_of) {
     std::string result;
@@ -61,9 +54,9 @@ std::string table_text(const Table& table) {
 }  // namespace
 
 std::string to_terminal(const Document& document) {
-  std::string text = document.title + "\n" + std::string(width(document.title), '=') + "\n";
+  std::string text = document.title + "\n" + std::string(characters(document.title), '=') + "\n";
   for (const Section& section : document.sections) {
-    text += "\n" + section.title + "\n" + std::string(width(section.title), '-') + "\n";
+    text += "\n" + section.title + "\n" + std::string(characters(section.title), '-') + "\n";
     for (const std::string& paragraph : section.paragraphs) text += "\n" + wrapped(paragraph, "");
     std::string left_out;
     for (const Table& table : section.tables) {

@@ -9,27 +9,6 @@
 namespace desmo::report {
 namespace {
 
-Entry published_entry(const std::string& row, const Variant& variant) {
-  const std::string value = published_speed_up().text(row, variant.paper_name);
-  const std::string percent = published_improvement_percent().text(row, variant.paper_name);
-  if (value.empty()) return note_entry(missing_mark);
-  return {value + " (" + percent + " %)", {value, "", "", percent}, {}};
-}
-
-// The mean over the paper's sizes; with fewer it cannot stand beside the paper's, and says so.
-Entry mean_entry(const Record& record, std::string_view family, std::size_t variant) {
-  const std::vector<std::int64_t>& sizes = published_sizes();
-  const MeanSpeedUp mean = mean_speed_up(record, family, truck_global, variant, sizes);
-  if (!mean.speed_up) return note_entry(missing_mark);
-  Entry entry = speed_up_entry({mean.speed_up, {}});
-  if (mean.sizes == sizes.size()) return entry;
-  const std::string incomplete =
-      "incomplete " + std::to_string(mean.sizes) + "/" + std::to_string(sizes.size());
-  entry.shown += " " + incomplete;
-  entry.note += (entry.note.empty() ? "" : ", ") + incomplete;
-  return entry;
-}
-
 Entry size_entry(const Record& record, std::string_view family, std::size_t variant,
                  std::int64_t size) {
   return speed_up_entry(measured_speed_up(record, family_key(variants[truck_global], size, family),
@@ -37,6 +16,13 @@ Entry size_entry(const Record& record, std::string_view family, std::size_t vari
 }
 
 }  // namespace
+
+Entry published_speed_up_entry(const std::string& row, const Variant& variant) {
+  const std::string value = published_speed_up().text(row, variant.paper_name);
+  const std::string percent = published_improvement_percent().text(row, variant.paper_name);
+  if (value.empty()) return note_entry(missing_mark);
+  return {value + " (" + percent + " %)", {value, "", "", percent}, {}};
+}
 
 Table speed_ups(const Record& record, std::string_view family) {
   const std::string reference = family_name(variants[truck_global], family);
@@ -47,7 +33,7 @@ Table speed_ups(const Record& record, std::string_view family) {
       .notes =
           {"Ours: ratio of the medians S over " + reference +
                ", [its interval], improvement 100(1 − 1/S); " + inconclusive_note() +
-               ". The paper: over TS-G_MA27.",
+               ". The paper: over TS-G_MA27; in or out of our interval, as printed.",
            "Mean: arithmetic, of each quantity, over the paper's sizes; incomplete: over fewer, so "
            "not to be compared."},
       .columns = {{"coordinates", {}}, {"source", {}}},
@@ -73,9 +59,9 @@ Table speed_ups(const Record& record, std::string_view family) {
     std::vector<Entry> paper{text_entry(name), text_entry("paper")};
     bool published = false;
     for (const std::size_t variant : topological) {
-      ours.push_back(name == "mean" ? mean_entry(record, family, variant)
+      ours.push_back(name == "mean" ? mean_speed_up_entry(record, family, variant)
                                     : size_entry(record, family, variant, *size));
-      paper.push_back(published_entry(name, variants[variant]));
+      paper.push_back(compared(published_speed_up_entry(name, variants[variant]), ours.back()));
       published = published || paper.back().note != missing_mark;
     }
     if (size != sizes.end()) ++size;

@@ -1,25 +1,51 @@
 // The parts of the report, one .cpp each: pure functions of the record and of the paper's tables.
 #pragma once
 
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "report/document.h"
 #include "report/record.h"
+#include "report/variants.h"
 
 namespace desmo::report {
 
+/// The paper's question, what the numbers answer and what was fastest, in three sentences; a fourth
+/// when something failed its verification.
+Section answer(const Record& record);
+
 /// Table 1 of the paper for one sparse family: CPU seconds of every analysis, ours above the
-/// paper's. Its sizes are the paper's, the largest four-bar and whatever else was recorded.
+/// paper's, which is marked in or out of our interval. Its sizes are the paper's, the largest
+/// four-bar and whatever else was recorded.
 Table cpu_times(const Record& record, std::string_view family);
 
 /// Table 2 of the paper for one sparse family, which stands in the sparse columns and in the
 /// global reference alike: speed-up and improvement, ours above the paper's.
 Table speed_ups(const Record& record, std::string_view family);
 
+/// How the paper's own solver is named beside the families.
+inline constexpr const char* paper_solver = "MA27 (the paper)";
+
+/// The data of figure 5, CPU time over coordinates: a row for each sparse solver and size.
+Table figure_of_times(const Record& record);
+
+/// The data of figure 6, mean speed-up over the global formulation: a row for each variant.
+Table figure_of_speed_ups(const Record& record);
+
+/// What the paper prints of a variant in a row of its table 1 or 2 ("114" ... "mean"), with the
+/// quantities of ours: {seconds, low, high, repetitions}, {speed_up, low, high, percent}.
+Entry published_seconds_entry(const std::string& row, const Variant& variant);
+Entry published_speed_up_entry(const std::string& row, const Variant& variant);
+
 /// What the choice of the sparse solver does to the paper's conclusions: sentences that follow
 /// from the numbers, whatever they are, and the verdicts they rest on.
 Section conclusion(const Record& record);
+
+/// The same formulations over every global reference that has a time, at the largest of the paper's
+/// sizes recorded; nothing when there is no such reference or formulation.
+std::optional<Table> references(const Record& record, const std::string& case_name);
 
 /// Log-log slope of CPU time over coordinates, the paper's values and every family.
 Table scaling(const Record& record);
@@ -40,6 +66,9 @@ Section partitions(const Record& record);
 /// What it costs to solve only what is asked, one table for each case and size. Without tables when
 /// the record has no requests.
 Section requests(const Record& record);
+
+/// What must not be concluded from the record.
+Section limitations(const Record& record);
 
 /// One line for every cell or request that failed its verification; empty when none did.
 std::vector<std::string> failures(const Record& record);

@@ -71,6 +71,18 @@ TEST(Latex, Escapes) {
             std::string::npos);
 }
 
+TEST(Latex, SetsWideTablesSmaller) {
+  Document document = awkward();
+  EXPECT_EQ(to_latex(document).find("\\tiny"), std::string::npos);
+  document.sections[0].tables[0].rows[0][1].shown = std::string(150, '1');
+  EXPECT_NE(to_latex(document).find("{\\tiny\\setlength"), std::string::npos);
+}
+
+TEST(Formats, MeasureRowsInCharacters) {
+  EXPECT_EQ(characters("±µ—a"), 4u);
+  EXPECT_EQ(row_width(awkward().sections[0].tables[0]), 21u + 11u);
+}
+
 TEST(Terminal, AlignsByCharactersNotBytes) {
   const std::string text = to_terminal(awkward());
   EXPECT_NE(text.find("-1.50 ±0.10\n"), std::string::npos) << text;

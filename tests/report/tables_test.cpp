@@ -59,16 +59,34 @@ TEST(Paper, TableTwoFollowsFromTableOne) {
     }
 }
 
-TEST(TableOne, ShowsMedianAndHalfRangeAboveThePaper) {
+TEST(TableOne, ShowsMedianAndIntervalAboveThePaper) {
   Json json = complete_record();
   set_samples(json, 114, "global_automatic_klu", {0.5, 0.3, 0.4});
   const Table table = cpu_times(record_from(json), "klu");
   const Entry ours = entry_at(table, {"114", "ours"}, "TS-G_klu");
-  EXPECT_EQ(ours.shown, "0.4000 ±0.1000");
-  EXPECT_EQ(ours.digits, (std::vector<std::string>{"0.4000", "0.1000", "3"}));
-  EXPECT_EQ(entry_at(table, {"114", "paper"}, "TS-G_klu").shown, "1.258");
+  EXPECT_EQ(ours.shown, "0.4000 [0.3000, 0.5000]");
+  EXPECT_EQ(ours.digits, (std::vector<std::string>{"0.4000", "0.3000", "0.5000", "3"}));
+  EXPECT_EQ(entry_at(table, {"114", "paper"}, "TS-G_klu").shown, "1.258 out");
   EXPECT_EQ(entry_at(table, {"114", "paper"}, "FBL-TP").shown, "<<0.015");
   EXPECT_EQ(table.columns.size(), 2u + 7);
+}
+
+TEST(TableOne, MarksThePaperInOrOutOfOurInterval) {
+  Json json = complete_record();
+  set_samples(json, 114, "global_automatic_klu", {1.258, 1.3, 1.4});   // the paper: 1.258
+  set_samples(json, 225, "global_automatic_klu", {2.6, 2.7, 2.7069});  // 2.707: the end, as printed
+  set_samples(json, 336, "global_automatic_klu", {4.1, 4.2, 4.3});     // 4.035
+  set_samples(json, 447, "global_automatic_klu", {5.499});             // one run has no interval
+  fail_cell(json, truck, 558, "global_automatic_klu");
+  const Table table = cpu_times(record_from(json), "klu");
+  const auto paper = [&](const char* size) { return entry_at(table, {size, "paper"}, "TS-G_klu"); };
+  EXPECT_EQ(paper("114").shown, "1.258 in");
+  EXPECT_EQ(paper("114").note, inside_mark);
+  EXPECT_EQ(paper("225").shown, "2.707 in");
+  EXPECT_EQ(paper("336").shown, "4.035 out");
+  EXPECT_EQ(paper("447").shown, "5.499");
+  EXPECT_EQ(paper("558").shown, "7.100");
+  EXPECT_EQ(entry_at(table, {"558", "paper"}, "FBL-TP").shown, "<<0.015");
 }
 
 TEST(TableOne, HasTheFourBarAt1002WithoutAPaperRow) {
@@ -123,6 +141,20 @@ TEST(TableTwo, RatioOfMediansWithItsInterval) {
   EXPECT_EQ(entry.shown, "2.67 [1.20, 5.00] (62.5 %) inconclusive");
 }
 
+TEST(TableTwo, MarksThePaperInOrOutOfOurInterval) {
+  Json json = complete_record();
+  set_samples(json, 114, "global_automatic_umfpack", {6, 8, 10});
+  set_samples(json, 114, "group_symbolic_lapack", {5, 2, 3});  // 2.67 [1.20, 5.00]; the paper: 3.4
+  set_samples(json, 225, "global_automatic_umfpack", {8, 8, 8});
+  set_samples(json, 225, "group_symbolic_lapack", {2, 2, 2});  // 4.00 [4.00, 4.00]; the paper: 3.5
+  const Table table = speed_ups(record_from(json), "umfpack");
+  EXPECT_EQ(entry_at(table, {"114", "paper"}, "TS-TPS_LAP").shown, "3.4 (70.3 %) in");
+  EXPECT_EQ(entry_at(table, {"225", "paper"}, "TS-TPS_LAP").shown, "3.5 (71.8 %) out");
+  fail_cell(json, truck, 225, "group_symbolic_lapack");  // the mean is of fewer sizes: not compared
+  const Table incomplete = speed_ups(record_from(json), "umfpack");
+  EXPECT_EQ(entry_at(incomplete, {"mean", "paper"}, "TS-TPS_LAP").shown, "3.5 (71.6 %)");
+}
+
 TEST(TableTwo, FamilyStandsInColumnsAndReferenceAlike) {
   Json json = complete_record();
   set_family(json, "global_automatic_cholmod", 3);
@@ -133,8 +165,8 @@ TEST(TableTwo, FamilyStandsInColumnsAndReferenceAlike) {
   EXPECT_EQ(entry_at(table, {"558", "ours"}, "TS-TPA_LAP").digits[0], "3.00");
   EXPECT_EQ(entry_at(table, {"mean", "ours"}, "TS-TPA_LAP").digits[0], "3.00");
   EXPECT_EQ(entry_at(table, {"mean", "ours"}, "TS-TPA_LAP").digits[3], "66.7");
-  EXPECT_EQ(entry_at(table, {"558", "paper"}, "TS-TPA_LAP").shown, "2.6 (62.0 %)");
-  EXPECT_EQ(entry_at(table, {"mean", "paper"}, "TS-TPS_LAP").shown, "3.5 (71.6 %)");
+  EXPECT_EQ(entry_at(table, {"558", "paper"}, "TS-TPA_LAP").shown, "2.6 (62.0 %) out");
+  EXPECT_EQ(entry_at(table, {"mean", "paper"}, "TS-TPS_LAP").shown, "3.5 (71.6 %) out");
 }
 
 TEST(TableTwo, NoRatioFromAFailedCell) {

@@ -1,0 +1,178 @@
+// The page: one file that asks the network for nothing. Where a figure goes stands between two
+// comments, which report/figures/render fills; until then a sentence there names what is missing.
+#include "report/embedded.h"
+#include "report/formats/formats.h"
+
+namespace desmo::report {
+namespace {
+
+// A row with more characters has its intervals below the numbers.
+constexpr std::size_t most_in_line = 122;
+
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (const char c : text) switch (c) {
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '&':
+        result += "&amp;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += c;
+    }
+  return result;
+}
+
+std::string element(const std::string& name, const std::string& content) {
+  return "<" + name + ">" + content + "</" + name.substr(0, name.find(' ')) + ">";
+}
+
+// A verdict or what stands in place of a number, so that the style can tell them apart.
+std::string note_html(const std::string& note) {
+  const std::string kind = note == inside_mark    ? "in"
+                           : note == outside_mark ? "out"
+                           : note == failed_mark  ? "failed"
+                                                  : "note";
+  return element("span class=\"" + kind + "\"", escaped(note));
+}
+
+// The number foremost, its interval and its note behind it: the characters of Entry::shown.
+std::string entry_html(const Entry& entry) {
+  if (!entry.note.empty() && entry.shown == entry.note) return note_html(entry.note);
+  if (!entry.has_number() || entry.digits.front().empty() ||
+      !entry.shown.starts_with(entry.digits.front()))
+    return escaped(entry.shown);
+  std::string rest = entry.shown.substr(entry.digits.front().size()), note;
+  if (!entry.note.empty() && rest.ends_with(entry.note)) {
+    rest.resize(rest.size() - entry.note.size());
+    note = note_html(entry.note);
+  }
+  return entry.digits.front() +
+         (rest.find_first_not_of(' ') == std::string::npos
+              ? rest
+              : element("span class=\"rest\"", escaped(rest))) +
+         note;
+}
+
+// An id may break after its underscores.
+std::string breakable(const std::string& text) {
+  std::string result;
+  for (const char c : escaped(text)) result += c == '_' ? "_<wbr>" : std::string(1, c);
+  return result;
+}
+
+std::string header_html(const Table& table) {
+  std::string text;
+  for (const Column& column : table.columns)
+    text += element(column.quantities.empty() ? "th scope=\"col\"" : "th scope=\"col\" class=\"n\"",
+                    breakable(column.name));
+  return "<thead><tr>" + text + "</tr></thead>\n";
+}
+
+// The first entry names the row; rows with the same name stand together.
+std::string rows_html(const Table& table) {
+  std::string text;
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    const auto& row = table.rows[i];
+    const bool again = i > 0 && table.rows[i - 1].front().shown == row.front().shown;
+    text += again ? "<tr class=\"again\">" : "<tr>";
+    for (std::size_t j = 0; j < row.size(); ++j)
+      text += element(j == 0                                ? "th scope=\"row\""
+                      : table.columns[j].quantities.empty() ? "td"
+                                                            : "td class=\"n\"",
+                      entry_html(row[j]));
+    text += "</tr>\n";
+  }
+  return "<tbody>\n" + text + "</tbody>\n";
+}
+
+std::string notes_html(const Table& table) {
+  std::string text;
+  for (const std::string& note : table.notes) text += (text.empty() ? "" : " ") + escaped(note);
+  return text;
+}
+
+// A wide table scrolls inside its own frame, by keyboard too.
+std::string table_html(const Table& table) {
+  const std::string caption = table.name + "-caption";
+  return "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-labelledby=\"" + caption +
+         "\">\n<table id=\"" + table.name + (table.figure ? "-data" : "") + "\"" +
+         (row_width(table) > most_in_line ? " class=\"wide\"" : "") + ">\n" +
+         element("caption id=\"" + caption + "\"", escaped(table.title)) + "\n" +
+         header_html(table) + rows_html(table) + "</table>\n</div>\n";
+}
+
+std::string folded(const std::string& summary, const std::string& content) {
+  return "<details>\n" + element("summary", escaped(summary)) + "\n" + content + "</details>\n";
+}
+
+std::string figure_html(const Table& table) {
+  const std::string& name = table.name;
+  return "<figure id=\"" + name + "\">\n<figcaption>" +
+         element("strong id=\"" + name + "-title\"", escaped(table.title)) + " " +
+         notes_html(table) + "</figcaption>\n<!-- " + name +
+         " -->\n<p class=\"missing\">Missing figure: " + name +
+         ". report/figures/render draws it and needs Node.js; its numbers are in the table.</p>\n"
+         "<!-- end of " +
+         name + " -->\n" + folded("The figure’s data as a table", table_html(table)) +
+         "</figure>\n";
+}
+
+std::string block_html(const Table& table) {
+  if (table.figure) return figure_html(table);
+  const std::string text =
+      table_html(table) +
+      (table.notes.empty() ? "" : element("p class=\"notes\"", notes_html(table)) + "\n");
+  return table.detail ? folded(table.title, text) : text;
+}
+
+// Paragraphs alone are a list: limitations, failures.
+std::string paragraphs_html(const Section& section) {
+  const bool list = section.tables.empty() && section.paragraphs.size() > 1;
+  std::string text;
+  for (const std::string& paragraph : section.paragraphs)
+    text += element(list ? "li" : "p", escaped(paragraph)) + "\n";
+  return list ? "<ul>\n" + text + "</ul>\n" : text;
+}
+
+std::string section_html(const Section& section, const std::string& id) {
+  std::string text = "<section id=\"" + id + "\" aria-labelledby=\"" + id + "-title\">\n" +
+                     element("h2 id=\"" + id + "-title\"", escaped(section.title)) + "\n" +
+                     paragraphs_html(section);
+  for (const Table& table : section.tables) text += block_html(table);
+  return text + "</section>\n";
+}
+
+}  // namespace
+
+std::string to_html(const Document& document) {
+  std::string links, sections;
+  for (std::size_t i = 0; i < document.sections.size(); ++i) {
+    const Section& section = document.sections[i];
+    const std::string id = "section-" + std::to_string(i + 1);
+    links += "<li><a href=\"#" + id + "\">" + escaped(section.title) + "</a></li>\n";
+    sections += section_html(section, id);
+  }
+  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src "
+         "data:; "
+         "style-src 'unsafe-inline'; script-src 'unsafe-inline' 'unsafe-eval'\">\n"
+         "<link rel=\"icon\" href=\"data:,\">\n" +
+         element("title", escaped(document.title)) + "\n<style>\n" +
+         std::string(embedded::page_style) +
+         "</style>\n</head>\n<body>\n<a class=\"skip\" href=\"#content\">Skip to the content</a>\n"
+         "<header>" +
+         element("h1", escaped(document.title)) + "</header>\n<nav aria-label=\"Contents\"><ol>\n" +
+         links + "</ol></nav>\n<main id=\"content\">\n" + sections +
+         "</main>\n<!-- scripts -->\n<!-- end of scripts -->\n</body>\n</html>\n";
+}
+
+}  // namespace desmo::report

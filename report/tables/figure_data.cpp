@@ -1,0 +1,96 @@
+// What figures 5 and 6 show, as tables: the designs in report/figures draw these numbers.
+#include "report/digits.h"
+#include "report/measurements.h"
+#include "report/paper.h"
+#include "report/tables/tables.h"
+#include "report/variants.h"
+
+namespace desmo::report {
+namespace {
+
+// What stands under the same line of the legend in every panel: TS-TPA_MA27 -> TS-TPA sparse.
+std::string legend(const Variant& variant) {
+  std::string name = family_name(variant, "sparse");
+  for (char& c : name)
+    if (c == '_') c = ' ';
+  return name.ends_with("LAP") ? name + "ACK" : name;
+}
+
+std::string place(const Record& record) {
+  return "Ours: " + record.machine.cpu + ", " + record.date + ".";
+}
+
+// One row per size; `entry_of` gives a variant's time at a size.
+template <typename EntryOf>
+void add_panel(Table& table, const std::string& name, EntryOf entry_of) {
+  for (const std::int64_t size : published_sizes()) {
+    std::vector<Entry> row{text_entry(name), text_entry(std::to_string(size))};
+    for (const Variant& variant : variants) row.push_back(entry_of(size, variant));
+    table.rows.push_back(std::move(row));
+  }
+}
+
+}  // namespace
+
+Table figure_of_times(const Record& record) {
+  const Sources source = sources(record);
+  const bool same = source.warning.empty();
+  const std::string duration = write_shortest(record.settings.duration_seconds) + " s of motion";
+  Table table{
+      .name = "figure5",
+      .title = "Figure 5. CPU time over the number of coordinates, by sparse solver",
+      .notes = {place(record), "CPU time of " + duration + ": median of " + repetitions(record) +
+                                   ", bars from smallest to largest."},
+      .columns = {{"sparse solver", {}}, {"coordinates", {}}},
+      .rows = {},
+      .detail = true,
+      .figure = true};
+  if (!same) table.notes.push_back(source.warning);
+  table.notes.insert(table.notes.end(),
+                     {"The paper: Intel Core i5-2400; its FBL-TP, below 0.015 s, has no points.",
+                      "Dashed: four-bar (FBL); solid: truck suspension (TS). Each panel has its "
+                      "own time axis; a gap: failed or not measured."});
+  for (const Variant& variant : variants)
+    table.columns.push_back({legend(variant), {"seconds", "low", "high", "repetitions"}});
+  add_panel(table, same ? paper_solver : "MA27 (the " + source.paper + ")",
+            [](std::int64_t size, const Variant& variant) {
+              return published_seconds_entry(std::to_string(size), variant);
+            });
+  for (const std::string_view family : recorded_families(record))
+    add_panel(table, std::string(family) + (same ? "" : " (" + source.ours + ")"),
+              [&](std::int64_t size, const Variant& variant) {
+                return interval_entry(measured(record, family_key(variant, size, family)));
+              });
+  return table;
+}
+
+Table figure_of_speed_ups(const Record& record) {
+  Table table{.name = "figure6",
+              .title = "Figure 6. Mean speed-up over the global formulation, truck suspension",
+              .notes = {place(record),
+                        "Ratio of the medians of " + repetitions(record) +
+                            ", mean of five sizes (* of fewer),",
+                        "with its interval.",
+                        "The same sparse solver stands in the columns named sparse and in the "
+                        "global reference."},
+              .columns = {{"variant", {}}},
+              .rows = {},
+              .detail = true,
+              .figure = true};
+  if (const Sources source = sources(record); !source.ratio_warning.empty())
+    table.notes.push_back(source.ratio_warning);
+  const std::vector<std::string> quantities{"speed_up", "low", "high", "percent"};
+  table.columns.push_back({paper_solver, quantities});
+  for (const std::string_view family : recorded_families(record))
+    table.columns.push_back({std::string(family), quantities});
+  for (const std::size_t variant : topological) {
+    std::vector<Entry> row{text_entry(legend(variants[variant])),
+                           published_speed_up_entry("mean", variants[variant])};
+    for (const std::string_view family : recorded_families(record))
+      row.push_back(mean_speed_up_entry(record, family, variant));
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+}  // namespace desmo::report

@@ -1,0 +1,71 @@
+// What a reader must not conclude: what holds of every record, and what this one lacks.
+#include <algorithm>
+
+#include "report/digits.h"
+#include "report/measurements.h"
+#include "report/paper.h"
+#include "report/tables/tables.h"
+
+namespace desmo::report {
+namespace {
+
+std::string counted(std::size_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+void add_of_the_machine(const Record& record, std::vector<std::string>& lines) {
+  const Machine& machine = record.machine;
+  if (machine.governor.empty() || machine.governor == "unknown")
+    lines.push_back(
+        "The frequency governor of this machine is unknown: its clock may have changed during the "
+        "run.");
+  const auto busy = [&](const std::vector<double>& load) {
+    return !load.empty() && load.front() > 0.5 * static_cast<double>(machine.cores);
+  };
+  if (busy(machine.load_before))
+    lines.push_back("The machine was not idle when the run began: its load was " +
+                    write_fixed(machine.load_before.front(), 2) + " on " +
+                    counted(static_cast<std::size_t>(machine.cores), "core") + ".");
+  if (record.dirty)
+    lines.push_back(
+        "The program was built with changes that its commit does not have: the run cannot be "
+        "repeated from the commit alone.");
+}
+
+void add_of_the_cells(const Record& record, std::vector<std::string>& lines) {
+  const std::size_t left_out = static_cast<std::size_t>(
+      std::count_if(record.cells.begin(), record.cells.end(),
+                    [](const auto& cell) { return cell.second.status == Status::not_run; }));
+  if (left_out > 0)
+    lines.push_back(counted(left_out, "cell") + (left_out == 1 ? " was" : " were") +
+                    " left out on purpose; the tables of every formulation say why.");
+  const std::size_t families = recorded_families(record).size();
+  if (families < sparse_families.size())
+    lines.push_back("Only " + std::to_string(families) + " of " +
+                    counted(sparse_families.size(), "sparse solver") + " stand in this record.");
+  if (const Sources source = sources(record); !source.warning.empty())
+    lines.push_back(source.warning);
+}
+
+}  // namespace
+
+Section limitations(const Record& record) {
+  std::vector<std::string> lines{
+      "The paper's sparse solver, MA27, cannot be redistributed; cholmod, umfpack and klu stand "
+      "for "
+      "it, each in every role it has in the paper.",
+      "The paper prints no dimensions, no motion and no time step for the truck suspension; the "
+      "ones here reproduce all its counts and are this suite's own.",
+      "Seconds of two machines do not compare. Speed-ups of one machine need not be those of "
+      "another: caches and vector units differ.",
+      "The intervals hold what the repetitions of one run vary by, with a probability that follows "
+      "from their number. They do not hold what differs from run to run and from build to build.",
+      "An accepted position has a small residual; near singular positions that does not mean a "
+      "small error. Every time shown is of a formulation that agrees with the quadruple-precision "
+      "reference at the instants verified."};
+  add_of_the_machine(record, lines);
+  add_of_the_cells(record, lines);
+  return {"Known limitations", std::move(lines), {}};
+}
+
+}  // namespace desmo::report

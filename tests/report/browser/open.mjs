@@ -1,0 +1,80 @@
+// Opens a page in Chromium as a reader would and prints what happened, as JSON:
+//   node open.mjs CHROMIUM PAGE
+// Whether that is right is for the test to say.
+import {pathToFileURL} from 'node:url';
+import {chromium} from 'playwright-core';
+
+const [executablePath, file] = process.argv.slice(2);
+const address = pathToFileURL(file).href;
+const flags = [
+  '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run',
+  '--disable-background-networking', '--disable-component-update', '--disable-sync',
+];
+
+const marks = figure => [...figure.querySelectorAll(
+    '.drawing .role-mark :is([aria-roledescription="point"], [aria-roledescription="bar"])')];
+
+// What the hover shows, mark by mark; events are sent to each, as some lie under others.
+function hovered(marks) {
+  return marks.map(mark => {
+    const tell = type => mark.dispatchEvent(new PointerEvent(type, {bubbles: true}));
+    tell('pointermove');
+    const hint = document.querySelector('.hint');
+    const text = hint.hidden ? '' : hint.querySelector('dd:last-of-type').textContent;
+    tell('mouseout');
+    return hint.hidden ? text : 'the hint stays';
+  });
+}
+
+async function countMarks(figure) {
+  return (await figure.evaluateHandle(marks)).evaluate(found => found.length);
+}
+
+// Tab until the focus is on the box of a figure, as someone without a mouse does.
+async function focusByKeyboard(page, id) {
+  for (let presses = 1; presses < 400; ++presses) {
+    await page.keyboard.press('Tab');
+    if (await page.evaluate(id => document.activeElement.matches(`#${id} .toggles input`), id))
+      return presses;
+  }
+  return 0;
+}
+
+async function look(page, figure) {
+  const id = await figure.getAttribute('id');
+  const found = {id, marks: await countMarks(figure)};
+  found.texts = await (await figure.evaluateHandle(marks)).evaluate(hovered);
+  await figure.locator('.role-mark [aria-roledescription]').first().hover({force: true});
+  found.pointer = await page.locator('.hint dd').last().textContent();
+  found.presses = await focusByKeyboard(page, id);
+  await page.keyboard.press('Space');
+  await page.waitForTimeout(200);
+  found.marks_without_first = await countMarks(figure);
+  await figure.locator('.role-legend-symbol path').first().click();
+  await page.waitForTimeout(200);
+  found.marks_after_legend = await countMarks(figure);
+  return found;
+}
+
+const browser = await chromium.launch({executablePath, args: flags});
+const result = {requests: [], errors: [], figures: []};
+try {
+  const page = await browser.newPage({viewport: {width: 1280, height: 900}});
+  page.on('request', request => request.url() !== address && result.requests.push(request.url()));
+  page.on('console', message => message.type() === 'error' && result.errors.push(message.text()));
+  page.on('pageerror', error => result.errors.push(error.message));
+  await page.goto(address);
+  await page.waitForFunction(
+      () => [...document.querySelectorAll('figure')].every(figure => figure.dataset.state === 'live'),
+      null, {timeout: 20000});
+  for (const figure of await page.locator('figure').all())
+    result.figures.push(await look(page, figure));
+  await page.setViewportSize({width: 360, height: 700});
+  await page.reload();
+  await page.waitForTimeout(500);
+  result.overflow = await page.evaluate(
+      () => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+} finally {
+  await browser.close();
+}
+console.log(JSON.stringify(result));

@@ -1,0 +1,146 @@
+// One record in CSV, JSON, Markdown, LaTeX and HTML: every number is the same in all five. The
+// files are read back by code that shares nothing with what wrote them.
+#include <gtest/gtest-spi.h>
+#include <gtest/gtest.h>
+
+#include "report/formats/formats.h"
+#include "report/report.h"
+#include "tests/report/reading.h"
+#include "tests/report/sample.h"
+
+namespace desmo::report {
+namespace {
+
+// Counts that people read in the notes below a table.
+bool is_shown(const std::string& quantity) { return quantity != "repetitions"; }
+
+// A place of the JSON beside the fields of the CSV that hold its quantities; what it must show.
+std::vector<std::string> numbers_of(const Json& place, const std::vector<std::string>& fields,
+                                    std::size_t& at) {
+  std::vector<std::string> shown;
+  for (const auto& [quantity, value] : place.items()) {
+    if (quantity == "note") continue;
+    const std::string& field = fields.at(at++);
+    if (value.is_null()) {
+      EXPECT_TRUE(field.empty() || field == place.value("note", "")) << field;
+      continue;
+    }
+    EXPECT_EQ(value.get<double>(), std::stod(field));
+    if (is_shown(quantity)) shown.push_back(field);
+  }
+  return shown;
+}
+
+// What is printed of a place, less what its note says.
+std::vector<std::string> printed_numbers(std::string shown, const Json& place) {
+  const std::string note = plain(place.value("note", ""));
+  for (const std::string& end : {note, "(" + note + ")"})
+    if (shown.ends_with(end)) return numbers_in(shown.substr(0, shown.size() - end.size()));
+  ADD_FAILURE() << shown << " does not say: " << note;
+  return {};
+}
+
+void compare(const Json& table, const std::vector<std::vector<std::string>>& csv,
+             const ReadTable& read, std::size_t& numbers) {
+  SCOPED_TRACE(table["name"]);
+  EXPECT_EQ(read.title, plain(table["title"]));
+  ASSERT_EQ(read.rows.size(), table["rows"].size() + 1);
+  ASSERT_EQ(csv.size(), table["rows"].size() + 1);
+  for (std::size_t i = 0; i < table["rows"].size(); ++i) {
+    const Json& row = table["rows"][i];
+    const std::vector<std::string>& shown = read.rows[i + 1];
+    ASSERT_EQ(shown.size(), row.size());
+    std::size_t field = 0, column = 0;
+    for (const auto& [name, place] : row.items()) {
+      SCOPED_TRACE("row " + std::to_string(i + 1) + ", " + name);
+      EXPECT_EQ(read.rows[0][column], plain(name));
+      const std::string& text = shown[column++];
+      if (place.is_string()) {
+        EXPECT_EQ(text, plain(place));
+        EXPECT_EQ(csv[i + 1].at(field++), place);
+        continue;
+      }
+      const std::vector<std::string> expected = numbers_of(place, csv[i + 1], field);
+      EXPECT_EQ(printed_numbers(text, place), expected) << text;
+      numbers += expected.size();
+    }
+  }
+}
+
+void expect_same_numbers(const Document& document) {
+  const Json json = Json::parse(to_json(document));
+  const std::vector<Rendered> csv = render(document, "csv");
+  for (const auto& read : {read_markdown(to_markdown(document)), read_latex(to_latex(document)),
+                           read_html(to_html(document))}) {
+    std::size_t at = 0, numbers = 0;
+    const auto says = [&](const Json& lines) {
+      for (const Json& line : lines)
+        EXPECT_NE(read.text.find(plain(line)), std::string::npos) << line;
+    };
+    for (const Json& section : json["sections"]) {
+      says(section["paragraphs"]);
+      for (const Json& table : section["tables"]) {
+        says(table["notes"]);
+        ASSERT_LT(at, read.tables.size());
+        ASSERT_EQ(csv[at].file_name, table["name"].get<std::string>() + ".csv");
+        compare(table, read_csv(csv[at].content), read.tables[at], numbers);
+        ++at;
+      }
+    }
+    EXPECT_EQ(at, read.tables.size());
+    EXPECT_EQ(at, csv.size());
+    EXPECT_GT(numbers, 400u);
+  }
+}
+
+TEST(SameNumbers, OfARecordWithoutGaps) {
+  expect_same_numbers(make_report(record_from(complete_record())));
+}
+
+TEST(SameNumbers, OfARecordWithFailures) {
+  Json record = complete_record();
+  fail_cell(record, "truck_suspension", 336, "group_symbolic_lapack");
+  set_samples(record, 114, "group_automatic_klu", {0.04});
+  erase_cell(record, "truck_suspension", 447, "group_automatic_klu");
+  expect_same_numbers(make_report(record_from(record)));
+}
+
+TEST(SameNumbers, OfEveryFiledRun) {
+  int runs = 0;
+  for (const auto& file :
+       std::filesystem::recursive_directory_iterator(DESMO_SOURCE_DIR "/results/runs")) {
+    if (file.path().extension() != ".json" ||
+        !std::filesystem::is_directory(std::filesystem::path(file.path()).replace_extension()))
+      continue;
+    SCOPED_TRACE(file.path());
+    expect_same_numbers(make_report(record_from(Json::parse(read_text(file.path())))));
+    ++runs;
+  }
+  EXPECT_GT(runs, 0);
+}
+
+// The comparison notices: a digit, a place and a table that differ in one format.
+TEST(SameNumbers, DifferencesAreSeen) {
+  Table table{.name = "one",
+              .title = "One",
+              .notes = {},
+              .columns = {{"id", {}}, {"time", {"seconds", "half_range"}}},
+              .rows = {{text_entry("a"), {"1.50 ±0.10", {"1.50", "0.10"}, ""}}}};
+  const Json json = Json::parse(to_json({"T", {{"S", {}, {table}}}}))["sections"][0]["tables"][0];
+  const auto csv = read_csv(to_csv(table));
+  const auto differences = [&](ReadTable read) {
+    ::testing::TestPartResultArray found;
+    const ::testing::ScopedFakeTestPartResultReporter reporter(
+        ::testing::ScopedFakeTestPartResultReporter::INTERCEPT_ONLY_CURRENT_THREAD, &found);
+    std::size_t numbers = 0;
+    compare(json, csv, read, numbers);
+    return found.size();
+  };
+  EXPECT_EQ(differences({"One", {{"id", "time"}, {"a", "1.50 ±0.10"}}}), 0);
+  EXPECT_EQ(differences({"One", {{"id", "time"}, {"a", "1.5 ±0.10"}}}), 1);
+  EXPECT_EQ(differences({"One", {{"id", "time"}, {"a", "1.50"}}}), 1);
+  EXPECT_EQ(differences({"Two", {{"id", "time"}, {"b", "1.50 ±0.10"}}}), 2);
+}
+
+}  // namespace
+}  // namespace desmo::report
