@@ -129,7 +129,7 @@ std::string inconclusive_note() {
 }
 
 void add_note(Entry& entry, const std::string& note) {
-  entry.shown += " " + note;
+  entry.shown += (entry.note.empty() ? " " : ", ") + note;
   entry.note += (entry.note.empty() ? "" : ", ") + note;
 }
 
@@ -149,7 +149,8 @@ Entry interval_entry(const Measured& measured) {
   const DigitStyle style = significant_digits(seconds.median, 4);
   const std::string median = write(seconds.median, style), count = std::to_string(seconds.count);
   if (seconds.count < 2) return {median + " (one run)", {median, "", "", count}, "one run"};
-  const std::string low = write(seconds.least, style), high = write(seconds.largest, style);
+  const std::string low = write(seconds.median_low, style),
+                    high = write(seconds.median_high, style);
   return {median + " [" + low + ", " + high + "]", {median, low, high, count}, {}};
 }
 
@@ -179,10 +180,7 @@ Entry mean_speed_up_entry(const Record& record, std::string_view family, std::si
   if (!mean.speed_up) return note_entry(missing_mark);
   Entry entry = speed_up_entry({mean.speed_up, {}});
   if (mean.sizes == sizes.size()) return entry;
-  const std::string incomplete =
-      "incomplete " + std::to_string(mean.sizes) + "/" + std::to_string(sizes.size());
-  entry.shown += (entry.note.empty() ? " " : ", ") + incomplete;
-  entry.note += (entry.note.empty() ? "" : ", ") + incomplete;
+  add_note(entry, "incomplete " + std::to_string(mean.sizes) + "/" + std::to_string(sizes.size()));
   return entry;
 }
 

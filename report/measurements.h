@@ -87,8 +87,8 @@ void add_note(Entry& entry, const std::string& note);
 /// "0.4210 ±0.0020", quantities {seconds, half_range, repetitions}; or the mark.
 Entry seconds_entry(const Measured& measured);
 
-/// "0.1122 [0.1085, 0.1185]", quantities {seconds, low, high, repetitions}: with the smallest and
-/// the largest sample; or the mark.
+/// "0.1122 [0.1085, 0.1185]", quantities {seconds, low, high, repetitions}: with the interval
+/// of the median; or the mark.
 Entry interval_entry(const Measured& measured);
 
 /// So many significant digits, or the mark of what is missing.

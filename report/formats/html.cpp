@@ -54,11 +54,12 @@ std::string entry_html(const Entry& entry) {
     rest.resize(rest.size() - entry.note.size());
     note = note_html(entry.note);
   }
-  return entry.digits.front() +
-         (rest.find_first_not_of(' ') == std::string::npos
-              ? rest
-              : element("span class=\"rest\"", escaped(rest))) +
-         note;
+  const bool interval = rest.find('[') != std::string::npos ||
+                        rest.find("–") != std::string::npos || rest.find("±") != std::string::npos;
+  if (rest.find_first_not_of(' ') != std::string::npos)
+    rest =
+        element(interval ? "span class=\"rest interval\"" : "span class=\"rest\"", escaped(rest));
+  return entry.digits.front() + rest + note;
 }
 
 // An id may break after its underscores.

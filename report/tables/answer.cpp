@@ -67,6 +67,7 @@ std::string fastest_of_all(const Record& record) {
   return of_all + best->id + " is the fastest, " + write(ratio.value, style) +
          (ratio.spread ? " [" + write(ratio.low, style) + ", " + write(ratio.high, style) + "]"
                        : "") +
+         (ratio.inconclusive() ? " (inconclusive)" : "") +
          " times as fast as the fastest global formulation, " + global->id + ".";
 }
 

@@ -41,7 +41,7 @@ Table cpu_times(const Record& record, std::string_view family) {
                        " s of motion" +
                        (source.warning.empty() ? "" : " (the " + source.paper + ")") +
                        ", all coordinates",
-              .notes = {"Ours: median [smallest, largest] of " + repetitions(record) +
+              .notes = {"Ours: median [its interval] of " + repetitions(record) +
                             ". The paper: MA27 in place of " + std::string(family) +
                             ", MKL's LAPACK, an Intel Core i5-2400" +
                             (source.warning.empty() ? marks : "") + ".",

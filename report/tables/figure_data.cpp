@@ -36,15 +36,14 @@ Table figure_of_times(const Record& record) {
   const Sources source = sources(record);
   const bool same = source.warning.empty();
   const std::string duration = write_shortest(record.settings.duration_seconds) + " s of motion";
-  Table table{
-      .name = "figure5",
-      .title = "Figure 5. CPU time over the number of coordinates, by sparse solver",
-      .notes = {place(record), "CPU time of " + duration + ": median of " + repetitions(record) +
-                                   ", bars from smallest to largest."},
-      .columns = {{"sparse solver", {}}, {"coordinates", {}}},
-      .rows = {},
-      .detail = true,
-      .figure = true};
+  Table table{.name = "figure5",
+              .title = "Figure 5. CPU time over the number of coordinates, by sparse solver",
+              .notes = {place(record), "CPU time of " + duration + ": median of " +
+                                           repetitions(record) + ", bars: its interval."},
+              .columns = {{"sparse solver", {}}, {"coordinates", {}}},
+              .rows = {},
+              .detail = true,
+              .figure = true};
   if (!same) table.notes.push_back(source.warning);
   table.notes.insert(table.notes.end(),
                      {"The paper: Intel Core i5-2400; its FBL-TP, below 0.015 s, has no points.",

@@ -76,9 +76,8 @@ std::optional<Table> references(const Record& record, const std::string& case_na
       .name = "references_" + case_name,
       .title = "Which global reference: speed-up over each of them, " + case_name + ", " +
                std::to_string(size) + " coordinates",
-      .notes = {"Fastest reference first, median [smallest, largest] of " + repetitions(record) +
-                "; speed-up: ratio of the medians [smallest over largest sample, and the "
-                "reverse]."},
+      .notes = {"Fastest reference first, median [its interval] of " + repetitions(record) +
+                "; speed-up: ratio of the medians [its interval]; " + inconclusive_note() + "."},
       .columns = {{"global reference", {}}, {"CPU s", {"seconds", "low", "high", "repetitions"}}},
       .rows = {}};
   for (const std::string_view id : columns)
