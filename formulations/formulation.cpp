@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "formulations/diagnosis.h"
+#include "formulations/guess.h"
 
 namespace desmo {
 
@@ -39,6 +40,14 @@ void Formulation::solve_only(std::span<const Level> needed) {
     part.level = Level::position;
     for (const int i : part.definition.unknowns) part.level = std::max(part.level, needed[i]);
   }
+}
+
+void Formulation::guess(double t) {
+  const Level needed = level_needed(settings_.guess);
+  if (solved_level_ < needed) return;
+  for (const auto& [definition, solver, as_named, part_level] : parts_)
+    if (!definition.constant && part_level >= needed)
+      extrapolate(settings_.guess, definition.unknowns, t - time_, state_);
 }
 
 void Formulation::drive(double t) {
@@ -81,6 +90,7 @@ Summary Formulation::assemble(double t, Level level) {
   std::ranges::fill(state_.qdd, 0.0);
   start_ = state_.q;
   assembled_ = false;
+  solved_level_ = Level::position;  // nothing to extrapolate from
   Summary summary = solve_parts(t, level, true);
   if (!summary.ok()) return summary;
   assembled_ = true;
@@ -92,9 +102,12 @@ Summary Formulation::assemble(double t, Level level) {
 Summary Formulation::step(double t, Level level) {
   if (!assembled_) return assemble(t, level);
   std::ranges::copy(state_.q, start_.begin());
+  guess(t);
   drive(t);
   const Summary summary = solve_parts(t, level, false);
   if (!summary.ok()) std::ranges::copy(start_, state_.q.begin());
+  time_ = t;
+  solved_level_ = summary.ok() ? level : Level::position;
   return summary;
 }
 

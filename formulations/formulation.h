@@ -64,8 +64,8 @@ class Formulation {
 
   /// Assembles the mechanism at time t from its initial estimate, whatever was solved before.
   Summary assemble(double t, Level level = Level::acceleration);
-  /// Solves at time t, starting from the positions of the last instant solved; assembles when
-  /// there is none. After a failure the positions are those of that instant again, so that a
+  /// Solves at time t, starting from what the guess makes of the last instant solved; assembles
+  /// when there is none. After a failure the positions are those of that instant again, so that a
   /// later step may go on from there; velocities and accelerations are unspecified.
   Summary step(double t, Level level = Level::acceleration);
   /// Assembles at the first instant of the grid and steps through the others, handing each to
@@ -89,6 +89,7 @@ class Formulation {
   std::span<const double> coordinates(const std::vector<double>& v) const {
     return {v.data(), static_cast<std::size_t>(mechanism_.coordinates())};
   }
+  void guess(double t);
   void drive(double t);
   Summary solve_parts(double t, Level level, bool constant);
 
@@ -98,6 +99,8 @@ class Formulation {
   State state_;
   std::vector<double> start_;  // positions before the step at hand
   bool assembled_ = false;
+  double time_ = 0;                       // of the last instant solved
+  Level solved_level_ = Level::position;  // to which it was
 };
 
 }  // namespace desmo

@@ -6,10 +6,17 @@
 
 namespace desmo {
 
+/// Where Newton–Raphson starts in a step (see formulations/guess.h).
+enum class Guess {
+  previous,   ///< q of the last instant
+  quadratic,  ///< q + q̇ h + q̈ h²/2 of the last instant, h later
+};
+
 /// What an analysis may use. The defaults are the paper's.
 struct Settings {
   double tolerance = 1e-10;  ///< on ‖Φ‖₂ of the whole mechanism, in its units
   int max_iterations = 25;   ///< of Newton–Raphson, a step
+  Guess guess = Guess::previous;
 };
 
 /// The state (q, then the components of the fixed entities) and its time derivatives; those of

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "formulations/algebra/backend.h"
+#include "formulations/guess.h"
 #include "formulations/inlined_part.h"
 
 namespace desmo {
@@ -48,6 +49,12 @@ const Variant& find_variant(std::string_view id) {
   std::string known;
   for (const Variant& v : variants()) known += "\n  " + v.id;
   throw std::invalid_argument("unknown formulation '" + std::string(id) + "'; there are:" + known);
+}
+
+std::string id_with(const Variant& v, const Settings& settings) {
+  std::string id = v.id;
+  if (settings.guess != Settings{}.guess) id += "/guess:" + std::string(guess_name(settings.guess));
+  return id;
 }
 
 std::string_view algebra_name(const Variant& v) { return v.backend ? v.backend->name : "inlined"; }

@@ -31,6 +31,10 @@ std::span<const Variant> variants();
 /// The variant of that id. Throws std::invalid_argument, listing the ids, when there is none.
 const Variant& find_variant(std::string_view id);
 
+/// The id of a variant with these settings: those that are not the paper's follow as suffixes,
+/// <partition>_<equations>_<algebra>/guess:quadratic.
+std::string id_with(const Variant& variant, const Settings& settings);
+
 /// "lapack", "klu", …, "inlined".
 std::string_view algebra_name(const Variant& variant);
 

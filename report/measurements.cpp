@@ -38,8 +38,10 @@ Measured measured(Status status, const std::vector<double>& cpu_seconds) {
 Measured measured(const Record& record, const CellKey& key) {
   const auto cell = record.cells.find(key);
   if (cell == record.cells.end()) return {std::nullopt, missing_mark};
-  return measured(cell->second.status, cell->second.cpu_seconds);
+  return measured(cell->second);
 }
+
+Measured measured(const Cell& cell) { return measured(cell.status, cell.cpu_seconds); }
 
 Measured measured(const Request& request) { return measured(request.status, request.cpu_seconds); }
 
@@ -53,6 +55,9 @@ std::map<CellKey, Timing> timings(const Record& record) {
     key.id += "/request:" + request.name;
     all[key] = {measured(request), remark(request.status, request.message), request.origin};
   }
+  for (const Peer& peer : record.peers)
+    all[{peer.case_name, peer.coordinates, "peer:" + peer.name}] = {
+        measured(peer.cell), remark(peer.cell.status, peer.cell.message), peer.cell.origin};
   return all;
 }
 

@@ -23,15 +23,17 @@ struct Measured {
 
 Measured measured(const Record& record, const CellKey& key);
 Measured measured(const Request& request);
+Measured measured(const Cell& cell);
 
-/// What a cell or request says of its time.
+/// What a cell, request or peer says of its time.
 struct Timing {
   Measured time;
   std::string remark;  ///< why there is no time; empty when there is one
   Origin origin;
 };
 
-/// All that was to be timed; of a request, the id ends in "/request:<name>".
+/// All that was to be timed; of a request, the id ends in "/request:<name>"; of a peer, it
+/// is "peer:<name>".
 std::map<CellKey, Timing> timings(const Record& record);
 
 /// The speed-up of one cell over another, or the mark of the one that has no number.

@@ -142,6 +142,19 @@ struct Request {
   std::optional<double> iterations_per_step;
 };
 
+/// Another library that solves a case at a size; with its name each once.
+struct Peer {
+  std::string case_name;
+  std::int64_t coordinates = 0;
+  std::string name;
+  std::string library, library_version;
+  std::string method;  ///< how it is used, in a sentence
+  std::string guess;   ///< "previous", "quadratic": as in the ids of ours
+  std::string setup;   ///< what had to be set up, in words; may be empty unless ok
+  std::optional<std::int64_t> compared;  ///< coordinates that it finds, of those there are
+  Cell cell;
+};
+
 struct Record {
   std::string version;
   std::string date;  ///< UTC, ISO 8601
@@ -157,6 +170,7 @@ struct Record {
   std::map<CellKey, Profile> profiles;
   std::map<StructureKey, Structure> structure;  ///< since 1.2.0
   std::vector<Request> requests;                ///< since 1.2.0, in the record's order
+  std::vector<Peer> peers;                      ///< since 1.3.0, in the record's order
 };
 
 }  // namespace desmo::report

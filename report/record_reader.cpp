@@ -8,6 +8,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <tuple>
 
 #include "report/digits.h"
 #include "report/environment_reader.h"
@@ -242,6 +243,24 @@ Request read_request(const JsonNode& node, const std::optional<Allowed>& allowed
   return request;
 }
 
+Peer read_peer(const JsonNode& node, const std::optional<Allowed>& allowed) {
+  Peer peer{.case_name = node["case"].name(),
+            .coordinates = node["coordinates"].integer(1),
+            .name = node["peer"].name(),
+            .library = node["library"].text(),
+            .library_version = node["library_version"].text(),
+            .method = node["method"].text(),
+            .guess = node["guess"].name(),
+            .setup = {},
+            .compared = std::nullopt,
+            .cell = read_cell(node, allowed)};
+  if (const auto setup = node.find("setup")) peer.setup = setup->text();
+  if (const auto compared = node.find("compared")) peer.compared = compared->integer(1);
+  if (peer.compared && *peer.compared > peer.coordinates)
+    node["compared"].complain("more coordinates than the mechanism has");
+  return peer;
+}
+
 void read_structures(Record& record, const JsonNode& list) {
   for (const JsonNode& node : list.elements()) {
     const StructureKey key{node["case"].name(), node["coordinates"].integer(1),
@@ -259,6 +278,17 @@ void read_requests(Record& record, const JsonNode& list) {
     const Request& request = record.requests.back();
     if (!seen.emplace(request.cell, request.name).second)
       node.complain("the request " + request.name + " of " + request.cell.id + " is given twice");
+  }
+}
+
+void read_peers(Record& record, const JsonNode& list) {
+  std::set<std::tuple<std::string, std::int64_t, std::string>> seen;
+  for (const JsonNode& node : list.elements()) {
+    record.peers.push_back(read_peer(node, record.settings.allowed));
+    const Peer& peer = record.peers.back();
+    if (!seen.emplace(peer.case_name, peer.coordinates, peer.name).second)
+      node.complain(peer.case_name + "/" + std::to_string(peer.coordinates) + "/peer:" + peer.name +
+                    " is given twice");
   }
 }
 
@@ -291,7 +321,8 @@ Record parse_record(std::string_view text) {
                 .cells = {},
                 .profiles = {},
                 .structure = {},
-                .requests = {}};
+                .requests = {},
+                .peers = {}};
   for (const auto& [name, version] : node["libraries"].members())
     record.libraries.emplace(name, version.text());
   for (const JsonNode& cell : root["cells"].elements())
@@ -301,6 +332,7 @@ Record parse_record(std::string_view text) {
       insert_once(record.profiles, profile, read_profile(profile));
   if (const auto structure = root.find("structure")) read_structures(record, *structure);
   if (const auto requests = root.find("requests")) read_requests(record, *requests);
+  if (const auto peers = root.find("peers")) read_peers(record, *peers);
   require_one_origin(record);
   return record;
 }

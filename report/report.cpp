@@ -67,6 +67,7 @@ Document make_report(const Record& record) {
   sections.push_back({"Growth with the number of coordinates", {}, {scaling(record)}});
   if (!record.structure.empty()) sections.push_back(partitions(record));
   if (!record.requests.empty()) sections.push_back(requests(record));
+  if (!record.peers.empty()) sections.push_back(peers(record));
   sections.push_back(formulations(record));
   if (!record.profiles.empty())
     sections.push_back({"Where the time goes", {}, {time_split(record)}});

@@ -25,15 +25,19 @@ bool runs_at_extra_sizes(const Variant& v) {
 
 }  // namespace
 
-Cell::Cell(const Case& d, int n, const Variant& v, const Options& options)
-    : Timed(chosen_grid(d.describe(1).grid, options)), definition(d), coordinates(n), variant(v) {
+Cell::Cell(const Case& d, int n, const Variant& v, const Options& options, const Settings& s)
+    : Timed(chosen_grid(d.describe(1).grid, options)),
+      definition(d),
+      coordinates(n),
+      variant(v),
+      settings(s) {
   if (is_dense_global(v) && n > options.dense_limit)
     leave_out("a dense global solve costs O(n^3) a step: run up to " +
               std::to_string(options.dense_limit) + " coordinates only");
 }
 
 std::string Cell::name() const {
-  return std::string(definition.name) + "/" + std::to_string(coordinates) + "/" + variant.id;
+  return std::string(definition.name) + "/" + std::to_string(coordinates) + "/" + id();
 }
 
 void Cell::verify(ReferenceCache& references) {
@@ -44,7 +48,7 @@ void Cell::verify(ReferenceCache& references) {
     groups = mechanism_->structural_groups();
     degrees_of_freedom = mechanism_->degrees_of_freedom();
     const double before_setup = cpu_now();
-    formulation_ = make_formulation(variant, *mechanism_);
+    formulation_ = make_formulation(variant, *mechanism_, settings);
     setup_seconds = cpu_now() - before_setup;
     delivery_ = std::make_unique<Delivery>(coordinates);
     if (const std::string missing = missing_code(*formulation_); !missing.empty())
@@ -64,6 +68,7 @@ void Cell::verify(ReferenceCache& references) {
 void Cell::profile() {
   if (state != State::verified || coordinates != profiled_coordinates || !has_phases(variant))
     return;
+  if (id() != variant.id) return;  // the settings are not the paper's
   // In blocks of one unknown, reading the clock costs more than what it measures.
   if (variant.partition == Partition::block) return;
   TimeGrid first = grid;

@@ -17,8 +17,11 @@ namespace desmo::suite {
 /// One case at one size with one formulation.
 class Cell final : public Timed {
  public:
-  Cell(const Case& definition, int coordinates, const Variant& variant, const Options& options);
+  Cell(const Case& definition, int coordinates, const Variant& variant, const Options& options,
+       const Settings& settings = {});
 
+  /// The variant's, with its settings.
+  std::string id() const { return id_with(variant, settings); }
   /// <case>/<coordinates>/<id>
   std::string name() const override;
   /// Against the quadruple-precision reference.
@@ -30,6 +33,7 @@ class Cell final : public Timed {
   const Case& definition;
   const int coordinates;
   const Variant& variant;
+  const Settings settings;
 
   int groups = 0, degrees_of_freedom = 0;
   std::optional<PhaseTimes> phases;

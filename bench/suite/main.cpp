@@ -20,6 +20,7 @@
 #include "bench/suite/cell.h"
 #include "bench/suite/environment.h"
 #include "bench/suite/options.h"
+#include "bench/suite/peer_cell.h"
 #include "bench/suite/record.h"
 #include "bench/suite/request.h"
 #include "formulations/algebra/blas.h"
@@ -145,9 +146,13 @@ int run(int argc, char** argv) {
   Run record{utc_now(), command_line(argc, argv), load_averages(), {}};
   const auto cells = make_cells(options);
   const auto requests = make_requests(options);
+  const auto beside_peers = make_cells_beside_peers(options);
+  const auto peers = make_peer_cells(options);
   std::vector<Timed*> all;
   append(all, cells);
   append(all, requests);
+  append(all, beside_peers);
+  append(all, peers);
   require_one_grid(all);
   const std::vector<Timed*> chosen = selected(all);
   if (std::ranges::any_of(arguments, is_listing)) return 0;

@@ -29,10 +29,12 @@ Number positive(std::string_view option, std::string_view text) {
 const char* const usage =
     "desmo_bench: verifies, then times, every case, size and formulation.\n"
     "A benchmark is named <case>/<coordinates>/<id>; one iteration is the whole analysis.\n"
-    "<case>/<coordinates>/<id>/request:<name> solves only what that request needs.\n\n"
+    "<case>/<coordinates>/<id>/request:<name> solves only what that request needs.\n"
+    "<case>/<coordinates>/peer:<name> is solved by a rival library, where built (DESMO_PEERS).\n\n"
     "  --step=SECONDS           time step (default: the case's, 0.01)\n"
     "  --duration=SECONDS       motion analysed (default: the case's, 30)\n"
     "  --dense-limit=N          coordinates up to which dense global solves run (default 114)\n"
+    "  --peer-limit=SECONDS     CPU time a rival may take for the motion (default 60)\n"
     "  --record=FILE            write the results record (see results/README.md)\n\n"
     "Exit code: 0 all verified and timed; 1 some formulation failed; 64 usage, or no benchmark\n"
     "matches; 74 the record\n"
@@ -52,6 +54,7 @@ Options take_options(std::vector<char*>& arguments) {
       {"--step", real(o.step)},
       {"--duration", real(o.duration)},
       {"--dense-limit", whole(o.dense_limit)},
+      {"--peer-limit", real(o.peer_limit)},
       {"--record", [&](auto, auto text) { o.record = text; }},
   };
 

@@ -13,9 +13,11 @@
 #include "bench/suite/binary.h"
 #include "bench/suite/cell.h"
 #include "bench/suite/environment.h"
+#include "bench/suite/peer_cell.h"
 #include "bench/suite/request.h"
 #include "bench/suite/structure.h"
 #include "formulations/algebra/blas.h"
+#include "formulations/guess.h"
 
 namespace desmo::suite {
 
@@ -95,8 +97,7 @@ Json errors_json(const Errors& errors) {
 }
 
 Json cell_json(const Cell& cell) {
-  Json j = {
-      {"case", cell.definition.name}, {"coordinates", cell.coordinates}, {"id", cell.variant.id}};
+  Json j = {{"case", cell.definition.name}, {"coordinates", cell.coordinates}, {"id", cell.id()}};
   if (!cell.is_not_run()) {
     j["groups"] = cell.groups;
     j["degrees_of_freedom"] = cell.degrees_of_freedom;
@@ -137,6 +138,27 @@ Json request_json(const RequestCell& cell) {
   j["setup_seconds"] = cell.setup_seconds;
   j["iterations_per_step"] = cell.iterations_per_step;
   j["residual"] = cell.residual;
+  return j;
+}
+
+Json peer_json(const PeerCell& cell) {
+  Json j = {{"case", cell.definition.name},
+            {"coordinates", cell.coordinates},
+            {"peer", cell.peer.name},
+            {"library", cell.peer.library},
+            {"library_version", cell.peer.version()},
+            {"method", cell.peer.method},
+            {"guess", guess_name(Guess::quadratic)}};
+  if (!cell.setup.empty()) {
+    j["setup"] = cell.setup;
+    j["compared"] = cell.compared;
+  }
+  add_status(j, cell);
+  if (!cell.is_timed()) return j;
+  j["verification"] = errors_json(cell.errors);
+  add_samples(j, cell);
+  j["setup_seconds"] = cell.setup_seconds;
+  j["iterations_per_step"] = cell.iterations_per_step;
   return j;
 }
 
@@ -190,6 +212,8 @@ void RecordFile::write(const Run& run, const std::vector<Timed*>& timed) {
   for (const Timed* one : timed) {
     if (const auto* request = dynamic_cast<const RequestCell*>(one))
       all["requests"].push_back(request_json(*request));
+    if (const auto* peer = dynamic_cast<const PeerCell*>(one))
+      all["peers"].push_back(peer_json(*peer));
     const auto* cell = dynamic_cast<const Cell*>(one);
     if (!cell) continue;
     all["cells"].push_back(cell_json(*cell));

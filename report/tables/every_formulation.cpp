@@ -10,12 +10,18 @@
 namespace desmo::report {
 namespace {
 
+// What stands beside other libraries, because it starts from their guess, is shown there.
+bool is_shown_with_peers(const Record& record, const CellKey& key) {
+  return !record.peers.empty() && has_another_guess(key.id);
+}
+
 // Fastest first; what has no time comes last, by id.
 std::vector<CellKey> ordered_keys(const Record& record, std::string_view case_name,
                                   std::int64_t coordinates) {
   std::vector<std::pair<double, CellKey>> found;
   for (const auto& [key, cell] : record.cells)
-    if (key.case_name == case_name && key.coordinates == coordinates) {
+    if (key.case_name == case_name && key.coordinates == coordinates &&
+        !is_shown_with_peers(record, key)) {
       const Measured time = measured(record, key);
       found.emplace_back(
           time.seconds ? time.seconds->median : std::numeric_limits<double>::infinity(), key);
@@ -117,6 +123,10 @@ std::vector<std::string> failures(const Record& record) {
     if (request.status == Status::failed)
       lines.push_back(failure(request.cell, "/request:" + request.name,
                               remark(request.status, request.message)));
+  for (const Peer& peer : record.peers)
+    if (peer.cell.status == Status::failed)
+      lines.push_back(failure({peer.case_name, peer.coordinates, "peer:" + peer.name}, "",
+                              remark(peer.cell.status, peer.cell.message)));
   return lines;
 }
 

@@ -70,7 +70,12 @@ Section requests(const Record& record);
 /// What must not be concluded from the record.
 Section limitations(const Record& record);
 
-/// One line for every cell or request that failed its verification; empty when none did.
+/// What other libraries take beside the formulations that start from the same guess: a table for
+/// each case, and one of what they needed to be set up. Without tables when the record has no
+/// peers.
+Section peers(const Record& record);
+
+/// One line for every cell, request or peer that failed its verification; empty when none did.
 std::vector<std::string> failures(const Record& record);
 
 }  // namespace desmo::report

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cases/mechanism.h"
+#include "cases/scene.h"
+
+namespace desmo {
+
+/// The kinematics of a mechanism solved by another library. Plain on purpose: what a rival's
+/// headers need of the compiler, and what they clash with, stays in the file that includes them.
+class Peer {
+ public:
+  /// Coordinates of the mechanism that the peer finds, each once, and their values: the rival's own
+  /// coordinates are others, and need not tell all of ours.
+  struct Answer {
+    std::vector<int> coordinates;
+    std::vector<double> q, qd, qdd;  ///< in the order of `coordinates`
+  };
+
+  virtual ~Peer() = default;
+  Peer(const Peer&) = delete;
+  Peer& operator=(const Peer&) = delete;
+
+  /// Assembles the mechanism at time t (s) from its nominal position, whatever was solved before.
+  /// Throws std::exception, as step() does, when that fails.
+  virtual void assemble(double t) = 0;
+  /// Solves at time t, starting from q + q̇ h + q̈ h²/2 of the last instant in its own coordinates.
+  virtual void step(double t) = 0;
+
+  /// The instant solved last.
+  const Answer& answer() const { return answer_; }
+  /// Of the rival's method for positions, since the last assembly and with it.
+  long iterations() const { return iterations_; }
+  /// What had to be set up, in words: bodies, mobilities, constraint equations.
+  virtual std::string setup() const = 0;
+
+ protected:
+  Peer() = default;
+
+  Answer answer_;
+  long iterations_ = 0;
+};
+
+/// A rival of this build.
+struct PeerDefinition {
+  std::string_view name;
+  std::string_view library;  ///< for people
+  std::string (*version)();
+  std::string_view method;  ///< how it is used, in a sentence
+  /// The model of a case. Scene and mechanism (the scene's) must outlive it. Throws
+  /// std::invalid_argument when the case is none that it knows.
+  std::unique_ptr<Peer> (*make)(const Scene& scene, const Mechanism& mechanism);
+};
+
+/// The rivals of this build; none unless it was configured with DESMO_PEERS.
+std::span<const PeerDefinition* const> peers();
+
+}  // namespace desmo

@@ -1,0 +1,166 @@
+#include <gtest/gtest.h>
+
+#include "report/formats/formats.h"
+#include "report/record_reader.h"
+#include "report/report.h"
+#include "report/tables/tables.h"
+#include "tests/report/sample.h"
+
+namespace desmo::report {
+namespace {
+
+Json peer(int coordinates, const std::string& name, std::vector<double> seconds) {
+  return {{"case", "truck_suspension"},
+          {"coordinates", coordinates},
+          {"peer", name},
+          {"library", "Library of " + name},
+          {"library_version", "1.2"},
+          {"method", "as its manual has it"},
+          {"guess", "quadratic"},
+          {"setup", "8 bodies"},
+          {"compared", 81},
+          {"status", "ok"},
+          {"verification",
+           {{"instants", 51}, {"position", 2e-11}, {"velocity", 3e-11}, {"acceleration", 4e-10}}},
+          {"cpu_seconds", seconds},
+          {"setup_seconds", 0.001},
+          {"iterations_per_step", 1.01}};
+}
+
+Json left_out(int coordinates, const std::string& name) {
+  Json json = peer(coordinates, name, {});
+  for (const char* key : {"verification", "cpu_seconds", "setup_seconds", "iterations_per_step"})
+    json.erase(key);
+  json["status"] = "not_run";
+  json["message"] = "it would take too long";
+  return json;
+}
+
+/// Two libraries beside two of ours, which start from the same guess. Made-up numbers.
+Json peers_record() {
+  Json json = structured_record();
+  json["version"] = "1.3.0";
+  for (const auto& [id, seconds] :
+       {std::pair{"global_automatic_klu", 0.03}, {"block_symbolic_inlined", 0.003}}) {
+    Json cell = cell_of(json, "truck_suspension", 114, "global_automatic_klu");
+    cell["id"] = std::string(id) + "/guess:quadratic";
+    cell["cpu_seconds"] = {seconds * 0.99, seconds, seconds * 1.01};
+    cell["iterations_per_step"] = 2.0;
+    json["cells"].push_back(cell);
+  }
+  json["peers"] = {peer(114, "slow", {0.59, 0.6, 0.61}), peer(114, "quick", {0.0015}),
+                   left_out(225, "slow")};
+  return json;
+}
+
+Table times(const Json& json) {
+  return table_named(make_report(record_from(json)), "peers_truck_suspension");
+}
+
+std::string complaint(const Json& json) {
+  try {
+    record_from(json);
+  } catch (const InvalidRecord& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(Peers, AreMeasuredAgainstOursWithTheSameGuess) {
+  const Table table = times(peers_record());
+  const std::vector<std::string> slow{"114", "slow"};
+  EXPECT_EQ(entry_at(table, slow, "CPU s").shown, "0.6000 ±0.0100");
+  EXPECT_EQ(entry_at(table, slow, "µs/step").shown, "199.9");
+  EXPECT_EQ(entry_at(table, slow, "times ours, global").shown, "20.00 [19.47, 20.54]");
+  EXPECT_EQ(entry_at(table, slow, "times ours, fastest").digits,
+            (std::vector<std::string>{"200", "195", "205"}));
+  EXPECT_EQ(entry_at(table, slow, "iterations/step").shown, "1.01");
+  EXPECT_EQ(entry_at(table, slow, "error q''").shown, "4.0e-10");
+  EXPECT_EQ(entry_at(table, {"114", "quick"}, "times ours, fastest").shown, "0.50 one run");
+  const std::vector<std::string> global{"114", "global_automatic_klu/guess:quadratic"};
+  EXPECT_EQ(entry_at(table, global, "times ours, global").shown, "1.00 reference");
+  EXPECT_EQ(entry_at(table, global, "times ours, fastest").digits[0], "10.00");
+  const std::vector<std::string> fastest{"114", "block_symbolic_inlined/guess:quadratic"};
+  EXPECT_EQ(entry_at(table, fastest, "times ours, fastest").shown, "1.00 reference");
+}
+
+TEST(Peers, OfWhichTooLittleIsKnownAreInconclusive) {
+  Json json = peers_record();
+  json["peers"][0]["cpu_seconds"] = {0.5, 0.6, 0.7};
+  EXPECT_EQ(entry_at(times(json), {"114", "slow"}, "times ours, global").note, inconclusive_mark);
+}
+
+TEST(Peers, OfAnotherMachineOrModelAreRefused) {
+  Json json = peers_record();
+  json["peers"][0]["machine"] = "another CPU";
+  EXPECT_NE(complaint(json).find("truck_suspension/114/peer:slow: measured on"), std::string::npos);
+  json = peers_record();
+  json["peers"][0]["model"] = std::string(64, 'a');
+  json["peers"][1]["model"] = std::string(64, 'b');
+  EXPECT_NE(complaint(json).find("peer:quick: solves another model"), std::string::npos);
+}
+
+TEST(Peers, SayWhatTheyNeeded) {
+  const Table table = table_named(make_report(record_from(peers_record())), "peer_setups");
+  const std::vector<std::string> row{"truck_suspension", "114", "slow"};
+  EXPECT_EQ(entry_at(table, row, "set-up").shown, "8 bodies");
+  EXPECT_EQ(entry_at(table, row, "compared").shown, "81");
+  EXPECT_EQ(table.rows.size(), 3u);
+}
+
+TEST(Peers, WithoutOursOfTheirGuessHaveNoRatio) {
+  Json json = peers_record();
+  erase_cell(json, "truck_suspension", 114, "global_automatic_klu/guess:quadratic");
+  const std::vector<std::string> slow{"114", "slow"};
+  EXPECT_EQ(entry_at(times(json), slow, "times ours, global").shown, missing_mark);
+  EXPECT_EQ(entry_at(times(json), slow, "times ours, fastest").digits[0], "200");
+  json["peers"][0]["guess"] = "previous";
+  EXPECT_EQ(entry_at(times(json), slow, "times ours, fastest").shown, missing_mark);
+}
+
+TEST(Peers, ThatFailedOrDidNotRunHaveNoTime) {
+  Json json = peers_record();
+  json["peers"][0]["verification"]["velocity"] = 2e-8;  // more than is allowed
+  const std::vector<std::string> slow{"114", "slow"}, not_run{"225", "slow"};
+  for (const char* column : {"CPU s", "times ours, fastest"}) {
+    EXPECT_EQ(entry_at(times(json), not_run, column).shown,
+              column == std::string("CPU s") ? not_run_mark : missing_mark);
+  }
+  EXPECT_EQ(entry_at(times(json), slow, "CPU s").shown, failed_mark);
+  EXPECT_EQ(entry_at(times(json), slow, "times ours, fastest").shown, failed_mark);
+  EXPECT_EQ(entry_at(times(json), not_run, "remark").shown, "it would take too long");
+  const std::vector<std::string> lines = make_report(record_from(json)).sections.back().paragraphs;
+  EXPECT_NE(std::find(lines.begin(), lines.end(),
+                      "FAILED: truck_suspension/114/peer:slow: velocity differs by 2e-08, 1e-08 is "
+                      "allowed"),
+            lines.end());
+}
+
+TEST(Peers, LeaveThePapersTablesAsTheyAre) {
+  Json with = peers_record(), without = structured_record();
+  without["version"] = "1.3.0";
+  const Document a = make_report(record_from(with)), b = make_report(record_from(without));
+  for (const Section& section : b.sections)
+    for (const Table& table : section.tables)
+      EXPECT_EQ(to_csv(table_named(a, table.name)), to_csv(table)) << table.name;
+  EXPECT_EQ(a.sections.size(), b.sections.size() + 1);
+}
+
+TEST(Peers, AreReadWithCare) {
+  const auto with = [](const std::string& place, const Json& value) {
+    Json json = peers_record();
+    json[Json::json_pointer(place)] = value;
+    return complaint(json);
+  };
+  EXPECT_EQ(complaint(peers_record()), "accepted");
+  EXPECT_EQ(with("/peers/1/peer", "slow"),
+            "peers[1]: truck_suspension/114/peer:slow is given twice");
+  EXPECT_NE(with("/peers/0/status", "fine").find("peers[0].status: "), std::string::npos);
+  EXPECT_NE(with("/peers/0/cpu_seconds", Json::array()).find("peers[0].cpu_seconds: "),
+            std::string::npos);
+  EXPECT_NE(with("/peers/0/compared", 115).find("peers[0].compared: "), std::string::npos);
+  EXPECT_NE(with("/peers/0/guess", 1).find("peers[0].guess: "), std::string::npos);
+}
+
+}  // namespace
+}  // namespace desmo::report
