@@ -1,17 +1,24 @@
 #include "formulations/inlined_part.h"
 
 #include <cmath>
+#include <limits>
 
 namespace desmo {
 
-InlinedPart::InlinedPart(BoundKernel bound, double tolerance, int max_iterations,
+InlinedPart::InlinedPart(BoundKernel bound, const Settings& settings,
                          std::unique_ptr<Part> fallback, std::vector<int> unknowns)
     : bound_(std::move(bound)),
-      tolerance2_(tolerance * tolerance),
-      max_iterations_(max_iterations),
+      tolerance2_(settings.tolerance * settings.tolerance),
+      max_iterations_(settings.max_iterations),
+      accepted2_(tolerance2_),
       fallback_(std::move(fallback)),
       unknowns_(std::move(unknowns)),
-      start_(unknowns_.size()) {}
+      start_(unknowns_.size()) {
+  if (settings.fixed_iterations == 0) return;
+  tolerance2_ = 0;
+  max_iterations_ = settings.fixed_iterations;
+  accepted2_ = std::numeric_limits<double>::infinity();
+}
 
 PartResult InlinedPart::solve(State& s, Level level) {
   const int* in = bound_.inputs.data();
@@ -20,7 +27,7 @@ PartResult InlinedPart::solve(State& s, Level level) {
 
   const InlinedResult position =
       bound_.kernel->position(s.q.data(), in, c, tolerance2_, max_iterations_);
-  bool good = position.residual2 < tolerance2_;  // false for NaN, too
+  bool good = position.residual2 < accepted2_;  // false for NaN, too
   if (good && level != Level::position) {
     double* acc = level == Level::acceleration ? s.qdd.data() : nullptr;
     good = bound_.kernel->rates(s.q.data(), s.qd.data(), acc, in, c);

@@ -12,8 +12,9 @@ namespace desmo {
 /// not converge, the step is left to `fallback`, which pivots; fallbacks() counts these steps.
 class InlinedPart final : public Part {
  public:
-  InlinedPart(BoundKernel bound, double tolerance, int max_iterations,
-              std::unique_ptr<Part> fallback, std::vector<int> unknowns);
+  /// settings: with the tolerance on ‖Φ‖₂ of the part's own equations.
+  InlinedPart(BoundKernel bound, const Settings& settings, std::unique_ptr<Part> fallback,
+              std::vector<int> unknowns);
 
   PartResult solve(State& state, Level level) override;
 
@@ -21,8 +22,9 @@ class InlinedPart final : public Part {
 
  private:
   BoundKernel bound_;
-  double tolerance2_;
+  double tolerance2_;  // on ‖Φ‖₂²: where to stop iterating …
   int max_iterations_;
+  double accepted2_;  // … and what to accept
   std::unique_ptr<Part> fallback_;
   std::vector<int> unknowns_;
   std::vector<double> start_;  // unknowns at the start of the step

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -22,14 +23,17 @@ namespace desmo {
 template <class Equations, class Algebra>
 class NewtonPart final : public Part {
  public:
-  /// tolerance: on ‖Φ‖₂ of the part's own equations. Further arguments go to the algebra.
+  /// settings: with the tolerance on ‖Φ‖₂ of the part's own equations. Further arguments go to
+  /// the algebra.
   template <class... AlgebraArguments>
-  NewtonPart(Equations equations, double tolerance, int max_iterations,
-             AlgebraArguments&&... arguments)
+  NewtonPart(Equations equations, const Settings& settings, AlgebraArguments&&... arguments)
       : equations_(std::move(equations)),
         algebra_(equations_.pattern(), arguments...),
-        tolerance_(tolerance),
-        max_iterations_(max_iterations),
+        tolerance_(settings.fixed_iterations ? std::numeric_limits<double>::infinity()
+                                             : settings.tolerance),
+        least_iterations_(settings.fixed_iterations),
+        most_iterations_(settings.fixed_iterations ? settings.fixed_iterations
+                                                   : settings.max_iterations),
         values_(equations_.pattern().size(), 0.0),
         b_(equations_.pattern().n),
         start_(equations_.pattern().n) {
@@ -68,10 +72,10 @@ class NewtonPart final : public Part {
     for (;; ++result.iterations) {
       equations_.residual(q, b_.data());  // Φ
       result.residual = b_.norm();
-      if (result.residual < tolerance_) return result;
+      if (result.residual < tolerance_ && result.iterations >= least_iterations_) return result;
       if (!std::isfinite(result.residual))
         result.status = Status::not_finite;
-      else if (result.iterations == max_iterations_)
+      else if (result.iterations == most_iterations_)
         result.status = Status::not_converged;
       else if (!factor_at(q))
         result.status = Status::singular;
@@ -120,7 +124,7 @@ class NewtonPart final : public Part {
   Equations equations_;
   Algebra algebra_;
   double tolerance_;
-  int max_iterations_;
+  int least_iterations_, most_iterations_;
   std::vector<double> values_;  // Φ_φ and Φ_h, laid out by the pattern
   Eigen::VectorXd b_;           // right-hand side, then solution
   std::vector<double> start_;   // unknowns at the start of the step

@@ -17,6 +17,9 @@ struct Settings {
   double tolerance = 1e-10;  ///< on ‖Φ‖₂ of the whole mechanism, in its units
   int max_iterations = 25;   ///< of Newton–Raphson, a step
   Guess guess = Guess::previous;
+  /// 0: iterate until the tolerance is met. Otherwise exactly so many iterations a step, whatever
+  /// ‖Φ‖₂ is, so that a step's work does not depend on rounding: for counting instructions.
+  int fixed_iterations = 0;
 };
 
 /// The state (q, then the components of the fixed entities) and its time derivatives; those of

@@ -67,24 +67,25 @@ bool has_phases(const Variant& v) { return v.backend != nullptr; }
 
 std::unique_ptr<Formulation> make_formulation(const Variant& v, const Mechanism& m,
                                               const Settings& settings, Profile* profile) {
-  if (!(settings.tolerance > 0) || settings.max_iterations < 1)
+  if (!(settings.tolerance > 0) || settings.max_iterations < 1 || settings.fixed_iterations < 0)
     throw std::invalid_argument(
-        "settings: the tolerance must be positive and at least one "
-        "iteration allowed");
+        "settings: the tolerance must be positive, at least one iteration allowed, and the fixed "
+        "number of iterations not negative");
   std::vector<PartDefinition> definitions = make_partition(m, v.partition);
   // With p parts, each within tolerance/√p, the whole mechanism is within the tolerance.
-  const double tolerance = settings.tolerance / std::sqrt(static_cast<double>(definitions.size()));
+  Settings own = settings;
+  own.tolerance /= std::sqrt(static_cast<double>(definitions.size()));
 
   std::vector<Formulation::DefinedPart> parts;
   for (PartDefinition& d : definitions) {
-    PartContext context{m, d, std::nullopt, tolerance, settings.max_iterations, profile};
+    PartContext context{m, d, std::nullopt, own, profile};
     if (v.evaluation == Evaluation::symbolic) context.kernels = bind_kernels(m, d);
     const bool as_named = v.evaluation == Evaluation::automatic || context.kernels;
     const Backend& backend = v.backend ? *v.backend : pivoting_backend();
     std::unique_ptr<Part> part = backend.make_part(context);
     if (!v.backend && context.kernels)
-      part = std::make_unique<InlinedPart>(std::move(context.kernels->front()), tolerance,
-                                           settings.max_iterations, std::move(part), d.unknowns);
+      part = std::make_unique<InlinedPart>(std::move(context.kernels->front()), own,
+                                           std::move(part), d.unknowns);
     parts.push_back({std::move(d), std::move(part), as_named});
   }
   return std::make_unique<Formulation>(m, std::move(parts), settings);

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "report/record_reader.h"
+#include "report/json_document.h"
 
 namespace desmo::report {
 namespace {

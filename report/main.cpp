@@ -1,8 +1,9 @@
-// desmo_report: from records to the paper's tables and figures, and to comparisons.
+// desmo_report: from records to the paper's tables and figures, to comparisons and verdicts.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
 
+#include "report/check/command.h"
 #include "report/comparability.h"
 #include "report/comparison.h"
 #include "report/figures/figures.h"
@@ -82,7 +83,8 @@ ExitCode compare(const CompareCommand& command) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"The paper's tables and figures from records of desmo_bench, and their comparison"};
+  CLI::App app{
+      "The paper's tables and figures from records of desmo_bench, comparisons and verdicts"};
   app.require_subcommand(1);
   TablesCommand command;
   CLI::App* tables_app =
@@ -102,12 +104,28 @@ int main(int argc, char** argv) {
   compare_app->add_option("B", comparison.second, "The second record")->required();
   compare_app->add_option("--format", comparison.format, "terminal, json, csv, markdown or latex")
       ->check(CLI::IsMember(format_names()));
+  CheckCommand check;
+  CLI::App* check_app = app.add_subcommand("check", "The verdict of a check of bench/check");
+  check_app->add_option("file", check.file, "The results file")->required();
+  check_app->add_option("--baseline", check.baseline, "Compare with this results file");
+  check_app->add_option("--format", check.format, "terminal, json, csv, markdown or latex")
+      ->check(CLI::IsMember(format_names()));
+  check_app->add_flag("--pending", check.pending, "List what has still to be measured");
+  CertificateCommand certificate;
+  CLI::App* certificate_app =
+      app.add_subcommand("certificate", "What the trials of bench/certify show of the check");
+  certificate_app->add_option("file", certificate.file, "The trials")->required();
+  certificate_app
+      ->add_option("--format", certificate.format, "terminal, json, csv, markdown or latex")
+      ->check(CLI::IsMember(format_names()));
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? success : usage_error;
   }
   try {
+    if (check_app->parsed()) return run(check);
+    if (certificate_app->parsed()) return run(certificate);
     return compare_app->parsed() ? compare(comparison) : tables(command);
   } catch (const MixedRecord& error) {
     std::cerr << "desmo_report: " << error.what() << "\n";

@@ -2,16 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <charconv>
-#include <cstring>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <tuple>
 
 #include "report/digits.h"
 #include "report/environment_reader.h"
+#include "report/json_document.h"
 #include "report/json_node.h"
 #include "report/one_origin.h"
 
@@ -20,67 +17,6 @@ namespace {
 
 constexpr std::array phases{"residual", "jacobian",         "factorisation",
                             "solve",    "right_hand_sides", "rest"};
-
-// Refuses what the parser would accept and the report must not: a key given twice (which one
-// counts?) and nesting without end.
-class DocumentGuard {
- public:
-  bool operator()(int depth, nlohmann::json::parse_event_t event, const nlohmann::json& parsed) {
-    using Event = nlohmann::json::parse_event_t;
-    if (depth > deepest_nesting)
-      throw InvalidRecord("nested more than " + std::to_string(deepest_nesting) + " levels deep");
-    if (event == Event::object_start) keys_.emplace_back();
-    if (event == Event::object_end) keys_.pop_back();
-    if (event == Event::key && !keys_.back().insert(parsed.get<std::string>()).second)
-      throw InvalidRecord("the key " + parsed.dump() + " is given twice in one object");
-    return true;
-  }
-
- private:
-  std::vector<std::set<std::string>> keys_;  // of the objects that are open
-};
-
-nlohmann::json parse_json(std::string_view text) {
-  DocumentGuard guard;
-  try {
-    return nlohmann::json::parse(text, [&guard](int depth, auto event, nlohmann::json& parsed) {
-      return guard(depth, event, parsed);
-    });
-  } catch (const nlohmann::json::exception& error) {
-    const char* what = std::strstr(error.what(), "] ");  // past the library's own error number
-    throw InvalidRecord(std::string("not a complete JSON document: ") +
-                        (what ? what + 2 : error.what()));
-  }
-}
-
-// "1.4.2" -> 1. Nothing but three numbers will do.
-int major_version(const JsonNode& node) {
-  const std::string version = node.text();
-  const char* at = version.data();
-  const char* const end = at + version.size();
-  std::array<int, 3> part{};
-  for (std::size_t i = 0; i < part.size(); ++i) {
-    const bool separated = i == 0 || (at != end && *at++ == '.');
-    const auto [next, error] = std::from_chars(at, end, part[i]);
-    if (!separated || error != std::errc{} || part[i] < 0)
-      node.complain("\"" + version + "\" is not a version of the form 1.2.3");
-    at = next;
-  }
-  if (at != end) node.complain("\"" + version + "\" is not a version of the form 1.2.3");
-  return part[0];
-}
-
-void check_schema(const JsonNode& root) {
-  const std::string schema = root["schema"].text();
-  if (schema != "desmo-results")
-    root["schema"].complain("\"" + schema + "\" is not \"desmo-results\"");
-  const JsonNode version = root["version"];
-  const int major = major_version(version);
-  if (major != supported_major)
-    version.complain("schema version " + version.text() + " is not supported, only " +
-                     std::to_string(supported_major) + ".x.y" +
-                     (major > supported_major ? "; a newer desmo_report reads it" : ""));
-}
 
 Origin read_origin(const JsonNode& node) {
   return {node.find_text("machine"), node.find_digest("model"), node.find_digest("results")};
@@ -302,10 +238,8 @@ void insert_once(Map& map, const JsonNode& node, Value value) {
 
 }  // namespace
 
-Record parse_record(std::string_view text) {
-  const nlohmann::json document = parse_json(text);
-  const JsonNode root(document);
-  check_schema(root);
+Record read_record(const JsonNode& root) {
+  check_schema(root, "desmo-results");
   const JsonNode node = root["record"];
   const JsonNode blas = node["blas"];
   Record record{.version = root["version"].text(),
@@ -337,20 +271,11 @@ Record parse_record(std::string_view text) {
   return record;
 }
 
-Record read_record(const std::filesystem::path& file) {
-  std::error_code unreadable;  // is for the stream to say
-  if (std::filesystem::is_directory(file, unreadable)) throw InvalidRecord("is a directory");
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw InvalidRecord(std::string("cannot be read: ") + std::strerror(errno));
-  std::string text;
-  std::array<char, 1 << 16> buffer;
-  while (stream.read(buffer.data(), buffer.size()), stream.gcount() > 0) {
-    text.append(buffer.data(), static_cast<std::size_t>(stream.gcount()));
-    if (text.size() > largest_record)
-      throw InvalidRecord("larger than " + std::to_string(largest_record) + " bytes");
-  }
-  if (stream.bad()) throw InvalidRecord("cannot be read to its end");
-  return parse_record(text);
+Record parse_record(std::string_view text) {
+  const nlohmann::json document = parse_json(text);
+  return read_record(JsonNode(document));
 }
+
+Record read_record(const std::filesystem::path& file) { return parse_record(read_whole(file)); }
 
 }  // namespace desmo::report

@@ -106,6 +106,7 @@ TEST(Settings, ThatCannotEndAreRefused) {
   EXPECT_THROW(make_formulation(v, m, Settings{0, 25}), std::invalid_argument);
   EXPECT_THROW(make_formulation(v, m, Settings{NAN, 25}), std::invalid_argument);
   EXPECT_THROW(make_formulation(v, m, Settings{1e-10, 0}), std::invalid_argument);
+  EXPECT_THROW(make_formulation(v, m, Settings{1e-10, 25, -1}), std::invalid_argument);
 }
 
 INSTANTIATE_TEST_SUITE_P(Table, EveryVariant,
@@ -116,7 +117,8 @@ INSTANTIATE_TEST_SUITE_P(Table, EveryVariant,
 TEST(Inlined, FallsBackToPivotingWhereItsOrderFails) {
   const Mechanism m = four_bar_mechanism(1);
   const std::vector<PartDefinition> parts = make_partition(m, Partition::group);
-  const PartContext context{m, parts[1], bind_kernels(m, parts[1]), 1e-12, 50};
+  const Settings settings{.tolerance = 1e-12, .max_iterations = 50};
+  const PartContext context{m, parts[1], bind_kernels(m, parts[1]), settings};
   const Backend* eigen = nullptr;
   for (const Backend* b : backends())
     if (b->name == "eigen") eigen = b;
@@ -134,9 +136,9 @@ TEST(Inlined, FallsBackToPivotingWhereItsOrderFails) {
     s.qd[m.entities[m.find("crank/B")].first] = 1;
     return s;
   };
-  InlinedPart good(bind_kernel(m, make_partition(m, Partition::group)[1]).value(), 1e-12, 50,
+  InlinedPart good(bind_kernel(m, make_partition(m, Partition::group)[1]).value(), settings,
                    eigen->make_part(context), parts[1].unknowns);
-  InlinedPart bad(sabotaged, 1e-12, 50, eigen->make_part(context), parts[1].unknowns);
+  InlinedPart bad(sabotaged, settings, eigen->make_part(context), parts[1].unknowns);
   State expected = at_start(), actual = at_start();
   ASSERT_EQ(good.solve(expected, Level::acceleration).status, Status::converged);
   ASSERT_EQ(bad.solve(actual, Level::acceleration).status, Status::converged);

@@ -125,6 +125,21 @@ TEST_P(EveryVariant, RepeatsARunToTheLastBit) {
   EXPECT_EQ(first.values, second.values);
 }
 
+TEST_P(EveryVariant, TakesAFixedNumberOfIterationsWhereAsked) {
+  const Mechanism m = truck_mechanism(1);
+  const auto usual = make_formulation(GetParam(), m);
+  const auto fixed = make_formulation(GetParam(), m, {.fixed_iterations = 4});
+  for (int i = 0; i < 10; ++i) {
+    const double t = 0.01 * i;
+    ASSERT_TRUE(usual->step(t).ok());
+    const Summary s = fixed->step(t);
+    ASSERT_TRUE(s.ok()) << describe(s, m);
+    EXPECT_EQ(s.iterations, 4) << t;
+  }
+  EXPECT_LT(fixed->step(0.09).residual, Settings{}.tolerance);
+  for (int i = 0; i < m.coordinates(); ++i) EXPECT_NEAR(fixed->q()[i], usual->q()[i], 1e-9) << i;
+}
+
 TEST_P(EveryVariant, SolvesOnlyTheLevelAsked) {
   const Mechanism m = truck_mechanism(1);
   struct Spans final : Sink {

@@ -2,7 +2,6 @@
 // before it is timed.
 
 #include <benchmark/benchmark.h>
-#include <malloc.h>
 
 #include <algorithm>
 #include <exception>
@@ -19,6 +18,7 @@
 
 #include "bench/suite/cell.h"
 #include "bench/suite/environment.h"
+#include "bench/suite/kept_memory.h"
 #include "bench/suite/options.h"
 #include "bench/suite/peer_cell.h"
 #include "bench/suite/record.h"
@@ -108,14 +108,6 @@ std::string command_line(int argc, char** argv) {
 
 bool is_listing(std::string_view argument) {
   return argument.starts_with("--benchmark_list_tests") && !argument.ends_with("=false");
-}
-
-/// Freed memory stays with the process. Otherwise what UMFPACK frees after each factorisation goes
-/// back to the system beyond some size, its page faults are timed, and whether that happens depends
-/// on what ran before.
-void keep_freed_memory() {
-  mallopt(M_MMAP_THRESHOLD, 1 << 28);
-  mallopt(M_TRIM_THRESHOLD, 1 << 30);
 }
 
 int run(int argc, char** argv) {

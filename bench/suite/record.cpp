@@ -10,13 +10,12 @@
 #include <string_view>
 #include <utility>
 
-#include "bench/suite/binary.h"
 #include "bench/suite/cell.h"
 #include "bench/suite/environment.h"
+#include "bench/suite/environment_json.h"
 #include "bench/suite/peer_cell.h"
 #include "bench/suite/request.h"
 #include "bench/suite/structure.h"
-#include "formulations/algebra/blas.h"
 #include "formulations/guess.h"
 
 namespace desmo::suite {
@@ -26,52 +25,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::array level_names{"position", "velocity", "acceleration"};
-constexpr const char* schema_version = "1.3.0";
-
-Json environment(const Run& run, const TimeGrid& grid) {
-  const Machine machine = this_machine();
-  const Build build = this_build();
-  const Link link = this_link();
-  const BlasEnvironment blas = blas_environment();
-  const Settings settings;
-  Json libraries = Json::object();
-  for (const auto& [name, version] : library_versions()) libraries[name] = version;
-  return {{"date", run.date},
-          {"commit", build.commit},
-          {"dirty", build.dirty},
-          {"command", run.command},
-          {"machine",
-           {{"cpu", machine.cpu},
-            {"cores", machine.cores},
-            {"caches", machine.caches},
-            {"kernel", machine.kernel},
-            {"governor", machine.governor},
-            {"turbo", machine.turbo},
-            {"load_before", run.load_before},
-            {"load_after", run.load_after}}},
-          {"build",
-           {{"type", build.type},
-            {"compiler", build.compiler},
-            {"flags", build.flags},
-            {"link", {{"type", link.type}, {"flags", link.flags}, {"libraries", link.libraries}}},
-            {"binary", binary_digest()}}},
-          {"libraries", libraries},
-          {"blas", {{"core", blas.core}, {"threads", blas.threads}}},
-          {"settings",
-           {{"tolerance", settings.tolerance},
-            {"max_iterations", settings.max_iterations},
-            {"guess", "previous position"},
-            {"step_seconds", grid.step},
-            {"duration_seconds", grid.time(grid.instants - 1)},
-            {"instants", grid.instants},
-            {"clock", "CPU time of the thread"},
-            {"reducer", "median"},
-            {"allowed",
-             {{"position", allowed.position},
-              {"velocity", allowed.velocity},
-              {"acceleration", allowed.acceleration},
-              {"request", allowed_request_difference}}}}}};
-}
 
 /// Status, the message unless it is "ok", and what was solved, where, with which results: of what
 /// has no time, nothing that follows is written.
@@ -87,13 +40,6 @@ void add_status(Json& j, const Timed& timed) {
 void add_samples(Json& j, const Timed& timed) {
   j["cpu_seconds"] = timed.cpu_seconds;
   j["repetitions"] = timed.cpu_seconds.size();
-}
-
-Json errors_json(const Errors& errors) {
-  return {{"instants", errors.instants},
-          {"position", errors.position},
-          {"velocity", errors.velocity},
-          {"acceleration", errors.acceleration}};
 }
 
 Json cell_json(const Cell& cell) {
@@ -206,7 +152,7 @@ RecordFile::~RecordFile() {
 
 void RecordFile::write(const Run& run, const std::vector<Timed*>& timed) {
   Json all = {{"schema", "desmo-results"}, {"version", schema_version}};
-  all["record"] = environment(run, timed.front()->grid);
+  all["record"] = environment_json(run, timed.front()->grid);
   for (const char* list : {"cells", "profiles", "structure", "requests"}) all[list] = Json::array();
   std::set<std::pair<std::string_view, int>> described;
   for (const Timed* one : timed) {

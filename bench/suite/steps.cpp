@@ -1,18 +1,23 @@
-// desmo_steps CASE COORDINATES ID STEPS: assembles and takes so many steps of 10 ms, nothing
-// else. Two runs with different numbers of steps tell what a step costs in instructions.
+// desmo_steps CASE COORDINATES ID STEPS [ITERATIONS [PERCENT]]: assembles and takes so many steps
+// of 10 ms, nothing else, for instruction counts and profilers. With ITERATIONS every step takes
+// exactly so many Newton iterations. PERCENT repeats that share of the steps: a slowdown on
+// purpose, for tests of what is to find one. The steps after the first few are all in
+// desmo_counted_steps.
 
+#include <algorithm>
 #include <charconv>
 #include <exception>
 #include <iostream>
 #include <stdexcept>
 #include <string_view>
 
-#include "bench/suite/delivery.h"
-#include "cases/cases.h"
-#include "formulations/modelling/model.h"
-#include "formulations/variants.h"
+#include "bench/regression/subject.h"
 
 namespace {
+
+using desmo::regression::Subject;
+
+constexpr int warm_up = 5;  // steps until pivots are chosen and positions near the solution
 
 int whole(std::string_view text) {
   int value = 0;
@@ -25,19 +30,32 @@ int whole(std::string_view text) {
 
 }  // namespace
 
+extern "C" [[gnu::noinline]] desmo::Summary desmo_counted_steps(Subject& subject, int first,
+                                                                int last, int repeated) {
+  const desmo::Summary s = subject.walk(first, last);
+  return s.ok() && repeated > 0 ? subject.walk(last - 1, last - repeated) : s;
+}
+
 int main(int argc, char** argv) {
   using namespace desmo;
-  if (argc != 5) {
-    std::cerr << "usage: desmo_steps CASE COORDINATES ID STEPS\n";
+  if (argc < 5 || argc > 7) {
+    std::cerr << "usage: desmo_steps CASE COORDINATES ID STEPS [ITERATIONS [PERCENT]]\n";
     return 64;
   }
   try {
-    const Mechanism mechanism = make_mechanism(describe(find_case(argv[1]), whole(argv[2])));
-    const auto formulation = make_formulation(find_variant(argv[3]), mechanism);
-    suite::Delivery sink(mechanism.coordinates());
-    const Summary s = formulation->run(TimeGrid{0, 0.01, whole(argv[4]) + 1}, {}, sink);
+    const int steps = whole(argv[4]), repeated = argc > 6 ? whole(argv[6]) : 0;
+    Settings settings;
+    if (argc > 5) settings.fixed_iterations = whole(argv[5]);
+    const int first = std::min(warm_up, steps);
+    Subject subject({argv[1], whole(argv[2]), argv[3]}, steps + 1, settings);
+    Summary s = subject.walk(0, first);
+    if (s.ok() && first < steps)
+      s = desmo_counted_steps(subject, first + 1, steps,
+                              regression::extra_steps(steps - first, repeated));
+    if (s.ok() && s.residual > Settings{}.tolerance)  // possible with fixed iterations only
+      s.status = Status::not_converged;
     if (s.ok()) return 0;
-    std::cerr << "desmo_steps: " << describe(s, mechanism) << '\n';
+    std::cerr << "desmo_steps: " << describe(s, subject.mechanism()) << '\n';
     return 1;
   } catch (const std::exception& e) {
     std::cerr << "desmo_steps: " << e.what() << '\n';

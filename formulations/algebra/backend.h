@@ -21,8 +21,7 @@ struct PartContext {
   const PartDefinition& definition;
   /// Of the symbolic equations, by bind_kernels(); without them the equations are automatic.
   std::optional<std::vector<BoundKernel>> kernels;
-  double tolerance;  ///< on ‖Φ‖₂ of the part's own equations
-  int max_iterations;
+  Settings settings;           ///< with the tolerance on ‖Φ‖₂ of the part's own equations
   Profile* profile = nullptr;  ///< where phases are measured, or null for the timed code
 };
 
@@ -42,12 +41,11 @@ template <class Algebra>
 std::unique_ptr<Part> make_newton_part(const PartContext& context) {
   const auto make = [&]<class Equations>(Equations equations) -> std::unique_ptr<Part> {
     if (!context.profile)
-      return std::make_unique<NewtonPart<Equations, Algebra>>(
-          std::move(equations), context.tolerance, context.max_iterations);
+      return std::make_unique<NewtonPart<Equations, Algebra>>(std::move(equations),
+                                                              context.settings);
     using Profiled = ProfiledEquations<Equations>;
     return std::make_unique<NewtonPart<Profiled, ProfiledAlgebra<Algebra>>>(
-        Profiled(std::move(equations), *context.profile), context.tolerance, context.max_iterations,
-        *context.profile);
+        Profiled(std::move(equations), *context.profile), context.settings, *context.profile);
   };
   if (!context.kernels) return make(AutomaticEquations(context.mechanism, context.definition));
   return make(SymbolicEquations(context.mechanism, context.definition, *context.kernels));

@@ -1,0 +1,21 @@
+#include "bench/regression/side.h"
+
+#include <cstdlib>
+
+namespace desmo::regression {
+
+Launch Side::probe(std::vector<std::string> arguments) const {
+  arguments.insert(arguments.begin(), folder + "/desmo_probe");
+  return fixed_launch(std::move(arguments));
+}
+
+Launch fixed_launch(std::vector<std::string> arguments) {
+  Launch launch{
+      std::move(arguments),
+      {"LC_ALL=C", "LD_BIND_NOW=1", "OPENBLAS_NUM_THREADS=1", "PATH=/usr/local/bin:/usr/bin:/bin"}};
+  if (const char* libraries = std::getenv("LD_LIBRARY_PATH"))
+    launch.environment.push_back(std::string("LD_LIBRARY_PATH=") + libraries);
+  return launch;
+}
+
+}  // namespace desmo::regression

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <memory>
+
+#include "bench/regression/cell_name.h"
+#include "bench/suite/delivery.h"
+#include "cases/mechanism.h"
+#include "formulations/formulation.h"
+#include "formulations/variants.h"
+
+namespace desmo::regression {
+
+/// A cell of the suite, built and ready to be run over its first instants, 10 ms apart.
+class Subject {
+ public:
+  /// Throws std::invalid_argument when this build has no such cell.
+  Subject(const CellName& cell, int instants, const Settings& settings = {});
+  Subject(const Subject&) = delete;  // the formulation refers to the mechanism
+  Subject& operator=(const Subject&) = delete;
+
+  /// First assembly, all steps, and the delivery of every instant, as the suite times them.
+  Summary analyse();
+
+  /// Solves and delivers the instants from `first` to `last`, a step each, forwards or backwards.
+  /// Needs an earlier solution nearby. Returns what became of the last step tried.
+  Summary walk(int first, int last);
+
+  int last_instant() const { return grid_.instants - 1; }
+  const Mechanism& mechanism() const { return mechanism_; }
+
+ private:
+  Mechanism mechanism_;
+  std::unique_ptr<Formulation> formulation_;
+  suite::Delivery delivery_;
+  TimeGrid grid_;
+};
+
+/// Steps that make the work of so many steps larger by so many percent.
+int extra_steps(int steps, double percent);
+
+}  // namespace desmo::regression

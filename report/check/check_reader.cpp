@@ -1,0 +1,89 @@
+#include "report/check/check_reader.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "report/json_document.h"
+#include "report/json_node.h"
+#include "report/record_reader.h"
+
+namespace desmo::report {
+namespace {
+
+std::vector<double> read_samples(const JsonNode& node) {
+  std::vector<double> samples;
+  for (const JsonNode& sample : node.elements()) samples.push_back(sample.sample());
+  if (samples.empty()) node.complain("at least one round is needed");
+  return samples;
+}
+
+Rounds read_rounds(const JsonNode& node, bool two_sides) {
+  Rounds rounds{{}, read_samples(node["head"])};
+  if (two_sides) rounds.base = read_samples(node["base"]);
+  if (two_sides && rounds.base.size() != rounds.head.size())
+    node.complain("base and head differ in their number of rounds");
+  return rounds;
+}
+
+std::int64_t read_count(const JsonNode& node) {
+  const double count = node.positive();
+  if (count != static_cast<double>(static_cast<std::int64_t>(count)))
+    node.complain("a whole number of instructions was expected");
+  return static_cast<std::int64_t>(count);
+}
+
+Work read_work(const JsonNode& node, bool two_sides) {
+  Work work{node["tool"].text(), node["steps"].integer(1), node["iterations"].integer(1), {}};
+  for (const auto& [cell, sides] : node["instructions"].members()) {
+    Instructions& counts = work.instructions[cell];
+    counts.head = read_count(sides["head"]);
+    if (two_sides) counts.base = read_count(sides["base"]);
+  }
+  return work;
+}
+
+bool is_timed(const Record& record) {
+  return std::ranges::any_of(record.cells,
+                             [](const auto& cell) { return cell.second.status == Status::ok; });
+}
+
+// What was timed on one side was timed on the other, in the same rounds.
+void check_pairs(const CheckRecord& check, const JsonNode& root) {
+  for (const auto& [key, head] : check.head.cells) {
+    const auto base = check.base->cells.find(key);
+    if (base == check.base->cells.end())
+      root["base"].complain("the cell " + cell_name(key) + " of head is missing");
+    if (base->second.status == Status::ok && head.status == Status::ok &&
+        base->second.cpu_seconds.size() != head.cpu_seconds.size())
+      root["head"].complain("the cell " + cell_name(key) + " has another number of rounds in base");
+  }
+}
+
+}  // namespace
+
+CheckRecord read_check(const JsonNode& root) {
+  check_schema(root, "desmo-check");
+  CheckRecord check;
+  check.head = read_record(root["head"]);
+  if (const auto base = root.find("base")) check.base = read_record(*base);
+  const bool two_sides = check.base.has_value();
+  if (two_sides) check_pairs(check, root);
+  if (is_timed(check.head)) check.control = read_rounds(root[control_name], two_sides);
+  if (const auto second = root.find("second"))
+    for (const auto& [cell, rounds] : second->members())
+      check.second.emplace(cell, read_rounds(rounds, two_sides));
+  if (!check.second.empty() && !check.second.contains(control_name))
+    root["second"].complain("the control is missing");
+  if (const auto work = root.find("work")) check.work = read_work(*work, two_sides);
+  if (const auto slowed = root["settings"].find_text("slowed")) check.slowed = *slowed;
+  return check;
+}
+
+CheckRecord parse_check(std::string_view text) {
+  const nlohmann::json document = parse_json(text);
+  return read_check(JsonNode(document));
+}
+
+CheckRecord read_check(const std::filesystem::path& file) { return parse_check(read_whole(file)); }
+
+}  // namespace desmo::report

@@ -1,0 +1,23 @@
+// From a results file to a CheckRecord.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include "report/check/check_record.h"
+#include "report/json_node.h"
+
+namespace desmo::report {
+
+/// Checks everything that a verdict relies on. The two sides are records of their own, read as
+/// such. Throws InvalidRecord, naming the place; UnsupportedVersion and MixedRecord where they
+/// apply.
+CheckRecord parse_check(std::string_view text);
+
+/// Likewise, of what has been parsed already.
+CheckRecord read_check(const JsonNode& root);
+
+/// Throws as parse_check, or UnreadableFile.
+CheckRecord read_check(const std::filesystem::path& file);
+
+}  // namespace desmo::report

@@ -1,0 +1,30 @@
+// `desmo_report check` and `desmo_report certificate`.
+#pragma once
+
+#include <string>
+
+namespace desmo::report {
+
+struct CheckCommand {
+  std::string file;      ///< results file of a check
+  std::string baseline;  ///< results file to compare with; empty: the check holds both sides
+  std::string format = "terminal";
+  bool pending = false;  ///< only list what has still to be measured, "PASS CELL" a line
+};
+
+/// Prints the verdict on standard output. Returns the exit code: that of the Verdict;
+/// Verdict::invalid for a file that is no whole results file, Verdict::incomparable for one that
+/// mixes machines or is of an unknown version, 64 when it cannot be read, with a message. Throws
+/// OutputError.
+int run(const CheckCommand& command);
+
+struct CertificateCommand {
+  std::string file;  ///< written by bench/certify
+  std::string format = "terminal";
+};
+
+/// Prints what a certificate shows. Returns 0 when every claim holds, 1 when one does not, 3 when
+/// trials are missing, and otherwise as run(CheckCommand).
+int run(const CertificateCommand& command);
+
+}  // namespace desmo::report

@@ -1,0 +1,96 @@
+#include "report/check/judgement.h"
+
+#include <algorithm>
+
+namespace desmo::report {
+namespace {
+
+/// Cells whose answers are wrong, and those that `then` does not have in order.
+void exclude(Judgement& j, const CheckRecord& check, const Record& then) {
+  for (const auto& [key, head] : check.head.cells) {
+    const std::string name = cell_name(key);
+    const auto before = then.cells.find(key);
+    const bool counted = check.work && check.work->instructions.contains(name);
+    if (head.status == Status::failed)
+      j.invalid.push_back({name, head.message});
+    else if (before == then.cells.end())
+      j.excluded.push_back({name, "new"});
+    else if (before->second.status == Status::failed)
+      j.excluded.push_back({name, "was wrong before: " + before->second.message});
+    else if (!counted && head.status == Status::not_run)
+      j.excluded.push_back({name, head.message});
+    else if (!counted && before->second.status == Status::not_run)
+      j.excluded.push_back({name, "new: " + before->second.message});
+  }
+  for (const auto& [key, cell] : then.cells)
+    if (!check.head.cells.contains(key)) j.excluded.push_back({cell_name(key), "no longer there"});
+}
+
+template <class Findings>
+bool any(const Findings& findings, Outcome outcome) {
+  return std::ranges::any_of(findings, [&](const auto& f) { return f.outcome == outcome; });
+}
+
+/// The verdict, and nothing of what is wrong but that it is.
+Verdict overall(Judgement& j) {
+  for (const Excluded& wrong : j.invalid)
+    std::erase_if(j.work.cells, [&](const WorkFinding& f) { return f.cell == wrong.cell; });
+
+  const auto& times = j.time.cells;
+  const auto& works = j.work.cells;
+  if (!j.invalid.empty()) return Verdict::invalid;
+  if (any(times, Outcome::regression) || any(works, Outcome::regression))
+    return Verdict::regression;
+  if (!j.differences.empty() || !j.work.differences.empty()) return Verdict::incomparable;
+  if (times.empty() && works.empty()) return Verdict::incomparable;
+  if (any(times, Outcome::unconfirmed) || any(times, Outcome::noisy)) return Verdict::inconclusive;
+  return Verdict::pass;
+}
+
+bool has_times(const Record& record) {
+  return std::ranges::any_of(record.cells,
+                             [](const auto& cell) { return cell.second.status == Status::ok; });
+}
+
+}  // namespace
+
+Judgement judge(const CheckRecord& check) {
+  Judgement j;
+  exclude(j, check, check.base ? *check.base : check.head);
+  if (check.base && has_times(check.head)) {
+    j.differences = why_incomparable(*check.base, check.head);
+    if (j.differences.empty()) j.time = find_times(check);
+  }
+  j.work = find_works(check);
+  j.verdict = overall(j);
+  return j;
+}
+
+Judgement judge(const CheckRecord& check, const CheckRecord& baseline) {
+  Judgement j;
+  exclude(j, check, baseline.head);
+  if (has_times(check.head)) {
+    j.differences = why_incomparable(baseline.head, check.head);
+    if (j.differences.empty()) j.time = find_times(check, baseline);
+  }
+  j.work = find_works(check, baseline);
+  j.verdict = overall(j);
+  return j;
+}
+
+std::vector<Pending> pending(const Judgement& judgement) {
+  std::vector<Pending> all;
+  const auto& control = judgement.time.control;
+  const bool first_unsteady = control && is_unsteady(*control);
+  for (const TimeFinding& f : judgement.time.cells) {
+    if (f.outcome != Outcome::unconfirmed && f.outcome != Outcome::noisy) continue;
+    const bool first = f.outcome == Outcome::noisy && (first_unsteady || !f.second);
+    all.push_back({first ? "first" : "second", f.cell});
+    // A ratio needs both its times in the same rounds; the control is in all of them.
+    if (!f.reference.empty() && f.reference != control_name)
+      all.push_back({all.back().pass, f.reference});
+  }
+  return all;
+}
+
+}  // namespace desmo::report

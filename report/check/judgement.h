@@ -1,0 +1,42 @@
+// What a check says as a whole.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "report/check/time_findings.h"
+#include "report/check/work_findings.h"
+
+namespace desmo::report {
+
+/// Exit codes of `desmo_report check`.
+enum class Verdict { pass = 0, regression = 1, invalid = 2, inconclusive = 3, incomparable = 4 };
+
+/// A cell that is not judged, and why.
+struct Excluded {
+  std::string cell, reason;
+};
+
+struct Judgement {
+  Verdict verdict = Verdict::pass;
+  std::vector<Excluded> invalid;        ///< head's answers are wrong
+  std::vector<Excluded> excluded;       ///< there is nothing to compare with
+  std::vector<Difference> differences;  ///< why times cannot be compared; then there are none
+  TimeFindings time;
+  WorkFindings work;
+};
+
+/// Base against head. A check of head alone is Verdict::incomparable.
+Judgement judge(const CheckRecord& check);
+
+/// Head against that of a stored baseline, which is a check of one tree, too.
+Judgement judge(const CheckRecord& check, const CheckRecord& baseline);
+
+/// What has still to be measured for the verdict to be final.
+struct Pending {
+  std::string pass;  ///< "first" or "second"
+  std::string cell;
+};
+std::vector<Pending> pending(const Judgement& judgement);
+
+}  // namespace desmo::report

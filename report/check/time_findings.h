@@ -1,0 +1,35 @@
+// What the times of a check mean, cell by cell.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "report/check/check_record.h"
+#include "report/check/rules.h"
+
+namespace desmo::report {
+
+struct TimeFinding {
+  std::string cell;
+  std::string reference;  ///< against a baseline: what its time is divided by; otherwise empty
+  double base_seconds = 0, head_seconds = 0;  ///< medians over the rounds; base 0 without one
+  Change first;
+  std::optional<Change> second;
+  Outcome outcome = Outcome::same;
+};
+
+struct TimeFindings {
+  std::optional<Change> control;  ///< of the first pass; none against a baseline
+  std::vector<TimeFinding> cells;
+};
+
+/// Base against head, round by round.
+TimeFindings find_times(const CheckRecord& check);
+
+/// Head against that of a stored baseline, by ratios within either run: each cell's time over that
+/// of its case's global_automatic_klu, and that one's over the control. So the speed of the machine
+/// and of the day cancel.
+TimeFindings find_times(const CheckRecord& check, const CheckRecord& baseline);
+
+}  // namespace desmo::report

@@ -1,0 +1,16 @@
+// The verdict of a check, for people.
+#pragma once
+
+#include "report/check/check_record.h"
+#include "report/check/judgement.h"
+#include "report/document.h"
+
+namespace desmo::report {
+
+/// "PASS", "REGRESSION", ...
+const char* verdict_word(Verdict verdict);
+
+/// What was found, cell by cell, and what it was found on.
+Document verdict_document(const CheckRecord& check, const Judgement& judgement);
+
+}  // namespace desmo::report

@@ -1,0 +1,108 @@
+// desmo_report check as bench/check runs it: exit codes and messages.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "tests/report/check_sample.h"
+
+namespace desmo::report {
+namespace {
+
+namespace fs = std::filesystem;
+
+class CheckProgram : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = (fs::temp_directory_path() / "desmo_check_XXXXXX").string();
+    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
+    folder_ = pattern;
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string written(const std::string& name, const std::string& text) {
+    std::ofstream(folder_ / name) << text;
+    return (folder_ / name).string();
+  }
+
+  int report(const std::string& arguments) {
+    const std::string out = (folder_ / "stdout").string(), err = (folder_ / "stderr").string();
+    const int status = std::system(
+        (std::string(DESMO_REPORT_PROGRAM) + " " + arguments + " >" + out + " 2>" + err).c_str());
+    out_ = read_text(out);
+    err_ = read_text(err);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+  int check(const std::string& text, const std::string& options = "") {
+    return report("check " + written("results.json", text) + " " + options);
+  }
+
+  fs::path folder_;
+  std::string out_, err_;
+};
+
+TEST_F(CheckProgram, PassesWhatHasNotChanged) {
+  EXPECT_EQ(check(check_sample().dump()), 0);
+  EXPECT_NE(out_.find("Verdict: PASS"), std::string::npos) << out_;
+  EXPECT_EQ(err_, "");
+}
+
+TEST_F(CheckProgram, NamesWhatHasBecomeSlowerInMarkdownToo) {
+  Json json = check_sample();
+  slow_down(json, watched, 1.1);
+  EXPECT_EQ(check(json.dump(), "--pending"), 0);
+  EXPECT_EQ(out_, std::string("second ") + watched + "\n");
+  EXPECT_EQ(check(json.dump()), 3);
+  confirm(json, watched, 1.1);
+  EXPECT_EQ(check(json.dump(), "--pending"), 0);
+  EXPECT_EQ(out_, "");
+  EXPECT_EQ(check(json.dump(), "--format markdown"), 1);
+  EXPECT_NE(out_.find("Slower: truck\\_suspension/114/group\\_symbolic\\_klu."), std::string::npos)
+      << out_;
+}
+
+TEST_F(CheckProgram, WrongNumerics) {
+  Json json = check_sample();
+  fail_head(json, watched);
+  EXPECT_EQ(check(json.dump()), 2);
+  EXPECT_NE(out_.find("Wrong numerics, not timed: " + std::string(watched)), std::string::npos)
+      << out_;
+}
+
+TEST_F(CheckProgram, FilesThatCannotBeJudgedSayWhy) {
+  const std::string whole = check_sample().dump();
+  EXPECT_EQ(check(whole.substr(0, whole.size() / 2)), 2);
+  EXPECT_NE(err_.find("results.json: not a complete JSON document"), std::string::npos) << err_;
+  EXPECT_EQ(check("nonsense"), 2);
+  Json json = check_sample();
+  json["version"] = "2.0.0";
+  EXPECT_EQ(check(json.dump()), 4);
+  EXPECT_NE(err_.find("schema version 2.0.0 is not supported"), std::string::npos) << err_;
+  json = check_sample();
+  json["head"]["cells"][0]["machine"] = "other";
+  EXPECT_EQ(check(json.dump()), 4);
+  EXPECT_NE(err_.find("a record is of one machine"), std::string::npos) << err_;
+  EXPECT_EQ(report("check " + (folder_ / "no_such.json").string()), 64);
+  EXPECT_NE(err_.find("no_such.json: cannot be read: No such file"), std::string::npos) << err_;
+  EXPECT_EQ(report("check"), 64);
+}
+
+TEST_F(CheckProgram, ABaselineIsReadLikeACheckAndNamedWhenItIsNone) {
+  const std::string baseline = written("baseline.json", one_tree_sample().dump());
+  EXPECT_EQ(check(one_tree_sample().dump(), "--baseline " + baseline), 0);
+  EXPECT_EQ(check(one_tree_sample().dump()), 4);  // alone it compares with nothing
+  EXPECT_EQ(check(one_tree_sample().dump(), "--baseline " + written("bad.json", "{")), 2);
+  EXPECT_NE(err_.find("bad.json"), std::string::npos) << err_;
+}
+
+TEST_F(CheckProgram, TheSameFileGivesTheSameBytes) {
+  EXPECT_EQ(check(check_sample().dump()), 0);
+  const std::string first = out_;
+  EXPECT_EQ(check(check_sample().dump()), 0);
+  EXPECT_EQ(out_, first);
+}
+
+}  // namespace
+}  // namespace desmo::report

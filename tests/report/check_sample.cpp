@@ -1,0 +1,91 @@
+#include "tests/report/check_sample.h"
+
+#include <gtest/gtest.h>
+
+#include "report/check/check_reader.h"
+
+namespace desmo::report {
+namespace {
+
+constexpr int rounds = 25;
+
+/// Seconds near `middle`, up to 0.4 % off: a walk through all residues, another for each side.
+Json times(double middle, int stride) {
+  Json seconds = Json::array();
+  for (int round = 0; round < rounds; ++round)
+    seconds.push_back(middle * (1 + 0.0003 * (round * stride % rounds - rounds / 2)));
+  return seconds;
+}
+
+/// The environment and three cells of a recorded run, with made-up times.
+Json side(int stride) {
+  Json record = Json::parse(read_text(data_file("golden/1.3.0.json")));
+  for (const char* list : {"profiles", "structure", "requests"}) record.erase(list);
+  Json cells = Json::array();
+  double middle = 0.001;
+  for (const Json& cell : record["cells"]) {
+    const std::string id = cell["id"];
+    const bool wanted = cell["case"] == "truck_suspension" && cell["coordinates"] == 114 &&
+                        (id == "global_automatic_klu" || id == "group_symbolic_klu" ||
+                         id == "group_symbolic_inlined");
+    if (!wanted) continue;
+    cells.push_back(cell);
+    cells.back()["cpu_seconds"] = times(middle *= 0.7, stride);
+    cells.back()["repetitions"] = rounds;
+  }
+  record["cells"] = cells;
+  return record;
+}
+
+Json& cell_named(Json& record, const std::string& name) {
+  for (Json& cell : record["cells"])
+    if (name == cell["case"].get<std::string>() + "/" +
+                    std::to_string(cell["coordinates"].get<int>()) + "/" +
+                    cell["id"].get<std::string>())
+      return cell;
+  ADD_FAILURE() << "no cell " << name;
+  return record["cells"][0];
+}
+
+}  // namespace
+
+Json check_sample() {
+  Json check = {{"schema", "desmo-check"}, {"version", "1.3.0"}};
+  check["settings"] = {{"seed", 1}, {"turns", 3}, {"repetitions", 2}};
+  check["base"] = side(7);
+  check["head"] = side(11);
+  check["control"] = {{"base", times(1e-4, 7)}, {"head", times(1e-4, 11)}};
+  check["work"] = {{"tool", "valgrind-3.19.0"}, {"steps", 100}, {"iterations", 3}};
+  check["work"]["instructions"][watched] = {{"base", 1'000'000}, {"head", 1'000'000}};
+  return check;
+}
+
+Json one_tree_sample() {
+  Json check = check_sample();
+  check.erase("base");
+  check["control"].erase("base");
+  check["work"]["instructions"][watched].erase("base");
+  return check;
+}
+
+void slow_down(Json& check, const std::string& cell, double factor) {
+  for (Json& seconds : cell_named(check["head"], cell)["cpu_seconds"])
+    seconds = seconds.get<double>() * factor;
+}
+
+void confirm(Json& check, const std::string& cell, double factor) {
+  check["second"][cell] = {{"base", times(1e-3, 7)}, {"head", times(1e-3 * factor, 11)}};
+  check["second"]["control"] = check["control"];
+}
+
+void fail_head(Json& check, const std::string& name) {
+  Json& cell = cell_named(check["head"], name);
+  cell["status"] = "failed";
+  cell["message"] = "differs from the quadruple reference";
+  cell.erase("cpu_seconds");
+  cell.erase("repetitions");
+}
+
+CheckRecord check_from(const Json& json) { return parse_check(json.dump()); }
+
+}  // namespace desmo::report

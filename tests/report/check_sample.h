@@ -1,0 +1,30 @@
+// A made-up check of three cells, and what can happen to it.
+#pragma once
+
+#include <string>
+
+#include "report/check/check_record.h"
+#include "tests/report/sample.h"
+
+namespace desmo::report {
+
+inline constexpr const char* watched = "truck_suspension/114/group_symbolic_klu";
+
+/// 25 rounds of both sides, which differ by a few tenths of a percent either way; work counted.
+Json check_sample();
+
+/// The same of one tree, as a baseline has it.
+Json one_tree_sample();
+
+/// Multiplies head's times of a cell, in the first pass.
+void slow_down(Json& check, const std::string& cell, double factor);
+
+/// Adds a second pass of a cell in which head takes so many times base's time.
+void confirm(Json& check, const std::string& cell, double factor);
+
+/// Makes head's answers wrong, as desmo_check records it.
+void fail_head(Json& check, const std::string& cell);
+
+CheckRecord check_from(const Json& json);
+
+}  // namespace desmo::report

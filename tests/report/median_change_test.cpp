@@ -1,0 +1,85 @@
+// The median of logarithms and its bootstrap interval.
+#include "report/check/median_change.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+
+namespace desmo::report {
+namespace {
+
+TEST(MedianChange, OfRatiosThatAreAllTheSame) {
+  const std::vector<double> base{1, 2, 3, 4, 5}, head{1.1, 2.2, 3.3, 4.4, 5.5};
+  const Change c = median_change(log_ratios(head, base));
+  EXPECT_NEAR(c.ratio, 1.1, 1e-12);
+  EXPECT_NEAR(c.low, 1.1, 1e-12);
+  EXPECT_NEAR(c.high, 1.1, 1e-12);
+  EXPECT_EQ(c.rounds, 5u);
+}
+
+TEST(MedianChange, OutliersDoNotMoveIt) {
+  std::vector<double> base(25, 1.0), head(25, 1.0);
+  for (int i = 0; i < 8; ++i) head[i] = 3;
+  const Change c = median_change(log_ratios(head, base));
+  EXPECT_EQ(c.ratio, 1);
+  EXPECT_EQ(c.low, 1);
+}
+
+TEST(MedianChange, ExchangingTheSidesInvertsIt) {
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> noise(0, 0.01);
+  std::vector<double> base, head;
+  for (int i = 0; i < 25; ++i) base.push_back(std::exp(noise(random))), head.push_back(1.07);
+  const Change a = median_change(log_ratios(head, base)), b = median_change(log_ratios(base, head));
+  EXPECT_NEAR(a.ratio * b.ratio, 1, 1e-12);
+  EXPECT_NEAR(a.low * b.high, 1, 1e-12);
+  EXPECT_NEAR(a.high * b.low, 1, 1e-12);
+}
+
+// Of three values the 27 resamples have the middle one as median 13 times and the others 7 times
+// each.
+TEST(BootstrapMedian, OfThreeValuesByCounting) {
+  const MedianDistribution d = bootstrap_median(std::vector<double>{3, 1, 2});
+  EXPECT_EQ(d.value, (std::vector<double>{1, 2, 3}));
+  EXPECT_NEAR(d.probability[0], 7.0 / 27, 1e-12);
+  EXPECT_NEAR(d.probability[1], 13.0 / 27, 1e-12);
+  EXPECT_NEAR(d.probability[2], 7.0 / 27, 1e-12);
+}
+
+TEST(BootstrapMedian, ProbabilitiesAreWhatDrawingGives) {
+  const int n = 25, draws = 200000;
+  std::vector<double> values(n);
+  std::iota(values.begin(), values.end(), 0.0);
+  const MedianDistribution d = bootstrap_median(values);
+  EXPECT_NEAR(std::accumulate(d.probability.begin(), d.probability.end(), 0.0), 1, 1e-12);
+  std::mt19937_64 random(1);
+  std::vector<double> seen(n), resample(n);
+  for (int draw = 0; draw < draws; ++draw) {
+    for (double& value : resample) value = static_cast<double>(random() % n);
+    std::nth_element(resample.begin(), resample.begin() + n / 2, resample.end());
+    seen[static_cast<std::size_t>(resample[n / 2])] += 1.0 / draws;
+  }
+  for (int i = 0; i < n; ++i) EXPECT_NEAR(d.probability[i], seen[i], 0.005) << i;
+}
+
+// 99 of 100 intervals or so hold the true median; 400 samples leave room for chance.
+TEST(MedianChange, TheIntervalHoldsTheTrueMedian) {
+  std::mt19937_64 random(7);
+  std::normal_distribution<double> noise(0, 0.02);
+  int paired = 0, apart = 0;
+  for (int sample = 0; sample < 400; ++sample) {
+    std::vector<double> now, then;
+    for (int i = 0; i < 25; ++i) now.push_back(0.05 + noise(random)), then.push_back(noise(random));
+    const Change one = median_change(now), two = median_change(now, then);
+    paired += one.low <= std::exp(0.05) && one.high >= std::exp(0.05);
+    apart += two.low <= std::exp(0.05) && two.high >= std::exp(0.05);
+  }
+  EXPECT_GE(paired, 388);
+  EXPECT_GE(apart, 388);
+}
+
+}  // namespace
+}  // namespace desmo::report
