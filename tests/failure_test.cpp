@@ -106,7 +106,7 @@ TEST(Settings, ThatCannotEndAreRefused) {
   EXPECT_THROW(make_formulation(v, m, Settings{0, 25}), std::invalid_argument);
   EXPECT_THROW(make_formulation(v, m, Settings{NAN, 25}), std::invalid_argument);
   EXPECT_THROW(make_formulation(v, m, Settings{1e-10, 0}), std::invalid_argument);
-  EXPECT_THROW(make_formulation(v, m, Settings{1e-10, 25, -1}), std::invalid_argument);
+  EXPECT_THROW(make_formulation(v, m, Settings{.fixed_iterations = -1}), std::invalid_argument);
 }
 
 INSTANTIATE_TEST_SUITE_P(Table, EveryVariant,
