@@ -82,8 +82,9 @@ std::vector<LeftOut> leave_out_dependent(Candidates& candidates, double size,
   RowSelector selector(candidates, positions, lineariser);
   std::vector<LeftOut> left_out;
   for (GroupSystem& s : systems) {
-    const SelectedRows selected = selector.select_and_shorten(s);
-    require_determined(m, s, selected);
+    SelectedRows selected = selector.select(s);
+    require_determined(m, s, selected);  // of whole definitions: parts of them contradict nothing
+    selector.shorten(s, selected);
     mark_left_out(m, s, selected, surplus[s.group] > 0, left_out);
   }
   remove_marked(candidates);

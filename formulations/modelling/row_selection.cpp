@@ -14,7 +14,7 @@ namespace {
 
 /// Whether the constraint is a definition of several equations, replaced by the one that says the
 /// same.
-bool shorten(Constraint& constraint) {
+bool make_scalar(Constraint& constraint) {
   bool shorter = false;
   visit_kind(constraint.kind, [&]<class Kind>(Kind) {
     using Scalar = typename ScalarDefinition<Kind>::type;
@@ -40,19 +40,18 @@ RowSelector::RowSelector(Candidates& candidates, const JudgedPositions& position
     std::fill_n(moves_.begin() + m_.state_index(e), m_.entities[e].size, !m_.rests(e));
 }
 
-SelectedRows RowSelector::select_and_shorten(GroupSystem& s) {
-  SelectedRows selected = select(s);
+void RowSelector::shorten(GroupSystem& s, SelectedRows& selected) {
   for (;;) {
     const auto first = m_.constraints.begin() + s.first_constraint,
                end = m_.constraints.begin() + s.end_constraint;
     const std::vector<Constraint> before(first, end);
-    if (!shorten_definitions(s, selected.taken)) return selected;
+    if (!shorten_definitions(s, selected.taken)) return;
     list_rows(m_, s);
     SelectedRows shortened = select(s);
     if (std::ranges::count(shortened.taken, true) < std::ranges::count(selected.taken, true)) {
       std::ranges::copy(before, first);
       list_rows(m_, s);
-      return selected;
+      return;
     }
     selected = std::move(shortened);
   }
@@ -105,7 +104,7 @@ bool RowSelector::shorten_definitions(const GroupSystem& s, const std::vector<bo
     rows_taken[s.rows[i].first - s.first_constraint] += taken[i];
   bool any = false;
   for (int c = s.first_constraint; c < s.end_constraint; ++c)
-    if (rows_taken[c - s.first_constraint] == 1) any = shorten(m_.constraints[c]) || any;
+    if (rows_taken[c - s.first_constraint] == 1) any = make_scalar(m_.constraints[c]) || any;
   return any;
 }
 

@@ -23,13 +23,14 @@ class RowSelector {
   /// All must outlive it.
   RowSelector(Candidates& candidates, const JudgedPositions& positions, Lineariser& lineariser);
 
-  /// A definition of which one equation would be taken is replaced, in the candidates and the
-  /// system, by the one equation that says the same: of the sine and the cosine of an angle, either
-  /// is singular somewhere.
-  SelectedRows select_and_shorten(GroupSystem& system);
+  SelectedRows select(const GroupSystem& system);
+
+  /// Replaces each definition of which one equation is selected, in the candidates, the system and
+  /// the selection, by the one equation that says the same: of the sine and the cosine of an angle,
+  /// either is singular somewhere.
+  void shorten(GroupSystem& system, SelectedRows& selected);
 
  private:
-  SelectedRows select(const GroupSystem& system);
   std::vector<int> preference(const GroupSystem& system) const;
   bool shorten_definitions(const GroupSystem& system, const std::vector<bool>& taken);
 

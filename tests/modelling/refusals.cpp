@@ -87,6 +87,16 @@ TEST(Refused, LinkThatCannotReach) {
                  {"cannot be assembled", "coupler", "rocker", "check the dimensions"});
 }
 
+TEST(Refused, DistanceAlongAVectorThatTheBodyLeaves) {
+  Sketch d("crank", 2);
+  const int A = d.ground_point("A", {0, 0, 0}), B = d.point("B", {1, 0, 0});
+  const int x = d.ground_vector("x", {1, 0, 0});
+  d.revolute(Sketch::ground, d.body("crank", {A, B}), A);
+  d.angle("theta", segment(A, B)).driven = true;
+  d.along("s", A, B, x);
+  expect_refused(d.take(), {still}, {"over-constrained", "crank", "'theta'"});
+}
+
 TEST(Refused, CoordinateThatMeasuresNothingThatMoves) {
   Sketch d = four_bar_sketch();
   d.distance("base", 0, 1);  // A-D
