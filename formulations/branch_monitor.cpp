@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace desmo {
 
@@ -26,7 +27,11 @@ bool is_solved_to(const Plan& plan, const Constraint& constraint, Level level) {
 }  // namespace
 
 BranchMonitor::BranchMonitor(const Plan& plan)
-    : plan_(plan), state_(plan.mechanism.state_size()), rate_(plan.mechanism.state_size()) {
+    : plan_(plan),
+      state_(plan.mechanism.state_size()),
+      rate_(plan.mechanism.state_size()),
+      last_(plan.mechanism.estimate),
+      driven_(independent_coordinates(plan.mechanism)) {
   const Mechanism& m = plan.mechanism;
   std::ranges::copy(m.fixed_values, state_.begin() + m.coordinates());
   for (int c = 0; c < static_cast<int>(m.constraints.size()); ++c)
@@ -61,6 +66,11 @@ int BranchMonitor::violated(const Instant& instant) {
                        rate[row] += value * rate_[at];
                        rate_size[row] += std::abs(value * rate_[at]);
                      });
+      if constexpr (holds_modulo_pi<Kind>) {
+        const std::size_t angle = first[x.size() - 1];
+        if (angle < last_.size() && !driven_[angle])
+          holds = holds && std::abs(state_[angle] - last_[angle]) <= std::numbers::pi;
+      }
       for (int r = 0; r < Kind::rows; ++r)
         if (constraint.left_out >> r & 1)
           holds = holds && std::abs(phi[r]) <= relative * size[r] &&
@@ -68,6 +78,7 @@ int BranchMonitor::violated(const Instant& instant) {
     });
     if (!holds) return c;
   }
+  std::ranges::copy(instant.q, last_.begin());
   return -1;
 }
 

@@ -8,12 +8,13 @@
 namespace desmo {
 
 /// Watches what solved positions must satisfy beyond the equations that were solved:
-/// - an angle that its equation tells modulo π only (holds_modulo_pi) is the one meant, not the one
-///   half a turn away, where a large step can end;
-/// - the equations that were left out of a constraint as dependent while others of it were kept
-///   (Constraint::left_out) hold: they follow from others nearly everywhere, but may not in single
-///   positions or on another branch.
-/// The plan must outlive the monitor.
+/// - an angle that its equation tells modulo π only (holds_modulo_pi) is the one meant, not one
+/// half
+///   a turn away, and has not turned by more than that since the last instant, or the estimate:
+///   where a large step can end;
+/// - the equations that were left out as dependent (Constraint::left_out) hold: they follow from
+///   others nearly everywhere, but may not in single positions or on another branch.
+/// Instants come in order of time. The plan must outlive the monitor.
 class BranchMonitor {
  public:
   explicit BranchMonitor(const Plan& plan);
@@ -27,6 +28,8 @@ class BranchMonitor {
   const Plan& plan_;
   std::vector<int> watched_;          // constraints
   std::vector<double> state_, rate_;  // q and the fixed components, and their rates
+  std::vector<double> last_;          // q of the last instant, or the estimate
+  std::vector<bool> driven_;          // coordinates
 };
 
 }  // namespace desmo

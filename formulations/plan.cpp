@@ -48,6 +48,20 @@ class Upstream {
     }
   }
 
+  /// Keeps the constraints left out whole that speak of what is kept: they can be checked.
+  void keep_consequences() {
+    for (std::size_t c = 0; c < m_.constraints.size(); ++c) {
+      const Constraint& constraint = m_.constraints[c];
+      if (kept_rows(constraint) > 0) continue;
+      constraint_kept[c] = std::ranges::all_of(constraint.operands, [&](EntityId id) {
+        return m_.entities[id].fixed || entity_level[id];
+      });
+      if (!constraint_kept[c]) continue;
+      for (const EntityId id : constraint.operands)
+        if (m_.entities[id].fixed) need(id, Level::position, constraint.operands.front());
+    }
+  }
+
   std::vector<PartDefinition> blocks;
   std::vector<std::optional<Level>> block_level;  // none: not needed
   std::vector<std::optional<Level>> entity_level;
@@ -157,6 +171,7 @@ Plan make_plan(const Mechanism& whole, std::span<const Asked> asked) {
   }
   Upstream up(whole);
   for (const Asked& a : asked) up.ask(a);
+  up.keep_consequences();
 
   Plan plan;
   auto [mechanism, entity] = reduce(whole, up);

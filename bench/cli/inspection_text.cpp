@@ -57,8 +57,9 @@ std::string group_text(const Inspection& inspection, GroupId g) {
 }
 
 std::string left_out_text(const LeftOut& left_out, const Mechanism& m) {
-  const bool in_part =
-      std::ranges::find(m.constraints, left_out.equation, &Constraint::name) != m.constraints.end();
+  const bool in_part = std::ranges::any_of(m.constraints, [&](const Constraint& c) {
+    return c.name == left_out.equation && kept_rows(c) > 0;
+  });
   std::string what = left_out.equation;
   if (in_part) what += ", " + count(static_cast<long>(left_out.rows.size()), "row") + " of it";
   what += " (" + m.groups[left_out.group].name + "): follows from " +

@@ -57,20 +57,6 @@ void mark_left_out(Mechanism& m, const GroupSystem& s, const SelectedRows& selec
   }
 }
 
-/// Removes constraints of which every row is left out.
-void remove_marked(Candidates& candidates) {
-  std::vector<Constraint> constraints;
-  std::vector<Origin> origins;
-  for (std::size_t c = 0; c < candidates.origins.size(); ++c) {
-    Constraint& constraint = candidates.mechanism.constraints[c];
-    if (kept_rows(constraint) == 0) continue;
-    constraints.push_back(std::move(constraint));
-    origins.push_back(candidates.origins[c]);
-  }
-  candidates.mechanism.constraints = std::move(constraints);
-  candidates.origins = std::move(origins);
-}
-
 }  // namespace
 
 std::vector<LeftOut> leave_out_dependent(Candidates& candidates, double size,
@@ -87,7 +73,6 @@ std::vector<LeftOut> leave_out_dependent(Candidates& candidates, double size,
     selector.shorten(s, selected);
     mark_left_out(m, s, selected, surplus[s.group] > 0, left_out);
   }
-  remove_marked(candidates);
   return left_out;
 }
 

@@ -16,8 +16,9 @@ struct LeftOut {
   bool redundant;  ///< the group has more restrictions than freedoms, not just more equations
 };
 
-/// Leaves out of the candidates (Constraint::left_out; whole constraints are removed) those scalar
-/// equations that depend on others, so that each group has as many equations as unknowns.
+/// Leaves out of the candidates (Constraint::left_out; BranchMonitor watches what is left out)
+/// those scalar equations that depend on others, so that each group has as many equations as
+/// unknowns.
 ///
 /// Equations are taken in this order: linear ones first, then those with the fewest entries, then
 /// by Origin, then as they stand. One is left out if it depends on those taken before, in the

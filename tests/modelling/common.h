@@ -40,7 +40,7 @@ inline Stated canonical(Stated s) {
 inline std::vector<Stated> equations_of(const Mechanism& m, GroupId g) {
   std::vector<Stated> result;
   for (const Constraint& c : m.constraints) {
-    if (c.group != g) continue;
+    if (c.group != g || kept_rows(c) == 0) continue;
     Stated s{{}, {}, c.constants};
     visit_kind(c.kind, [&](auto kind) { s.kind = kind.name; });
     for (const EntityId e : c.operands) s.operands.push_back(m.entities[e].name);
