@@ -1,9 +1,5 @@
 #include "bench/cli/delivery.h"
 
-#include <cstdio>
-
-#include "bench/cli/errors.h"
-
 namespace desmo::cli {
 namespace {
 
@@ -22,16 +18,8 @@ Delivery::Delivery(SeriesHeading heading, std::unique_ptr<SeriesFormat> format, 
       text_(format_->heading(heading_)) {}
 
 void Delivery::accept(const Instant& instant) {
-  if (const int c = monitor_.violated(instant); c >= 0) {
-    flush();  // what is good
-    char time[40];
-    std::snprintf(time, sizeof time, "%.9g", instant.time);
-    throw Error(not_solved,
-                "constraint '" + plan_.mechanism.constraints[c].name + "', t = " + time +
-                    " s: solved on another branch than the one it means, such as an "
-                    "angle turns away, or where constraints left out do not follow from "
-                    "the others; take smaller time steps, or model it in another way");
-  }
+  if (const int c = monitor_.violated(instant); c >= 0)
+    throw WrongBranch{c, instant.index, instant.time};
   format_->append(heading_, instant, text_);
   if (text_.size() >= enough_to_write) flush();
   progress_.solved(instant.index + 1);

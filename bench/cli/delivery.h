@@ -11,8 +11,15 @@
 
 namespace desmo::cli {
 
-/// Writes each instant it is handed, some at a time. Throws what Output throws, and Error when an
-/// instant does not satisfy the equations that were left out as dependent.
+/// An instant was solved, but not as the constraint means it (see BranchMonitor).
+struct WrongBranch {
+  int constraint;
+  int index;    ///< of the instant
+  double time;  ///< s
+};
+
+/// Writes each instant it is handed, some at a time. Throws what Output throws, and WrongBranch,
+/// the instants before it handed on, where BranchMonitor finds one.
 class Delivery final : public Sink {
  public:
   /// The plan must outlive the delivery.

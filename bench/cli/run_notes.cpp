@@ -8,6 +8,13 @@
 
 namespace desmo::cli {
 
+namespace {
+
+/// A residual below which a position is found but for rounding: no step, however small, helps.
+constexpr double near_rounding = 1e-11;
+
+}  // namespace
+
 std::string note_on_code(const Formulation& f) {
   const auto without = std::ranges::count(f.parts(), false, &Formulation::DefinedPart::as_named);
   if (without == 0) return "";
@@ -29,6 +36,15 @@ std::string note_on_pivoting(const Formulation& f) {
          " needed pivoting; generated elimination was left for " + (steps == 1 ? "it\n" : "them\n");
 }
 
+std::string branch_text(int constraint, double time, const Mechanism& m) {
+  char numbers[40];
+  std::snprintf(numbers, sizeof numbers, "t = %.9g s", time);
+  return "constraint '" + m.constraints[constraint].name + "', " + numbers +
+         ": solved on another branch than the one it means, such as an angle turns away, or where "
+         "constraints left out do not follow from the others; take smaller time steps, or model it "
+         "in another way";
+}
+
 std::string failure_text(const Summary& s, const Mechanism& m) {
   struct Reason {
     const char *what, *remedy;
@@ -36,6 +52,9 @@ std::string failure_text(const Summary& s, const Mechanism& m) {
   const Reason reason =
       s.status == Status::singular
           ? Reason{"the position is singular", "choose a motion that avoids it"}
+      : s.status == Status::not_converged && s.residual < near_rounding
+          ? Reason{"the tolerance was not met, being near or below what rounding leaves",
+                   "ask for a larger tolerance"}
       : s.status == Status::not_converged
           ? Reason{"no position was found", "keep the motion within reach, or take smaller steps"}
           : Reason{"the equations are not finite", "check the motion and the estimates"};

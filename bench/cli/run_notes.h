@@ -17,4 +17,7 @@ std::string note_on_pivoting(const Formulation& formulation);
 /// <remedy>"
 std::string failure_text(const Summary& summary, const Mechanism& mechanism);
 
+/// "constraint 'theta: definition', t = 0.3 s: solved on another branch …; <remedy>"
+std::string branch_text(int constraint, double time, const Mechanism& mechanism);
+
 }  // namespace desmo::cli

@@ -3,6 +3,7 @@
 
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include "bench/cli/commands.h"
 #include "bench/cli/delivery.h"
@@ -48,11 +49,11 @@ void say(const std::string& text) {
   std::fflush(stderr);
 }
 
-[[noreturn]] void fail(const Summary& summary, const Mechanism& m, const Input& input,
+[[noreturn]] void fail(const std::string& what, long instants, const Input& input,
                        const Output& output) {
-  std::string text = input.source + ": " + failure_text(summary, m);
+  std::string text = input.source + ": " + what;
   if (output.is_standard_output())
-    text += "\ndesmo: instants before it, on standard output: " + std::to_string(summary.instants);
+    text += "\ndesmo: instants before it, on standard output: " + std::to_string(instants);
   throw Error(not_solved, text);
 }
 
@@ -72,10 +73,19 @@ void solve(const Options& options) {
   Progress progress(input.scene.grid.instants, !options.quiet && !in_the_way);
   Delivery delivery({whole.name, input.scene.name, variant.id, make_columns(plan, input.scene)},
                     series_format(options.format_name()), plan, output, progress);
-  const Summary summary = formulation->run(input.scene.grid, Request{plan.level()}, delivery);
+  Summary summary;
+  std::optional<WrongBranch> wrong;
+  try {
+    summary = formulation->run(input.scene.grid, Request{plan.level()}, delivery);
+  } catch (const WrongBranch& branch) {
+    wrong = branch;
+  }
   progress.clear();
-  if (summary.ok() || output.is_standard_output()) delivery.flush();
-  if (!summary.ok()) fail(summary, plan.mechanism, input, output);
+  const bool all = summary.ok() && !wrong;
+  if (all || output.is_standard_output()) delivery.flush();
+  if (wrong)
+    fail(branch_text(wrong->constraint, wrong->time, plan.mechanism), wrong->index, input, output);
+  if (!all) fail(failure_text(summary, plan.mechanism), summary.instants, input, output);
   output.finish();
   if (!options.quiet) say(note_on_pivoting(*formulation));
 }

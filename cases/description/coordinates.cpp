@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "cases/description/checks.h"
@@ -8,6 +9,12 @@ namespace desmo {
 namespace {
 
 using Part = DescriptionError::Part;
+
+bool is_same_line(const Description::Direction& a, const Description::Direction& b) {
+  if (!a.is_given() || a.is_segment() != b.is_segment()) return false;
+  if (!a.is_segment()) return a.vector == b.vector;
+  return std::minmax(a.from, a.to) == std::minmax(b.from, b.to);
+}
 
 class CoordinateCheck {
  public:
@@ -76,8 +83,15 @@ class CoordinateCheck {
     return *unit;
   }
 
+  void check_apart(const Description::Direction& other) const {
+    if (is_same_line(c_.of, other))
+      complain("is an angle between a direction and itself, which never changes; name two");
+  }
+
   void check_angle() const {
     check_direction(c_.of);
+    check_apart(c_.from);
+    check_apart(c_.towards);
     if (d_.dimension == 2) {
       if (c_.towards.is_given())
         complain("is towards a direction, which is for space only; leave that out");
