@@ -1,5 +1,7 @@
 #include "formulations/modelling/joint_equations.h"
 
+#include "formulations/modelling/declared_slides.h"
+
 namespace desmo {
 
 namespace {

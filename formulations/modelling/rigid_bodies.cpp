@@ -9,16 +9,6 @@ namespace desmo {
 
 namespace nominal {
 
-Vec operator-(const Vec& a, const Vec& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-double dot(const Vec& a, const Vec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-double norm(const Vec& a) { return std::sqrt(dot(a, a)); }
-
-Vec direction(const Description& d, const Description::Direction& direction) {
-  return direction.is_segment()
-             ? d.points[direction.to].position - d.points[direction.from].position
-             : d.vectors[direction.vector].direction;
-}
-
 Vec direction(const Description& d, const RigidBody& body, const Description::Direction& segment) {
   Vec v = direction(d, segment);
   for (const auto& [a, b, length] : body.lengths)
@@ -27,13 +17,6 @@ Vec direction(const Description& d, const RigidBody& body, const Description::Di
       for (double& x : v) x *= scale;
     }
   return v;
-}
-
-double size(const Description& d) {
-  double largest = 0;
-  for (const Description::Point& p : d.points)
-    largest = std::max(largest, norm(p.position - d.points.front().position));
-  return largest > 0 ? largest : 1;
 }
 
 }  // namespace nominal

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "cases/description.h"
+#include "formulations/modelling/nominal.h"
 
 namespace desmo {
 
@@ -51,20 +52,10 @@ RigidBodies find_rigid_bodies(const Description& description);
 
 namespace nominal {
 
-using Vec = Description::Vec;
-
-Vec operator-(const Vec& a, const Vec& b);
-double dot(const Vec& a, const Vec& b);
-double norm(const Vec& a);
-/// The direction in the nominal position; a segment with its nominal length.
-Vec direction(const Description& description, const Description::Direction& d);
 /// The same on a rigid body: a segment has the length that the body gives for its points, if it
 /// does.
 Vec direction(const Description& description, const RigidBody& body,
               const Description::Direction& d);
-/// The largest distance between the nominal position of a point and that of the first, but 1 for a
-/// mechanism that has no extent.
-double size(const Description& description);
 
 }  // namespace nominal
 

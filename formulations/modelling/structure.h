@@ -28,13 +28,4 @@ struct Structure {
 /// determines: a driver is missing.
 Structure find_structure(const Description& description, const RigidBodies& rigid);
 
-/// The rigid bodies, ground left out, whose relative position a coordinate measures, ascending.
-/// Of several bodies that carry a point it is the first; for a distance along a vector, the first
-/// that carries the vector too.
-std::vector<int> bodies_related(const RigidBodies& rigid,
-                                const Description::Coordinate& coordinate);
-
-/// Freedoms that a joint removes.
-int restrictions(Description::JointType type, int dimension);
-
 }  // namespace desmo
