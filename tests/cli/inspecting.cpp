@@ -1,0 +1,145 @@
+// desmo list, show and inspect.
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "cases/library.h"
+#include "tests/cli/program.h"
+
+namespace desmo {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+TEST_F(Cli, ListsWhatThereIs) {
+  ASSERT_EQ(desmo("list"), 0) << err_;
+  ASSERT_FALSE(library().empty());
+  for (const LibraryMechanism& m : library()) EXPECT_TRUE(prints("  " + std::string(m.name) + " "));
+  EXPECT_TRUE(prints("truck_suspension"));
+  EXPECT_TRUE(prints("block_symbolic_inlined"));
+
+  ASSERT_EQ(desmo("list --json"), 0);
+  const Json all = Json::parse(out_);
+  EXPECT_EQ(all["mechanisms"].size(), library().size());
+  EXPECT_EQ(all["cases"].size(), 2u);
+  EXPECT_GT(all["formulations"].size(), 10u);
+  const auto crank = std::ranges::find_if(
+      all["mechanisms"], [](const Json& m) { return m["name"] == "slider_crank"; });
+  ASSERT_NE(crank, all["mechanisms"].end());
+  EXPECT_EQ((*crank)["bodies"], 3);
+  EXPECT_EQ((*crank)["degrees_of_freedom"], 1);
+  EXPECT_EQ((*crank)["dimension"], 2);
+
+  ASSERT_EQ(desmo("list cases"), 0);
+  EXPECT_TRUE(prints("four_bar"));
+  EXPECT_FALSE(prints("slider_crank"));
+  EXPECT_EQ(desmo("list dogs"), 64);
+}
+
+TEST_F(Cli, ShowsWhatIsThenReadBack) {
+  for (const LibraryMechanism& m : library()) {
+    const std::string name(m.name);
+    ASSERT_EQ(desmo("show " + name + " >mechanism.json"), 0);
+    ASSERT_EQ(desmo("show " + name + " --scene >scene.json"), 0);
+    EXPECT_EQ(text_of(folder_ / "mechanism.json"), m.mechanism);
+    EXPECT_EQ(desmo("inspect mechanism.json"), 0) << err_;
+    const std::string from_mechanism = out_;
+    EXPECT_EQ(desmo("inspect scene.json"), 0) << err_;
+    EXPECT_EQ(out_, from_mechanism);
+    EXPECT_EQ(desmo("inspect - <scene.json"), 0) << err_;
+    EXPECT_EQ(out_, from_mechanism);
+    EXPECT_EQ(desmo("inspect " + name), 0) << err_;
+    EXPECT_EQ(out_, from_mechanism);
+  }
+}
+
+TEST_F(Cli, InspectsTheStructureOfTheTruck) {
+  ASSERT_EQ(desmo("inspect truck_suspension:1"), 0) << err_;
+  for (const char* text :
+       {"114 coordinates: 112 dependent, 2 independent (axle1/zL, axle1/zR)",
+        "axle1/SG-I (4, 2)\n    bodies        axle1/2, axle1/3, axle1/4, axle1/5\n",
+        "axle1/SG-II (2, 0)", "axle1/SG-V (2, 0)", "bodies        axle1/12, axle1/13",
+        "16 + 6×3 + 5×1", "Constant parts, solved once: 1", "12 moving bodies, 18 joints"})
+    EXPECT_TRUE(prints(text)) << text << "\n" << out_;
+
+  ASSERT_EQ(desmo("inspect truck_suspension:2 --json"), 0);
+  const Json all = Json::parse(out_);
+  EXPECT_EQ(all["coordinates"]["all"], 2 * 111 + 3);
+  EXPECT_EQ(all["coordinates"]["independent"].size(), 4u);
+  EXPECT_EQ(all["constant_parts"], 1);
+  EXPECT_EQ(all["groups"].size(), 11u);
+  for (const Json& group : all["groups"]) {
+    std::size_t unknowns = 0, equations = 0;
+    for (const Json& block : group["blocks"]) {
+      unknowns += block["unknowns"].size();
+      for (const Json& equation : block["equations"]) equations += equation["rows"].size();
+    }
+    EXPECT_EQ(unknowns, group["unknowns"]);
+    EXPECT_EQ(equations, unknowns);
+  }
+  EXPECT_EQ(all["groups"][2]["after"], Json{"axle1/SG-I"});
+  EXPECT_EQ(all["groups"][2]["on_ground"], true);
+}
+
+TEST_F(Cli, MarksRedundantConstraints) {
+  write("twins.json", R"({"format": "desmo-mechanism", "version": 1, "name": "twins",
+    "dimension": 2,
+    "points": {"A": [0, 0], "B": [1, 2], "C": [4, 2], "D": [3, 0], "E": [1.5, 0], "F": [2.5, 2]},
+    "ground": {"points": ["A", "D", "E"]},
+    "bodies": {"a": {"points": ["A", "B"]}, "b": {"points": ["B", "C", "F"]},
+               "c": {"points": ["D", "C"]}, "d": {"points": ["E", "F"]}},
+    "joints": [
+      {"type": "revolute", "bodies": ["ground", "a"], "points": ["A"]},
+      {"type": "revolute", "bodies": ["ground", "c"], "points": ["D"]},
+      {"type": "revolute", "bodies": ["ground", "d"], "points": ["E"]},
+      {"type": "revolute", "bodies": ["a", "b"], "points": ["B"]},
+      {"type": "revolute", "bodies": ["c", "b"], "points": ["C"]},
+      {"type": "revolute", "bodies": ["d", "b"], "points": ["F"]}],
+    "coordinates": {"theta": {"angle": ["A", "B"]}}, "drivers": ["theta"]})");
+  ASSERT_EQ(desmo("inspect twins.json"), 0) << err_;
+  EXPECT_TRUE(prints("redundant but consistent: accepted")) << out_;
+  ASSERT_EQ(desmo("inspect twins.json --json"), 0);
+  const Json left_out = Json::parse(out_)["left_out"];
+  EXPECT_TRUE(std::ranges::any_of(left_out, [](const Json& l) { return l["redundant"] == true; }));
+}
+
+TEST_F(Cli, DrawsTheStructuralDiagram) {
+  ASSERT_EQ(desmo("inspect truck_suspension:1 --diagram -"), 0) << err_;
+  for (const char* text : {"digraph \"truck_suspension\" {", "ground [label=\"0\"];",
+                           "g1 [label=\"(4, 2)\\naxle1/SG-I\\n{2, 3, 4, 5}\"];",
+                           "g5 [label=\"(2, 0)\\n", "ground -> g1;", "g1 -> g5;", "ground -> g5;"})
+    EXPECT_TRUE(prints(text)) << text << "\n" << out_;
+  EXPECT_FALSE(prints("g2 -> g3"));
+  EXPECT_FALSE(prints("g0"));  // what is constant is no group
+  const std::string dot = out_;
+  ASSERT_EQ(desmo("inspect truck_suspension:1 --diagram out/truck.dot"), 0);
+  EXPECT_EQ(text_of(out("truck.dot")), dot);
+  EXPECT_TRUE(prints("axle1/SG-I (4, 2)"));
+}
+
+TEST_F(Cli, DrawsSvgByGraphviz) {
+  fs::create_directory(folder_ / "programs");
+  const std::string path = "PATH=" + (folder_ / "programs").string() + " ";
+  const std::string draw = path + DESMO_CLI " inspect slider_crank --diagram out/a.svg";
+  EXPECT_EQ(shell(draw), 69);
+  EXPECT_TRUE(says("apt-get install graphviz")) << err_;
+  EXPECT_TRUE(fs::is_empty(folder_ / "out"));
+
+  const auto install = [&](const std::string& script) {
+    write("programs/dot", "#!/bin/sh\n" + script);
+    fs::permissions(folder_ / "programs/dot", fs::perms::owner_all);
+  };
+  install("echo half; exit 1\n");
+  EXPECT_EQ(shell(draw), 69);
+  EXPECT_TRUE(fs::is_empty(folder_ / "out"));
+  install("echo \"<svg $1>\"; while read -r line; do echo \"$line\"; done\n");
+  EXPECT_EQ(shell(draw), 0) << err_;
+  EXPECT_TRUE(text_of(out("a.svg")).starts_with("<svg -Tsvg>\ndigraph \"slider_crank\" {\n"));
+  EXPECT_EQ(desmo("inspect slider_crank --diagram a.png"), 64);
+  EXPECT_EQ(desmo("inspect slider_crank --json --diagram -"), 64);
+}
+
+}  // namespace
+}  // namespace desmo

@@ -1,0 +1,108 @@
+// What desmo refuses, with which message and exit code.
+
+#include <filesystem>
+#include <fstream>
+
+#include "tests/cli/program.h"
+
+namespace desmo {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Steps of three quarters of a turn end where the angle is half a turn away from the one driven.
+TEST_F(Cli, RefusesToTellAPositionOnAnotherBranch) {
+  write("leap.json", R"({"format": "desmo-scene", "version": 1, "mechanism": {"library": "rssr"},
+    "motion": {"theta": {"type": "polynomial", "coefficients": [0.5, 1]}},
+    "time": {"end": 5, "step": 2.5}, "request": [{"points": ["A"]}]})");
+  EXPECT_EQ(desmo("solve leap.json -o out/leap.csv"), 1);
+  EXPECT_TRUE(says("desmo: leap.json: constraint 'theta: definition', t = 2.5 s: ")) << err_;
+  EXPECT_TRUE(says("turns away")) << err_;
+  EXPECT_FALSE(fs::exists(out("leap.csv")));
+
+  EXPECT_EQ(desmo("solve leap.json"), 1);
+  EXPECT_TRUE(says("instants before it, on standard output: " + std::to_string(lines().size() - 1)))
+      << err_;
+}
+
+TEST_F(Cli, SaysWhenRoundingIsInTheWay) {
+  write("fine.json", slider_crank(150, R"(, "time": {"end": 1, "step": 0.01},
+    "tolerance": 1e-30)"));
+  EXPECT_EQ(desmo("solve fine.json"), 1);
+  EXPECT_TRUE(says("ask for a larger tolerance")) << err_;
+}
+
+TEST_F(Cli, FailedRunsNameThePlaceAndLeaveNothing) {
+  write("locks.json", locks);
+  EXPECT_EQ(desmo("solve locks.json -o out/motion.csv"), 1);
+  // 11 instants are within reach: it locks at 0.1024 s.
+  for (const char* text :
+       {"desmo: locks.json: group 'SG-II' (rod, slider), constraint '", "t = 0.11 s", "; "})
+    EXPECT_TRUE(says(text)) << err_;
+  EXPECT_TRUE(fs::is_empty(folder_ / "out"));
+  std::ofstream(out("motion.csv")) << "kept";
+  EXPECT_EQ(desmo("solve locks.json -o out/motion.csv"), 1);
+  EXPECT_EQ(text_of(out("motion.csv")), "kept");
+
+  EXPECT_EQ(desmo("solve locks.json"), 1);
+  EXPECT_EQ(lines().size(), 12u);
+  EXPECT_TRUE(says("instants before it, on standard output: 11")) << err_;
+}
+
+TEST_F(Cli, InputThatIsWrong) {
+  EXPECT_EQ(desmo("solve nowhere.json"), 66);
+  EXPECT_TRUE(says("desmo: nowhere.json: there is no such file")) << err_;
+  EXPECT_EQ(desmo("solve ."), 66);
+  EXPECT_EQ(desmo("inspect slider_crnk"), 66);
+  EXPECT_TRUE(says("did you mean 'slider_crank'?")) << err_;
+  EXPECT_EQ(desmo("show slider_crnk"), 64);
+  EXPECT_TRUE(says("did you mean 'slider_crank'?")) << err_;
+
+  write("half.json", locks.substr(0, 300));
+  EXPECT_EQ(desmo("solve half.json"), 65);
+  EXPECT_TRUE(says("desmo: half.json: line ")) << err_;
+  EXPECT_EQ(desmo("inspect half.json"), 65);
+  write("list.json", "[1]");
+  EXPECT_EQ(desmo("inspect list.json"), 65);
+  EXPECT_EQ(desmo("solve - </dev/null"), 65);
+  EXPECT_TRUE(says("desmo: standard input: ")) << err_;
+  ASSERT_EQ(desmo("show slider_crank >mechanism.json"), 0);
+  EXPECT_EQ(desmo("solve mechanism.json"), 65);
+  EXPECT_TRUE(says("says nothing of motion")) << err_;
+
+  std::string loose = locks;
+  loose.replace(loose.find(R"("drivers": ["theta"])"), 20, R"("drivers": [])");
+  loose.replace(loose.find(R"("motion")"), std::string::npos,
+                R"("time": {"end": 1, "step": 0.1}})");
+  write("loose.json", loose);
+  EXPECT_EQ(desmo("inspect loose.json"), 65);
+  EXPECT_TRUE(says("desmo: loose.json: ") && says("under-constrained") && says("add a driver"))
+      << err_;
+}
+
+TEST_F(Cli, UsageErrors) {
+  EXPECT_EQ(desmo(""), 64);
+  EXPECT_EQ(desmo("inspekt slider_crank"), 64);
+  EXPECT_TRUE(says("did you mean 'inspect'?")) << err_;
+  EXPECT_EQ(desmo("solve"), 64);
+  EXPECT_EQ(desmo("solve slider_crank --no-such-option"), 64);
+  EXPECT_EQ(desmo("solve slider_crank --format xml"), 64);
+  EXPECT_EQ(desmo("solve truck_suspension"), 64);
+  EXPECT_EQ(desmo("solve truck_suspension:0"), 64);
+  EXPECT_EQ(desmo("solve truck_suspension:1x"), 64);
+  EXPECT_EQ(desmo("solve slider_crank --formulation group_symbolic_kul"), 64);
+  EXPECT_TRUE(says("did you mean 'group_symbolic_klu'?")) << err_;
+  EXPECT_EQ(out_, "");
+  write("scene.json", slider_crank(150, R"(, "time": {"end": 1, "step": 0.1},
+                                            "formulation": "magic")"));
+  EXPECT_EQ(desmo("solve scene.json"), 65);
+  EXPECT_TRUE(says("desmo: scene.json: /formulation: unknown formulation 'magic'")) << err_;
+  EXPECT_EQ(desmo("--help"), 0);
+  EXPECT_TRUE(prints("inspect") && prints("Exit codes"));
+  EXPECT_EQ(desmo("solve --help"), 0);
+  EXPECT_EQ(desmo("--version"), 0);
+  EXPECT_TRUE(out_.starts_with("desmo ")) << out_;
+}
+
+}  // namespace
+}  // namespace desmo

@@ -1,0 +1,149 @@
+// desmo solve: the numbers.
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <sstream>
+
+#include "tests/cli/program.h"
+
+namespace desmo {
+namespace {
+
+using Json = nlohmann::json;
+
+TEST_F(Cli, SolvesAnAngleThatIsMeasuredTwice) {
+  write("back.json", R"({"format": "desmo-scene", "version": 1, "mechanism": {
+    "format": "desmo-mechanism", "version": 1, "name": "crank", "dimension": 2,
+    "points": {"A": [0, 0], "B": [0.6, 0.8]}, "ground": {"points": ["A"]},
+    "bodies": {"crank": {"points": ["A", "B"]}},
+    "joints": [{"type": "revolute", "bodies": ["ground", "crank"], "points": ["A"]}],
+    "coordinates": {"theta": {"angle": ["A", "B"]}, "back": {"angle": ["B", "A"]}},
+    "drivers": ["theta"]},
+    "motion": {"theta": {"type": "polynomial", "coefficients": [0.9272952180016123, 6.3]}},
+    "time": {"end": 1, "step": 0.01},
+    "request": [{"angles": ["theta", "back"], "level": "velocity"}]})");
+  ASSERT_EQ(desmo("solve back.json --format jsonl"), 0) << err_;
+  std::istringstream lines(out_);
+  std::string line;
+  std::getline(lines, line);
+  const Json columns = Json::parse(line)["columns"];
+  const auto column = [&](const char* name) {
+    return std::ranges::find(columns, name, [](const Json& c) { return c["name"]; }) -
+           columns.begin();
+  };
+  int instants = 0;
+  for (; std::getline(lines, line); ++instants) {
+    const Json values = Json::parse(line);
+    const double turned =
+        values[column("back")].get<double>() - values[column("theta")].get<double>();
+    EXPECT_NEAR(std::abs(std::remainder(turned, 2 * std::numbers::pi)), std::numbers::pi, 1e-9);
+    EXPECT_NEAR(values[column("d/dt back")].get<double>(), 6.3, 1e-9) << line;
+  }
+  EXPECT_EQ(instants, 101);
+}
+
+TEST_F(Cli, SolvesToTheSameNumbersInEitherFormat) {
+  ASSERT_EQ(desmo("solve slider_crank --quiet"), 0) << err_;
+  EXPECT_EQ(err_, "");
+  const std::vector<std::string> csv = lines();
+  ASSERT_EQ(csv.size(), 402u);
+  EXPECT_TRUE(csv[0].starts_with("t [s],")) << csv[0];
+  for (const char* name : {"C.x [m]", "d/dt C.x [m/s]", "d2/dt2 C.x [m/s^2]", "theta [rad]",
+                           "d/dt theta [rad/s]", "d2/dt2 phi [rad/s^2]", "s [m]"})
+    EXPECT_NE((csv[0] + ",").find("," + std::string(name) + ","), std::string::npos) << name;
+
+  ASSERT_EQ(desmo("solve slider_crank --quiet -o out/motion.jsonl"), 0) << err_;
+  out_ = text_of(out("motion.jsonl"));
+  const std::vector<std::string> jsonl = lines();
+  ASSERT_EQ(jsonl.size(), csv.size());
+  const Json heading = Json::parse(jsonl[0]);
+  EXPECT_EQ(heading["mechanism"], "slider_crank");
+  std::string names;
+  for (const Json& column : heading["columns"])
+    names += (names.empty() ? "" : ",") + column["name"].get<std::string>() + " [" +
+             column["unit"].get<std::string>() + "]";
+  EXPECT_EQ(names, csv[0]);
+  for (std::size_t i = 1; i < csv.size(); ++i)
+    EXPECT_EQ(Json::parse(jsonl[i]).get<std::vector<double>>(), numbers(csv[i]));
+
+  // After a quarter turn the crank, 0.05 m, stands upright; the rod has 0.15 m.
+  const std::vector<double> quarter = numbers(csv[1 + 100]);
+  std::istringstream header(csv[0]);
+  std::vector<std::string> cells;
+  for (std::string cell; std::getline(header, cell, ',');) cells.push_back(cell);
+  const auto value = [&](const std::string& name) {
+    return quarter[std::ranges::find(cells, name) - cells.begin()];
+  };
+  EXPECT_NEAR(value("t [s]"), 0.25, 1e-15);
+  EXPECT_NEAR(value("B.y [m]"), 0.05, 1e-12);
+  EXPECT_NEAR(value("s [m]"), std::sqrt(0.15 * 0.15 - 0.05 * 0.05), 1e-12);
+}
+
+TEST_F(Cli, EveryFormulationGivesTheSameAnswer) {
+  ASSERT_EQ(desmo("list formulations --json"), 0);
+  const Json formulations = Json::parse(out_)["formulations"];
+  const std::string scene = slider_crank(150, R"(, "time": {"end": 0.2, "step": 0.1},
+    "request": [{"points": ["C"], "level": "acceleration"}], "tolerance": 1e-13)");
+  write("scene.json", scene);
+  std::vector<double> expected;
+  for (const Json& f : formulations) {
+    ASSERT_EQ(desmo("solve scene.json --formulation " + f["id"].get<std::string>()), 0) << err_;
+    const std::vector<double> last = numbers(lines().back());
+    if (expected.empty()) expected = last;
+    ASSERT_EQ(last.size(), expected.size());
+    for (std::size_t i = 0; i < last.size(); ++i) EXPECT_NEAR(last[i], expected[i], 1e-9) << f;
+  }
+}
+
+TEST_F(Cli, DeliversOnlyWhatIsAskedFor) {
+  const auto solve = [&](const std::string& request) {
+    write("scene.json",
+          slider_crank(150, R"(, "time": {"end": 1, "step": 0.1}, "request": [)" + request + "]"));
+    EXPECT_EQ(desmo("solve scene.json --quiet"), 0) << err_;
+    EXPECT_EQ(lines().size(), 12u);
+    EXPECT_EQ(numbers(lines().back()).size(),
+              static_cast<std::size_t>(std::ranges::count(lines().front(), ',') + 1));
+    return lines().front();
+  };
+  EXPECT_EQ(solve(R"({"points": ["C"]})"), "t [s],C.x [m],C.y [m]");
+  EXPECT_EQ(solve(R"({"points": ["B"], "level": "velocity"}, {"angles": ["theta"]})"),
+            "t [s],B.x [m],B.y [m],d/dt B.x [m/s],d/dt B.y [m/s],theta [rad]");
+  EXPECT_EQ(solve(R"({"angles": ["theta"], "level": "acceleration"})"),
+            "t [s],theta [rad],d/dt theta [rad/s],d2/dt2 theta [rad/s^2]");
+  // What never moves is delivered when it is asked for by name.
+  EXPECT_EQ(solve(R"({"points": ["A"], "vectors": ["x"], "level": "velocity"})"),
+            "t [s],A.x [m],A.y [m],d/dt A.x [m/s],d/dt A.y [m/s],x.x [-],x.y [-],d/dt x.x [1/s],"
+            "d/dt x.y [1/s]");
+  EXPECT_EQ(numbers(lines().back()), (std::vector<double>{1, 0, 0, 0, 0, 1, 0, 0, 0}));
+  ASSERT_EQ(desmo("solve jansen_leg --quiet"), 0);
+  EXPECT_TRUE(prints("F.x [1],F.y [1],d/dt F.x [1/s]")) << lines().front();
+}
+
+TEST_F(Cli, ExplainsWhatIsNotSolved) {
+  write("scene.json", R"({"format": "desmo-scene", "version": 1,
+    "mechanism": {"generator": "truck_suspension", "axles": 2}, "time": {"end": 0.1, "step": 0.1},
+    "request": [{"points": ["axle1/S"], "level": "velocity"}]})");
+  ASSERT_EQ(desmo("solve scene.json --explain"), 0) << err_;
+  for (const char* text :
+       {" of 221 unknowns, 2 of 4 drivers", "to velocity", "serves axle1/S",
+        "groups not needed: axle1/SG-II", "dropped: ", "drivers not needed: axle2/zL, axle2/zR"})
+    EXPECT_TRUE(says(text)) << text << "\n" << err_;
+  EXPECT_EQ(lines().size(), 3u);
+  ASSERT_EQ(desmo("solve slider_crank --explain --quiet"), 0);
+  EXPECT_TRUE(says("solved: 8 of 8 unknowns, 1 of 1 driver")) << err_;
+}
+
+TEST_F(Cli, ReadsScenesFromStandardInput) {
+  write("scene.json", slider_crank(150, R"(, "time": {"end": 1, "step": 0.1})"));
+  ASSERT_EQ(desmo("solve scene.json --quiet"), 0) << err_;
+  const std::string expected = out_;
+  ASSERT_EQ(desmo("solve - --quiet <scene.json"), 0) << err_;
+  EXPECT_EQ(out_, expected);
+  ASSERT_EQ(desmo("solve - --quiet -o - <scene.json"), 0) << err_;
+  EXPECT_EQ(out_, expected);
+}
+
+}  // namespace
+}  // namespace desmo

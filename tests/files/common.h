@@ -1,0 +1,116 @@
+// Good files, what to change in them, and how a reader complains.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <string>
+
+#include "cases/files.h"
+
+namespace desmo {
+
+inline const std::string slider_crank = R"({
+  "format": "desmo-mechanism",
+  "version": 1,
+  "name": "slider_crank",
+  "dimension": 2,
+  "units": {"length": "mm", "angle": "deg"},
+  "points": {"A": [0, 0], "B": [50, 0], "C": [200, 0]},
+  "vectors": {"x": [2, 0]},
+  "ground": {"points": ["A"], "vectors": ["x"]},
+  "bodies": {
+    "crank": {"points": ["A", "B"]},
+    "rod": {"points": ["B", "C"], "length": 150},
+    "slider": {"points": ["C"], "vectors": ["x"]}
+  },
+  "joints": [
+    {"name": "J1", "type": "revolute", "bodies": ["ground", "crank"], "points": ["A"]},
+    {"type": "revolute", "bodies": ["crank", "rod"], "points": ["B"]},
+    {"type": "revolute", "bodies": ["rod", "slider"], "points": ["C"]},
+    {"type": "prismatic", "bodies": ["ground", "slider"], "vectors": ["x"], "points": ["A", "C"]}
+  ],
+  "coordinates": {
+    "theta": {"angle": ["A", "B"], "estimate": 10},
+    "s": {"distance": ["A", "C"], "along": "x", "estimate": 201}
+  },
+  "drivers": ["theta"]
+})";
+
+// Two links on ball joints: every direction of space is defined in some way.
+inline const std::string spatial = R"({
+  "format": "desmo-mechanism",
+  "version": 1,
+  "name": "spatial",
+  "dimension": 3,
+  "points": {"A": [0, 0, 0], "B": [1, 0, 0], "C": [2, 1, 0]},
+  "vectors": {
+    "w": {"normal": ["v", "u"]},
+    "v": {"normal": ["u", ["A", "B"]]},
+    "u": [0, 0, 1],
+    "r": {"along": ["B", "C"]}
+  },
+  "ground": {"points": ["A"], "vectors": ["u", "v", "w"]},
+  "bodies": {
+    "crank": {"points": ["A", "B"], "vectors": ["u"]},
+    "rod": {"points": ["B", "C"], "vectors": ["r"]}
+  },
+  "joints": [
+    {"type": "revolute", "bodies": ["ground", "crank"], "points": ["A"], "vectors": ["u"]},
+    {"type": "spherical", "bodies": ["crank", "rod"], "points": ["B"]}
+  ],
+  "coordinates": {
+    "theta": {"angle": ["A", "B"], "from": "-w", "towards": "v"},
+    "z": {"component": "C", "axis": "z"}
+  },
+  "drivers": ["theta"]
+})";
+
+inline std::string scene_with(const std::string& members) {
+  return "{\"format\": \"desmo-scene\", \"version\": 1, " + members + "}";
+}
+
+inline std::string scene_of(const std::string& mechanism, const std::string& members) {
+  return scene_with("\"mechanism\": " + mechanism + (members.empty() ? "" : ", ") + members);
+}
+
+inline const std::string motion =
+    R"("motion": {"theta": {"type": "polynomial", "coefficients": [0, 360]}})";
+inline const std::string time_of_one_second = R"("time": {"end": 1, "step": 0.01})";
+inline const std::string driven = motion + ", " + time_of_one_second;
+
+inline std::string replaced(std::string text, const std::string& old, const std::string& by) {
+  const auto at = text.find(old);
+  if (at == std::string::npos)
+    throw std::logic_error("the test replaces what is not there: " + old);
+  return text.replace(at, old.size(), by);
+}
+
+template <class Parse>
+std::string complaint(Parse parse) {
+  try {
+    parse();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+inline std::string mechanism_complaint(const std::string& text) {
+  return complaint([&] { parse_mechanism(text, "m.json"); });
+}
+
+inline std::string scene_complaint(const std::string& text) {
+  return complaint([&] { parse_scene(text, "s.json", ""); });
+}
+
+inline void expect_start(const std::string& message, const std::string& start) {
+  EXPECT_EQ(message.substr(0, start.size()), start) << message;
+}
+
+/// The message, from the place on, begins as expected when a part of a good file is replaced.
+struct Change {
+  std::string old, by, message;
+};
+
+}  // namespace desmo

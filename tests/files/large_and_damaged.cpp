@@ -1,0 +1,66 @@
+// Files of many bodies are read quickly, damaged ones without harm.
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <random>
+
+#include "cases/description.h"
+#include "cases/library.h"
+#include "tests/files/common.h"
+
+namespace desmo {
+namespace {
+
+TEST(Description, OfManyBodiesIsCheckedAndReadQuickly) {
+  const auto start = std::chrono::steady_clock::now();
+  const Scene s = parse_scene(scene_of(R"({"generator": "four_bar", "dyads": 5000})",
+                                       R"("request": [{"points": ["*"]}, {"everything": true}])"),
+                              "", "");
+  validate(s.mechanism);
+  EXPECT_GT(s.mechanism.bodies.size(), 10'000u);
+  // A pendulum chain; every body is joined to the one before.
+  std::string points = "\"P0\": [0, 0]", bodies, joints;
+  for (int i = 1; i <= 10'000; ++i) {
+    const std::string n = std::to_string(i), previous = std::to_string(i - 1);
+    points += ", \"P" + n + "\": [" + n + ", 0]";
+    bodies += (i == 1 ? "\"b" : ", \"b") + n + "\": {\"points\": [\"P" + previous + "\", \"P" + n +
+              "\"]}";
+    joints += std::string(i == 1 ? "" : ", ") + R"({"type": "revolute", "bodies": [")" +
+              (i == 1 ? "ground" : "b" + previous) + "\", \"b" + n + R"("], "points": ["P)" +
+              previous + "\"]}";
+  }
+  const std::string chain =
+      R"({"format": "desmo-mechanism", "version": 1, "name": "chain", "dimension": 2, "points": {)" +
+      points + R"(}, "ground": {"points": ["P0"]}, "bodies": {)" + bodies + "}, \"joints\": [" +
+      joints + "]}";
+  EXPECT_EQ(parse_mechanism(chain, "chain.json").bodies.size(), 10'001u);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  EXPECT_LT(seconds.count(), 10);  // generous, for sanitizers; quadratic work would take longer
+}
+
+// Whatever is done to a good file, it is read or refused, never anything else.
+TEST(Files, SurviveRandomDamage) {
+  std::mt19937 random(1);
+  const std::string scene = scene_of(spatial, driven + R"(, "request": [{"points": ["*"]}])");
+  const std::string bits[] = {"\"",      "{",    "}", "[",      "]",     ",",
+                              ":",       "-",    "0", "1e308",  "null",  "\"u\"",
+                              "\\u0000", "\xff", "*", "normal", "along", "[\"A\", \"B\"]"};
+  int accepted = 0;
+  for (int i = 0; i < 3000; ++i) {
+    std::string text = scene;
+    for (auto changes = random() % 4 + 1; changes > 0; --changes) {
+      const std::size_t at = random() % text.size(), length = random() % 8;
+      text.replace(at, std::min(length, text.size() - at),
+                   random() % 2 ? bits[random() % std::size(bits)]
+                                : text.substr(random() % text.size(), random() % 12));
+    }
+    const std::string message = scene_complaint(text);
+    accepted += message == "accepted";
+    if (message != "accepted") expect_start(message, "s.json: ");
+  }
+  EXPECT_LT(accepted, 3000);
+}
+
+}  // namespace
+}  // namespace desmo

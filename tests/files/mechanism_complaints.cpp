@@ -1,0 +1,209 @@
+// What is wrong with a mechanism file is refused, naming file, place and remedy.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "tests/files/common.h"
+
+namespace desmo {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(MechanismFile, TextThatIsNotJsonIsRefusedAtItsPlace) {
+  expect_start(mechanism_complaint(""), "m.json: top level: the text is empty; ");
+  expect_start(mechanism_complaint(" \n "), "m.json: top level: the text is empty; ");
+  expect_start(mechanism_complaint("[]"), "m.json: top level: is a list; give an object");
+  expect_start(mechanism_complaint("{\n  \"a\": 1,\n  }"), "m.json: line 3, column 3: ");
+  expect_start(mechanism_complaint("{\"ä\": ]"), "m.json: line 1, column 7: ");
+  EXPECT_NE(mechanism_complaint(slider_crank.substr(0, 300)).find("truncated"), std::string::npos);
+  EXPECT_NE(mechanism_complaint("{} {}").find("line 1, column 4"), std::string::npos);
+  for (const char* number : {"NaN", "nan", "Infinity", "-Infinity", "-NaN", "inf"})
+    EXPECT_NE(mechanism_complaint(std::string("{\"a\": [1, ") + number + "]}").find("NaN and Inf"),
+              std::string::npos)
+        << mechanism_complaint(std::string("{\"a\": [1, ") + number + "]}");
+  for (const char* number : {"1e999", "-1e999", "1e101", "-2e200"})
+    EXPECT_NE(
+        mechanism_complaint(replaced(slider_crank, "[50, 0]", "[50, " + std::string(number) + "]"))
+            .find("the number is too large; "),
+        std::string::npos);
+  EXPECT_NE(mechanism_complaint("{\"a\": \"\xff\xfe\"}").find("not UTF-8"), std::string::npos);
+  EXPECT_NE(mechanism_complaint("{} // note").find("no comments"), std::string::npos);
+}
+
+TEST(MechanismFile, KeysGivenTwiceAreRefused) {
+  expect_start(mechanism_complaint(replaced(slider_crank, "\"C\": [200, 0]", "\"A\": [200, 0]")),
+               "m.json: /points/A: the key is given twice in one object; ");
+  expect_start(mechanism_complaint(R"({"a/b": {"~": 1, "~": 2}})"), "m.json: /a~1b/~0: the key is");
+}
+
+TEST(MechanismFile, NestingHasALimit) {
+  expect_start(mechanism_complaint(std::string(1'000'000, '[')), "m.json: /0/0/0/0/0/0/0/0");
+  std::string objects;
+  for (int i = 0; i < 100'000; ++i) objects += "{\"a\":";
+  const std::string message = mechanism_complaint(objects);
+  EXPECT_NE(message.find("nested more than 32 levels deep; "), std::string::npos) << message;
+  const std::string most = std::string(32, '[') + std::string(32, ']');
+  expect_start(mechanism_complaint(most), "m.json: top level: is a list");
+}
+
+TEST(MechanismFile, MessagesShowNothingRawAndNothingLong) {
+  const std::string message =
+      mechanism_complaint("{\"format\": \"\\u001b[31m" + std::string(100'000, 'x') + "\"}");
+  EXPECT_EQ(message.find('\x1b'), std::string::npos);
+  EXPECT_LT(message.size(), 300u);
+  EXPECT_LT(mechanism_complaint("{\"" + std::string(100'000, 'x') + "\": 1, \"a\": {]").size(),
+            300u);
+  EXPECT_LT(mechanism_complaint("{\"a\": \"" + std::string(100'000, 'x') + "\t\"}").size(), 400u);
+  EXPECT_LT(mechanism_complaint("{\"a\": 1" + std::string(100'000, '0') + "}").size(), 300u);
+}
+
+TEST(MechanismFile, WhatIsWrongIsNamedWithItsPlaceAndRemedy) {
+  const Change changes[] = {
+      {"desmo-mechanism", "desmo-mechanisms", "/format: the format is 'desmo-mechanisms', not"},
+      {"desmo-mechanism", "desmo-scene", "/format: the format is 'desmo-scene', not"},
+      {"\"format\": \"desmo-mechanism\",", "", "top level: the key 'format' is missing; add it"},
+      {"\"version\": 1", "\"version\": 2", "/version: this version of the format is not known; "},
+      {"\"version\": 1", "\"version\": \"1\"", "/version: is a text; give a number"},
+      {"\"drivers\"", "\"driver\"", "/driver: unknown key 'driver'; did you mean 'drivers'?"},
+      {"\"dimension\": 2,", "", "top level: the key 'dimension' is missing; add it"},
+      {"\"dimension\": 2", "\"dimension\": 4", "/dimension: must be a whole number from 2 to 3; "},
+      {"\"dimension\": 2", "\"dimension\": 2.5", "/dimension: must be a whole number"},
+      {"\"dimension\": 2", "\"dimension\": 3", "/points/A: wrong dimension: has 2 components"},
+      {"[50, 0]", "[50, 0, 0]", "/points/B: wrong dimension: has 3 components in a mechanism of"},
+      {"[50, 0]", "[50, \"0\"]", "/points/B/1: is a text; give a number"},
+      {"[50, 0]", "50", "/points/B: is a number; give a list"},
+      {"[50, 0]", "null", "/points/B: is null; give a list"},
+      {"\"mm\"", "\"km\"",
+       "/units/length: unknown unit 'km'; there are 'm', 'mm', 'cm', 'in', '1'"},
+      {"\"deg\"", "true", "/units/angle: is true; give a text"},
+      {"\"slider_crank\"", "\"slider crank\"", "/name: 'slider crank' is not a name; use "},
+      {"\"C\": [200", "\"-C\": [200", "/points/-C: '-C' is not a name; "},
+      {"\"C\": [200", "\"\": [200", "/points/: '' is not a name; "},
+      {"\"C\": [200", "\"C*\": [200", "/points/C*: 'C*' is not a name; "},
+      {"[2, 0]", "[0, 0]", "/vectors/x: a direction of length 0; "},
+      {"[2, 0]", "{\"normal\": [\"x\", \"x\"]}", "/vectors/x/normal: a normal needs three dim"},
+      {"[2, 0]", "{\"along\": [\"A\", \"A\"]}", "/vectors/x/along: names the point 'A' twice; "},
+      {"[2, 0]", "{}", "/vectors/x: defines a direction by both or neither of normal and along; "},
+      {"[2, 0]", "\"y\"", "/vectors/x: is no direction; "},
+      {"\"crank\": {\"points\": [\"A\", \"B\"]}", "\"crank\": {\"points\": [\"A\", \"B1\"]}",
+       "/bodies/crank/points/1: unknown point 'B1'; did you mean 'B'?"},
+      {"\"crank\": {\"points\": [\"A\", \"B\"]}", "\"crank\": {\"points\": [\"A\", \"B\", \"B\"]}",
+       "/bodies/crank: body 'crank': lists the point 'B' twice; "},
+      {"\"crank\": {", "\"ground\": {", "/bodies/ground: 'ground' is the name of the ground; "},
+      {"\"crank\": {", "\"A\": {", "/joints/0/bodies/1: unknown body 'crank'; "},
+      {"\"s\": {", "\"A\": {", "/coordinates/A: coordinate 'A': the name is given twice among"},
+      {"\"length\": 150", "\"length\": 0", "/bodies/rod: body 'rod': the length is not above 0; "},
+      {"\"length\": 150", "\"length\": -1", "/bodies/rod: body 'rod': the length is not above 0; "},
+      {"\"C\": [200, 0]", "\"C\": [50, 0]", "/bodies/rod: body 'rod': its points 'B' and 'C' coin"},
+      {"{\"points\": [\"C\"], \"vectors\": [\"x\"]}",
+       "{\"points\": [\"C\"], \"vectors\": [\"x\"], \"length\": 1}",
+       "/bodies/slider: body 'slider': has a length but 1 points; "},
+      {"\"ground\": {\"points\": [\"A\"],", "\"ground\": {\"length\": 1, \"points\": [\"A\"],",
+       "/ground/length: unknown key 'length'; "},
+      {"\"joints\"", "\"units2\"", "/units2: unknown key 'units2'; did you mean 'units'"},
+      {"\"type\": \"revolute\", \"bodies\": [\"crank\"",
+       "\"type\": \"revolut\", \"bodies\": [\"crank\"",
+       "/joints/1/type: unknown type of joint 'revolut'; did you mean 'revolute'?"},
+      {"\"type\": \"revolute\", \"bodies\": [\"crank\"", "\"bodies\": [\"crank\"",
+       "/joints/1: the key 'type' is missing; add it"},
+      {"\"type\": \"revolute\", \"bodies\": [\"crank\"",
+       "\"type\": \"spherical\", \"bodies\": [\"crank\"",
+       "/joints/1: joint 'spherical/crank/rod': spherical joints exist only in space"},
+      {"[\"crank\", \"rod\"]", "[\"crank\"]", "/joints/1/bodies: has 1 names; give two"},
+      {"[\"crank\", \"rod\"]", "[\"crank\", \"crank\"]",
+       "/joints/1/bodies: names the body 'crank'"},
+      {"[\"crank\", \"rod\"], \"points\": [\"B\"]", "[\"crank\", \"rod\"], \"points\": [\"C\"]",
+       "/joints/1: joint 'revolute/crank/rod': the point 'C' is not carried by 'crank'; revolute"},
+      {"[\"crank\", \"rod\"], \"points\": [\"B\"]", "[\"crank\", \"rod\"]",
+       "/joints/1: joint 'revolute/crank/rod': has 0 points and 0 vectors; revolute takes one"},
+      {"\"points\": [\"A\", \"C\"]}", "\"points\": [\"A\", \"A\"]}",
+       "/joints/3: joint 'prismatic/ground/slider': lists the point 'A' twice; "},
+      {"\"points\": [\"A\", \"C\"]}", "\"points\": [\"C\", \"A\"]}",
+       "/joints/3: joint 'prismatic/ground/slider': the point 'C' is not carried by 'ground'"},
+      {"{\"type\": \"revolute\", \"bodies\": [\"rod\", \"slider\"], \"points\": [\"C\"]},", "",
+       "/points/C: point 'C': is carried by 'rod' and 'slider', but no joints say that these "
+       "share it; add a joint there"},
+      {"{\"name\": \"J1\"", "{\"name\": \"revolute/crank/rod\"", "accepted"},
+      {"\"drivers\": [\"theta\"]", "\"drivers\": [\"theta\", \"theta\"]",
+       "/drivers/1: names 'theta'"},
+      {"\"drivers\": [\"theta\"]", "\"drivers\": [\"thta\"]",
+       "/drivers/0: unknown coordinate 'thta'; did you mean 'theta'?"},
+      {"\"drivers\": [\"theta\"]", "\"drivers\": \"theta\"", "/drivers: is a text; give a list"},
+      {"\"angle\": [\"A\", \"B\"],", "", "/coordinates/theta: must measure one thing; "},
+      {"\"angle\": [\"A\", \"B\"]", "\"angel\": [\"A\", \"B\"]",
+       "/coordinates/theta/angel: unknown key 'angel'; did you mean 'angle'?"},
+      {"\"angle\": [\"A\", \"B\"]", "\"angle\": [\"A\", \"B\"], \"along\": \"x\"",
+       "/coordinates/theta/along: unknown key 'along'; "},
+      {"\"angle\": [\"A\", \"B\"]", "\"angle\": [\"A\", \"B\"], \"towards\": \"x\"",
+       "/coordinates/theta/towards: is for space"},
+      {"\"angle\": [\"A\", \"B\"]", "\"angle\": [\"A\", \"B\"], \"from\": [\"B\", \"A\"]",
+       "/coordinates/theta: coordinate 'theta': is an angle between a direction and itself"},
+      {"\"angle\": [\"A\", \"B\"]", "\"angle\": [\"A\"]",
+       "/coordinates/theta/angle: has 1 names; "},
+      {"\"angle\": [\"A\", \"B\"]", "\"component\": \"A\", \"axis\": \"z\"",
+       "/coordinates/theta/axis: there is no z in the plane; "},
+      {"\"along\": \"x\"", "\"along\": \"y\"", "/coordinates/s/along: unknown vector 'y'; did you"},
+      {"\"estimate\": 10", "\"estimate\": \"10\"", "/coordinates/theta/estimate: is a text; give"},
+  };
+  for (const auto& [old, by, message] : changes)
+    expect_start(mechanism_complaint(replaced(slider_crank, old, by)),
+                 message == "accepted" ? message : "m.json: " + message);
+}
+
+TEST(MechanismFile, WhatIsWrongInSpaceIsNamedToo) {
+  const Change changes[] = {
+      {"[\"v\", \"u\"]", "[\"v\"]", "/vectors/w/normal: has 1 directions; give two"},
+      {"[\"v\", \"u\"]", "[\"u\", \"u\"]", "/vectors/w/normal: the two directions are parallel"},
+      {"[\"v\", \"u\"]", "[\"w\", \"u\"]",
+       "/vectors/w/normal: is defined by itself, a normal 'w' of 'w'; "},
+      {"\"u\": [0, 0, 1]", "\"u\": {\"normal\": [\"w\", [\"A\", \"B\"]]}", "/vectors/"},
+      {"\"C\": [2, 1, 0]", "\"C\": [1, 0, 0]", "/vectors/r/along: the points 'B' and 'C' coincide"},
+      {"\"vectors\": [\"r\"]", "\"vectors\": []", "accepted"},
+      {"\"crank\": {\"points\": [\"A\", \"B\"], \"vectors\": [\"u\"]",
+       "\"crank\": {\"points\": [\"A\", \"B\"], \"vectors\": [\"u\", \"r\"]",
+       "/vectors/r: vector 'r': is carried by 'crank' and 'rod', but no joints say"},
+      {"\"points\": [\"A\"], \"vectors\": [\"u\"]}", "\"points\": [\"A\"], \"vectors\": [\"v\"]}",
+       "/joints/0: joint 'revolute/ground/crank': the vector 'v' is not carried by 'crank'"},
+      {"\"from\": \"-w\", ", "", "/coordinates/theta: the key 'from' is missing; add it"},
+      {"\"from\": \"-w\"", "\"from\": \"-q\"", "/coordinates/theta/from: unknown vector 'q'; "},
+      {"\"from\": \"-w\"", "\"from\": \"-v\"",
+       "/coordinates/theta: coordinate 'theta': the directions where it is 0 and π/2 are not at a "
+       "right angle"},
+      {", \"towards\": \"v\"", "", "/coordinates/theta: the key 'towards' is missing; add it"},
+      {"\"angle\": [\"A\", \"B\"]", "\"angle\": \"v\"",
+       "/coordinates/theta: coordinate 'theta': is an angle between a direction and itself"},
+      {"\"axis\": \"z\"", "\"axis\": \"q\"", "/coordinates/z/axis: unknown axis 'q'; "},
+      {"\"vectors\": [\"u\", \"v\", \"w\"]", "\"vectors\": [\"u\", \"v\"]",
+       "/coordinates/theta: coordinate 'theta': the vector 'w' is carried by no body; "},
+  };
+  for (const auto& [old, by, message] : changes)
+    expect_start(mechanism_complaint(replaced(spatial, old, by)),
+                 message == "accepted" ? message : "m.json: " + message);
+  EXPECT_NE(mechanism_complaint(replaced(spatial, "\"u\": [0, 0, 1]",
+                                         "\"u\": {\"normal\": [\"w\", [\"A\", \"B\"]]}"))
+                .find("is defined by itself"),
+            std::string::npos);
+}
+
+TEST(MechanismFile, ThatCannotBeReadSaysWhy) {
+  const fs::path folder = fs::path(testing::TempDir()) / "desmo_files_test";
+  fs::create_directories(folder);
+  const auto complaint_of = [](const fs::path& file) {
+    return complaint([&] { read_mechanism(file); });
+  };
+  const std::string missing = (folder / "missing.json").string();
+  EXPECT_EQ(complaint_of(missing), missing + ": there is no such file; check its name and folder");
+  EXPECT_EQ(complaint_of(folder), folder.string() + ": is a directory; give a file in it");
+  EXPECT_NE(complaint_of("/dev/zero").find("is not a regular file; "), std::string::npos);
+  const fs::path large = folder / "large.json";
+  std::ofstream(large).close();
+  fs::resize_file(large, (std::uintmax_t{64} << 20) + 1);
+  EXPECT_NE(complaint_of(large).find("the file is larger than 64 MiB; "), std::string::npos);
+  fs::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace desmo

@@ -1,0 +1,89 @@
+// Mechanism files: what is read.
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <numbers>
+
+#include "cases/description.h"
+#include "tests/files/common.h"
+
+namespace desmo {
+namespace {
+
+TEST(MechanismFile, IsReadInSiUnitsAndInItsOrder) {
+  const Description d = parse_mechanism(slider_crank, "m.json");
+  EXPECT_EQ(d.name, "slider_crank");
+  EXPECT_EQ(d.dimension, 2);
+  EXPECT_EQ(d.length_unit, "m");
+  ASSERT_EQ(d.points.size(), 3u);
+  EXPECT_EQ(d.points[2].name, "C");
+  EXPECT_DOUBLE_EQ(d.points[2].position[0], 0.2);
+  EXPECT_DOUBLE_EQ(d.vectors[0].direction[0], 1);
+  ASSERT_EQ(d.bodies.size(), 4u);
+  EXPECT_EQ(d.bodies[0].name, "ground");
+  EXPECT_EQ(d.bodies[3].name, "slider");
+  EXPECT_DOUBLE_EQ(d.bodies[2].length.value(), 0.15);
+  EXPECT_EQ(d.bodies[2].points, (std::vector{1, 2}));
+  ASSERT_EQ(d.joints.size(), 4u);
+  EXPECT_EQ(d.joints[0].name, "J1");
+  EXPECT_EQ(d.joints[1].name, "revolute/crank/rod");
+  EXPECT_EQ(d.joints[3].type, Description::JointType::prismatic);
+  EXPECT_EQ(d.joints[3].bodies, (std::array{0, 3}));
+  EXPECT_EQ(d.joints[3].points, (std::vector{0, 2}));
+  ASSERT_EQ(d.coordinates.size(), 2u);
+  EXPECT_TRUE(d.coordinates[0].driven);
+  EXPECT_FALSE(d.coordinates[1].driven);
+  EXPECT_NEAR(d.coordinates[0].estimate.value(), std::numbers::pi / 18, 1e-15);
+  EXPECT_DOUBLE_EQ(d.coordinates[1].estimate.value(), 0.201);
+  EXPECT_EQ(d.coordinates[1].type, Description::CoordinateType::along);
+}
+
+TEST(MechanismFile, DirectionsAreDefinedInAnyOrder) {
+  const Description d = parse_mechanism(spatial, "m.json");
+  const auto expect_direction = [&](int i, double x, double y, double z) {
+    EXPECT_NEAR(d.vectors[i].direction[0], x, 1e-15) << i;
+    EXPECT_NEAR(d.vectors[i].direction[1], y, 1e-15) << i;
+    EXPECT_NEAR(d.vectors[i].direction[2], z, 1e-15) << i;
+  };
+  expect_direction(0, 1, 0, 0);
+  expect_direction(1, 0, 1, 0);
+  expect_direction(3, std::sqrt(0.5), std::sqrt(0.5), 0);
+  EXPECT_EQ(d.vectors[3].along.value(), (std::array{1, 2}));
+  EXPECT_FALSE(d.vectors[0].along);
+  EXPECT_TRUE(d.coordinates[0].opposite);
+  EXPECT_EQ(d.coordinates[0].from.vector, 0);
+  EXPECT_EQ(d.coordinates[0].towards.vector, 1);
+  EXPECT_EQ(d.coordinates[1].axis, 2);
+}
+
+TEST(MechanismFile, JointsWithoutNamesAreToldApart) {
+  const std::string joint = R"({"type": "revolute", "bodies": ["crank", "rod"], "points": ["B"]})";
+  const Description d = parse_mechanism(replaced(slider_crank, joint, joint + ", " + joint), "");
+  EXPECT_EQ(d.joints[1].name, "revolute/crank/rod");
+  EXPECT_EQ(d.joints[2].name, "revolute/crank/rod/2");
+}
+
+// Every normal but the last waits for the next: resolving must not recurse, nor take quadratic
+// time.
+TEST(MechanismFile, LongChainsOfDefinitionsAreResolved) {
+  constexpr int length = 20'000;
+  const auto chain = [&](const std::string& last) {
+    std::string vectors;
+    for (int i = 0; i < length; ++i)
+      vectors += "\"n" + std::to_string(i) + "\": {\"normal\": [\"n" + std::to_string(i + 1) +
+                 "\", \"" + (i % 2 ? "b" : "a") + "\"]}, ";
+    const std::string end = "\"n" + std::to_string(length) + "\": " + last;
+    return replaced(spatial, "\"u\": [0, 0, 1]",
+                    "\"u\": [0, 0, 1], \"a\": [1, 0, 0], \"b\": [0, 1, 0], " + vectors + end);
+  };
+  const std::string parallel = mechanism_complaint(chain("[0, 0, 1]"));
+  EXPECT_NE(parallel.find("parallel"), std::string::npos) << parallel;
+  const std::string cyclic = mechanism_complaint(chain("{\"normal\": [\"n0\", \"a\"]}"));
+  EXPECT_NE(cyclic.find("is defined by itself"), std::string::npos) << cyclic;
+  EXPECT_LT(cyclic.size(), 300u);
+}
+
+}  // namespace
+}  // namespace desmo

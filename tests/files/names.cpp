@@ -1,0 +1,40 @@
+// Names: the nearest ones, patterns, and how they are shown.
+
+#include "cases/names.h"
+
+#include <gtest/gtest.h>
+
+namespace desmo {
+namespace {
+
+TEST(Names, NearestComeFirstAndInOrder) {
+  using Names = std::vector<std::string_view>;
+  const Names known{"C2", "rod", "C", "theta", "D"};
+  EXPECT_EQ(nearest_names("C1", known), (Names{"C2", "C"}));
+  EXPECT_EQ(nearest_names("tehta", known), (Names{"theta"}));
+  EXPECT_EQ(nearest_names("something", known), Names{});
+  EXPECT_EQ(nearest_names("X", Names{"A", "B", "C", "D"}), (Names{"A", "B", "C"}));
+  EXPECT_EQ(suggestion("C1", known), "did you mean 'C2', 'C'?");
+  EXPECT_EQ(suggestion("something", Names{}), "there are none");
+}
+
+TEST(Names, PatternsMatchAnyCharacters) {
+  EXPECT_TRUE(matches("*", ""));
+  EXPECT_TRUE(matches("axle*/S", "axle12/S"));
+  EXPECT_TRUE(matches("*a*b*", "xxaxxbxx"));
+  EXPECT_TRUE(matches("a**", "a"));
+  EXPECT_FALSE(matches("axle*/S", "axle12/St"));
+  EXPECT_FALSE(matches("", "a"));
+  EXPECT_FALSE(matches(std::string(50, '*') + "b", std::string(100, 'a')));
+}
+
+TEST(Names, AreShownSafely) {
+  EXPECT_EQ(printable("größe"), "größe");
+  EXPECT_EQ(printable("a\x1b[0m\n"), "a\\u001b[0m\\u000a");
+  EXPECT_EQ(printable("\xff\xc3"), "\\xff\\xc3");
+  EXPECT_EQ(printable("\u202egpj"), "\\u202egpj");
+  EXPECT_EQ(printable("ää", 1), "ä...");
+}
+
+}  // namespace
+}  // namespace desmo

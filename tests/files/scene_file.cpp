@@ -1,0 +1,127 @@
+// Scene files: what is read, and where the mechanism comes from.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+
+#include "cases/cases.h"
+#include "cases/library.h"
+#include "tests/files/common.h"
+
+namespace desmo {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(SceneFile, IsReadInSiUnits) {
+  const std::string members = R"(
+      "name": "one revolution", "units": {"angle": "deg", "length": "mm"},
+      "motion": {"s": {"type": "table", "times": [-1, 0, 2, 3], "values": [100, 200, 300, 250]},
+                 "theta": {"type": "harmonic", "mean": 90, "terms": [
+                   {"amplitude": 180, "frequency": 2, "phase": 45}, {"amplitude": 1, "frequency": 3}]}},
+      "time": {"start": -0.5, "end": 3, "step": 0.25},
+      "formulation": "group_symbolic_explicit/guess:hermite5/lanes:8", "tolerance": 1e-8)";
+  const std::string mechanism = replaced(slider_crank, "[\"theta\"]", "[\"s\", \"theta\"]");
+  const Scene s = parse_scene(scene_of(mechanism, members), "s.json", "");
+  EXPECT_EQ(s.name, "one revolution");
+  EXPECT_EQ(s.formulation, "group_symbolic_explicit/guess:hermite5/lanes:8");
+  EXPECT_EQ(s.tolerance, 1e-8);
+  EXPECT_TRUE(s.request.empty());
+  EXPECT_EQ(s.grid.instants, 15);
+  EXPECT_DOUBLE_EQ(s.grid.time(14), 3);
+  ASSERT_EQ(s.motions.size(), 2u);  // in the order of the coordinates, not of the drivers
+  const auto& theta = std::get<HarmonicSum>(s.motions[0]);
+  EXPECT_DOUBLE_EQ(theta.mean, std::numbers::pi / 2);
+  EXPECT_DOUBLE_EQ(theta.terms[0].amplitude, std::numbers::pi);
+  EXPECT_DOUBLE_EQ(theta.terms[0].angular_frequency, 4 * std::numbers::pi);
+  EXPECT_DOUBLE_EQ(theta.terms[0].phase, std::numbers::pi / 4);
+  EXPECT_EQ(theta.terms[1].phase, 0);
+  EXPECT_NEAR(sample(s.motions[1], 2.0).position, 0.3, 1e-15);
+}
+
+TEST(SceneFile, StartsFromALibraryMechanismOrAGenerator) {
+  ASSERT_FALSE(library().empty());
+  for (const LibraryMechanism& m : library()) {
+    SCOPED_TRACE(m.name);
+    const std::string name(m.name);
+    const Scene own = parse_scene(m.scene, name, "");
+    const Scene bare = parse_scene(scene_of("{\"library\": \"" + name + "\"}", ""), "s.json", "");
+    EXPECT_EQ(own.mechanism.name, name);
+    EXPECT_EQ(bare.mechanism.name, name);
+    EXPECT_EQ(bare.motions.size(), own.motions.size());
+    EXPECT_EQ(bare.grid.instants, own.grid.instants);
+    EXPECT_EQ(find_library(name)->name, name);
+    EXPECT_EQ(parse_mechanism(m.mechanism, name).points.size(), own.mechanism.points.size());
+  }
+  EXPECT_EQ(find_library("no such"), nullptr);
+  for (const Case& c : cases()) {
+    const std::string generator =
+        "{\"generator\": \"" + std::string(c.name) + "\", \"" + std::string(c.unit_name) + "\": 3}";
+    const Scene s = parse_scene(scene_of(generator, R"("time": {"end": 1, "step": 0.5})"), "", "");
+    EXPECT_EQ(s.mechanism.bodies.size(), c.describe(3).mechanism.bodies.size());
+    EXPECT_EQ(s.motions.size(), c.describe(3).motions.size());
+    EXPECT_EQ(s.grid.instants, 3);
+  }
+}
+
+TEST(SceneFile, FindsItsMechanismBesideIt) {
+  const fs::path folder = fs::path(testing::TempDir()) / "desmo_scene_test";
+  fs::create_directories(folder);
+  std::ofstream(folder / "m.json") << slider_crank;
+  std::ofstream(folder / "bad.json") << replaced(slider_crank, "[50, 0]", "[50]");
+  std::ofstream(folder / "good.scene.json") << scene_of("\"m.json\"", driven);
+  std::ofstream(folder / "bad.scene.json") << scene_of("\"bad.json\"", driven);
+  std::ofstream(folder / "lost.scene.json") << scene_of("\"lost.json\"", driven);
+  const auto complaint_of = [&](const char* file) {
+    return complaint([&] { read_scene(folder / file); });
+  };
+  EXPECT_EQ(read_scene(folder / "good.scene.json").mechanism.name, "slider_crank");
+  expect_start(complaint_of("bad.scene.json"),
+               (folder / "bad.json").string() + ": /points/B: wrong dimension");
+  expect_start(complaint_of("lost.scene.json"),
+               (folder / "lost.scene.json").string() + ": /mechanism: the mechanism file '" +
+                   (folder / "lost.json").string() + "': there is no such file; ");
+  expect_start(scene_complaint(scene_of(R"("a\u0000b")", driven)),
+               "s.json: /mechanism: 'a\\u0000b'");
+  fs::remove_all(folder);
+}
+
+/// Names with the level, in the order of the request.
+std::vector<std::string> requested(const std::string& request) {
+  const Scene s = parse_scene(scene_of(slider_crank, driven + ", \"request\": " + request), "", "");
+  std::vector<std::string> names;
+  for (const Wanted& w : s.request) {
+    const Description& d = s.mechanism;
+    names.push_back((w.kind == Wanted::Kind::point    ? d.points[w.index].name
+                     : w.kind == Wanted::Kind::vector ? d.vectors[w.index].name
+                                                      : d.coordinates[w.index].name) +
+                    " " + std::to_string(static_cast<int>(w.level)));
+  }
+  return names;
+}
+
+TEST(SceneFile, RequestsAreExpandedAndHaveNothingTwice) {
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(requested(R"([{"points": ["C"], "level": "velocity"}])"), (Names{"C 1"}));
+  EXPECT_EQ(requested(R"([{"points": ["B", "B"]}, {"points": ["*"], "level": "acceleration"},
+                          {"bodies": ["crank"], "level": "velocity"}])"),
+            (Names{"B 2", "A 2", "C 2"}));
+  EXPECT_EQ(requested(R"([{"bodies": ["s*r"], "distances": ["s"]}, {"angles": ["th*"]}])"),
+            (Names{"s 0", "C 0", "x 0", "theta 0"}));
+  EXPECT_EQ(requested(R"([{"everything": true, "level": "velocity"}])"),
+            (Names{"A 1", "B 1", "C 1", "x 1", "theta 1", "s 1"}));
+}
+
+TEST(SceneFile, WhatNoBodyCarriesCannotBeAskedFor) {
+  const std::string more = replaced(slider_crank, "\"A\": [0, 0]", "\"A\": [0, 0], \"O\": [9, 9]");
+  const std::string ask = driven + R"(, "request": [{"points": [")";
+  EXPECT_EQ(parse_scene(scene_of(more, ask + R"(*"]}])"), "", "").request.size(), 3u);
+  expect_start(scene_complaint(scene_of(more, ask + R"(O"]}])")),
+               "s.json: /request/0/points/0: 'O' is carried by no body and has no motion; ");
+}
+
+}  // namespace
+}  // namespace desmo
