@@ -10,13 +10,23 @@ namespace {
 constexpr int most_units = 3;
 constexpr std::size_t longest_text = 400'000;
 
+/// A mutation that needs what the input has not ends where it sees that.
+template <class Mutation, class Input>
+void apply(const Mutation& mutation, Input& input, Random& random) {
+  try {
+    mutation(input, random);
+  } catch (const NothingToPick&) {
+  }
+}
+
 // Small changes far more often than large ones, so that many results are solved.
 void mutate(Tree& tree, Random& random) {
   const std::span<const TreeMutation> table = random.one_in(8)   ? json_mutations()
                                               : random.one_in(3) ? geometry_mutations()
                                               : random.one_in(4) ? scene_mutations()
                                                                  : mechanism_mutations();
-  random.pick(table)(tree, random);
+  const TreeMutation change = random.pick(table);
+  apply(change, tree, random);
 }
 
 std::size_t few(Random& random) {
@@ -55,7 +65,8 @@ std::string Mutator::make(Random& random) const {
   std::string text = write(tree);
   const std::span<const TextMutation> of_text = text_mutations();
   if (way >= 8)
-    for (std::size_t count = few(random); count > 0; --count) random.pick(of_text)(text, random);
+    for (std::size_t count = few(random); count > 0; --count)
+      apply(random.pick(of_text), text, random);
   if (text.size() > longest_text) text.resize(longest_text);
   return with_few_units(std::move(text), most_units);
 }

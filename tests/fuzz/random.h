@@ -6,6 +6,9 @@
 
 namespace desmo::fuzz {
 
+/// There is no element to choose.
+struct NothingToPick {};
+
 /// SplitMix64: the same numbers on every machine, which the distributions of the standard library
 /// do not promise.
 class Random {
@@ -25,9 +28,10 @@ class Random {
   /// From -1 to 1.
   double around_zero() { return static_cast<double>(next() >> 11) * 0x1p-52 - 1; }
 
-  /// An element of a list that is not empty.
+  /// An element of a list. Throws NothingToPick when it has none: spoilt files lack anything.
   template <class List>
   decltype(auto) pick(List& list) {
+    if (std::size(list) == 0) throw NothingToPick();
     return list[below(std::size(list))];
   }
 
