@@ -105,12 +105,15 @@ Trials read_trials(const std::string& text) {
   int number = 0;
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const std::string row = text.substr(begin, end - begin);
+    begin = end + 1;
     ++number;
+    if (row.find_first_not_of(" \t\r") == row.npos) continue;  // as JSON Lines are read elsewhere
     const auto named = [&](const InvalidRecord& error) {
       return "line " + std::to_string(number) + ": " + error.what();
     };
     try {
-      const nlohmann::json line = parse_json(text.substr(begin, end - begin));
+      const nlohmann::json line = parse_json(row);
       trials.add(JsonNode(line));
     } catch (const MixedRecord& error) {
       throw MixedRecord(named(error));
@@ -119,7 +122,6 @@ Trials read_trials(const std::string& text) {
     } catch (const InvalidRecord& error) {
       throw InvalidRecord(named(error));
     }
-    begin = end + 1;
   }
   return trials;
 }

@@ -47,7 +47,7 @@ bool is_timed(const Record& record) {
                              [](const auto& cell) { return cell.second.status == Status::ok; });
 }
 
-// What was timed on one side was timed on the other, in the same rounds.
+// Both sides have the same cells; what was timed on one was timed on the other, in the same rounds.
 void check_pairs(const CheckRecord& check, const JsonNode& root) {
   for (const auto& [key, head] : check.head.cells) {
     const auto base = check.base->cells.find(key);
@@ -56,6 +56,30 @@ void check_pairs(const CheckRecord& check, const JsonNode& root) {
     if (base->second.status == Status::ok && head.status == Status::ok &&
         base->second.cpu_seconds.size() != head.cpu_seconds.size())
       root["head"].complain("the cell " + cell_name(key) + " has another number of rounds in base");
+  }
+  for (const auto& [key, base] : check.base->cells)
+    if (!check.head.cells.contains(key))
+      root["head"].complain("the cell " + cell_name(key) + " of base is missing");
+}
+
+// Its answers are right, whether it was timed or not.
+bool is_sound(const Cell& cell) { return cell.status != Status::failed && cell.verification; }
+
+// What is sound on every side was measured by every means that the check used.
+void check_complete(const CheckRecord& check, const JsonNode& root) {
+  const JsonNode head = root["head"];
+  const bool timed = root.find(control_name).has_value();
+  if (check.head.cells.empty()) head["cells"].complain("at least one cell is needed");
+  if (!timed && !check.work) root.complain("nothing was measured: neither times nor work");
+  for (const auto& [key, cell] : check.head.cells) {
+    const std::string name = cell_name(key);
+    if (cell.status == Status::failed) continue;
+    if (!is_sound(cell)) head.complain("the cell " + name + " was not run: " + cell.message);
+    if (check.base && !is_sound(check.base->cells.at(key))) continue;
+    if (timed && cell.status != Status::ok)
+      head.complain("the cell " + name + " has no times: " + cell.message);
+    if (check.work && !check.work->instructions.contains(name))
+      root["work"]["instructions"].complain("the cell " + name + " is missing");
   }
 }
 
@@ -75,6 +99,7 @@ CheckRecord read_check(const JsonNode& root) {
   if (!check.second.empty() && !check.second.contains(control_name))
     root["second"].complain("the control is missing");
   if (const auto work = root.find("work")) check.work = read_work(*work, two_sides);
+  check_complete(check, root);
   if (const auto slowed = root["settings"].find_text("slowed")) check.slowed = *slowed;
   return check;
 }

@@ -5,25 +5,23 @@
 namespace desmo::report {
 namespace {
 
-/// Cells whose answers are wrong, and those that `then` does not have in order.
+/// Cells whose answers are wrong, those that `then` does not have in order, and those that it alone
+/// has.
 void exclude(Judgement& j, const CheckRecord& check, const Record& then) {
   for (const auto& [key, head] : check.head.cells) {
     const std::string name = cell_name(key);
     const auto before = then.cells.find(key);
-    const bool counted = check.work && check.work->instructions.contains(name);
     if (head.status == Status::failed)
       j.invalid.push_back({name, head.message});
     else if (before == then.cells.end())
       j.excluded.push_back({name, "new"});
     else if (before->second.status == Status::failed)
       j.excluded.push_back({name, "was wrong before: " + before->second.message});
-    else if (!counted && head.status == Status::not_run)
-      j.excluded.push_back({name, head.message});
-    else if (!counted && before->second.status == Status::not_run)
+    else if (!before->second.verification)
       j.excluded.push_back({name, "new: " + before->second.message});
   }
   for (const auto& [key, cell] : then.cells)
-    if (!check.head.cells.contains(key)) j.excluded.push_back({cell_name(key), "no longer there"});
+    if (!check.head.cells.contains(key)) j.missing.push_back(cell_name(key));
 }
 
 template <class Findings>
@@ -38,7 +36,7 @@ Verdict overall(Judgement& j) {
 
   const auto& times = j.time.cells;
   const auto& works = j.work.cells;
-  if (!j.invalid.empty()) return Verdict::invalid;
+  if (!j.invalid.empty() || !j.missing.empty()) return Verdict::invalid;
   if (any(times, Outcome::regression) || any(works, Outcome::regression))
     return Verdict::regression;
   if (!j.differences.empty() || !j.work.differences.empty()) return Verdict::incomparable;

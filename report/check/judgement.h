@@ -20,6 +20,7 @@ struct Excluded {
 struct Judgement {
   Verdict verdict = Verdict::pass;
   std::vector<Excluded> invalid;        ///< head's answers are wrong
+  std::vector<std::string> missing;     ///< cells of the baseline that head has not
   std::vector<Excluded> excluded;       ///< there is nothing to compare with
   std::vector<Difference> differences;  ///< why times cannot be compared; then there are none
   TimeFindings time;

@@ -122,6 +122,8 @@ std::vector<std::string> summary(const Judgement& j) {
   std::vector<std::string> text;
   for (const Excluded& cell : j.invalid)
     text.push_back("Wrong numerics, not timed: " + cell.cell + " (" + cell.reason + ").");
+  for (const std::string& cell : j.missing)
+    text.push_back("Not measured, but in the baseline: " + cell + ".");
   say(text, "Slower", cells_with(j.time.cells, Outcome::regression));
   say(text, "More work", cells_with(j.work.cells, Outcome::regression));
   say(text, "Faster", cells_with(j.time.cells, Outcome::gain));
@@ -162,7 +164,7 @@ const char* verdict_word(Verdict verdict) {
     case Verdict::regression:
       return "REGRESSION";
     case Verdict::invalid:
-      return "INVALID NUMERICS";
+      return "INVALID";
     case Verdict::inconclusive:
       return "INCONCLUSIVE";
     case Verdict::incomparable:

@@ -89,6 +89,21 @@ TEST_F(CertificateOf, TrialsOfTwoMachinesMakeNone) {
   EXPECT_THROW(certificate(), MixedRecord);
 }
 
+TEST_F(CertificateOf, BlankLinesAreNoTrials) {
+  lines_ = "\n";
+  add("unchanged", "idle", check_sample());
+  lines_ += " \r\n\n";
+  add("unchanged", "idle", slower(1.1));
+  EXPECT_TRUE(certificate().refuted);
+  lines_ += "\nx\n";
+  try {
+    certificate();
+    FAIL();
+  } catch (const InvalidRecord& error) {
+    EXPECT_NE(std::string(error.what()).find("line 7"), std::string::npos) << error.what();
+  }
+}
+
 TEST_F(CertificateOf, ALineThatIsCutOffIsNamed) {
   add("unchanged", "idle", check_sample(), 2);
   lines_.resize(lines_.size() - 10);

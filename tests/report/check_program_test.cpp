@@ -1,46 +1,21 @@
 // desmo_report check as bench/check runs it: exit codes and messages.
-#include <gtest/gtest.h>
-#include <sys/wait.h>
-
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
 
 #include "tests/report/check_sample.h"
+#include "tests/report/program.h"
 
 namespace desmo::report {
 namespace {
 
-namespace fs = std::filesystem;
-
-class CheckProgram : public ::testing::Test {
+class CheckProgram : public Program {
  protected:
-  void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "desmo_check_XXXXXX").string();
-    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   std::string written(const std::string& name, const std::string& text) {
     std::ofstream(folder_ / name) << text;
     return (folder_ / name).string();
   }
-
-  int report(const std::string& arguments) {
-    const std::string out = (folder_ / "stdout").string(), err = (folder_ / "stderr").string();
-    const int status = std::system(
-        (std::string(DESMO_REPORT_PROGRAM) + " " + arguments + " >" + out + " 2>" + err).c_str());
-    out_ = read_text(out);
-    err_ = read_text(err);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  }
   int check(const std::string& text, const std::string& options = "") {
     return report("check " + written("results.json", text) + " " + options);
   }
-
-  fs::path folder_;
-  std::string out_, err_;
 };
 
 TEST_F(CheckProgram, PassesWhatHasNotChanged) {

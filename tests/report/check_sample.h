@@ -25,6 +25,12 @@ void confirm(Json& check, const std::string& cell, double factor);
 /// Makes head's answers wrong, as desmo_check records it.
 void fail_head(Json& check, const std::string& cell);
 
+/// Makes a cell one that a side does not have, as desmo_check records it.
+void leave_out(Json& check, const std::string& side, const std::string& cell);
+
+/// Makes it a check of Work alone, as desmo_check records it.
+void take_no_times(Json& check);
+
 CheckRecord check_from(const Json& json);
 
 }  // namespace desmo::report

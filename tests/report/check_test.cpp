@@ -123,8 +123,9 @@ TEST(Check, InstructionsAlarmFromOnePercentOn) {
     check["work"]["instructions"][watched]["head"] = row.head;
     const Judgement j = judged(check);
     EXPECT_EQ(j.verdict, row.verdict) << row.head;
-    ASSERT_EQ(j.work.cells.size(), 1u);
-    EXPECT_EQ(j.work.cells[0].outcome, row.outcome) << row.head;
+    ASSERT_EQ(j.work.cells.size(), 3u);
+    for (const WorkFinding& f : j.work.cells)
+      EXPECT_EQ(f.outcome, f.cell == watched ? row.outcome : Outcome::same) << row.head;
   }
 }
 
@@ -138,7 +139,8 @@ TEST(Check, WrongNumericsShowNoTimeWhateverElseIsThere) {
   EXPECT_EQ(j.verdict, Verdict::invalid);
   for (const TimeFinding& f : j.time.cells) EXPECT_FALSE(f.cell.ends_with("inlined"));
   fail_head(check, watched);
-  EXPECT_TRUE(judged(check).work.cells.empty());
+  for (const WorkFinding& f : judged(check).work.cells)
+    EXPECT_EQ(f.cell, "truck_suspension/114/global_automatic_klu");
   const Document document = verdict_document(record, j);
   EXPECT_NE(document.sections[0].paragraphs[0].find("group_symbolic_inlined"), std::string::npos);
 }
@@ -176,20 +178,36 @@ TEST(Check, OtherMachinesCompilersFlagsBlasAndModelsAreIncomparable) {
   }
 }
 
-TEST(Check, NewAndRemovedCellsAreSaidAndNotJudged) {
+TEST(Check, NewCellsAreSaidAndNotJudged) {
+  const std::string cell = "truck_suspension/114/group_symbolic_inlined";
   Json check = check_sample();
-  for (Json& cell : check["base"]["cells"])
-    if (cell["id"] == "group_symbolic_inlined")
-      cell = {{"case", cell["case"]},
-              {"coordinates", cell["coordinates"]},
-              {"id", cell["id"]},
-              {"status", "not_run"},
-              {"message", "unknown"}};
+  leave_out(check, "base", cell);
+  check["work"]["instructions"].erase(cell);
   const Judgement j = judged(check);
   EXPECT_EQ(j.verdict, Verdict::pass);
   EXPECT_EQ(j.time.cells.size(), 2u);
   ASSERT_EQ(j.excluded.size(), 1u);
   EXPECT_NE(j.excluded[0].reason.find("new"), std::string::npos);
+}
+
+TEST(Check, WorkAloneIsACheck) {
+  Json check = check_sample();
+  take_no_times(check);
+  EXPECT_EQ(judged(check).verdict, Verdict::pass);
+  EXPECT_TRUE(judged(check).excluded.empty());
+}
+
+// A check that says nothing of a cell does not pass it.
+TEST(Check, ACellOfTheBaselineThatHeadHasNotIsInvalid) {
+  const CheckRecord baseline = check_from(one_tree_sample());
+  Json now = one_tree_sample();
+  now["head"]["cells"].erase(0);
+  const CheckRecord check = check_from(now);
+  const Judgement j = judge(check, baseline);
+  EXPECT_EQ(j.verdict, Verdict::invalid);
+  EXPECT_EQ(j.missing.size(), 1u);
+  EXPECT_EQ(verdict_document(check, j).sections[0].paragraphs[0],
+            "Not measured, but in the baseline: truck_suspension/114/global_automatic_klu.");
 }
 
 TEST(Check, AgainstABaselineRatiosWithinARunAreCompared) {
@@ -256,6 +274,29 @@ TEST(CheckReader, RefusesWhatIsNotAWholeCheck) {
   EXPECT_NE(complaint([](Json& c) { c["base"]["cells"].erase(0); }).find("base"),
             std::string::npos);
   EXPECT_NE(complaint([](Json& c) { c.erase("control"); }).find("control"), std::string::npos);
+  EXPECT_NE(complaint([](Json& c) { c["head"]["cells"].erase(0); }).find("head: the cell"),
+            std::string::npos);
+  EXPECT_NE(complaint([](Json& c) {
+              for (const char* side : {"base", "head"}) c[side]["cells"] = Json::array();
+            }).find("head"),
+            std::string::npos);
+  EXPECT_NE(complaint([](Json& c) {
+              c.erase("work");
+              take_no_times(c);
+            }).find("nothing was measured"),
+            std::string::npos);
+  EXPECT_NE(complaint([](Json& c) { leave_out(c, "head", watched); }).find("was not run: unknown"),
+            std::string::npos);
+  EXPECT_NE(complaint([](Json& c) {
+              const Json control = c["control"];
+              take_no_times(c);
+              c["control"] = control;
+            }).find("has no times"),
+            std::string::npos);
+  EXPECT_NE(complaint([](Json& c) {
+              c["work"]["instructions"] = Json::object();
+            }).find("work.instructions: the cell truck_suspension"),
+            std::string::npos);
   EXPECT_NE(
       complaint([](Json& c) { c["work"]["instructions"][watched]["head"] = 0.5; }).find("whole"),
       std::string::npos);

@@ -1,49 +1,25 @@
 // desmo_report compare as a user runs it, and what it answers to files that are not what they seem.
-#include <gtest/gtest.h>
-#include <sys/wait.h>
-
-#include <cstdlib>
 #include <fstream>
 
+#include "tests/report/program.h"
 #include "tests/report/sample.h"
 
 namespace desmo::report {
 namespace {
 
-namespace fs = std::filesystem;
-
-class Compare : public ::testing::Test {
+class Compare : public Program {
  protected:
-  void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "desmo_compare_XXXXXX").string();
-    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
-    newest_ = Json::parse(read_text(data_file("golden/1.3.0.json")));
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  int run(const std::string& arguments) {
-    const std::string out = (folder_ / "stdout").string(), err = (folder_ / "stderr").string();
-    const int status = std::system(
-        (std::string(DESMO_REPORT_PROGRAM) + " " + arguments + " >" + out + " 2>" + err).c_str());
-    out_ = read_text(out);
-    err_ = read_text(err);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  }
-
   // The newest record beside a changed one.
   int compare(const std::string& text) {
     std::ofstream(folder_ / "b.json") << text;
-    return run("compare " + data_file("golden/1.3.0.json").string() + " " +
-               (folder_ / "b.json").string());
+    return report("compare " + data_file("golden/1.3.0.json").string() + " " +
+                  (folder_ / "b.json").string());
   }
   int compare(const Json& json) { return compare(json.dump()); }
 
   bool complains(const std::string& what) const { return err_.find(what) != std::string::npos; }
 
-  fs::path folder_;
-  Json newest_;
-  std::string out_, err_;
+  Json newest_ = Json::parse(read_text(data_file("golden/1.3.0.json")));
 };
 
 TEST_F(Compare, PrintsTheRatios) {
@@ -52,7 +28,7 @@ TEST_F(Compare, PrintsTheRatios) {
   EXPECT_NE(out_.find("/request:damper"), std::string::npos);
   EXPECT_EQ(err_, "");
   const std::string a = data_file("golden/1.3.0.json").string();
-  EXPECT_EQ(run("compare " + a + " " + a + " --format json"), 0);
+  EXPECT_EQ(report("compare " + a + " " + a + " --format json"), 0);
   EXPECT_EQ(Json::parse(out_)["schema"], "desmo-tables");
 }
 
@@ -63,7 +39,7 @@ TEST_F(Compare, IncomparableRecordsEndWithCode4AndTheReason) {
   EXPECT_TRUE(complains("BLAS core: ")) << err_;
   EXPECT_EQ(out_, "");
   const std::string old = data_file("golden/1.2.0.json").string();
-  EXPECT_EQ(run("compare " + old + " " + old), 4);
+  EXPECT_EQ(report("compare " + old + " " + old), 4);
   EXPECT_TRUE(complains("not recorded")) << err_;
 }
 
@@ -72,7 +48,7 @@ TEST_F(Compare, ARecordOfTwoMachinesEndsWithCode4) {
   EXPECT_EQ(compare(newest_), 4);
   EXPECT_TRUE(complains("b.json: ")) << err_;
   EXPECT_TRUE(complains("measured on \"Other CPU\"")) << err_;
-  EXPECT_EQ(run("tables " + (folder_ / "b.json").string()), 4);
+  EXPECT_EQ(report("tables " + (folder_ / "b.json").string()), 4);
   EXPECT_EQ(out_, "");
 }
 
@@ -83,7 +59,7 @@ TEST_F(Compare, UnreadableRecordsEndWithCode65AndTheFile) {
   newest_["version"] = "2.0.0";
   EXPECT_EQ(compare(newest_), 65);
   EXPECT_TRUE(complains("b.json: version: schema version 2.0.0 is not supported")) << err_;
-  EXPECT_EQ(run("compare no_such.json no_such.json"), 65);
+  EXPECT_EQ(report("compare no_such.json no_such.json"), 65);
   EXPECT_TRUE(complains("no_such.json: cannot be read")) << err_;
 }
 
@@ -98,9 +74,9 @@ TEST_F(Compare, AFailedCellShowsNoTime) {
 }
 
 TEST_F(Compare, UsageErrors) {
-  EXPECT_EQ(run("compare"), 64);
-  EXPECT_EQ(run("compare only_one.json"), 64);
-  EXPECT_EQ(run("compare a.json b.json --format pdf"), 64);
+  EXPECT_EQ(report("compare"), 64);
+  EXPECT_EQ(report("compare only_one.json"), 64);
+  EXPECT_EQ(report("compare a.json b.json --format pdf"), 64);
 }
 
 }  // namespace

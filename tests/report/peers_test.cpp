@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include "report/formats/formats.h"
-#include "report/record_reader.h"
 #include "report/report.h"
 #include "report/tables/tables.h"
 #include "tests/report/sample.h"
@@ -55,15 +54,6 @@ Json peers_record() {
 
 Table times(const Json& json) {
   return table_named(make_report(record_from(json)), "peers_truck_suspension");
-}
-
-std::string complaint(const Json& json) {
-  try {
-    record_from(json);
-  } catch (const InvalidRecord& error) {
-    return error.what();
-  }
-  return "accepted";
 }
 
 TEST(Peers, AreMeasuredAgainstOursWithTheSameGuess) {

@@ -26,9 +26,12 @@ int Program::shell(const std::string& command) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
+int Program::report(const std::string& arguments) {
+  return shell(std::string(DESMO_REPORT_PROGRAM) + " " + arguments);
+}
+
 int Program::tables(const fs::path& record, const std::string& options) {
-  return shell(std::string(DESMO_REPORT_PROGRAM) + " tables " + data_file(record).string() + " " +
-               options);
+  return report("tables " + data_file(record).string() + " " + options);
 }
 
 std::map<std::string, std::string> Program::files_in(const fs::path& folder) {

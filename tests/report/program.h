@@ -17,6 +17,9 @@ class Program : public ::testing::Test {
   /// Runs a shell command and gives its exit code; its streams end up in out_ and err_.
   int shell(const std::string& command);
 
+  /// desmo_report with these arguments.
+  int report(const std::string& arguments);
+
   /// desmo_report tables on a record of tests/report/data or, by its whole path, of elsewhere.
   int tables(const std::filesystem::path& record, const std::string& options = "");
 

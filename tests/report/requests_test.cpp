@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include "report/formats/formats.h"
-#include "report/record_reader.h"
 #include "report/report.h"
 #include "report/tables/tables.h"
 #include "tests/report/sample.h"
@@ -18,15 +17,6 @@ Json& request_of(Json& json, const std::string& id, const std::string& name) {
   for (Json& request : json["requests"])
     if (request["id"] == id && request["request"] == name) return request;
   throw std::runtime_error("no request " + id + "/" + name);
-}
-
-std::string complaint(const Json& json) {
-  try {
-    record_from(json);
-  } catch (const InvalidRecord& error) {
-    return error.what();
-  }
-  return "accepted";
 }
 
 TEST(Requests, CostLessThanEverythingWithTheSameFormulation) {

@@ -1,5 +1,7 @@
 #include "tests/report/sample.h"
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -21,6 +23,23 @@ std::string read_text(const std::filesystem::path& file) {
 }
 
 Json complete_record() { return Json::parse(read_text(data_file("complete.json"))); }
+
+Json with_segments(Json record, int segments) {
+  record["version"] = "1.4.0";
+  record["record"]["settings"]["segments"] = segments;
+  for (const char* list : {"cells", "requests", "peers"}) {
+    if (!record.contains(list)) continue;
+    for (Json& timed : record[list]) {
+      if (!timed.contains("cpu_seconds")) continue;
+      const auto samples = timed["cpu_seconds"].get<std::vector<double>>();
+      const double least = *std::ranges::min_element(samples);
+      timed["segment_seconds"] = Json::array();
+      for (int i = 1; i <= segments; ++i)
+        timed["segment_seconds"].push_back(least * 2 * i / (segments * (segments + 1)));
+    }
+  }
+  return record;
+}
 
 Json structured_record() { return Json::parse(read_text(data_file("structured.json"))); }
 
@@ -60,12 +79,30 @@ void erase_family(Json& record, const std::string& family) {
   record["cells"] = kept;
 }
 
+void set_motion(Json& record, double duration, double step) {
+  Json& settings = record["record"]["settings"];
+  settings["duration_seconds"] = duration;
+  settings["step_seconds"] = step;
+  settings["instants"] = std::lround(duration / step) + 1;
+}
+
 void set_samples(Json& record, int coordinates, const std::string& id,
                  std::vector<double> samples) {
   cell_of(record, "truck_suspension", coordinates, id)["cpu_seconds"] = std::move(samples);
 }
 
 Record record_from(const Json& json) { return parse_record(json.dump()); }
+
+std::string complaint(const std::string& text) {
+  try {
+    parse_record(text);
+  } catch (const InvalidRecord& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+std::string complaint(const Json& json) { return complaint(json.dump()); }
 
 Entry entry_at(const Table& table, const std::vector<std::string>& labels,
                const std::string& column) {

@@ -19,6 +19,10 @@ std::string read_text(const std::filesystem::path& file);
 /// data/complete.json: every family, size and status "ok". Made-up numbers.
 Json complete_record();
 
+/// The record as of schema 1.4.0: the least repetition of everything timed is cut into as many
+/// segments, each longer than the last.
+Json with_segments(Json record, int segments = 25);
+
 /// data/structured.json: small, with structure and requests (schema 1.2.0). Made-up numbers.
 Json structured_record();
 
@@ -30,10 +34,17 @@ void fail_cell(Json& record, const std::string& case_name, int coordinates, cons
 /// Erases every cell with this sparse solver, as of a build without it.
 void erase_family(Json& record, const std::string& family);
 
+/// Makes it a record of so many seconds of motion, in steps of so many seconds.
+void set_motion(Json& record, double duration, double step = 0.01);
+
 /// Replaces the samples of a truck cell.
 void set_samples(Json& record, int coordinates, const std::string& id, std::vector<double> samples);
 
 Record record_from(const Json& json);
+
+/// What the reader complains of, or "accepted".
+std::string complaint(const std::string& text);
+std::string complaint(const Json& json);
 
 /// The row whose first texts are `labels`, in the column of that name.
 Entry entry_at(const Table& table, const std::vector<std::string>& labels,
