@@ -9,6 +9,16 @@
 
 namespace desmo {
 
+void drive(const Mechanism& m, double t, State& state) {
+  for (const Driver& d : m.drivers) {
+    const int i = m.entities[d.coordinate].first;
+    const MotionSample<double> z = sample(d.motion, t);
+    state.q[i] = z.position;
+    state.qd[i] = z.velocity;
+    state.qdd[i] = z.acceleration;
+  }
+}
+
 std::string describe(const Summary& s, const Mechanism& m) {
   char text[160];
   if (s.ok()) {
@@ -48,16 +58,6 @@ void Formulation::guess(double t) {
   for (const auto& [definition, solver, as_named, part_level] : parts_)
     if (!definition.constant && part_level >= needed)
       extrapolate(settings_.guess, definition.unknowns, t - time_, state_);
-}
-
-void Formulation::drive(double t) {
-  for (const Driver& d : mechanism_.drivers) {
-    const int i = mechanism_.entities[d.coordinate].first;
-    const MotionSample<double> z = sample(d.motion, t);
-    state_.q[i] = z.position;
-    state_.qd[i] = z.velocity;
-    state_.qdd[i] = z.acceleration;
-  }
 }
 
 Summary Formulation::solve_parts(double t, Level level, bool constant) {
@@ -103,7 +103,7 @@ Summary Formulation::step(double t, Level level) {
   if (!assembled_) return assemble(t, level);
   std::ranges::copy(state_.q, start_.begin());
   guess(t);
-  drive(t);
+  drive(mechanism_, t, state_);
   const Summary summary = solve_parts(t, level, false);
   if (!summary.ok()) std::ranges::copy(start_, state_.q.begin());
   time_ = t;

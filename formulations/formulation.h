@@ -47,6 +47,10 @@ struct Summary {
 /// A sentence for people: the status and, on failure, the group, the constraint and the time.
 std::string describe(const Summary& summary, const Mechanism& mechanism);
 
+/// Gives the driven coordinates the position, velocity and acceleration that their motions have at
+/// time t (s).
+void drive(const Mechanism& mechanism, double t, State& state);
+
 /// One way of solving the kinematics of a mechanism: an ordered list of parts. The mechanism is
 /// read only and must outlive the formulation; the formulation owns all that changes.
 class Formulation {
@@ -90,7 +94,6 @@ class Formulation {
     return {v.data(), static_cast<std::size_t>(mechanism_.coordinates())};
   }
   void guess(double t);
-  void drive(double t);
   Summary solve_parts(double t, Level level, bool constant);
 
   const Mechanism& mechanism_;

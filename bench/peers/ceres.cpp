@@ -171,13 +171,7 @@ class CeresPeer final : public Peer {
 
   void solve(double t) {
     time_ = t;
-    for (const Driver& d : mechanism_.drivers) {
-      const int i = mechanism_.entities[d.coordinate].first;
-      const MotionSample<double> z = sample(d.motion, t);
-      state_.q[i] = z.position;
-      state_.qd[i] = z.velocity;
-      state_.qdd[i] = z.acceleration;
-    }
+    drive(mechanism_, t, state_);
     ceres::Solver::Summary summary;
     ceres::Solve(options_, &problem_, &summary);
     if (summary.termination_type != ceres::USER_SUCCESS) throw std::runtime_error(summary.message);
