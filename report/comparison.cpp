@@ -28,15 +28,27 @@ Entry ratio_entry(const Timing& a, const Timing& b) {
   return speed_up_entry(measured_speed_up(a.time, b.time));
 }
 
+/// As of a record before 1.4.0.
+Record without_segments(Record record) {
+  record.settings.segments.reset();
+  for (auto& [key, cell] : record.cells) cell.segment_seconds.clear();
+  for (Request& request : record.requests) request.segment_seconds.clear();
+  for (Peer& peer : record.peers) peer.cell.segment_seconds.clear();
+  return record;
+}
+
 }  // namespace
 
 Document make_comparison(const Record& first, const Record& second) {
+  if (first.settings.segments != second.settings.segments)  // then there is nothing to pair
+    return make_comparison(without_segments(first), without_segments(second));
+  const TimeWords words = time_words(first);
   const std::vector<std::string> seconds{"seconds", "half_range", "repetitions"};
   Table table{.name = "comparison",
               .title = "CPU seconds of A and B",
-              .notes = {"Median ± half the range. A over B: how many times as fast B is, ratio of "
-                        "the medians [its interval] (time saved); " +
-                        inconclusive_note() + "."},
+              .notes = {capitalised(words.time) +
+                        " ± half the range. A over B: how many times as fast B is, ratio of the " +
+                        words.times + " [its interval] (time saved); " + inconclusive_note() + "."},
               .columns = {{"case", {}},
                           {"coordinates", {}},
                           {"id", {}},
@@ -45,6 +57,7 @@ Document make_comparison(const Record& first, const Record& second) {
                           {"A over B", {"speed_up", "low", "high", "percent"}},
                           {"remark", {}}},
               .rows = {}};
+  define_time(table, first);
   const auto a = timings(first), b = timings(second);
   std::set<CellKey> keys;
   for (const auto* all : {&a, &b})

@@ -1,5 +1,10 @@
 #include "report/environment_reader.h"
 
+#include <cmath>
+#include <string>
+
+#include "report/digits.h"
+
 namespace desmo::report {
 namespace {
 
@@ -25,6 +30,11 @@ std::optional<Allowed> read_allowed(const JsonNode& settings) {
                   (*node)["acceleration"].positive(), std::nullopt};
   if (const auto request = node->find("request")) allowed.request = request->positive();
   return allowed;
+}
+
+std::optional<std::int64_t> read_segments(const JsonNode& settings) {
+  const auto node = settings.find("segments");
+  return node ? std::optional(node->integer(2)) : std::nullopt;
 }
 
 }  // namespace
@@ -57,15 +67,22 @@ Build read_build(const JsonNode& node) {
 }
 
 Settings read_settings(const JsonNode& node) {
-  return {.tolerance = node["tolerance"].positive(),
-          .max_iterations = node["max_iterations"].integer(1),
-          .guess = node["guess"].text(),
-          .step_seconds = node["step_seconds"].positive(),
-          .duration_seconds = node["duration_seconds"].positive(),
-          .instants = node["instants"].integer(1),
-          .clock = node["clock"].text(),
-          .allowed = read_allowed(node),
-          .reducer = read_reducer(node)};
+  const Settings settings{.tolerance = node["tolerance"].positive(),
+                          .max_iterations = node["max_iterations"].integer(1),
+                          .guess = node["guess"].text(),
+                          .step_seconds = node["step_seconds"].positive(),
+                          .duration_seconds = node["duration_seconds"].positive(),
+                          .instants = node["instants"].integer(1),
+                          .clock = node["clock"].text(),
+                          .allowed = read_allowed(node),
+                          .reducer = read_reducer(node),
+                          .segments = read_segments(node)};
+  const double steps = settings.duration_seconds / settings.step_seconds;
+  if (std::abs(steps - static_cast<double>(settings.instants - 1)) > 0.01)
+    node["instants"].complain(std::to_string(settings.instants) + " instants do not make " +
+                              write_shortest(settings.duration_seconds) + " s in steps of " +
+                              write_shortest(settings.step_seconds) + " s");
+  return settings;
 }
 
 }  // namespace desmo::report

@@ -1,5 +1,7 @@
 #include "report/json_node.h"
 
+#include <algorithm>
+#include <chrono>
 #include <nlohmann/json.hpp>
 
 #include "report/json_document.h"
@@ -81,6 +83,22 @@ std::string JsonNode::digest() const {
   const std::string text = this->text();
   if (text.size() != 64 || text.find_first_not_of("0123456789abcdef") != std::string::npos)
     complain(value_->dump() + " is not a SHA-256 digest");
+  return text;
+}
+
+std::string JsonNode::utc() const {
+  const std::string text = this->text();
+  constexpr std::string_view form = "0000-00-00T00:00:00Z";
+  const bool formed = std::ranges::equal(text, form, [](char c, char place) {
+    return place == '0' ? '0' <= c && c <= '9' : c == place;
+  });
+  const auto number = [&](std::size_t first, std::size_t digits) {
+    return std::stoi(text.substr(first, digits));
+  };
+  using namespace std::chrono;
+  if (!formed || !year_month_day(year(number(0, 4)), month(number(5, 2)), day(number(8, 2))).ok() ||
+      number(11, 2) > 23 || number(14, 2) > 59 || number(17, 2) > 60)  // a leap second
+    complain(value_->dump() + " is not a date and time, UTC, as 2026-11-21T17:48:47Z");
   return text;
 }
 

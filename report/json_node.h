@@ -29,6 +29,7 @@ class JsonNode {
   std::string text() const;    ///< control characters, which a terminal would obey, become spaces
   std::string name() const;    ///< letters, digits, "_" and "-" only: it becomes part of file names
   std::string digest() const;  ///< SHA-256: 64 hexadecimal digits in lower case
+  std::string utc() const;     ///< a date that there is, and a time: 2026-11-21T17:48:47Z
   bool boolean() const;
   std::int64_t integer(std::int64_t least) const;  ///< in least ... 1e9
   double number() const;

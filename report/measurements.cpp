@@ -1,6 +1,7 @@
 #include "report/measurements.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <set>
@@ -21,10 +22,11 @@ std::optional<double> number(const std::string& digits) {
   return value;
 }
 
-Measured measured(Status status, const std::vector<double>& cpu_seconds) {
+Measured measured(Status status, const std::vector<double>& cpu_seconds,
+                  const std::vector<double>& segment_seconds) {
   switch (status) {
     case Status::ok:
-      return {summarise(cpu_seconds), {}};
+      return {summarise(cpu_seconds, segment_seconds), {}};
     case Status::failed:
       return {std::nullopt, failed_mark};
     case Status::not_run:
@@ -41,15 +43,18 @@ Measured measured(const Record& record, const CellKey& key) {
   return measured(cell->second);
 }
 
-Measured measured(const Cell& cell) { return measured(cell.status, cell.cpu_seconds); }
+Measured measured(const Cell& cell) {
+  return measured(cell.status, cell.cpu_seconds, cell.segment_seconds);
+}
 
-Measured measured(const Request& request) { return measured(request.status, request.cpu_seconds); }
+Measured measured(const Request& request) {
+  return measured(request.status, request.cpu_seconds, request.segment_seconds);
+}
 
 std::map<CellKey, Timing> timings(const Record& record) {
   std::map<CellKey, Timing> all;
   for (const auto& [key, cell] : record.cells)
-    all[key] = {measured(cell.status, cell.cpu_seconds), remark(cell.status, cell.message),
-                cell.origin};
+    all[key] = {measured(cell), remark(cell.status, cell.message), cell.origin};
   for (const Request& request : record.requests) {
     CellKey key = request.cell;
     key.id += "/request:" + request.name;
@@ -112,6 +117,24 @@ Sources sources(const Record& record) {
           motions + ": these are ratios of times of unequal motions."};
 }
 
+TimeWords time_words(const Record& record) {
+  if (!record.settings.segments) return {"median", "medians", "[its interval]", {}};
+  return {"undisturbed time", "undisturbed times", "[to the median]",
+          "Undisturbed time: of each of " + std::to_string(*record.settings.segments) +
+              " equal segments of the motion the least CPU time that any repetition took, summed. "
+              "Interval of a ratio: 95 %, from how it varies from segment to segment."};
+}
+
+std::string capitalised(std::string text) {
+  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
+}
+
+void define_time(Table& table, const Record& record) {
+  const TimeWords words = time_words(record);
+  if (!words.definition.empty()) table.notes.push_back(words.definition);
+}
+
 std::string repetitions(const Record& record) {
   std::set<std::size_t> counts;
   for (const auto& [key, cell] : record.cells)
@@ -141,22 +164,21 @@ void add_note(Entry& entry, const std::string& note) {
 Entry seconds_entry(const Measured& measured) {
   if (!measured.seconds) return note_entry(measured.mark);
   const Summary& seconds = *measured.seconds;
-  const DigitStyle style = significant_digits(seconds.median, 4);
-  const std::string median = write(seconds.median, style), count = std::to_string(seconds.count);
-  if (seconds.count < 2) return {median + " (one run)", {median, "", count}, "one run"};
+  const DigitStyle style = significant_digits(seconds.value, 4);
+  const std::string value = write(seconds.value, style), count = std::to_string(seconds.count);
+  if (seconds.count < 2) return {value + " (one run)", {value, "", count}, "one run"};
   const std::string half = write(seconds.half_range(), style);
-  return {median + " ±" + half, {median, half, count}, {}};
+  return {value + " ±" + half, {value, half, count}, {}};
 }
 
 Entry interval_entry(const Measured& measured) {
   if (!measured.seconds) return note_entry(measured.mark);
   const Summary& seconds = *measured.seconds;
-  const DigitStyle style = significant_digits(seconds.median, 4);
-  const std::string median = write(seconds.median, style), count = std::to_string(seconds.count);
-  if (seconds.count < 2) return {median + " (one run)", {median, "", "", count}, "one run"};
-  const std::string low = write(seconds.median_low, style),
-                    high = write(seconds.median_high, style);
-  return {median + " [" + low + ", " + high + "]", {median, low, high, count}, {}};
+  const DigitStyle style = significant_digits(seconds.value, 4);
+  const std::string value = write(seconds.value, style), count = std::to_string(seconds.count);
+  if (seconds.count < 2) return {value + " (one run)", {value, "", "", count}, "one run"};
+  const std::string low = write(seconds.low, style), high = write(seconds.high, style);
+  return {value + " [" + low + ", " + high + "]", {value, low, high, count}, {}};
 }
 
 Entry number_entry(const std::optional<double>& value, int significant) {

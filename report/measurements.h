@@ -74,6 +74,23 @@ struct Sources {
 
 Sources sources(const Record& record);
 
+/// What the times of a record are, in the words of its notes: records before 1.4.0 have medians,
+/// later ones segments.
+struct TimeWords {
+  std::string time;        ///< "median"
+  std::string times;       ///< "medians"
+  std::string interval;    ///< "[its interval]"
+  std::string definition;  ///< a note; empty where the words need none
+};
+
+TimeWords time_words(const Record& record);
+
+/// For the beginning of a sentence.
+std::string capitalised(std::string text);
+
+/// Adds the definition to the notes of a table that uses the words.
+void define_time(Table& table, const Record& record);
+
 /// "5 repetitions", "3 to 5 repetitions", "1 repetition": of all cells that were measured.
 std::string repetitions(const Record& record);
 
@@ -89,8 +106,8 @@ void add_note(Entry& entry, const std::string& note);
 /// "0.4210 ±0.0020", quantities {seconds, half_range, repetitions}; or the mark.
 Entry seconds_entry(const Measured& measured);
 
-/// "0.1122 [0.1085, 0.1185]", quantities {seconds, low, high, repetitions}: with the interval
-/// of the median; or the mark.
+/// "0.1122 [0.1085, 0.1185]", quantities {seconds, low, high, repetitions}: with its interval; or
+/// the mark.
 Entry interval_entry(const Measured& measured);
 
 /// So many significant digits, or the mark of what is missing.

@@ -59,7 +59,8 @@ struct Settings {
   std::int64_t instants = 0;    ///< solved in one analysis
   std::string clock;
   std::optional<Allowed> allowed;
-  std::optional<std::string> reducer;  ///< of samples to a time; since 1.3.0
+  std::optional<std::string> reducer;    ///< of samples to a time; since 1.3.0
+  std::optional<std::int64_t> segments;  ///< into which the motion is cut; since 1.4.0
 };
 
 enum class Status { ok, failed, not_run };
@@ -92,6 +93,7 @@ struct Cell {
   std::string message;  ///< why it failed or was not run
   Origin origin;
   std::vector<double> cpu_seconds;  ///< one per repetition; never empty when ok, always when not
+  std::vector<double> segment_seconds;  ///< Settings::segments when ok: the least that each took
   std::optional<Verification> verification;  ///< always when ok
   std::optional<double> setup_seconds;
   std::optional<double> iterations_per_step;
@@ -137,8 +139,9 @@ struct Request {
   Status status = Status::not_run;
   std::string message;  ///< why it failed or was not run
   Origin origin;
-  std::vector<double> cpu_seconds;   ///< one per repetition; never empty when ok, always when not
-  std::optional<double> difference;  ///< from the whole mechanism's solution; always when ok
+  std::vector<double> cpu_seconds;  ///< one per repetition; never empty when ok, always when not
+  std::vector<double> segment_seconds;  ///< Settings::segments when ok: the least that each took
+  std::optional<double> difference;     ///< from the whole mechanism's solution; always when ok
   std::optional<double> iterations_per_step;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <set>
 #include <tuple>
 
@@ -70,11 +71,28 @@ std::vector<double> read_samples(const JsonNode& node, const std::string& what) 
   return seconds;
 }
 
-Cell read_cell(const JsonNode& node, const std::optional<Allowed>& allowed) {
+// None in a record without segments. They are all that a repetition consists of, so that their
+// least times cannot add up to more than the least repetition; a thousandth is left to the clock.
+std::vector<double> read_segments(const JsonNode& node, const std::optional<std::int64_t>& count,
+                                  const std::vector<double>& cpu_seconds) {
+  std::vector<double> seconds;
+  if (!count) return seconds;
+  const JsonNode segments = node["segment_seconds"];
+  for (const JsonNode& segment : segments.elements()) seconds.push_back(segment.sample());
+  if (static_cast<std::int64_t>(seconds.size()) != *count)
+    segments.complain(std::to_string(seconds.size()) + " segments of " + std::to_string(*count));
+  const double sum = std::accumulate(seconds.begin(), seconds.end(), 0.0);
+  if (sum > 1.001 * *std::ranges::min_element(cpu_seconds))
+    segments.complain("together they are longer than a whole repetition");
+  return seconds;
+}
+
+Cell read_cell(const JsonNode& node, const Settings& settings) {
   Cell cell{.status = read_status(node["status"]),
             .message = {},
             .origin = read_origin(node),
             .cpu_seconds = {},
+            .segment_seconds = {},
             .verification = std::nullopt,
             .setup_seconds = read_optional(node, "setup_seconds"),
             .iterations_per_step = read_optional(node, "iterations_per_step"),
@@ -87,11 +105,13 @@ Cell read_cell(const JsonNode& node, const std::optional<Allowed>& allowed) {
   if (cell.status != Status::ok) return cell;  // times of a wrong answer are not times
   if (!cell.verification) node.complain("an \"ok\" cell needs \"verification\"");
   cell.cpu_seconds = read_samples(node, "cell");
-  if (!allowed) return cell;
-  if (std::string reason = excess(*cell.verification, *allowed); !reason.empty()) {
+  cell.segment_seconds = read_segments(node, settings.segments, cell.cpu_seconds);
+  if (!settings.allowed) return cell;
+  if (std::string reason = excess(*cell.verification, *settings.allowed); !reason.empty()) {
     cell.status = Status::failed;
     cell.message = std::move(reason);
     cell.cpu_seconds.clear();
+    cell.segment_seconds.clear();
   }
   return cell;
 }
@@ -146,7 +166,7 @@ std::string request_excess(const JsonNode& verification, const Allowed& allowed)
   return excess(found, allowed);
 }
 
-Request read_request(const JsonNode& node, const std::optional<Allowed>& allowed) {
+Request read_request(const JsonNode& node, const Settings& settings) {
   Request request{.cell = read_key(node),
                   .name = node["request"].name(),
                   .title = node["title"].text(),
@@ -157,6 +177,7 @@ Request read_request(const JsonNode& node, const std::optional<Allowed>& allowed
                   .message = {},
                   .origin = read_origin(node),
                   .cpu_seconds = {},
+                  .segment_seconds = {},
                   .difference = read_optional(node, "difference"),
                   .iterations_per_step = read_optional(node, "iterations_per_step")};
   if (request.unknowns > request.all_unknowns)
@@ -166,6 +187,8 @@ Request read_request(const JsonNode& node, const std::optional<Allowed>& allowed
   const JsonNode verification = node["verification"];
   if (!request.difference) node.complain("an \"ok\" request needs \"difference\"");
   request.cpu_seconds = read_samples(node, "request");
+  request.segment_seconds = read_segments(node, settings.segments, request.cpu_seconds);
+  const std::optional<Allowed>& allowed = settings.allowed;
   if (!allowed) return request;
   std::string reason = request_excess(verification, *allowed);
   if (reason.empty() && allowed->request)
@@ -175,11 +198,12 @@ Request read_request(const JsonNode& node, const std::optional<Allowed>& allowed
     request.status = Status::failed;
     request.message = std::move(reason);
     request.cpu_seconds.clear();
+    request.segment_seconds.clear();
   }
   return request;
 }
 
-Peer read_peer(const JsonNode& node, const std::optional<Allowed>& allowed) {
+Peer read_peer(const JsonNode& node, const Settings& settings) {
   Peer peer{.case_name = node["case"].name(),
             .coordinates = node["coordinates"].integer(1),
             .name = node["peer"].name(),
@@ -189,7 +213,7 @@ Peer read_peer(const JsonNode& node, const std::optional<Allowed>& allowed) {
             .guess = node["guess"].name(),
             .setup = {},
             .compared = std::nullopt,
-            .cell = read_cell(node, allowed)};
+            .cell = read_cell(node, settings)};
   if (const auto setup = node.find("setup")) peer.setup = setup->text();
   if (const auto compared = node.find("compared")) peer.compared = compared->integer(1);
   if (peer.compared && *peer.compared > peer.coordinates)
@@ -210,7 +234,7 @@ void read_structures(Record& record, const JsonNode& list) {
 void read_requests(Record& record, const JsonNode& list) {
   std::set<std::pair<CellKey, std::string>> seen;
   for (const JsonNode& node : list.elements()) {
-    record.requests.push_back(read_request(node, record.settings.allowed));
+    record.requests.push_back(read_request(node, record.settings));
     const Request& request = record.requests.back();
     if (!seen.emplace(request.cell, request.name).second)
       node.complain("the request " + request.name + " of " + request.cell.id + " is given twice");
@@ -220,7 +244,7 @@ void read_requests(Record& record, const JsonNode& list) {
 void read_peers(Record& record, const JsonNode& list) {
   std::set<std::tuple<std::string, std::int64_t, std::string>> seen;
   for (const JsonNode& node : list.elements()) {
-    record.peers.push_back(read_peer(node, record.settings.allowed));
+    record.peers.push_back(read_peer(node, record.settings));
     const Peer& peer = record.peers.back();
     if (!seen.emplace(peer.case_name, peer.coordinates, peer.name).second)
       node.complain(peer.case_name + "/" + std::to_string(peer.coordinates) + "/peer:" + peer.name +
@@ -243,7 +267,7 @@ Record read_record(const JsonNode& root) {
   const JsonNode node = root["record"];
   const JsonNode blas = node["blas"];
   Record record{.version = root["version"].text(),
-                .date = node["date"].text(),
+                .date = node["date"].utc(),
                 .commit = node["commit"].text(),
                 .dirty = node["dirty"].boolean(),
                 .command = node["command"].text(),
@@ -260,13 +284,15 @@ Record read_record(const JsonNode& root) {
   for (const auto& [name, version] : node["libraries"].members())
     record.libraries.emplace(name, version.text());
   for (const JsonNode& cell : root["cells"].elements())
-    insert_once(record.cells, cell, read_cell(cell, record.settings.allowed));
+    insert_once(record.cells, cell, read_cell(cell, record.settings));
   if (const auto profiles = root.find("profiles"))
     for (const JsonNode& profile : profiles->elements())
       insert_once(record.profiles, profile, read_profile(profile));
   if (const auto structure = root.find("structure")) read_structures(record, *structure);
   if (const auto requests = root.find("requests")) read_requests(record, *requests);
   if (const auto peers = root.find("peers")) read_peers(record, *peers);
+  if (record.cells.empty() && record.requests.empty() && record.peers.empty())
+    root["cells"].complain("the record has no cell, and neither requests nor peers");
   require_one_origin(record);
   return record;
 }

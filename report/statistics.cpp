@@ -44,31 +44,61 @@ std::vector<double> logarithms(std::span<const double> values) {
   return result;
 }
 
+double sum(std::span<const double> values) {
+  return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
 double average(std::span<const double> values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+  return sum(values) / static_cast<double>(values.size());
+}
+
+// Of the 95 % interval of S = Σa / Σb over n pairs: t √(n/(n-1) Σ(a - S b)²) / Σb.
+double half_width_of_ratio(std::span<const double> a, std::span<const double> b) {
+  const std::size_t n = a.size();
+  const double ratio = sum(a) / sum(b), all = static_cast<double>(n);
+  double squares = 0;
+  for (std::size_t i = 0; i < n; ++i) squares += std::pow(a[i] - ratio * b[i], 2);
+  return student(n - 1) * std::sqrt(squares * all / (all - 1)) / sum(b);
 }
 
 }  // namespace
 
-Summary summarise(std::span<const double> samples) {
+Summary summarise(std::span<const double> samples, std::span<const double> segments) {
   std::vector<double> sorted(samples.begin(), samples.end());
   std::sort(sorted.begin(), sorted.end());
   const std::size_t n = sorted.size(), left_out = left_out_at_either_end(n);
-  return {.median = (sorted[(n - 1) / 2] + sorted[n / 2]) / 2,
-          .least = sorted.front(),
-          .largest = sorted.back(),
-          .median_low = sorted[left_out],
-          .median_high = sorted[n - 1 - left_out],
-          .count = n};
+  const double median = (sorted[(n - 1) / 2] + sorted[n / 2]) / 2;
+  Summary s{.value = median,
+            .low = sorted[left_out],
+            .high = sorted[n - 1 - left_out],
+            .median = median,
+            .least = sorted.front(),
+            .largest = sorted.back(),
+            .median_low = sorted[left_out],
+            .median_high = sorted[n - 1 - left_out],
+            .count = n,
+            .segments = {segments.begin(), segments.end()}};
+  if (segments.empty()) return s;
+  s.value = s.low = sum(segments);
+  s.high = std::max(s.value, median);
+  return s;
 }
 
 SpeedUp speed_up(const Summary& reference, const Summary& variant) {
-  const double ratio = reference.median / variant.median;  // S = t_global / t_topological
-  return {.value = ratio,
-          .low = reference.median_low / variant.median_high,
-          .high = reference.median_high / variant.median_low,
-          .percent = 100 * (1 - 1 / ratio),
-          .spread = reference.count > 1 && variant.count > 1};
+  const bool paired =
+      reference.segments.size() > 1 && reference.segments.size() == variant.segments.size();
+  // S = t_global / t_topological
+  const double ratio = paired ? reference.value / variant.value : reference.median / variant.median;
+  SpeedUp s{.value = ratio,
+            .low = reference.median_low / variant.median_high,
+            .high = reference.median_high / variant.median_low,
+            .percent = 100 * (1 - 1 / ratio),
+            .spread = reference.count > 1 && variant.count > 1};
+  if (!paired) return s;
+  const double half = half_width_of_ratio(reference.segments, variant.segments);
+  s.low = std::max(0.0, ratio - half);
+  s.high = ratio + half;
+  return s;
 }
 
 SpeedUp mean(std::span<const SpeedUp> sizes) {

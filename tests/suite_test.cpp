@@ -9,11 +9,13 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <numeric>
 #include <set>
 #include <string>
 
 #include "bench/suite/binary.h"
 #include "bench/suite/cell.h"
+#include "bench/suite/cpu_clock.h"
 #include "bench/suite/digest.h"
 #include "bench/suite/model_digest.h"
 #include "bench/suite/options.h"
@@ -213,6 +215,57 @@ TEST(ResultDigests, AreTheSameForEveryRightFormulationAndNoWrongOne) {
   EXPECT_NE(digest({}), digest({1, 2}));
 }
 
+void spend(double seconds) {
+  for (const double start = cpu_now(); cpu_now() - start < seconds;) {
+  }
+}
+
+TEST(Segments, KeepTheLeastTimeOfEach) {
+  Segments segments(500);  // 25 of 20 instants
+  for (const int disturbed : {70, 310, -1}) {
+    segments.begin();
+    spend(1e-3);  // assembly
+    for (int i = 0; i < 500; ++i) {
+      spend(2e-6);
+      if (i == disturbed) spend(0.05);
+      segments.passed(i);
+    }
+  }
+  ASSERT_EQ(segments.least().size(), 25u);
+  EXPECT_GE(segments.least()[0], 1e-3);
+  for (const double seconds : segments.least()) {
+    EXPECT_GE(seconds, 4e-5);
+    EXPECT_LT(seconds, 0.05);
+  }
+}
+
+TEST(Segments, AreFewerWhenThereAreFewInstants) {
+  for (const auto& [instants, count] :
+       {std::pair{1, 1}, {3, 2}, {201, 10}, {499, 24}, {3001, 25}}) {
+    Segments segments(instants);
+    segments.begin();
+    for (int i = 0; i < instants; ++i) segments.passed(i);
+    ASSERT_EQ(segments.least().size(), static_cast<std::size_t>(count));
+    for (const double seconds : segments.least()) EXPECT_LT(seconds, 1) << instants;
+  }
+}
+
+TEST(Cells, HaveSegmentsThatAreAllOfTheirTime) {
+  Options o;
+  o.duration = 2;
+  ReferenceCache references;
+  Cell cell(find_case("truck_suspension"), 114, find_variant("group_symbolic_klu"), o);
+  cell.verify(references);
+  const double seconds = cell.time_afresh();
+  const auto& least = cell.segments.least();
+  const double sum = std::accumulate(least.begin(), least.end(), 0.0);
+  EXPECT_LE(sum, seconds);
+  EXPECT_GT(sum, 0.95 * seconds);
+  EXPECT_GT(cell.time_afresh(), 0);
+  EXPECT_EQ(cell.state, Timed::State::verified);
+  EXPECT_LE(std::accumulate(least.begin(), least.end(), 0.0), sum);
+}
+
 TEST(Cells, AreVerifiedBeforeTheyAreTimed) {
   Options o;
   o.duration = 0.5;
@@ -360,7 +413,7 @@ TEST(Bench, ExitCodesSayWhatHappened) {
   const std::string text{std::istreambuf_iterator<char>(in), {}};
   EXPECT_NE(text.find("\"status\": \"ok\""), std::string::npos);
   for (const char* key : {"cpu_seconds", "repetitions", "machine", "model", "results", "turbo",
-                          "link", "binary", "reducer"})
+                          "link", "binary", "reducer", "segments", "segment_seconds"})
     EXPECT_NE(text.find("\"" + std::string(key) + "\""), std::string::npos) << key;
 
   EXPECT_EQ(run_bench("--step=2 --record=" + record + one), 1);

@@ -10,7 +10,7 @@
 
 #include "bench/regression/cell_name.h"
 #include "bench/regression/cells.h"
-#include "bench/regression/progress.h"
+#include "bench/suite/progress.h"
 
 namespace desmo::regression {
 
@@ -48,7 +48,7 @@ std::int64_t count(const Side& side, const std::string& name) {
 }  // namespace
 
 Counts count_instructions(const std::vector<Counted>& all) {
-  Progress progress("instruction counts", static_cast<int>(all.size()));
+  suite::Progress progress("instruction counts", static_cast<int>(all.size()));
   std::vector<std::int64_t> instructions(all.size());
   std::atomic<std::size_t> next = 0;
   const auto work = [&] {

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "bench/regression/cells.h"
-#include "bench/regression/progress.h"
+#include "bench/suite/progress.h"
 
 namespace desmo::regression {
 
@@ -38,7 +38,7 @@ Times time_rounds(const std::vector<Side>& sides, std::vector<std::string> cells
                   std::uint64_t seed) {
   Random random(seed);
   const std::vector<int> cores = usable_cores();
-  Progress progress("rounds of " + std::to_string(cells.size()) + " cells", count);
+  suite::Progress progress("rounds of " + std::to_string(cells.size()) + " cells", count);
   cells.push_back(control);
   std::vector<std::size_t> order(sides.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/suite/delivery.h"
 #include "bench/suite/options.h"
 #include "bench/suite/phases.h"
 #include "bench/suite/timed.h"
@@ -28,6 +29,7 @@ class Cell final : public Timed {
   void verify(ReferenceCache& references) override;
   void profile() override;
   Summary analyse() override;
+  double expected_work() const override { return coordinates; }
   std::vector<std::pair<std::string, double>> counters() const override;
 
   const Case& definition;
@@ -39,9 +41,12 @@ class Cell final : public Timed {
   std::optional<PhaseTimes> phases;
 
  private:
+  void make() override;
+  void discard() override { formulation_.reset(); }
+
   std::unique_ptr<Mechanism> mechanism_;  // the formulation refers to it
   std::unique_ptr<Formulation> formulation_;
-  std::unique_ptr<Sink> delivery_;
+  SegmentedDelivery<Delivery> delivery_;
 };
 
 /// Every cell of the suite, in the order of the tables. Dense global solves beyond the limit are

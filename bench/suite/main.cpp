@@ -4,6 +4,7 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -23,16 +24,26 @@
 #include "bench/suite/peer_cell.h"
 #include "bench/suite/record.h"
 #include "bench/suite/request.h"
+#include "bench/suite/run_progress.h"
 #include "formulations/algebra/blas.h"
 
 namespace desmo::suite {
 
 namespace {
 
+/// As the console is to show it: the time given to Google Benchmark by hand is CPU time, and what
+/// it finds itself is that of a thread that waits.
+benchmark::BenchmarkReporter::Run shown_as_cpu_time(benchmark::BenchmarkReporter::Run run) {
+  run.run_name.time_type.clear();
+  run.cpu_accumulated_time = run.real_accumulated_time;
+  return run;
+}
+
 /// Keeps the raw samples of everything timed beside what the console shows.
 class CollectingReporter final : public benchmark::ConsoleReporter {
  public:
-  explicit CollectingReporter(const std::vector<Timed*>& all) : ConsoleReporter(OO_Tabular) {
+  CollectingReporter(const std::vector<Timed*>& all, RunProgress& progress)
+      : ConsoleReporter(OO_Tabular), progress_(progress) {
     for (Timed* timed : all) timed_[timed->name()] = timed;
   }
 
@@ -41,26 +52,40 @@ class CollectingReporter final : public benchmark::ConsoleReporter {
     for (const Run& run : runs) {
       const auto it = timed_.find(run.run_name.function_name);
       if (it != timed_.end() && run.run_type == Run::RT_Iteration && !run.error_occurred)
-        it->second->cpu_seconds.push_back(run.cpu_accumulated_time /
+        it->second->cpu_seconds.push_back(run.real_accumulated_time /
                                           static_cast<double>(run.iterations));
       if (run.error_occurred || run.repetitions == 1 || run.aggregate_name == "median" ||
           run.aggregate_name == "cv")
-        shown.push_back(run);
+        shown.push_back(shown_as_cpu_time(run));
       if (run.error_occurred) break;  // the other repetitions say the same
     }
+    progress_.clear();
     ConsoleReporter::ReportRuns(shown);
   }
 
  private:
+  RunProgress& progress_;
   std::map<std::string, Timed*> timed_;
 };
 
-void run_timed(benchmark::State& state, Timed& timed) {
+/// One repetition.
+void run_timed(benchmark::State& state, Timed& timed, RunProgress& progress) {
   if (timed.state != Timed::State::verified) return state.SkipWithError(timed.message.c_str());
   for (auto _ : state) {
-    if (!timed.analyse().ok()) return state.SkipWithError(timed.message.c_str());
+    state.SetIterationTime(timed.time_afresh());
+    if (timed.is_failed()) return state.SkipWithError(timed.message.c_str());
   }
   for (const auto& [name, value] : timed.counters()) state.counters[name] = value;
+  progress.repeated(timed);
+}
+
+/// As Google Benchmark reads it: the last one counts.
+int repetitions_of(const std::vector<char*>& arguments) {
+  constexpr std::string_view flag = "--benchmark_repetitions=";
+  int repetitions = 1;
+  for (const std::string_view a : arguments)
+    if (a.starts_with(flag)) repetitions = std::atoi(a.data() + flag.size());
+  return std::max(1, repetitions);
 }
 
 /// Those whose benchmark the filter selects. Google Benchmark offers no question for that before
@@ -121,15 +146,16 @@ int run(int argc, char** argv) {
   const Options options = take_options(arguments);
   if (options.help) std::cout << usage;
 
-  // Defaults first, so that the user's flags win. An iteration is a whole analysis, and a
-  // repetition is one iteration: the least time is met by the first.
+  // Defaults first, so that the user's flags win. An iteration is a whole analysis; a
+  // repetition is one of them, or as many short ones as the least time holds.
   std::string interleave = "--benchmark_enable_random_interleaving=true";
   std::string repetitions = "--benchmark_repetitions=5";
-  std::string least_time = "--benchmark_min_time=1e-6";
+  std::string least_time = "--benchmark_min_time=0.1";
   std::string help = "--help";
   arguments.insert(arguments.begin() + 1,
                    {interleave.data(), repetitions.data(), least_time.data()});
   if (options.help) arguments.push_back(help.data());
+  const int asked_repetitions = repetitions_of(arguments);
   int count = static_cast<int>(arguments.size());
   benchmark::Initialize(&count, arguments.data());
   if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 64;
@@ -153,18 +179,25 @@ int run(int argc, char** argv) {
   if (!options.record.empty()) file.emplace(options.record);
 
   ReferenceCache references;
+  RunProgress progress(chosen, asked_repetitions);
   for (Timed* timed : chosen) {
     timed->verify(references);
     timed->profile();
-    if (timed->is_not_run() || timed->is_failed())
+    progress.verified(*timed);
+    if (timed->is_not_run() || timed->is_failed()) {
+      progress.clear();
       std::cerr << timed->name() << ": " << timed->message << '\n';
+    }
     if (timed->is_not_run()) continue;
-    benchmark::RegisterBenchmark(timed->name().c_str(), &run_timed, std::ref(*timed))
-        ->Unit(benchmark::kMillisecond);
+    benchmark::RegisterBenchmark(timed->name().c_str(), &run_timed, std::ref(*timed),
+                                 std::ref(progress))
+        ->Unit(benchmark::kMillisecond)
+        ->UseManualTime();
   }
-  CollectingReporter reporter(chosen);
+  progress.timing();
+  CollectingReporter reporter(chosen, progress);
   if (!std::ranges::all_of(chosen, &Timed::is_not_run))
-    benchmark::RunSpecifiedBenchmarks(&reporter);
+    benchmark::RunSpecifiedBenchmarks(&reporter, ".");  // those chosen, whatever the filter
   benchmark::Shutdown();
   record.load_after = load_averages();
   if (file) file->write(record, chosen);

@@ -89,6 +89,7 @@ void PeerCell::verify(ReferenceCache& references) {
       const double whole = (cpu_now() - start) / instants_of_estimate * grid.instants;
       if (whole > limit_) return leave_out(too_long(whole, limit_));
     }
+    analysis_seconds = cpu_now() - start;
     if (const std::string wrong = complaint(errors, reference.size()); !wrong.empty())
       return fail(wrong);
     iterations_per_step = static_cast<double>(peer_->iterations()) / grid.instants;
@@ -99,14 +100,21 @@ void PeerCell::verify(ReferenceCache& references) {
   }
 }
 
+void PeerCell::make() {
+  peer_ = peer.make(scene_, *mechanism_);
+  peer_->assemble(grid.time(0));
+}
+
 Summary PeerCell::analyse() {
   Summary summary;
+  segments.begin();
   try {
     for (int i = 0; i < grid.instants; ++i) {
       solve(*peer_, grid, i);
       std::ranges::copy(peer_->answer().q, q_.begin());
       std::ranges::copy(peer_->answer().qd, qd_.begin());
       std::ranges::copy(peer_->answer().qdd, qdd_.begin());
+      segments.passed(i);
     }
     summary.instants = grid.instants;
   } catch (const std::exception& e) {

@@ -25,6 +25,7 @@ class PeerCell final : public Timed {
   /// when the whole motion would take longer than the options allow.
   void verify(ReferenceCache& references) override;
   Summary analyse() override;
+  double expected_work() const override { return 10.0 * coordinates; }
   std::vector<std::pair<std::string, double>> counters() const override;
 
   const Case& definition;
@@ -35,6 +36,9 @@ class PeerCell final : public Timed {
   int compared = 0;   ///< coordinates that the rival finds
 
  private:
+  void make() override;
+  void discard() override { peer_.reset(); }
+
   const double limit_;  // CPU seconds of the whole motion
   Scene scene_;
   std::unique_ptr<Mechanism> mechanism_;  // the peer refers to both

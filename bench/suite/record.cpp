@@ -37,9 +37,14 @@ void add_status(Json& j, const Timed& timed) {
   if (!timed.results.empty()) j["results"] = timed.results;
 }
 
-void add_samples(Json& j, const Timed& timed) {
+/// Of what has a time: how right it is, the time, and what belongs to it.
+void add_time(Json& j, const Timed& timed, Json verification) {
+  j["verification"] = std::move(verification);
   j["cpu_seconds"] = timed.cpu_seconds;
   j["repetitions"] = timed.cpu_seconds.size();
+  j["segment_seconds"] = timed.segments.least();
+  j["setup_seconds"] = timed.setup_seconds;
+  j["iterations_per_step"] = timed.iterations_per_step;
 }
 
 Json cell_json(const Cell& cell) {
@@ -50,10 +55,7 @@ Json cell_json(const Cell& cell) {
   }
   add_status(j, cell);
   if (!cell.is_timed()) return j;
-  j["verification"] = errors_json(cell.errors);
-  add_samples(j, cell);
-  j["setup_seconds"] = cell.setup_seconds;
-  j["iterations_per_step"] = cell.iterations_per_step;
+  add_time(j, cell, errors_json(cell.errors));
   j["residual"] = cell.residual;
   return j;
 }
@@ -79,10 +81,7 @@ Json request_json(const RequestCell& cell) {
   add_status(j, cell);
   if (!cell.is_timed()) return j;
   j["difference"] = cell.difference;
-  j["verification"] = errors_json(cell.errors, request.plan.level());
-  add_samples(j, cell);
-  j["setup_seconds"] = cell.setup_seconds;
-  j["iterations_per_step"] = cell.iterations_per_step;
+  add_time(j, cell, errors_json(cell.errors, request.plan.level()));
   j["residual"] = cell.residual;
   return j;
 }
@@ -101,10 +100,7 @@ Json peer_json(const PeerCell& cell) {
   }
   add_status(j, cell);
   if (!cell.is_timed()) return j;
-  j["verification"] = errors_json(cell.errors);
-  add_samples(j, cell);
-  j["setup_seconds"] = cell.setup_seconds;
-  j["iterations_per_step"] = cell.iterations_per_step;
+  add_time(j, cell, errors_json(cell.errors));
   return j;
 }
 
@@ -153,6 +149,7 @@ RecordFile::~RecordFile() {
 void RecordFile::write(const Run& run, const std::vector<Timed*>& timed) {
   Json all = {{"schema", "desmo-results"}, {"version", schema_version}};
   all["record"] = environment_json(run, timed.front()->grid);
+  all["record"]["settings"]["segments"] = timed.front()->segments.least().size();
   for (const char* list : {"cells", "profiles", "structure", "requests"}) all[list] = Json::array();
   std::set<std::pair<std::string_view, int>> described;
   for (const Timed* one : timed) {

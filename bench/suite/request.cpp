@@ -153,7 +153,10 @@ Errors largest_differences(Formulation& whole, Formulation& kept,
 }
 
 RequestCell::RequestCell(std::shared_ptr<const PlannedRequest> request, const Variant& v)
-    : Timed(request->grid), variant(v), request_(std::move(request)) {}
+    : Timed(request->grid),
+      variant(v),
+      request_(std::move(request)),
+      delivery_(RequestedDelivery(request_->asked), segments) {}
 
 std::string RequestCell::name() const {
   return std::string(request_->definition.name) + "/" +
@@ -161,7 +164,7 @@ std::string RequestCell::name() const {
          "/request:" + request_->name;
 }
 
-std::unique_ptr<Formulation> RequestCell::make(const Settings& settings) const {
+std::unique_ptr<Formulation> RequestCell::made_with(const Settings& settings) const {
   std::unique_ptr<Formulation> f = make_formulation(variant, request_->plan.mechanism, settings);
   f->solve_only(request_->plan.levels);
   return f;
@@ -172,16 +175,17 @@ void RequestCell::verify(ReferenceCache& references) {
   try {
     model = model_digest(request_->whole);
     const double before_setup = cpu_now();
-    formulation_ = make({});
+    formulation_ = made_with({});
     setup_seconds = cpu_now() - before_setup;
-    delivery_ = std::make_unique<RequestedDelivery>(request_->asked);
     if (const std::string missing = missing_code(*formulation_); !missing.empty())
       return leave_out(missing);
     if (const std::string wrong = compare_with_whole(); !wrong.empty()) return fail(wrong);
 
     const auto reference = references.get(request_->whole, request_->grid);
     VerifyingRequest sink(reference, request_->asked);
+    const double start = cpu_now();
     const Summary summary = run(sink);
+    analysis_seconds = cpu_now() - start;
     errors = sink.errors;
     results = sink.results.hex();
     conclude(summary, request_->plan.mechanism, reference.size());
@@ -196,7 +200,7 @@ std::string RequestCell::compare_with_whole() {
   // same.
   const double share = static_cast<double>(formulation_->parts().size()) /
                        static_cast<double>(whole->parts().size());
-  const auto kept = make({.tolerance = converged * std::sqrt(share)});
+  const auto kept = made_with({.tolerance = converged * std::sqrt(share)});
   const Errors largest =
       largest_differences(*whole, *kept, request_->asked, request_->plan.level(), request_->grid);
   difference = std::max({largest.position, largest.velocity, largest.acceleration});
@@ -207,8 +211,14 @@ Summary RequestCell::run(Sink& sink) {
   return formulation_->run(request_->grid, {request_->plan.level()}, sink);
 }
 
+void RequestCell::make() {
+  formulation_ = made_with({});
+  formulation_->assemble(grid.time(0), request_->plan.level());
+}
+
 Summary RequestCell::analyse() {
-  const Summary summary = run(*delivery_);
+  segments.begin();
+  const Summary summary = run(delivery_);
   if (!summary.ok()) fail(describe(summary, request_->plan.mechanism));
   return summary;
 }

@@ -83,6 +83,7 @@ class RequestCell final : public Timed {
   /// nothing needed was left out; and, as it is timed, against the quadruple-precision reference.
   void verify(ReferenceCache& references) override;
   Summary analyse() override;
+  double expected_work() const override { return request_->whole.coordinates(); }
   std::vector<std::pair<std::string, double>> counters() const override;
 
   const PlannedRequest& request() const { return *request_; }
@@ -91,14 +92,16 @@ class RequestCell final : public Timed {
   double difference = 0;  ///< from the whole mechanism, at any level
 
  private:
-  std::unique_ptr<Formulation> make(const Settings& settings) const;
+  void make() override;
+  void discard() override { formulation_.reset(); }
+  std::unique_ptr<Formulation> made_with(const Settings& settings) const;
   /// Empty when the answers are those of the whole mechanism; otherwise what is wrong.
   std::string compare_with_whole();
   Summary run(Sink& sink);
 
   std::shared_ptr<const PlannedRequest> request_;
   std::unique_ptr<Formulation> formulation_;
-  std::unique_ptr<Sink> delivery_;
+  SegmentedDelivery<RequestedDelivery> delivery_;
 };
 
 /// Every request of the library with every formulation that requests are timed with.

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "bench/suite/segments.h"
 #include "bench/suite/verification.h"
 #include "cases/motion.h"
 #include "formulations/formulation.h"
@@ -33,6 +34,16 @@ class Timed {
   /// The whole analysis, as timed. Needs State::verified; a failure turns it into State::failed.
   virtual Summary analyse() = 0;
 
+  /// Makes what is timed anew, analyses once and discards it; CPU seconds of the analysis. A thread
+  /// of its own has a heap of its own: among what others have left on a used one, data lie so
+  /// scattered that an analysis takes up to a quarter longer, in one run and not in the next. Where
+  /// they begin beside cache lines and pages is luck, too, and drawn anew each time. Needs
+  /// State::verified.
+  double time_afresh();
+
+  /// Grows with the time of an analysis, before anything is known of it.
+  virtual double expected_work() const = 0;
+
   /// What stands beside the time on the console.
   virtual std::vector<std::pair<std::string, double>> counters() const = 0;
 
@@ -46,12 +57,18 @@ class Timed {
   std::string model;                ///< digest of the model it solves; empty: there is none
   std::string results;              ///< digest of what was compared with the reference, or empty
   std::vector<double> cpu_seconds;  ///< one for each repetition
+  Segments segments;                ///< of all analyses
+  double analysis_seconds = 0;      ///< CPU, of the one that was verified
   Errors errors;                    ///< from the reference
   double setup_seconds = 0;         ///< CPU: analysis, ordering, allocation
   double iterations_per_step = 0, residual = 0;
 
  protected:
-  explicit Timed(const TimeGrid& instants) : grid(instants) {}
+  explicit Timed(const TimeGrid& instants) : grid(instants), segments(instants.instants) {}
+
+  /// Makes what analyse() runs and assembles it once.
+  virtual void make() = 0;
+  virtual void discard() = 0;
 
   void fail(std::string why) { stop(State::failed, std::move(why)); }
   void leave_out(std::string why) { stop(State::not_run, std::move(why)); }

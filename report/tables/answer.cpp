@@ -44,9 +44,9 @@ const CellKey* fastest(const Record& record, std::int64_t size, std::string_view
     if (key.case_name != variants[truck_global].case_name || key.coordinates != size) continue;
     const Measured time = measured(record, key);
     if (!key.id.starts_with(begin) || !time.seconds) continue;
-    if (found && least <= time.seconds->median) continue;
+    if (found && least <= time.seconds->value) continue;
     found = &key;
-    least = time.seconds->median;
+    least = time.seconds->value;
   }
   return found;
 }

@@ -93,12 +93,15 @@ Section conclusion(const Record& record) {
   Section section{.title = "What the choice of the sparse solver does to the paper's conclusion",
                   .paragraphs = {},
                   .tables = {}};
-  Table table{.name = "conclusion",
-              .title = "The paper's conclusions by sparse solver, truck suspension",
-              .notes = {"Mean speed-ups over the paper's sizes; a comparison counts when the "
-                        "interval from the spread of the repetitions excludes 1."},
-              .columns = {{"conclusion of the paper", {}}},
-              .rows = {}};
+  Table table{
+      .name = "conclusion",
+      .title = "The paper's conclusions by sparse solver, truck suspension",
+      .notes = {std::string("Mean speed-ups over the paper's sizes; a comparison counts when "
+                            "the interval") +
+                (record.settings.segments ? "" : " from the spread of the repetitions") +
+                " excludes 1."},
+      .columns = {{"conclusion of the paper", {}}},
+      .rows = {}};
   if (const Sources source = sources(record); !source.ratio_warning.empty())
     table.notes.push_back(source.ratio_warning);
   const std::vector<Family> families = judged_families(record);

@@ -36,20 +36,22 @@ Entry published_seconds_entry(const std::string& row, const Variant& variant) {
 Table cpu_times(const Record& record, std::string_view family) {
   const std::string duration = write_shortest(record.settings.duration_seconds);
   const Sources source = sources(record);
+  const TimeWords words = time_words(record);
   Table table{.name = "table1_" + std::string(family),
               .title = "Table 1 (" + std::string(family) + "): CPU time in seconds of " + duration +
                        " s of motion" +
                        (source.warning.empty() ? "" : " (the " + source.paper + ")") +
                        ", all coordinates",
-              .notes = {"Ours: median [its interval] of " + repetitions(record) +
-                            ". The paper: MA27 in place of " + std::string(family) +
-                            ", MKL's LAPACK, an Intel Core i5-2400" +
+              .notes = {"Ours: " + words.time + " " + words.interval + " of " +
+                            repetitions(record) + ". The paper: MA27 in place of " +
+                            std::string(family) + ", MKL's LAPACK, an Intel Core i5-2400" +
                             (source.warning.empty() ? marks : "") + ".",
                         "The paper has no row " + std::to_string(largest_four_bar) +
                             ": it says that FBL-TP takes 1000 coordinates to begin to show times "
                             "above 0.015 s."},
               .columns = {{"coordinates", {}}, {"source", {}}},
               .rows = {}};
+  define_time(table, record);
   if (!source.warning.empty()) table.notes.push_back(source.warning);
   for (const Variant& variant : variants)
     table.columns.push_back(

@@ -24,7 +24,7 @@ std::vector<CellKey> ordered_keys(const Record& record, std::string_view case_na
         !is_shown_with_peers(record, key)) {
       const Measured time = measured(record, key);
       found.emplace_back(
-          time.seconds ? time.seconds->median : std::numeric_limits<double>::infinity(), key);
+          time.seconds ? time.seconds->value : std::numeric_limits<double>::infinity(), key);
     }
   std::sort(found.begin(), found.end());
   std::vector<CellKey> keys;
@@ -42,13 +42,13 @@ std::optional<CellKey> fastest_reference(const Record& record, const std::vector
 
 Entry range_entry(const Measured& time) {
   if (!time.seconds) return note_entry(time.mark);
-  const DigitStyle style = significant_digits(time.seconds->median, 4);
-  const std::string median = write(time.seconds->median, style),
+  const DigitStyle style = significant_digits(time.seconds->value, 4);
+  const std::string value = write(time.seconds->value, style),
                     least = write(time.seconds->least, style),
                     largest = write(time.seconds->largest, style),
                     count = std::to_string(time.seconds->count);
-  if (time.seconds->count < 2) return {median + " (one run)", {median, "", "", count}, "one run"};
-  return {median + " (" + least + " – " + largest + ")", {median, least, largest, count}, {}};
+  if (time.seconds->count < 2) return {value + " (one run)", {value, "", "", count}, "one run"};
+  return {value + " (" + least + " – " + largest + ")", {value, least, largest, count}, {}};
 }
 
 Entry ratio_entry(const Record& record, const std::optional<CellKey>& reference,
@@ -75,12 +75,13 @@ std::string failure(const CellKey& key, const std::string& request, const std::s
 Table every_formulation(const Record& record, std::string_view case_name,
                         std::int64_t coordinates) {
   const std::string place = std::string(case_name) + ", " + std::to_string(coordinates);
+  const TimeWords words = time_words(record);
   Table table{
       .name = "formulations_" + std::string(case_name) + "_" + std::to_string(coordinates),
       .title = "Every formulation: " + place + " coordinates, fastest first",
-      .notes = {"CPU seconds: median (smallest – largest) of " + repetitions(record) +
-                "; speed-up: over the fastest global_automatic_<sparse>, ratio of medians; " +
-                inconclusive_note() +
+      .notes = {"CPU seconds: " + words.time + " (smallest – largest) of " + repetitions(record) +
+                "; speed-up: over the fastest global_automatic_<sparse>, ratio of " + words.times +
+                "; " + inconclusive_note() +
                 "; errors: largest difference from the quadruple-precision reference."},
       .columns = {{"id", {}},
                   {"CPU s", {"seconds", "least", "largest", "repetitions"}},
@@ -93,6 +94,7 @@ Table every_formulation(const Record& record, std::string_view case_name,
                   {"set-up s", {"seconds"}},
                   {"remark", {}}},
       .rows = {}};
+  define_time(table, record);
   const std::vector<CellKey> keys = ordered_keys(record, case_name, coordinates);
   const std::optional<CellKey> reference = fastest_reference(record, keys);
   for (const CellKey& key : keys) {
@@ -101,7 +103,7 @@ Table every_formulation(const Record& record, std::string_view case_name,
     const auto& checked = cell.verification;
     std::optional<double> step, position, velocity, acceleration;
     if (time.seconds)
-      step = time.seconds->median / static_cast<double>(record.settings.instants) * 1e6;
+      step = time.seconds->value / static_cast<double>(record.settings.instants) * 1e6;
     if (checked) position = checked->position;
     if (checked) velocity = checked->velocity;
     if (checked) acceleration = checked->acceleration;

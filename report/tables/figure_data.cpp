@@ -36,10 +36,12 @@ Table figure_of_times(const Record& record) {
   const Sources source = sources(record);
   const bool same = source.warning.empty();
   const std::string duration = write_shortest(record.settings.duration_seconds) + " s of motion";
+  const TimeWords words = time_words(record);
+  const std::string bars = words.interval.substr(1, words.interval.size() - 2);
   Table table{.name = "figure5",
               .title = "Figure 5. CPU time over the number of coordinates, by sparse solver",
-              .notes = {place(record), "CPU time of " + duration + ": median of " +
-                                           repetitions(record) + ", bars: its interval."},
+              .notes = {place(record), "CPU time of " + duration + ": " + words.time + " of " +
+                                           repetitions(record) + ", bars: " + bars + "."},
               .columns = {{"sparse solver", {}}, {"coordinates", {}}},
               .rows = {},
               .detail = true,
@@ -67,7 +69,7 @@ Table figure_of_speed_ups(const Record& record) {
   Table table{.name = "figure6",
               .title = "Figure 6. Mean speed-up over the global formulation, truck suspension",
               .notes = {place(record),
-                        "Ratio of the medians of " + repetitions(record) +
+                        "Ratio of the " + time_words(record).times + " of " + repetitions(record) +
                             ", mean of five sizes (* of fewer),",
                         "with its interval.",
                         "The same sparse solver stands in the columns named sparse and in the "

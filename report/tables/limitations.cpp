@@ -13,6 +13,14 @@ std::string counted(std::size_t count, const std::string& what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
+std::string intervals_of(const Record& record) {
+  if (record.settings.segments)
+    return "The intervals of speed-ups hold what differs from segment to segment of the motion in "
+           "one run, with a probability of 95 %.";
+  return "The intervals hold what the repetitions of one run vary by, with a probability that "
+         "follows from their number.";
+}
+
 void add_of_the_machine(const Record& record, std::vector<std::string>& lines) {
   const Machine& machine = record.machine;
   if (machine.governor.empty() || machine.governor == "unknown")
@@ -58,8 +66,8 @@ Section limitations(const Record& record) {
       "ones here reproduce all its counts and are this suite's own.",
       "Seconds of two machines do not compare. Speed-ups of one machine need not be those of "
       "another: caches and vector units differ.",
-      "The intervals hold what the repetitions of one run vary by, with a probability that follows "
-      "from their number. They do not hold what differs from run to run and from build to build.",
+      intervals_of(record) +
+          " They do not hold what differs from run to run and from build to build.",
       "An accepted position has a small residual; near singular positions that does not mean a "
       "small error. Every time shown is of a formulation that agrees with the quadruple-precision "
       "reference at the instants verified."};

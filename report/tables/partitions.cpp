@@ -123,23 +123,25 @@ Table structure_table(const Record& record) {
 Table times_table(const Record& record, const std::string& case_name) {
   const std::vector<std::string> seconds{"seconds", "half_range", "repetitions"};
   const std::vector<std::string> ratio{"speed_up", "low", "high", "percent"};
-  Table table{.name = "partition_times_" + case_name,
-              .title = "Partitions: CPU time in seconds and speed-up, " + case_name,
-              .notes = {"Median ± half the range of " + repetitions(record) +
-                            "; speed-up: with the same equations and algebra, ratio of the medians "
-                            "[its interval] (improvement); " +
-                            inconclusive_note() + ".",
-                        "klu finds the irreducible blocks by itself, in every partition."},
-              .columns = {{"coordinates", {}},
-                          {"equations and algebra", {}},
-                          {"global", seconds},
-                          {"group", seconds},
-                          {"block", seconds},
-                          {"group over global", ratio},
-                          {"block over global", ratio},
-                          {"block over group", ratio}},
-              .rows = {},
-              .detail = true};
+  const TimeWords words = time_words(record);
+  Table table{
+      .name = "partition_times_" + case_name,
+      .title = "Partitions: CPU time in seconds and speed-up, " + case_name,
+      .notes = {capitalised(words.time) + " ± half the range of " + repetitions(record) +
+                    "; speed-up: with the same equations and algebra, ratio of the " + words.times +
+                    " [its interval] (improvement); " + inconclusive_note() + ".",
+                "klu finds the irreducible blocks by itself, in every partition."},
+      .columns = {{"coordinates", {}},
+                  {"equations and algebra", {}},
+                  {"global", seconds},
+                  {"group", seconds},
+                  {"block", seconds},
+                  {"group over global", ratio},
+                  {"block over global", ratio},
+                  {"block over group", ratio}},
+      .rows = {},
+      .detail = true};
+  define_time(table, record);
   for (const std::int64_t size : sizes_of(record, case_name))
     for (const std::string_view method : methods) {
       std::vector<Entry> row{text_entry(std::to_string(size)), text_entry(std::string(method))};

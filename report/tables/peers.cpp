@@ -29,7 +29,7 @@ Ours ours_beside(const Record& record, const Place& place, const std::string& gu
       ours.all.push_back(key);
   const auto take = [&](std::optional<CellKey>& best, const CellKey& key) {
     const Measured time = measured(record, key);
-    if (time.seconds && (!best || time.seconds->median < measured(record, *best).seconds->median))
+    if (time.seconds && (!best || time.seconds->value < measured(record, *best).seconds->value))
       best = key;
   };
   for (const CellKey& key : ours.all) {
@@ -65,7 +65,7 @@ std::vector<Entry> row(const Record& record, const Place& place, const std::stri
                        Entry over_fastest) {
   std::optional<double> step, position, velocity, acceleration;
   if (time.seconds)
-    step = time.seconds->median / static_cast<double>(record.settings.instants) * 1e6;
+    step = time.seconds->value / static_cast<double>(record.settings.instants) * 1e6;
   if (cell.verification) {
     position = cell.verification->position;
     velocity = cell.verification->velocity;
@@ -111,15 +111,16 @@ void add_rows(Table& table, const Record& record, const Place& place) {
 }
 
 Table times_of(const Record& record, const std::string& case_name) {
+  const TimeWords words = time_words(record);
   Table table{
       .name = "peers_" + case_name,
       .title = "Other libraries beside ours: " + case_name,
       .notes =
-          {"CPU s: median ± half the range, first assembly, all steps and delivery. Times ours: "
-           "the "
-           "library over our fastest global formulation, and over our fastest, with the same guess "
-           "in the same run; ratio of the medians [its interval]; " +
-               inconclusive_note() + ".",
+          {"CPU s: " + words.time +
+               " ± half the range, first assembly, all steps and delivery. Times ours: the library "
+               "over our fastest global formulation, and over our fastest, with the same guess in "
+               "the same run; ratio of the " +
+               words.times + " [its interval]; " + inconclusive_note() + ".",
            "Iterations: of each library's own method. Errors: largest difference from the "
            "quadruple-precision reference, in the coordinates that the library finds."},
       .columns = {{"coordinates", {}},
@@ -134,6 +135,7 @@ Table times_of(const Record& record, const std::string& case_name) {
                   {"error q''", {"error"}},
                   {"remark", {}}},
       .rows = {}};
+  define_time(table, record);
   std::set<Place> places;
   for (const Peer& peer : record.peers)
     if (peer.case_name == case_name) places.insert(place_of(peer));

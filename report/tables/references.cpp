@@ -28,7 +28,7 @@ std::vector<CellKey> references_of(const Record& record, const std::string& case
   for (const auto& [key, cell] : record.cells)
     if (key.case_name == case_name && key.coordinates == size && key.id.starts_with("global_"))
       if (const Measured time = measured(record, key); time.seconds)
-        found.emplace_back(time.seconds->median, key);
+        found.emplace_back(time.seconds->value, key);
   std::sort(found.begin(), found.end());
   std::vector<CellKey> keys;
   for (auto& [seconds, key] : found) keys.push_back(std::move(key));
@@ -72,14 +72,17 @@ std::optional<Table> references(const Record& record, const std::string& case_na
     if (record.cells.contains({case_name, size, std::string(id)})) columns.push_back(id);
   if (rows.empty() || columns.empty()) return std::nullopt;
 
+  const TimeWords words = time_words(record);
   Table table{
       .name = "references_" + case_name,
       .title = "Which global reference: speed-up over each of them, " + case_name + ", " +
                std::to_string(size) + " coordinates",
-      .notes = {"Fastest reference first, median [its interval] of " + repetitions(record) +
-                "; speed-up: ratio of the medians [its interval]; " + inconclusive_note() + "."},
+      .notes = {"Fastest reference first, " + words.time + " " + words.interval + " of " +
+                repetitions(record) + "; speed-up: ratio of the " + words.times +
+                " [its interval]; " + inconclusive_note() + "."},
       .columns = {{"global reference", {}}, {"CPU s", {"seconds", "low", "high", "repetitions"}}},
       .rows = {}};
+  define_time(table, record);
   for (const std::string_view id : columns)
     table.columns.push_back({std::string(id), {"speed_up", "low", "high"}});
   for (const CellKey& reference : rows) {

@@ -74,16 +74,17 @@ std::string allowed_difference(const Record& record) {
 Table request_table(const Record& record, const Place& place) {
   const auto& [case_name, coordinates] = place;
   const std::string size = std::to_string(coordinates);
+  const TimeWords words = time_words(record);
   Table table{
       .name = "requests_" + case_name + "_" + size,
       .title = "What a request costs: " + case_name + ", " + size + " coordinates",
       .notes =
           {"Solved: the irreducible blocks of equations upstream of what is asked, each as far as "
-           "anything asks of it; delivered: what is asked. CPU s: median ± half the range of " +
-               repetitions_at(record, place) + ".",
+           "anything asks of it; delivered: what is asked. CPU s: " +
+               words.time + " ± half the range of " + repetitions_at(record, place) + ".",
            "Times cheaper: everything over the request with the same formulation in the same run, "
-           "ratio of the medians [its interval] (CPU time saved); " +
-               inconclusive_note() + ".",
+           "ratio of the " +
+               words.times + " [its interval] (CPU time saved); " + inconclusive_note() + ".",
            "Both stop at the tolerance for what they solve, so that a request may need fewer "
            "iterations. Difference: largest of what is asked, over the whole motion, from the "
            "solution of the whole mechanism with the same formulation, both converged as far as "
@@ -99,6 +100,7 @@ Table request_table(const Record& record, const Place& place) {
                   {"difference", {"difference"}},
                   {"remark", {}}},
       .rows = {}};
+  define_time(table, record);
   std::set<std::string> ids;
   for (const Request& request : record.requests)
     if (place_of(request) == place && ids.insert(request.cell.id).second)

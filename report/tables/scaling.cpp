@@ -34,7 +34,7 @@ Points measured_points(const Record& record, const Variant& variant, std::string
     if (found.mark == failed_mark) points.mark = failed_mark;
     if (!found.seconds) continue;
     points.sizes.push_back(static_cast<double>(size));
-    points.seconds.push_back(found.seconds->median);
+    points.seconds.push_back(found.seconds->value);
   }
   return points;
 }
@@ -66,7 +66,8 @@ Table scaling(const Record& record) {
   const std::string band = write_shortest(least_linear) + " ... " + write_shortest(largest_linear);
   Table table{.name = "scaling",
               .title = "Growth of CPU time: log-log slope over the number of coordinates",
-              .notes = {"Least squares through the medians, one point per size (n sizes, all that "
+              .notes = {"Least squares through the " + time_words(record).times +
+                        ", one point per size (n sizes, all that "
                         "were recorded); [95 % interval of Student's t, n − 2 degrees of freedom]; "
                         "inside or outside " +
                         band + "."},

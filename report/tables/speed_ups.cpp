@@ -31,13 +31,14 @@ Table speed_ups(const Record& record, std::string_view family) {
       .title = "Table 2 (" + std::string(family) + "): speed-up over " + reference +
                " and improvement, truck suspension",
       .notes =
-          {"Ours: ratio of the medians S over " + reference +
+          {"Ours: ratio of the " + time_words(record).times + " S over " + reference +
                ", [its interval], improvement 100(1 − 1/S); " + inconclusive_note() +
                ". The paper: over TS-G_MA27; in or out of our interval, as printed.",
            "Mean: arithmetic, of each quantity, over the paper's sizes; incomplete: over fewer, so "
            "not to be compared."},
       .columns = {{"coordinates", {}}, {"source", {}}},
       .rows = {}};
+  define_time(table, record);
   if (const Sources source = sources(record); !source.ratio_warning.empty())
     table.notes.push_back(source.ratio_warning);
   for (const std::size_t variant : topological)

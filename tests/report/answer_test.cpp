@@ -130,7 +130,7 @@ TEST(Limitations, FollowFromTheRecord) {
   json["record"]["machine"]["governor"] = "performance";
   json["record"]["machine"]["load_before"] = {3.5, 1.0, 1.0};
   json["record"]["dirty"] = true;
-  json["record"]["settings"]["duration_seconds"] = 2.0;
+  set_motion(json, 2);
   cell_of(json, "truck_suspension", 447, "group_automatic_lapack")["status"] = "not_run";
   EXPECT_FALSE(limits(json, "governor"));
   EXPECT_TRUE(limits(json, "load was 3.50 on 4 cores"));

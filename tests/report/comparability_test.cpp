@@ -43,8 +43,6 @@ TEST(Comparability, NamesEveryPartOfTheKeyThatDiffers) {
       {"/record/settings/tolerance", 1e-6, "tolerance"},
       {"/record/settings/max_iterations", 5, "iterations at most"},
       {"/record/settings/guess", "none", "first guess"},
-      {"/record/settings/step_seconds", 0.02, "step"},
-      {"/record/settings/duration_seconds", 3, "duration"},
       {"/record/settings/clock", "sundial", "clock"},
   };
   for (const auto& [place, value, name] : changes) {
@@ -53,6 +51,11 @@ TEST(Comparability, NamesEveryPartOfTheKeyThatDiffers) {
     EXPECT_EQ(reasons(newest(), other), Names{name});
     EXPECT_EQ(reasons(other, newest()), Names{name});
   }
+  Json other = newest();
+  set_motion(other, 2, 0.02);
+  EXPECT_EQ(reasons(newest(), other), Names{"step"});
+  set_motion(other, 3);
+  EXPECT_EQ(reasons(newest(), other), Names{"duration"});
 }
 
 TEST(Comparability, NamesBothValues) {
@@ -61,6 +64,19 @@ TEST(Comparability, NamesBothValues) {
   const auto found = why_incomparable(record_from(newest()), record_from(other));
   const std::string core = newest()["record"]["blas"]["core"];
   EXPECT_EQ(describe(found), "BLAS core: " + core + " here, Abacus there\n");
+}
+
+// There is nothing to pair with a record before 1.4.0: both by their medians.
+TEST(Comparability, ARecordWithSegmentsIsComparedByItsMediansWithOneWithout) {
+  const Json old = newest();
+  const Json record = with_segments(old);
+  const auto note = [](const Json& a, const Json& b) {
+    return table_named(make_comparison(record_from(a), record_from(b)), "comparison").notes[0];
+  };
+  EXPECT_EQ(reasons(record, old), Names{});
+  EXPECT_TRUE(note(record, record).starts_with("Undisturbed time ±"));
+  EXPECT_TRUE(note(record, old).starts_with("Median ±"));
+  EXPECT_TRUE(note(old, record).starts_with("Median ±"));
 }
 
 // In the whole record: the CPU, the model of a case and size, its results.

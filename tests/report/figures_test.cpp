@@ -99,7 +99,7 @@ TEST(FigureFive, HasNoPointForAFailedCell) {
 
 TEST(FigureFive, NamesTheMotionsThatDiffer) {
   Json record = complete_record();
-  record["record"]["settings"]["duration_seconds"] = 2.0;
+  set_motion(record, 2);
   const Json values = data_of(record, 0);
   EXPECT_FALSE(find(values, {{"panel", "MA27 (the paper, 30 s)"}}).is_null());
   EXPECT_FALSE(find(values, {{"panel", "klu (ours, 2 s)"}}).is_null());

@@ -3,6 +3,7 @@
 // then to be reviewed like any other.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdlib>
 #include <fstream>
 
@@ -13,6 +14,8 @@
 
 namespace desmo::report {
 namespace {
+
+constexpr std::array minors{"1.0.0", "1.1.0", "1.2.0", "1.3.0", "1.4.0"};
 
 class Golden : public ::testing::TestWithParam<const char*> {};
 
@@ -25,22 +28,22 @@ TEST_P(Golden, GivesTheReportItGave) {
   EXPECT_EQ(report, read_text(data_file(name + ".md")));
 }
 
-INSTANTIATE_TEST_SUITE_P(Minors, Golden, ::testing::Values("1.0.0", "1.1.0", "1.2.0", "1.3.0"),
-                         [](const auto& minor) {
-                           std::string name = minor.param;
-                           for (char& c : name)
-                             if (c == '.') c = '_';
-                           return "v" + name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Minors, Golden, ::testing::ValuesIn(minors), [](const auto& minor) {
+  std::string name = minor.param;
+  for (char& c : name)
+    if (c == '.') c = '_';
+  return "v" + name;
+});
 
 TEST(GoldenRecords, WereRecordedWithWhatTheirMinorHas) {
-  for (const char* minor : {"1.0.0", "1.1.0", "1.2.0", "1.3.0"}) {
+  for (const char* minor : minors) {
     const Record record = read_record(data_file(std::string("golden/") + minor + ".json"));
     const std::string version = minor;
     EXPECT_EQ(record.settings.allowed.has_value(), version >= "1.1.0") << minor;
     EXPECT_EQ(record.structure.empty(), version < "1.2.0") << minor;
     EXPECT_EQ(record.settings.reducer.has_value(), version >= "1.3.0") << minor;
     EXPECT_EQ(record.build.binary.has_value(), version >= "1.3.0") << minor;
+    EXPECT_EQ(record.settings.segments.has_value(), version >= "1.4.0") << minor;
   }
 }
 

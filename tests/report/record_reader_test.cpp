@@ -7,17 +7,6 @@
 namespace desmo::report {
 namespace {
 
-std::string complaint(const std::string& text) {
-  try {
-    parse_record(text);
-  } catch (const InvalidRecord& error) {
-    return error.what();
-  }
-  return "accepted";
-}
-
-std::string complaint(const Json& json) { return complaint(json.dump()); }
-
 #define EXPECT_CONTAINS(text, part) EXPECT_NE((text).find(part), std::string::npos) << (text)
 
 TEST(RecordReader, ReadsTheCompleteSample) {
@@ -138,6 +127,38 @@ TEST(RecordReader, RefusesWrongTypesAndValues) {
   EXPECT_CONTAINS(with("/record/libraries/KLU", 2), "record.libraries.KLU: a string was expected");
 }
 
+TEST(RecordReader, RefusesDatesThatThereAreNot) {
+  for (const char* date :
+       {"", "yesterday", "2026-11-21", "2026-13-01T00:00:00Z", "2026-02-29T00:00:00Z",
+        "2026-11-21T24:00:00Z", "2026-11-21T17:48:47", "2026-11-21 17:48:47Z",
+        "2026-11-21T-1:48:47Z", "9999-99-99T99:99:99Z"}) {
+    Json json = complete_record();
+    json["record"]["date"] = date;
+    EXPECT_CONTAINS(complaint(json), "record.date: \"" + std::string(date) + "\" is not a date");
+  }
+  Json json = complete_record();
+  json["record"]["date"] = "2028-02-29T23:59:60Z";
+  EXPECT_EQ(complaint(json), "accepted");
+}
+
+TEST(RecordReader, RefusesInstantsThatDoNotMakeTheMotion) {
+  for (const int instants : {2, 3000, 3002, 999'999'999}) {
+    Json json = complete_record();
+    json["record"]["settings"]["instants"] = instants;
+    EXPECT_CONTAINS(complaint(json), "record.settings.instants: " + std::to_string(instants) +
+                                         " instants do not make 30 s in steps of 0.01 s");
+  }
+}
+
+TEST(RecordReader, RefusesARecordOfNothing) {
+  Json json = complete_record();
+  json["cells"] = Json::array();
+  EXPECT_CONTAINS(complaint(json), "cells: the record has no cell");
+  json = structured_record();
+  json["cells"] = Json::array();  // requests alone are something
+  EXPECT_EQ(complaint(json), "accepted");
+}
+
 TEST(RecordReader, RefusesWhatIsGivenTwice) {
   Json json = complete_record();
   json["cells"].push_back(json["cells"][0]);
@@ -176,6 +197,33 @@ TEST(RecordReader, RefusesSamplesThatWereLost) {
   json = newest_record();
   json["requests"][0]["cpu_seconds"].push_back(1);
   EXPECT_CONTAINS(complaint(json), "requests[0].cpu_seconds: 8 samples of 7");
+}
+
+TEST(RecordReader, ReadsTheSegmentsOfEverythingTimed) {
+  const Record record = record_from(with_segments(structured_record()));
+  EXPECT_EQ(record.settings.segments, 25);
+  for (const auto& [key, cell] : record.cells)
+    EXPECT_EQ(cell.segment_seconds.size(), cell.status == Status::ok ? 25u : 0u) << key.id;
+  for (const Request& request : record.requests)
+    EXPECT_EQ(request.segment_seconds.size(), request.status == Status::ok ? 25u : 0u);
+  EXPECT_TRUE(record_from(structured_record()).cells.begin()->second.segment_seconds.empty());
+}
+
+TEST(RecordReader, RefusesSegmentsThatAreNotAll) {
+  const Json record = with_segments(complete_record());
+  Json json = record;
+  json["cells"][3]["segment_seconds"].erase(7);
+  EXPECT_CONTAINS(complaint(json), "cells[3].segment_seconds: 24 segments of 25");
+  json["cells"][3].erase("segment_seconds");
+  EXPECT_CONTAINS(complaint(json), "cells[3]: the required key \"segment_seconds\" is missing");
+  json = record;
+  json["cells"][3]["segment_seconds"][7] = 0;
+  EXPECT_CONTAINS(complaint(json), "cells[3].segment_seconds[7]: ");
+  json["cells"][3]["segment_seconds"][7] = 100;
+  EXPECT_CONTAINS(complaint(json), "cells[3].segment_seconds: together they are longer than");
+  json = record;
+  json["record"]["settings"]["segments"] = 1;
+  EXPECT_CONTAINS(complaint(json), "record.settings.segments: 1 is not in 2");
 }
 
 TEST(RecordReader, RefusesAReducerAndDigestsItDoesNotKnow) {

@@ -111,10 +111,28 @@ TEST(TableOne, MarksWhatHasNoTime) {
   }
 }
 
+// Table 1 and table 2 of a record with segments: one the ratio of the other.
+TEST(TableOne, ShowsTheUndisturbedTimesThatTableTwoDivides) {
+  Json json = complete_record();
+  set_samples(json, 114, "global_automatic_klu", {6, 4, 5});
+  set_samples(json, 114, "group_symbolic_klu", {9, 2, 3});
+  const Record record = record_from(with_segments(json));
+  const Table times = cpu_times(record, "klu"), ratios = speed_ups(record, "klu");
+  EXPECT_EQ(entry_at(times, {"114", "ours"}, "TS-G_klu").shown, "4.000 [4.000, 5.000]");
+  EXPECT_EQ(entry_at(times, {"114", "ours"}, "TS-TPS_klu").shown, "2.000 [2.000, 3.000]");
+  EXPECT_EQ(entry_at(ratios, {"114", "ours"}, "TS-TPS_klu").shown, "2.00 [2.00, 2.00] (50.0 %)");
+  EXPECT_NE(times.notes[0].find("undisturbed time [to the median]"), std::string::npos);
+  EXPECT_NE(ratios.notes[0].find("ratio of the undisturbed times"), std::string::npos);
+  for (const Table* table : {&times, &ratios})
+    EXPECT_TRUE(std::ranges::any_of(table->notes, [](const std::string& note) {
+      return note.starts_with("Undisturbed time: of each of 25 equal segments");
+    }));
+}
+
 TEST(TableOne, NamesTheMotionsThatDiffer) {
   Json json = complete_record();
   EXPECT_EQ(cpu_times(record_from(json), "klu").notes.size(), 2u);
-  json["record"]["settings"]["duration_seconds"] = 2.0;
+  set_motion(json, 2);
   const Record record = record_from(json);
   const Table table = cpu_times(record, "klu");
   EXPECT_EQ(
@@ -296,7 +314,7 @@ TEST(Conclusion, UsesOnlySizesWhereAllWereMeasuredAndSaysSo) {
 
 TEST(Conclusion, SaysNothingWithoutNumbers) {
   Json json = complete_record();
-  json["cells"] = Json::array();
+  for (const char* family : {"cholmod", "umfpack", "klu"}) erase_family(json, family);
   const Section section = conclusion(record_from(json));
   EXPECT_EQ(section.paragraphs.back(),
             "Nothing can be said: the record has no cell of a sparse solver.");

@@ -4,9 +4,9 @@
 #include <mutex>
 #include <string>
 
-namespace desmo::regression {
+namespace desmo::suite {
 
-/// How far a stage has come and how long it will still take, on standard error: one line,
+/// How far something has come and how long it will still take, on standard error: one line,
 /// rewritten, on a terminal; elsewhere a line every ten seconds. Any thread may report.
 class Progress {
  public:
@@ -16,11 +16,18 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
   ~Progress();  ///< says how long it took
 
+  /// Of equal ones, so that what is left takes as long as what is done did.
   void one_done();
+  /// So many more seconds are expected.
+  void one_done(double seconds_left);
+  /// Makes room on a terminal for other output.
+  void clear();
+
+  double elapsed() const;  ///< s
 
  private:
   using Clock = std::chrono::steady_clock;
-  double elapsed() const;
+  void show(double seconds_left);
 
   std::mutex mutex_;
   const std::string what_;
@@ -31,4 +38,4 @@ class Progress {
   double shown_ = 0;  // s after the beginning
 };
 
-}  // namespace desmo::regression
+}  // namespace desmo::suite
