@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+namespace desmo {
+
+/// A solved instant in coordinate order, fixed entities left out.
+struct ReferenceInstant {
+  double time;                     ///< s
+  std::vector<double> q, qd, qdd;  ///< rounded to double
+
+  /// What rounding left, itself rounded: value = q + rest.q to 1e-32 of it. Empty: not known.
+  struct Rests {
+    std::vector<double> q, qd, qdd;
+  };
+  Rests rest = {};
+};
+
+}  // namespace desmo

@@ -1,0 +1,196 @@
+// The quadruple reference: two formulations that share nothing but residuals agree to 1e-25, and
+// both are what closed forms say.
+
+#include "formulations/reference.h"
+
+#include <gtest/gtest.h>
+
+#include <iostream>
+
+#include "formulations/accuracy/disagreement.h"
+#include "formulations/accuracy/global_solver.h"
+#include "formulations/accuracy/groupwise_solver.h"
+#include "tests/accuracy/scenes.h"
+#include "tests/library/jet.h"
+
+namespace desmo {
+namespace {
+
+constexpr double agreement = 1e-25;
+
+void expect_agreement(const Mechanism& m, const TimeGrid& grid, int instants) {
+  const std::vector<double> times = sampled(grid, instants);
+  const Reference r = make_reference(m, times);
+  ASSERT_EQ(r.instants.size(), times.size());
+  for (const Level level : levels) {
+    EXPECT_LE(r.floor[level], agreement) << m.name << ", level " << static_cast<int>(level);
+    EXPECT_GT(r.floor[level], 0) << "they round alike: are they the same?";
+  }
+  std::cout << m.name << ", " << m.coordinates() << " coordinates: floor " << r.floor.position
+            << ", " << r.floor.velocity << ", " << r.floor.acceleration << '\n';
+}
+
+class ReferenceOfCase : public testing::TestWithParam<std::pair<const Case*, int>> {};
+
+TEST_P(ReferenceOfCase, TwoFormulationsAgreeOverTheMotion) {
+  const auto [definition, coordinates] = GetParam();
+  const Scene scene = describe(*definition, coordinates);
+  expect_agreement(make_mechanism(scene), time_grid(DESMO_TEST_SECONDS, 0.01), 16);
+}
+
+std::vector<std::pair<const Case*, int>> ends_of_sizes() {
+  std::vector<std::pair<const Case*, int>> result;
+  for (const Case& c : cases())
+    for (const int n : {c.sizes.front(), c.sizes.back()}) result.emplace_back(&c, n);
+  return result;
+}
+
+INSTANTIATE_TEST_SUITE_P(Cases, ReferenceOfCase, testing::ValuesIn(ends_of_sizes()),
+                         [](const auto& info) {
+                           return std::string(info.param.first->name) + "_" +
+                                  std::to_string(info.param.second);
+                         });
+
+TEST(Reference, TwoFormulationsAgreeOnTheLibrary) {
+  for (const LibraryMechanism& l : library()) {
+    const Scene scene = library_scene(l.name);
+    expect_agreement(make_mechanism(scene), scene.grid, 16);
+  }
+}
+
+TEST(Reference, TwoFormulationsAgreeWhateverTheUnit) {
+  for (const double factor : {1e-9, 1e9}) {
+    const Scene scene = enlarged(library_scene("slider_crank"), factor);
+    expect_agreement(make_mechanism(scene), scene.grid, 9);
+  }
+}
+
+TEST(Reference, ADifferenceOfOneOutputShowsInTheFloor) {
+  const Scene scene = library_scene("slider_crank");
+  const Mechanism m = make_mechanism(scene);
+  GroupwiseSolver<Quadruple> groups(m);
+  GlobalSolver<Quadruple> global(m);
+  groups.solve_positions(0.1);
+  groups.solve_rates();
+  global.solve_positions(0.1);
+  global.solve_rates();
+  const WideInstant a{0.1, groups.q(), groups.qd(), groups.qdd()};
+  WideInstant b{0.1, global.q(), global.qd(), global.qdd()};
+  const Scales scales{{2, 3, 5}, {1, 7, 11}};
+  const Entity& s = m.entities[m.find("s")];
+  const Entity& phi = m.entities[m.find("phi")];
+  b.q[s.first] += 1e-22;
+  b.qd[phi.first] += 1e-22;
+  b.qdd[s.first] += 1e-22;
+  const PerLevel<double> d = disagreement(m, std::span(&a, 1), std::span(&b, 1), scales);
+  EXPECT_NEAR(d.position, 1e-22 / 2, 1e-26);
+  EXPECT_NEAR(d.velocity, 1e-22 / 7, 1e-26);
+  EXPECT_NEAR(d.acceleration, 1e-22 / 5, 1e-26);
+}
+
+TEST(Reference, KeepsWhatRoundingLeft) {
+  const Mechanism m = make_mechanism(library_scene("slider_crank"));
+  const auto r = reference_solution(m, std::vector{0.0, 0.1}, Precision::quadruple)[1];
+  double largest = 0;
+  for (std::size_t i = 0; i < r.q.size(); ++i) {
+    EXPECT_EQ(r.q[i] + r.rest.q[i], r.q[i]) << "not the nearest double";
+    largest = std::max(largest, std::abs(r.rest.q[i]));
+  }
+  EXPECT_GT(largest, 1e-18);
+  EXPECT_TRUE(reference_solution(m, std::vector{0.0}, Precision::standard)[0].rest.q.empty());
+}
+
+// ——— Closed forms, evaluated in quadruple precision ———
+
+using WideJet = exact::BasicJet<Quadruple>;
+
+/// A coordinate with all digits the reference has, at each level.
+WideJet found(const ReferenceInstant& r, const Mechanism& m, const std::string& name, int i = 0) {
+  const int at = m.entities[m.find(name)].first + i;
+  return {Quadruple(r.q[at]) + r.rest.q[at], Quadruple(r.qd[at]) + r.rest.qd[at],
+          Quadruple(r.qdd[at]) + r.rest.qdd[at]};
+}
+
+void expect_near(const WideJet& a, const WideJet& b, const std::string& what) {
+  EXPECT_LT(abs(a.v - b.v), 1e-30 * std::max(1.0, static_cast<double>(abs(b.v)))) << what;
+  EXPECT_LT(abs(a.d - b.d), 1e-30 * std::max(1.0, static_cast<double>(abs(b.d)))) << what;
+  EXPECT_LT(abs(a.dd - b.dd), 1e-30 * std::max(1.0, static_cast<double>(abs(b.dd)))) << what;
+}
+
+/// The angle that drives: c₀ + c₁ t.
+WideJet driven(const Mechanism& m, double t) {
+  const auto& c = std::get<Polynomial>(m.drivers[0].motion).coefficients;
+  return WideJet(Quadruple(c[0])) + WideJet(Quadruple(c[1])) * WideJet::time(t);
+}
+
+/// The constant of the only constraint with these operands: a length as the model has rounded it.
+Quadruple constant(const Mechanism& m, const std::vector<EntityId>& operands) {
+  for (const Constraint& c : m.constraints)
+    if (c.operands == operands) return c.constants.at(0);
+  throw std::invalid_argument("no such constraint");
+}
+
+TEST(Reference, IsTheClosedFormOfTheSliderCrank) {
+  const Mechanism m = make_mechanism(library_scene("slider_crank"));
+  const EntityId A = m.find("A"), B = m.find("B"), C = m.find("C");
+  const WideJet crank(constant(m, {A, B, m.find("theta")}));
+  const WideJet rod(constant(m, {B, C, m.find("phi")}));
+  const std::vector<double> times{0, 0.05, 0.3, 0.77, 1};
+  const Reference reference = make_reference(m, times);
+  for (const ReferenceInstant& r : reference.instants) {
+    const WideJet theta = driven(m, r.time), x = crank * cos(theta), y = crank * sin(theta);
+    const WideJet s = x + sqrt(rod * rod - y * y);
+    const std::string at = " at " + std::to_string(r.time);
+    expect_near(found(r, m, "B", 0), x, "B x" + at);
+    expect_near(found(r, m, "B", 1), y, "B y" + at);
+    expect_near(found(r, m, "C", 0), s, "C x" + at);
+    expect_near(found(r, m, "C", 1), WideJet(0), "C y" + at);
+    expect_near(found(r, m, "s"), s, "s" + at);
+    expect_near(found(r, m, "phi"), atan2(-y, s - x), "phi" + at);
+  }
+}
+
+struct WidePoint {
+  WideJet x, y;
+};
+
+/// Where the circles about p and q meet, to the left of the way from p to q.
+WidePoint meet(const WidePoint& p, WideJet p_radius, const WidePoint& q, WideJet q_radius) {
+  const WideJet dx = q.x - p.x, dy = q.y - p.y, d2 = dx * dx + dy * dy;
+  const WideJet along = (p_radius * p_radius - q_radius * q_radius + d2) / (WideJet(2) * d2);
+  const WideJet across = sqrt(p_radius * p_radius / d2 - along * along);
+  return {p.x + along * dx - across * dy, p.y + along * dy + across * dx};
+}
+
+/// Dyad after dyad, K of them. The model rounds a rocker's length, so that the dyads are parallel
+/// to 1e-15 only.
+TEST(Reference, IsTheClosedFormOfTheChainOfDyads) {
+  constexpr int dyads = 12;
+  const Mechanism m = make_mechanism(four_bar(dyads));
+  const EntityId A = m.find("crank/A"), B = m.find("crank/B");
+  const WideJet crank(constant(m, {A, B, m.find("crank/theta")}));
+  const std::vector<double> times{0, 0.01, 1, 2.5, 30};
+  const Reference reference = make_reference(m, times);
+  for (const ReferenceInstant& r : reference.instants) {
+    const WideJet theta = driven(m, r.time);
+    WidePoint before{crank * cos(theta), crank * sin(theta)};
+    EntityId end = B;
+    for (int k = 1; k <= dyads; ++k) {
+      const std::string dyad = "dyad" + std::to_string(k) + "/";
+      const EntityId D = m.find(dyad + "D"), C = m.find(dyad + "C"), psi = m.find(dyad + "psi");
+      const WideJet coupler = sqrt(WideJet(constant(m, {end, C})));
+      const WideJet rocker(constant(m, {D, C, psi}));
+      const WidePoint pivot{WideJet(6 * k), WideJet(0)};
+      const WidePoint c = meet(before, coupler, pivot, rocker);
+      const std::string at = " of " + dyad + " at " + std::to_string(r.time);
+      expect_near(found(r, m, dyad + "C", 0), c.x, "C x" + at);
+      expect_near(found(r, m, dyad + "C", 1), c.y, "C y" + at);
+      expect_near(found(r, m, dyad + "psi"), atan2(c.y, c.x - pivot.x), "psi" + at);
+      before = c;
+      end = C;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace desmo

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "cases/cases.h"
+#include "cases/files.h"
+#include "cases/library.h"
+#include "formulations/modelling/model.h"
+
+namespace desmo {
+
+inline Scene library_scene(std::string_view name) {
+  return parse_scene(find_library(name)->scene, std::string(name) + ".scene.json", "");
+}
+
+/// `count` instants of a grid, its ends included, evenly spread.
+inline std::vector<double> sampled(const TimeGrid& grid, int count) {
+  std::vector<double> times;
+  for (long i = 0; i < count; ++i)
+    times.push_back(grid.time(static_cast<int>(i * (grid.instants - 1) / (count - 1))));
+  return times;
+}
+
+/// z(t) times a factor. Splines are not needed here.
+inline Motion enlarged(Motion motion, double factor) {
+  if (auto* p = std::get_if<Polynomial>(&motion)) {
+    for (double& c : p->coefficients) c *= factor;
+  } else {
+    auto& sum = std::get<HarmonicSum>(motion);
+    sum.mean *= factor;
+    for (HarmonicSum::Term& term : sum.terms) term.amplitude *= factor;
+  }
+  return motion;
+}
+
+/// The same mechanism and motion with all lengths times a factor; angles as they were.
+inline Scene enlarged(Scene scene, double factor) {
+  for (Description::Point& p : scene.mechanism.points)
+    for (double& x : p.position) x *= factor;
+  for (Description::Body& b : scene.mechanism.bodies)
+    if (b.length) *b.length *= factor;
+  auto motion = scene.motions.begin();
+  for (Description::Coordinate& c : scene.mechanism.coordinates) {
+    const bool length = c.type != Description::CoordinateType::angle;
+    if (length && c.estimate) *c.estimate *= factor;
+    if (length && c.driven) *motion = enlarged(*motion, factor);
+    if (c.driven) ++motion;
+  }
+  return scene;
+}
+
+}  // namespace desmo
