@@ -8,8 +8,12 @@
 #include <cstddef>
 #include <cstdlib>
 #include <iostream>
+#include <vector>
 
 #include "cases/cases.h"
+#include "formulations/accuracy/error.h"
+#include "formulations/accuracy/violation.h"
+#include "formulations/reference.h"
 #include "formulations/variants.h"
 #include "tests/every_variant.h"
 #include "tests/mechanisms.h"
@@ -103,6 +107,25 @@ TEST_P(EveryVariant, AllocatesNothingInAStep) {
     else
       EXPECT_EQ(n, 0) << c.name;
   }
+}
+
+TEST(Measures, AllocateNothingWhileInstantsArrive) {
+  const Mechanism m = make_mechanism(describe(cases().back(), 114));
+  const std::vector<double> times{0, 0.1, 0.2};
+  const Reference reference = make_reference(m, times);
+  ErrorMeasure error(m, reference.instants, reference.scales);
+  ViolationMeasure violation(m, reference.scales, times);
+  const long n = count([&] {
+    for (int i = 0; i <= 2; ++i) {
+      const ReferenceInstant& r = reference.instants[i];
+      const Instant instant{i, r.time, r.q, r.qd, r.qdd};
+      error.accept(instant);
+      violation.accept(instant);
+    }
+  });
+  EXPECT_EQ(n, 0);
+  EXPECT_EQ(error.error().instants, 3);
+  EXPECT_EQ(violation.violation().instants, 3);
 }
 
 INSTANTIATE_TEST_SUITE_P(Table, EveryVariant,

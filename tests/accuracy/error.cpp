@@ -1,0 +1,190 @@
+// What the error measure says of errors that are known.
+
+#include "formulations/accuracy/error.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "formulations/reference.h"
+#include "formulations/variants.h"
+#include "tests/accuracy/scenes.h"
+
+namespace desmo {
+namespace {
+
+class SliderCrank : public testing::Test {
+ protected:
+  static const Mechanism& mechanism() {
+    static const Mechanism m = make_mechanism(library_scene("slider_crank"));
+    return m;
+  }
+  static const Reference& reference() {
+    static const Reference r = make_reference(mechanism(), std::vector{0.0, 0.2, 0.5, 0.9});
+    return r;
+  }
+  static int first(const std::string& name) {
+    return mechanism().entities[mechanism().find(name)].first;
+  }
+  static int outputs() {
+    int moving = 0;
+    for (const Entity& e : mechanism().entities) moving += !e.fixed;
+    return moving;
+  }
+  static Instant instant(int index, const ReferenceInstant& r) {
+    return {index, r.time, r.q, r.qd, r.qdd};
+  }
+};
+
+TEST_F(SliderCrank, ScalesAreThoseOfTheMotion) {
+  const Scales& s = reference().scales;
+  EXPECT_DOUBLE_EQ(s.length.position, 0.2);  // from the crank's pivot to the outer dead point
+  const double w = 2 * 3.14159265358979323846;
+  EXPECT_NEAR(s.length.velocity, 0.05 * w, 0.02);  // of B, and of C somewhat more
+  EXPECT_NEAR(s.length.acceleration, 0.05 * w * w * (1 + 0.05 / 0.15), 1e-12);  // of C, outermost
+  EXPECT_EQ(s.rotation.position, 1);
+  EXPECT_NEAR(s.rotation.velocity, w, 1e-12);  // of the crank
+  EXPECT_GT(s.rotation.acceleration, 0);       // of the rod
+}
+
+TEST_F(SliderCrank, SaysMaximumAndRmsOfAKnownError) {
+  const Scales& scales = reference().scales;
+  std::vector<ReferenceInstant> wrong = reference().instants;
+  wrong[2].q[first("B")] += 3e-6 * scales.length.position;
+  wrong[2].q[first("B") + 1] += 4e-6 * scales.length.position;
+  wrong[1].q[first("phi")] -= 1e-6;
+  wrong[0].qd[first("s")] += 1e-5 * scales.length.velocity;
+  wrong[3].qdd[first("phi")] += 1e-4 * scales.rotation.acceleration;
+
+  ErrorMeasure measure(mechanism(), reference().instants, scales);
+  for (int i = 0; i < 4; ++i) measure.accept(instant(i, wrong[i]));
+  const Error e = measure.error();
+  EXPECT_EQ(e.instants, 4);
+  const double n = 4.0 * outputs();
+  EXPECT_EQ(e.position.compared, 4 * outputs());
+  EXPECT_NEAR(e.position.max, 5e-6, 1e-14);
+  EXPECT_NEAR(e.position.rms, std::sqrt((25 + 1) / n) * 1e-6, 1e-14);
+  EXPECT_NEAR(e.velocity.max, 1e-5, 1e-14);
+  EXPECT_NEAR(e.velocity.rms, 1e-5 / std::sqrt(n), 1e-14);
+  EXPECT_NEAR(e.acceleration.max, 1e-4, 1e-14);
+  EXPECT_NEAR(e.acceleration.rms, 1e-4 / std::sqrt(n), 1e-14);
+}
+
+TEST_F(SliderCrank, ResolvesWhatRoundingToDoubleLoses) {
+  ErrorMeasure measure(mechanism(), reference().instants, reference().scales);
+  double expected = 0;
+  for (int i = 0; i < 4; ++i) {
+    const ReferenceInstant& r = reference().instants[i];
+    measure.accept(instant(i, r));
+    expected = std::max(expected, std::abs(r.rest.q[first("phi")]));
+  }
+  EXPECT_GT(expected, 0);
+  EXPECT_GE(measure.error().position.max, expected);
+  EXPECT_LT(measure.error().position.max, 4.5e-16);  // half an ulp of θ, of up to 2 π
+  EXPECT_GT(measure.error().velocity.max, 0);
+  EXPECT_LT(measure.error().velocity.max, 2e-16);
+}
+
+TEST_F(SliderCrank, CountsAWholeTurnAsAnError) {
+  std::vector<ReferenceInstant> wrong = reference().instants;
+  wrong[1].q[first("phi")] += 2 * 3.14159265358979323846;
+  ErrorMeasure measure(mechanism(), reference().instants, reference().scales);
+  measure.accept(instant(1, wrong[1]));
+  EXPECT_NEAR(measure.error().position.max, 6.283, 1e-3);
+}
+
+TEST_F(SliderCrank, NotANumberIsInfinitelyWrong) {
+  std::vector<ReferenceInstant> wrong = reference().instants;
+  wrong[0].qd[first("s")] = std::numeric_limits<double>::quiet_NaN();
+  ErrorMeasure measure(mechanism(), reference().instants, reference().scales);
+  for (int i = 0; i < 4; ++i) measure.accept(instant(i, wrong[i]));
+  EXPECT_LT(measure.error().position.max, 1e-15);
+  EXPECT_EQ(measure.error().velocity.max, INFINITY);
+  EXPECT_EQ(measure.error().velocity.rms, INFINITY);
+}
+
+TEST_F(SliderCrank, ComparesOnlyWhatIsAskedAndDelivered) {
+  std::vector<ReferenceInstant> wrong = reference().instants;
+  for (ReferenceInstant& r : wrong) {
+    r.q[first("phi")] += 1;
+    r.qd[first("s")] += 1;
+  }
+  const std::vector<Asked> asked{{mechanism().find("s"), Level::position},
+                                 {mechanism().find("A"), Level::acceleration}};  // A is fixed
+  ErrorMeasure measure(mechanism(), reference().instants, reference().scales, asked);
+  for (int i = 0; i < 4; ++i) measure.accept(instant(i, wrong[i]));
+  EXPECT_EQ(measure.error().position.compared, 4);
+  EXPECT_LT(measure.error().position.max, 1e-15);
+  EXPECT_EQ(measure.error().velocity.compared, 0);
+
+  ErrorMeasure positions(mechanism(), reference().instants, reference().scales);
+  const ReferenceInstant& r = reference().instants[0];
+  positions.accept({0, r.time, r.q, {}, {}});
+  EXPECT_EQ(positions.error().position.compared, outputs());
+  EXPECT_EQ(positions.error().velocity.compared, 0);
+}
+
+TEST_F(SliderCrank, SkipsInstantsThatTheReferenceHasNot) {
+  ErrorMeasure measure(mechanism(), reference().instants, reference().scales);
+  const auto f =
+      make_formulation(find_variant("global_automatic_klu"), mechanism(), {.tolerance = 1e-13});
+  const TimeGrid grid{0, 0.05, 21};
+  const Summary s = f->run(grid, {}, measure);
+  ASSERT_TRUE(s.ok()) << describe(s, mechanism());
+  int common = 0;  // instants of the grid that are, to the last bit, instants of the reference
+  for (int i = 0; i < grid.instants; ++i)
+    for (const ReferenceInstant& r : reference().instants) common += r.time == grid.time(i);
+  EXPECT_GE(common, 3);
+  EXPECT_EQ(measure.error().instants, common);
+  EXPECT_LT(measure.error().acceleration.max, 1e-12);
+}
+
+TEST(ErrorMeasure, IsTheSameInMetresAndMillimetres) {
+  Error errors[2];
+  for (int unit = 0; unit < 2; ++unit) {
+    const double factor = unit == 0 ? 1 : 1000;
+    const Scene scene = enlarged(library_scene("double_wishbone"), factor);
+    const Mechanism m = make_mechanism(scene);
+    const Reference r = make_reference(m, sampled(scene.grid, 5));
+    ErrorMeasure measure(m, r.instants, r.scales);
+    for (const ReferenceInstant& at : r.instants) {
+      std::vector<double> q = at.q, qd = at.qd, qdd = at.qdd;
+      for (const Entity& e : m.entities)
+        for (int i = e.first; !e.fixed && i < e.first + e.size; ++i) {
+          const double wrong = std::sin(i + at.time) * (is_length(e.kind) ? factor : 1);
+          q[i] += 1e-3 * wrong;
+          qd[i] += 1e-4 * wrong;
+          qdd[i] += 1e-5 * wrong;
+        }
+      measure.accept({0, at.time, q, qd, qdd});
+    }
+    errors[unit] = measure.error();
+  }
+  for (const Level level : levels) {
+    EXPECT_GT(errors[0][level].max, 1e-8);
+    EXPECT_NEAR(errors[1][level].max / errors[0][level].max, 1, 1e-9);
+    EXPECT_NEAR(errors[1][level].rms / errors[0][level].rms, 1, 1e-9);
+  }
+}
+
+TEST(Scales, WhatDoesNotMoveIsJudgedByWhatDoes) {
+  Mechanism m;
+  const GroupId g = m.add_group("g", {"body"});
+  m.add(EntityKind::point, "P", std::array{3.0, 4.0}, g);
+  m.add_fixed(EntityKind::point, "O", std::array{0.0, 0.0});
+  m.add(EntityKind::angle, "still", std::array{1.0}, g);
+  EXPECT_EQ(nominal_size(m), 5);
+  EXPECT_EQ(natural_magnitudes(m), (std::vector<double>{5, 5, 1}));
+  const ReferenceInstant uniform{0, {3, 4, 1}, {6, 8, 1e-40}, {0, 0, 0}};
+  const Scales s = make_scales(m, std::span(&uniform, 1));
+  EXPECT_EQ(s.length.velocity, 10);
+  EXPECT_EQ(s.rotation.velocity, 2);      // 10 / 5
+  EXPECT_EQ(s.length.acceleration, 20);   // 10² / 5
+  EXPECT_EQ(s.rotation.acceleration, 4);  // 2²
+  EXPECT_EQ(relative(0, 0), 0);
+  EXPECT_EQ(relative(1e-30, 0), INFINITY);
+}
+
+}  // namespace
+}  // namespace desmo
