@@ -1,0 +1,90 @@
+// Conditioning against matrices inverted by hand, and as a prediction of what double can reach.
+
+#include "formulations/accuracy/condition.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <iostream>
+
+#include "formulations/accuracy/error.h"
+#include "formulations/reference.h"
+#include "formulations/variants.h"
+#include "tests/accuracy/scenes.h"
+
+namespace desmo {
+namespace {
+
+/// Two links of length 1 from (0, 0) and (2 cos α, 0) that meet in C = (cos α, sin α).
+struct Dyad {
+  Mechanism m;
+  std::vector<double> q;
+
+  explicit Dyad(double alpha) : q{std::cos(alpha), std::sin(alpha)} {
+    const GroupId g = m.add_group("dyad", {"left", "right"});
+    const EntityId a = m.add_fixed(EntityKind::point, "A", std::array{0.0, 0.0});
+    const EntityId b = m.add_fixed(EntityKind::point, "B", std::array{2 * q[0], 0.0});
+    const EntityId c = m.add(EntityKind::point, "C", q, g);
+    m.constrain<Length<2>>(g, "left", {a, c}, {1});
+    m.constrain<Length<2>>(g, "right", {b, c}, {1});
+  }
+};
+
+TEST(Condition, IsThatOfADyadByHand) {
+  for (const double alpha : {1.5, 0.8, 0.1, 1e-3, 1e-6}) {
+    const Dyad d(alpha);
+    const double x = std::cos(alpha), y = std::sin(alpha), sum = x + y;
+    // A = ((x, y), (−x, y)) / sum, A⁻¹ = ((y, −y), (x, x)) sum / (2 x y)
+    const double expected = sum / std::min(x, y);
+    EXPECT_NEAR(ConditionNumber(d.m)(d.q) / expected, 1, 1e-9) << alpha;
+  }
+}
+
+TEST(Condition, OfASingularPositionIsInfiniteOrBeyondDouble) {
+  const Dyad d(0);
+  EXPECT_GT(ConditionNumber(d.m)(d.q), 1e15);
+}
+
+TEST(Condition, DoesNotDependOnUnits) {
+  double condition[2];
+  for (int unit = 0; unit < 2; ++unit) {
+    const Mechanism m = make_mechanism(enlarged(library_scene("stewart"), unit == 0 ? 1 : 1e6));
+    const auto r = reference_solution(m, std::vector{0.1}, Precision::standard);
+    condition[unit] = ConditionNumber(m)(r[0].q);
+  }
+  EXPECT_GT(condition[0], 1);
+  EXPECT_NEAR(condition[1] / condition[0], 1, 1e-9);
+}
+
+TEST(Condition, LimitGrowsWithTheLevel) {
+  const PerLevel<double> limit = accuracy_limit(100, 1e-16);
+  EXPECT_DOUBLE_EQ(limit.position, 1e-14);
+  EXPECT_DOUBLE_EQ(limit.velocity, 1e-12);
+  EXPECT_DOUBLE_EQ(limit.acceleration, 1e-10);
+}
+
+TEST(Condition, PredictsWhatDoubleReaches) {
+  for (const LibraryMechanism& l : library()) {
+    const Scene scene = library_scene(l.name);
+    const Mechanism m = make_mechanism(scene);
+    const Reference r = make_reference(m, sampled(scene.grid, 9));
+    ErrorMeasure measure(m, r.instants, r.scales);
+    const auto f =
+        make_formulation(find_variant("global_automatic_klu"), m, {.fixed_iterations = 12});
+    const Summary s = f->run(scene.grid, {}, measure);
+    ASSERT_TRUE(s.ok()) << describe(s, m);
+    double condition = 0;
+    ConditionNumber condition_number(m);
+    for (const ReferenceInstant& at : r.instants)
+      condition = std::max(condition, condition_number(at.q));
+    const PerLevel<double> limit = accuracy_limit(condition, 0x1p-53);
+    const Error e = measure.error();
+    std::cout << l.name << ": condition " << condition;
+    for (const Level level : levels) std::cout << ", " << e[level].max << " <~ " << limit[level];
+    std::cout << '\n';
+    for (const Level level : levels) EXPECT_LT(e[level].max, 100 * limit[level]) << l.name;
+  }
+}
+
+}  // namespace
+}  // namespace desmo
