@@ -52,10 +52,12 @@ std::string missing_code(const Formulation& formulation);
 /// size and shared by all its formulations.
 class ReferenceCache {
  public:
+  /// Throws std::runtime_error when there is none: see make_reference; or its two solutions do not
+  /// agree to 1e-20.
   std::span<const ReferenceInstant> get(const Mechanism& mechanism, const TimeGrid& grid);
 
  private:
-  std::map<std::pair<std::string, int>, std::vector<ReferenceInstant>> cache_;
+  std::map<std::pair<std::string, int>, Reference> cache_;
 };
 
 }  // namespace desmo::suite
