@@ -146,11 +146,11 @@ int run(int argc, char** argv) {
   const Options options = take_options(arguments);
   if (options.help) std::cout << usage;
 
-  // Defaults first, so that the user's flags win. An iteration is a whole analysis; a
-  // repetition is one of them, or as many short ones as the least time holds.
+  // Defaults first, so that the user's flags win. An iteration is a whole analysis, and a
+  // repetition is one iteration: the least time is met by the first.
   std::string interleave = "--benchmark_enable_random_interleaving=true";
   std::string repetitions = "--benchmark_repetitions=5";
-  std::string least_time = "--benchmark_min_time=0.1";
+  std::string least_time = "--benchmark_min_time=1e-6";
   std::string help = "--help";
   arguments.insert(arguments.begin() + 1,
                    {interleave.data(), repetitions.data(), least_time.data()});
