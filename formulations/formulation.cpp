@@ -1,8 +1,10 @@
 #include "formulations/formulation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "formulations/diagnosis.h"
 #include "formulations/guess.h"
@@ -39,10 +41,10 @@ std::string describe(const Summary& s, const Mechanism& m) {
 Formulation::Formulation(const Mechanism& mechanism, std::vector<DefinedPart> parts,
                          const Settings& settings)
     : mechanism_(mechanism), parts_(std::move(parts)), settings_(settings) {
-  state_.q.resize(mechanism_.state_size());
-  state_.qd.resize(mechanism_.state_size());
-  state_.qdd.resize(mechanism_.state_size());
-  start_.resize(mechanism_.state_size());
+  for (State* s : {&state_, &before_})
+    for (std::vector<double>* values : {&s->q, &s->qd, &s->qdd})
+      values->resize(mechanism_.state_size());
+  estimate_.resize(mechanism_.state_size());
 }
 
 void Formulation::solve_only(std::span<const Level> needed) {
@@ -52,12 +54,25 @@ void Formulation::solve_only(std::span<const Level> needed) {
   }
 }
 
+/// Leaves the last instant in before_ and the guess in state_, whose rates are of no meaning until
+/// they are solved.
 void Formulation::guess(double t) {
-  const Level needed = level_needed(settings_.guess);
-  if (solved_level_ < needed) return;
-  for (const auto& [definition, solver, as_named, part_level] : parts_)
-    if (!definition.constant && part_level >= needed)
-      extrapolate(settings_.guess, definition.unknowns, t - time_, state_);
+  std::ranges::copy(state_.q, estimate_.begin());
+  if (settings_.guess != Guess::previous && now_.level) {
+    const Past past{t - now_.time, now_.time - then_.time, now_.level, then_.level};
+    const auto extrapolation = [&](Level level) {
+      const Past known = past.up_to(level);
+      return Extrapolation(best_guess(settings_.guess, known), known);
+    };
+    const std::array by_level{extrapolation(Level::position), extrapolation(Level::velocity),
+                              extrapolation(Level::acceleration)};
+    for (const auto& [definition, solver, as_named, part_level] : parts_)
+      if (!definition.constant)
+        by_level[static_cast<std::size_t>(part_level)](definition.unknowns, state_, before_,
+                                                       estimate_.data());
+  }
+  std::swap(state_, before_);
+  std::swap(state_.q, estimate_);
 }
 
 Summary Formulation::solve_parts(double t, Level level, bool constant) {
@@ -71,7 +86,7 @@ Summary Formulation::solve_parts(double t, Level level, bool constant) {
     summary.iterations = std::max<long>(summary.iterations, r.iterations);
     if (r.status != Status::converged) {
       summary.status = r.status;
-      for (const int i : definition.unknowns) state_.q[i] = start_[i];
+      for (const int i : definition.unknowns) state_.q[i] = before_.q[i];
       const Culprit c = find_culprit(mechanism_, definition.groups, state_.q, settings_);
       summary.group = c.group;
       summary.constraint = c.constraint;
@@ -86,11 +101,13 @@ Summary Formulation::solve_parts(double t, Level level, bool constant) {
 Summary Formulation::assemble(double t, Level level) {
   std::ranges::copy(mechanism_.estimate, state_.q.begin());
   std::ranges::copy(mechanism_.fixed_values, state_.q.begin() + mechanism_.coordinates());
-  std::ranges::fill(state_.qd, 0.0);
-  std::ranges::fill(state_.qdd, 0.0);
-  start_ = state_.q;
+  for (State* s : {&state_, &before_}) {
+    std::ranges::fill(s->qd, 0.0);
+    std::ranges::fill(s->qdd, 0.0);
+  }
+  std::ranges::copy(state_.q, before_.q.begin());
   assembled_ = false;
-  solved_level_ = Level::position;  // nothing to extrapolate from
+  now_ = then_ = {};  // nothing to extrapolate from
   Summary summary = solve_parts(t, level, true);
   if (!summary.ok()) return summary;
   assembled_ = true;
@@ -101,13 +118,12 @@ Summary Formulation::assemble(double t, Level level) {
 
 Summary Formulation::step(double t, Level level) {
   if (!assembled_) return assemble(t, level);
-  std::ranges::copy(state_.q, start_.begin());
   guess(t);
   drive(mechanism_, t, state_);
   const Summary summary = solve_parts(t, level, false);
-  if (!summary.ok()) std::ranges::copy(start_, state_.q.begin());
-  time_ = t;
-  solved_level_ = summary.ok() ? level : Level::position;
+  if (!summary.ok()) std::ranges::copy(before_.q, state_.q.begin());
+  then_ = summary.ok() ? now_ : Solved{};
+  now_ = summary.ok() ? Solved{t, level} : Solved{};
   return summary;
 }
 

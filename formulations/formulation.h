@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -37,7 +38,9 @@ struct Summary {
   Status status = Status::converged;
   long instants = 0;    ///< solved
   long iterations = 0;  ///< Newton iterations, the largest of any part, summed over instants
-  double residual = 0;  ///< largest ‖Φ‖₂ of the whole mechanism accepted, or that which failed
+  /// Largest ‖Φ‖₂ of the whole mechanism accepted, or that which failed: relative, as the
+  /// tolerance.
+  double residual = 0;
   GroupId group = -1;   ///< on failure, the group that could not be solved (see find_culprit)
   int constraint = -1;  ///< on failure, the constraint most concerned
   double time = 0;      ///< of the last instant tried, s
@@ -70,7 +73,8 @@ class Formulation {
   Summary assemble(double t, Level level = Level::acceleration);
   /// Solves at time t, starting from what the guess makes of the last instant solved; assembles
   /// when there is none. After a failure the positions are those of that instant again, so that a
-  /// later step may go on from there; velocities and accelerations are unspecified.
+  /// later step may go on from there; velocities and accelerations are unspecified. What a guess
+  /// needs and was not solved in the two instants before, it does without (see best_guess).
   Summary step(double t, Level level = Level::acceleration);
   /// Assembles at the first instant of the grid and steps through the others, handing each to
   /// the sink. Stops at the first failure.
@@ -93,6 +97,12 @@ class Formulation {
   std::span<const double> coordinates(const std::vector<double>& v) const {
     return {v.data(), static_cast<std::size_t>(mechanism_.coordinates())};
   }
+  /// An instant in one of the states, if any.
+  struct Solved {
+    double time = 0;               // s
+    std::optional<Level> level{};  // to which it was solved
+  };
+
   void guess(double t);
   Summary solve_parts(double t, Level level, bool constant);
 
@@ -100,10 +110,10 @@ class Formulation {
   std::vector<DefinedPart> parts_;
   Settings settings_;
   State state_;
-  std::vector<double> start_;  // positions before the step at hand
+  State before_;                  // the instant before that of state_
+  std::vector<double> estimate_;  // where a guess is made
   bool assembled_ = false;
-  double time_ = 0;                       // of the last instant solved
-  Level solved_level_ = Level::position;  // to which it was
+  Solved now_, then_;  // what state_ and before_ hold
 };
 
 }  // namespace desmo

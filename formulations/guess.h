@@ -1,21 +1,48 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "formulations/part.h"
 
 namespace desmo {
 
-/// How a guess is written in ids: "previous", "quadratic".
+/// How a guess is written in ids: "previous", "linear", "quadratic", "hermite3", "hermite5".
 std::string_view guess_name(Guess guess);
 
-/// The level to which the last instant must have been solved for this guess; without it a step
-/// starts from the previous positions.
-Level level_needed(Guess guess);
+/// What is known of the two instants before the one sought.
+struct Past {
+  double h;                             ///< from the last instant to the one sought, s
+  double h_before;                      ///< from the one before it to the last, s
+  std::optional<Level> last, before{};  ///< how far they were solved; nothing: they are unknown
 
-/// Moves q of these coordinates from the instant that `state` holds to where the guess expects them
-/// h seconds later.
-void extrapolate(Guess guess, std::span<const int> coordinates, double h, State& state);
+  /// The same of coordinates that are solved up to this level only.
+  Past up_to(Level level) const;
+};
+
+/// The best guess that the past allows, up to the one wanted: previous, linear, quadratic,
+/// hermite3, hermite5, in this order. Two instants too close together beside the step sought count
+/// as one: what they say of it is mostly the rounding of their difference.
+Guess best_guess(Guess wanted, const Past& past);
+
+/// A guess as weights of what is known, worked out once a step and then a few operations for each
+/// coordinate: with the last instant as 1 and the one before as 0,
+///   q = q₁ + w_q (q₀ − q₁) + w_v1 q̇₁ + w_a1 q̈₁ + w_v0 q̇₀ + w_a0 q̈₀.
+class Extrapolation {
+ public:
+  /// guess: one that the past allows.
+  Extrapolation(Guess guess, const Past& past);
+
+  /// Writes where the guess expects these coordinates into q, which may be that of `last` or of
+  /// `before`. Of these two only what the guess needs is read; q is left alone by `previous`.
+  void operator()(std::span<const int> coordinates, const State& last, const State& before,
+                  double* q) const;
+
+ private:
+  Guess guess_;
+  double w_q_ = 0, w_v1_ = 0, w_a1_ = 0, w_v0_ = 0, w_a0_ = 0;
+};
 
 }  // namespace desmo

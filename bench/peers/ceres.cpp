@@ -136,7 +136,8 @@ class CeresPeer final : public Peer {
   }
 
   void step(double t) override {
-    extrapolate(Guess::quadratic, unknowns_, t - time_, state_);
+    const Past past{t - time_, 0, Level::acceleration};
+    Extrapolation(Guess::quadratic, past)(unknowns_, state_, state_, state_.q.data());
     solve(t);
   }
 

@@ -1,0 +1,50 @@
+#pragma once
+
+namespace desmo {
+
+/// Where Newton–Raphson starts in a step (see formulations/guess.h).
+enum class Guess {
+  previous,   ///< q of the last instant
+  linear,     ///< its tangent, from q̇
+  quadratic,  ///< Taylor, from q̇ and q̈
+  hermite3,   ///< the cubic through q and q̇ of the last two instants
+  hermite5,   ///< the quintic through their q, q̇ and q̈
+};
+
+/// When Φ_φ is factorised (see formulations/newton_solver.h).
+enum class JacobianUpdate {
+  newton,  ///< in every iteration, and at the solved position for velocity and acceleration
+  step,    ///< at the solved position, for velocity, acceleration and the next step's iterations
+  chord,   ///< when the factors at hand, several steps old, have become too slow
+};
+
+/// What numbers are made of.
+enum class Scalar {
+  double_precision,
+  single_precision,  ///< the state, the equations and the linear systems
+  mixed,             ///< the factors alone are single; what is solved with them is refined
+};
+
+/// What a factorisation at the solved position serves.
+enum class Factorisation {
+  shared,     ///< velocity and acceleration
+  per_level,  ///< one of them: each level makes its own
+};
+
+/// What an analysis may use. The defaults are the paper's. Not every formulation offers every
+/// combination (see why_not in formulations/variants.h).
+struct Settings {
+  /// On ‖Φ‖₂ of the whole mechanism, each equation divided by its natural magnitude (see
+  /// formulations/magnitudes.h): relative, whatever the units are.
+  double tolerance = 1e-10;
+  int max_iterations = 25;  ///< of Newton–Raphson, a step
+  Guess guess = Guess::previous;
+  /// 0: iterate until the tolerance is met. Otherwise exactly so many iterations a step, whatever
+  /// ‖Φ‖₂ is, so that a step's work does not depend on rounding: for counting instructions.
+  int fixed_iterations = 0;
+  JacobianUpdate jacobian = JacobianUpdate::newton;
+  Factorisation factorisation = Factorisation::shared;
+  Scalar scalar = Scalar::double_precision;
+};
+
+}  // namespace desmo
