@@ -26,7 +26,7 @@ struct Scene {
   /// Nothing twice; empty: everything, at the level of acceleration.
   std::vector<Wanted> request;
   std::string formulation;   ///< id; empty: the program's choice
-  double tolerance = 1e-10;  ///< on ‖Φ‖₂, in the mechanism's units
+  double tolerance = 1e-12;  ///< on ‖Φ‖₂, each equation divided by its natural magnitude
 };
 
 }  // namespace desmo

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "formulations/equations/automatic.h"
+#include "formulations/magnitudes.h"
 #include "formulations/partition.h"
 
 namespace desmo {
@@ -33,14 +34,15 @@ Eigen::MatrixXd dense_jacobian(const AutomaticEquations& equations, const double
 }
 
 /// Solves the positions of one group in `state`; the row that stopped it, or -1.
-int solve_group(const AutomaticEquations& equations, std::vector<double>& state,
-                const Settings& settings) {
+int solve_group(const AutomaticEquations& equations, const Eigen::VectorXd& weights,
+                std::vector<double>& state, const Settings& settings) {
   Eigen::VectorXd phi(equations.pattern().n);
   for (int iteration = 0;; ++iteration) {
     equations.residual(state.data(), phi.data());
     if (!phi.allFinite()) return worst_row(phi);
-    const bool solved = phi.norm() < settings.tolerance;
-    if (!solved && iteration == settings.max_iterations) return worst_row(phi);
+    const Eigen::VectorXd weighted = weights.cwiseProduct(phi);
+    const bool solved = weighted.norm() < settings.tolerance;
+    if (!solved && iteration == settings.max_iterations) return worst_row(weighted);
     const Eigen::FullPivLU<Eigen::MatrixXd> lu(dense_jacobian(equations, state.data()));
     if (!lu.isInvertible())  // the rows that depend on each other are in the left null space
       return worst_row(
@@ -57,10 +59,14 @@ int solve_group(const AutomaticEquations& equations, std::vector<double>& state,
 
 Culprit find_culprit(const Mechanism& m, std::span<const GroupId> groups, std::vector<double> state,
                      const Settings& settings) {
+  const Magnitudes magnitudes(m);
   for (const PartDefinition& group : make_partition(m, Partition::group)) {
     const GroupId g = group.groups.front();
     if (std::ranges::find(groups, g) == groups.end()) continue;
-    const int row = solve_group(AutomaticEquations(m, group), state, settings);
+    const std::vector<double> weights = magnitudes.weights(group);
+    const int row = solve_group(AutomaticEquations(m, group),
+                                Eigen::Map<const Eigen::VectorXd>(weights.data(), weights.size()),
+                                state, settings);
     if (row >= 0) return {g, group.equations[row].constraint};
   }
   return {};

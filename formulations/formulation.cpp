@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <utility>
 
 #include "formulations/diagnosis.h"
-#include "formulations/guess.h"
 
 namespace desmo {
 
@@ -45,6 +45,19 @@ Formulation::Formulation(const Mechanism& mechanism, std::vector<DefinedPart> pa
     for (std::vector<double>* values : {&s->q, &s->qd, &s->qdd})
       values->resize(mechanism_.state_size());
   estimate_.resize(mechanism_.state_size());
+  collect_runs();
+}
+
+void Formulation::collect_runs() {
+  std::array<std::vector<int>, 3> unknowns;
+  for (const DefinedPart& part : parts_)
+    if (!part.definition.constant)
+      std::ranges::copy(part.definition.unknowns,
+                        std::back_inserter(unknowns[static_cast<std::size_t>(part.level)]));
+  for (std::size_t level = 0; level < unknowns.size(); ++level) {
+    std::ranges::sort(unknowns[level]);
+    moving_[level] = runs_of(unknowns[level]);
+  }
 }
 
 void Formulation::solve_only(std::span<const Level> needed) {
@@ -52,6 +65,7 @@ void Formulation::solve_only(std::span<const Level> needed) {
     part.level = Level::position;
     for (const int i : part.definition.unknowns) part.level = std::max(part.level, needed[i]);
   }
+  collect_runs();
 }
 
 /// Leaves the last instant in before_ and the guess in state_, whose rates are of no meaning until
@@ -64,12 +78,11 @@ void Formulation::guess(double t) {
       const Past known = past.up_to(level);
       return Extrapolation(best_guess(settings_.guess, known), known);
     };
-    const std::array by_level{extrapolation(Level::position), extrapolation(Level::velocity),
-                              extrapolation(Level::acceleration)};
-    for (const auto& [definition, solver, as_named, part_level] : parts_)
-      if (!definition.constant)
-        by_level[static_cast<std::size_t>(part_level)](definition.unknowns, state_, before_,
-                                                       estimate_.data());
+    for (const Level level : {Level::position, Level::velocity, Level::acceleration}) {
+      const Extrapolation extrapolated = extrapolation(level);
+      for (const CoordinateRun run : moving_[static_cast<std::size_t>(level)])
+        extrapolated(run, state_, before_, estimate_.data());
+    }
   }
   std::swap(state_, before_);
   std::swap(state_.q, estimate_);
@@ -112,6 +125,15 @@ Summary Formulation::assemble(double t, Level level) {
   if (!summary.ok()) return summary;
   assembled_ = true;
   summary = step(t, level);
+  // The estimate may be far off: a fixed number of iterations is for steps.
+  for (int i = 0; i < settings_.max_iterations && summary.ok() && settings_.fixed_iterations > 0 &&
+                  summary.residual >= settings_.tolerance;
+       ++i) {
+    const long before = summary.iterations;
+    now_ = then_ = {};
+    summary = step(t, level);
+    summary.iterations += before;
+  }
   assembled_ = summary.ok();
   return summary;
 }

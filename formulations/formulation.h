@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <span>
@@ -8,6 +9,7 @@
 
 #include "cases/mechanism.h"
 #include "cases/motion.h"
+#include "formulations/guess.h"
 #include "formulations/part.h"
 #include "formulations/partition.h"
 
@@ -103,11 +105,14 @@ class Formulation {
     std::optional<Level> level{};  // to which it was solved
   };
 
+  void collect_runs();
   void guess(double t);
   Summary solve_parts(double t, Level level, bool constant);
 
   const Mechanism& mechanism_;
   std::vector<DefinedPart> parts_;
+  std::array<std::vector<CoordinateRun>, 3>
+      moving_;  // unknowns by the level to which they are solved
   Settings settings_;
   State state_;
   State before_;                  // the instant before that of state_

@@ -51,6 +51,15 @@ std::string_view guess_name(Guess guess) {
   return {};
 }
 
+std::vector<CoordinateRun> runs_of(std::span<const int> coordinates) {
+  std::vector<CoordinateRun> runs;
+  for (const int i : coordinates) {
+    if (runs.empty() || runs.back().end != i) runs.push_back({i, i});
+    ++runs.back().end;
+  }
+  return runs;
+}
+
 Past Past::up_to(Level level) const {
   const auto cut = [&](std::optional<Level> l) { return l ? std::min(*l, level) : l; };
   return {h, h_before, cut(last), cut(before)};
@@ -93,25 +102,25 @@ Extrapolation::Extrapolation(Guess guess, const Past& past) : guess_(guess) {
   }
 }
 
-void Extrapolation::operator()(std::span<const int> coordinates, const State& last,
-                               const State& before, double* q) const {
+void Extrapolation::operator()(CoordinateRun run, const State& last, const State& before,
+                               double* q) const {
   const double *q1 = last.q.data(), *v1 = last.qd.data(), *a1 = last.qdd.data();
   const double *q0 = before.q.data(), *v0 = before.qd.data(), *a0 = before.qdd.data();
   switch (guess_) {
     case Guess::previous:
       return;
     case Guess::linear:
-      for (const int i : coordinates) q[i] = q1[i] + w_v1_ * v1[i];
+      for (int i = run.first; i < run.end; ++i) q[i] = q1[i] + w_v1_ * v1[i];
       return;
     case Guess::quadratic:
-      for (const int i : coordinates) q[i] = q1[i] + w_v1_ * v1[i] + w_a1_ * a1[i];
+      for (int i = run.first; i < run.end; ++i) q[i] = q1[i] + w_v1_ * v1[i] + w_a1_ * a1[i];
       return;
     case Guess::hermite3:
-      for (const int i : coordinates)
+      for (int i = run.first; i < run.end; ++i)
         q[i] = q1[i] + w_q_ * (q0[i] - q1[i]) + w_v1_ * v1[i] + w_v0_ * v0[i];
       return;
     case Guess::hermite5:
-      for (const int i : coordinates)
+      for (int i = run.first; i < run.end; ++i)
         q[i] = q1[i] + w_q_ * (q0[i] - q1[i]) + w_v1_ * v1[i] + w_v0_ * v0[i] + w_a1_ * a1[i] +
                w_a0_ * a0[i];
   }

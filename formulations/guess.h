@@ -12,6 +12,14 @@ namespace desmo {
 /// How a guess is written in ids: "previous", "linear", "quadratic", "hermite3", "hermite5".
 std::string_view guess_name(Guess guess);
 
+/// Coordinates that stand together: what is done to all is done without looking any up.
+struct CoordinateRun {
+  int first, end;
+};
+
+/// Ascending coordinates as runs.
+std::vector<CoordinateRun> runs_of(std::span<const int> coordinates);
+
 /// What is known of the two instants before the one sought.
 struct Past {
   double h;                             ///< from the last instant to the one sought, s
@@ -35,10 +43,9 @@ class Extrapolation {
   /// guess: one that the past allows.
   Extrapolation(Guess guess, const Past& past);
 
-  /// Writes where the guess expects these coordinates into q, which may be that of `last` or of
-  /// `before`. Of these two only what the guess needs is read; q is left alone by `previous`.
-  void operator()(std::span<const int> coordinates, const State& last, const State& before,
-                  double* q) const;
+  /// Writes where the guess expects the coordinates of a run into q, which may be that of `last`
+  /// or of `before`. Of these two only what the guess needs is read; q is left alone by `previous`.
+  void operator()(CoordinateRun run, const State& last, const State& before, double* q) const;
 
  private:
   Guess guess_;

@@ -5,9 +5,10 @@
 
 namespace desmo {
 
-InlinedPart::InlinedPart(BoundKernel bound, const Settings& settings,
+InlinedPart::InlinedPart(BoundKernel bound, std::vector<double> weights, const Settings& settings,
                          std::unique_ptr<Part> fallback, std::vector<int> unknowns)
     : bound_(std::move(bound)),
+      weights_(std::move(weights)),
       tolerance2_(settings.tolerance * settings.tolerance),
       max_iterations_(settings.max_iterations),
       accepted2_(tolerance2_),
@@ -26,7 +27,7 @@ PartResult InlinedPart::solve(State& s, Level level) {
   for (std::size_t i = 0; i < unknowns_.size(); ++i) start_[i] = s.q[unknowns_[i]];
 
   const InlinedResult position =
-      bound_.kernel->position(s.q.data(), in, c, tolerance2_, max_iterations_);
+      bound_.kernel->position(s.q.data(), in, c, weights_.data(), tolerance2_, max_iterations_);
   bool good = position.residual2 < accepted2_;  // false for NaN, too
   if (good && level != Level::position) {
     double* acc = level == Level::acceleration ? s.qdd.data() : nullptr;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "formulations/equations/symbolic.h"
 #include "formulations/part.h"
@@ -12,9 +13,10 @@ namespace desmo {
 /// not converge, the step is left to `fallback`, which pivots; fallbacks() counts these steps.
 class InlinedPart final : public Part {
  public:
-  /// settings: with the tolerance on ‖Φ‖₂ of the part's own equations.
-  InlinedPart(BoundKernel bound, const Settings& settings, std::unique_ptr<Part> fallback,
-              std::vector<int> unknowns);
+  /// weights: 1/magnitude of each equation (see magnitudes.h); settings: with the tolerance on ‖Φ‖₂
+  /// of the part's own equations, so weighted.
+  InlinedPart(BoundKernel bound, std::vector<double> weights, const Settings& settings,
+              std::unique_ptr<Part> fallback, std::vector<int> unknowns);
 
   PartResult solve(State& state, Level level) override;
 
@@ -22,6 +24,7 @@ class InlinedPart final : public Part {
 
  private:
   BoundKernel bound_;
+  std::vector<double> weights_;
   double tolerance2_;  // on ‖Φ‖₂²: where to stop iterating …
   int max_iterations_;
   double accepted2_;  // … and what to accept

@@ -79,4 +79,14 @@ std::vector<PartDefinition> split_by_group(const Mechanism& m, const PartDefinit
   return result;
 }
 
+std::vector<int> states_read(const Mechanism& m, const PartDefinition& part) {
+  std::vector<int> read = part.unknowns;
+  for (const Equation& equation : part.equations)
+    for (const EntityId e : m.constraints[equation.constraint].operands)
+      for (int i = 0; i < m.entities[e].size; ++i) read.push_back(m.state_index(e) + i);
+  std::ranges::sort(read);
+  read.erase(std::ranges::unique(read).begin(), read.end());
+  return read;
+}
+
 }  // namespace desmo

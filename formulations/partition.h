@@ -44,6 +44,9 @@ std::vector<PartDefinition> make_partition(const Mechanism& mechanism, Partition
 /// A part cut into what belongs to each of its groups, in solution order.
 std::vector<PartDefinition> split_by_group(const Mechanism& mechanism, const PartDefinition& part);
 
+/// Positions in the state of all that a part's equations read, ascending, its unknowns among them.
+std::vector<int> states_read(const Mechanism& mechanism, const PartDefinition& part);
+
 /// The irreducible blocks of a part's equations in solution order: the strong components of a
 /// matching of equations with unknowns (block triangular form; Dulmage & Mendelsohn 1958, as
 /// CXSparse computes it). Throws std::invalid_argument, naming what cannot be matched, when the

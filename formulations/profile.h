@@ -40,21 +40,23 @@ struct Profile {
 template <class Equations>
 class ProfiledEquations {
  public:
+  using Real = typename Equations::Real;
+
   ProfiledEquations(Equations equations, Profile& profile)
       : equations_(std::move(equations)), profile_(&profile) {}
 
   const Pattern& pattern() const { return equations_.pattern(); }
-  void constant_jacobian(double* values) const { equations_.constant_jacobian(values); }
-  void residual(const double* q, double* phi) const {
+  void constant_jacobian(Real* values) const { equations_.constant_jacobian(values); }
+  void residual(const Real* q, Real* phi) const {
     profile_->measure(Phase::residual, [&] { equations_.residual(q, phi); });
   }
-  void jacobian(const double* q, double* values) const {
+  void jacobian(const Real* q, Real* values) const {
     profile_->measure(Phase::jacobian, [&] { equations_.jacobian(q, values); });
   }
-  void known_jacobian(const double* q, double* values) const {
+  void known_jacobian(const Real* q, Real* values) const {
     profile_->measure(Phase::right_hand_sides, [&] { equations_.known_jacobian(q, values); });
   }
-  void quadratic(const double* q, const double* qd, double* gamma) const {
+  void quadratic(const Real* q, const Real* qd, Real* gamma) const {
     profile_->measure(Phase::right_hand_sides, [&] { equations_.quadratic(q, qd, gamma); });
   }
 
@@ -67,17 +69,21 @@ class ProfiledEquations {
 template <class Algebra>
 class ProfiledAlgebra {
  public:
+  static constexpr bool rounds_factors = Algebra::rounds_factors;
   static constexpr bool keeps_pivots = Algebra::keeps_pivots;
 
   ProfiledAlgebra(const Pattern& pattern, Profile& profile)
       : algebra_(pattern), profile_(&profile) {}
 
-  bool factor(const double* values) {
+  template <class Real>
+  bool factor(const Real* values) {
     return profile_->measure(Phase::factorisation, [&] { return algebra_.factor(values); });
   }
-  void solve(double* b) {
+  template <class Real>
+  void solve(Real* b) {
     profile_->measure(Phase::solve, [&] { algebra_.solve(b); });
   }
+  int patience() const { return algebra_.patience(); }
   void forget_pivots() { algebra_.forget_pivots(); }
 
  private:

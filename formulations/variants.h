@@ -31,10 +31,6 @@ std::span<const Variant> variants();
 /// The variant of that id. Throws std::invalid_argument, listing the ids, when there is none.
 const Variant& find_variant(std::string_view id);
 
-/// The id of a variant with these settings: those that are not the paper's follow as suffixes,
-/// <partition>_<equations>_<algebra>/guess:quadratic.
-std::string id_with(const Variant& variant, const Settings& settings);
-
 /// "lapack", "klu", …, "inlined".
 std::string_view algebra_name(const Variant& variant);
 
@@ -44,10 +40,15 @@ bool is_dense_global(const Variant& variant);
 /// Whether its phases can be measured apart (generated elimination has none).
 bool has_phases(const Variant& variant);
 
+/// Why a variant does not offer these settings, in a sentence without a full stop; empty when it
+/// does. What it names is not applicable: it is refused, never silently replaced.
+std::string why_not(const Variant& variant, const Settings& settings);
+
 /// Analyses the mechanism and allocates everything. Parts for which no symbolic equations were
 /// generated are evaluated automatically and are not `as_named`. `profile`, when given, must
 /// outlive the formulation and receives the time of its phases. Throws std::invalid_argument,
-/// naming the place, for a mechanism that it cannot solve.
+/// naming the place, for a mechanism that it cannot solve, and with the reason for settings that it
+/// does not offer (why_not).
 std::unique_ptr<Formulation> make_formulation(const Variant& variant, const Mechanism& mechanism,
                                               const Settings& settings = {},
                                               Profile* profile = nullptr);

@@ -9,6 +9,7 @@
 #include "cases/cases.h"
 #include "formulations/algebra/backend.h"
 #include "formulations/inlined_part.h"
+#include "formulations/magnitudes.h"
 #include "formulations/variants.h"
 #include "tests/every_variant.h"
 #include "tests/mechanisms.h"
@@ -118,7 +119,8 @@ TEST(Inlined, FallsBackToPivotingWhereItsOrderFails) {
   const Mechanism m = four_bar_mechanism(1);
   const std::vector<PartDefinition> parts = make_partition(m, Partition::group);
   const Settings settings{.tolerance = 1e-12, .max_iterations = 50};
-  const PartContext context{m, parts[1], bind_kernels(m, parts[1]), settings};
+  const std::vector<double> weights = Magnitudes(m).weights(parts[1]);
+  const PartContext context{m, parts[1], weights, bind_kernels(m, parts[1]), settings};
   const Backend* eigen = nullptr;
   for (const Backend* b : backends())
     if (b->name == "eigen") eigen = b;
@@ -136,9 +138,9 @@ TEST(Inlined, FallsBackToPivotingWhereItsOrderFails) {
     s.qd[m.entities[m.find("crank/B")].first] = 1;
     return s;
   };
-  InlinedPart good(bind_kernel(m, make_partition(m, Partition::group)[1]).value(), settings,
-                   eigen->make_part(context), parts[1].unknowns);
-  InlinedPart bad(sabotaged, settings, eigen->make_part(context), parts[1].unknowns);
+  InlinedPart good(bind_kernel(m, make_partition(m, Partition::group)[1]).value(), weights,
+                   settings, eigen->make_part(context), parts[1].unknowns);
+  InlinedPart bad(sabotaged, weights, settings, eigen->make_part(context), parts[1].unknowns);
   State expected = at_start(), actual = at_start();
   ASSERT_EQ(good.solve(expected, Level::acceleration).status, Status::converged);
   ASSERT_EQ(bad.solve(actual, Level::acceleration).status, Status::converged);

@@ -10,11 +10,16 @@
 
 #include "cases/cases.h"
 #include "formulations/algebra/backend.h"
+#include "formulations/magnitudes.h"
 #include "formulations/reference.h"
 #include "tests/mechanisms.h"
 
 namespace desmo {
 namespace {
+
+PartContext context(const Mechanism& m, const PartDefinition& part, const Settings& settings) {
+  return {m, part, Magnitudes(m).weights(part), std::nullopt, settings};
+}
 
 class EveryBackend : public testing::TestWithParam<const Backend*> {};
 
@@ -31,7 +36,7 @@ TEST_P(EveryBackend, VelocityHasASmallBackwardError) {
     State s{at.q, at.qd, at.qdd};
     for (auto* v : {&s.q, &s.qd, &s.qdd}) v->resize(m.state_size(), 0.0);
     std::copy(m.fixed_values.begin(), m.fixed_values.end(), s.q.begin() + m.coordinates());
-    const auto solver = GetParam()->make_part({m, part, std::nullopt, 1e-8, 25});
+    const auto solver = GetParam()->make_part(context(m, part, {.tolerance = 1e-8}));
     ASSERT_EQ(solver->solve(s, Level::velocity).status, Status::converged);
 
     std::vector<double> values(p.size());
@@ -73,7 +78,7 @@ TEST_P(EveryBackend, NeverCallsASingularPositionSolved) {
   set(s.q, "dyad1/psi", 0, 0);
   set(s.qd, "crank/B", 0, 2);
   const auto parts = make_partition(m, Partition::group);
-  const auto solver = GetParam()->make_part({m, parts[1], std::nullopt, 1e-10, 25});
+  const auto solver = GetParam()->make_part(context(m, parts[1], {}));
   const PartResult r = solver->solve(s, Level::velocity);
   const double psi_rate = s.qd[m.entities[m.find("dyad1/psi")].first];
   if (GetParam()->name == "cholmod" && r.status == Status::converged)

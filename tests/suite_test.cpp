@@ -433,6 +433,15 @@ TEST(Bench, ExitCodesSayWhatHappened) {
   EXPECT_FALSE(std::filesystem::is_regular_file("/dev/null"));
 }
 
+TEST(Bench, RunsFormulationsWithSettingsBesideTheTable) {
+  const std::string id = "group_automatic_klu/guess:hermite5/jacobian:step";
+  EXPECT_EQ(run_bench("--duration=0.2 --formulation=" + id + " '--benchmark_filter=four_bar/114/" +
+                      id + "'"),
+            0);
+  EXPECT_EQ(run_bench("--formulation=group_automatic_klu/guess:cubic"), 64);
+  EXPECT_EQ(run_bench("--formulation=group_automatic_klu/scalar:float"), 64);
+}
+
 TEST(Bench, RecordsAreReadByTheReport) {
   const std::string record = testing::TempDir() + "desmo_end_to_end.json";
   const std::string report = DESMO_REPORT " tables " + record + " >/dev/null 2>&1";

@@ -1,9 +1,11 @@
 // desmo solve: the motion of a scene, as numbers.
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 
 #include "bench/cli/commands.h"
 #include "bench/cli/delivery.h"
@@ -12,6 +14,7 @@
 #include "bench/cli/input.h"
 #include "bench/cli/run_notes.h"
 #include "cases/names.h"
+#include "formulations/id.h"
 #include "formulations/variants.h"
 
 namespace desmo::cli {
@@ -29,19 +32,26 @@ struct Options {
   }
 };
 
-const Variant& choose_variant(const Options& options, const Input& input) {
+Configuration choose_formulation(const Options& options, const Input& input) {
   const std::string& id = !options.formulation.empty()       ? options.formulation
                           : !input.scene.formulation.empty() ? input.scene.formulation
                                                              : default_formulation;
+  const auto refuse = [&](const std::string& what) {
+    if (!options.formulation.empty()) throw Error(usage_error, what);
+    throw InputError(input.source + ": /formulation: " + what);
+  };
+  const std::string variant = id.substr(0, id.find('/'));
   std::vector<std::string_view> ids;
-  for (const Variant& v : variants()) {
-    if (v.id == id) return v;
-    ids.push_back(v.id);
+  for (const Variant& v : variants()) ids.push_back(v.id);
+  if (std::ranges::find(ids, variant) == ids.end())
+    refuse("unknown formulation " + desmo::quoted(variant) + "; " + suggestion(variant, ids) +
+           " ('desmo list formulations' shows all)");
+  try {
+    return parse_id(id, Settings{.tolerance = input.scene.tolerance});
+  } catch (const std::invalid_argument& error) {
+    refuse(printable(error.what(), 500));
+    throw;
   }
-  const std::string what = "unknown formulation " + desmo::quoted(id) + "; " + suggestion(id, ids) +
-                           " ('desmo list formulations' shows all)";
-  if (!options.formulation.empty()) throw Error(usage_error, what);
-  throw InputError(input.source + ": /formulation: " + what);
 }
 
 void say(const std::string& text) {
@@ -59,20 +69,20 @@ void say(const std::string& text) {
 
 void solve(const Options& options) {
   const Input input = load_scene(options.scene);
-  const Variant& variant = choose_variant(options, input);
+  const auto [variant, settings] = choose_formulation(options, input);
   Output output(options.output);
   const Mechanism whole = model(input).mechanism;
   const Plan plan = make_plan(whole, asked_by(input.scene, whole));
   if (options.explain) say(explain(plan, whole));
-  const auto formulation =
-      make_formulation(variant, plan.mechanism, Settings{input.scene.tolerance});
+  const auto formulation = make_formulation(*variant, plan.mechanism, settings);
   formulation->solve_only(plan.levels);
   if (!options.quiet) say(note_on_code(*formulation));
 
   const bool in_the_way = output.is_standard_output() && ::isatty(STDOUT_FILENO) == 1;
   Progress progress(input.scene.grid.instants, !options.quiet && !in_the_way);
-  Delivery delivery({whole.name, input.scene.name, variant.id, make_columns(plan, input.scene)},
-                    series_format(options.format_name()), plan, output, progress);
+  Delivery delivery(
+      {whole.name, input.scene.name, id_with(*variant, settings), make_columns(plan, input.scene)},
+      series_format(options.format_name()), plan, output, progress);
   Summary summary;
   std::optional<WrongBranch> wrong;
   try {
@@ -110,7 +120,8 @@ void add_solve(CLI::App& program) {
       ->check(CLI::IsMember({"csv", "jsonl"}));
   command
       ->add_option("--formulation", options->formulation,
-                   "Formulation (see desmo list formulations); by default the scene's, or " +
+                   "Formulation (see desmo list formulations), settings as suffixes such as "
+                   "/guess:hermite5; by default the scene's, or " +
                        std::string(default_formulation))
       ->check(refuse_empty);
   command->add_flag("--explain", options->explain,

@@ -12,6 +12,7 @@
 
 #include "bench/peers/peer.h"
 #include "formulations/guess.h"
+#include "formulations/magnitudes.h"
 #include "formulations/variants.h"
 
 namespace desmo {
@@ -27,9 +28,11 @@ template <class Kind>
 class ConstraintCost final : public ceres::CostFunction {
  public:
   /// fixed: for each operand where its value stands, or null where Ceres gives it.
+  /// weights: 1/magnitude of each row, so that what ends the iterations is the norm that ends ours.
   ConstraintCost(const Constraint& constraint,
-                 const std::array<const double*, Kind::operand_sizes.size()>& fixed)
-      : fixed_(fixed) {
+                 const std::array<const double*, Kind::operand_sizes.size()>& fixed,
+                 const std::array<double, Kind::rows>& weights)
+      : fixed_(fixed), weights_(weights) {
     std::ranges::copy(constraint.constants, constants_.begin());
     int kept = 0;
     for (int r = 0; r < Kind::rows; ++r)
@@ -48,7 +51,7 @@ class ConstraintCost final : public ceres::CostFunction {
     std::array<double, Kind::rows> phi;
     Kind::residual(x.data(), constants_.data(), phi.data());
     for (int r = 0; r < Kind::rows; ++r)
-      if (place_[r] >= 0) residuals[place_[r]] = phi[r];
+      if (place_[r] >= 0) residuals[place_[r]] = weights_[r] * phi[r];
     if (!jacobians) return true;
 
     for (std::size_t k = 0; k < x.size(); ++k)
@@ -56,7 +59,8 @@ class ConstraintCost final : public ceres::CostFunction {
         std::fill_n(values, num_residuals() * Kind::operand_sizes[k], 0.0);
     Kind::jacobian(x.data(), constants_.data(), [&](int r, int operand, int i, double value) {
       double* values = target(jacobians, operand);
-      if (values && place_[r] >= 0) values[place_[r] * Kind::operand_sizes[operand] + i] = value;
+      if (values && place_[r] >= 0)
+        values[place_[r] * Kind::operand_sizes[operand] + i] = weights_[r] * value;
     });
     return true;
   }
@@ -67,6 +71,7 @@ class ConstraintCost final : public ceres::CostFunction {
   }
 
   std::array<const double*, Kind::operand_sizes.size()> fixed_;
+  std::array<double, Kind::rows> weights_;
   std::array<int, Kind::operand_sizes.size()> block_;  // of each operand, or -1
   std::array<double, Kind::constants + 1> constants_{};
   std::array<int, Kind::rows> place_;  // of each row among the residuals, or -1
@@ -114,12 +119,11 @@ class CeresPeer final : public Peer {
     is_unknown_.resize(m.entities.size());
     for (std::size_t e = 0; e < m.entities.size(); ++e)
       is_unknown_[e] = !m.rests(static_cast<EntityId>(e)) && !driven[m.entities[e].first];
-    for (const Constraint& c : m.constraints)
-      if (!m.groups[c.group].constant) add(c);
-    for (const auto& part : rates_->parts())
-      if (!part.definition.constant)
-        unknowns_.insert(unknowns_.end(), part.definition.unknowns.begin(),
-                         part.definition.unknowns.end());
+    const Magnitudes magnitudes(m);
+    for (int c = 0; c < static_cast<int>(m.constraints.size()); ++c)
+      if (!m.groups[m.constraints[c].group].constant) add(c, magnitudes);
+    for (const auto& part : rates_->parts())  // global: one that moves
+      if (!part.definition.constant) runs_ = runs_of(part.definition.unknowns);
     answer_.coordinates.resize(m.coordinates());
     for (int i = 0; i < m.coordinates(); ++i) answer_.coordinates[i] = i;
     for (auto* values : {&answer_.q, &answer_.qd, &answer_.qdd}) values->resize(m.coordinates());
@@ -137,7 +141,8 @@ class CeresPeer final : public Peer {
 
   void step(double t) override {
     const Past past{t - time_, 0, Level::acceleration};
-    Extrapolation(Guess::quadratic, past)(unknowns_, state_, state_, state_.q.data());
+    const Extrapolation extrapolation(Guess::quadratic, past);
+    for (const CoordinateRun run : runs_) extrapolation(run, state_, state_, state_.q.data());
     solve(t);
   }
 
@@ -155,7 +160,8 @@ class CeresPeer final : public Peer {
     return o;
   }
 
-  void add(const Constraint& c) {
+  void add(int position, const Magnitudes& magnitudes) {
+    const Constraint& c = mechanism_.constraints[position];
     visit_kind(c.kind, [&]<class Kind>(Kind) {
       std::array<const double*, Kind::operand_sizes.size()> fixed{};
       std::vector<double*> blocks;
@@ -166,7 +172,9 @@ class CeresPeer final : public Peer {
         else
           fixed[k] = value;
       }
-      problem_.AddResidualBlock(new ConstraintCost<Kind>(c, fixed), nullptr, blocks);
+      std::array<double, Kind::rows> weights;
+      for (int r = 0; r < Kind::rows; ++r) weights[r] = 1 / magnitudes.of({position, r});
+      problem_.AddResidualBlock(new ConstraintCost<Kind>(c, fixed, weights), nullptr, blocks);
     });
   }
 
@@ -209,8 +217,8 @@ class CeresPeer final : public Peer {
   ceres::Problem problem_;
   State state_;  // Ceres' parameter blocks are places in its q
   std::vector<bool> is_unknown_;
-  std::vector<int> unknowns_;
-  double time_ = 0;  // of the last instant
+  std::vector<CoordinateRun> runs_;  // of the unknowns
+  double time_ = 0;                  // of the last instant
 };
 
 std::string version() { return CERES_VERSION_STRING; }

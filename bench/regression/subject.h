@@ -13,7 +13,8 @@ namespace desmo::regression {
 /// A cell of the suite, built and ready to be run over its first instants, 10 ms apart.
 class Subject {
  public:
-  /// Throws std::invalid_argument when this build has no such cell.
+  /// settings: where the cell's id names none. Throws std::invalid_argument when this build has no
+  /// such cell.
   Subject(const CellName& cell, int instants, const Settings& settings = {});
   Subject(const Subject&) = delete;  // the formulation refers to the mechanism
   Subject& operator=(const Subject&) = delete;

@@ -104,6 +104,14 @@ std::vector<std::unique_ptr<Cell>> make_cells(const Options& options) {
     for (const int n : c.extra_sizes)
       for (const Variant& v : variants())
         if (runs_at_extra_sizes(v)) cells.push_back(std::make_unique<Cell>(c, n, v, options));
+    for (const std::string& id : options.formulations) {
+      const Configuration configuration = parse_id(id);
+      if (id_with(*configuration.variant, configuration.settings) == configuration.variant->id)
+        continue;  // it is among those above
+      for (const int n : c.sizes)
+        cells.push_back(
+            std::make_unique<Cell>(c, n, *configuration.variant, options, configuration.settings));
+    }
   }
   return cells;
 }

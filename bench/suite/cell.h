@@ -11,6 +11,7 @@
 #include "bench/suite/timed.h"
 #include "bench/suite/verification.h"
 #include "cases/cases.h"
+#include "formulations/id.h"
 #include "formulations/variants.h"
 
 namespace desmo::suite {

@@ -35,6 +35,8 @@ const char* const usage =
     "  --duration=SECONDS       motion analysed (default: the case's, 30)\n"
     "  --dense-limit=N          coordinates up to which dense global solves run (default 114)\n"
     "  --peer-limit=SECONDS     CPU time a rival may take for the motion (default 60)\n"
+    "  --formulation=ID         adds a formulation with settings as suffixes, such as\n"
+    "                           global_automatic_klu/guess:hermite5; may be given more than once\n"
     "  --record=FILE            write the results record (see results/README.md)\n\n"
     "Exit code: 0 all verified and timed; 1 some formulation failed; 64 usage, or no benchmark\n"
     "matches; 74 the record\n"
@@ -55,6 +57,7 @@ Options take_options(std::vector<char*>& arguments) {
       {"--duration", real(o.duration)},
       {"--dense-limit", whole(o.dense_limit)},
       {"--peer-limit", real(o.peer_limit)},
+      {"--formulation", [&](auto, auto text) { o.formulations.emplace_back(text); }},
       {"--record", [&](auto, auto text) { o.record = text; }},
   };
 

@@ -5,13 +5,16 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "formulations/equations/automatic.h"
 #include "formulations/equations/symbolic.h"
 #include "formulations/newton_part.h"
 #include "formulations/part.h"
+#include "formulations/partition.h"
 #include "formulations/profile.h"
+#include "formulations/single_precision_part.h"
 
 namespace desmo {
 
@@ -19,16 +22,19 @@ namespace desmo {
 struct PartContext {
   const Mechanism& mechanism;
   const PartDefinition& definition;
+  std::vector<double> weights;  ///< 1/magnitude of each equation of the part (see magnitudes.h)
   /// Of the symbolic equations, by bind_kernels(); without them the equations are automatic.
   std::optional<std::vector<BoundKernel>> kernels;
   Settings settings;           ///< with the tolerance on ‖Φ‖₂ of the part's own equations
   Profile* profile = nullptr;  ///< where phases are measured, or null for the timed code
+  std::shared_ptr<SinglePrecisionState> single{};  ///< where the scalar is single
 };
 
 /// One library for linear systems.
 struct Backend {
   std::string_view name;
   bool dense;
+  /// settings.scalar: a dense one offers all, a sparse one double precision only.
   std::unique_ptr<Part> (*make_part)(const PartContext&);
   std::string (*version)();
 };
@@ -36,19 +42,37 @@ struct Backend {
 /// The backends of this build, in the order of the design.
 std::span<const Backend* const> backends();
 
-/// The part that a context describes, with this algebra (see NewtonPart).
+/// NewtonSolver's `patience` with a sparse factorisation, of which assembly is a good part.
+inline constexpr int sparse_patience = 3;
+
+/// The part that a context describes, with this algebra (see NewtonSolver).
 template <class Algebra>
-std::unique_ptr<Part> make_newton_part(const PartContext& context) {
+std::unique_ptr<Part> make_newton_part(const PartContext& c) {
   const auto make = [&]<class Equations>(Equations equations) -> std::unique_ptr<Part> {
-    if (!context.profile)
-      return std::make_unique<NewtonPart<Equations, Algebra>>(std::move(equations),
-                                                              context.settings);
+    if (!c.profile)
+      return std::make_unique<NewtonPart<Equations, Algebra>>(std::move(equations), c.weights,
+                                                              c.settings);
     using Profiled = ProfiledEquations<Equations>;
     return std::make_unique<NewtonPart<Profiled, ProfiledAlgebra<Algebra>>>(
-        Profiled(std::move(equations), *context.profile), context.settings, *context.profile);
+        Profiled(std::move(equations), *c.profile), c.weights, c.settings, *c.profile);
   };
-  if (!context.kernels) return make(AutomaticEquations(context.mechanism, context.definition));
-  return make(SymbolicEquations(context.mechanism, context.definition, *context.kernels));
+  if (!c.kernels) return make(AutomaticEquations(c.mechanism, c.definition));
+  return make(SymbolicEquations(c.mechanism, c.definition, *c.kernels));
+}
+
+/// The same, all in single precision: the context has its state, and its equations are automatic.
+template <class Algebra>
+std::unique_ptr<Part> make_single_precision_part(const PartContext& c) {
+  using Equations = BasicAutomaticEquations<float>;
+  Equations equations(c.mechanism, c.definition);
+  std::vector<int> read = states_read(c.mechanism, c.definition);
+  if (!c.profile)
+    return std::make_unique<SinglePrecisionPart<Equations, Algebra>>(
+        std::move(equations), c.weights, c.settings, c.single, std::move(read));
+  using Profiled = ProfiledEquations<Equations>;
+  return std::make_unique<SinglePrecisionPart<Profiled, ProfiledAlgebra<Algebra>>>(
+      Profiled(std::move(equations), *c.profile), c.weights, c.settings, c.single, std::move(read),
+      *c.profile);
 }
 
 }  // namespace desmo

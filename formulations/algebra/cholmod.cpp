@@ -67,6 +67,7 @@ NormalEquations cheapest_normal_equations(const Pattern& pattern) {
 
 class Cholmod {
  public:
+  static constexpr bool rounds_factors = false;
   static constexpr bool keeps_pivots = false;
 
   explicit Cholmod(const Pattern& pattern) : normal_(cheapest_normal_equations(pattern)) {
@@ -105,6 +106,8 @@ class Cholmod {
     if (y_) y_->d = y_->nrow = y_->nzmax / y_->ncol;
     normal_.solution(values_, static_cast<const double*>(x_->x), b);
   }
+
+  int patience() const { return sparse_patience; }
 
  private:
   NormalEquations normal_;

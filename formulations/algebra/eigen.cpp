@@ -12,36 +12,37 @@ namespace desmo {
 
 namespace {
 
+template <class Real>
 class EigenLu {
  public:
-  static constexpr bool keeps_pivots = false;
+  explicit EigenLu(int n) : matrix_(n, n), lu_(n), x_(n) {}
 
-  explicit EigenLu(const Pattern& pattern)
-      : scatter_(pattern), matrix_(pattern.n, pattern.n), lu_(pattern.n), x_(pattern.n) {}
+  Real* matrix() { return matrix_.data(); }
 
-  bool factor(const double* values) {
-    scatter_(values, matrix_.data());
+  bool factor() {
     lu_.compute(matrix_);
     return (lu_.matrixLU().diagonal().array() != 0).all();
   }
 
-  void solve(double* b) {
-    Eigen::Map<Eigen::VectorXd> right(b, x_.size());
+  void solve(Real* b) {
+    Eigen::Map<Vector> right(b, x_.size());
     x_ = lu_.solve(right);
     right = x_;
   }
 
  private:
-  DenseScatter scatter_;
-  Eigen::MatrixXd matrix_;
-  Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
-  Eigen::VectorXd x_;
+  using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
+  using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
+
+  Matrix matrix_;
+  Eigen::PartialPivLU<Matrix> lu_;
+  Vector x_;
 };
 
 }  // namespace
 
 extern const Backend eigen_backend;
-const Backend eigen_backend{"eigen", true, &make_newton_part<EigenLu>, [] {
+const Backend eigen_backend{"eigen", true, &make_dense_part<EigenLu>, [] {
                               return std::to_string(EIGEN_WORLD_VERSION) + "." +
                                      std::to_string(EIGEN_MAJOR_VERSION) + "." +
                                      std::to_string(EIGEN_MINOR_VERSION);

@@ -17,6 +17,7 @@ namespace {
 
 class Klu {
  public:
+  static constexpr bool rounds_factors = false;
   static constexpr bool keeps_pivots = true;
 
   explicit Klu(const Pattern& pattern)
@@ -49,6 +50,8 @@ class Klu {
   void solve(double* b) { klu_solve(symbolic_, numeric_, n_, 1, b, &common_); }
 
   void forget_pivots() { klu_free_numeric(&numeric_, &common_); }
+
+  int patience() const { return sparse_patience; }
 
  private:
   /// A pivot order gone bad shows as a tiny estimate of the reciprocal condition, as klu_rcond

@@ -1,5 +1,6 @@
-// Dense LU with partial pivoting by LAPACK's dgetrf and dgetrs, as OpenBLAS provides them.
+// Dense LU with partial pivoting by LAPACK's getrf and getrs, as OpenBLAS provides them.
 
+#include <type_traits>
 #include <vector>
 
 #include "formulations/algebra/backend.h"
@@ -10,6 +11,9 @@ extern "C" {
 void dgetrf_(const int* m, const int* n, double* a, const int* lda, int* ipiv, int* info);
 void dgetrs_(const char* trans, const int* n, const int* nrhs, const double* a, const int* lda,
              const int* ipiv, double* b, const int* ldb, int* info);
+void sgetrf_(const int* m, const int* n, float* a, const int* lda, int* ipiv, int* info);
+void sgetrs_(const char* trans, const int* n, const int* nrhs, const float* a, const int* lda,
+             const int* ipiv, float* b, const int* ldb, int* info);
 char* openblas_get_config();
 char* openblas_get_corename();
 int openblas_get_num_threads();
@@ -20,30 +24,34 @@ namespace desmo {
 
 namespace {
 
+template <class Real>
 class Lapack {
  public:
-  static constexpr bool keeps_pivots = false;
+  explicit Lapack(int n) : n_(n), lu_(static_cast<std::size_t>(n) * n), pivots_(n) {}
 
-  explicit Lapack(const Pattern& pattern)
-      : n_(pattern.n), scatter_(pattern), lu_(static_cast<std::size_t>(n_) * n_), pivots_(n_) {}
+  Real* matrix() { return lu_.data(); }
 
-  bool factor(const double* values) {
-    scatter_(values, lu_.data());
+  bool factor() {
     int info = 0;
-    dgetrf_(&n_, &n_, lu_.data(), &n_, pivots_.data(), &info);
+    if constexpr (std::is_same_v<Real, double>)
+      dgetrf_(&n_, &n_, lu_.data(), &n_, pivots_.data(), &info);
+    else
+      sgetrf_(&n_, &n_, lu_.data(), &n_, pivots_.data(), &info);
     return info == 0;
   }
 
-  void solve(double* b) {
+  void solve(Real* b) {
     const int one = 1;
     int info = 0;
-    dgetrs_("N", &n_, &one, lu_.data(), &n_, pivots_.data(), b, &n_, &info);
+    if constexpr (std::is_same_v<Real, double>)
+      dgetrs_("N", &n_, &one, lu_.data(), &n_, pivots_.data(), b, &n_, &info);
+    else
+      sgetrs_("N", &n_, &one, lu_.data(), &n_, pivots_.data(), b, &n_, &info);
   }
 
  private:
   int n_;
-  DenseScatter scatter_;
-  std::vector<double> lu_;  // by columns
+  std::vector<Real> lu_;  // by columns
   std::vector<int> pivots_;
 };
 
@@ -54,7 +62,7 @@ BlasEnvironment blas_environment() { return {openblas_get_corename(), openblas_g
 void set_blas_threads(int threads) { openblas_set_num_threads(threads); }
 
 extern const Backend lapack_backend;
-const Backend lapack_backend{"lapack", true, &make_newton_part<Lapack>,
+const Backend lapack_backend{"lapack", true, &make_dense_part<Lapack>,
                              [] { return std::string(openblas_get_config()); }};
 
 }  // namespace desmo

@@ -15,6 +15,7 @@ namespace {
 
 class Umfpack {
  public:
+  static constexpr bool rounds_factors = false;
   static constexpr bool keeps_pivots = false;
 
   explicit Umfpack(const Pattern& pattern)
@@ -52,6 +53,8 @@ class Umfpack {
     umfpack_di_wsolve(UMFPACK_A, start_.data(), row_.data(), values_, b, right_.data(), numeric_,
                       control_, nullptr, index_work_.data(), work_.data());
   }
+
+  int patience() const { return sparse_patience; }
 
  private:
   int n_;

@@ -6,74 +6,74 @@ namespace desmo {
 
 namespace {
 
-template <class Kind>
-using Operands = std::array<const double*, Kind::operand_sizes.size()>;
+template <class Kind, class S>
+using Operands = std::array<const S*, Kind::operand_sizes.size()>;
 
-template <std::size_t N>
-std::array<const double*, N> pointers(const double* state, const std::array<int, N>& positions) {
-  std::array<const double*, N> result;
+template <class S, std::size_t N>
+std::array<const S*, N> pointers(const S* state, const std::array<int, N>& positions) {
+  std::array<const S*, N> result;
   for (std::size_t k = 0; k < N; ++k) result[k] = state + positions[k];
   return result;
 }
 
 /// Writes the partial derivatives of one constraint to their places.
-template <class Kind, class Object, class Operands>
-inline void write_jacobian(const Object& o, const Operands& x, double* values) {
+template <class Kind, class Object, class Operands, class S>
+inline void write_jacobian(const Object& o, const Operands& x, S* values) {
   int i = 0;
   Kind::jacobian(x.data(), o.constants.data(),
-                 [&](int, int, int, double value) { values[o.slots[i++]] = value; });
+                 [&](int, int, int, S value) { values[o.slots[i++]] = value; });
 }
 
 /// Copies the components that belong to the part to their places.
-template <std::size_t N>
-void pick(const std::array<int, N>& rows, const std::array<double, N>& all, double* to) {
+template <class S, std::size_t N>
+void pick(const std::array<int, N>& rows, const std::array<S, N>& all, S* to) {
   for (std::size_t r = 0; r < N; ++r)
     if (rows[r] >= 0) to[rows[r]] = all[r];
 }
 
 }  // namespace
 
+template <class S>
 template <class Kind, bool Whole>
-struct AutomaticEquations::LoopsOf {
+struct BasicAutomaticEquations<S>::LoopsOf {
   static const auto& objects(const Batches& batches) {
     const Batch<Kind>& batch = std::get<Batch<Kind>>(batches);
     return Whole ? batch.whole : batch.cut;
   }
 
-  static void constant_jacobian(const Batches& batches, double* values) {
+  static void constant_jacobian(const Batches& batches, S* values) {
     if constexpr (Kind::linear)
       for (const auto& o : objects(batches))
-        write_jacobian<Kind>(o, Operands<Kind>{}, values);  // they read no state
+        write_jacobian<Kind>(o, Operands<Kind, S>{}, values);  // they read no state
   }
 
-  static void residual(const Batches& batches, const double* state, double* phi) {
+  static void residual(const Batches& batches, const S* state, S* phi) {
     for (const auto& o : objects(batches)) {
       const auto x = pointers(state, o.operands);
       if constexpr (Whole) {
         Kind::residual(x.data(), o.constants.data(), phi + o.row);
       } else {
-        std::array<double, Kind::rows> all;
+        std::array<S, Kind::rows> all;
         Kind::residual(x.data(), o.constants.data(), all.data());
         pick(o.rows, all, phi);
       }
     }
   }
 
-  static void jacobian(const Batches& batches, const double* state, double* values) {
+  static void jacobian(const Batches& batches, const S* state, S* values) {
     if constexpr (!Kind::linear)
       for (const auto& o : objects(batches))
         write_jacobian<Kind>(o, pointers(state, o.operands), values);
   }
 
-  static void quadratic(const Batches& batches, const double* state, const double* rate,
-                        double* gamma) {
+  static void quadratic(const Batches& batches, const S* state, const S* rate, S* gamma) {
     for (const auto& o : objects(batches)) {
       const auto x = pointers(state, o.operands);
       const auto v = pointers(rate, o.operands);
       if constexpr (Whole) {
         Kind::quadratic(x.data(), v.data(), o.constants.data(), gamma + o.row);
       } else {
-        std::array<double, Kind::rows> all;
+        std::array<S, Kind::rows> all;
         Kind::quadratic(x.data(), v.data(), o.constants.data(), all.data());
         pick(o.rows, all, gamma);
       }
@@ -83,7 +83,9 @@ struct AutomaticEquations::LoopsOf {
   static constexpr Loops table{&constant_jacobian, &residual, &jacobian, &quadratic};
 };
 
-AutomaticEquations::AutomaticEquations(const Mechanism& m, const PartDefinition& part) {
+template <class S>
+BasicAutomaticEquations<S>::BasicAutomaticEquations(const Mechanism& m,
+                                                    const PartDefinition& part) {
   std::vector<JacobianEntry> entries;
   const int n = static_cast<int>(part.equations.size());
   for (int row = 0; row < n;) {
@@ -100,10 +102,10 @@ AutomaticEquations::AutomaticEquations(const Mechanism& m, const PartDefinition&
         o.rows[part.equations[row].row] = row;
 
       int i = 0;
-      static constexpr std::array<double, 3> any{1, 1, 1};  // the pattern is that of all values
-      Operands<Kind> x;
+      static constexpr std::array<S, 3> any{1, 1, 1};  // the pattern is that of all values
+      Operands<Kind, S> x;
       x.fill(any.data());
-      Kind::jacobian(x.data(), o.constants.data(), [&](int r, int operand, int component, double) {
+      Kind::jacobian(x.data(), o.constants.data(), [&](int r, int operand, int component, S) {
         o.slots[i++] = static_cast<int>(entries.size());  // its place in `entries`, for now
         entries.push_back(
             {o.rows[r], o.operands[operand] + component, m.rests(constraint.operands[operand])});
@@ -125,20 +127,27 @@ AutomaticEquations::AutomaticEquations(const Mechanism& m, const PartDefinition&
   std::apply([&](auto&... batch) { (assign(batch), ...); }, batches_);
 }
 
-void AutomaticEquations::constant_jacobian(double* values) const {
+template <class S>
+void BasicAutomaticEquations<S>::constant_jacobian(S* values) const {
   for (const Loops* l : loops_) l->constant_jacobian(batches_, values);
 }
 
-void AutomaticEquations::residual(const double* state, double* phi) const {
+template <class S>
+void BasicAutomaticEquations<S>::residual(const S* state, S* phi) const {
   for (const Loops* l : loops_) l->residual(batches_, state, phi);
 }
 
-void AutomaticEquations::jacobian(const double* state, double* values) const {
+template <class S>
+void BasicAutomaticEquations<S>::jacobian(const S* state, S* values) const {
   for (const Loops* l : loops_) l->jacobian(batches_, state, values);
 }
 
-void AutomaticEquations::quadratic(const double* state, const double* rate, double* gamma) const {
+template <class S>
+void BasicAutomaticEquations<S>::quadratic(const S* state, const S* rate, S* gamma) const {
   for (const Loops* l : loops_) l->quadratic(batches_, state, rate, gamma);
 }
+
+template class BasicAutomaticEquations<double>;
+template class BasicAutomaticEquations<float>;
 
 }  // namespace desmo

@@ -13,7 +13,7 @@ struct KernelEntry {
 /// Where a generated Newton iteration stopped.
 struct InlinedResult {
   int iterations;
-  double residual2;  ///< ‖Φ‖₂²
+  double residual2;  ///< ‖Φ‖₂², each equation times its weight
 };
 
 /// Generated straight-line code for one type of group (see PartType). `state`, `rate`, `acc` are
@@ -37,10 +37,11 @@ struct Kernel {
   void (*quadratic)(const double* state, const double* rate, const int* in, const double* c,
                     double* gamma);
 
-  /// Newton–Raphson with the elimination inlined, until ‖Φ‖₂² < tolerance2 or no longer a number.
+  /// Newton–Raphson with the elimination inlined, until ‖Φ‖₂² < tolerance2 or no longer a number,
+  /// where each equation is multiplied by its weight (1/magnitude).
   /// A pivot gone bad shows in the residual of the original equations.
-  InlinedResult (*position)(double* state, const int* in, const double* c, double tolerance2,
-                            int max_iterations);
+  InlinedResult (*position)(double* state, const int* in, const double* c, const double* weight,
+                            double tolerance2, int max_iterations);
   /// Velocities and (when acc is not null) accelerations of the unknowns at a solved position;
   /// false, and nothing usable, when a pivot was too small beside its column (PivotMonitor).
   bool (*rates)(const double* state, double* rate, double* acc, const int* in, const double* c);

@@ -33,6 +33,8 @@ std::optional<std::vector<BoundKernel>> bind_kernels(const Mechanism& mechanism,
 /// contract of AutomaticEquations.
 class SymbolicEquations {
  public:
+  using Real = double;
+
   /// kernels: of the part, by bind_kernels().
   SymbolicEquations(const Mechanism& mechanism, const PartDefinition& part,
                     std::vector<BoundKernel> kernels);

@@ -80,13 +80,18 @@ class KernelWriter {
 
   void position() {
     const Expressions step = elimination_.solve(g_.phi);
+    const std::vector<double> unsampled(Graph::current().samples(g_.phi.front().id()).size(), 1.0);
     Expr norm2 = 0;
-    for (const Expr& phi : g_.phi) norm2 = norm2 + phi * phi;
+    for (int r = 0; r < type_.rows(); ++r) {
+      const std::string name = "weight[" + std::to_string(r) + "]";
+      const Expr weighted = Expr::node(Graph::current().input(name, unsampled)) * g_.phi[r];
+      norm2 = norm2 + weighted * weighted;
+    }
     const Expressions all = concatenate({{norm2}, step});
 
     open(
-        "InlinedResult position(double* q, const int* in, const double* c, double tolerance2,\n"
-        "                       int max_iterations)");
+        "InlinedResult position(double* q, const int* in, const double* c, const double* weight,\n"
+        "                       double tolerance2, int max_iterations)");
     load(unknown_positions(), "double");
     load(all, "const double");
     out_ << "  InlinedResult result{0, 0};\n  for (;; ++result.iterations) {\n";

@@ -97,6 +97,16 @@ TEST_F(Cli, EveryFormulationGivesTheSameAnswer) {
   }
 }
 
+TEST_F(Cli, TakesSettingsAsSuffixesOfTheFormulation) {
+  const std::string id = "group_automatic_klu/guess:hermite5/jacobian:step/tolerance:1e-9";
+  ASSERT_EQ(desmo("solve slider_crank --format jsonl --formulation " + id), 0) << err_;
+  EXPECT_TRUE(prints(id)) << "the id stands in the heading";
+  EXPECT_EQ(desmo("solve slider_crank --formulation group_automatic_klu/guess:cubic"), 64);
+  EXPECT_TRUE(says("unknown value 'cubic' of '/guess:'; there are: previous, linear")) << err_;
+  EXPECT_EQ(desmo("solve slider_crank --formulation group_automatic_klu/scalar:float"), 64);
+  EXPECT_TRUE(says("factorises in double precision")) << err_;
+}
+
 TEST_F(Cli, DeliversOnlyWhatIsAskedFor) {
   const auto solve = [&](const std::string& request) {
     write("scene.json",

@@ -1,0 +1,162 @@
+#include "formulations/id.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <functional>
+#include <span>
+#include <stdexcept>
+#include <system_error>
+#include <vector>
+
+#include "formulations/guess.h"
+
+namespace desmo {
+
+namespace {
+
+constexpr std::array jacobian_names{"newton", "step", "chord"};
+constexpr std::array factorisation_names{"shared", "per_level"};
+constexpr std::array scalar_names{"double", "float", "mixed"};
+constexpr std::array guesses{Guess::previous, Guess::linear, Guess::quadratic, Guess::hermite3,
+                             Guess::hermite5};
+
+std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
+
+/// The shortest text that reads back to the same number, the exponent without zeros: 1e-6.
+std::string shortest(double value) {
+  std::array<char, 32> text;
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::scientific);
+  std::string result(text.data(), end.ptr);
+  const std::size_t digits = result.find('e') + 2;  // behind the sign
+  result.erase(digits, std::min(result.find_first_not_of('0', digits), result.size() - 1) - digits);
+  return result;
+}
+
+template <class Number>
+bool read(std::string_view text, Number& value) {
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  return error == std::errc{} && stop == end;
+}
+
+/// One setting as it stands in ids.
+struct Suffix {
+  std::string_view key;
+  std::string values;  ///< for messages
+  /// The value; empty where it is the paper's.
+  std::function<std::string(const Settings&)> print;
+  /// False when there is no such value.
+  std::function<bool(std::string_view, Settings&)> parse;
+};
+
+/// A setting that is one of a few, the first of them the paper's.
+template <class Choice>
+Suffix choice(std::string_view key, Choice Settings::*setting,
+              const std::vector<std::string_view>& names) {
+  std::string values;
+  for (const std::string_view name : names)
+    values += (values.empty() ? "" : ", ") + std::string(name);
+  return {key, values,
+          [=](const Settings& s) {
+            const auto i = static_cast<std::size_t>(s.*setting);
+            return i == 0 ? std::string() : std::string(names[i]);
+          },
+          [=](std::string_view text, Settings& s) {
+            for (std::size_t i = 0; i < names.size(); ++i)
+              if (names[i] == text) {
+                s.*setting = static_cast<Choice>(i);
+                return true;
+              }
+            return false;
+          }};
+}
+
+Suffix iterations() {
+  return {"iterations", "a whole number from 1 to 1000",
+          [](const Settings& s) {
+            return s.fixed_iterations == 0 ? std::string() : std::to_string(s.fixed_iterations);
+          },
+          [](std::string_view text, Settings& s) {
+            return read(text, s.fixed_iterations) && s.fixed_iterations >= 1 &&
+                   s.fixed_iterations <= 1000;
+          }};
+}
+
+Suffix tolerance() {
+  return {"tolerance", "a number above 0, such as 1e-6",
+          [](const Settings& s) {
+            return s.tolerance == Settings{}.tolerance ? std::string() : shortest(s.tolerance);
+          },
+          [](std::string_view text, Settings& s) {
+            return read(text, s.tolerance) && s.tolerance > 0 && std::isfinite(s.tolerance);
+          }};
+}
+
+/// In the order in which they stand in an id.
+const std::vector<Suffix>& suffixes() {
+  static const std::vector<Suffix> all = [] {
+    std::vector<std::string_view> guess_names;
+    for (const Guess guess : guesses) guess_names.push_back(guess_name(guess));
+    const auto names = [](const auto& list) {
+      return std::vector<std::string_view>(list.begin(), list.end());
+    };
+    return std::vector<Suffix>{
+        choice("guess", &Settings::guess, guess_names),
+        choice("jacobian", &Settings::jacobian, names(jacobian_names)),
+        choice("factorisation", &Settings::factorisation, names(factorisation_names)),
+        choice("scalar", &Settings::scalar, names(scalar_names)),
+        iterations(),
+        tolerance()};
+  }();
+  return all;
+}
+
+void apply(std::string_view id, std::string_view text, std::vector<bool>& given,
+           Settings& settings) {
+  const std::size_t colon = text.find(':');
+  std::string known;
+  for (std::size_t k = 0; k < suffixes().size(); ++k) {
+    const Suffix& suffix = suffixes()[k];
+    known += (known.empty() ? "" : ", ") + std::string(suffix.key);
+    if (colon == std::string_view::npos || text.substr(0, colon) != suffix.key) continue;
+    if (given[k])
+      throw std::invalid_argument("formulation " + quoted(id) + ": '/" + std::string(suffix.key) +
+                                  ":' is given twice");
+    given[k] = true;
+    if (suffix.parse(text.substr(colon + 1), settings)) return;
+    throw std::invalid_argument("formulation " + quoted(id) + ": unknown value " +
+                                quoted(text.substr(colon + 1)) + " of '/" +
+                                std::string(suffix.key) + ":'; there are: " + suffix.values);
+  }
+  throw std::invalid_argument("formulation " + quoted(id) + ": unknown suffix '/" +
+                              std::string(text) +
+                              "'; there are, each followed by ':' and a value: " + known);
+}
+
+}  // namespace
+
+std::string id_with(const Variant& v, const Settings& settings) {
+  std::string id = v.id;
+  for (const Suffix& suffix : suffixes())
+    if (const std::string value = suffix.print(settings); !value.empty())
+      id += "/" + std::string(suffix.key) + ":" + value;
+  return id;
+}
+
+Configuration parse_id(std::string_view id, const Settings& base) {
+  std::size_t slash = std::min(id.find('/'), id.size());
+  Configuration result{&find_variant(id.substr(0, slash)), base};
+  std::vector<bool> given(suffixes().size());
+  while (slash < id.size()) {
+    const std::size_t end = std::min(id.find('/', slash + 1), id.size());
+    apply(id, id.substr(slash + 1, end - slash - 1), given, result.settings);
+    slash = end;
+  }
+  if (const std::string reason = why_not(*result.variant, result.settings); !reason.empty())
+    throw std::invalid_argument("formulation " + quoted(id) + ": " + reason);
+  return result;
+}
+
+}  // namespace desmo

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "formulations/settings.h"
+#include "formulations/variants.h"
+
+namespace desmo {
+
+/// A formulation with its settings.
+struct Configuration {
+  const Variant* variant;  ///< of the table
+  Settings settings;
+};
+
+/// The id of a variant with these settings: those that are not the paper's follow as suffixes, in
+/// this order:
+///   <partition>_<equations>_<algebra>
+///     /guess:linear|quadratic|hermite3|hermite5  /jacobian:step|chord  /factorisation:per_level
+///     /scalar:float|mixed  /iterations:1…  /tolerance:1e-6
+std::string id_with(const Variant& variant, const Settings& settings);
+
+/// What an id says, its suffixes in any order; of settings that it does not name, `base` holds.
+/// Throws std::invalid_argument, naming the suffix and what could stand there, for a formulation,
+/// suffix or value that there is not and for a suffix given twice; and with the reason for what the
+/// formulation does not offer (why_not).
+Configuration parse_id(std::string_view id, const Settings& base = {});
+
+}  // namespace desmo

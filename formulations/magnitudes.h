@@ -1,0 +1,41 @@
+#pragma once
+
+#include <vector>
+
+#include "cases/mechanism.h"
+#include "formulations/partition.h"
+
+namespace desmo {
+
+/// The natural magnitude of every equation of a mechanism, so that Φ can be judged whatever the
+/// units are: an equation divided by its magnitude tells, to first order, by how much of their own
+/// magnitudes the coordinates that it joins are wrong.
+///
+/// The magnitude of a coordinate is 1 if it belongs to a vector or an angle; if to a point or a
+/// distance, it is a length of the bodies about it, not of the whole mechanism: the largest
+/// distance at the nominal position (the estimate) between points that constraints join to that
+/// point; of the points of a constraint, the largest. Where all these points coincide it is the
+/// largest such length of the group, or of the mechanism, or 1.
+///
+/// The magnitude of an equation is ‖∂Φ/∂qⱼ · magnitude of qⱼ‖₂ over its operands at the nominal
+/// position, which a rotation of the frame leaves alone; an equation whose derivatives vanish there
+/// (a distance that starts at nothing) has a thousandth of its second-order change instead. It is
+/// positive and finite. All lengths times λ: those of length equations are λ, of products λ² times
+/// as large.
+class Magnitudes {
+ public:
+  explicit Magnitudes(const Mechanism& mechanism);
+
+  double of(const Equation& equation) const {
+    return magnitude_[first_row_[equation.constraint] + equation.row];
+  }
+
+  /// 1/magnitude of each equation of a part.
+  std::vector<double> weights(const PartDefinition& part) const;
+
+ private:
+  std::vector<int> first_row_;  // of each constraint
+  std::vector<double> magnitude_;
+};
+
+}  // namespace desmo

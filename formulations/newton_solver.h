@@ -1,0 +1,227 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "formulations/equations/pattern.h"
+#include "formulations/part.h"
+#include "formulations/refinement.h"
+
+namespace desmo {
+
+/// Newton–Raphson on a part's equations (paper, Fig. 2b), for every way of evaluating equations
+/// and of solving linear systems.
+///
+/// Equations: see AutomaticEquations; Real is what they are made of. Algebra has
+///   Algebra(const Pattern&)              analyses the structure of Φ_φ, allocates
+///   bool factor(const Real* values)      factorises Φ_φ; false when singular
+///   void solve(Real* b)                  b = Φ_φ⁻¹ b with the last factors; it may read their
+///   values int patience() const                 calls of solve(), with a residual each, that cost
+///   about as
+///                                        much as a new Jacobian and its factors
+///   static constexpr bool rounds_factors whether the factors have fewer digits than Real
+///   static constexpr bool keeps_pivots   whether factor() reuses an earlier order of pivots
+///   void forget_pivots()                 the next factor() chooses them anew
+///
+/// With JacobianUpdate::step and ::chord, iterations use factors that are there already, and
+/// converge linearly. Their monitor watches the rate ρ = ‖Φ‖ / ‖Φ‖ before: where `patience` more
+/// corrections at that rate would not meet the tolerance the Jacobian is factorised anew at the
+/// position reached, and a correction that made ‖Φ‖ larger is taken back first. (‖Φ‖ is what is
+/// compared with the tolerance, it has one unit, and its rate is known one solve earlier than that
+/// of ‖Δφ‖.) Positions are accepted by the tolerance alone, whatever the factors.
+///
+/// ::step factorises at the solved position. ::chord solves velocity and acceleration with the old
+/// factors, refined with the Jacobian of the solved position (Refinement) until they are as
+/// accurate, and factorises it where that would take more sweeps than the factors are worth. At
+/// the level of positions ::step makes its factors in the first iteration.
+template <class Equations, class Algebra>
+class NewtonSolver {
+ public:
+  using Real = typename Equations::Real;
+  using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
+
+  /// weights: 1/magnitude of each equation, by which ‖Φ‖₂ does not depend on units; settings: with
+  /// the tolerance on that norm of the part's own equations. Further arguments go to the algebra.
+  template <class... AlgebraArguments>
+  NewtonSolver(Equations equations, std::span<const double> weights, const Settings& settings,
+               AlgebraArguments&&... arguments)
+      : equations_(std::move(equations)),
+        algebra_(equations_.pattern(), arguments...),
+        update_(settings.jacobian),
+        per_level_(settings.factorisation == Factorisation::per_level),
+        tolerance_(settings.fixed_iterations ? std::numeric_limits<double>::infinity()
+                                             : settings.tolerance),
+        least_iterations_(settings.fixed_iterations),
+        most_iterations_(settings.fixed_iterations ? settings.fixed_iterations
+                                                   : settings.max_iterations),
+        values_(equations_.pattern().size(), Real(0)),
+        weights_(
+            Eigen::Map<const Eigen::VectorXd>(weights.data(), pattern().n).template cast<Real>()),
+        b_(pattern().n),
+        correction_(pattern().n),
+        start_(pattern().n),
+        refinement_(weights_, refines()) {
+    equations_.constant_jacobian(values_.data());
+  }
+
+  NewtonSolver(const NewtonSolver&) = delete;
+  NewtonSolver& operator=(const NewtonSolver&) = delete;
+
+  const Pattern& pattern() const { return equations_.pattern(); }
+
+  /// See Part::solve; q, qd and qdd are the state and its time derivatives.
+  PartResult solve(Real* q, Real* qd, Real* qdd, Level level) {
+    if (!Algebra::keeps_pivots && update_ == JacobianUpdate::newton)
+      return attempt(q, qd, qdd, level, update_);
+    remember_start(q);
+    const PartResult result = attempt(q, qd, qdd, level, update_);
+    if (result.status == Status::converged) return result;
+    restore_start(q);  // perhaps only the factors, or their pivots, had gone bad
+    has_factors_ = false;
+    if constexpr (Algebra::keeps_pivots) algebra_.forget_pivots();
+    return attempt(q, qd, qdd, level, JacobianUpdate::newton);
+  }
+
+ private:
+  bool refines() const { return Algebra::rounds_factors || update_ == JacobianUpdate::chord; }
+
+  PartResult attempt(Real* q, Real* qd, Real* qdd, Level level, JacobianUpdate update) {
+    PartResult result = position(q, update);
+    if (result.status != Status::converged) return result;
+    if (level == Level::position) {
+      if (update == JacobianUpdate::step) has_factors_ = false;  // they serve one step
+      return result;
+    }
+    if (!rates(q, qd, qdd, level, update)) result.status = Status::singular;
+    return result;
+  }
+
+  PartResult position(Real* q, JacobianUpdate update) {
+    PartResult result;
+    double before = 0;            // ‖Φ‖ an iteration ago
+    bool by_old_factors = false;  // so was φ corrected then
+    for (;; ++result.iterations) {
+      equations_.residual(q, b_.data());  // Φ
+      result.residual = weights_.cwiseProduct(b_).norm();
+      const bool solved = result.residual < tolerance_;
+      if (solved && result.iterations >= least_iterations_) return result;
+      const bool old_serve = update != JacobianUpdate::newton && has_factors_;
+      if (result.iterations == most_iterations_) {
+        result.status = std::isfinite(result.residual) ? Status::not_converged : Status::not_finite;
+      } else if (by_old_factors && !solved && !(result.residual < before)) {
+        for (int i = 0; i < pattern().n; ++i) q[pattern().unknowns[i]] += correction_[i];
+        has_factors_ = by_old_factors = false;
+        continue;
+      } else if (!std::isfinite(result.residual)) {
+        result.status = Status::not_finite;
+      } else if (old_serve && (result.iterations == 0 || fast_enough(result.residual, before))) {
+        by_old_factors = true;
+      } else {
+        by_old_factors = false;
+        if (!factor_at(q)) result.status = Status::singular;
+      }
+      if (result.status != Status::converged) return result;
+      before = result.residual;
+      algebra_.solve(b_.data());                                                // Φ_φ Δφ = Φ
+      for (int i = 0; i < pattern().n; ++i) q[pattern().unknowns[i]] -= b_[i];  // eq. (2)
+      if (by_old_factors) b_.swap(correction_);
+    }
+  }
+
+  /// Whether corrections as slow as the last one still meet the tolerance in good time.
+  bool fast_enough(double residual, double before) const {
+    return residual * std::pow(residual / before, algebra_.patience()) < tolerance_;
+  }
+
+  bool rates(const Real* q, Real* qd, Real* qdd, Level level, JacobianUpdate update) {
+    if (update == JacobianUpdate::chord && has_factors_) {
+      equations_.jacobian(q, values_.data());
+      factors_are_old_ = true;
+    } else if (!factor_at(q)) {
+      return false;
+    }
+    equations_.known_jacobian(q, values_.data());
+    if (!velocity(qd)) return false;
+    if (level == Level::velocity) return true;
+    if (per_level_ && !factor_at(q)) return false;
+    return acceleration(q, qd, qdd);
+  }
+
+  bool velocity(Real* qd) {
+    b_.setZero();
+    subtract_known_product(qd);        // −Φ_h ḣ
+    if (!solve_rates()) return false;  // eq. (3)
+    scatter(qd);
+    return true;
+  }
+
+  bool acceleration(const Real* q, const Real* qd, Real* qdd) {
+    equations_.quadratic(q, qd, b_.data());
+    b_ = -b_;                          // −Φ̇_q q̇
+    subtract_known_product(qdd);       // −Φ_h ḧ
+    if (!solve_rates()) return false;  // eq. (4)
+    scatter(qdd);
+    return true;
+  }
+
+  /// b_ = Φ_φ⁻¹ b_ with the Jacobian in values_, whatever was factorised.
+  bool solve_rates() {
+    if (refines() && (Algebra::rounds_factors || factors_are_old_)) {
+      if (refined()) return true;
+      if (!factors_are_old_ || !factor()) return false;
+      if constexpr (Algebra::rounds_factors) return refined();
+    }
+    algebra_.solve(b_.data());
+    return true;
+  }
+
+  bool refined() {
+    return refinement_.solve(pattern(), values_.data(), algebra_, algebra_.patience(), b_);
+  }
+
+  bool factor_at(const Real* q) {
+    equations_.jacobian(q, values_.data());
+    return factor();
+  }
+  bool factor() {
+    factors_are_old_ = false;
+    return has_factors_ = algebra_.factor(values_.data());
+  }
+
+  void subtract_known_product(const Real* rate) {
+    const Real* value = values_.data() + pattern().dependent_entries();
+    for (const JacobianEntry& e : pattern().known) b_[e.row] -= *value++ * rate[e.state];
+  }
+
+  void scatter(Real* target) const {
+    for (int i = 0; i < pattern().n; ++i) target[pattern().unknowns[i]] = b_[i];
+  }
+
+  void remember_start(const Real* q) {
+    for (int i = 0; i < pattern().n; ++i) start_[i] = q[pattern().unknowns[i]];
+  }
+  void restore_start(Real* q) const {
+    for (int i = 0; i < pattern().n; ++i) q[pattern().unknowns[i]] = start_[i];
+  }
+
+  Equations equations_;
+  Algebra algebra_;
+  JacobianUpdate update_;
+  bool per_level_;
+  double tolerance_;
+  int least_iterations_, most_iterations_;
+  std::vector<Real> values_;  // Φ_φ and Φ_h, laid out by the pattern
+  Vector weights_;
+  Vector b_;           // right-hand side, then solution
+  Vector correction_;  // the last one by old factors
+  Vector start_;       // unknowns at the start of the step
+  bool has_factors_ = false;
+  bool factors_are_old_ = false;  // the values are of another position than the factors
+  Refinement<Real> refinement_;
+};
+
+}  // namespace desmo

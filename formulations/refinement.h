@@ -1,0 +1,70 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <limits>
+
+#include "formulations/equations/pattern.h"
+
+namespace desmo {
+
+/// Iterative refinement: solves Φ_φ x = b with factors of a matrix near Φ_φ, those of another
+/// position or of fewer digits, as accurately as with its own. The measure is the backward error in
+/// the norm that positions are accepted by: with w = 1/magnitude of each equation,
+/// max w |b − Φ_φ x| / max w (|b| + |Φ_φ| |x|), which does not depend on units.
+template <class Real>
+class Refinement {
+ public:
+  using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
+
+  /// weights: w, read as long as this lives.
+  Refinement(const Vector& weights, bool used)
+      : weights_(weights),
+        right_(used ? weights.size() : 0),
+        residual_(right_.size()),
+        size_(right_.size()) {}
+
+  /// x: b on entry. True when the error has come down to a few units of rounding; false, with b in
+  /// x again, as soon as it is clear that so many more sweeps would not get there.
+  template <class Algebra>
+  bool solve(const Pattern& pattern, const Real* values, Algebra& algebra, int sweeps, Vector& x) {
+    constexpr Real wanted = 16 * std::numeric_limits<Real>::epsilon();
+    right_ = x;
+    algebra.solve(x.data());
+    Real error = backward_error(pattern, values, x);
+    for (Real rate = 0; !(error <= wanted); --sweeps) {
+      if (sweeps <= 0 || !(error * std::pow(rate, Real(sweeps)) <= wanted)) {
+        x = right_;
+        return false;
+      }
+      algebra.solve(residual_.data());
+      x += residual_;
+      const Real before = error;
+      error = backward_error(pattern, values, x);
+      rate = error / before;
+    }
+    return true;
+  }
+
+ private:
+  /// Leaves b − Φ_φ x in residual_.
+  Real backward_error(const Pattern& p, const Real* values, const Vector& x) {
+    residual_ = right_;
+    size_ = right_.cwiseAbs();
+    for (int j = 0; j < p.n; ++j)
+      for (int k = p.column_start[j]; k < p.column_start[j + 1]; ++k) {
+        const Real term = values[k] * x[j];
+        residual_[p.row[k]] -= term;
+        size_[p.row[k]] += std::abs(term);
+      }
+    const Real size = weights_.cwiseProduct(size_).maxCoeff();
+    if (size == 0) return 0;  // b and x are nothing
+    return weights_.cwiseProduct(residual_).cwiseAbs().template maxCoeff<Eigen::PropagateNaN>() /
+           size;
+  }
+
+  const Vector& weights_;
+  Vector right_, residual_, size_;
+};
+
+}  // namespace desmo
