@@ -1,6 +1,7 @@
-# Imported targets SuiteSparse::KLU, SuiteSparse::CXSPARSE, SuiteSparse::UMFPACK and
-# SuiteSparse::CHOLMOD, for installations of SuiteSparse that bring no CMake package of their own.
-#   find_package(SuiteSparse COMPONENTS KLU CXSPARSE [UMFPACK] [CHOLMOD])
+# Imported targets SuiteSparse::KLU, SuiteSparse::CXSPARSE, SuiteSparse::UMFPACK,
+# SuiteSparse::CHOLMOD and SuiteSparse::SPQR, for installations of SuiteSparse that bring no CMake
+# package of their own.
+#   find_package(SuiteSparse COMPONENTS KLU CXSPARSE [UMFPACK] [CHOLMOD] [SPQR])
 
 set(_suitesparse_required "")
 foreach(component IN LISTS SuiteSparse_FIND_COMPONENTS)
@@ -8,6 +9,8 @@ foreach(component IN LISTS SuiteSparse_FIND_COMPONENTS)
   set(header ${name}.h)
   if(component STREQUAL CXSPARSE)
     set(header cs.h)
+  elseif(component STREQUAL SPQR)
+    set(header SuiteSparseQR.hpp)
   endif()
   find_path(SuiteSparse_${component}_INCLUDE_DIR ${header} PATH_SUFFIXES suitesparse)
   find_library(SuiteSparse_${component}_LIBRARY ${name})
