@@ -10,12 +10,13 @@
 namespace desmo::suite {
 
 /// Into so many equal segments a motion is cut, or fewer, but two, where they would have fewer
-/// instants than that: reading the clock is to cost nothing beside solving them.
+/// instants than that: reading the clock is to cost little beside solving them.
 inline constexpr int most_segments = 25, least_instants = 20;
 
-/// The least CPU time that any analysis of a motion took for each of its segments; assembly belongs
-/// to the first. What else the machine does spoils some segments of one analysis, and seldom the
-/// same in all of them: the sum of the least times is that of an analysis which nothing disturbed.
+/// The least CPU time that any analysis of a motion took for each of its segments, without that of
+/// reading the clock; assembly belongs to the first. What else the machine does spoils some
+/// segments of one analysis, and seldom the same in all of them: the sum of the least times is that
+/// of an analysis which nothing disturbed.
 class Segments {
  public:
   explicit Segments(int instants);

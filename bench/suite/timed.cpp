@@ -1,8 +1,10 @@
 #include "bench/suite/timed.h"
 
-#include <malloc.h>
+#include <benchmark/benchmark.h>
 
+#include <cstddef>
 #include <exception>
+#include <memory>
 #include <random>
 #include <thread>
 
@@ -11,15 +13,15 @@
 namespace desmo::suite {
 
 double Timed::time_afresh() {
-  static std::minstd_rand random(1);  // the same draws in every run
-  constexpr int places = 256;         // of 16 bytes each: a page
-  const std::vector<char>::size_type shift = 16 * (random() % places);
+  static std::minstd_rand random(1);          // the same draws in every run
+  constexpr std::size_t places = 256 * 1024;  // of 16 bytes each: a thousand pages
+  const std::size_t shift = 16 * (random() % places);
   double seconds = 0;
   std::exception_ptr error;
-  malloc_trim(0);  // other pages than those of the last one
   std::thread([&] {
     try {
-      const std::vector<char> shifted_by(shift);
+      const auto shifted_by = std::make_unique_for_overwrite<char[]>(shift);
+      benchmark::DoNotOptimize(shifted_by.get());  // or it would not be allocated
       make();
       const double before = cpu_now();
       analyse();

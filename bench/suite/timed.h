@@ -36,9 +36,9 @@ class Timed {
 
   /// Makes what is timed anew, analyses once and discards it; CPU seconds of the analysis. A thread
   /// of its own has a heap of its own: among what others have left on a used one, data lie so
-  /// scattered that an analysis takes up to a quarter longer, in one run and not in the next. Where
-  /// they begin beside cache lines and pages is luck, too, and drawn anew each time. Needs
-  /// State::verified.
+  /// scattered that an analysis takes up to a quarter longer, in one run and not in the next. On
+  /// which pages they lie, and where in them, is luck, worth some percent, and drawn anew each
+  /// time. Needs State::verified.
   double time_afresh();
 
   /// Grows with the time of an analysis, before anything is known of it.
