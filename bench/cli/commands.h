@@ -14,7 +14,7 @@ inline std::string refuse_empty(const std::string& text) {
   return text.empty() ? "is empty; give a value or leave the option out" : "";
 }
 
-AddCommand add_list, add_show, add_inspect, add_solve;
-inline constexpr AddCommand* commands[] = {add_list, add_show, add_inspect, add_solve};
+AddCommand add_list, add_show, add_inspect, add_solve, add_tune;
+inline constexpr AddCommand* commands[] = {add_list, add_show, add_inspect, add_solve, add_tune};
 
 }  // namespace desmo::cli

@@ -52,13 +52,13 @@ bool is_mechanism(const std::string& text, const std::string& source) {
   return format && format->is_string() && format->text() == "desmo-mechanism";
 }
 
-Input from_text(const std::string& text, const std::string& source,
+Input from_text(const std::string& text, const std::string& source, bool is_file,
                 const std::filesystem::path& folder, bool mechanism_will_do) {
-  if (!is_mechanism(text, source)) return {source, parse_scene(text, source, folder)};
+  if (!is_mechanism(text, source)) return {source, is_file, parse_scene(text, source, folder)};
   if (!mechanism_will_do)
     throw InputError(source + ": /format: a mechanism says nothing of motion and time; give a " +
                      "scene that names it (an example: desmo show slider_crank --scene)");
-  return {source, at_rest(parse_mechanism(text, source))};
+  return {source, is_file, at_rest(parse_mechanism(text, source))};
 }
 
 Input from_file(const std::string& name, bool mechanism_will_do) {
@@ -69,7 +69,8 @@ Input from_file(const std::string& name, bool mechanism_will_do) {
   } catch (const UnreadableFile& error) {
     throw Error(unreadable_input, source + ": " + error.what());
   }
-  return from_text(text, source, std::filesystem::path(name).parent_path(), mechanism_will_do);
+  return from_text(text, source, true, std::filesystem::path(name).parent_path(),
+                   mechanism_will_do);
 }
 
 /// "truck_suspension:5"; none when it is not of that form or no such case exists.
@@ -96,13 +97,14 @@ std::optional<Scene> scalable_case(const std::string& argument) {
 Input load(const std::string& argument, bool mechanism_will_do) {
   if (argument == "-") {
     const std::string source = "standard input";
-    return from_text(read_standard_input(source), source, {}, mechanism_will_do);
+    return from_text(read_standard_input(source), source, false, {}, mechanism_will_do);
   }
   if (argument.find_first_of("/.") != std::string::npos)
     return from_file(argument, mechanism_will_do);
   if (const LibraryMechanism* const found = find_library(argument))
-    return {argument, parse_scene(found->scene, "library/" + argument + ".scene.json", {})};
-  if (std::optional<Scene> scene = scalable_case(argument)) return {argument, std::move(*scene)};
+    return {argument, false, parse_scene(found->scene, "library/" + argument + ".scene.json", {})};
+  if (std::optional<Scene> scene = scalable_case(argument))
+    return {argument, false, std::move(*scene)};
   std::error_code ignored;
   if (std::filesystem::exists(argument, ignored)) return from_file(argument, mechanism_will_do);
   std::vector<std::string_view> names = library_names();

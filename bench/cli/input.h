@@ -12,6 +12,7 @@ namespace desmo::cli {
 
 struct Input {
   std::string source;  ///< for messages
+  bool is_file;        ///< it was read from a file of that name
   Scene scene;         ///< of a mechanism file: its drivers rest and there are no instants
 };
 

@@ -20,6 +20,7 @@
 #include "bench/suite/cell.h"
 #include "bench/suite/environment.h"
 #include "bench/suite/kept_memory.h"
+#include "bench/suite/new_file.h"
 #include "bench/suite/options.h"
 #include "bench/suite/peer_cell.h"
 #include "bench/suite/record.h"
@@ -175,7 +176,7 @@ int run(int argc, char** argv) {
   const std::vector<Timed*> chosen = selected(all);
   if (std::ranges::any_of(arguments, is_listing)) return 0;
   if (chosen.empty()) return 64;  // Google Benchmark has said that nothing matches
-  std::optional<RecordFile> file;
+  std::optional<NewFile> file;
   if (!options.record.empty()) file.emplace(options.record);
 
   ReferenceCache references;
@@ -200,7 +201,7 @@ int run(int argc, char** argv) {
     benchmark::RunSpecifiedBenchmarks(&reporter, ".");  // those chosen, whatever the filter
   benchmark::Shutdown();
   record.load_after = load_averages();
-  if (file) file->write(record, chosen);
+  if (file) file->write(record_text(record, chosen));
   return std::ranges::any_of(chosen, &Timed::is_failed) ? 1 : 0;
 }
 

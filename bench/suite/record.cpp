@@ -1,12 +1,8 @@
 #include "bench/suite/record.h"
 
 #include <array>
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <stdexcept>
 #include <string_view>
 #include <utility>
 
@@ -131,22 +127,7 @@ Json profile_json(const Cell& cell) {
 
 }  // namespace
 
-RecordFile::RecordFile(const std::string& path) : path_(path) {
-  namespace fs = std::filesystem;
-  std::error_code ignored;
-  if (fs::is_symlink(path, ignored)) path_ = fs::weakly_canonical(path, ignored).string();
-  const bool special = fs::exists(path_, ignored) && !fs::is_regular_file(path_, ignored);
-  if (!special) unfinished_ = path_ + ".unfinished";
-  out_.open(special ? path_ : unfinished_);
-  if (!out_) throw std::runtime_error("cannot write the record '" + path + "'");
-}
-
-RecordFile::~RecordFile() {
-  std::error_code ignored;
-  if (!unfinished_.empty()) std::filesystem::remove(unfinished_, ignored);
-}
-
-void RecordFile::write(const Run& run, const std::vector<Timed*>& timed) {
+std::string record_text(const Run& run, const std::vector<Timed*>& timed) {
   Json all = {{"schema", "desmo-results"}, {"version", schema_version}};
   all["record"] = environment_json(run, timed.front()->grid);
   all["record"]["settings"]["segments"] = timed.front()->segments.least().size();
@@ -166,11 +147,7 @@ void RecordFile::write(const Run& run, const std::vector<Timed*>& timed) {
       for (const Structure& structure : structures(cell->definition, cell->coordinates))
         all["structure"].push_back(structure_json(structure));
   }
-  out_ << all.dump(1) << '\n';
-  out_.close();
-  if (!out_ || (!unfinished_.empty() && std::rename(unfinished_.c_str(), path_.c_str()) != 0))
-    throw std::runtime_error("cannot write the record '" + path_ + "'");
-  unfinished_.clear();
+  return all.dump(1) + '\n';
 }
 
 }  // namespace desmo::suite

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <fstream>
 #include <string>
 #include <vector>
 
@@ -15,26 +14,8 @@ struct Run {
   std::vector<double> load_before, load_after;
 };
 
-/// The file of the results record (results/record.schema.json). It appears whole or not at all,
-/// unless the path is a device or a pipe, which is written to as it is.
-class RecordFile {
- public:
-  /// Opens what will become the file, so that an unusable path is known before the work is done.
-  /// Throws std::runtime_error, naming the path.
-  explicit RecordFile(const std::string& path);
-  RecordFile(const RecordFile&) = delete;
-  RecordFile& operator=(const RecordFile&) = delete;
-  /// Leaves nothing behind unless write() has succeeded.
-  ~RecordFile();
-
-  /// Writes the record of these, at least one; all have the same time grid. Throws
-  /// std::runtime_error, naming the path.
-  void write(const Run& run, const std::vector<Timed*>& timed);
-
- private:
-  std::string path_;        // links followed
-  std::string unfinished_;  // empty when written to directly
-  std::ofstream out_;
-};
+/// The results record (results/record.schema.json) of these, at least one; all have the same time
+/// grid.
+std::string record_text(const Run& run, const std::vector<Timed*>& timed);
 
 }  // namespace desmo::suite

@@ -1,0 +1,173 @@
+// desmo tune: the cheapest settings that are accurate enough for a scene, on this machine.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "bench/cli/commands.h"
+#include "bench/cli/errors.h"
+#include "bench/cli/input.h"
+#include "bench/cli/output.h"
+#include "bench/cli/text.h"
+#include "bench/precision/search.h"
+#include "cases/files/scene_text.h"
+#include "cases/files/text_file.h"
+#include "formulations/accuracy/condition.h"
+
+namespace desmo::cli {
+namespace {
+
+constexpr int begin_instants = 101;     // of the part of the motion on which all are tried
+constexpr int compared_instants = 101;  // of the whole motion
+constexpr std::size_t rows_shown = 12;
+
+struct Options {
+  std::string scene, level = "position";
+  double max_error = 0, budget = 0;
+  bool write = false, exhaustive = false, quiet = false;
+
+  precision::Goal goal() const {
+    return {level == "position"   ? Level::position
+            : level == "velocity" ? Level::velocity
+                                  : Level::acceleration,
+            max_error, budget};
+  }
+};
+
+std::string number(const char* format, double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+std::string microseconds(double seconds) { return number("%.4g us", 1e6 * seconds); }
+
+/// The best error that was reached at each time: what is cheaper is less accurate.
+std::string evidence(const precision::Found& found) {
+  std::vector<std::vector<std::string>> rows{{"us/step", "error", "motion", "formulation"}};
+  double best = INFINITY;
+  for (const precision::Tried& t : found.tried) {
+    if (!(t.error < best)) continue;
+    best = t.error;
+    rows.push_back({number("%.4g", 1e6 * t.seconds), number("%.2g", t.error),
+                    t.whole ? "whole" : "begin", t.id});
+  }
+  if (rows.size() > rows_shown) rows.resize(rows_shown);
+  return "Tried: " + count(static_cast<long>(found.tried.size()), "configuration") +
+         "; those than which no faster one was as accurate:\n" + table(rows, "rr");
+}
+
+/// What conditioning lets double precision reach, as a prediction of its order.
+double floor_of(const precision::Problem& problem, Level level) {
+  ConditionNumber number(problem.plan.mechanism);
+  double largest = 0;
+  for (const ReferenceInstant& i : problem.reference.instants)
+    largest = std::max(largest, number(i.q));
+  return accuracy_limit(largest, std::ldexp(1, -53))[level];
+}
+
+[[noreturn]] void refuse(const precision::Found& found, const precision::Problem& whole,
+                         const Options& options, const Input& input) {
+  const precision::Tried* nearest = nullptr;
+  const bool budget = options.budget > 0;
+  for (const precision::Tried& t : found.tried)
+    if (!nearest || (budget ? t.seconds < nearest->seconds : t.error < nearest->error))
+      nearest = &t;
+  std::string text = input.source + ": ";
+  if (budget)
+    text += "nothing takes at most " + microseconds(options.budget) + " a step here";
+  else
+    text += "nothing holds a relative " + options.level + " error of " +
+            number("%.2g", options.max_error);
+  if (nearest)
+    text += "; the " + std::string(budget ? "fastest" : "most accurate") + " is " + nearest->id +
+            " with " + number("%.2g", nearest->error) + " in " + microseconds(nearest->seconds);
+  if (!budget)
+    text += "; conditioning sets a floor of the order of " +
+            number("%.1g", floor_of(whole, options.goal().level));
+  throw Error(not_solved, text + "; ask for " + (budget ? "more time" : "a larger error"));
+}
+
+void write_scene(const std::string& path, const std::string& id) {
+  const std::string text = with_formulation(read_text(path), id);
+  Output output(path);
+  output.write(text);
+  output.finish();
+}
+
+void tune(const Options& options) {
+  if ((options.max_error > 0) == (options.budget > 0))
+    throw Error(usage_error, "give either --max-error or --budget");
+  const Input input = load_scene(options.scene);
+  if (options.write && !input.is_file)
+    throw Error(usage_error, "--write: " + input.source + " is not a scene file; save it first " +
+                                 "('desmo show NAME --scene') and tune that");
+  const Mechanism model_of_all = model(input).mechanism;
+  const Plan plan = make_plan(model_of_all, asked_by(input.scene, model_of_all));
+  const precision::Goal goal = options.goal();
+  if (plan.level() < goal.level)
+    throw Error(usage_error, "--level " + options.level + ": the scene does not ask for any");
+  const auto say = [&](const std::string& what) {
+    if (!options.quiet) std::fprintf(stderr, "tune: %s\n", what.c_str());
+  };
+  say("reference solutions in quadruple precision");
+  TimeGrid begin = input.scene.grid;
+  begin.instants = std::min(begin.instants, begin_instants);
+  const precision::Problem whole =
+      precision::make_problem(plan, input.scene.grid, compared_instants);
+  const precision::Problem first = precision::make_problem(plan, begin, compared_instants / 2);
+  const precision::Found found =
+      precision::search(whole, first, goal, {.exhaustive = options.exhaustive, .say = say});
+  if (!found.choice) refuse(found, whole, options, input);
+
+  const std::string id = id_with(*found.choice->variant, found.choice->settings);
+  std::string text = id + "\n";
+  text += "relative error over the motion: position " + number("%.2g", found.error.position.max);
+  if (found.error.velocity.compared > 0)
+    text += ", velocity " + number("%.2g", found.error.velocity.max);
+  if (found.error.acceleration.compared > 0)
+    text += ", acceleration " + number("%.2g", found.error.acceleration.max);
+  text += " (at " + count(found.error.instants, "instant") + ")\n" + microseconds(found.seconds) +
+          " a step, " + number("%.2f", found.usual_seconds / found.seconds) +
+          " times faster than " + found.choice->variant->id + " with the usual settings\n\n" +
+          evidence(found);
+  if (options.write) {
+    write_scene(options.scene, id);
+    text += "\nWritten to " + input.source + " as its formulation.\n";
+  }
+  write_standard_output(text);
+}
+
+}  // namespace
+
+void add_tune(CLI::App& program) {
+  CLI::App* command = program.add_subcommand(
+      "tune", "Find the cheapest formulation and settings that are accurate enough for a scene");
+  const auto options = std::make_shared<Options>();
+  command
+      ->add_option("scene", options->scene,
+                   "Scene file, library mechanism (its scene), or scalable case with its units")
+      ->required();
+  command
+      ->add_option("--max-error", options->max_error,
+                   "Largest error, relative to the size (speed, acceleration) of the mechanism")
+      ->check(CLI::PositiveNumber);
+  command
+      ->add_option("--budget", options->budget,
+                   "Time that a step may take, such as 50us: the most accurate within it")
+      ->transform(CLI::AsNumberWithUnit(
+          std::map<std::string, double>{{"s", 1}, {"ms", 1e-3}, {"us", 1e-6}, {"ns", 1e-9}},
+          CLI::AsNumberWithUnit::UNIT_REQUIRED, "TIME"))
+      ->check(CLI::PositiveNumber);
+  command->add_option("--level", options->level, "Which error is meant; position by default")
+      ->check(CLI::IsMember({"position", "velocity", "acceleration"}));
+  command->add_flag("--write", options->write, "Store the choice in the scene file");
+  command->add_flag("--exhaustive", options->exhaustive,
+                    "Try every formulation with all settings on the whole motion");
+  command->add_flag("--quiet", options->quiet, "No progress");
+  command->callback([options] { tune(*options); });
+}
+
+}  // namespace desmo::cli

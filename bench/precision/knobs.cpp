@@ -1,0 +1,54 @@
+#include "bench/precision/knobs.h"
+
+#include <array>
+
+namespace desmo::precision {
+
+namespace {
+
+constexpr std::array guesses{Guess::previous, Guess::linear, Guess::quadratic, Guess::hermite3,
+                             Guess::hermite5};
+constexpr std::array updates{JacobianUpdate::newton, JacobianUpdate::step, JacobianUpdate::chord};
+
+/// Where Newton's method stops: a tolerance, or a number of iterations.
+std::vector<Settings> stops() {
+  std::vector<Settings> all;
+  for (const double tolerance : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12})
+    all.push_back({.tolerance = tolerance});
+  for (const int iterations : {1, 2}) all.push_back({.fixed_iterations = iterations});
+  return all;
+}
+
+}  // namespace
+
+std::vector<Settings> few_settings() {
+  std::vector<Settings> all;
+  for (const Guess guess : {Guess::previous, Guess::linear, Guess::quadratic})
+    all.push_back({.guess = guess, .fixed_iterations = 1});
+  for (const int iterations : {2, 3}) all.push_back({.fixed_iterations = iterations});
+  all.emplace_back();
+  return all;
+}
+
+std::vector<Settings> all_settings() {
+  std::vector<Settings> all;
+  for (const Guess guess : guesses)
+    for (const JacobianUpdate update : updates)
+      for (Settings s : stops()) {
+        s.guess = guess;
+        s.jacobian = update;
+        all.push_back(s);
+      }
+  for (const Scalar scalar : {Scalar::mixed, Scalar::single_precision})
+    for (const Guess guess : {Guess::previous, Guess::hermite5})
+      for (const JacobianUpdate update : {JacobianUpdate::newton, JacobianUpdate::step})
+        for (Settings s : stops()) {
+          s.scalar = scalar;
+          s.guess = guess;
+          s.jacobian = update;
+          all.push_back(s);
+        }
+  return all;
+}
+
+}  // namespace desmo::precision

@@ -1,0 +1,18 @@
+#include "bench/precision/problem.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace desmo::precision {
+
+Problem make_problem(Plan plan, const TimeGrid& grid, int compared) {
+  const long count = std::min(grid.instants, compared), last = grid.instants - 1;
+  std::vector<double> times;
+  for (long i = 0; i < count; ++i)
+    times.push_back(grid.time(static_cast<int>(i * last / (count - 1))));
+  Reference reference = make_reference(plan.mechanism, times);
+  return {std::move(plan), grid, std::move(reference)};
+}
+
+}  // namespace desmo::precision

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "cases/motion.h"
+#include "formulations/plan.h"
+#include "formulations/reference.h"
+
+namespace desmo::precision {
+
+/// A motion to be solved in many ways, and what is right.
+struct Problem {
+  Plan plan;
+  TimeGrid grid;
+  Reference reference;  ///< at some instants of the grid, the first and the last among them
+};
+
+/// compared: instants of the reference, at least 2; all of the grid when it has no more. Throws
+/// what make_reference throws.
+Problem make_problem(Plan plan, const TimeGrid& grid, int compared);
+
+}  // namespace desmo::precision

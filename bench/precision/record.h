@@ -1,0 +1,18 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "bench/precision/series.h"
+#include "bench/precision/trial.h"
+
+namespace desmo::precision {
+
+/// What is known of a problem beside its trials: `floors` of the record.
+nlohmann::ordered_json floor_json(const Series& series, const Problem& problem);
+
+/// A point of the work–precision diagram: `precision` of the record.
+nlohmann::ordered_json point_json(const Series& series, const Trial& trial);
+
+}  // namespace desmo::precision

@@ -1,0 +1,153 @@
+#include "bench/precision/search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <list>
+#include <ranges>
+
+#include "bench/precision/knobs.h"
+
+namespace desmo::precision {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double margin = 2;           // between the instants compared, and the begin and the rest
+constexpr double least_sample = 2e-3;  // s
+constexpr int dense_limit = 114;       // coordinates of a dense global solve, O(n³) a step
+constexpr double near_best = 1.6;      // formulations that other settings may yet make the fastest
+constexpr std::size_t finalists = 12;
+
+/// Settings that tell formulations apart: the paper's, and what usually costs least.
+std::vector<Settings> telling_settings() {
+  return {Settings{},
+          {.tolerance = 1e-8, .guess = Guess::hermite5, .jacobian = JacobianUpdate::step}};
+}
+
+class Searcher {
+ public:
+  Searcher(const Problem& whole, const Problem& begin, const Goal& goal, const Effort& effort)
+      : whole_(whole), begin_(begin), goal_(goal), effort_(effort) {}
+
+  Found run() {
+    std::list<Trial> trials;
+    for (const Variant* v : formulations())
+      for (const Settings& s : all_settings())
+        add(trials, effort_.exhaustive ? whole_ : begin_, *v, s);
+    say(std::to_string(trials.size()) + " configurations");
+    for (Trial& t : trials) t.compare();
+    for (Trial& t : trials) t.time(least_sample);
+    std::vector<Trial*> hopeful;
+    for (Trial& t : trials)
+      if (may_do(t)) hopeful.push_back(&t);
+    decide(hopeful);
+    for (const Trial& t : trials) tried_.push_back(tried(t, effort_.exhaustive));
+    std::ranges::stable_sort(tried_, {}, &Tried::seconds);
+    found_.tried = std::move(tried_);
+    return std::move(found_);
+  }
+
+ private:
+  void say(const std::string& what) const {
+    if (effort_.say) effort_.say(what);
+  }
+
+  static void add(std::list<Trial>& trials, const Problem& problem, const Variant& v,
+                  const Settings& s) {
+    if (why_not(v, s).empty()) trials.emplace_back(problem, Configuration{&v, s});
+  }
+
+  /// Those that some settings may make the best.
+  std::vector<const Variant*> formulations() const {
+    std::vector<const Variant*> all, kept;
+    for (const Variant& v : variants())
+      if (!is_dense_global(v) || whole_.plan.mechanism.coordinates() <= dense_limit)
+        all.push_back(&v);
+    if (effort_.exhaustive) return all;
+    say(std::to_string(all.size()) + " formulations");
+    for (const Settings& s : telling_settings()) {
+      std::list<Trial> trials;
+      for (const Variant* v : all) add(trials, begin_, *v, s);
+      for (Trial& t : trials) t.compare();
+      for (int round = 0; round < 2; ++round)
+        for (Trial& t : trials) t.time(least_sample);
+      double best = infinity;
+      for (const Trial& t : trials) best = std::min(best, t.least_seconds());
+      for (const Trial& t : trials)
+        if (t.least_seconds() <= near_best * best &&
+            std::ranges::find(kept, t.configuration().variant) == kept.end())
+          kept.push_back(t.configuration().variant);
+    }
+    return kept;
+  }
+
+  double error(const Trial& t) const {
+    return t.state == Trial::State::solved ? t.error[goal_.level].max : infinity;
+  }
+  bool is_accurate(const Trial& t) const { return error(t) <= goal_.max_error / margin; }
+  bool is_cheap(double seconds) const { return seconds <= goal_.budget; }
+  bool may_do(const Trial& t) const {
+    if (t.state != Trial::State::solved) return false;
+    return goal_.budget > 0 ? is_cheap(t.least_seconds()) : is_accurate(t);
+  }
+
+  /// The best first, as far as the begin of the motion tells.
+  void sort(std::vector<Trial*>& trials) const {
+    const auto time = [](const Trial* t) { return t->least_seconds(); };
+    const auto wrong = [&](const Trial* t) { return error(*t); };
+    std::ranges::stable_sort(trials, {}, time);
+    if (goal_.budget > 0) std::ranges::stable_sort(trials, {}, wrong);
+  }
+
+  /// Samples the times that decide once more, in turn, and tries the best on the whole motion until
+  /// one holds the goal there.
+  void decide(std::vector<Trial*> hopeful) {
+    sort(hopeful);
+    for (std::size_t first = 0; first < hopeful.size() && !found_.choice; first += finalists) {
+      const std::size_t last = std::min(hopeful.size(), first + finalists);
+      std::vector<Trial*> batch(hopeful.begin() + static_cast<std::ptrdiff_t>(first),
+                                hopeful.begin() + static_cast<std::ptrdiff_t>(last));
+      say("the best " + std::to_string(batch.size()) + " once more, and over the whole motion");
+      for (int round = 0; round < effort_.rounds; ++round)
+        for (Trial* t : batch) t->time(least_sample);
+      sort(batch);
+      for (const Trial* t : batch)
+        if (holds(t->configuration())) break;
+    }
+  }
+
+  bool holds(const Configuration& configuration) {
+    Trial trial(whole_, configuration), usual(whole_, {configuration.variant, Settings{}});
+    trial.compare();
+    trial.time(least_sample);
+    if (!effort_.exhaustive) tried_.push_back(tried(trial, true));
+    if (!may_do(trial)) return false;
+    usual.compare();
+    usual.time(least_sample);
+    trial.time(least_sample);
+    found_.choice = configuration;
+    found_.error = trial.error;
+    found_.seconds = trial.least_seconds();
+    found_.usual_seconds = usual.least_seconds();
+    return true;
+  }
+
+  Tried tried(const Trial& t, bool whole) const {
+    return {t.id(), error(t), t.least_seconds(), whole};
+  }
+
+  const Problem &whole_, &begin_;
+  const Goal& goal_;
+  const Effort& effort_;
+  std::vector<Tried> tried_;
+  Found found_;
+};
+
+}  // namespace
+
+Found search(const Problem& whole, const Problem& begin, const Goal& goal, const Effort& effort) {
+  return Searcher(whole, begin, goal, effort).run();
+}
+
+}  // namespace desmo::precision

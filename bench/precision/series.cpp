@@ -1,0 +1,102 @@
+#include "bench/precision/series.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <ranges>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "bench/precision/knobs.h"
+
+namespace desmo::precision {
+
+namespace {
+
+constexpr double usual_step = 0.01;
+constexpr double seconds = 1;
+constexpr int dense_instants = 6;
+
+/// Where all knobs are turned: global and by groups or blocks, automatic and generated, sparse and
+/// dense.
+constexpr std::array<std::string_view, 7> tuned{
+    "global_automatic_klu",   "global_symbolic_klu",  "group_symbolic_klu",
+    "group_symbolic_lapack",  "group_symbolic_eigen", "group_symbolic_inlined",
+    "block_symbolic_inlined",
+};
+
+/// The paper's analyses with their stand-ins: whatever is neither by blocks nor dense and global.
+bool is_in_table_2(const Variant& v) {
+  return v.partition != Partition::block && !is_dense_global(v) &&
+         !(v.partition == Partition::global && v.evaluation == Evaluation::symbolic);
+}
+
+bool is_tuned(const Variant& v) { return std::ranges::find(tuned, v.id) != tuned.end(); }
+
+/// Settings of the sensitivity of Table 2, at the usual step.
+std::vector<Settings> table_settings() {
+  std::vector<Settings> all;
+  for (const double tolerance : {1e-6, 1e-8, 1e-12}) all.push_back({.tolerance = tolerance});
+  for (const Guess guess : {Guess::linear, Guess::quadratic, Guess::hermite3, Guess::hermite5})
+    all.push_back({.guess = guess});
+  return all;
+}
+
+/// Adds configurations, each id once.
+class Adder {
+ public:
+  explicit Adder(Series& series) : series_(series) {}
+  void operator()(const Variant& variant, const std::vector<Settings>& all) {
+    for (const Settings& settings : all)
+      if (ids_.insert(id_with(variant, settings)).second)
+        series_.configurations.push_back({&variant, settings});
+  }
+
+ private:
+  Series& series_;
+  std::set<std::string> ids_;
+};
+
+int instants_of(double step) { return static_cast<int>(std::lround(seconds / step)) + 1; }
+
+void add_size(std::vector<Series>& all, const Case& c, int coordinates, bool largest) {
+  Series usual{&c, coordinates, usual_step, instants_of(usual_step), {}};
+  Series dense{&c, coordinates, usual_step, dense_instants, {}};
+  Adder add_usual(usual), add_dense(dense);
+  for (const Variant& v : variants()) {
+    (is_dense_global(v) ? add_dense : add_usual)(v, few_settings());
+    if (largest && is_tuned(v)) add_usual(v, all_settings());
+    if (largest && is_in_table_2(v)) add_usual(v, table_settings());
+  }
+  all.push_back(std::move(usual));
+  all.push_back(std::move(dense));
+}
+
+void add_steps(std::vector<Series>& all, const Case& c, int coordinates) {
+  for (const double step : {0.001, 0.002, 0.005, 0.02}) {
+    Series series{&c, coordinates, step, instants_of(step), {}};
+    Adder add(series);
+    for (const Variant& v : variants() | std::views::filter(is_in_table_2)) add(v, {Settings{}});
+    all.push_back(std::move(series));
+  }
+}
+
+}  // namespace
+
+std::vector<Series> all_series() {
+  std::vector<Series> all;
+  for (const Case& c : cases()) {
+    for (const int n : c.sizes) add_size(all, c, n, n == c.sizes.back());
+    add_steps(all, c, c.sizes.back());
+  }
+  return all;
+}
+
+std::vector<Series> quick_series() {
+  std::vector<Series> all;
+  for (const Case& c : cases()) add_size(all, c, c.sizes.front(), false);
+  return all;
+}
+
+}  // namespace desmo::precision

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "cases/cases.h"
+#include "formulations/id.h"
+
+namespace desmo::precision {
+
+/// Configurations that solve the same motion and are timed in turn.
+struct Series {
+  const Case* definition;
+  int coordinates;
+  double step;   ///< s
+  int instants;  ///< of the motion, from its begin
+  std::vector<Configuration> configurations;
+};
+
+/// Everything that is measured, series by series:
+/// - every formulation at every size with few settings; dense global ones over fewer instants,
+/// since
+///   they cost O(n³) a step;
+/// - at the largest size of the tables, some formulations with all settings, and those of the
+///   paper's Table 2 with each tolerance and guess, and with each time step.
+std::vector<Series> all_series();
+
+/// The same at the smallest size only, and without the knobs in all their combinations.
+std::vector<Series> quick_series();
+
+}  // namespace desmo::precision
