@@ -60,10 +60,11 @@ class Searcher {
 
   /// Those that some settings may make the best.
   std::vector<const Variant*> formulations() const {
-    std::vector<const Variant*> all, kept;
-    for (const Variant& v : variants())
-      if (!is_dense_global(v) || whole_.plan.mechanism.coordinates() <= dense_limit)
-        all.push_back(&v);
+    std::vector<const Variant*> all = effort_.formulations, kept;
+    if (all.empty())
+      for (const Variant& v : variants())
+        if (!is_dense_global(v) || whole_.plan.mechanism.coordinates() <= dense_limit)
+          all.push_back(&v);
     if (effort_.exhaustive) return all;
     say(std::to_string(all.size()) + " formulations");
     for (const Settings& s : telling_settings()) {
@@ -95,7 +96,8 @@ class Searcher {
   /// The best first, as far as the begin of the motion tells.
   void sort(std::vector<Trial*>& trials) const {
     const auto time = [](const Trial* t) { return t->least_seconds(); };
-    const auto wrong = [&](const Trial* t) { return error(*t); };
+    // Errors of the same size count as one: rounding makes them, and time then decides.
+    const auto wrong = [&](const Trial* t) { return std::round(2 * std::log10(error(*t))); };
     std::ranges::stable_sort(trials, {}, time);
     if (goal_.budget > 0) std::ranges::stable_sort(trials, {}, wrong);
   }

@@ -34,8 +34,9 @@ struct Found {
   std::vector<Tried> tried;             ///< by time
 };
 
-/// Which formulations are tried.
+/// Which formulations are tried, and how hard.
 struct Effort {
+  std::vector<const Variant*> formulations;  ///< none: all that the suite has
   /// All of them with all settings, and each over the whole motion, instead of those that are
   /// fastest at its begin.
   bool exhaustive = false;

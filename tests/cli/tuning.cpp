@@ -1,0 +1,55 @@
+// desmo tune: what it promises, what it writes, and when it has nothing to offer.
+
+#include "tests/cli/program.h"
+
+namespace desmo {
+namespace {
+
+TEST_F(Cli, TunesASceneAndStoresTheChoice) {
+  const std::string before = slider_crank(150, R"(, "time": {"end": 0.5, "step": 0.01})");
+  write("mine.json", before);
+  ASSERT_EQ(desmo("tune mine.json --max-error 1e-6 --write --quiet"), 0) << err_;
+  EXPECT_EQ(err_, "");
+  const std::string id = lines().at(0);
+  EXPECT_TRUE(prints("relative error over the motion: position ")) << out_;
+  const std::string after = text_of(folder_ / "mine.json");
+  EXPECT_EQ(after, before.substr(0, before.size() - 1) + ",\n  \"formulation\": \"" + id + "\"}");
+  ASSERT_EQ(desmo("solve mine.json --format jsonl"), 0) << err_;
+  EXPECT_TRUE(prints(id)) << "solve obeys";
+}
+
+TEST_F(Cli, TunesWithinABudget) {
+  ASSERT_EQ(desmo("tune slider_crank --budget 1s --quiet"), 0) << err_;
+  EXPECT_TRUE(prints("those than which no faster one was as accurate")) << out_;
+}
+
+TEST_F(Cli, SaysWhenNothingIsAccurateOrFastEnough) {
+  EXPECT_EQ(desmo("tune slider_crank --max-error 1e-19 --quiet"), 1);
+  EXPECT_TRUE(says("nothing holds a relative position error of 1e-19; the most accurate is "));
+  EXPECT_TRUE(says("conditioning sets a floor of the order of ")) << err_;
+  EXPECT_EQ(desmo("tune slider_crank --budget 0.001ns --quiet"), 1);
+  EXPECT_TRUE(says("nothing takes at most 1e-06 us a step here; the fastest is ")) << err_;
+}
+
+TEST_F(Cli, TuneIsToldWhatToDo) {
+  const std::pair<const char*, const char*> wrong[] = {
+      {"tune slider_crank", "give either --max-error or --budget"},
+      {"tune slider_crank --max-error 1e-6 --budget 1us", "give either --max-error or --budget"},
+      {"tune slider_crank --max-error 0", "--max-error"},
+      {"tune slider_crank --max-error nan", "--max-error"},
+      {"tune slider_crank --budget 50", "--budget"},
+      {"tune slider_crank --max-error 1e-6 --level speed", "--level"},
+      {"tune slider_crank --max-error 1e-6 --write", "is not a scene file"},
+  };
+  for (const auto& [arguments, message] : wrong) {
+    EXPECT_EQ(desmo(arguments), 64) << arguments;
+    EXPECT_TRUE(says(message)) << err_;
+  }
+  write("position.json", slider_crank(150, R"(, "time": {"end": 0.5, "step": 0.01},
+    "request": [{"points": ["C"], "level": "position"}])"));
+  EXPECT_EQ(desmo("tune position.json --max-error 1e-6 --level velocity"), 64);
+  EXPECT_TRUE(says("the scene does not ask for any")) << err_;
+}
+
+}  // namespace
+}  // namespace desmo

@@ -1,0 +1,32 @@
+// What is changed in the text of a scene, and what stays.
+
+#include "cases/files/scene_text.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/files/common.h"
+
+namespace desmo {
+namespace {
+
+const std::string id = "group_automatic_klu/guess:hermite5";
+
+TEST(SceneText, GetsAFormulationBehindItsOtherMembers) {
+  const std::string text = scene_of(slider_crank, driven);
+  const std::string changed = with_formulation(text, id);
+  EXPECT_EQ(parse_scene(changed, "s.json", "").formulation, id);
+  EXPECT_EQ(changed, text.substr(0, text.size() - 1) + ",\n  \"formulation\": \"" + id + "\"}");
+}
+
+TEST(SceneText, ChangesNothingButTheFormulation) {
+  const std::string odd =
+      "{ \"name\" : \"a \\\"formulation\\\": {\", \"formulation\"\n:\t\"old\" ,"
+      "\"list\":[ {\"formulation\": \"inner\"}, \"]\" ], \"last\": -1.5e3\n}\n";
+  EXPECT_EQ(with_formulation(odd, id), replaced(odd, "\n:\t\"old\"", "\n:\t\"" + id + "\""));
+  const std::string without = replaced(odd, "\"formulation\"\n:\t\"old\" ,", "");
+  EXPECT_EQ(with_formulation(without, id),
+            replaced(without, "-1.5e3", "-1.5e3,\n  \"formulation\": \"" + id + "\""));
+}
+
+}  // namespace
+}  // namespace desmo

@@ -1,0 +1,107 @@
+// Time against error: what trials measure, and that a choice keeps its promise.
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "bench/precision/knobs.h"
+#include "bench/precision/search.h"
+#include "cases/cases.h"
+#include "cases/files.h"
+#include "formulations/modelling/model.h"
+
+namespace desmo::precision {
+namespace {
+
+constexpr double seconds = DESMO_TEST_SECONDS > 2 ? 1 : 0.2;
+
+Plan whole(const Scene& scene) { return make_plan(make_mechanism(scene), {}); }
+
+Problem problem(const Scene& scene, double duration, int compared) {
+  return make_problem(whole(scene), time_grid(duration, scene.grid.step), compared);
+}
+
+TEST(Knobs, AreAllDifferentAndIncludeThePapers) {
+  for (const auto& all : {few_settings(), all_settings()}) {
+    std::set<std::string> ids;
+    for (const Settings& s : all) ids.insert(id_with(variants().front(), s));
+    EXPECT_EQ(ids.size(), all.size());
+  }
+}
+
+TEST(Trials, FewSettingsReachErrorsOfFourSizes) {
+  const Problem p = problem(describe(find_case("truck_suspension"), 114), seconds, 5);
+  for (const char* id : {"global_automatic_klu", "group_symbolic_inlined"}) {
+    std::set<int> decades;
+    for (const Settings& s : few_settings()) {
+      Trial trial(p, {&find_variant(id), s});
+      trial.compare();
+      ASSERT_EQ(trial.state, Trial::State::solved) << trial.message;
+      decades.insert(static_cast<int>(std::floor(std::log10(trial.error.position.max))));
+    }
+    EXPECT_GE(decades.size(), 4u) << id;
+  }
+}
+
+TEST(Trials, HaveNoTimeWithoutAnError) {
+  const Problem p = problem(describe(find_case("four_bar"), 114), 0.1, 3);
+  Trial refused(p, {&find_variant("global_automatic_klu"),
+                    {.tolerance = 1e-4, .scalar = Scalar::single_precision}});
+  refused.compare();
+  refused.time(0);
+  EXPECT_EQ(refused.state, Trial::State::not_applicable);
+  EXPECT_TRUE(refused.seconds_per_step.empty());
+  EXPECT_FALSE(refused.message.empty());
+
+  Trial failing(p, {&find_variant("global_automatic_klu"), {.tolerance = 1e-30}});
+  failing.compare();
+  failing.time(0);
+  EXPECT_EQ(failing.state, Trial::State::failed);
+  EXPECT_TRUE(failing.seconds_per_step.empty());
+}
+
+/// At instants that the search has not looked at.
+double error_elsewhere(const Scene& scene, const Configuration& c, Level level) {
+  const Problem p = problem(scene, seconds, 47);
+  Trial trial(p, c);
+  trial.compare();
+  EXPECT_EQ(trial.state, Trial::State::solved) << trial.message;
+  return trial.error[level].max;
+}
+
+class Promise : public testing::TestWithParam<const char*> {};
+
+TEST_P(Promise, IsKeptOnTheWholeMotion) {
+  const std::string name = GetParam();
+  const Scene scene = name.ends_with("114")
+                          ? describe(find_case(name.substr(0, name.size() - 4)), 114)
+                          : library_scene(name);
+  const Problem all = problem(scene, seconds, 31), begin = problem(scene, seconds / 4, 11);
+  const Effort effort{.formulations = {&find_variant("group_automatic_klu"),
+                                       &find_variant("block_symbolic_inlined")},
+                      .rounds = 1};
+  for (const double allowed : {1e-3, 1e-7, 1e-11})
+    for (const Level level : {Level::position, Level::acceleration}) {
+      const Found found = search(all, begin, {level, allowed, 0}, effort);
+      ASSERT_TRUE(found.choice) << allowed;
+      EXPECT_LE(found.error[level].max, allowed / 2);
+      EXPECT_LE(error_elsewhere(scene, *found.choice, level), allowed)
+          << id_with(*found.choice->variant, found.choice->settings);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Mechanisms, Promise,
+                         testing::Values("truck_suspension_114", "four_bar_114", "slider_crank",
+                                         "rssr", "stewart"));
+
+TEST(Search, GivesTheMostAccurateWithinABudget) {
+  const Problem p = problem(library_scene("slider_crank"), seconds, 11);
+  const Effort effort{.formulations = {&find_variant("group_automatic_klu")}, .rounds = 1};
+  const Found found = search(p, p, {Level::position, 0, 1.0}, effort);
+  ASSERT_TRUE(found.choice);
+  EXPECT_LT(found.error.position.max, 1e-13);
+  EXPECT_FALSE(search(p, p, {Level::position, 0, 1e-12}, effort).choice);
+}
+
+}  // namespace
+}  // namespace desmo::precision
