@@ -22,6 +22,18 @@ bool runs_at_extra_sizes(const Variant& v) {
          !is_dense_global(v);
 }
 
+/// Why a formulation is not run with so many coordinates; empty when it is.
+std::string too_costly(const Variant& v, int n, const Options& options) {
+  const auto up_to = [](int limit) {
+    return ": run up to " + std::to_string(limit) + " coordinates only";
+  };
+  if (is_dense_global(v) && n > options.dense_limit)
+    return "a dense global solve costs O(n^3) a step" + up_to(options.dense_limit);
+  if (algebra_name(v) == "spqr" && n > options.qr_limit)
+    return "orthogonal factorisation serves accuracy, not speed" + up_to(options.qr_limit);
+  return {};
+}
+
 }  // namespace
 
 Cell::Cell(const Case& d, int n, const Variant& v, const Options& options, const Settings& s)
@@ -31,9 +43,7 @@ Cell::Cell(const Case& d, int n, const Variant& v, const Options& options, const
       variant(v),
       settings(s),
       delivery_(Delivery(n), segments) {
-  if (is_dense_global(v) && n > options.dense_limit)
-    leave_out("a dense global solve costs O(n^3) a step: run up to " +
-              std::to_string(options.dense_limit) + " coordinates only");
+  if (const std::string reason = too_costly(v, n, options); !reason.empty()) leave_out(reason);
 }
 
 std::string Cell::name() const {
