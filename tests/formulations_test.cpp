@@ -22,7 +22,7 @@ suite::Options test_options(const Case& definition, int coordinates) {
   suite::Options o;
   o.duration = coordinates == definition.sizes.front() ? DESMO_TEST_SECONDS
                                                        : std::min<double>(DESMO_TEST_SECONDS, 6);
-  o.qr_limit = 558;
+  o.slow_limit = 558;
   return o;
 }
 

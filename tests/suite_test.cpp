@@ -41,12 +41,12 @@ Options parse(std::vector<std::string> texts, std::vector<std::string>* rest = n
 TEST(BenchOptions, TakeTheirOwnAndLeaveTheRest) {
   std::vector<std::string> rest;
   const Options o = parse({"x", "--step=0.02", "--benchmark_filter=a", "--duration", "3",
-                           "--record=out.json", "--dense-limit=9", "--qr-limit=8"},
+                           "--record=out.json", "--dense-limit=9", "--slow-limit=8"},
                           &rest);
   EXPECT_EQ(o.step, 0.02);
   EXPECT_EQ(o.duration, 3);
   EXPECT_EQ(o.dense_limit, 9);
-  EXPECT_EQ(o.qr_limit, 8);
+  EXPECT_EQ(o.slow_limit, 8);
   EXPECT_EQ(o.record, "out.json");
   EXPECT_EQ(rest, (std::vector<std::string>{"x", "--benchmark_filter=a"}));
 }

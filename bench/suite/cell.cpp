@@ -29,8 +29,11 @@ std::string too_costly(const Variant& v, int n, const Options& options) {
   };
   if (is_dense_global(v) && n > options.dense_limit)
     return "a dense global solve costs O(n^3) a step" + up_to(options.dense_limit);
-  if (algebra_name(v) == "spqr" && n > options.qr_limit)
-    return "orthogonal factorisation serves accuracy, not speed" + up_to(options.qr_limit);
+  if (n <= options.slow_limit) return {};
+  if (algebra_name(v) == "spqr")
+    return "orthogonal factorisation serves accuracy, not speed" + up_to(options.slow_limit);
+  if (algebra_name(v) == "umfpack" && v.partition == Partition::block)
+    return "UMFPACK's overhead is all there is in blocks this small" + up_to(options.slow_limit);
   return {};
 }
 

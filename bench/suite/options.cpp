@@ -34,7 +34,8 @@ const char* const usage =
     "  --step=SECONDS           time step (default: the case's, 0.01)\n"
     "  --duration=SECONDS       motion analysed (default: the case's, 30)\n"
     "  --dense-limit=N          coordinates up to which dense global solves run (default 114)\n"
-    "  --qr-limit=N             coordinates up to which SPQR runs (default 114)\n"
+    "  --slow-limit=N           coordinates up to which SPQR, and UMFPACK in blocks, run\n"
+    "                           (default 114)\n"
     "  --peer-limit=SECONDS     CPU time a rival may take for the motion (default 60)\n"
     "  --formulation=ID         adds a formulation with settings as suffixes, such as\n"
     "                           global_automatic_klu/guess:hermite5; may be given more than once\n"
@@ -57,7 +58,7 @@ Options take_options(std::vector<char*>& arguments) {
       {"--step", real(o.step)},
       {"--duration", real(o.duration)},
       {"--dense-limit", whole(o.dense_limit)},
-      {"--qr-limit", whole(o.qr_limit)},
+      {"--slow-limit", whole(o.slow_limit)},
       {"--peer-limit", real(o.peer_limit)},
       {"--formulation", [&](auto, auto text) { o.formulations.emplace_back(text); }},
       {"--record", [&](auto, auto text) { o.record = text; }},

@@ -9,12 +9,12 @@ namespace desmo::suite {
 
 /// What desmo_bench takes beside the flags of Google Benchmark.
 struct Options {
-  double step = 0;                        ///< s; 0: the case's own
-  double duration = 0;                    ///< s; 0: the case's own
-  int dense_limit = 114;                  ///< coordinates up to which dense global solves run
-  int qr_limit = 114;                     ///< coordinates up to which SPQR runs
-  double peer_limit = 60;                 ///< s of CPU time a rival may take for the motion
-  std::string record;                     ///< file for the results record; empty: none
+  double step = 0;         ///< s; 0: the case's own
+  double duration = 0;     ///< s; 0: the case's own
+  int dense_limit = 114;   ///< coordinates up to which dense global solves run
+  int slow_limit = 114;    ///< coordinates up to which SPQR, and UMFPACK in blocks, run
+  double peer_limit = 60;  ///< s of CPU time a rival may take for the motion
+  std::string record;      ///< file for the results record; empty: none
   std::vector<std::string> formulations;  ///< ids with settings, to be run beside the table's
   bool help = false;
 };
