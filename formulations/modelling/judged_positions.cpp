@@ -24,7 +24,7 @@ bool assemble(std::vector<double>& state, const GroupSystem& s, Lineariser& line
     if (phi.size() == 0) return true;
     largest = phi.lpNorm<Eigen::Infinity>();
     if (largest < 1e-13) return true;
-    const VectorXd step = decompose(jacobian).solve(phi);
+    const VectorXd step = SmallestCorrection(jacobian)(phi);
     lineariser.move(state, s, -step);
     if (!(step.norm() > 1e-14)) break;
   }
@@ -40,7 +40,7 @@ std::optional<std::vector<double>> perturb(std::vector<double> state, double amo
     const Eigen::MatrixXd jacobian = lineariser.at(state, s).jacobian;
     VectorXd step(s.columns.size());
     for (double& x : step) x = amount * (random() / 2147483648.0 - 1);
-    if (jacobian.size() > 0) step -= decompose(jacobian).solve(jacobian * step);
+    if (jacobian.size() > 0) step -= SmallestCorrection(jacobian)(jacobian * step);
     lineariser.move(state, s, step);
     if (!assemble(state, s, lineariser)) return std::nullopt;
   }

@@ -49,10 +49,10 @@ int mobility(const GroupSystem& s, const SelectedRows& selected) {
 std::string loosest(const Mechanism& m, const GroupSystem& s, const SelectedRows& selected) {
   const MatrixXd j = selected.jacobians[1].leftCols(s.unknowns);
   VectorXd best = VectorXd::Zero(s.unknowns);
-  const auto decomposition = decompose(j);
+  const SmallestCorrection correction(j);
   for (int k = 0; k < s.unknowns; ++k) {
     VectorXd move = VectorXd::Unit(s.unknowns, k);
-    if (j.size() > 0) move -= decomposition.solve(j * move);
+    if (j.size() > 0) move -= correction(j * move);
     if (move.norm() > best.norm()) best = move;
   }
   Eigen::Index largest = 0;

@@ -12,11 +12,13 @@ bool RowSpace::add(Eigen::VectorXd row) {
   return true;
 }
 
-Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decompose(const Eigen::MatrixXd& jacobian) {
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
-  decomposition.setThreshold(dependent_below);
-  decomposition.compute(jacobian);
-  return decomposition;
+SmallestCorrection::SmallestCorrection(const Eigen::MatrixXd& jacobian) {
+  decomposition_.setThreshold(dependent_below);
+  decomposition_.compute(jacobian);
+}
+
+Eigen::VectorXd SmallestCorrection::operator()(const Eigen::VectorXd& phi) const {
+  return decomposition_.solve(phi);
 }
 
 }  // namespace desmo

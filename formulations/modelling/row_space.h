@@ -21,7 +21,15 @@ class RowSpace {
   int rank_ = 0;
 };
 
-/// Solves with the smallest correction, equations that depend on others included.
-Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decompose(const Eigen::MatrixXd& jacobian);
+/// The smallest corrections that make linear equations hold, those that depend on others included
+/// and as far as they can hold together.
+class SmallestCorrection {
+ public:
+  explicit SmallestCorrection(const Eigen::MatrixXd& jacobian);
+  Eigen::VectorXd operator()(const Eigen::VectorXd& phi) const;
+
+ private:
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition_;
+};
 
 }  // namespace desmo
