@@ -50,6 +50,10 @@ PartType describe_type(const Mechanism& m, const PartDefinition& part) {
       own.operands.push_back(it->second);
       type.fingerprint += std::to_string(it->second) + ' ';
     }
+    // What is at a right angle, or has no offset, is simpler: that a dimension is zero, and which,
+    // belongs to the type.
+    for (std::size_t k = 0; k < c.constants.size(); ++k)
+      if (c.constants[k] == 0) type.fingerprint += 'c' + std::to_string(k) + "=0 ";
     type.fingerprint.back() = ')';
     type.constants.insert(type.constants.end(), c.constants.begin(), c.constants.end());
     type.constraints.push_back(std::move(own));

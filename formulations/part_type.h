@@ -15,9 +15,9 @@ enum class Role {
 };
 
 /// A group, or a block of one, in canonical form: its equations over local inputs, numbered by
-/// first appearance. Parts with equal fingerprints have the same equations and differ only in
-/// where their inputs stand in the state and in their dimensions, so that one generated kernel
-/// serves them all.
+/// first appearance. Parts with equal fingerprints have the same equations, with the same of their
+/// dimensions zero, and differ only in where their inputs stand in the state and in their other
+/// dimensions, so that one generated kernel serves them all.
 struct PartType {
   struct Constraint {
     int kind;                   ///< position in ConstraintKinds

@@ -45,34 +45,64 @@ std::string literal(double value) {
   return value < 0 ? "(" + result + ")" : result;
 }
 
-Emitter::Emitter(std::ostream& out, std::string indent, const std::vector<Expr>& outputs)
-    : out_(out), indent_(std::move(indent)), uses_(Graph::current().size(), 0) {
+Emitter::Emitter(std::ostream& out, std::string indent, const std::vector<Expr>& outputs,
+                 EmissionStyle style)
+    : out_(&out),
+      indent_(std::move(indent)),
+      style_(std::move(style)),
+      uses_(Graph::current().size(), 0) {
   for (const Expr e : outputs) count_uses(e.id(), uses_);
+}
+
+void Emitter::write_to(std::ostream& out, std::string indent, bool declarations_apart) {
+  out_ = &out;
+  indent_ = std::move(indent);
+  declarations_apart_ = declarations_apart;
+  if (declarations_apart) names_apart_.clear();
 }
 
 void Emitter::prepare(const std::vector<Expr>& expressions) {
   for (const Expr e : expressions) declare(e.id());
 }
 
+void Emitter::assign(const std::string& variable, const std::string& value) {
+  if (declarations_apart_) names_apart_.push_back(variable);
+  *out_ << indent_ << (declarations_apart_ ? "" : "const " + style_.type + " ") << variable << " = "
+        << value << ";\n";
+}
+
+void Emitter::define(const std::string& variable, Expr e) {
+  prepare({e});
+  assign(variable, text(e));
+}
+
+void Emitter::name(Expr e, std::string text) { names_[e.id()] = std::move(text); }
+
 void Emitter::declare(int id) {
-  if (is_leaf(id) || declared_.contains(id)) return;
+  if (is_leaf(id) || names_.contains(id)) return;
   const Node& n = Graph::current().node(id);
+  if (style_.folds_dimensions && !n.moves) {
+    names_[id] = "f[" + std::to_string(folded_.size()) + "]";
+    folded_.push_back(Expr::node(id));
+    return;
+  }
   declare(n.a);
   if (n.b >= 0) declare(n.b);
   const std::string expression = text(id);
   if (uses_[id] < 2 && expression.size() <= longest_inline) return;
-  out_ << indent_ << "const double t" << id << " = " << expression << ";\n";
-  declared_.insert(id);
+  const std::string variable = "t" + std::to_string(id);
+  assign(variable, expression);
+  names_[id] = variable;
 }
 
 std::string Emitter::text(Expr e) const { return text(e.id()); }
 
 std::string Emitter::text(int id) const {
   const Node& n = Graph::current().node(id);
-  if (declared_.contains(id)) return "t" + std::to_string(id);
+  if (const auto it = names_.find(id); it != names_.end()) return it->second;
   // Operands that bind less tightly than `least` are put in parentheses.
   const auto operand = [&](int i, int least) {
-    const bool closed = declared_.contains(i) || precedence(Graph::current().node(i).op) >= least;
+    const bool closed = names_.contains(i) || precedence(Graph::current().node(i).op) >= least;
     return closed ? text(i) : "(" + text(i) + ")";
   };
   switch (n.op) {
@@ -91,9 +121,13 @@ std::string Emitter::text(int id) const {
     case Op::negate:
       return "-" + operand(n.a, 3);
     case Op::sine:
-      return "std::sin(" + text(n.a) + ")";
+      return style_.angles + "sin(" + text(n.a) + ")";
     case Op::cosine:
-      return "std::cos(" + text(n.a) + ")";
+      return style_.angles + "cos(" + text(n.a) + ")";
+    case Op::square_root:
+      return style_.functions + "sqrt(" + text(n.a) + ")";
+    case Op::magnitude:
+      return style_.functions + "abs(" + text(n.a) + ")";
   }
   return {};
 }

@@ -26,11 +26,21 @@ double apply(Op op, double a, double b) {
       return std::sin(a);
     case Op::cosine:
       return std::cos(a);
+    case Op::square_root:
+      return std::sqrt(a);
+    case Op::magnitude:
+      return std::abs(a);
     case Op::constant:
     case Op::input:
       break;
   }
   throw std::logic_error("not an operation");
+}
+
+/// Multiplication by it is exact.
+bool is_power_of_two(double value) {
+  int exponent;
+  return std::abs(std::frexp(value, &exponent)) == 0.5;
 }
 
 }  // namespace
@@ -50,16 +60,16 @@ int Graph::add(Node node, std::vector<double> sample_values) {
   return size() - 1;
 }
 
-int Graph::input(std::string name, std::vector<double> sample_values) {
-  return add({Op::input, -1, -1, 0, std::move(name)}, std::move(sample_values));
+int Graph::input(std::string name, std::vector<double> sample_values, bool moves) {
+  return add({Op::input, -1, -1, 0, std::move(name), moves}, std::move(sample_values));
 }
 
 int Graph::constant(double value) {
   if (value == 0) value = 0;  // no negative zero
   const auto it = constants_.find(value);
   if (it != constants_.end()) return it->second;
-  return constants_[value] =
-             add({Op::constant, -1, -1, value, {}}, std::vector<double>(sample_count_, value));
+  return constants_[value] = add({Op::constant, -1, -1, value, {}, false},
+                                 std::vector<double>(sample_count_, value));
 }
 
 bool Graph::is(int id, double value) const {
@@ -72,7 +82,16 @@ int Graph::find_or_add(Op op, int a, int b) {
   std::vector<double> values(sample_count_);
   for (int s = 0; s < sample_count_; ++s)
     values[s] = apply(op, samples_[a][s], b < 0 ? 0 : samples_[b][s]);
-  return operations_[{op, a, b}] = add({op, a, b, 0, {}}, std::move(values));
+  const bool moves = nodes_[a].moves || (b >= 0 && nodes_[b].moves);
+  return operations_[{op, a, b}] = add({op, a, b, 0, {}, moves}, std::move(values));
+}
+
+Graph::Scaled Graph::as_scaled(int id) const {
+  const Node& n = nodes_[id];
+  if (n.op != Op::multiply) return {-1, id};
+  if (nodes_[n.a].op == Op::constant) return {n.a, n.b};
+  if (nodes_[n.b].op == Op::constant) return {n.b, n.a};
+  return {-1, id};
 }
 
 int Graph::unary(Op op, int a) {
@@ -87,12 +106,16 @@ int Graph::binary(Op op, int a, int b) {
   const Node l = nodes_[a], r = nodes_[b];
   if (l.op == Op::constant && r.op == Op::constant) return constant(apply(op, l.value, r.value));
   const bool left_negated = l.op == Op::negate, right_negated = r.op == Op::negate;
+  const Scaled scaled_l = as_scaled(a), scaled_r = as_scaled(b);
+  const bool common = scaled_l.factor >= 0 && scaled_l.factor == scaled_r.factor;
   switch (op) {
     case Op::add:
       if (is(a, 0)) return b;
       if (is(b, 0)) return a;
       if (right_negated) return binary(Op::subtract, a, r.a);
       if (left_negated) return binary(Op::subtract, b, l.a);
+      if (common)
+        return binary(Op::multiply, scaled_l.factor, binary(Op::add, scaled_l.of, scaled_r.of));
       break;
     case Op::subtract:
       if (is(b, 0)) return a;
@@ -100,6 +123,9 @@ int Graph::binary(Op op, int a, int b) {
       if (a == b) return constant(0);
       if (right_negated) return binary(Op::add, a, r.a);
       if (left_negated) return unary(Op::negate, binary(Op::add, l.a, b));
+      if (common)
+        return binary(Op::multiply, scaled_l.factor,
+                      binary(Op::subtract, scaled_l.of, scaled_r.of));
       break;
     case Op::multiply:
       if (is(a, 0) || is(b, 0)) return constant(0);
@@ -109,6 +135,10 @@ int Graph::binary(Op op, int a, int b) {
       if (is(b, -1)) return unary(Op::negate, a);
       if (left_negated) return unary(Op::negate, binary(Op::multiply, l.a, b));
       if (right_negated) return unary(Op::negate, binary(Op::multiply, a, r.a));
+      if (l.op == Op::constant && scaled_r.factor >= 0 && is_power_of_two(l.value))
+        return binary(Op::multiply, binary(Op::multiply, a, scaled_r.factor), scaled_r.of);
+      if (r.op == Op::constant && scaled_l.factor >= 0 && is_power_of_two(r.value))
+        return binary(Op::multiply, binary(Op::multiply, b, scaled_l.factor), scaled_l.of);
       break;
     case Op::divide:
       if (is(a, 0)) return constant(0);
@@ -116,6 +146,8 @@ int Graph::binary(Op op, int a, int b) {
       if (is(b, -1)) return unary(Op::negate, a);
       if (left_negated) return unary(Op::negate, binary(Op::divide, l.a, b));
       if (right_negated) return unary(Op::negate, binary(Op::divide, a, r.a));
+      if (r.op == Op::constant && is_power_of_two(r.value))
+        return binary(Op::multiply, a, constant(1 / r.value));
       break;
     default:
       break;

@@ -7,7 +7,19 @@
 
 namespace desmo::generate {
 
-enum class Op { constant, input, add, subtract, multiply, divide, negate, sine, cosine };
+enum class Op {
+  constant,
+  input,
+  add,
+  subtract,
+  multiply,
+  divide,
+  negate,
+  sine,
+  cosine,
+  square_root,
+  magnitude,  ///< |a|
+};
 
 /// A node of the expression graph. Nodes are numbered in an order in which operands come first.
 struct Node {
@@ -15,6 +27,7 @@ struct Node {
   int a = -1, b = -1;  ///< operands
   double value = 0;    ///< of a constant
   std::string name;    ///< of an input
+  bool moves = false;  ///< depends on positions or rates, as opposed to dimensions alone
 };
 
 /// The graph that recording scalars write. Equal expressions are one node, and constants are
@@ -30,8 +43,8 @@ class Graph {
 
   static Graph& current();
 
-  /// A new input with its value at each sample point.
-  int input(std::string name, std::vector<double> sample_values);
+  /// A new input with its value at each sample point; a dimension does not move.
+  int input(std::string name, std::vector<double> sample_values, bool moves = true);
   int constant(double value);
   int unary(Op op, int a);
   int binary(Op op, int a, int b);
@@ -43,6 +56,11 @@ class Graph {
   bool is(int id, double value) const;
 
  private:
+  /// A constant multiple: the constant's node (-1: it is none), and what it multiplies.
+  struct Scaled {
+    int factor, of;
+  };
+  Scaled as_scaled(int id) const;
   int add(Node node, std::vector<double> sample_values);
   int find_or_add(Op op, int a, int b);
 
@@ -63,6 +81,8 @@ class Expr {
   int id() const { return id_; }
   bool is_zero() const { return Graph::current().is(id_, 0); }
   bool is_constant() const { return Graph::current().node(id_).op == Op::constant; }
+  bool moves() const { return Graph::current().node(id_).moves; }
+  const std::vector<double>& samples() const { return Graph::current().samples(id_); }
 
   friend Expr operator+(Expr a, Expr b) { return binary(Op::add, a, b); }
   friend Expr operator-(Expr a, Expr b) { return binary(Op::subtract, a, b); }
@@ -71,6 +91,8 @@ class Expr {
   friend Expr operator-(Expr a) { return unary(Op::negate, a); }
   friend Expr sin(Expr a) { return unary(Op::sine, a); }
   friend Expr cos(Expr a) { return unary(Op::cosine, a); }
+  friend Expr sqrt(Expr a) { return unary(Op::square_root, a); }
+  friend Expr abs(Expr a) { return unary(Op::magnitude, a); }
 
  private:
   Expr(int id, int) : id_(id) {}

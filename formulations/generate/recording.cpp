@@ -15,14 +15,6 @@ std::string identifier(std::string name) {
   return name;
 }
 
-/// Whether an expression depends on a position or rate, as opposed to dimensions alone.
-bool depends_on_state(int id, int first_constant_input, int end_constant_input) {
-  const Node& n = Graph::current().node(id);
-  if (n.op == Op::input) return id < first_constant_input || id >= end_constant_input;
-  return (n.a >= 0 && depends_on_state(n.a, first_constant_input, end_constant_input)) ||
-         (n.b >= 0 && depends_on_state(n.b, first_constant_input, end_constant_input));
-}
-
 }  // namespace
 
 std::string variable_name(const PartType& type, int input) {
@@ -30,6 +22,12 @@ std::string variable_name(const PartType& type, int input) {
   for (int i = 0; i < input; ++i)
     if ("_" + identifier(type.inputs[i].name) == name) return name + "_" + std::to_string(input);
   return name;
+}
+
+std::vector<Expr> positions(const RecordedPart& part, const std::vector<int>& inputs) {
+  std::vector<Expr> result;
+  for (const int i : inputs) result.push_back(part.q[i]);
+  return result;
 }
 
 RecordedPart record(const PartType& type, const std::vector<SamplePoint>& samples) {
@@ -47,13 +45,15 @@ RecordedPart record(const PartType& type, const std::vector<SamplePoint>& sample
     g.qdd.push_back(fixed ? Expr(0) : Expr::node(graph.input("qdd" + name, unsampled)));
   }
   std::vector<Expr> constants;
-  const int first_constant = graph.size();
   for (std::size_t i = 0; i < type.constants.size(); ++i) {
     std::vector<double> values;
     for (const SamplePoint& s : samples) values.push_back(s.constants[i]);
-    constants.push_back(Expr::node(graph.input("c[" + std::to_string(i) + "]", std::move(values))));
+    // That it is zero belongs to the type (see describe_type).
+    constants.push_back(
+        type.constants[i] == 0
+            ? Expr(0)
+            : Expr::node(graph.input("c[" + std::to_string(i) + "]", std::move(values), false)));
   }
-  const int end_constant = graph.size();
 
   for (const PartType::Constraint& constraint : type.constraints) {
     visit_kind(constraint.kind, [&]<class Kind>(Kind) {
@@ -77,9 +77,7 @@ RecordedPart record(const PartType& type, const std::vector<SamplePoint>& sample
         const int input = constraint.operands[operand] + component;
         const Role role = type.inputs[input].role;
         if (role == Role::fixed || row[r] < 0) return;
-        auto& list = !depends_on_state(value.id(), first_constant, end_constant) ? g.constant
-                     : role == Role::unknown                                     ? g.dependent
-                                                                                 : g.known;
+        auto& list = !value.moves() ? g.constant : role == Role::unknown ? g.dependent : g.known;
         list.push_back({row[r], input, value});
       });
     });

@@ -30,6 +30,9 @@ struct SamplePoint {
 /// Runs the constraint code of a group type on the recording scalar, in the current graph.
 RecordedPart record(const PartType& type, const std::vector<SamplePoint>& samples);
 
+/// The positions of some inputs.
+std::vector<Expr> positions(const RecordedPart& part, const std::vector<int>& inputs);
+
 /// What follows q, qd or qdd in the C++ variable of an input: "_" and its name, unique within the
 /// type. The prefix keeps it apart from keywords and from whatever else the code declares.
 std::string variable_name(const PartType& type, int input);
