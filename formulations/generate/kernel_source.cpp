@@ -1,9 +1,11 @@
 #include "formulations/generate/kernel_source.h"
 
 #include <map>
+#include <set>
 
 #include "formulations/generate/elimination.h"
 #include "formulations/generate/emission.h"
+#include "formulations/generate/monitors.h"
 
 namespace desmo::generate {
 
@@ -116,18 +118,19 @@ class KernelWriter {
   void rates() {
     // Velocities of the unknowns become expressions of the known, and enter γ as such.
     const Expressions velocity = elimination_.solve(known_product(g_.qd));
-    const Expressions monitored = monitored_expressions();
+    const Expressions watched = monitored(elimination_.monitors());
     Expressions acceleration_right = known_product(g_.qdd);
     for (int r = 0; r < type_.rows(); ++r)
       acceleration_right[r] = acceleration_right[r] - g_.gamma[r];
     const Expressions acceleration = elimination_.solve(acceleration_right);
 
     open("bool rates(const double* q, double* qd, double* qdd, const int* in, const double* c)");
-    const Expressions first = concatenate({monitored, velocity});
+    const Expressions first = concatenate({watched, velocity});
     load(first, "const double");
-    Emitter emitter(out_, "  ", concatenate({monitored, velocity, acceleration}));
+    Emitter emitter(out_, "  ", concatenate({watched, velocity, acceleration}));
     emitter.prepare(first);
-    out_ << "  if (!(" << monitor_condition(emitter) << ")) return false;\n";
+    out_ << "  if (!(" << all_of(conditions(emitter, elimination_.monitors()))
+         << ")) return false;\n";
     for (std::size_t j = 0; j < velocity.size(); ++j) {
       const std::string name = "qd" + variable_name(type_, unknown(j));
       out_ << "  const double " << name << " = " << emitter.text(velocity[j]) << ";\n"
@@ -165,7 +168,7 @@ class KernelWriter {
     std::vector<std::map<int, Expr>> result(type_.rows());
     for (const auto* list : {&g_.constant, &g_.dependent})
       for (const RecordedEntry& e : *list)
-        if (const auto it = column.find(e.input); it != column.end())
+        if (const auto it = column.find(e.input); it != column.end() && !e.value.is_zero())
           result[e.row].emplace(it->second, e.value);
     return result;
   }
@@ -178,31 +181,6 @@ class KernelWriter {
         if (type_.inputs[e.input].role == Role::known)
           result[e.row] = result[e.row] - e.value * rate[e.input];
     return result;
-  }
-
-  Expressions monitored_expressions() const {
-    Expressions result;
-    for (const PivotMonitor& m : elimination_.monitors())
-      for (const auto* list : {&m.magnified, &m.against})
-        for (const PivotMonitor::Bound& bound : *list) result.push_back(bound.value);
-    for (const PivotMonitor& m : elimination_.monitors()) result.push_back(m.pivot);
-    return result;
-  }
-
-  /// True while no pivot is far smaller beside its column than it was at any sample point.
-  std::string monitor_condition(const Emitter& emitter) const {
-    std::string condition;
-    const auto also = [&](const std::string& term) {
-      condition += (condition.empty() ? "" : "\n        & ") + term;
-    };
-    for (const PivotMonitor& m : elimination_.monitors()) {
-      for (const auto& [multiplier, bound] : m.magnified)
-        also("(std::abs(" + emitter.text(multiplier) + ") < " + literal(bound) + ")");
-      for (const auto& [above, bound] : m.against)
-        also("(std::abs(" + emitter.text(m.pivot) + ") > " + literal(bound) + " * std::abs(" +
-             emitter.text(above) + "))");
-    }
-    return condition.empty() ? "true" : condition;
   }
 
   void open(const std::string& signature) {

@@ -1,0 +1,24 @@
+#include "formulations/generate/closed_form.h"
+#include "formulations/generate/expansion.h"
+
+namespace desmo::generate {
+
+/// a cos θ + b sin θ = 0, which holds for two angles half a turn apart: that where its derivative
+/// by θ has the sign that it had.
+std::optional<ClosedForm> solve_angle(const Task& task) {
+  if (task.x.size() != 1) return std::nullopt;
+  const Expr theta = task.x[0];
+  const std::optional<Trigonometric> t = expand_angle(task.equations[0], theta);
+  if (!t || !t->rest.is_zero() || (t->cosine.is_zero() && t->sine.is_zero())) return std::nullopt;
+  const auto& [a, b, rest] = *t;
+  const Expr pivot = b * cos(theta) - a * sin(theta), branch = branch_of(pivot);
+  const Expr radius2 = a * a + b * b;
+  ClosedForm form =
+      angle_by_bearing("angle modulo half a turn", {branch * b, -(branch * a)}, radius2);
+  const Expr ma = magnitude(a), mb = magnitude(b);
+  form.sizes.push_back({radius2, 1e-12, ma * ma + mb * mb});
+  form.roots.push_back({branch, pivot});
+  return form;
+}
+
+}  // namespace desmo::generate
