@@ -1,0 +1,84 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+
+namespace desmo {
+
+/// What a solution must satisfy.
+struct ExplicitLimits {
+  double tolerance2;       ///< on ‖Φ‖₂² of the part's own equations, each times its weight
+  double core_tolerance2;  ///< on that of the residuals of a core, smaller: others grow from them
+  int max_iterations;      ///< of Newton–Raphson on a core
+};
+
+/// What comparing values of type T gives: bool, or one for each lane.
+template <class T>
+using Mask = decltype(std::declval<T>() < std::declval<T>());
+
+template <class M>
+bool all(const M& mask) {
+  if constexpr (std::is_same_v<M, bool>)
+    return mask;
+  else
+    return all_of(mask);
+}
+template <class M>
+bool any(const M& mask) {
+  if constexpr (std::is_same_v<M, bool>)
+    return mask;
+  else
+    return any_of(mask);
+}
+
+/// A part that a kernel is bound to, or one in each lane. What it points to outlives it.
+template <class T>
+struct ExplicitBinding {
+  const int* in;    ///< position in q, q̇ and q̈ of each local input, fixed entities behind
+  const T* c;       ///< dimensions
+  const T* f;       ///< what ExplicitKernel::fold makes of them
+  const T* branch;  ///< ±1: the side of each square root
+  const T* w;       ///< 1/magnitude of each equation
+  ExplicitLimits limits;
+};
+
+/// Where an explicit order ended.
+template <class T>
+struct ExplicitResult {
+  int iterations;    ///< of Newton–Raphson, the most of any core; 0 when there is none
+  T residual2;       ///< ‖Φ‖₂² of the part's own equations, each times its weight
+  Mask<T> accepted;  ///< that is small enough, and so is nothing that was divided by or a root of
+};
+
+/// Generated code that solves one type of group or block (see PartType) in explicit order:
+/// unknowns in closed form one after the other, Newton–Raphson on what is left, velocities and
+/// accelerations by differentiation.
+struct ExplicitKernel {
+  std::string_view name;                       ///< of the group it was first seen in
+  std::string_view fingerprint;                ///< PartType::fingerprint
+  std::span<const std::string_view> branches;  ///< what each square root determines
+  int folded;                                  ///< values that depend on dimensions alone
+
+  /// f: those values, from the dimensions c.
+  void (*fold)(const double* c, double* f);
+  /// branch: those on which a solved position lies.
+  void (*find_branches)(const double* q, const int* in, const double* c, double* branch);
+
+  /// Positions of the unknowns on those branches, and their rates up to a level. What is not
+  /// accepted leaves q as it was, and rates unspecified.
+  using Solve = ExplicitResult<double>(double* q, double* qd, double* qdd,
+                                       const ExplicitBinding<double>& part);
+  Solve* position;
+  Solve* velocity;
+  Solve* acceleration;
+};
+
+/// Every generated explicit kernel.
+std::span<const ExplicitKernel> explicit_kernels();
+
+/// The explicit kernel for a fingerprint, or null.
+const ExplicitKernel* find_explicit_kernel(std::string_view fingerprint);
+
+}  // namespace desmo

@@ -1,0 +1,107 @@
+#include "formulations/generate/explicit_source.h"
+
+#include <set>
+#include <sstream>
+
+#include "formulations/generate/emission.h"
+#include "formulations/generate/explicit_plan.h"
+#include "formulations/generate/explicit_solve.h"
+#include "formulations/generate/order_text.h"
+
+namespace desmo::generate {
+
+namespace {
+
+void write_comment(std::ostream& out, const ExplicitPlan& plan) {
+  out << "// " << plan.type.fingerprint << "\n//\n";
+  std::istringstream lines(describe(plan.type, plan.order));
+  for (std::string line; std::getline(lines, line);) out << "// " << line << "\n";
+  out << "\n";
+}
+
+void write_branches(std::ostream& out, const ExplicitPlan& plan) {
+  out << "constexpr std::array<std::string_view, " << plan.roots.size() << "> branches{{\n";
+  for (const Stretch& s : plan.order)
+    for (const Definition& d : s.definitions)
+      for (std::size_t k = 0; k < d.form.roots.size(); ++k)
+        out << "    \"" << names_of(plan.type, d.unknowns) << "\",\n";
+  out << "}};\n\n";
+
+  std::vector<Expr> pivots;
+  for (const Root& root : plan.roots) pivots.push_back(root.pivot);
+  out << "void find_branches(const double* q, const int* in, const double* c, double* branch) {\n";
+  std::set<int> declared;
+  plan.load(out, pivots, "const double", declared);
+  Emitter emitter(out, "  ", pivots, {"double", "", "elementary::", false});
+  emitter.prepare(pivots);
+  for (std::size_t k = 0; k < pivots.size(); ++k)
+    out << "  branch[" << k << "] = " << emitter.text(pivots[k]) << " < 0 ? -1 : 1;\n";
+  out << "}\n\n";
+}
+
+void write_fold(std::ostream& out, const std::vector<Expr>& folded) {
+  out << "constexpr int folded = " << folded.size() << ";\n"
+      << "void fold(const double* c, double* f) {\n";
+  Emitter emitter(out, "  ", folded, {"double", "", "elementary::", false});
+  emitter.prepare(folded);
+  for (std::size_t k = 0; k < folded.size(); ++k)
+    out << "  f[" << k << "] = " << emitter.text(folded[k]) << ";\n";
+  out << "}\n\n";
+}
+
+void write_list(std::ostream& out, const char* name, const std::vector<int>& inputs) {
+  out << "constexpr std::array<int, " << inputs.size() << "> " << name << "{";
+  for (std::size_t k = 0; k < inputs.size(); ++k) out << (k > 0 ? ", " : "") << inputs[k];
+  out << "};\n";
+}
+
+/// What a caller who brings inputs together has to bring, and what it gets.
+void write_lists(std::ostream& out, const ExplicitPlan& plan) {
+  std::set<int> before;  // torn unknowns start from, and angles stay near, their last position
+  for (const Stretch& s : plan.order) {
+    before.insert(s.torn.begin(), s.torn.end());
+    for (const Definition& d : s.definitions)
+      if (d.form.bearing) before.insert(d.unknowns.front());
+  }
+  std::vector<int> positions, rates, unknowns;
+  for (std::size_t i = 0; i < plan.type.inputs.size(); ++i) {
+    const int input = static_cast<int>(i);
+    const Role role = plan.type.inputs[i].role;
+    if (role != Role::unknown || before.contains(input)) positions.push_back(input);
+    if (role == Role::known) rates.push_back(input);
+    if (role == Role::unknown) unknowns.push_back(input);
+  }
+  write_list(out, "positions", positions);
+  write_list(out, "rates", rates);
+  write_list(out, "unknowns", unknowns);
+}
+
+}  // namespace
+
+void write_explicit_kernel(std::ostream& out, const std::string& name, const PartType& type,
+                           const std::vector<SamplePoint>& samples) {
+  const Graph graph(static_cast<int>(samples.size()));
+  const RecordedPart part = record(type, samples);
+  const ExplicitPlan plan(type, part);
+  out << "namespace " << name << " {\n\n";
+  write_comment(out, plan);
+  write_branches(out, plan);
+  write_fold(out, write_solve(out, plan));
+  write_lists(out, plan);
+  out << "}  // namespace " << name << "\n\n";
+}
+
+void write_explicit_table_row(std::ostream& out, const std::string& name, const PartType& type) {
+  out << "    {\"" << name << "\", \"" << type.fingerprint << "\", " << name << "::branches, "
+      << name << "::folded,\n     " << name << "::fold, " << name << "::find_branches, " << name
+      << "::solve<double, Level::position>,\n     " << name << "::solve<double, Level::velocity>, "
+      << name << "::solve<double, Level::acceleration>},\n";
+}
+
+void write_lane_table_row(std::ostream& out, const std::string& name, const PartType& type) {
+  out << "    {\"" << type.fingerprint << "\", " << name << "::positions, " << name
+      << "::rates,\n     " << name << "::unknowns, " << name
+      << "::solve<Lanes, Level::acceleration>},\n";
+}
+
+}  // namespace desmo::generate
