@@ -119,6 +119,7 @@ Summary Formulation::assemble(double t, Level level) {
     std::ranges::fill(s->qdd, 0.0);
   }
   std::ranges::copy(state_.q, before_.q.begin());
+  for (const DefinedPart& part : parts_) part.solver->forget();
   assembled_ = false;
   now_ = then_ = {};  // nothing to extrapolate from
   Summary summary = solve_parts(t, level, true);

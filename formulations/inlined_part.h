@@ -4,14 +4,14 @@
 #include <vector>
 
 #include "formulations/equations/symbolic.h"
-#include "formulations/part.h"
+#include "formulations/guarded_part.h"
 
 namespace desmo {
 
 /// One group solved by generated code throughout: equations, elimination in a pivot order fixed
 /// at generation time, and substitution. When a pivot turns out too small, or the iterations do
 /// not converge, the step is left to `fallback`, which pivots; fallbacks() counts these steps.
-class InlinedPart final : public Part {
+class InlinedPart final : public GuardedPart {
  public:
   /// weights: 1/magnitude of each equation (see magnitudes.h); settings: with the tolerance on ‖Φ‖₂
   /// of the part's own equations, so weighted.
@@ -20,7 +20,9 @@ class InlinedPart final : public Part {
 
   PartResult solve(State& state, Level level) override;
 
-  long fallbacks() const { return fallbacks_; }
+  void forget() override { fallback_->forget(); }
+
+  long fallbacks() const override { return fallbacks_; }
 
  private:
   BoundKernel bound_;

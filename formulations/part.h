@@ -37,6 +37,9 @@ class Part {
   /// acceleration of the part's unknowns, up to `level`. Overwrites these in `state`; on failure
   /// they are unspecified.
   virtual PartResult solve(State& state, Level level) = 0;
+
+  /// What earlier steps left behind no longer holds: the next solve() starts from an estimate.
+  virtual void forget() {}
 };
 
 }  // namespace desmo

@@ -1,17 +1,18 @@
 #include "formulations/variants.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string>
 
 #include "formulations/algebra/backend.h"
-#include "formulations/inlined_part.h"
-#include "formulations/magnitudes.h"
+#include "formulations/equations/lanes.h"
 
 namespace desmo {
 
 namespace {
+
+const char* generated_name(bool explicit_order) { return explicit_order ? "explicit" : "inlined"; }
 
 std::vector<Variant> make_variants() {
   std::vector<Variant> table;
@@ -26,15 +27,11 @@ std::vector<Variant> make_variants() {
                          partition, evaluation, backend});
     // All unknowns at once would be one type of part for every size of a mechanism.
     if (partition != Partition::global)
-      table.push_back(
-          {partition_name + "_symbolic_inlined", partition, Evaluation::symbolic, nullptr});
+      for (const bool in_order : {false, true})
+        table.push_back({partition_name + "_symbolic_" + generated_name(in_order), partition,
+                         Evaluation::symbolic, nullptr, in_order});
   }
   return table;
-}
-
-/// What inlined parts fall back to: it pivots, and allocates nothing.
-const Backend& pivoting_backend() {
-  return **std::ranges::find(backends(), "eigen", [](const Backend* b) { return b->name; });
 }
 
 }  // namespace
@@ -52,7 +49,9 @@ const Variant& find_variant(std::string_view id) {
   throw std::invalid_argument("unknown formulation '" + std::string(id) + "'; there are:" + known);
 }
 
-std::string_view algebra_name(const Variant& v) { return v.backend ? v.backend->name : "inlined"; }
+std::string_view algebra_name(const Variant& v) {
+  return v.backend ? v.backend->name : generated_name(v.explicit_order);
+}
 
 bool is_dense_global(const Variant& v) {
   return v.partition == Partition::global && v.backend && v.backend->dense;
@@ -63,8 +62,9 @@ bool has_phases(const Variant& v) { return v.backend != nullptr; }
 std::string why_not(const Variant& v, const Settings& s) {
   if (!(s.tolerance > 0) || s.max_iterations < 1 || s.fixed_iterations < 0)
     return "the tolerance must be positive, at least one iteration allowed, and the fixed number "
-           "of "
-           "iterations not negative";
+           "of iterations not negative";
+  if (s.lanes != 1 && (s.lanes != lane_count || !v.explicit_order))
+    return "there is code for " + std::to_string(lane_count) + " lanes, in explicit order";
   const bool other_scalar = s.scalar != Scalar::double_precision;
   if (!v.backend) {
     if (s.jacobian != JacobianUpdate::newton)
@@ -85,35 +85,6 @@ std::string why_not(const Variant& v, const Settings& s) {
   if (s.jacobian == JacobianUpdate::chord && s.factorisation == Factorisation::per_level)
     return "a chord keeps its factors: no level makes its own";
   return {};
-}
-
-std::unique_ptr<Formulation> make_formulation(const Variant& v, const Mechanism& m,
-                                              const Settings& settings, Profile* profile) {
-  if (const std::string reason = why_not(v, settings); !reason.empty())
-    throw std::invalid_argument(v.id + ": " + reason);
-  std::vector<PartDefinition> definitions = make_partition(m, v.partition);
-  // With p parts, each within tolerance/√p, the whole mechanism is within the tolerance.
-  Settings own = settings;
-  own.tolerance /= std::sqrt(static_cast<double>(definitions.size()));
-  const Magnitudes magnitudes(m);
-  std::shared_ptr<SinglePrecisionState> single;
-  if (settings.scalar == Scalar::single_precision)
-    single = std::make_shared<SinglePrecisionState>(m.state_size());
-
-  std::vector<Formulation::DefinedPart> parts;
-  for (PartDefinition& d : definitions) {
-    PartContext context{m, d, magnitudes.weights(d), std::nullopt, own, profile, single};
-    if (v.evaluation == Evaluation::symbolic) context.kernels = bind_kernels(m, d);
-    const bool as_named = v.evaluation == Evaluation::automatic || context.kernels;
-    const Backend& backend = v.backend ? *v.backend : pivoting_backend();
-    std::unique_ptr<Part> part = backend.make_part(context);
-    if (!v.backend && context.kernels)
-      part = std::make_unique<InlinedPart>(std::move(context.kernels->front()),
-                                           std::move(context.weights), own, std::move(part),
-                                           d.unknowns);
-    parts.push_back({std::move(d), std::move(part), as_named});
-  }
-  return std::make_unique<Formulation>(m, std::move(parts), settings);
 }
 
 std::vector<std::pair<std::string, std::string>> library_versions() {

@@ -22,7 +22,8 @@ struct Variant {
   std::string id;  ///< <partition>_<equations>_<algebra>
   Partition partition;
   Evaluation evaluation;
-  const Backend* backend;  ///< null: the elimination is generated (inlined)
+  const Backend* backend;       ///< null: the elimination is generated (inlined, explicit)
+  bool explicit_order = false;  ///< unknowns in closed form one after the other, as far as may be
 };
 
 /// Every variant of this build. Tests, benchmarks and documents iterate this table.
@@ -31,7 +32,7 @@ std::span<const Variant> variants();
 /// The variant of that id. Throws std::invalid_argument, listing the ids, when there is none.
 const Variant& find_variant(std::string_view id);
 
-/// "lapack", "klu", …, "inlined".
+/// "lapack", "klu", …, "inlined", "explicit".
 std::string_view algebra_name(const Variant& variant);
 
 /// Whether it solves all unknowns at once with dense matrices, at O(n³) a step.

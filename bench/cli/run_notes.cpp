@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "bench/cli/text.h"
-#include "formulations/inlined_part.h"
+#include "formulations/guarded_part.h"
 
 namespace desmo::cli {
 
@@ -24,16 +24,20 @@ std::string note_on_code(const Formulation& f) {
                        : "; they are evaluated automatically\n");
 }
 
-std::string note_on_pivoting(const Formulation& f) {
-  long steps = 0, parts = 0;
+std::string note_on_refusals(const Formulation& f) {
+  long steps = 0, parts = 0, changes = 0;
   for (const Formulation::DefinedPart& part : f.parts())
-    if (const auto* inlined = dynamic_cast<const InlinedPart*>(part.solver.get())) {
-      steps += inlined->fallbacks();
-      parts += inlined->fallbacks() > 0;
+    if (const auto* guarded = dynamic_cast<const GuardedPart*>(part.solver.get())) {
+      steps += guarded->fallbacks();
+      parts += guarded->fallbacks() > 0;
+      changes += guarded->branch_changes();
     }
   if (steps == 0) return "";
-  return "note: " + count(steps, "step") + " of " + count(parts, "part") +
-         " needed pivoting; generated elimination was left for " + (steps == 1 ? "it\n" : "them\n");
+  std::string note = "note: " + count(steps, "step") + " of " + count(parts, "part") +
+                     " too near a singular position for generated code; solved with pivoting";
+  if (changes > 0)
+    note += ", " + std::to_string(changes) + " of them on another assembly branch than before";
+  return note + "\n";
 }
 
 std::string branch_text(int constraint, double time, const Mechanism& m) {

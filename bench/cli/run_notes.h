@@ -10,8 +10,8 @@ namespace desmo::cli {
 /// A line when parts lack the generated code that the formulation's id promises; otherwise empty.
 std::string note_on_code(const Formulation& formulation);
 
-/// A line when generated eliminations left steps to pivoting; otherwise empty.
-std::string note_on_pivoting(const Formulation& formulation);
+/// A line when generated code refused steps, and on which branches they came out; otherwise empty.
+std::string note_on_refusals(const Formulation& formulation);
 
 /// "group 'SG-I' (crank, rod), constraint 'rod/length', t = 0.3 s: no position was found …;
 /// <remedy>"

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "formulations/equations/explicit_kernel.h"
+#include "formulations/equations/symbolic.h"
+#include "formulations/guarded_part.h"
+
+namespace desmo {
+
+/// One group or block solved by generated code in explicit order. The first position after
+/// forget() is found from its estimate by `fallback`, iterating on the original equations; on which
+/// side of each square root it lies is the assembly branch, which later steps keep. A step that the
+/// code refuses, where a root or a divisor is too small or the original equations are not
+/// satisfied, is left to `fallback` as well, and the branches are those of its solution.
+class ExplicitPart final : public GuardedPart {
+ public:
+  /// bound: inputs and dimensions of the part, as for its other kernel. weights: 1/magnitude of
+  /// each equation (see magnitudes.h); settings: with the tolerance on ‖Φ‖₂ of the part's own
+  /// equations, so weighted.
+  ExplicitPart(const ExplicitKernel& kernel, const BoundKernel& bound, std::vector<double> weights,
+               const Settings& settings, std::unique_ptr<Part> fallback);
+
+  PartResult solve(State& state, Level level) override;
+  void forget() override;
+
+  long fallbacks() const override { return fallbacks_; }
+  long branch_changes() const override { return branch_changes_; }
+  /// Whether a position was found since forget(), so that the kernel may go on from it.
+  bool assembled() const { return assembled_; }
+  const ExplicitKernel& kernel() const { return kernel_; }
+  const ExplicitBinding<double>& binding() const { return binding_; }
+  std::size_t inputs() const { return inputs_.size(); }
+  std::size_t constants() const { return constants_.size(); }
+  std::size_t equations() const { return weights_.size(); }
+  /// The branches kept, ±1 each, in the order of ExplicitKernel::branches; 0 before any position.
+  std::span<const double> branches() const { return branch_; }
+
+ private:
+  PartResult fall_back(State& state, Level level);
+
+  const ExplicitKernel& kernel_;
+  std::vector<int> inputs_;
+  std::vector<double> constants_, folded_, weights_, branch_, branch_before_;
+  ExplicitBinding<double> binding_;
+  double tolerance_;
+  std::unique_ptr<Part> fallback_;
+  bool assembled_ = false;
+  long fallbacks_ = 0, branch_changes_ = 0;
+};
+
+}  // namespace desmo

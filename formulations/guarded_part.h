@@ -1,0 +1,17 @@
+#pragma once
+
+#include "formulations/part.h"
+
+namespace desmo {
+
+/// A part solved by generated code that watches itself: what it refuses is left to a part that
+/// pivots.
+class GuardedPart : public Part {
+ public:
+  /// Steps that were left to it.
+  virtual long fallbacks() const = 0;
+  /// Those of them that came out on another side of a square root, where sides are kept.
+  virtual long branch_changes() const { return 0; }
+};
+
+}  // namespace desmo
