@@ -9,6 +9,7 @@
 #include <system_error>
 #include <vector>
 
+#include "formulations/equations/lanes.h"
 #include "formulations/guess.h"
 
 namespace desmo {
@@ -84,6 +85,14 @@ Suffix iterations() {
           }};
 }
 
+Suffix lanes() {
+  return {"lanes", std::to_string(lane_count),
+          [](const Settings& s) { return s.lanes == 1 ? std::string() : std::to_string(s.lanes); },
+          [](std::string_view text, Settings& s) {
+            return read(text, s.lanes) && (s.lanes == 1 || s.lanes == lane_count);
+          }};
+}
+
 Suffix tolerance() {
   return {"tolerance", "a number above 0, such as 1e-6",
           [](const Settings& s) {
@@ -107,6 +116,7 @@ const std::vector<Suffix>& suffixes() {
         choice("jacobian", &Settings::jacobian, names(jacobian_names)),
         choice("factorisation", &Settings::factorisation, names(factorisation_names)),
         choice("scalar", &Settings::scalar, names(scalar_names)),
+        lanes(),
         iterations(),
         tolerance()};
   }();

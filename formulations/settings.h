@@ -47,6 +47,9 @@ struct Settings {
   JacobianUpdate jacobian = JacobianUpdate::newton;
   Factorisation factorisation = Factorisation::shared;
   Scalar scalar = Scalar::double_precision;
+  /// How many parts of one type that need not wait for each other may be solved at once, on wide
+  /// registers, by variants that have code for it; 1: none.
+  int lanes = 1;
 };
 
 }  // namespace desmo
