@@ -184,7 +184,8 @@ INSTANTIATE_TEST_SUITE_P(Table, EveryVariant,
 TEST(Variants, TableHoldsEveryPointOfTheDesign) {
   for (const char* id : {"global_automatic_klu", "global_symbolic_klu", "group_automatic_lapack",
                          "group_symbolic_lapack", "group_symbolic_eigen", "group_symbolic_inlined",
-                         "block_automatic_klu", "block_symbolic_inlined"})
+                         "group_symbolic_explicit", "block_automatic_klu", "block_symbolic_inlined",
+                         "block_symbolic_explicit"})
     EXPECT_EQ(find_variant(id).id, id);
   EXPECT_THROW(find_variant("group_symbolic_ma27"), std::invalid_argument);
 }

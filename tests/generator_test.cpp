@@ -164,17 +164,26 @@ std::string read(const std::string& path) {
 }
 
 TEST(Generate, WritesTheSameBytesEveryTime) {
-  const std::string a = testing::TempDir() + "kernels_a.cpp",
-                    b = testing::TempDir() + "kernels_b.cpp";
-  ASSERT_EQ(std::system((DESMO_GENERATE " " + a).c_str()), 0);
-  ASSERT_EQ(std::system((DESMO_GENERATE " " + b).c_str()), 0);
-  EXPECT_FALSE(read(a).empty());
-  EXPECT_EQ(read(a), read(b));
-  EXPECT_NE(read(a).find("const double q_WL_x = q[in["), std::string::npos);  // readable names
+  const auto generate = [](const std::string& name) {
+    const std::string kernels = testing::TempDir() + name + ".cpp",
+                      in_order = testing::TempDir() + name + "_explicit.cpp";
+    const std::string lanes = testing::TempDir() + name + "_lanes.cpp";
+    EXPECT_EQ(std::system((DESMO_GENERATE " " + kernels + " " + in_order + " " + lanes).c_str()),
+              0);
+    EXPECT_FALSE(read(lanes).empty());
+    return std::pair{read(kernels), read(in_order) + read(lanes)};
+  };
+  const auto a = generate("kernels_a"), b = generate("kernels_b");
+  EXPECT_FALSE(a.first.empty() || a.second.empty());
+  EXPECT_EQ(a, b);
+  EXPECT_NE(a.first.find("const double q_WL_x = q[in["), std::string::npos);  // readable names
+  EXPECT_NE(a.second.find("// C.x, C.y: two circles\n"), std::string::npos);
 }
 
 TEST(Generate, FailsWhereItCannotWrite) {
-  EXPECT_NE(std::system(DESMO_GENERATE " /nonexistent/kernels.cpp 2>/dev/null"), 0);
+  EXPECT_NE(std::system(DESMO_GENERATE
+                        " /nonexistent/a.cpp /nonexistent/b.cpp /nonexistent/c.cpp 2>/dev/null"),
+            0);
   EXPECT_NE(std::system(DESMO_GENERATE " 2>/dev/null"), 0);
 }
 

@@ -45,6 +45,7 @@ TEST(Id, ReadsBackEveryValueOfEverySuffix) {
     EXPECT_EQ(c.variant, &find_variant("group_automatic_eigen"));
     EXPECT_EQ(id_with(*c.variant, c.settings), id);
   }
+  EXPECT_EQ(parse_id("group_symbolic_explicit/lanes:4").settings.lanes, 4);
   EXPECT_EQ(id_with(find_variant("group_automatic_eigen"),
                     parse_id("group_automatic_eigen/guess:previous/tolerance:1e-12").settings),
             "group_automatic_eigen");
@@ -69,7 +70,8 @@ TEST(Id, SaysWhatIsWrong) {
       {"group_symbolic_klu/guess", "unknown suffix '/guess'"},
       {"group_symbolic_klu/gess:linear",
        "unknown suffix '/gess:linear'; there are, each followed by ':' and a value: guess, "
-       "jacobian, factorisation, scalar, iterations, tolerance"},
+       "jacobian, factorisation, scalar, lanes, iterations, tolerance"},
+      {"group_symbolic_explicit/lanes:5", "unknown value '5' of '/lanes:'; there are: 4"},
       {"group_symbolic_klu/guess:cubic",
        "unknown value 'cubic' of '/guess:'; there are: previous, linear, quadratic, hermite3, "
        "hermite5"},

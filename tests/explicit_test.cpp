@@ -1,0 +1,375 @@
+// Unknowns in explicit order: what the analysis finds, what the code watches, and what it keeps.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <map>
+#include <memory>
+#include <numbers>
+#include <random>
+#include <string>
+
+#include "cases/cases.h"
+#include "cases/files.h"
+#include "cases/library.h"
+#include "formulations/equations/elementary.h"
+#include "formulations/explicit_part.h"
+#include "formulations/id.h"
+#include "formulations/lane_part.h"
+#include "formulations/magnitudes.h"
+#include "formulations/variants.h"
+#include "tests/mechanisms.h"
+
+namespace desmo {
+namespace {
+
+/// What desmo_generate says of every type, by the name of its kernel.
+const std::map<std::string, std::string>& orders() {
+  static const std::map<std::string, std::string> all = [] {
+    std::map<std::string, std::string> result;
+    const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(DESMO_GENERATE " --order", "r"), pclose);
+    std::string name, line;
+    for (int c; pipe && (c = std::fgetc(pipe.get())) != EOF;) {
+      if (c != '\n') {
+        line += static_cast<char>(c);
+        continue;
+      }
+      if (!line.starts_with(' ')) name = line.substr(0, line.find(','));
+      result[name] += line + '\n';
+      line.clear();
+    }
+    return result;
+  }();
+  return all;
+}
+
+int core_size(const std::string& order) {
+  const std::size_t at = order.find("core of ");
+  return at == std::string::npos ? 0 : std::stoi(order.substr(at + 8));
+}
+
+TEST(ExplicitOrder, LeavesACoreOfTwoInTheAxleAndNoneInWhatHangsOnIt) {
+  EXPECT_EQ(core_size(orders().at("truck_suspension_sg_i")), 2);
+  EXPECT_EQ(core_size(orders().at("truck_suspension_sg_ii")), 0);
+  EXPECT_EQ(core_size(orders().at("truck_suspension_sg_iv")), 0);
+  EXPECT_EQ(core_size(orders().at("four_bar_sg_i_1")), 0);
+}
+
+TEST(ExplicitOrder, RecognisesWhatIsWorthKnowingAsOne) {
+  const auto defines = [](const char* type, const char* line) {
+    return orders().at(type).find(line) != std::string::npos;
+  };
+  EXPECT_TRUE(defines("four_bar_sg_i_1", "C.x, C.y: two circles"));
+  EXPECT_TRUE(defines("four_bar_sg_i_1", "psi: angle ("));
+  EXPECT_TRUE(defines("truck_suspension_sg_i", "x2.x, x2.y, x2.z: normal of two"));
+  EXPECT_TRUE(defines("truck_suspension_sg_ii", "B6.x, B6.y, B6.z: sphere and planes"));
+  EXPECT_TRUE(defines("truck_suspension_sg_ii", "phi6: angle modulo half a turn"));
+  EXPECT_TRUE(defines("truck_suspension_sg_iv", "s10: direction and length"));
+}
+
+TEST(ExplicitOrder, TearsNoMoreThanTheFreedomsOfAPlatform) {
+  for (const auto& [name, order] : orders()) EXPECT_LE(core_size(order), 6) << order;
+  EXPECT_GT(orders().size(), 90u);
+}
+
+class Discard final : public Sink {
+ public:
+  void accept(const Instant&) override {}
+};
+
+const ExplicitPart& part(const Formulation& f, std::size_t i) {
+  return dynamic_cast<const ExplicitPart&>(*f.parts()[i].solver);
+}
+
+long fallbacks(const Formulation& f) {
+  long sum = 0;
+  for (std::size_t i = 0; i < f.parts().size(); ++i) sum += part(f, i).fallbacks();
+  return sum;
+}
+
+TEST(Explicit, NeedsNoFallbackOnTheCases) {
+  for (const char* id : {"group_symbolic_explicit", "block_symbolic_explicit"})
+    for (const Case& c : cases()) {
+      const Mechanism m = make_mechanism(c.describe(2));
+      const auto f = make_formulation(find_variant(id), m);
+      Discard sink;
+      ASSERT_TRUE(f->run(time_grid(3, 0.01), {}, sink).ok());
+      EXPECT_EQ(fallbacks(*f), 0) << c.name;
+      for (const auto& p : f->parts()) EXPECT_TRUE(p.as_named);
+    }
+}
+
+TEST(Explicit, IteratesOnCoresOnly) {
+  const Mechanism four_bar = four_bar_mechanism(3), truck = truck_mechanism(1);
+  const auto closed = make_formulation(find_variant("group_symbolic_explicit"), four_bar),
+             torn = make_formulation(find_variant("group_symbolic_explicit"), truck);
+  ASSERT_TRUE(closed->assemble(0).ok() && torn->assemble(0).ok());
+  const Summary without = closed->step(0.01), with = torn->step(0.01);
+  EXPECT_EQ(without.iterations, 0);
+  EXPECT_GE(with.iterations, 1);
+  EXPECT_LE(with.iterations, 4);
+  EXPECT_LT(without.residual, 1e-10);
+  EXPECT_LT(with.residual, 1e-10);
+}
+
+/// A dyad whose coupler and rocker nearly align: roots and divisors vanish in the middle of the
+/// motion, and accuracy must not.
+TEST(Explicit, LeavesNearlySingularPositionsToPivotingAndLosesNothing) {
+  Mechanism m = four_bar_mechanism(1);
+  // ‖D − B‖ is largest, 8, where the crank points away from D: links of 4 and 4 + δ just reach.
+  const double delta = 1e-9;
+  for (Constraint& c : m.constraints)
+    if (c.name.starts_with("dyad1/coupler")) c.constants[0] = (4 + delta) * (4 + delta);
+  for (Constraint& c : m.constraints)
+    if (c.name.find("psi") != std::string::npos) c.constants[0] = 4;
+  const int c = m.entities[m.find("dyad1/C")].first;
+  m.estimate[c] = 3.5;
+  m.estimate[c + 1] = 3;
+  const auto f = make_formulation(find_variant("group_symbolic_explicit"), m),
+             g = make_formulation(find_variant("group_automatic_eigen"), m);
+  const double start = std::numbers::pi / 3, worst = std::numbers::pi - start;
+  int compared = 0;
+  for (const double t :
+       {0.0, worst - 0.4, worst - 0.1, worst - 0.01, worst - 1e-3, worst - 1e-4, worst - 1e-5}) {
+    const Summary a = f->step(t), b = g->step(t);
+    ASSERT_EQ(a.ok(), b.ok()) << t << " " << describe(a, m) << " " << describe(b, m);
+    if (!a.ok()) break;
+    EXPECT_LT(a.residual, 1e-10);
+    // Conditioned by the distance from the singular position, the same for both.
+    const double conditioning = 1 / (worst - t);
+    for (int i = 0; i < m.coordinates(); ++i) {
+      EXPECT_NEAR(f->q()[i], g->q()[i], 1e-10 * conditioning) << t;
+      EXPECT_NEAR(f->qd()[i], g->qd()[i], 1e-9 * conditioning * conditioning) << t;
+    }
+    ++compared;
+  }
+  EXPECT_GE(compared, 5);
+  EXPECT_GT(fallbacks(*f), 0);
+}
+
+/// Stands in for the part that pivots: one of another formulation.
+class Borrowed final : public Part {
+ public:
+  explicit Borrowed(Part& part) : part_(part) {}
+  PartResult solve(State& s, Level level) override { return part_.solve(s, level); }
+
+ private:
+  Part& part_;
+};
+
+/// The kernel of the dyad, refusing always.
+TEST(Explicit, IsRightWhereItsCodeRefuses) {
+  const Mechanism m = four_bar_mechanism(1);
+  const std::vector<PartDefinition> parts = make_partition(m, Partition::group);
+  const BoundKernel bound = bind_kernel(m, parts[1]).value();
+  ExplicitKernel refusing = *find_explicit_kernel(bound.kernel->fingerprint);
+  refusing.acceleration = [](double*, double*, double*, const ExplicitBinding<double>&) {
+    return ExplicitResult<double>{0, 0, false};
+  };
+  const auto reference = make_formulation(find_variant("group_automatic_eigen"), m);
+  ExplicitPart bad(refusing, bound, Magnitudes(m).weights(parts[1]), {.tolerance = 1e-12},
+                   std::make_unique<Borrowed>(*reference->parts()[1].solver));
+  State s;
+  s.q = m.estimate;
+  s.q.insert(s.q.end(), m.fixed_values.begin(), m.fixed_values.end());
+  s.qd.assign(s.q.size(), 0);
+  s.qdd.assign(s.q.size(), 0);
+  ASSERT_EQ(bad.solve(s, Level::acceleration).status, Status::converged);
+  EXPECT_EQ(bad.fallbacks(), 0);  // the first position is found by iterating, as ever
+  ASSERT_EQ(bad.solve(s, Level::acceleration).status, Status::converged);
+  EXPECT_EQ(bad.fallbacks(), 1);
+  EXPECT_EQ(bad.branch_changes(), 0);
+}
+
+TEST(Explicit, KeepsTheBranchOfTheEstimateHoweverLargeTheStep) {
+  for (const double side : {+1.0, -1.0}) {
+    Mechanism m = four_bar_mechanism(1);
+    const int c = m.entities[m.find("dyad1/C")].first, b = m.entities[m.find("crank/B")].first;
+    m.estimate[c + 1] *= side;
+    m.estimate[m.entities[m.find("dyad1/psi")].first] *= side;
+    const auto f = make_formulation(find_variant("group_symbolic_explicit"), m);
+    ASSERT_TRUE(f->assemble(0).ok());
+    const auto branch = part(*f, 1).branches();
+    ASSERT_EQ(branch.size(), 1u);
+    const double at_start = branch[0];
+    for (int i = 1; i <= 40; ++i) {  // of 1.7 rad each
+      ASSERT_TRUE(f->step(1.7 * i).ok());
+      const double bx = f->q()[b], by = f->q()[b + 1], x = f->q()[c], y = f->q()[c + 1];
+      const double area = (6 - bx) * (y - by) - (0 - by) * (x - bx);
+      EXPECT_GT(side * area, 0) << i;
+    }
+    EXPECT_EQ(part(*f, 1).branches()[0], at_start);
+    EXPECT_EQ(part(*f, 1).branch_changes(), 0);
+  }
+}
+
+TEST(Explicit, AssemblesAnewFromTheEstimate) {
+  const Mechanism m = truck_mechanism(1);
+  const auto f = make_formulation(find_variant("group_symbolic_explicit"), m);
+  ASSERT_TRUE(f->assemble(0).ok());
+  const std::vector<double> first(f->q().begin(), f->q().end());
+  for (int i = 1; i < 30; ++i) ASSERT_TRUE(f->step(0.01 * i).ok());
+  ASSERT_TRUE(f->assemble(0).ok());
+  EXPECT_EQ(first, std::vector<double>(f->q().begin(), f->q().end()));
+}
+
+struct LastInstant final : Sink {
+  void accept(const Instant& i) override {
+    values.assign(i.q.begin(), i.q.end());
+    values.insert(values.end(), i.qd.begin(), i.qd.end());
+    values.insert(values.end(), i.qdd.begin(), i.qdd.end());
+  }
+  std::vector<double> values;
+};
+
+constexpr Settings on_lanes{.lanes = lane_count};
+
+TEST(Lanes, SolveWhatSolvingOneByOneSolves) {
+  std::vector<std::pair<Mechanism, TimeGrid>> all;
+  for (const Case& c : cases()) all.emplace_back(make_mechanism(c.describe(3)), time_grid(3, 0.01));
+  for (const LibraryMechanism& l : library()) {
+    const Scene scene = parse_scene(l.scene, std::string(l.name), {});
+    all.emplace_back(make_mechanism(scene), scene.grid);
+  }
+  for (const char* id : {"group_symbolic_explicit", "block_symbolic_explicit"})
+    for (const auto& [m, grid] : all) {
+      const auto one_by_one = make_formulation(find_variant(id), m),
+                 at_once = make_formulation(find_variant(id), m, on_lanes);
+      LastInstant expected, actual;
+      const Summary a = one_by_one->run(grid, {}, expected), b = at_once->run(grid, {}, actual);
+      ASSERT_TRUE(a.ok() && b.ok()) << m.name;
+      EXPECT_LT(b.residual, 1e-10) << m.name;
+      double size = 1;
+      for (const double v : expected.values) size = std::max(size, std::abs(v));
+      for (std::size_t i = 0; i < expected.values.size(); ++i)
+        EXPECT_NEAR(actual.values[i], expected.values[i], 1e-9 * size) << m.name << i;
+    }
+}
+
+TEST(Lanes, TakeTwinsAndAxlesTogether) {
+  const Mechanism m = truck_mechanism(2);
+  const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, on_lanes);
+  ASSERT_EQ(f->parts().size(), 4u);  // y1, two axles, four levers, four dampers
+  int unknowns = 0;
+  for (const auto& p : f->parts()) unknowns += static_cast<int>(p.definition.unknowns.size());
+  EXPECT_EQ(unknowns, 3 + 2 * (39 + 2 * 19 + 2 * 16));
+}
+
+TEST(Lanes, StandInTheIdAndAreRefusedWhereThereIsNoCode) {
+  const Variant& v = find_variant("group_symbolic_explicit");
+  EXPECT_EQ(id_with(v, on_lanes), "group_symbolic_explicit/lanes:" + std::to_string(lane_count));
+  const Mechanism m = four_bar_mechanism(1);
+  EXPECT_THROW(make_formulation(v, m, {.lanes = lane_count + 1}), std::invalid_argument);
+  EXPECT_THROW(make_formulation(find_variant("group_symbolic_inlined"), m, on_lanes),
+               std::invalid_argument);
+}
+
+/// Of four levers at once, the code refuses the third: only that one is solved by another part.
+TEST(Lanes, ThatAreRefusedFallBackAlone) {
+  const Mechanism m = truck_mechanism(2);
+  const auto reference = make_formulation(find_variant("group_automatic_eigen"), m);
+  const std::vector<PartDefinition> parts = make_partition(m, Partition::group);
+  std::vector<std::size_t> levers;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (parts[i].unknowns.size() == 19) levers.push_back(i);
+  ASSERT_EQ(levers.size(), 4u);
+
+  static const LaneKernel* sound = nullptr;
+  const BoundKernel first = bind_kernel(m, parts[levers[0]]).value();
+  sound = find_lane_kernel(first.kernel->fingerprint);
+  ASSERT_NE(sound, nullptr);
+  LaneKernel refusing = *sound;
+  refusing.solve = [](Lanes* q, Lanes* qd, Lanes* qdd, const ExplicitBinding<Lanes>& binding) {
+    ExplicitResult<Lanes> r = sound->solve(q, qd, qdd, binding);
+    r.accepted[2] = false;
+    return r;
+  };
+  std::vector<std::unique_ptr<ExplicitPart>> members;
+  std::vector<const ExplicitPart*> seen;
+  std::vector<ExplicitKernel> kernels(4, *find_explicit_kernel(first.kernel->fingerprint));
+  kernels[2].acceleration = [](double*, double*, double*, const ExplicitBinding<double>&) {
+    return ExplicitResult<double>{0, 0, false};
+  };
+  for (std::size_t l = 0; l < 4; ++l) {
+    members.push_back(std::make_unique<ExplicitPart>(
+        kernels[l], bind_kernel(m, parts[levers[l]]).value(),
+        Magnitudes(m).weights(parts[levers[l]]), Settings{.tolerance = 1e-11},
+        std::make_unique<Borrowed>(*reference->parts()[levers[l]].solver)));
+    seen.push_back(members.back().get());
+  }
+  LanePart lanes(refusing, std::move(members));
+
+  ASSERT_TRUE(reference->assemble(0).ok());
+  State s;
+  const auto put = [](std::span<const double> from, std::vector<double>& to, std::size_t size) {
+    to.assign(from.begin(), from.end());
+    to.resize(size, 0);
+  };
+  const std::size_t size = static_cast<std::size_t>(m.state_size());
+  put(reference->q(), s.q, size);
+  put(reference->qd(), s.qd, size);
+  put(reference->qdd(), s.qdd, size);
+  std::ranges::copy(m.fixed_values, s.q.begin() + m.coordinates());
+  const State expected = s;
+  for (int i = 0; i < 3; ++i)
+    ASSERT_EQ(lanes.solve(s, Level::acceleration).status, Status::converged);
+  for (std::size_t l = 0; l < 4; ++l) EXPECT_EQ(seen[l]->fallbacks(), l == 2 ? 2 : 0) << l;
+  EXPECT_EQ(lanes.fallbacks(), 2);
+  for (int i = 0; i < m.coordinates(); ++i) {
+    EXPECT_NEAR(s.q[i], expected.q[i], 1e-10) << i;
+    EXPECT_NEAR(s.qdd[i], expected.qdd[i], 1e-8) << i;
+  }
+}
+
+TEST(Elementary, FunctionsAgreeWithTheStandardLibrary) {
+  std::mt19937 generator(5);
+  for (const double range : {1e-6, 1.0, 10.0, 1e3, 9e5, 1e9}) {
+    std::uniform_real_distribution<double> uniform(-range, range);
+    for (int i = 0; i < 20000; ++i) {
+      const double x = uniform(generator), y = uniform(generator);
+      const double unit = std::numeric_limits<double>::epsilon();
+      EXPECT_NEAR(elementary::sin(x), std::sin(x), unit * std::min(1.0, std::abs(x)));
+      EXPECT_NEAR(elementary::cos(x), std::cos(x), unit);
+      const double angle = std::atan2(y, x);
+      EXPECT_NEAR(elementary::arctan(y, x), angle, 2 * unit * std::abs(angle));
+    }
+  }
+  for (const double x : {-1.0, -0.0, 0.0, 1.0})
+    for (const double y : {-1.0, -0.0, 0.0, 1.0})
+      if (x != 0 || y != 0) {
+        EXPECT_NEAR(std::abs(elementary::arctan(y, x)), std::abs(std::atan2(y, x)), 1e-15);
+      }
+  EXPECT_TRUE(std::isnan(elementary::sin(std::numeric_limits<double>::quiet_NaN())));
+}
+
+/// Each lane has the value that it would have alone, with one far away beside it as well.
+TEST(Elementary, LanesAgreeWithScalars) {
+  std::mt19937 generator(6);
+  std::uniform_real_distribution<double> uniform(-20, 20);
+  const double ulps = 4 * std::numeric_limits<double>::epsilon();
+  for (int i = 0; i < 1000; ++i) {
+    const double far = i % 10 == 0 ? 1e7 : 0;
+    const Lanes x([&](auto lane) { return uniform(generator) + (lane == 1 ? far : 0); });
+    const Lanes y([&](auto) { return uniform(generator); });
+    const Lanes sine = elementary::sin(x), cosine = elementary::cos(x),
+                angle = elementary::angle_near(y, x, Lanes(30.0));
+    for (int l = 0; l < lane_count; ++l) {
+      EXPECT_NEAR(sine[l], std::sin(x[l]), ulps);
+      EXPECT_NEAR(cosine[l], std::cos(x[l]), ulps);
+      EXPECT_NEAR(angle[l], elementary::angle_near(double(y[l]), double(x[l]), 30.0), 32 * ulps);
+    }
+  }
+}
+
+TEST(Elementary, AnglesStayNearTheirLastValue) {
+  for (double turned = -40; turned < 40; turned += 0.37) {
+    const double found = elementary::angle_near(std::sin(turned), std::cos(turned), turned + 2);
+    EXPECT_NEAR(found, turned, 1e-13);
+  }
+}
+
+}  // namespace
+}  // namespace desmo
