@@ -2,7 +2,7 @@
 set(desmo_library
   andrews delta double_wishbone inverted_slider_crank jansen_leg macpherson rssr slider_crank
   stephenson_six_bar stewart truck_axle watt_six_bar whitworth)
-set(desmo_requests wheel_centre damper dampers axle)
+set(desmo_requests wheel_centre damper dampers axle outputs)
 
 set(DESMO_EMBEDDED_TEXTS "")
 function(desmo_embed variable path)

@@ -20,6 +20,7 @@ inline constexpr std::array checked_cells{
     "truck_suspension/114/group_symbolic_klu",
     "truck_suspension/114/group_symbolic_eigen",
     "truck_suspension/114/group_symbolic_lapack",
+    "truck_suspension/114/group_symbolic_explicit",
     "truck_suspension/114/block_symbolic_inlined",
 };
 
