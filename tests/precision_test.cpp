@@ -2,10 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <set>
+#include <stdexcept>
+#include <string>
 
 #include "bench/precision/knobs.h"
-#include "bench/precision/search.h"
+#include "bench/precision/promise.h"
 #include "cases/cases.h"
 #include "cases/files.h"
 #include "formulations/modelling/model.h"
@@ -22,24 +28,31 @@ Problem problem(const Scene& scene, double duration, int compared) {
 }
 
 TEST(Knobs, AreAllDifferentAndIncludeThePapers) {
-  for (const auto& all : {few_settings(), all_settings()}) {
+  for (const auto& all : {fewest_settings(), few_settings(), all_settings()}) {
     std::set<std::string> ids;
     for (const Settings& s : all) ids.insert(id_with(variants().front(), s));
     EXPECT_EQ(ids.size(), all.size());
   }
 }
 
+/// Powers of ten between which the errors below 1 lie that some settings end at.
+std::set<int> levels(const Problem& problem, const char* id, const std::vector<Settings>& some) {
+  std::set<int> found;
+  for (const Settings& s : some) {
+    Trial trial(problem, {&find_variant(id), s});
+    trial.compare();
+    if (trial.state == Trial::State::solved && trial.error.position.max < 1)
+      found.insert(static_cast<int>(std::floor(std::log10(trial.error.position.max))));
+  }
+  return found;
+}
+
 TEST(Trials, FewSettingsReachErrorsOfFourSizes) {
-  const Problem p = problem(describe(find_case("truck_suspension"), 114), seconds, 5);
-  for (const char* id : {"global_automatic_klu", "group_symbolic_inlined"}) {
-    std::set<int> decades;
-    for (const Settings& s : few_settings()) {
-      Trial trial(p, {&find_variant(id), s});
-      trial.compare();
-      ASSERT_EQ(trial.state, Trial::State::solved) << trial.message;
-      decades.insert(static_cast<int>(std::floor(std::log10(trial.error.position.max))));
-    }
-    EXPECT_GE(decades.size(), 4u) << id;
+  for (const Case& c : cases()) {
+    const Problem p = problem(describe(c, 114), seconds, 5);
+    for (const char* id : {"global_automatic_klu", "group_symbolic_inlined", "block_symbolic_klu"})
+      EXPECT_GE(levels(p, id, few_settings()).size(), 4u) << c.name << ' ' << id;
+    EXPECT_GE(levels(p, "global_automatic_klu", fewest_settings()).size(), 4u) << c.name;
   }
 }
 
@@ -69,20 +82,24 @@ double error_elsewhere(const Scene& scene, const Configuration& c, Level level) 
   return trial.error[level].max;
 }
 
-class Promise : public testing::TestWithParam<const char*> {};
+TunedMotion begin_and_whole(const Scene& scene) {
+  return {problem(scene, seconds, 31), problem(scene, seconds / 4, 11)};
+}
 
-TEST_P(Promise, IsKeptOnTheWholeMotion) {
+class Choice : public testing::TestWithParam<const char*> {};
+
+TEST_P(Choice, KeepsItsPromiseOnTheWholeMotion) {
   const std::string name = GetParam();
   const Scene scene = name.ends_with("114")
                           ? describe(find_case(name.substr(0, name.size() - 4)), 114)
                           : library_scene(name);
-  const Problem all = problem(scene, seconds, 31), begin = problem(scene, seconds / 4, 11);
+  const TunedMotion motion = begin_and_whole(scene);
   const Effort effort{.formulations = {&find_variant("group_automatic_klu"),
                                        &find_variant("block_symbolic_inlined")},
                       .rounds = 1};
   for (const double allowed : {1e-3, 1e-7, 1e-11})
     for (const Level level : {Level::position, Level::acceleration}) {
-      const Found found = search(all, begin, {level, allowed, 0}, effort);
+      const Found found = search(motion, {level, allowed, 0}, effort);
       ASSERT_TRUE(found.choice) << allowed;
       EXPECT_LE(found.error[level].max, allowed / 2);
       EXPECT_LE(error_elsewhere(scene, *found.choice, level), allowed)
@@ -90,17 +107,34 @@ TEST_P(Promise, IsKeptOnTheWholeMotion) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Mechanisms, Promise,
+INSTANTIATE_TEST_SUITE_P(Mechanisms, Choice,
                          testing::Values("truck_suspension_114", "four_bar_114", "slider_crank",
                                          "rssr", "stewart"));
 
 TEST(Search, GivesTheMostAccurateWithinABudget) {
-  const Problem p = problem(library_scene("slider_crank"), seconds, 11);
+  const TunedMotion motion = begin_and_whole(library_scene("slider_crank"));
   const Effort effort{.formulations = {&find_variant("group_automatic_klu")}, .rounds = 1};
-  const Found found = search(p, p, {Level::position, 0, 1.0}, effort);
+  const Found found = search(motion, {Level::position, 0, 1.0}, effort);
   ASSERT_TRUE(found.choice);
   EXPECT_LT(found.error.position.max, 1e-13);
-  EXPECT_FALSE(search(p, p, {Level::position, 0, 1e-12}, effort).choice);
+  EXPECT_FALSE(search(motion, {Level::position, 0, 1e-12}, effort).choice);
+}
+
+// The short form of desmo_promises.
+TEST(Promises, AreMeasuredBesideTheBestOfEverything) {
+  const Scene scene = library_scene("slider_crank");
+  const TunedMotion motion = begin_and_whole(scene);
+  const std::vector<Tried> all = everything(motion);
+  EXPECT_GT(all.size(), 20 * variants().size());
+  EXPECT_TRUE(std::ranges::is_sorted(all, {}, &Tried::seconds));
+  for (const double allowed : {1e-3, 1e-9}) {
+    const Promise p = promise(motion, problem(scene, seconds, 47), all, allowed);
+    EXPECT_LE(p.promised, allowed / safety);
+    EXPECT_LE(p.choice.error, allowed);
+    EXPECT_LE(p.best.error, allowed);
+    EXPECT_LE(std::ranges::min(p.best.seconds), std::ranges::min(p.choice.seconds));
+  }
+  EXPECT_THROW(promise(motion, motion.whole, all, 1e-25), std::runtime_error);
 }
 
 }  // namespace

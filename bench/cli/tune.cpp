@@ -19,8 +19,6 @@
 namespace desmo::cli {
 namespace {
 
-constexpr int begin_instants = 101;     // of the part of the motion on which all are tried
-constexpr int compared_instants = 101;  // of the whole motion
 constexpr std::size_t rows_shown = 12;
 
 struct Options {
@@ -113,14 +111,10 @@ void tune(const Options& options) {
     if (!options.quiet) std::fprintf(stderr, "tune: %s\n", what.c_str());
   };
   say("reference solutions in quadruple precision");
-  TimeGrid begin = input.scene.grid;
-  begin.instants = std::min(begin.instants, begin_instants);
-  const precision::Problem whole =
-      precision::make_problem(plan, input.scene.grid, compared_instants);
-  const precision::Problem first = precision::make_problem(plan, begin, compared_instants / 2);
+  const precision::TunedMotion motion = precision::make_tuned_motion(plan, input.scene.grid);
   const precision::Found found =
-      precision::search(whole, first, goal, {.exhaustive = options.exhaustive, .say = say});
-  if (!found.choice) refuse(found, whole, options, input);
+      precision::search(motion, goal, {.exhaustive = options.exhaustive, .say = say});
+  if (!found.choice) refuse(found, motion.whole, options, input);
 
   const std::string id = id_with(*found.choice->variant, found.choice->settings);
   std::string text = id + "\n";

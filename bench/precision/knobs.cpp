@@ -21,12 +21,20 @@ std::vector<Settings> stops() {
 
 }  // namespace
 
-std::vector<Settings> few_settings() {
-  std::vector<Settings> all;
+std::vector<Settings> fewest_settings() {
+  std::vector<Settings> all{Settings{}};
   for (const Guess guess : {Guess::previous, Guess::linear, Guess::quadratic})
     all.push_back({.guess = guess, .fixed_iterations = 1});
-  for (const int iterations : {2, 3}) all.push_back({.fixed_iterations = iterations});
-  all.emplace_back();
+  all.push_back({.fixed_iterations = 2});
+  return all;
+}
+
+std::vector<Settings> few_settings() {
+  std::vector<Settings> all = fewest_settings();
+  all.push_back({.fixed_iterations = 3});
+  for (const Guess guess : {Guess::previous, Guess::linear})
+    for (const double tolerance : {1e-4, 1e-6, 1e-8})
+      all.push_back({.tolerance = tolerance, .guess = guess});
   return all;
 }
 

@@ -4,13 +4,14 @@
 #include <exception>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <regex>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "bench/precision/record.h"
 #include "bench/suite/environment.h"
-#include "bench/suite/environment_json.h"
 #include "bench/suite/kept_memory.h"
 #include "bench/suite/new_file.h"
 #include "bench/suite/progress.h"
@@ -23,57 +24,67 @@ namespace {
 
 constexpr int compared_instants = 21;
 constexpr double least_seconds = 0.01;  // of a sample
+constexpr double dear_seconds = 0.3;    // a motion that takes longer has two samples only
 
 struct Options {
-  std::string record, command;
+  std::string record, command, filter;
   int repetitions = 5;
   bool quick = false;
 };
 
+bool is_sampled(const Trial& trial, const Series& series) {
+  return trial.seconds_per_step.size() >= 2 &&
+         trial.least_seconds() * series.instants > dear_seconds;
+}
+
 /// Compares every configuration, then times them in turn, so that whatever slows the machine down
 /// for a while meets them all.
-std::vector<Trial> measure(const Series& series, const Problem& problem, int repetitions) {
+std::vector<Trial> measure(const Series& series, const Problem& problem, int repetitions,
+                           suite::Progress& progress) {
   std::vector<Trial> trials;
   for (const Configuration& c : series.configurations) trials.emplace_back(problem, c);
-  for (Trial& trial : trials) trial.compare();
+  for (Trial& trial : trials) {
+    trial.compare();
+    progress.one_done();
+  }
   for (int round = 0; round < repetitions; ++round)
-    for (Trial& trial : trials) trial.time(least_seconds);
+    for (Trial& trial : trials) {
+      if (!is_sampled(trial, series)) trial.time(least_seconds);
+      progress.one_done();
+    }
   return trials;
 }
 
-/// The document without its points.
-nlohmann::ordered_json document(const suite::Run& run, const TimeGrid& grid) {
-  nlohmann::ordered_json j = {{"schema", "desmo-results"}, {"version", suite::schema_version}};
-  j["record"] = suite::environment_json(run, grid);
-  for (const char* list : {"cells", "floors", "precision"})
-    j[list] = nlohmann::ordered_json::array();
-  return j;
+int comparisons_and_samples(const std::vector<Series>& all, int repetitions) {
+  std::size_t count = 0;
+  for (const Series& series : all) count += series.configurations.size();
+  return static_cast<int>(count) * (1 + repetitions);
 }
 
 void run(const Options& options) {
   suite::keep_freed_memory();
   set_blas_threads(1);  // the clock is the thread's own
+  const std::vector<Series> all =
+      matching(options.quick ? quick_series() : all_series(), std::regex(options.filter));
+  if (all.empty()) throw std::invalid_argument("no configuration matches " + options.filter);
   suite::NewFile file(options.record);
   suite::Run run{suite::utc_now(), options.command, suite::load_averages(), {}};
-  const std::vector<Series> all = options.quick ? quick_series() : all_series();
-  nlohmann::ordered_json floors = nlohmann::ordered_json::array(), points = floors;
+  nlohmann::ordered_json lists = {{"floors", nlohmann::ordered_json::array()},
+                                  {"precision", nlohmann::ordered_json::array()}};
   TimeGrid usual;
-  suite::Progress progress("series of configurations", static_cast<int>(all.size()));
+  suite::Progress progress("comparisons and samples",
+                           comparisons_and_samples(all, options.repetitions));
   for (const Series& series : all) {
     const Mechanism whole = make_mechanism(describe(*series.definition, series.coordinates));
     const TimeGrid grid = time_grid(series.step * (series.instants - 1), series.step);
     if (&series == &all.front()) usual = grid;
     const Problem problem = make_problem(make_plan(whole, {}), grid, compared_instants);
-    floors.push_back(floor_json(series, problem));
-    for (const Trial& trial : measure(series, problem, options.repetitions))
-      points.push_back(point_json(series, trial));
-    progress.one_done();
+    lists["floors"].push_back(floor_json(series, problem));
+    for (const Trial& trial : measure(series, problem, options.repetitions, progress))
+      lists["precision"].push_back(point_json(series, trial));
   }
   run.load_after = suite::load_averages();
-  nlohmann::ordered_json j = document(run, usual);
-  j["floors"] = std::move(floors);
-  j["precision"] = std::move(points);
-  file.write(j.dump(1) + "\n");
+  file.write(record_text(run, usual, lists));
 }
 
 }  // namespace
@@ -89,6 +100,8 @@ int main(int argc, char** argv) {
   program.add_option("--repetitions", options.repetitions, "Samples of each time")
       ->check(CLI::PositiveNumber);
   program.add_flag("--quick", options.quick, "The smallest sizes only, with few settings");
+  program.add_option("--filter", options.filter,
+                     "Only where this regular expression is found in <case>/<coordinates>/<id>");
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -99,6 +112,12 @@ int main(int argc, char** argv) {
   try {
     run(options);
     return 0;
+  } catch (const std::regex_error& error) {
+    std::cerr << "desmo_precision: --filter: " << error.what() << '\n';
+    return 64;
+  } catch (const std::invalid_argument& error) {
+    std::cerr << "desmo_precision: " << error.what() << '\n';
+    return 64;
   } catch (const std::exception& error) {
     std::cerr << "desmo_precision: " << error.what() << '\n';
     return 74;

@@ -15,4 +15,11 @@ Problem make_problem(Plan plan, const TimeGrid& grid, int compared) {
   return {std::move(plan), grid, std::move(reference)};
 }
 
+TunedMotion make_tuned_motion(const Plan& plan, const TimeGrid& grid) {
+  constexpr int begin_instants = 101, compared = 101;
+  TimeGrid begin = grid;
+  begin.instants = std::min(grid.instants, begin_instants);
+  return {make_problem(plan, grid, compared), make_problem(plan, begin, compared / 2)};
+}
+
 }  // namespace desmo::precision

@@ -17,4 +17,13 @@ struct Problem {
 /// what make_reference throws.
 Problem make_problem(Plan plan, const TimeGrid& grid, int compared);
 
+/// A motion for which settings are chosen.
+struct TunedMotion {
+  Problem whole;
+  Problem begin;  ///< its first hundred instants, on which everything is tried
+};
+
+/// Throws what make_reference throws.
+TunedMotion make_tuned_motion(const Plan& plan, const TimeGrid& grid);
+
 }  // namespace desmo::precision

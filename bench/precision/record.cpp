@@ -1,10 +1,11 @@
 #include "bench/precision/record.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 
+#include "bench/suite/environment_json.h"
 #include "formulations/accuracy/condition.h"
 
 namespace desmo::precision {
@@ -21,12 +22,14 @@ Json per_level(const PerLevel<double>& values) {
   return j;
 }
 
-/// Nothing for an error that is no number: JSON has none for it.
+constexpr double largest_error = 1e100;  // that a record holds
+
+/// Nothing for an error beyond all measure, or none at all: JSON has no number for it.
 Json error_json(const Error& error) {
-  Json j;
+  Json j = Json::object();
   for (const Level level : levels) {
     const LevelError& e = error[level];
-    if (e.compared > 0 && std::isfinite(e.max) && std::isfinite(e.rms))
+    if (e.compared > 0 && e.max <= largest_error && std::isfinite(e.rms))
       j[level_names[static_cast<int>(level)]] = {{"max", e.max}, {"rms", e.rms}};
   }
   return j;
@@ -49,6 +52,21 @@ double condition(const Problem& problem) {
 }
 
 }  // namespace
+
+std::string record_text(const suite::Run& run, const TimeGrid& grid, const Json& lists) {
+  Json head = {{"schema", "desmo-results"}, {"version", suite::schema_version}};
+  head["record"] = suite::environment_json(run, grid);
+  head["cells"] = Json::array();
+  std::string text = head.dump(1);
+  text.erase(text.rfind('\n'));  // with the brace behind it
+  for (const auto& [name, list] : lists.items()) {
+    text += ",\n " + Json(name).dump() + ": [";
+    for (std::size_t i = 0; i < list.size(); ++i)
+      text += (i == 0 ? "\n  " : ",\n  ") + list[i].dump();
+    text += "\n ]";
+  }
+  return text + "\n}\n";
+}
 
 Json floor_json(const Series& series, const Problem& problem) {
   Json j = place(series);

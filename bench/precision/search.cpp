@@ -13,7 +13,6 @@ namespace desmo::precision {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double margin = 2;           // between the instants compared, and the begin and the rest
 constexpr double least_sample = 2e-3;  // s
 constexpr int dense_limit = 114;       // coordinates of a dense global solve, O(n³) a step
 constexpr double near_best = 1.6;      // formulations that other settings may yet make the fastest
@@ -27,8 +26,8 @@ std::vector<Settings> telling_settings() {
 
 class Searcher {
  public:
-  Searcher(const Problem& whole, const Problem& begin, const Goal& goal, const Effort& effort)
-      : whole_(whole), begin_(begin), goal_(goal), effort_(effort) {}
+  Searcher(const TunedMotion& motion, const Goal& goal, const Effort& effort)
+      : whole_(motion.whole), begin_(motion.begin), goal_(goal), effort_(effort) {}
 
   Found run() {
     std::list<Trial> trials;
@@ -86,7 +85,7 @@ class Searcher {
   double error(const Trial& t) const {
     return t.state == Trial::State::solved ? t.error[goal_.level].max : infinity;
   }
-  bool is_accurate(const Trial& t) const { return error(t) <= goal_.max_error / margin; }
+  bool is_accurate(const Trial& t) const { return error(t) <= goal_.max_error / safety; }
   bool is_cheap(double seconds) const { return seconds <= goal_.budget; }
   bool may_do(const Trial& t) const {
     if (t.state != Trial::State::solved) return false;
@@ -148,8 +147,8 @@ class Searcher {
 
 }  // namespace
 
-Found search(const Problem& whole, const Problem& begin, const Goal& goal, const Effort& effort) {
-  return Searcher(whole, begin, goal, effort).run();
+Found search(const TunedMotion& motion, const Goal& goal, const Effort& effort) {
+  return Searcher(motion, goal, effort).run();
 }
 
 }  // namespace desmo::precision

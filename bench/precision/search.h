@@ -45,10 +45,12 @@ struct Effort {
   std::function<void(const std::string&)> say;
 };
 
+/// An error between the instants that are compared may exceed the largest compared: a choice must
+/// hold max_error over this where it is compared.
+inline constexpr double safety = 2;
+
 /// Tries formulations with their settings on the begin of a motion, and the best of them on all of
-/// it. An error between the instants that are compared may exceed the largest compared: a choice
-/// must hold half of max_error where it is compared. `whole` and `begin` are the same mechanism and
-/// request; begin's grid is the first part of the other's. Deterministic but for the times.
-Found search(const Problem& whole, const Problem& begin, const Goal& goal, const Effort& effort);
+/// it. Deterministic but for the times.
+Found search(const TunedMotion& motion, const Goal& goal, const Effort& effort);
 
 }  // namespace desmo::precision

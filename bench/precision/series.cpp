@@ -19,11 +19,11 @@ constexpr double seconds = 1;
 constexpr int dense_instants = 6;
 
 /// Where all knobs are turned: global and by groups or blocks, automatic and generated, sparse and
-/// dense.
-constexpr std::array<std::string_view, 7> tuned{
-    "global_automatic_klu",   "global_symbolic_klu",  "group_symbolic_klu",
-    "group_symbolic_lapack",  "group_symbolic_eigen", "group_symbolic_inlined",
-    "block_symbolic_inlined",
+/// dense. Only what is automatic and dense offers float.
+constexpr std::array<std::string_view, 9> tuned{
+    "global_automatic_klu",   "global_symbolic_klu",   "group_symbolic_klu",
+    "group_symbolic_lapack",  "group_symbolic_eigen",  "group_symbolic_inlined",
+    "block_symbolic_inlined", "group_automatic_eigen", "block_automatic_eigen",
 };
 
 /// The paper's analyses with their stand-ins: whatever is neither by blocks nor dense and global.
@@ -37,7 +37,7 @@ bool is_tuned(const Variant& v) { return std::ranges::find(tuned, v.id) != tuned
 /// Settings of the sensitivity of Table 2, at the usual step.
 std::vector<Settings> table_settings() {
   std::vector<Settings> all;
-  for (const double tolerance : {1e-6, 1e-8, 1e-12}) all.push_back({.tolerance = tolerance});
+  for (const double tolerance : {1e-6, 1e-8, 1e-10, 1e-12}) all.push_back({.tolerance = tolerance});
   for (const Guess guess : {Guess::linear, Guess::quadratic, Guess::hermite3, Guess::hermite5})
     all.push_back({.guess = guess});
   return all;
@@ -65,8 +65,14 @@ void add_size(std::vector<Series>& all, const Case& c, int coordinates, bool lar
   Series dense{&c, coordinates, usual_step, dense_instants, {}};
   Adder add_usual(usual), add_dense(dense);
   for (const Variant& v : variants()) {
-    (is_dense_global(v) ? add_dense : add_usual)(v, few_settings());
-    if (largest && is_tuned(v)) add_usual(v, all_settings());
+    if (is_dense_global(v))
+      add_dense(v, fewest_settings());
+    else
+      add_usual(v, few_settings());
+    if (largest && is_tuned(v)) {
+      add_usual(v, all_settings());
+      add_usual(v, {{.factorisation = Factorisation::per_level}});
+    }
     if (largest && is_in_table_2(v)) add_usual(v, table_settings());
   }
   all.push_back(std::move(usual));
@@ -96,6 +102,18 @@ std::vector<Series> all_series() {
 std::vector<Series> quick_series() {
   std::vector<Series> all;
   for (const Case& c : cases()) add_size(all, c, c.sizes.front(), false);
+  return all;
+}
+
+std::vector<Series> matching(std::vector<Series> all, const std::regex& expression) {
+  for (Series& series : all) {
+    const std::string place =
+        std::string(series.definition->name) + "/" + std::to_string(series.coordinates) + "/";
+    std::erase_if(series.configurations, [&](const Configuration& c) {
+      return !std::regex_search(place + id_with(*c.variant, c.settings), expression);
+    });
+  }
+  std::erase_if(all, [](const Series& series) { return series.configurations.empty(); });
   return all;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <regex>
 #include <vector>
 
 #include "cases/cases.h"
@@ -17,14 +18,17 @@ struct Series {
 };
 
 /// Everything that is measured, series by series:
-/// - every formulation at every size with few settings; dense global ones over fewer instants,
-/// since
-///   they cost O(n³) a step;
+/// - every formulation at every size with few settings; dense global ones, whose steps cost O(n³),
+///   with the fewest and over fewer instants;
 /// - at the largest size of the tables, some formulations with all settings, and those of the
 ///   paper's Table 2 with each tolerance and guess, and with each time step.
 std::vector<Series> all_series();
 
 /// The same at the smallest size only, and without the knobs in all their combinations.
 std::vector<Series> quick_series();
+
+/// What is left of them when only configurations are kept in whose <case>/<coordinates>/<id> the
+/// expression is found; series with none are left out.
+std::vector<Series> matching(std::vector<Series> all, const std::regex& expression);
 
 }  // namespace desmo::precision
