@@ -1,4 +1,5 @@
-// The record of one run of desmo_bench, as results/record.schema.json defines it: plain data.
+// The record of one run of desmo_bench, desmo_precision or desmo_promises, as
+// results/record.schema.json defines it: plain data.
 #pragma once
 
 #include <array>
@@ -9,6 +10,9 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "report/precision/points.h"
+#include "report/precision/promises.h"
 
 namespace desmo::report {
 
@@ -174,6 +178,14 @@ struct Record {
   std::map<StructureKey, Structure> structure;  ///< since 1.2.0
   std::vector<Request> requests;                ///< since 1.2.0, in the record's order
   std::vector<Peer> peers;                      ///< since 1.3.0, in the record's order
+  std::map<SeriesKey, Floor> floors;            ///< since 1.5.0; of every series with points
+  std::map<PointKey, Point> points;             ///< since 1.5.0: time against error
+  std::vector<Promise> promises;                ///< since 1.5.0, in the record's order
 };
+
+/// Whether it has what desmo_bench measures: the paper's experiment.
+inline bool has_cells(const Record& record) {
+  return !record.cells.empty() || !record.requests.empty() || !record.peers.empty();
+}
 
 }  // namespace desmo::report

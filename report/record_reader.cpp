@@ -12,6 +12,8 @@
 #include "report/json_document.h"
 #include "report/json_node.h"
 #include "report/one_origin.h"
+#include "report/precision/points_reader.h"
+#include "report/precision/promises_reader.h"
 
 namespace desmo::report {
 namespace {
@@ -280,7 +282,10 @@ Record read_record(const JsonNode& root) {
                 .profiles = {},
                 .structure = {},
                 .requests = {},
-                .peers = {}};
+                .peers = {},
+                .floors = {},
+                .points = {},
+                .promises = {}};
   for (const auto& [name, version] : node["libraries"].members())
     record.libraries.emplace(name, version.text());
   for (const JsonNode& cell : root["cells"].elements())
@@ -291,8 +296,11 @@ Record read_record(const JsonNode& root) {
   if (const auto structure = root.find("structure")) read_structures(record, *structure);
   if (const auto requests = root.find("requests")) read_requests(record, *requests);
   if (const auto peers = root.find("peers")) read_peers(record, *peers);
-  if (record.cells.empty() && record.requests.empty() && record.peers.empty())
-    root["cells"].complain("the record has no cell, and neither requests nor peers");
+  read_points(record, root);
+  read_promises(record, root);
+  if (!has_cells(record) && record.points.empty() && record.promises.empty())
+    root["cells"].complain(
+        "the record has no cell, and neither requests nor peers, points nor promises");
   require_one_origin(record);
   return record;
 }

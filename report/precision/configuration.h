@@ -1,0 +1,27 @@
+// What an id says: a formulation and its settings.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace desmo::report {
+
+/// Settings as ids name them; the defaults are the paper's, which ids leave out.
+struct Configuration {
+  std::string formulation;  ///< <partition>_<equations>_<algebra>
+  std::string guess = "previous", jacobian = "newton", factorisation = "shared", scalar = "double";
+  std::string iterations, tolerance;  ///< where a step stops; both empty: at the usual tolerance
+  std::vector<std::string> others;    ///< suffixes of a newer desmo, "key:value"
+
+  /// Whether all but where a step stops is as in the paper.
+  bool has_papers_knobs() const;
+  /// "tolerance 1e-6", "2 iterations", "usual tolerance".
+  std::string stop() const;
+};
+
+/// Nothing when a suffix is no "/key:value" or its key is given twice.
+std::optional<Configuration> parse_configuration(std::string_view id);
+
+}  // namespace desmo::report

@@ -1,0 +1,116 @@
+#include <gtest/gtest.h>
+
+#include "tests/report/points_sample.h"
+
+namespace desmo::report {
+namespace {
+
+#define EXPECT_CONTAINS(text, part) EXPECT_NE((text).find(part), std::string::npos) << (text)
+
+const SeriesKey truck{"truck_suspension", 225, 0.01, 101};
+
+TEST(PointsReader, ReadsWhatIsThere) {
+  const Record record = record_from(points_record());
+  EXPECT_EQ(record.points.size(), 24u);
+  EXPECT_EQ(record.floors.size(), 4u);
+  const Floor& floor = record.floors.at(truck);
+  EXPECT_EQ(floor.compared, 21);
+  EXPECT_EQ(floor.reference.velocity, 5e-33);
+  EXPECT_EQ(floor.condition, 1000);
+  EXPECT_EQ(floor.in_float->acceleration, 60);
+  const Point& point = record.points.at({truck, "global_automatic_klu/iterations:2"});
+  EXPECT_EQ(point.status, Point::Status::ok);
+  EXPECT_EQ(point.configuration.iterations, "2");
+  EXPECT_EQ(point.error.velocity->max, 4e-9);
+  EXPECT_EQ(point.violation.position->rms, 1e-10);
+  EXPECT_EQ(point.iterations_per_step, 2.02);
+  EXPECT_EQ(point.seconds_per_step.size(), 3u);
+  const Point& refused = record.points.at({truck, "global_automatic_klu/scalar:float"});
+  EXPECT_EQ(refused.status, Point::Status::not_applicable);
+  EXPECT_CONTAINS(refused.message, "klu factorises in double");
+}
+
+TEST(PointsReader, CellsAndPointsMayStandInOneRecord) {
+  Json json = structured_record();
+  const Json points = points_record();
+  for (const char* list : {"floors", "precision"}) json[list] = points[list];
+  const Record record = record_from(json);
+  EXPECT_FALSE(record.cells.empty());
+  EXPECT_EQ(record.points.size(), 24u);
+}
+
+TEST(PointsReader, AnAnswerThatIsNoNumberIsAFailure) {
+  Json json = points_record();
+  point_of(json, "global_automatic_klu")["error"].erase("position");
+  const Point point = record_from(json).points.at({truck, "global_automatic_klu"});
+  EXPECT_EQ(point.status, Point::Status::failed);
+  EXPECT_EQ(point.message, "the positions found are beyond all measure");
+  EXPECT_TRUE(point.seconds_per_step.empty());
+}
+
+TEST(PointsReader, NamesThePlaceOfWhatIsWrong) {
+  const auto with = [](const std::string& place, const Json& value) {
+    Json json = points_record();
+    json[Json::json_pointer(place)] = value;
+    return complaint(json);
+  };
+  EXPECT_EQ(complaint(points_record()), "accepted");
+  EXPECT_CONTAINS(with("/precision/1/status", "fine"),
+                  "precision[1].status: \"fine\" is none of \"ok\", \"failed\"");
+  EXPECT_CONTAINS(with("/precision/1/error/position/max", -1), "precision[1].error.position.max: ");
+  EXPECT_CONTAINS(with("/precision/1/error/position/rms", 1),
+                  "precision[1].error.position.rms: it exceeds the largest");
+  EXPECT_CONTAINS(with("/precision/1/seconds_per_step", Json::array()),
+                  "precision[1].seconds_per_step: an \"ok\" point needs at least one sample");
+  EXPECT_CONTAINS(with("/precision/1/seconds_per_step/0", 0), "precision[1].seconds_per_step[0]: ");
+  EXPECT_CONTAINS(with("/precision/1/iterations_per_step", "two"), "precision[1].iterations_per_");
+  EXPECT_CONTAINS(with("/precision/1/step_seconds", 0), "precision[1].step_seconds: ");
+  EXPECT_CONTAINS(with("/precision/1/instants", 1), "precision[1].instants: 1 is not in 2");
+  EXPECT_CONTAINS(with("/floors/0/reference/velocity", "none"), "floors[0].reference.velocity: ");
+  EXPECT_CONTAINS(with("/floors/0/limit/float", 1),
+                  "floors[0].limit.float: an object was expected");
+  EXPECT_CONTAINS(with("/floors/0/condition", 0), "floors[0].condition: ");
+}
+
+TEST(PointsReader, RefusesIdsThatCannotBeTakenApart) {
+  for (const std::string id : {"", "/guess:linear", "a_b_c/guess", "a_b_c/guess:", "a_b_c/:linear",
+                               "a_b_c/", "a_b_c/guess:linear/guess:linear"}) {
+    Json json = points_record();
+    json["precision"][0]["id"] = id;
+    EXPECT_CONTAINS(complaint(json), "precision[0].id: \"" + id + "\" is not a formulation");
+  }
+}
+
+TEST(PointsReader, RefusesWhatIsGivenTwiceOrHasNoFloor) {
+  Json json = points_record();
+  json["precision"].push_back(json["precision"][0]);
+  EXPECT_CONTAINS(
+      complaint(json),
+      "precision[24]: global_automatic_klu of truck_suspension/225 with 101 instants is "
+      "given twice");
+  json = points_record();
+  json["floors"].push_back(json["floors"][0]);
+  EXPECT_CONTAINS(complaint(json), "floors[4]: the floor of truck_suspension/225");
+  json = points_record();
+  json["floors"].erase(0);
+  EXPECT_CONTAINS(complaint(json), "precision[0]: \"floors\" has nothing of truck_suspension/225");
+}
+
+TEST(Configuration, TakesSettingsInAnyOrderAndKeepsWhatItDoesNotKnow) {
+  const auto c = parse_configuration("a_b_c/lanes:8/tolerance:1e-6/guess:linear");
+  ASSERT_TRUE(c);
+  EXPECT_EQ(c->formulation, "a_b_c");
+  EXPECT_EQ(c->guess, "linear");
+  EXPECT_EQ(c->jacobian, "newton");
+  EXPECT_EQ(c->tolerance, "1e-6");
+  EXPECT_EQ(c->others, std::vector<std::string>{"lanes:8"});
+  EXPECT_EQ(c->stop(), "tolerance 1e-6");
+  EXPECT_FALSE(c->has_papers_knobs());
+  EXPECT_FALSE(parse_configuration("a_b_c/lanes:8")->has_papers_knobs());
+  EXPECT_TRUE(parse_configuration("a_b_c/iterations:2")->has_papers_knobs());
+  EXPECT_EQ(parse_configuration("a_b_c/iterations:2")->stop(), "2 iterations");
+  EXPECT_EQ(parse_configuration("a_b_c")->stop(), "usual tolerance");
+}
+
+}  // namespace
+}  // namespace desmo::report
