@@ -49,18 +49,22 @@ void compare_environment(Comparison& all, const Record& a, const Record& b) {
   all.require_same("BLAS threads", std::to_string(a.blas.threads), std::to_string(b.blas.threads));
 }
 
+void require_same_number(Comparison& all, const char* what, double first, double second) {
+  all.require_same(what, write_shortest(first), write_shortest(second));
+}
+
 void compare_settings(Comparison& all, const Settings& a, const Settings& b) {
-  const auto number = [&](const char* what, double first, double second) {
-    all.require_same(what, write_shortest(first), write_shortest(second));
-  };
-  number("tolerance", a.tolerance, b.tolerance);
-  number("iterations at most", static_cast<double>(a.max_iterations),
-         static_cast<double>(b.max_iterations));
+  require_same_number(all, "tolerance", a.tolerance, b.tolerance);
+  require_same_number(all, "iterations at most", static_cast<double>(a.max_iterations),
+                      static_cast<double>(b.max_iterations));
   all.require_same("first guess", a.guess, b.guess);
-  number("step", a.step_seconds, b.step_seconds);
-  number("duration", a.duration_seconds, b.duration_seconds);
   all.require_same("clock", a.clock, b.clock);
   all.require_same("reducer", a.reducer, b.reducer);
+}
+
+void compare_motions(Comparison& all, const Settings& a, const Settings& b) {
+  require_same_number(all, "step", a.step_seconds, b.step_seconds);
+  require_same_number(all, "duration", a.duration_seconds, b.duration_seconds);
 }
 
 // Of what has no time in one of them, there is nothing to compare.
@@ -87,7 +91,21 @@ std::vector<Difference> why_incomparable(const Record& first, const Record& seco
   Comparison all;
   compare_environment(all, first, second);
   compare_settings(all, first.settings, second.settings);
+  compare_motions(all, first.settings, second.settings);
   compare_timings(all, first, second);
+  return std::move(all).differences();
+}
+
+std::vector<Difference> why_apart(const Record& first, const Record& second) {
+  Comparison all;
+  compare_environment(all, first, second);
+  compare_settings(all, first.settings, second.settings);
+  const auto only_one = [&](const char* what, bool in_first, bool in_second) {
+    if (in_first && in_second) all.differ(std::string("one record with ") + what, "one", "another");
+  };
+  only_one("cells", has_cells(first), has_cells(second));
+  only_one("points", !first.points.empty(), !second.points.empty());
+  only_one("promises", !first.promises.empty(), !second.promises.empty());
   return std::move(all).differences();
 }
 

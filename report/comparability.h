@@ -20,6 +20,11 @@ struct Difference {
 /// either does not record, as those before 1.3.0, counts as different.
 std::vector<Difference> why_incomparable(const Record& first, const Record& second);
 
+/// Why times of the two records cannot stand on one page, one beside the other; empty when they
+/// can: as above, but for the motions and what was timed. Only one of them may have cells, only one
+/// points, and only one promises.
+std::vector<Difference> why_apart(const Record& first, const Record& second);
+
 /// "CPU model: A here, B there", a line for each.
 std::string describe(const std::vector<Difference>& differences);
 

@@ -31,7 +31,7 @@ Record read_named(const std::string& file) {
 }
 
 struct TablesCommand {
-  std::string record;
+  std::vector<std::string> records;
   std::string folder;  // empty: standard output only
   std::vector<std::string> formats;
 };
@@ -46,16 +46,33 @@ std::string on_standard_output(const Document& document, const std::vector<std::
   return text;
 }
 
+// Says why two records cannot be put beside each other; nothing when they can.
+bool complain(const std::string& first, const std::string& second,
+              const std::vector<Difference>& differences) {
+  if (!differences.empty())
+    std::cerr << "desmo_report: " << first << " and " << second << " cannot be compared:\n"
+              << describe(differences);
+  return !differences.empty();
+}
+
 ExitCode tables(const TablesCommand& command) {
-  const Record record = read_named(command.record);
-  const Document document = make_report(record);
+  std::vector<Record> records;
+  for (const std::string& file : command.records) {
+    Record record = read_named(file);
+    for (std::size_t i = 0; i < records.size(); ++i)
+      if (complain(command.records[i], file, why_apart(records[i], record))) return incomparable;
+    records.push_back(std::move(record));
+  }
+  const Document document = make_report(records);
   const auto& chosen = command.formats;
   if (command.folder.empty()) {
     write_standard_output(on_standard_output(
         document, chosen.empty() ? std::vector<std::string>{"terminal"} : chosen));
     return success;
   }
-  std::vector<Rendered> files = figures(record);
+  std::vector<Rendered> files;
+  for (const Record& record : records)
+    std::ranges::move(figures(record), std::back_inserter(files));
   for (const std::string& format : chosen.empty() ? format_names() : chosen)
     std::ranges::move(render(document, format), std::back_inserter(files));
   write_files(command.folder, files);
@@ -70,12 +87,7 @@ struct CompareCommand {
 
 ExitCode compare(const CompareCommand& command) {
   const Record first = read_named(command.first), second = read_named(command.second);
-  if (const auto differences = why_incomparable(first, second); !differences.empty()) {
-    std::cerr << "desmo_report: " << command.first << " and " << command.second
-              << " cannot be compared:\n"
-              << describe(differences);
-    return incomparable;
-  }
+  if (complain(command.first, command.second, why_incomparable(first, second))) return incomparable;
   write_standard_output(on_standard_output(make_comparison(first, second), {command.format}));
   return success;
 }
@@ -83,13 +95,15 @@ ExitCode compare(const CompareCommand& command) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{
-      "The paper's tables and figures from records of desmo_bench, comparisons and verdicts"};
+  CLI::App app{"The paper's tables and figures from records, comparisons and verdicts"};
   app.require_subcommand(1);
   TablesCommand command;
-  CLI::App* tables_app =
-      app.add_subcommand("tables", "Tables 1 and 2, figures 5 and 6, and the rest");
-  tables_app->add_option("record", command.record, "The JSON record written by desmo_bench")
+  CLI::App* tables_app = app.add_subcommand(
+      "tables", "Tables 1 and 2, figures 5 and 6, time against error, and the rest");
+  tables_app
+      ->add_option("records", command.records,
+                   "The JSON record written by desmo_bench, desmo_precision or desmo_promises, or "
+                   "one of each")
       ->required();
   tables_app->add_option("--out", command.folder,
                          "Write the files of every format, and the figures, into this folder");

@@ -187,6 +187,11 @@ Entry number_entry(const std::optional<double>& value, int significant) {
   return {digits, {digits}, {}};
 }
 
+Entry count_entry(std::size_t count) {
+  const std::string digits = std::to_string(count);
+  return {digits, {digits}, {}};
+}
+
 Entry speed_up_entry(const MeasuredSpeedUp& measured) {
   if (!measured.speed_up) return note_entry(measured.mark);
   const SpeedUp& ratio = *measured.speed_up;
@@ -196,6 +201,16 @@ Entry speed_up_entry(const MeasuredSpeedUp& measured) {
   if (!ratio.spread) return {value + tail + " one run", {value, "", "", percent}, "one run"};
   const std::string low = write(ratio.low, style), high = write(ratio.high, style);
   Entry entry{value + " [" + low + ", " + high + "]" + tail, {value, low, high, percent}, {}};
+  if (ratio.inconclusive()) add_note(entry, inconclusive_mark);
+  return entry;
+}
+
+Entry ratio_entry(const SpeedUp& ratio) {
+  const DigitStyle style = ratio_digits(ratio.value);
+  const std::string value = write(ratio.value, style);
+  if (!ratio.spread) return {value + " one run", {value, "", ""}, "one run"};
+  const std::string low = write(ratio.low, style), high = write(ratio.high, style);
+  Entry entry{value + " [" + low + ", " + high + "]", {value, low, high}, {}};
   if (ratio.inconclusive()) add_note(entry, inconclusive_mark);
   return entry;
 }

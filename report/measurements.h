@@ -113,9 +113,15 @@ Entry interval_entry(const Measured& measured);
 /// So many significant digits, or the mark of what is missing.
 Entry number_entry(const std::optional<double>& value, int significant);
 
+/// A number of things, in full.
+Entry count_entry(std::size_t count);
+
 /// "1.24 [1.21, 1.27] (19.4 %)", quantities {speed_up, low, high, percent}, with inconclusive_mark
 /// where the interval is too wide; or the mark.
 Entry speed_up_entry(const MeasuredSpeedUp& measured);
+
+/// "1.24 [1.21, 1.27]", quantities {ratio, low, high}, likewise.
+Entry ratio_entry(const SpeedUp& ratio);
 
 /// The mean over the paper's sizes, likewise; "incomplete 4/5" when some have none.
 Entry mean_speed_up_entry(const Record& record, std::string_view family, std::size_t variant);

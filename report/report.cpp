@@ -1,9 +1,12 @@
 #include "report/report.h"
 
+#include <algorithm>
+#include <iterator>
 #include <set>
 
 #include "report/measurements.h"
 #include "report/paper.h"
+#include "report/tables/precision.h"
 #include "report/tables/tables.h"
 #include "report/variants.h"
 
@@ -55,11 +58,7 @@ Section formulations(const Record& record) {
   return section;
 }
 
-}  // namespace
-
-Document make_report(const Record& record) {
-  Document document{.title = "desmo: the paper's experiment", .sections = {}};
-  auto& sections = document.sections;
+void add_experiment(std::vector<Section>& sections, const Record& record) {
   sections.push_back(answer(record));
   sections.push_back(paper_figures(record));
   sections.push_back(paper_tables(record));
@@ -68,14 +67,64 @@ Document make_report(const Record& record) {
   if (!record.structure.empty()) sections.push_back(partitions(record));
   if (!record.requests.empty()) sections.push_back(requests(record));
   if (!record.peers.empty()) sections.push_back(peers(record));
+}
+
+void add_details(std::vector<Section>& sections, const Record& record) {
   sections.push_back(formulations(record));
   if (!record.profiles.empty())
     sections.push_back({"Where the time goes", {}, {time_split(record)}});
-  sections.push_back({"How it was measured", {}, {provenance(record)}});
-  sections.push_back(limitations(record));
-  if (const auto lines = failures(record); !lines.empty())
-    sections.push_back({"Failed verification: no time, and no ratio computed from one", lines, {}});
+}
+
+/// A table of each; the names of the later ones are numbered.
+Section measured_how(const std::vector<Record>& records) {
+  Section section{"How it was measured", {}, {}};
+  for (const Record& record : records) {
+    section.tables.push_back(provenance(record));
+    if (const std::size_t count = section.tables.size(); count > 1) {
+      section.tables.back().name += "_" + std::to_string(count);
+      section.tables.back().title += ", record " + std::to_string(count);
+    }
+  }
+  return section;
+}
+
+/// What several records say alike is said once.
+Section joint_limitations(const std::vector<Record>& records) {
+  Section section = limitations(records.front());
+  for (const Record& record : records)
+    for (const std::string& line : limitations(record).paragraphs)
+      if (std::ranges::find(section.paragraphs, line) == section.paragraphs.end())
+        section.paragraphs.push_back(line);
+  return section;
+}
+
+}  // namespace
+
+Document make_report(const std::vector<Record>& records) {
+  const auto end = records.end();
+  const auto experiment = std::ranges::find_if(records, has_cells);
+  const auto accuracy =
+      std::ranges::find_if(records, [](const Record& r) { return !r.points.empty(); });
+  const auto tuned =
+      std::ranges::find_if(records, [](const Record& r) { return !r.promises.empty(); });
+  Document document{
+      .title = experiment == end ? "desmo: speed for accuracy" : "desmo: the paper's experiment",
+      .sections = {}};
+  auto& sections = document.sections;
+  if (experiment != end) add_experiment(sections, *experiment);
+  if (accuracy != end)
+    std::ranges::move(precision_sections(*accuracy), std::back_inserter(sections));
+  if (tuned != end) sections.push_back(promises(*tuned));
+  if (experiment != end) add_details(sections, *experiment);
+  sections.push_back(measured_how(records));
+  sections.push_back(joint_limitations(records));
+  if (experiment != end)
+    if (const auto lines = failures(*experiment); !lines.empty())
+      sections.push_back(
+          {"Failed verification: no time, and no ratio computed from one", lines, {}});
   return document;
 }
+
+Document make_report(const Record& record) { return make_report(std::vector<Record>{record}); }
 
 }  // namespace desmo::report

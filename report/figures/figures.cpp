@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "report/embedded.h"
+#include "report/figures/work_precision.h"
+#include "report/precision/selection.h"
 #include "report/tables/tables.h"
 
 namespace desmo::report {
@@ -88,9 +90,15 @@ Rendered filled(const Table& table, Json spec, Json data) {
 }  // namespace
 
 std::vector<Rendered> figures(const Record& record) {
-  const Table times = figure_of_times(record), speed_ups = figure_of_speed_ups(record);
-  return {filled(times, design_of_times(times), time_points(times)),
-          filled(speed_ups, design_of_speed_ups(speed_ups), speed_up_bars(speed_ups))};
+  std::vector<Rendered> files;
+  if (has_cells(record)) {
+    const Table times = figure_of_times(record), speed_ups = figure_of_speed_ups(record);
+    files = {filled(times, design_of_times(times), time_points(times)),
+             filled(speed_ups, design_of_speed_ups(speed_ups), speed_up_bars(speed_ups))};
+  }
+  for (const std::string& name : drawn_cases(record))
+    files.push_back(work_precision_figure(record, name));
+  return files;
 }
 
 }  // namespace desmo::report

@@ -1,4 +1,4 @@
-// Figures 5 and 6 of the paper as Vega-Lite specifications with their data inline.
+// The report's figures as Vega-Lite specifications with their data inline.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,8 @@ namespace desmo::report {
 /// figure5.vl.json, CPU time over coordinates, and figure6.vl.json, mean speed-up: the paper's own
 /// values beside every sparse family. What failed or is missing has null where a number would be.
 /// The design is in report/figures/*.template.json; data, title and subtitle are those of the
-/// tables of the figures (tables/tables.h).
+/// tables of the figures (tables/tables.h). These of a record with cells; of one with points
+/// figures/work_precision.h for each case.
 std::vector<Rendered> figures(const Record& record);
 
 }  // namespace desmo::report

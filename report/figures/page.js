@@ -28,7 +28,7 @@ function showHint(handler, event, item, value) {
 }
 
 function stacks(spec, width) {
-  return width < narrow && spec.layout?.columns > 0;
+  return width < narrow && spec.layout?.columns > 1;
 }
 
 // Everything that is fitted to the reader's window; the specification is the static drawing's.

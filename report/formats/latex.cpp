@@ -18,7 +18,7 @@ struct Replacement {
 
 // The first that fits counts. Brackets: "\\ [" would be read as an optional argument; "--": as a
 // dash where a command line was meant.
-constexpr std::array<Replacement, 24> replacements{{{"\\", "\\textbackslash{}"},
+constexpr std::array<Replacement, 25> replacements{{{"\\", "\\textbackslash{}"},
                                                     {"&", "\\&"},
                                                     {"%", "\\%"},
                                                     {"$", "\\$"},
@@ -41,6 +41,7 @@ constexpr std::array<Replacement, 24> replacements{{{"\\", "\\textbackslash{}"},
                                                     {"–", "--"},
                                                     {"—", "---"},
                                                     {"µ", "$\\mu$"},
+                                                    {"κ", "$\\kappa$"},
                                                     {"×", "$\\times$"}}};
 
 bool starts_number(std::string_view text, std::size_t at) {

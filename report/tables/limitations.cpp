@@ -65,14 +65,25 @@ Section limitations(const Record& record) {
       "The paper prints no dimensions, no motion and no time step for the truck suspension; the "
       "ones here reproduce all its counts and are this suite's own.",
       "Seconds of two machines do not compare. Speed-ups of one machine need not be those of "
-      "another: caches and vector units differ.",
-      intervals_of(record) +
-          " They do not hold what differs from run to run and from build to build.",
-      "An accepted position has a small residual; near singular positions that does not mean a "
-      "small error. Every time shown is of a formulation that agrees with the quadruple-precision "
-      "reference at the instants verified."};
+      "another: caches and vector units differ."};
+  if (has_cells(record)) {
+    lines.push_back(intervals_of(record) +
+                    " They do not hold what differs from run to run and from build to build.");
+    lines.push_back(
+        "An accepted position has a small residual; near singular positions that does not mean a "
+        "small error. Every time shown is of a formulation that agrees with the "
+        "quadruple-precision reference at the instants verified.");
+  }
+  if (!record.points.empty() || !record.promises.empty()) {
+    lines.push_back(
+        "Times of a step in sections on accuracy are the least of a few samples; the second least "
+        "says how well they can be had again in the same run, not in another run or build.");
+    lines.push_back(
+        "Errors are those at the instants compared, a few of a short motion; another motion, "
+        "nearer to a singular position, has others.");
+  }
   add_of_the_machine(record, lines);
-  add_of_the_cells(record, lines);
+  if (has_cells(record)) add_of_the_cells(record, lines);
   return {"Known limitations", std::move(lines), {}};
 }
 

@@ -43,14 +43,7 @@ Ours ours_beside(const Record& record, const Place& place, const std::string& gu
 Entry ratio_entry(const Record& record, const std::optional<CellKey>& ours, const Measured& time) {
   if (!ours) return note_entry(missing_mark);
   if (!time.seconds) return note_entry(time.mark);
-  const SpeedUp ratio = speed_up(*time.seconds, *measured(record, *ours).seconds);
-  const DigitStyle style = ratio_digits(ratio.value);
-  const std::string value = write(ratio.value, style);
-  if (!ratio.spread) return {value + " one run", {value, "", ""}, "one run"};
-  const std::string low = write(ratio.low, style), high = write(ratio.high, style);
-  Entry entry{value + " [" + low + ", " + high + "]", {value, low, high}, {}};
-  if (ratio.inconclusive()) add_note(entry, inconclusive_mark);
-  return entry;
+  return ratio_entry(speed_up(*time.seconds, *measured(record, *ours).seconds));
 }
 
 Entry ratio_entry(const Record& record, const std::optional<CellKey>& reference,

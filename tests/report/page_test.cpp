@@ -4,7 +4,9 @@
 
 #include "report/formats/formats.h"
 #include "report/report.h"
+#include "report/tables/precision.h"
 #include "report/tables/tables.h"
+#include "tests/report/points_sample.h"
 #include "tests/report/program.h"
 #include "tests/report/sample.h"
 
@@ -153,9 +155,17 @@ std::vector<std::string> drawn(const Table& table) {
   return texts;
 }
 
-void expect_answers(const Json& figure, const Table& table) {
+// Of each configuration its time, or why it failed.
+std::vector<std::string> drawn_points(const Table& table) {
+  std::vector<std::string> texts;
+  for (const auto& row : table.rows)
+    texts.push_back(row[2].has_number() ? row[2].shown : row.back().shown);
+  std::sort(texts.begin(), texts.end());
+  return texts;
+}
+
+void expect_answers(const Json& figure, const Table& table, const std::vector<std::string>& texts) {
   SCOPED_TRACE(table.name);
-  const std::vector<std::string> texts = drawn(table);
   EXPECT_EQ(figure["marks"], texts.size());
   std::vector<std::string> hovered = figure["texts"];
   std::sort(hovered.begin(), hovered.end());
@@ -195,8 +205,27 @@ TEST_F(PageInBrowser, FiguresAnswerWithoutARequestOrAnError) {
   EXPECT_EQ(seen["overflow"], 0);  // on a phone nothing but tables and figures scrolls sideways
   ASSERT_EQ(seen["figures"].size(), 2u);
   const Record record = record_from(json);
-  expect_answers(seen["figures"][0], figure_of_speed_ups(record));
-  expect_answers(seen["figures"][1], figure_of_times(record));
+  for (const auto& [i, table] :
+       {std::pair{0, figure_of_speed_ups(record)}, {1, figure_of_times(record)}})
+    expect_answers(seen["figures"][i], table, drawn(table));
+}
+
+TEST_F(PageInBrowser, TimeAgainstErrorAnswersToo) {
+  if (!installed("report/figures", "figures")) GTEST_SKIP() << out_;
+  const fs::path recorded = folder_ / "record.json", out = folder_ / "out";
+  std::ofstream(recorded) << points_record();
+  ASSERT_EQ(tables(recorded, "--out " + out.string()), 0);
+  ASSERT_NO_FATAL_FAILURE(render(out));
+  expect_no_reference_outwards(read_text(out / "report.html"));
+  if (shell("command -v chromium") != 0) GTEST_SKIP() << "Chromium is not installed";
+  if (!installed("tests/report/browser", "browser")) GTEST_SKIP() << out_;
+  const Json seen = opened(out / "report.html");
+  EXPECT_EQ(seen["requests"], Json::array());
+  EXPECT_EQ(seen["errors"], Json::array());
+  EXPECT_EQ(seen["overflow"], 0);
+  ASSERT_EQ(seen["figures"].size(), 2u);
+  const Table table = work_precision(record_from(points_record()), "truck_suspension");
+  expect_answers(seen["figures"][1], table, drawn_points(table));
 }
 
 }  // namespace

@@ -58,6 +58,7 @@ std::string from_latex(const std::string& text) {
                                         {"\\textasciigrave{}", "`"},
                                         {"$\\pm$", "±"},
                                         {"$\\mu$", "µ"},
+                                        {"$\\kappa$", "κ"},
                                         {"$\\times$", "×"},
                                         {"$-$", "-"},
                                         {"-{}-{}", "--"},

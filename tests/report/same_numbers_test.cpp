@@ -5,6 +5,7 @@
 
 #include "report/formats/formats.h"
 #include "report/report.h"
+#include "tests/report/points_sample.h"
 #include "tests/report/reading.h"
 #include "tests/report/sample.h"
 
@@ -103,6 +104,10 @@ TEST(SameNumbers, OfARecordWithFailures) {
   set_samples(record, 114, "group_automatic_klu", {0.04});
   erase_cell(record, "truck_suspension", 447, "group_automatic_klu");
   expect_same_numbers(make_report(record_from(record)));
+}
+
+TEST(SameNumbers, OfTimeAgainstError) {
+  expect_same_numbers(make_report(record_from(points_record())));
 }
 
 TEST(SameNumbers, OfEveryFiledRun) {

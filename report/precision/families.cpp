@@ -1,0 +1,26 @@
+#include "report/precision/families.h"
+
+namespace desmo::report {
+namespace {
+
+std::string cut(std::string_view formulation) {
+  if (formulation.starts_with("global_")) return "global";
+  if (formulation.starts_with("group_")) return "groups";
+  if (formulation.starts_with("block_")) return "blocks";
+  return "other";
+}
+
+std::string algebra(std::string_view formulation) {
+  const std::string_view name = formulation.substr(formulation.rfind('_') + 1);
+  if (name == "lapack" || name == "eigen") return "dense";
+  if (name == "inlined" || name == "explicit") return "generated";
+  return "sparse";
+}
+
+}  // namespace
+
+std::string family_of(std::string_view formulation) {
+  return cut(formulation) + ", " + algebra(formulation);
+}
+
+}  // namespace desmo::report

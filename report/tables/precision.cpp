@@ -1,0 +1,53 @@
+// Time against error: which sections it makes.
+#include "report/tables/precision.h"
+
+#include "report/precision/selection.h"
+
+namespace desmo::report {
+namespace {
+
+Section figures_of(const Record& record) {
+  Section section{
+      .title = "Speed for accuracy",
+      .paragraphs =
+          {"Each formulation with each of its settings has a time and an error. Time: CPU "
+           "time of a step, assembly and delivery included. Error: in outputs common to "
+           "all formulations, against a reference in quadruple precision, relative to the "
+           "mechanism's size. What lies on the line is fastest at its error. " +
+           largest_floor(record)},
+      .tables = {}};
+  for (const std::string& name : drawn_cases(record))
+    section.tables.push_back(work_precision(record, name));
+  return section;
+}
+
+Section costs(const Record& record) {
+  Section section{.title = "What accuracy costs", .paragraphs = {}, .tables = {}};
+  section.tables.push_back(accuracy_costs(record));
+  section.tables.push_back(accuracy_errors(record));
+  for (const std::string& name : drawn_cases(record))
+    section.tables.push_back(cheapest_by_formulation(record, name));
+  return section;
+}
+
+Section levels(const Record& record) {
+  Section section{"Levels of error", {fewest_levels(record)}, {}};
+  for (const std::string& name : cases_with_points(record))
+    section.tables.push_back(error_levels(record, name));
+  section.tables.push_back(outcomes(record));
+  return section;
+}
+
+}  // namespace
+
+std::vector<Section> precision_sections(const Record& record) {
+  if (record.points.empty()) return {};
+  return {figures_of(record),
+          costs(record),
+          {"Initial guesses and Jacobian reuse", what_knobs_gain(record), {knobs(record)}},
+          {"Single and mixed precision", {}, {scalars(record), floors(record)}},
+          levels(record),
+          {"Sensitivity of the paper's Table 2", what_survives(record), {sensitivity(record)}}};
+}
+
+}  // namespace desmo::report

@@ -1,0 +1,82 @@
+// What accuracy costs each formulation: its least time within an error.
+#include <algorithm>
+#include <functional>
+#include <limits>
+
+#include "report/digits.h"
+#include "report/measurements.h"
+#include "report/precision/selection.h"
+#include "report/tables/precision.h"
+
+namespace desmo::report {
+namespace {
+
+constexpr double quoted = 1e-9;  // the error at which formulations are compared
+
+/// Of how many configurations a formulation has the most: those with fewer had not every knob.
+std::size_t most_configurations(const Points& points) {
+  std::size_t most = 0;
+  for (const std::string& name : formulations_of(points))
+    most = std::max(most, of_formulation(points, name).size());
+  return most;
+}
+
+/// The cheapest that solves globally, among those with every knob.
+const NamedPoint* cheapest_global(const Points& points, double accuracy) {
+  const std::size_t all = most_configurations(points);
+  return cheapest(points, accuracy, [&](const Configuration& c) {
+    return c.formulation.starts_with("global_") &&
+           of_formulation(points, c.formulation).size() == all;
+  });
+}
+
+/// The points of each formulation: those with most configurations first, then the fastest.
+std::vector<Points> in_order(const Points& points) {
+  std::vector<Points> all;
+  for (const std::string& name : formulations_of(points))
+    all.push_back(of_formulation(points, name));
+  std::ranges::stable_sort(all, {}, [](const Points& own) {
+    const NamedPoint* best = cheapest(own, quoted);
+    return best ? step_time(*best).seconds : std::numeric_limits<double>::infinity();
+  });
+  std::ranges::stable_sort(all, std::greater{}, [](const Points& own) { return own.size(); });
+  return all;
+}
+
+}  // namespace
+
+Table cheapest_by_formulation(const Record& record, const std::string& case_name) {
+  Table table{
+      .name = "cheapest_" + case_name,
+      .title = "The cheapest of each formulation: " + case_name,
+      .notes =
+          {"Least µs/step of all configurations of the formulation within each error. Times as "
+           "fast: over the cheapest global formulation; both with every "
+           "knob. A formulation with fewer configurations than others had not every knob, and "
+           "no ratio.",
+           step_time_note()},
+      .columns = {{"formulation", {}}, {"configurations", {"count"}}},
+      .rows = {}};
+  const SeriesKey series = *main_series(record, case_name);
+  table.title += ", " + std::to_string(series.coordinates) + " coordinates";
+  for (const double accuracy : accuracies)
+    table.columns.push_back({write_shortest(accuracy), {"microseconds", "again"}});
+  table.columns.push_back(
+      {"times as fast, " + write_shortest(quoted), {"speed_up", "low", "high"}});
+
+  const Points points = points_of(record, series);
+  const std::size_t all = most_configurations(points);
+  const NamedPoint* global = cheapest_global(points, quoted);
+  for (const Points& own : in_order(points)) {
+    std::vector<Entry> entries{text_entry(own.front()->second.configuration.formulation),
+                               count_entry(own.size())};
+    for (const double accuracy : accuracies)
+      entries.push_back(step_time_entry(cheapest(own, accuracy)));
+    entries.push_back(own.size() < all ? note_entry("fewer knobs")
+                                       : step_ratio_entry(global, cheapest(own, quoted)));
+    table.rows.push_back(std::move(entries));
+  }
+  return table;
+}
+
+}  // namespace desmo::report

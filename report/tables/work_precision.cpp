@@ -1,0 +1,94 @@
+// What the work–precision figure of a case shows, as a table: the design in report/figures draws
+// these numbers.
+#include <algorithm>
+#include <limits>
+
+#include "report/digits.h"
+#include "report/measurements.h"
+#include "report/precision/families.h"
+#include "report/precision/selection.h"
+#include "report/tables/precision.h"
+
+namespace desmo::report {
+namespace {
+
+double seconds_of(const NamedPoint* point) {
+  return is_solved(*point) ? step_time(*point).seconds : std::numeric_limits<double>::infinity();
+}
+
+Entry level_entry(const std::optional<LevelError>& error, double LevelError::*value) {
+  return error_entry(error ? std::optional((*error).*value) : std::nullopt);
+}
+
+std::vector<Entry> row(const NamedPoint& point, bool in_front) {
+  const Point& p = point.second;
+  const bool solved = is_solved(point);
+  return {text_entry(point.first.id),
+          text_entry(family_of(p.configuration.formulation)),
+          solved ? step_time_entry(&point) : note_entry(failed_mark),
+          level_entry(p.error.position, &LevelError::max),
+          level_entry(p.error.position, &LevelError::rms),
+          level_entry(p.error.velocity, &LevelError::max),
+          level_entry(p.error.acceleration, &LevelError::max),
+          level_entry(p.violation.position, &LevelError::max),
+          solved ? iterations_entry(&point) : note_entry(missing_mark),
+          text_entry(in_front ? "front" : ""),
+          text_entry(p.message)};
+}
+
+std::vector<std::string> notes(const Record& record, const SeriesKey& series,
+                               const Points& points) {
+  const auto count = [&](Point::Status status) {
+    return std::to_string(std::ranges::count_if(
+        points, [&](const NamedPoint* p) { return p->second.status == status; }));
+  };
+  return {"Ours: " + record.machine.cpu + ", " + record.date + ". " +
+              std::to_string(series.instants) + " instants " + write_shortest(series.step_seconds) +
+              " s apart; the least CPU time of a step.",
+          count(Point::Status::ok) + " configurations solved, " + count(Point::Status::failed) +
+              " failed (below, with their reason), " + count(Point::Status::not_applicable) +
+              " not applicable.",
+          "Numbers beside the line: iterations a step of what is fastest at its error. Black: "
+          "global, blue: by groups, yellow: by blocks.",
+          "Circles: sparse solvers, squares: dense ones, triangles: generated elimination. What is "
+          "more than 10 off stands at the right edge."};
+}
+
+}  // namespace
+
+Table work_precision(const Record& record, const std::string& case_name) {
+  Table table{.name = "work_precision_" + case_name,
+              .title = "Work–precision: " + case_name,
+              .notes = {},
+              .columns = {{"id", {}},
+                          {"family", {}},
+                          {"µs/step", {"microseconds", "again"}},
+                          {"error q", {"error"}},
+                          {"rms q", {"error"}},
+                          {"error q'", {"error"}},
+                          {"error q''", {"error"}},
+                          {"violation", {"violation"}},
+                          {"iterations/step", {"iterations"}},
+                          {"Pareto", {}},
+                          {"remark", {}}},
+              .rows = {},
+              .detail = true,
+              .figure = true};
+  const SeriesKey series = *main_series(record, case_name);
+  table.title += ", " + std::to_string(series.coordinates) + " coordinates";
+  Points points = points_of(record, series);
+  table.notes = notes(record, series, points);
+  std::erase_if(points, [](const NamedPoint* p) {
+    return p->second.status == Point::Status::not_applicable;
+  });
+  std::ranges::stable_sort(points, {}, seconds_of);
+  double least = std::numeric_limits<double>::infinity();
+  for (const NamedPoint* point : points) {
+    const bool in_front = is_solved(*point) && position_error(*point) < least;
+    if (in_front) least = position_error(*point);
+    table.rows.push_back(row(*point, in_front));
+  }
+  return table;
+}
+
+}  // namespace desmo::report

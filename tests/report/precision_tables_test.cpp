@@ -1,0 +1,278 @@
+#include <gtest/gtest.h>
+
+#include "report/report.h"
+#include "report/tables/precision.h"
+#include "tests/report/points_sample.h"
+
+namespace desmo::report {
+namespace {
+
+using Digits = std::vector<std::string>;
+
+#define EXPECT_CONTAINS(text, part) EXPECT_NE((text).find(part), std::string::npos) << (text)
+
+const std::string klu = "global_automatic_klu", lapack = "group_symbolic_lapack";
+const std::string over_itself = "times as fast as with the paper's knobs",
+                  over_global = "as global_automatic_klu with them";
+
+TEST(AccuracyCosts, NamesTheCheapestWithinEachError) {
+  const Table table = accuracy_costs(record_from(points_record()));
+  ASSERT_EQ(table.rows.size(), 8u);  // four errors, two cases
+  const Digits asked{"0.001", "1e-06", "1e-09", "1e-12"};
+  const std::vector<std::string> expected{klu + "/guess:hermite5/jacobian:step/iterations:1",
+                                          klu + "/guess:hermite5/jacobian:step/iterations:1",
+                                          klu + "/guess:hermite5/jacobian:step/iterations:1",
+                                          klu + "/guess:hermite5/tolerance:1e-8"};
+  for (std::size_t i = 0; i < asked.size(); ++i)
+    EXPECT_EQ(entry_at(table, {"truck_suspension", "225", asked[i]}, "cheapest").shown,
+              expected[i]);
+  const std::vector<std::string> row{"truck_suspension", "225", "1e-09"};
+  EXPECT_EQ(entry_at(table, row, "µs/step").digits, (Digits{"16.00", "16.32"}));
+  EXPECT_EQ(entry_at(table, row, over_itself).shown, "2.00 [1.96, 2.04]");
+  EXPECT_EQ(entry_at(table, {"truck_suspension", "225", "1e-12"}, over_global).digits[0],
+            "1.67");  // 40 µs over 24
+}
+
+TEST(AccuracyErrors, SayWhatTheCheapestGivesUp) {
+  const Table table = accuracy_errors(record_from(points_record()));
+  const std::vector<std::string> row{"truck_suspension", "225", "1e-09"};
+  EXPECT_EQ(entry_at(table, row, "error q").shown, "8.0e-10");
+  EXPECT_EQ(entry_at(table, row, "error q'").shown, "1.6e-09");
+  EXPECT_EQ(entry_at(table, row, "error q''").shown, "3.2e-09");
+  EXPECT_EQ(entry_at(table, row, "violation").shown, "8.0e-11");
+  EXPECT_EQ(entry_at(table, row, "iterations/step").shown, "1.03");
+  EXPECT_EQ(entry_at(table, row, "paper's knobs").shown, "tolerance 1e-8");
+  EXPECT_EQ(entry_at(table, row, klu).shown, "tolerance 1e-8");
+}
+
+// A rival in the paper's tables is held to the same error, and to its own knobs.
+TEST(AccuracyCosts, ComparesWithTheSameFormulationAtTheSameError) {
+  Json json = points_record();
+  json["precision"].push_back(solved_point("group_automatic_klu/guess:hermite5", 10, 1e-7));
+  const Table table = accuracy_costs(record_from(json));
+  const std::vector<std::string> row{"truck_suspension", "225", "1e-06"};
+  EXPECT_EQ(entry_at(table, row, "cheapest").shown, "group_automatic_klu/guess:hermite5");
+  EXPECT_EQ(entry_at(table, row, over_itself).digits[0], "3.30");  // 33 over 10
+  EXPECT_EQ(entry_at(table, row, over_global).digits[0], "3.00");  // 30 over 10
+  EXPECT_EQ(entry_at(accuracy_errors(record_from(json)), row, "paper's knobs").shown,
+            "tolerance 1e-6");
+}
+
+TEST(AccuracyCosts, SaysWhereNothingHoldsTheError) {
+  Json json = points_record();
+  for (Json& point : json["precision"])
+    if (point["case"] == "four_bar") point["error"]["position"]["max"] = 1e-5;
+  const Table table = accuracy_costs(record_from(json));
+  const std::vector<std::string> row{"four_bar", "114", "1e-06"};
+  EXPECT_EQ(entry_at(table, row, "cheapest").shown, "none");
+  EXPECT_EQ(entry_at(table, row, "µs/step").shown, missing_mark);
+  EXPECT_EQ(entry_at(table, row, over_itself).shown, missing_mark);
+}
+
+// A time of one sample cannot be had again as far as is known.
+TEST(AccuracyCosts, OfOneSampleHaveNoInterval) {
+  Json json = points_record();
+  point_of(json, klu + "/guess:hermite5/jacobian:step/iterations:1")["seconds_per_step"] = {16e-6};
+  const Table table = accuracy_costs(record_from(json));
+  const std::vector<std::string> row{"truck_suspension", "225", "1e-09"};
+  EXPECT_EQ(entry_at(table, row, "µs/step").shown, "16.00 (one run)");
+  EXPECT_EQ(entry_at(table, row, over_itself).shown, "2.00 one run");
+}
+
+TEST(CheapestByFormulation, QuotesRatiosOnlyWhereEveryKnobWasTurned) {
+  const Table table = cheapest_by_formulation(record_from(points_record()), "truck_suspension");
+  EXPECT_EQ(table.rows.size(), 3u);
+  EXPECT_EQ(entry_at(table, {klu}, "configurations").shown, "9");
+  EXPECT_EQ(entry_at(table, {klu}, "1e-12").digits[0], "24.00");
+  EXPECT_EQ(entry_at(table, {klu}, "times as fast, 1e-09").shown, "1.00 reference");
+  EXPECT_EQ(entry_at(table, {lapack}, "0.001").digits[0], "50.00");
+  EXPECT_EQ(entry_at(table, {lapack}, "times as fast, 1e-09").shown, "fewer knobs");
+  Json json = points_record();
+  for (const char* more : {"/guess:linear", "/guess:quadratic"})
+    json["precision"].push_back(solved_point(lapack + more, 200, 1e-14));
+  EXPECT_EQ(entry_at(cheapest_by_formulation(record_from(json), "truck_suspension"), {lapack},
+                     "times as fast, 1e-09")
+                .digits[0],
+            "0.20");  // 16 over 80
+}
+
+TEST(Knobs, AreComparedAtEqualErrorAndWithThePapersSettings) {
+  const Record record = record_from(points_record());
+  const Table table = knobs(record);
+  EXPECT_EQ(table.rows.size(), 2u * 15);
+  const std::vector<std::string> reused{"truck_suspension", "225", "hermite5", "step"};
+  EXPECT_EQ(entry_at(table, reused, "stop").shown, "1 iteration");
+  EXPECT_EQ(entry_at(table, reused, "times the paper's settings").shown, "2.50 [2.45, 2.55]");
+  EXPECT_EQ(entry_at(table, reused, "at equal error").digits[0], "2.00");
+  const std::vector<std::string> paper{"truck_suspension", "225", "previous", "newton"};
+  EXPECT_EQ(entry_at(table, paper, "stop").shown, "tolerance 1e-8");  // 1.5e-9 is too much
+  EXPECT_EQ(entry_at(table, paper, "at equal error").shown, "1.00 reference");
+  EXPECT_EQ(entry_at(table, {"truck_suspension", "225", "linear", "chord"}, "stop").shown,
+            "nothing that holds it");
+  const std::vector<std::string> lines = what_knobs_gain(record);
+  ASSERT_EQ(lines.size(), 2u);
+  EXPECT_EQ(lines[1],
+            "truck_suspension, 225 coordinates: "
+            "global_automatic_klu/guess:hermite5/jacobian:step/iterations:1 is 2.50 [2.45, 2.55] "
+            "times as fast as the paper's settings and 2.00 [1.96, 2.04] times as fast as the "
+            "paper's knobs at equal error, with an error of 8.0e-10.");
+}
+
+TEST(Scalars, StandBesideDoubleAndWhatIsPredicted) {
+  const Table table = scalars(record_from(points_record()));
+  const std::vector<std::string> single{"truck_suspension", lapack, "float"},
+      mixed{"truck_suspension", lapack, "mixed"}, usual{"truck_suspension", lapack, "double"};
+  EXPECT_EQ(entry_at(table, single, "solved").shown, "1 of 2");
+  EXPECT_EQ(entry_at(table, single, "least error").shown, "3.0e-06");
+  EXPECT_EQ(entry_at(table, single, "predicted").shown, "6.0e-05");
+  EXPECT_EQ(entry_at(table, single, "times as fast, 0.001").digits[0], "1.20");  // 60 over 50
+  EXPECT_EQ(entry_at(table, single, "times as fast, 1e-06").shown, missing_mark);
+  EXPECT_EQ(entry_at(table, mixed, "predicted").shown, "1.1e-13");
+  EXPECT_EQ(entry_at(table, mixed, "times as fast, 1e-09").digits[0], "1.11");  // 100 over 90
+  EXPECT_EQ(entry_at(table, usual, "times as fast, 1e-09").shown, "1.00 reference");
+  EXPECT_EQ(table.rows.size(), 3u);
+  EXPECT_EQ(
+      table.notes.back(),
+      "Neither is offered by global_automatic_klu (the sparse library klu factorises in double "
+      "precision).");
+}
+
+TEST(Scalars, ThatAllFailedSaySo) {
+  Json json = points_record();
+  Json& point = point_of(json, klu + "/scalar:float");
+  point["status"] = "failed";
+  point["message"] = "no convergence at t = 0 s";
+  const Table table = scalars(record_from(json));
+  const std::vector<std::string> row{"truck_suspension", klu, "float"};
+  EXPECT_EQ(entry_at(table, row, "solved").shown, "0 of 1");
+  EXPECT_EQ(entry_at(table, row, "remark").shown, "no convergence");
+}
+
+TEST(ErrorLevels, CountDecadesOnce) {
+  const Table table = error_levels(record_from(points_record()), "truck_suspension");
+  const std::vector<std::string> row{"225", "101", klu};
+  // 1e-15 and 2e-15; 9e-13; 5e-10 and 8e-10; 1.5e-9 and 2e-9; 5e-5
+  EXPECT_EQ(entry_at(table, row, "levels").shown, "5");
+  EXPECT_EQ(entry_at(table, row, "largest").shown, "5.0e-05");
+  EXPECT_EQ(entry_at(table, row, "least").shown, "1.0e-15");
+  EXPECT_EQ(entry_at(table, row, "not applicable").shown, "1");
+  EXPECT_EQ(entry_at(table, {"225", "101", lapack}, "failed").shown, "1");
+}
+
+TEST(ErrorLevels, NamesTheFormulationsThatReachTooFew) {
+  Json json = points_record();
+  EXPECT_EQ(fewest_levels(record_from(json)),
+            "4 of 6 formulations at a case and size reach fewer than 4 distinct levels of error: "
+            "four_bar/114/global_automatic_klu, four_bar/114/group_symbolic_inlined, "
+            "truck_suspension/114/global_automatic_klu, truck_suspension/225/group_automatic_klu.");
+  Json kept = Json::array();
+  for (const Json& point : json["precision"])
+    if (point["coordinates"] == 225 && point["id"] != "group_automatic_klu" &&
+        point["id"] != "group_automatic_klu/tolerance:1e-6")
+      kept.push_back(point);
+  json["precision"] = kept;
+  EXPECT_EQ(
+      fewest_levels(record_from(json)),
+      "Every formulation reaches at least 4 distinct levels of error at every case and size.");
+}
+
+// An answer that is wholly wrong is no level of accuracy.
+TEST(ErrorLevels, ErrorsOfOneOrMoreAreNone) {
+  Json json = points_record();
+  json["precision"].push_back(solved_point("block_automatic_klu", 10, 1e60));
+  const Table table = error_levels(record_from(json), "truck_suspension");
+  const std::vector<std::string> row{"225", "101", "block_automatic_klu"};
+  EXPECT_EQ(entry_at(table, row, "levels").shown, "0");
+  EXPECT_EQ(entry_at(table, row, "solved").shown, "1");
+}
+
+TEST(Outcomes, CountEverythingWithItsReason) {
+  const Json json = points_record();
+  const Table table = outcomes(record_from(json));
+  const std::vector<std::string> place{"truck_suspension", "225", "0.01", "101"};
+  const auto at = [&](const std::string& outcome, const std::string& column) {
+    std::vector<std::string> labels = place;
+    labels.push_back(outcome);
+    return entry_at(table, labels, column).shown;
+  };
+  EXPECT_EQ(at("solved", "count"), "16");
+  EXPECT_EQ(at("failed: no convergence", "count"), "1");
+  EXPECT_EQ(at("failed: no convergence", "example"), lapack + "/scalar:float");
+  EXPECT_EQ(at("not applicable: the sparse library klu factorises in double precision", "count"),
+            "1");
+  int all = 0;
+  for (const auto& row : table.rows) all += std::stoi(row[5].shown);
+  EXPECT_EQ(all, static_cast<int>(json["precision"].size()));
+}
+
+TEST(Floors, AreShownWithWhatIsPredicted) {
+  Json json = points_record();
+  json["floors"][1].erase("condition");
+  const Table table = floors(record_from(json));
+  const std::vector<std::string> row{"truck_suspension", "225", "0.01", "101"},
+      singular{"truck_suspension", "114", "0.01", "101"};
+  EXPECT_EQ(entry_at(table, row, "reference q").shown, "4.0e-33");
+  EXPECT_EQ(entry_at(table, row, "κ").shown, "1000");
+  EXPECT_EQ(entry_at(table, row, "float q''").shown, "6.0e+01");
+  EXPECT_CONTAINS(largest_floor(record_from(json)), " differ by 6.0e-33 at most");
+  EXPECT_EQ(entry_at(table, singular, "κ").shown, missing_mark);
+  EXPECT_EQ(entry_at(table, singular, "double q").shown, missing_mark);
+}
+
+TEST(Sensitivity, VariesOneThingAtATime) {
+  const Table table = sensitivity(record_from(points_record()));
+  const std::vector<std::string> fine{"klu", "step", "1 ms"}, usual{"klu", "step", "10 ms"};
+  EXPECT_EQ(entry_at(table, fine, "TS-TPS_LAP").shown, "0.40 [0.39, 0.41]");
+  EXPECT_EQ(entry_at(table, usual, "TS-TPS_LAP").digits[0], "0.40");
+  EXPECT_EQ(entry_at(table, usual, "TS-TPA_<sparse>").digits[0], "1.03");
+  EXPECT_EQ(entry_at(table, usual, "FBL-TP").digits[0], "6.00");
+  EXPECT_EQ(entry_at(table, fine, "FBL-TP").shown, missing_mark);
+  EXPECT_EQ(entry_at(table, {"klu", "tolerance", "1e-06"}, "TS-TPS_LAP").digits[0], "0.36");
+  EXPECT_EQ(entry_at(table, {"klu", "tolerance", "1e-12"}, "TS-TPS_LAP").digits[0], "0.40");
+  EXPECT_EQ(entry_at(table, {"klu", "guess", "hermite5"}, "TS-TPS_LAP").digits[0], "0.35");
+  EXPECT_EQ(table.rows.size(), 6u);  // two steps, two tolerances, two guesses; one family
+}
+
+TEST(Sensitivity, SaysWhichSpeedUpsSurvive) {
+  Json json = points_record();
+  EXPECT_EQ(what_survives(record_from(json)),
+            std::vector<std::string>{
+                "With klu, faster than the global formulation throughout: FBL-TP (6.00); "
+                "slower throughout: TS-TPS_LAP (0.35 to 0.40); it depends, or lies within the "
+                "spread, for TS-TPA_klu (0.83 to 1.03)."});
+  point_of(json, lapack + "/guess:hermite5")["seconds_per_step"] = {14e-6, 14e-6};
+  EXPECT_CONTAINS(what_survives(record_from(json)).front(), "TS-TPS_LAP (0.36 to 2.00)");
+}
+
+TEST(Sensitivity, MarksWhatFailed) {
+  Json json = points_record();
+  Json& point = point_of(json, lapack + "/tolerance:1e-6");
+  point["status"] = "failed";
+  point["message"] = "no convergence at t = 0.01 s";
+  EXPECT_EQ(
+      entry_at(sensitivity(record_from(json)), {"klu", "tolerance", "1e-06"}, "TS-TPS_LAP").shown,
+      failed_mark);
+}
+
+TEST(PrecisionReport, StandsAloneOrBesideTheExperiment) {
+  const Record points = record_from(points_record());
+  const Document alone = make_report(points);
+  EXPECT_EQ(alone.title, "desmo: speed for accuracy");
+  EXPECT_EQ(alone.sections.front().title, "Speed for accuracy");
+  Json cells = structured_record();
+  cells["version"] = "1.5.0";
+  const Document both = make_report(std::vector{record_from(cells), points});
+  EXPECT_EQ(both.title, "desmo: the paper's experiment");
+  for (const Section& section : alone.sections)
+    for (const Table& table : section.tables)
+      if (table.name != "provenance") {
+        EXPECT_EQ(table_named(both, table.name).rows.size(), table.rows.size()) << table.name;
+      }
+  EXPECT_EQ(entry_at(table_named(both, "provenance"), {"command"}, "value").shown,
+            "desmo_bench --synthetic");
+  EXPECT_EQ(entry_at(table_named(both, "provenance_2"), {"command"}, "value").shown,
+            "desmo_precision --synthetic");
+}
+
+}  // namespace
+}  // namespace desmo::report
