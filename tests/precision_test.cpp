@@ -137,5 +137,19 @@ TEST(Promises, AreMeasuredBesideTheBestOfEverything) {
   EXPECT_THROW(promise(motion, motion.whole, all, 1e-25), std::runtime_error);
 }
 
+// A record of the program is one that the report reads, and has what the filter lets through.
+TEST(Record, IsReadByTheReport) {
+  const std::string record = testing::TempDir() + "desmo_precision_record.json",
+                    run = DESMO_PRECISION " --quick --repetitions 1 --record " + record,
+                    quiet = " >/dev/null 2>&1";
+  ASSERT_EQ(std::system((run + " --filter 'four_bar/114/group_symbolic_inlined$'" + quiet).c_str()),
+            0);
+  const std::string outcome = " | grep -q 'four_bar *114 *0.01 *101 *solved *1 *$'";
+  EXPECT_EQ(std::system((DESMO_REPORT " tables " + record + outcome).c_str()), 0);
+  EXPECT_NE(std::system((run + " --filter no_such_formulation" + quiet).c_str()), 0);
+  EXPECT_NE(std::system((run + " --filter '('" + quiet).c_str()), 0);
+  std::remove(record.c_str());
+}
+
 }  // namespace
 }  // namespace desmo::precision

@@ -1,0 +1,107 @@
+// desmo_promises: what the choices of desmo tune are worth. Is the error that was asked for held at
+// instants that the search has not seen? How much slower is the choice than the best there is?
+#include <CLI/CLI.hpp>
+#include <array>
+#include <exception>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "bench/precision/promise.h"
+#include "bench/precision/record.h"
+#include "bench/suite/environment.h"
+#include "bench/suite/kept_memory.h"
+#include "bench/suite/new_file.h"
+#include "bench/suite/progress.h"
+#include "cases/cases.h"
+#include "cases/files.h"
+#include "formulations/algebra/blas.h"
+#include "formulations/modelling/model.h"
+
+namespace desmo::precision {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::array<double, 5> budgets{1e-3, 1e-5, 1e-7, 1e-9, 1e-11};
+constexpr std::array<const char*, 3> library{"slider_crank", "rssr", "stewart"};
+constexpr int control_instants = 333;
+
+struct Named {
+  std::string name;
+  Scene scene;
+};
+
+std::vector<Named> scenes() {
+  std::vector<Named> all;
+  for (const Case& c : cases()) all.push_back({std::string(c.name), describe(c, c.sizes.front())});
+  for (const char* name : library) all.push_back({name, library_scene(name)});
+  return all;
+}
+
+Json rival_json(const Rival& rival) {
+  return {{"id", rival.id}, {"error", rival.error}, {"seconds_per_step", rival.seconds}};
+}
+
+void add_promises(Json& list, const Named& named, suite::Progress& progress) {
+  const Plan plan = make_plan(make_mechanism(named.scene), {});
+  const TimeGrid& grid = named.scene.grid;
+  const TunedMotion motion = make_tuned_motion(plan, grid);
+  const Problem control = make_problem(plan, grid, control_instants);
+  const std::vector<Tried> all = everything(motion);
+  progress.one_done();
+  for (const double allowed : budgets) {
+    const Promise p = promise(motion, control, all, allowed);
+    list.push_back({{"mechanism", named.name},
+                    {"coordinates", plan.mechanism.coordinates()},
+                    {"step_seconds", grid.step},
+                    {"instants", grid.instants},
+                    {"allowed", p.allowed},
+                    {"promised", p.promised},
+                    {"compared", control.reference.instants.size()},
+                    {"tried", all.size()},
+                    {"choice", rival_json(p.choice)},
+                    {"best", rival_json(p.best)}});
+    progress.one_done();
+  }
+}
+
+void run(const std::string& record, const std::string& command) {
+  suite::keep_freed_memory();
+  set_blas_threads(1);  // the clock is the thread's own
+  suite::NewFile file(record);
+  suite::Run run{suite::utc_now(), command, suite::load_averages(), {}};
+  Json lists = {{"promises", Json::array()}};
+  const std::vector<Named> all = scenes();
+  {
+    suite::Progress progress("searches", static_cast<int>(all.size() * (1 + budgets.size())));
+    for (const Named& named : all) add_promises(lists["promises"], named, progress);
+  }
+  run.load_after = suite::load_averages();
+  file.write(record_text(run, all.front().scene.grid, lists));
+}
+
+}  // namespace
+
+}  // namespace desmo::precision
+
+int main(int argc, char** argv) {
+  CLI::App program{"What the choices of desmo tune are worth", "desmo_promises"};
+  std::string record, command = "desmo_promises";
+  program.add_option("--record", record, "Write the results record to this file")->required();
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return program.exit(error) == 0 ? 0 : 64;
+  }
+  for (int i = 1; i < argc; ++i) command += " " + std::string(argv[i]);
+  try {
+    desmo::precision::run(record, command);
+    return 0;
+  } catch (const std::exception& error) {
+    std::cerr << "desmo_promises: " << error.what() << '\n';
+    return 74;
+  }
+}
