@@ -151,30 +151,36 @@ TEST_F(Program, EveryFiledRecordGivesTheReportBesideIt) {
   EXPECT_GT(runs, 0);
 }
 
-// The README quotes recorded runs: each line of its tables is a line of that run's report.
-TEST_F(Program, TheReadmeQuotesItsRecords) {
+// Pages quote recorded runs: each line of their tables is a line of that run's report.
+TEST_F(Program, PagesQuoteTheirRecords) {
+  struct Page {
+    const char* name;
+    int records, rows;  // quoted; rows at least
+  };
   const fs::path source = DESMO_SOURCE_DIR;
-  const std::string readme = read_text(source / "README.md");
   const std::string mark = "<!-- measured: ";
-  int rows = 0, records = 0;
-  for (std::size_t begin = 0; (begin = readme.find(mark, begin)) != std::string::npos; ++records) {
-    const std::size_t path = begin + mark.size(),
-                      end = readme.find("<!-- end of measured -->", path);
-    ASSERT_NE(end, std::string::npos);
-    const fs::path record = source / readme.substr(path, readme.find(" -->", path) - path);
-    ASSERT_EQ(shell(std::string(DESMO_REPORT_PROGRAM) + " tables " + record.string() +
-                    " --format markdown"),
-              0);
-    std::istringstream lines(readme.substr(begin, end - begin));
-    for (std::string line; std::getline(lines, line);) {
-      if (!line.starts_with("|")) continue;
-      ++rows;
-      EXPECT_NE(out_.find("\n" + line + "\n"), std::string::npos) << line;
+  for (const Page& page : {Page{"README.md", 2, 41}, Page{"formulations/accuracy.md", 0, 0}}) {
+    const std::string text = read_text(source / page.name);
+    int rows = 0, records = 0;
+    for (std::size_t begin = 0; (begin = text.find(mark, begin)) != std::string::npos; ++records) {
+      const std::size_t path = begin + mark.size(),
+                        end = text.find("<!-- end of measured -->", path);
+      ASSERT_NE(end, std::string::npos) << page.name;
+      const fs::path record = source / text.substr(path, text.find(" -->", path) - path);
+      ASSERT_EQ(shell(std::string(DESMO_REPORT_PROGRAM) + " tables " + record.string() +
+                      " --format markdown"),
+                0);
+      std::istringstream lines(text.substr(begin, end - begin));
+      for (std::string line; std::getline(lines, line);) {
+        if (!line.starts_with("|")) continue;
+        ++rows;
+        EXPECT_NE(out_.find("\n" + line + "\n"), std::string::npos) << page.name << ": " << line;
+      }
+      begin = end;
     }
-    begin = end;
+    EXPECT_EQ(records, page.records) << page.name;
+    EXPECT_GE(rows, page.rows) << page.name;
   }
-  EXPECT_EQ(records, 2);
-  EXPECT_GT(rows, 40);
 }
 
 }  // namespace
