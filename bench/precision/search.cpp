@@ -17,6 +17,7 @@ constexpr double least_sample = 2e-3;  // s
 constexpr int dense_limit = 114;       // coordinates of a dense global solve, O(n³) a step
 constexpr double near_best = 1.6;      // formulations that other settings may yet make the fastest
 constexpr std::size_t finalists = 12;
+constexpr std::size_t most_accurate = 100;  // on the begin, within a budget
 
 /// Settings that tell formulations apart: the paper's, and what usually costs least.
 std::vector<Settings> telling_settings() {
@@ -105,6 +106,11 @@ class Searcher {
   /// one holds the goal there.
   void decide(std::vector<Trial*> hopeful) {
     sort(hopeful);
+    std::list<Trial> on_the_whole;
+    if (goal_.budget > 0 && !effort_.exhaustive) {
+      hopeful = tried_on_the_whole(hopeful, on_the_whole);
+      sort(hopeful);
+    }
     for (std::size_t first = 0; first < hopeful.size() && !found_.choice; first += finalists) {
       const std::size_t last = std::min(hopeful.size(), first + finalists);
       std::vector<Trial*> batch(hopeful.begin() + static_cast<std::ptrdiff_t>(first),
@@ -116,6 +122,19 @@ class Searcher {
       for (const Trial* t : batch)
         if (holds(t->configuration())) break;
     }
+  }
+
+  /// What is most accurate on the begin of a motion need not be so later.
+  std::vector<Trial*> tried_on_the_whole(const std::vector<Trial*>& hopeful,
+                                         std::list<Trial>& trials) {
+    std::vector<Trial*> kept;
+    for (const Trial* t : hopeful | std::views::take(most_accurate)) {
+      Trial& trial = trials.emplace_back(whole_, t->configuration());
+      trial.compare();
+      trial.time(least_sample);
+      if (may_do(trial)) kept.push_back(&trial);
+    }
+    return kept;
   }
 
   bool holds(const Configuration& configuration) {
