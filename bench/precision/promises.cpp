@@ -1,6 +1,7 @@
 // desmo_promises: what the choices of desmo tune are worth. Is the error that was asked for held at
 // instants that the search has not seen? How much slower is the choice than the best there is?
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <exception>
 #include <iostream>
@@ -34,10 +35,13 @@ struct Named {
   Scene scene;
 };
 
-std::vector<Named> scenes() {
+/// All there are, or those named.
+std::vector<Named> scenes(const std::vector<std::string>& named) {
   std::vector<Named> all;
   for (const Case& c : cases()) all.push_back({std::string(c.name), describe(c, c.sizes.front())});
   for (const char* name : library) all.push_back({name, library_scene(name)});
+  if (!named.empty())
+    std::erase_if(all, [&](const Named& n) { return !std::ranges::count(named, n.name); });
   return all;
 }
 
@@ -68,13 +72,12 @@ void add_promises(Json& list, const Named& named, suite::Progress& progress) {
   }
 }
 
-void run(const std::string& record, const std::string& command) {
+void run(const std::string& record, const std::string& command, const std::vector<Named>& all) {
   suite::keep_freed_memory();
   set_blas_threads(1);  // the clock is the thread's own
   suite::NewFile file(record);
   suite::Run run{suite::utc_now(), command, suite::load_averages(), {}};
   Json lists = {{"promises", Json::array()}};
-  const std::vector<Named> all = scenes();
   {
     suite::Progress progress("searches", static_cast<int>(all.size() * (1 + budgets.size())));
     for (const Named& named : all) add_promises(lists["promises"], named, progress);
@@ -91,6 +94,8 @@ int main(int argc, char** argv) {
   CLI::App program{"What the choices of desmo tune are worth", "desmo_promises"};
   std::string record, command = "desmo_promises";
   program.add_option("--record", record, "Write the results record to this file")->required();
+  std::vector<std::string> mechanisms;
+  program.add_option("--mechanism", mechanisms, "Only these, not all");
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -98,7 +103,12 @@ int main(int argc, char** argv) {
   }
   for (int i = 1; i < argc; ++i) command += " " + std::string(argv[i]);
   try {
-    desmo::precision::run(record, command);
+    const auto scenes = desmo::precision::scenes(mechanisms);
+    if (scenes.empty()) {
+      std::cerr << "desmo_promises: there is no such mechanism among those tried\n";
+      return 64;
+    }
+    desmo::precision::run(record, command, scenes);
     return 0;
   } catch (const std::exception& error) {
     std::cerr << "desmo_promises: " << error.what() << '\n';
