@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "bench/suite/environment_json.h"
@@ -15,6 +17,13 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::array<const char*, 3> level_names{"position", "velocity", "acceleration"};
+
+/// To six digits: more are noise, and a record has thousands of numbers.
+double rounded(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return std::strtod(text, nullptr);
+}
 
 Json per_level(const PerLevel<double>& values) {
   Json j;
@@ -30,7 +39,7 @@ Json error_json(const Error& error) {
   for (const Level level : levels) {
     const LevelError& e = error[level];
     if (e.compared > 0 && e.max <= largest_error && std::isfinite(e.rms))
-      j[level_names[static_cast<int>(level)]] = {{"max", e.max}, {"rms", e.rms}};
+      j[level_names[static_cast<int>(level)]] = {{"max", rounded(e.max)}, {"rms", rounded(e.rms)}};
   }
   return j;
 }
@@ -93,8 +102,9 @@ Json point_json(const Series& series, const Trial& trial) {
   }
   j["error"] = error_json(trial.error);
   j["violation"] = error_json(trial.violation);
-  j["iterations_per_step"] = trial.iterations_per_step;
-  j["seconds_per_step"] = trial.seconds_per_step;
+  j["iterations_per_step"] = rounded(trial.iterations_per_step);
+  Json& samples = j["seconds_per_step"] = Json::array();
+  for (const double seconds : trial.seconds_per_step) samples.push_back(rounded(seconds));
   return j;
 }
 
