@@ -40,10 +40,7 @@ Rival measured(const Trial& trial) {
 
 std::vector<Tried> everything(const TunedMotion& motion) {
   const TunedMotion begin{motion.begin, motion.begin};
-  Effort effort;
-  effort.exhaustive = true;
-  effort.rounds = 1;
-  return search(begin, {Level::position, 1, 0}, effort).tried;
+  return search(begin, {Level::position, 1, 0}, {.exhaustive = true, .rounds = 1}).tried;
 }
 
 Promise promise(const TunedMotion& motion, const Problem& control, const std::vector<Tried>& all,

@@ -16,7 +16,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double least_sample = 2e-3;  // s
 constexpr int dense_limit = 114;       // coordinates of a dense global solve, O(n³) a step
 constexpr double near_best = 1.6;      // formulations that other settings may yet make the fastest
-constexpr std::size_t finalists = 12;
+constexpr double perhaps_best = 1.5;   // times, of one sample each, that further ones may turn over
+constexpr std::size_t finalists = 16;
 constexpr std::size_t most_accurate = 100;  // on the begin, within a budget
 
 /// Settings that tell formulations apart: the paper's, and what usually costs least.
@@ -105,6 +106,7 @@ class Searcher {
   /// Samples the times that decide once more, in turn, and tries the best on the whole motion until
   /// one holds the goal there.
   void decide(std::vector<Trial*> hopeful) {
+    sample_again(hopeful);
     sort(hopeful);
     std::list<Trial> on_the_whole;
     if (goal_.budget > 0 && !effort_.exhaustive) {
@@ -122,6 +124,15 @@ class Searcher {
       for (const Trial* t : batch)
         if (holds(t->configuration())) break;
     }
+  }
+
+  /// A sample that was disturbed must not keep anything out of the finals.
+  void sample_again(const std::vector<Trial*>& hopeful) const {
+    double best = infinity;
+    for (const Trial* t : hopeful) best = std::min(best, t->least_seconds());
+    for (int round = 0; round < 2; ++round)
+      for (Trial* t : hopeful)
+        if (t->least_seconds() <= perhaps_best * best) t->time(least_sample);
   }
 
   /// What is most accurate on the begin of a motion need not be so later.
