@@ -16,10 +16,12 @@ Problem make_problem(Plan plan, const TimeGrid& grid, int compared) {
 }
 
 TunedMotion make_tuned_motion(const Plan& plan, const TimeGrid& grid) {
-  constexpr int begin_instants = 101, compared = 101;
+  constexpr int begin_instants = 101;
+  // Of most motions all: instants where the guess alone meets the tolerance may be rare.
+  constexpr int compared = 1001;
   TimeGrid begin = grid;
   begin.instants = std::min(grid.instants, begin_instants);
-  return {make_problem(plan, grid, compared), make_problem(plan, begin, compared / 2)};
+  return {make_problem(plan, grid, compared), make_problem(plan, begin, begin_instants / 2)};
 }
 
 }  // namespace desmo::precision

@@ -7,7 +7,7 @@
 
 namespace desmo::precision {
 
-/// A configuration, measured where no search has looked.
+/// A configuration, measured apart from any search.
 struct Rival {
   std::string id;
   double error = 0;             ///< relative position error, the largest
@@ -26,8 +26,8 @@ struct Promise {
 std::vector<Tried> everything(const TunedMotion& motion);
 
 /// Searches as `desmo tune` does, and measures its choice in turn with what was as fast on the
-/// begin of the motion, over the whole of it. `control` is the whole motion with other instants
-/// compared; all is what everything() gave. Throws std::runtime_error when nothing holds the error.
+/// begin of the motion, over the whole of it. `control` is the whole motion, compared at every
+/// instant; all is what everything() gave. Throws std::runtime_error when nothing holds the error.
 Promise promise(const TunedMotion& motion, const Problem& control, const std::vector<Tried>& all,
                 double allowed, const Effort& effort = {});
 

@@ -1,5 +1,5 @@
 // desmo_promises: what the choices of desmo tune are worth. Is the error that was asked for held at
-// instants that the search has not seen? How much slower is the choice than the best there is?
+// every instant of the motion? How much slower is the choice than the best there is?
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
@@ -28,7 +28,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::array<double, 5> budgets{1e-3, 1e-5, 1e-7, 1e-9, 1e-11};
 constexpr std::array<const char*, 3> library{"slider_crank", "rssr", "stewart"};
-constexpr int control_instants = 333;
 
 struct Named {
   std::string name;
@@ -53,7 +52,7 @@ void add_promises(Json& list, const Named& named, suite::Progress& progress) {
   const Plan plan = make_plan(make_mechanism(named.scene), {});
   const TimeGrid& grid = named.scene.grid;
   const TunedMotion motion = make_tuned_motion(plan, grid);
-  const Problem control = make_problem(plan, grid, control_instants);
+  const Problem control = make_problem(plan, grid, grid.instants);
   const std::vector<Tried> all = everything(motion);
   progress.one_done();
   for (const double allowed : budgets) {

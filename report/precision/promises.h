@@ -7,7 +7,7 @@
 
 namespace desmo::report {
 
-/// A configuration, measured where no search has looked.
+/// A configuration, measured apart from any search.
 struct Rival {
   std::string id;
   double error = 0;                      ///< relative, of position, the largest

@@ -38,10 +38,9 @@ Table table_of(const Record& record) {
       .title = "What desmo tune chooses, and what that is worth",
       .notes =
           {"Error: of position, the largest. Promised: by the search; measured: afterwards, at "
-           "instants of the whole motion that the search has not compared. Times the best's: "
-           "the choice's µs/step over that of the fastest configuration there is, of all "
-           "formulations with all settings, that holds half of the error, as the search asks "
-           "of its own choice; both timed in turn.",
+           "every instant of the motion. Times the best's: the choice's µs/step over that of the "
+           "fastest configuration there is, of all formulations with all settings, that holds "
+           "half of the error, as the search asks of its own choice; both timed in turn.",
            step_time_note()},
       .columns = {{"mechanism", {}},
                   {"coordinates", {}},
