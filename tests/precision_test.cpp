@@ -28,11 +28,15 @@ Problem problem(const Scene& scene, double duration, int compared) {
 }
 
 TEST(Knobs, AreAllDifferentAndIncludeThePapers) {
-  for (const auto& all : {fewest_settings(), few_settings(), all_settings()}) {
+  const Variant& in_order = find_variant("group_symbolic_explicit");
+  const auto of_all = all_settings(variants().front()), with_lanes = all_settings(in_order);
+  for (const auto& all : {fewest_settings(), few_settings(), of_all, with_lanes}) {
     std::set<std::string> ids;
     for (const Settings& s : all) ids.insert(id_with(variants().front(), s));
     EXPECT_EQ(ids.size(), all.size());
+    EXPECT_TRUE(ids.contains(variants().front().id));
   }
+  EXPECT_GT(with_lanes.size(), of_all.size());
 }
 
 /// Powers of ten between which the errors below 1 lie that some settings end at.
@@ -83,7 +87,7 @@ double error_elsewhere(const Scene& scene, const Configuration& c, Level level) 
 }
 
 TunedMotion begin_and_whole(const Scene& scene) {
-  return {problem(scene, seconds, 31), problem(scene, seconds / 4, 11)};
+  return {problem(scene, seconds, 1001), problem(scene, seconds / 4, 11)};
 }
 
 class Choice : public testing::TestWithParam<const char*> {};

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "formulations/equations/lanes.h"
+
 namespace desmo::precision {
 
 namespace {
@@ -38,7 +40,7 @@ std::vector<Settings> few_settings() {
   return all;
 }
 
-std::vector<Settings> all_settings() {
+std::vector<Settings> all_settings(const Variant& variant) {
   std::vector<Settings> all;
   for (const Guess guess : guesses)
     for (const JacobianUpdate update : updates)
@@ -56,6 +58,11 @@ std::vector<Settings> all_settings() {
           s.jacobian = update;
           all.push_back(s);
         }
+  if (!variant.explicit_order) return all;
+  std::vector<Settings> with_lanes = all;
+  for (Settings& s : with_lanes) s.lanes = lane_count;
+  std::erase_if(with_lanes, [&](const Settings& s) { return !why_not(variant, s).empty(); });
+  all.insert(all.end(), with_lanes.begin(), with_lanes.end());
   return all;
 }
 

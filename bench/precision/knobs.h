@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "formulations/settings.h"
+#include "formulations/variants.h"
 
 namespace desmo::precision {
 
@@ -16,7 +17,9 @@ std::vector<Settings> fewest_settings();
 std::vector<Settings> few_settings();
 
 /// Guesses × Jacobian updates × where to stop (tolerances and numbers of iterations), in double
-/// precision; single and mixed precision with the paper's guess and the best one.
-std::vector<Settings> all_settings();
+/// precision; single and mixed precision with the paper's guess and the best one. Among them is
+/// what the variant does not offer (why_not), to be told. Where it has code for lanes, all with
+/// them, too.
+std::vector<Settings> all_settings(const Variant& variant);
 
 }  // namespace desmo::precision

@@ -34,7 +34,7 @@ class Searcher {
   Found run() {
     std::list<Trial> trials;
     for (const Variant* v : formulations())
-      for (const Settings& s : all_settings())
+      for (const Settings& s : all_settings(*v))
         add(trials, effort_.exhaustive ? whole_ : begin_, *v, s);
     say(std::to_string(trials.size()) + " configurations");
     for (Trial& t : trials) t.compare();

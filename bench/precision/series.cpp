@@ -20,15 +20,19 @@ constexpr int dense_instants = 6;
 
 /// Where all knobs are turned: global and by groups or blocks, automatic and generated, sparse and
 /// dense. Only what is automatic and dense offers float.
-constexpr std::array<std::string_view, 9> tuned{
-    "global_automatic_klu",   "global_symbolic_klu",   "group_symbolic_klu",
-    "group_symbolic_lapack",  "group_symbolic_eigen",  "group_symbolic_inlined",
-    "block_symbolic_inlined", "group_automatic_eigen", "block_automatic_eigen",
+constexpr std::array<std::string_view, 11> tuned{
+    "global_automatic_klu",    "global_symbolic_klu",     "group_symbolic_klu",
+    "group_symbolic_lapack",   "group_symbolic_eigen",    "group_symbolic_inlined",
+    "block_symbolic_inlined",  "group_automatic_eigen",   "block_automatic_eigen",
+    "group_symbolic_explicit", "block_symbolic_explicit",
 };
 
-/// The paper's analyses with their stand-ins: whatever is neither by blocks nor dense and global.
+/// The paper's analyses with their stand-ins.
 bool is_in_table_2(const Variant& v) {
-  return v.partition != Partition::block && !is_dense_global(v) &&
+  constexpr std::array<std::string_view, 4> stand_ins{"cholmod", "umfpack", "klu", "inlined"};
+  if (v.partition == Partition::block) return false;
+  if (v.partition == Partition::group && algebra_name(v) == "lapack") return true;
+  return std::ranges::find(stand_ins, algebra_name(v)) != stand_ins.end() &&
          !(v.partition == Partition::global && v.evaluation == Evaluation::symbolic);
 }
 
@@ -70,7 +74,7 @@ void add_size(std::vector<Series>& all, const Case& c, int coordinates, bool lar
     else
       add_usual(v, few_settings());
     if (largest && is_tuned(v)) {
-      add_usual(v, all_settings());
+      add_usual(v, all_settings(v));
       add_usual(v, {{.factorisation = Factorisation::per_level}});
     }
     if (largest && is_in_table_2(v)) add_usual(v, table_settings());

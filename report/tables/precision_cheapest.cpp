@@ -13,11 +13,17 @@ namespace {
 
 constexpr double quoted = 1e-9;  // the error at which formulations are compared
 
-/// Of how many configurations a formulation has the most: those with fewer had not every knob.
+/// Configurations of one formulation with knobs that every formulation has: not lanes.
+std::size_t common_configurations(const Points& own) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      own, [](const NamedPoint* p) { return p->second.configuration.others.empty(); }));
+}
+
+/// Of how many a formulation has the most: those with fewer had not every knob.
 std::size_t most_configurations(const Points& points) {
   std::size_t most = 0;
   for (const std::string& name : formulations_of(points))
-    most = std::max(most, of_formulation(points, name).size());
+    most = std::max(most, common_configurations(of_formulation(points, name)));
   return most;
 }
 
@@ -26,7 +32,7 @@ const NamedPoint* cheapest_global(const Points& points, double accuracy) {
   const std::size_t all = most_configurations(points);
   return cheapest(points, accuracy, [&](const Configuration& c) {
     return c.formulation.starts_with("global_") &&
-           of_formulation(points, c.formulation).size() == all;
+           common_configurations(of_formulation(points, c.formulation)) == all;
   });
 }
 
@@ -39,7 +45,7 @@ std::vector<Points> in_order(const Points& points) {
     const NamedPoint* best = cheapest(own, quoted);
     return best ? step_time(*best).seconds : std::numeric_limits<double>::infinity();
   });
-  std::ranges::stable_sort(all, std::greater{}, [](const Points& own) { return own.size(); });
+  std::ranges::stable_sort(all, std::greater{}, common_configurations);
   return all;
 }
 
@@ -72,8 +78,9 @@ Table cheapest_by_formulation(const Record& record, const std::string& case_name
                                count_entry(own.size())};
     for (const double accuracy : accuracies)
       entries.push_back(step_time_entry(cheapest(own, accuracy)));
-    entries.push_back(own.size() < all ? note_entry("fewer knobs")
-                                       : step_ratio_entry(global, cheapest(own, quoted)));
+    entries.push_back(common_configurations(own) < all
+                          ? note_entry("fewer knobs")
+                          : step_ratio_entry(global, cheapest(own, quoted)));
     table.rows.push_back(std::move(entries));
   }
   return table;
