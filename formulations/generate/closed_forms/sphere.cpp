@@ -99,7 +99,7 @@ struct RateSystem {
 std::string name(const Geometry& g) {
   const std::size_t n = g.y.size();
   if (n == 1) return "square root";
-  if (g.given.only_spheres) return n == 2 ? "two circles" : "three spheres";
+  if (g.given.further_radii2.size() + 1 == n) return n == 2 ? "two circles" : "three spheres";
   if (n == 2) return "circle and line";
   return g.through_centre ? "normal of two" : "sphere and planes";
 }
@@ -108,6 +108,10 @@ std::string name(const Geometry& g) {
 std::vector<SizeMonitor> monitors(const Geometry& g, Expr discriminant) {
   std::vector<SizeMonitor> result;
   const Expr radius2 = g.given.sphere.radius2;
+  // Of two circles r and s, at the angle γ, the discriminant is (r s sin γ)², and tells as well
+  // where their centres coincide.
+  if (g.y.size() == 2 && g.given.further_radii2.size() == 1)
+    return {{discriminant, 1e-8, magnitude(radius2 * g.given.further_radii2[0])}};
   if (g.w2.moves()) {
     const bool two = g.given.planes.size() == 2 && !g.ab.is_zero();
     const Expr size = two ? g.aa * g.bb : magnitude(g.w2);

@@ -81,15 +81,17 @@ std::optional<SphereAndPlanes> as_sphere_and_planes(const Task& task) {
   }
   if (spheres.empty()) return std::nullopt;
 
-  SphereAndPlanes found{spheres[0].second, spheres[0].first, {}, flat.empty()};
+  SphereAndPlanes found{spheres[0].second, spheres[0].first, {}, {}};
   std::map<int, Expr> at_centre;
   for (std::size_t i = 0; i < n; ++i) at_centre.emplace(task.x[i].id(), found.sphere.centre[i]);
   for (const auto& [row, normal] : flat)
     found.planes.push_back({normal, -substitute(task.equations[row], at_centre),
                             [row = row](const Vector& b) { return b[row]; }});
-  for (std::size_t k = 1; k < spheres.size(); ++k)
-    found.planes.push_back(
-        plane_between(found.sphere, found.sphere_row, spheres[k].second, spheres[k].first));
+  for (std::size_t k = 1; k < spheres.size(); ++k) {
+    const auto& [row, other] = spheres[k];
+    found.planes.push_back(plane_between(found.sphere, found.sphere_row, other, row));
+    found.further_radii2.push_back(other.radius2);
+  }
   return found;
 }
 

@@ -34,7 +34,7 @@ struct SphereAndPlanes {
   Sphere sphere;
   int sphere_row;
   std::vector<Plane> planes;
-  bool only_spheres;
+  std::vector<Expr> further_radii2;  ///< of the other spheres
 };
 
 /// Nothing when an equation is neither, or none is a sphere.
