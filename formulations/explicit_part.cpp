@@ -15,56 +15,70 @@ constexpr double core_share = 1.0 / 8;
 }  // namespace
 
 ExplicitPart::ExplicitPart(const ExplicitKernel& kernel, const BoundKernel& bound,
-                           std::vector<double> weights, const Settings& settings,
+                           std::span<const double> weights, const Settings& settings,
                            std::unique_ptr<Part> fallback)
     : kernel_(kernel),
-      inputs_(bound.inputs),
-      constants_(bound.constants),
-      folded_(kernel.folded),
-      weights_(std::move(weights)),
-      branch_(kernel.branches.size(), 0.0),
-      branch_before_(branch_.size()),
+      fallback_(std::move(fallback)),
       tolerance_(settings.tolerance),
-      fallback_(std::move(fallback)) {
+      inputs_(bound.inputs),
+      constants_(bound.constants.size()),
+      equations_(weights.size()) {
+  const std::size_t branches = kernel.branches.size(),
+                    folded = static_cast<std::size_t>(kernel.folded);
+  numbers_.resize(constants_ + folded + equations_ + 2 * branches);
+  double *const c = numbers_.data(), *const f = c + constants_, *const w = f + folded;
+  branch_ = w + equations_;
+  branch_before_ = branch_ + branches;
+  std::ranges::copy(bound.constants, c);
+  std::ranges::copy(weights, w);
+  kernel_.fold(c, f);
+
   const double tolerance2 = settings.tolerance * settings.tolerance;
   const ExplicitLimits limits =
       settings.fixed_iterations > 0
           ? ExplicitLimits{std::numeric_limits<double>::infinity(), 0, settings.fixed_iterations}
           : ExplicitLimits{tolerance2, core_share * core_share * tolerance2,
                            settings.max_iterations};
-  binding_ = {inputs_.data(), constants_.data(), folded_.data(),
-              branch_.data(), weights_.data(),   limits};
-  kernel_.fold(constants_.data(), folded_.data());
+  binding_ = {inputs_.data(), c, f, branch_, w, limits};
 }
 
 PartResult ExplicitPart::solve(State& s, Level level) {
   if (!assembled_) return fall_back(s, level);
-  ExplicitKernel::Solve* const kernel = level == Level::position   ? kernel_.position
-                                        : level == Level::velocity ? kernel_.velocity
-                                                                   : kernel_.acceleration;
-  const ExplicitResult<double> r = kernel(s.q.data(), s.qd.data(), s.qdd.data(), binding_);
-  if (r.accepted) return {Status::converged, r.iterations, std::sqrt(r.residual2)};
+  ExplicitKernel::Solve* const solve = kernel_.solve[static_cast<std::size_t>(level)];
+  const ExplicitResult<double> r = solve(s.q.data(), s.qd.data(), s.qdd.data(), binding_);
+  if (!r.accepted) return solve_refused(s, level);
+  return {Status::converged, r.iterations, std::sqrt(r.residual2)};
+}
 
+/// Apart, for the registers that it needs would have to be saved in every step.
+[[gnu::noinline]] PartResult ExplicitPart::solve_refused(State& s, Level level) {
   ++fallbacks_;
-  std::ranges::copy(branch_, branch_before_.begin());
+  std::ranges::copy(branches(), branch_before_);
   const PartResult result = fall_back(s, level);
-  branch_changes_ += branch_ != branch_before_;
+  branch_changes_ += !std::ranges::equal(branches(), std::span(branch_before_, branches().size()));
+  return result;
+}
+
+[[gnu::noinline]] PartResult ExplicitPart::fall_back(State& s, Level level) {
+  const PartResult result = fallback_->solve(s, level);
+  // After a fixed number of iterations a position may still be on its way to a branch.
+  if (result.status == Status::converged && result.residual < tolerance_) {
+    kernel_.find_branches(s.q.data(), binding_.in, binding_.c, branch_);
+    assembled_ = true;
+  }
+  return result;
+}
+
+std::vector<int> ExplicitPart::starts_from(const std::vector<int>&) const {
+  std::vector<int> result;
+  for (const int input : kernel_.starts) result.push_back(inputs_[input]);
+  std::ranges::sort(result);
   return result;
 }
 
 void ExplicitPart::forget() {
   assembled_ = false;
   fallback_->forget();
-}
-
-PartResult ExplicitPart::fall_back(State& s, Level level) {
-  const PartResult result = fallback_->solve(s, level);
-  // After a fixed number of iterations a position may still be on its way to a branch.
-  if (result.status == Status::converged && result.residual < tolerance_) {
-    kernel_.find_branches(s.q.data(), inputs_.data(), constants_.data(), branch_.data());
-    assembled_ = true;
-  }
-  return result;
 }
 
 }  // namespace desmo

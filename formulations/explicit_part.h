@@ -20,10 +20,13 @@ class ExplicitPart final : public GuardedPart {
   /// bound: inputs and dimensions of the part, as for its other kernel. weights: 1/magnitude of
   /// each equation (see magnitudes.h); settings: with the tolerance on ‖Φ‖₂ of the part's own
   /// equations, so weighted.
-  ExplicitPart(const ExplicitKernel& kernel, const BoundKernel& bound, std::vector<double> weights,
-               const Settings& settings, std::unique_ptr<Part> fallback);
+  ExplicitPart(const ExplicitKernel& kernel, const BoundKernel& bound,
+               std::span<const double> weights, const Settings& settings,
+               std::unique_ptr<Part> fallback);
 
   PartResult solve(State& state, Level level) override;
+  /// Closed forms start from nothing.
+  std::vector<int> starts_from(const std::vector<int>& unknowns) const override;
   void forget() override;
 
   long fallbacks() const override { return fallbacks_; }
@@ -33,22 +36,25 @@ class ExplicitPart final : public GuardedPart {
   const ExplicitKernel& kernel() const { return kernel_; }
   const ExplicitBinding<double>& binding() const { return binding_; }
   std::size_t inputs() const { return inputs_.size(); }
-  std::size_t constants() const { return constants_.size(); }
-  std::size_t equations() const { return weights_.size(); }
+  std::size_t constants() const { return constants_; }
+  std::size_t equations() const { return equations_; }
   /// The branches kept, ±1 each, in the order of ExplicitKernel::branches; 0 before any position.
-  std::span<const double> branches() const { return branch_; }
+  std::span<const double> branches() const { return {branch_, kernel_.branches.size()}; }
 
  private:
+  PartResult solve_refused(State& state, Level level);
   PartResult fall_back(State& state, Level level);
 
   const ExplicitKernel& kernel_;
-  std::vector<int> inputs_;
-  std::vector<double> constants_, folded_, weights_, branch_, branch_before_;
   ExplicitBinding<double> binding_;
-  double tolerance_;
-  std::unique_ptr<Part> fallback_;
   bool assembled_ = false;
   long fallbacks_ = 0, branch_changes_ = 0;
+  std::unique_ptr<Part> fallback_;
+  double tolerance_;
+  std::vector<int> inputs_;
+  std::size_t constants_, equations_;
+  std::vector<double> numbers_;  // what binding_ points to, side by side, and branches before
+  double *branch_, *branch_before_;
 };
 
 }  // namespace desmo

@@ -45,18 +45,24 @@ Formulation::Formulation(const Mechanism& mechanism, std::vector<DefinedPart> pa
     for (std::vector<double>* values : {&s->q, &s->qd, &s->qdd})
       values->resize(mechanism_.state_size());
   estimate_.resize(mechanism_.state_size());
-  collect_runs();
+  prepare();
 }
 
-void Formulation::collect_runs() {
+void Formulation::prepare() {
+  constant_.clear();
+  moving_.clear();
   std::array<std::vector<int>, 3> unknowns;
-  for (const DefinedPart& part : parts_)
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    const DefinedPart& part = parts_[i];
+    (part.definition.constant ? constant_ : moving_)
+        .push_back({part.solver.get(), part.level, static_cast<int>(i)});
     if (!part.definition.constant)
-      std::ranges::copy(part.definition.unknowns,
+      std::ranges::copy(part.solver->starts_from(part.definition.unknowns),
                         std::back_inserter(unknowns[static_cast<std::size_t>(part.level)]));
+  }
   for (std::size_t level = 0; level < unknowns.size(); ++level) {
     std::ranges::sort(unknowns[level]);
-    moving_[level] = runs_of(unknowns[level]);
+    started_from_[level] = runs_of(unknowns[level]);
   }
 }
 
@@ -65,7 +71,7 @@ void Formulation::solve_only(std::span<const Level> needed) {
     part.level = Level::position;
     for (const int i : part.definition.unknowns) part.level = std::max(part.level, needed[i]);
   }
-  collect_runs();
+  prepare();
 }
 
 /// Leaves the last instant in before_ and the guess in state_, whose rates are of no meaning until
@@ -80,7 +86,7 @@ void Formulation::guess(double t) {
     };
     for (const Level level : {Level::position, Level::velocity, Level::acceleration}) {
       const Extrapolation extrapolated = extrapolation(level);
-      for (const CoordinateRun run : moving_[static_cast<std::size_t>(level)])
+      for (const CoordinateRun run : started_from_[static_cast<std::size_t>(level)])
         extrapolated(run, state_, before_, estimate_.data());
     }
   }
@@ -88,16 +94,16 @@ void Formulation::guess(double t) {
   std::swap(state_.q, estimate_);
 }
 
-Summary Formulation::solve_parts(double t, Level level, bool constant) {
+Summary Formulation::solve(std::span<const Stage> stages, double t, Level level) {
   Summary summary;
   summary.time = t;
   double residual2 = 0;
-  for (const auto& [definition, solver, as_named, part_level] : parts_) {
-    if (definition.constant != constant) continue;
-    const PartResult r = solver->solve(state_, std::min(level, part_level));
+  for (const Stage& stage : stages) {
+    const PartResult r = stage.solver->solve(state_, std::min(level, stage.level));
     residual2 += r.residual * r.residual;
     summary.iterations = std::max<long>(summary.iterations, r.iterations);
     if (r.status != Status::converged) {
+      const PartDefinition& definition = parts_[stage.part].definition;
       summary.status = r.status;
       for (const int i : definition.unknowns) state_.q[i] = before_.q[i];
       const Culprit c = find_culprit(mechanism_, definition.groups, state_.q, settings_);
@@ -122,7 +128,7 @@ Summary Formulation::assemble(double t, Level level) {
   for (const DefinedPart& part : parts_) part.solver->forget();
   assembled_ = false;
   now_ = then_ = {};  // nothing to extrapolate from
-  Summary summary = solve_parts(t, level, true);
+  Summary summary = solve(constant_, t, level);
   if (!summary.ok()) return summary;
   assembled_ = true;
   summary = step(t, level);
@@ -143,7 +149,7 @@ Summary Formulation::step(double t, Level level) {
   if (!assembled_) return assemble(t, level);
   guess(t);
   drive(mechanism_, t, state_);
-  const Summary summary = solve_parts(t, level, false);
+  const Summary summary = solve(moving_, t, level);
   if (!summary.ok()) std::ranges::copy(before_.q, state_.q.begin());
   then_ = summary.ok() ? now_ : Solved{};
   now_ = summary.ok() ? Solved{t, level} : Solved{};

@@ -5,7 +5,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "cases/mechanism.h"
 #include "cases/motion.h"
@@ -105,14 +104,22 @@ class Formulation {
     std::optional<Level> level{};  // to which it was solved
   };
 
-  void collect_runs();
+  /// What a step does with a part, beside each other in memory.
+  struct Stage {
+    Part* solver;
+    Level level;  // as far as anyone asks for its unknowns
+    int part;
+  };
+
+  void prepare();
   void guess(double t);
-  Summary solve_parts(double t, Level level, bool constant);
+  Summary solve(std::span<const Stage> stages, double t, Level level);
 
   const Mechanism& mechanism_;
   std::vector<DefinedPart> parts_;
-  std::array<std::vector<CoordinateRun>, 3>
-      moving_;  // unknowns by the level to which they are solved
+  std::vector<Stage> constant_, moving_;  // those that depend on no driver, and the others
+  /// Moving unknowns from which a solver starts, by the level to which they are solved.
+  std::array<std::vector<CoordinateRun>, 3> started_from_;
   Settings settings_;
   State state_;
   State before_;                  // the instant before that of state_

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 namespace desmo {
@@ -104,6 +105,14 @@ void LanePart::pack_branches(Batch& batch) {
       const std::size_t l = lane < batch.members.size() ? static_cast<std::size_t>(lane) : 0;
       return batch.members[l]->branches()[k];
     });
+}
+
+std::vector<int> LanePart::starts_from(const std::vector<int>& unknowns) const {
+  std::vector<int> all;
+  for (const auto& member : members_)
+    std::ranges::copy(member->starts_from(unknowns), std::back_inserter(all));
+  std::ranges::sort(all);
+  return all;
 }
 
 void LanePart::forget() {

@@ -19,6 +19,7 @@ class LanePart final : public GuardedPart {
   LanePart(const LaneKernel& kernel, std::vector<std::unique_ptr<ExplicitPart>> members);
 
   PartResult solve(State& state, Level level) override;
+  std::vector<int> starts_from(const std::vector<int>& unknowns) const override;
   void forget() override;
 
   /// Of its members.

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <memory>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -33,26 +35,53 @@ struct Common {
   Profile* profile;
 };
 
-DefinedPart make_part(const Common& common, PartDefinition d) {
+/// A part in the making: what generated code is bound to, and so far what it falls back to.
+struct Draft {
+  DefinedPart part;
+  std::optional<BoundKernel> bound;
+  std::vector<double> weights;
+};
+
+Draft draft(const Common& common, PartDefinition d) {
   const auto& [m, v, settings, magnitudes, single, profile] = common;
   PartContext context{m, d, magnitudes.weights(d), std::nullopt, settings, profile, single};
   if (v.evaluation == Evaluation::symbolic) context.kernels = bind_kernels(m, d);
-  bool as_named = v.evaluation == Evaluation::automatic || context.kernels;
+  const bool as_named = v.evaluation == Evaluation::automatic || context.kernels;
   const Backend& backend = v.backend ? *v.backend : pivoting_backend();
   std::unique_ptr<Part> part = backend.make_part(context);
-  if (!v.backend && context.kernels) {
-    const BoundKernel bound = std::move(context.kernels->front());
-    part = std::make_unique<InlinedPart>(bound, context.weights, settings, std::move(part),
-                                         d.unknowns);
-    if (v.explicit_order) {
-      const ExplicitKernel* kernel = find_explicit_kernel(bound.kernel->fingerprint);
-      if (kernel)
-        part = std::make_unique<ExplicitPart>(*kernel, bound, std::move(context.weights), settings,
-                                              std::move(part));
-      as_named = kernel != nullptr;
-    }
-  }
-  return {std::move(d), std::move(part), as_named};
+  std::optional<BoundKernel> bound;
+  if (!v.backend && context.kernels) bound = std::move(context.kernels->front());
+  std::vector<double> weights = std::move(context.weights);
+  return {{std::move(d), std::move(part), as_named}, std::move(bound), std::move(weights)};
+}
+
+void make_inlined(const Settings& settings, Draft& d) {
+  auto& [definition, solver, as_named, level] = d.part;
+  solver = std::make_unique<InlinedPart>(*d.bound, d.weights, settings, std::move(solver),
+                                         definition.unknowns);
+}
+
+void make_explicit(const Settings& settings, Draft& d) {
+  auto& [definition, solver, as_named, level] = d.part;
+  const ExplicitKernel* kernel = find_explicit_kernel(d.bound->kernel->fingerprint);
+  as_named = kernel != nullptr;
+  if (kernel)
+    solver =
+        std::make_unique<ExplicitPart>(*kernel, *d.bound, d.weights, settings, std::move(solver));
+}
+
+/// One kind of part after the other: what is at work in every step then stands together in memory,
+/// apart from the workspaces of what is fallen back to.
+std::vector<DefinedPart> make_parts(const Common& common, std::vector<PartDefinition> definitions) {
+  std::vector<Draft> drafts;
+  for (PartDefinition& d : definitions) drafts.push_back(draft(common, std::move(d)));
+  for (Draft& d : drafts)
+    if (d.bound) make_inlined(common.settings, d);
+  for (Draft& d : drafts)
+    if (d.bound && common.v.explicit_order) make_explicit(common.settings, d);
+  std::vector<DefinedPart> parts;
+  for (Draft& d : drafts) parts.push_back(std::move(d.part));
+  return parts;
 }
 
 /// What belongs to the parts of a run, as of one part.
@@ -87,6 +116,20 @@ std::vector<DefinedPart> on_lanes(std::vector<DefinedPart> run) {
   return one;
 }
 
+/// run_ends: behind the last of parts of one type that do not need each other.
+std::vector<DefinedPart> on_lanes(std::vector<DefinedPart> parts,
+                                  const std::vector<int>& run_ends) {
+  std::vector<DefinedPart> result;
+  auto first = parts.begin();
+  for (const int end : run_ends) {
+    const auto last = parts.begin() + end;
+    std::vector<DefinedPart> run(std::make_move_iterator(first), std::make_move_iterator(last));
+    std::ranges::move(on_lanes(std::move(run)), std::back_inserter(result));
+    first = last;
+  }
+  return result;
+}
+
 }  // namespace
 
 std::unique_ptr<Formulation> make_formulation(const Variant& v, const Mechanism& m,
@@ -104,14 +147,8 @@ std::unique_ptr<Formulation> make_formulation(const Variant& v, const Mechanism&
     single = std::make_shared<SinglePrecisionState>(m.state_size());
   const Common common{m, v, own, Magnitudes(m), std::move(single), profile};
 
-  std::vector<DefinedPart> parts;
-  int i = 0;
-  for (const int end : run_ends) {
-    std::vector<DefinedPart> run;
-    for (; i < end; ++i) run.push_back(make_part(common, std::move(definitions[i])));
-    if (settings.lanes > 1) run = on_lanes(std::move(run));
-    std::ranges::move(run, std::back_inserter(parts));
-  }
+  std::vector<DefinedPart> parts = make_parts(common, std::move(definitions));
+  if (settings.lanes > 1) parts = on_lanes(std::move(parts), run_ends);
   return std::make_unique<Formulation>(m, std::move(parts), settings);
 }
 

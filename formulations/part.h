@@ -38,6 +38,10 @@ class Part {
   /// they are unspecified.
   virtual PartResult solve(State& state, Level level) = 0;
 
+  /// Those of its unknowns, ascending, of which solve() reads the position that it is given: what a
+  /// guess is needed for.
+  virtual std::vector<int> starts_from(const std::vector<int>& unknowns) const { return unknowns; }
+
   /// What earlier steps left behind no longer holds: the next solve() starts from an estimate.
   virtual void forget() {}
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <string_view>
 #include <type_traits>
@@ -44,12 +45,12 @@ struct ExplicitBinding {
   ExplicitLimits limits;
 };
 
-/// Where an explicit order ended.
+/// Where an explicit order ended; for a single part small enough for registers.
 template <class T>
 struct ExplicitResult {
-  int iterations;    ///< of Newton–Raphson, the most of any core; 0 when there is none
   T residual2;       ///< ‖Φ‖₂² of the part's own equations, each times its weight
-  Mask<T> accepted;  ///< that is small enough, and so is nothing that was divided by or a root of
+  int iterations;    ///< of Newton–Raphson, the most of any core; 0 when there is none
+  Mask<T> accepted;  ///< residual2 is small enough, and no divisor or square root is too small
 };
 
 /// Generated code that solves one type of group or block (see PartType) in explicit order:
@@ -59,7 +60,8 @@ struct ExplicitKernel {
   std::string_view name;                       ///< of the group it was first seen in
   std::string_view fingerprint;                ///< PartType::fingerprint
   std::span<const std::string_view> branches;  ///< what each square root determines
-  int folded;                                  ///< values that depend on dimensions alone
+  std::span<const int> starts;  ///< local inputs: unknowns whose last position is read
+  int folded;                   ///< values that depend on dimensions alone
 
   /// f: those values, from the dimensions c.
   void (*fold)(const double* c, double* f);
@@ -70,9 +72,7 @@ struct ExplicitKernel {
   /// accepted leaves q as it was, and rates unspecified.
   using Solve = ExplicitResult<double>(double* q, double* qd, double* qdd,
                                        const ExplicitBinding<double>& part);
-  Solve* position;
-  Solve* velocity;
-  Solve* acceleration;
+  std::array<Solve*, 3> solve;  ///< by Level
 };
 
 /// Every generated explicit kernel.

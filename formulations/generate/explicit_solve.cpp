@@ -63,7 +63,8 @@ class SolveWriter {
 
   Expressions write() {
     out_ << "template <class T, Level level>\n"
-            "ExplicitResult<T> solve(T* q, T* qd, T* qdd, const ExplicitBinding<T>& part) {\n"
+            "ExplicitResult<T> solve(T* __restrict q, T* __restrict qd, T* __restrict qdd,\n"
+            "                        const ExplicitBinding<T>& part) {\n"
             "  const int* const in = part.in;\n"
             "  const T *const c = part.c, *const f = part.f, *const w = part.w;\n"
             "  const T* const branch = part.branch;\n"
@@ -82,11 +83,11 @@ class SolveWriter {
       rates(s, "qdd", "acceleration", plan_.part.qdd, plan_.motion[s].accelerations);
     }
     out_ << "\n  const Mask<T> accepted = sound & (norm2 < limits.tolerance2);\n"
-            "  if (!any(accepted)) return {iterations, norm2, accepted};\n";
+            "  if (!any(accepted)) return {norm2, iterations, accepted};\n";
     for (const Stretch& s : plan_.order)
       for (const int i : unknowns_of(s))
         out_ << "  " << place(plan_.part.q[i]) << " = " << name("q", i) << ";\n";
-    out_ << "  return {iterations, norm2, accepted};\n}\n\n";
+    out_ << "  return {norm2, iterations, accepted};\n}\n\n";
     return emitter_.folded();
   }
 

@@ -1,5 +1,6 @@
 #include "formulations/generate/explicit_source.h"
 
+#include <algorithm>
 #include <set>
 #include <sstream>
 
@@ -32,7 +33,7 @@ void write_branches(std::ostream& out, const ExplicitPlan& plan) {
   out << "void find_branches(const double* q, const int* in, const double* c, double* branch) {\n";
   std::set<int> declared;
   plan.load(out, pivots, "const double", declared);
-  Emitter emitter(out, "  ", pivots, {"double", "", "elementary::", false});
+  Emitter emitter(out, "  ", pivots);
   emitter.prepare(pivots);
   for (std::size_t k = 0; k < pivots.size(); ++k)
     out << "  branch[" << k << "] = " << emitter.text(pivots[k]) << " < 0 ? -1 : 1;\n";
@@ -42,7 +43,7 @@ void write_branches(std::ostream& out, const ExplicitPlan& plan) {
 void write_fold(std::ostream& out, const std::vector<Expr>& folded) {
   out << "constexpr int folded = " << folded.size() << ";\n"
       << "void fold(const double* c, double* f) {\n";
-  Emitter emitter(out, "  ", folded, {"double", "", "elementary::", false});
+  Emitter emitter(out, "  ", folded);
   emitter.prepare(folded);
   for (std::size_t k = 0; k < folded.size(); ++k)
     out << "  f[" << k << "] = " << emitter.text(folded[k]) << ";\n";
@@ -55,22 +56,30 @@ void write_list(std::ostream& out, const char* name, const std::vector<int>& inp
   out << "};\n";
 }
 
+/// Unknowns whose last position is read: torn ones start from it, angles stay near it.
+std::vector<int> starts(const ExplicitPlan& plan) {
+  std::set<int> result;
+  for (const Stretch& s : plan.order) {
+    result.insert(s.torn.begin(), s.torn.end());
+    for (const Definition& d : s.definitions)
+      if (d.form.bearing) result.insert(d.unknowns.front());
+  }
+  return {result.begin(), result.end()};
+}
+
 /// What a caller who brings inputs together has to bring, and what it gets.
 void write_lists(std::ostream& out, const ExplicitPlan& plan) {
-  std::set<int> before;  // torn unknowns start from, and angles stay near, their last position
-  for (const Stretch& s : plan.order) {
-    before.insert(s.torn.begin(), s.torn.end());
-    for (const Definition& d : s.definitions)
-      if (d.form.bearing) before.insert(d.unknowns.front());
-  }
+  const std::vector<int> started = starts(plan);
   std::vector<int> positions, rates, unknowns;
   for (std::size_t i = 0; i < plan.type.inputs.size(); ++i) {
     const int input = static_cast<int>(i);
     const Role role = plan.type.inputs[i].role;
-    if (role != Role::unknown || before.contains(input)) positions.push_back(input);
+    if (role != Role::unknown || std::ranges::binary_search(started, input))
+      positions.push_back(input);
     if (role == Role::known) rates.push_back(input);
     if (role == Role::unknown) unknowns.push_back(input);
   }
+  write_list(out, "starts", started);
   write_list(out, "positions", positions);
   write_list(out, "rates", rates);
   write_list(out, "unknowns", unknowns);
@@ -93,9 +102,10 @@ void write_explicit_kernel(std::ostream& out, const std::string& name, const Par
 
 void write_explicit_table_row(std::ostream& out, const std::string& name, const PartType& type) {
   out << "    {\"" << name << "\", \"" << type.fingerprint << "\", " << name << "::branches, "
-      << name << "::folded,\n     " << name << "::fold, " << name << "::find_branches, " << name
-      << "::solve<double, Level::position>,\n     " << name << "::solve<double, Level::velocity>, "
-      << name << "::solve<double, Level::acceleration>},\n";
+      << name << "::starts,\n     " << name << "::folded, " << name << "::fold, " << name
+      << "::find_branches,\n     {" << name << "::solve<double, Level::position>, " << name
+      << "::solve<double, Level::velocity>,\n      " << name
+      << "::solve<double, Level::acceleration>}},\n";
 }
 
 void write_lane_table_row(std::ostream& out, const std::string& name, const PartType& type) {
