@@ -30,6 +30,12 @@ using namespace desmo;
 constexpr int dyads = 185, steps = 3000, rounds = 15;
 constexpr double step = 0.01;
 
+/// The angle that differs by whole turns and is nearest to that before.
+double near(double angle, double before) {
+  constexpr double turn = 2 * std::numbers::pi;
+  return angle + turn * std::nearbyint((before - angle) * (1 / turn));
+}
+
 /// q, q̇, q̈ in the order of coordinates of the case: θ, B, then C and ψ of each dyad.
 class ByHand {
  public:
@@ -50,7 +56,7 @@ class ByHand {
       const double omega2 = omega * omega;
       const double alpha =
           inverse * (ex * (b.ax + omega2 * fx) + ey * (b.ay + omega2 * fy) - (rx * rx + ry * ry));
-      psi_[k] = elementary::angle_near(fy, fx, psi_[k]);
+      psi_[k] = near(elementary::arctan(fy, fx), psi_[k]);
       b = {pivot + fx, fy, vx, vy, -alpha * fy - omega2 * fx, alpha * fx - omega2 * fy};
       double* const at = q.data() + 3 + 3 * k;
       at[0] = b.x, at[1] = b.y, at[2] = psi_[k];

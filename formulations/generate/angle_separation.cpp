@@ -21,12 +21,13 @@ std::optional<SeparatedAngle> separate_angle(const Block& block, int angle, cons
   const bool mirrors = q->cosine.id() == p->sine.id() && q->sine.id() == (-p->cosine).id();
   if (!turns && !mirrors) return std::nullopt;
 
-  const Expr radius2 = p->cosine * p->cosine + p->sine * p->sine;
-  const ClosedForm::Bearing bearing{-(p->cosine * p->rest + q->cosine * q->rest),
-                                    -(p->sine * p->rest + q->sine * q->rest)};
+  const Expr radius2 = p->cosine * p->cosine + p->sine * p->sine, inverse = Expr(1) / radius2;
+  const ClosedForm::Bearing bearing{
+      -((p->cosine * inverse) * p->rest + (q->cosine * inverse) * q->rest),
+      -((p->sine * inverse) * p->rest + (q->sine * inverse) * q->rest)};  // (cos θ, sin θ)
   std::vector<int> rows = with[0].rows;
   rows.insert(rows.end(), with[1].rows.begin(), with[1].rows.end());
-  Definition definition{angle_by_bearing("angle", bearing, radius2 * radius2), {angle}, {}};
+  Definition definition{angle_by_bearing("angle", bearing, 1), {angle}, {}};
   for (const int r : rows) definition.because.push_back(type.row_names[r]);
   return SeparatedAngle{{p->rest * p->rest + q->rest * q->rest - radius2, rows}, definition};
 }

@@ -108,13 +108,24 @@ class SolveWriter {
       for (std::size_t i = 0; i < d.form.values.size(); ++i)
         emitter_.define(name("q", d.unknowns[i]), d.form.values[i]);
       if (!d.form.bearing) continue;
-      const auto& [x, y] = *d.form.bearing;
-      const int angle = d.unknowns.front();
-      emitter_.prepare({x, y});
-      emitter_.assign(name("q", angle), "elementary::angle_near(" + emitter_.text(y) + ", " +
-                                            emitter_.text(x) + ", " + place(plan_.part.q[angle]) +
-                                            ")");
+      define_angle(d.unknowns.front(), *d.form.bearing, out, indent);
     }
+  }
+
+  /// With its sine and cosine, which the original equations read.
+  void define_angle(int angle, const ClosedForm::Bearing& bearing, std::ostream& out,
+                    const std::string& indent) {
+    const auto& [x, y] = bearing;
+    const Expr q = plan_.part.q[angle];
+    emitter_.prepare({x, y});
+    const std::string turned = name("turned", angle);
+    out << indent << "const auto " << turned << " = elementary::turned_angle<T>("
+        << emitter_.text(y) << ", " << emitter_.text(x) << ", " << place(q) << ");\n";
+    emitter_.assign(name("q", angle), turned + ".angle");
+    emitter_.assign(name("sine", angle), turned + ".sine");
+    emitter_.assign(name("cosine", angle), turned + ".cosine");
+    emitter_.name(sin(q), name("sine", angle));
+    emitter_.name(cos(q), name("cosine", angle));
   }
 
   void core(std::size_t index) {

@@ -101,7 +101,7 @@ void write_explicit(std::ostream& out, const std::vector<FoundType>& types, cons
          "// structural group.\n\n"
          "#include <array>\n#include <cmath>\n\n"
          "#include \"cases/level.h\"\n"
-         "#include \"formulations/equations/elementary.h\"\n"
+         "#include \"formulations/equations/turned_angle.h\"\n"
          "#include \"formulations/equations/"
       << header
       << "\"\n\n"
