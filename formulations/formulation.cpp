@@ -55,7 +55,8 @@ void Formulation::prepare() {
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     const DefinedPart& part = parts_[i];
     (part.definition.constant ? constant_ : moving_)
-        .push_back({part.solver.get(), part.level, static_cast<int>(i)});
+        .push_back({part.solver.get(), part.level, static_cast<int>(i),
+                    static_cast<int>(part.definition.unknowns.size())});
     if (!part.definition.constant)
       std::ranges::copy(part.solver->starts_from(part.definition.unknowns),
                         std::back_inserter(unknowns[static_cast<std::size_t>(part.level)]));
@@ -102,6 +103,7 @@ Summary Formulation::solve(std::span<const Stage> stages, double t, Level level)
     const PartResult r = stage.solver->solve(state_, std::min(level, stage.level));
     residual2 += r.residual * r.residual;
     summary.iterations = std::max<long>(summary.iterations, r.iterations);
+    summary.updates += static_cast<long>(r.iterations) * stage.unknowns;
     if (r.status != Status::converged) {
       const PartDefinition& definition = parts_[stage.part].definition;
       summary.status = r.status;
@@ -136,10 +138,11 @@ Summary Formulation::assemble(double t, Level level) {
   for (int i = 0; i < settings_.max_iterations && summary.ok() && settings_.fixed_iterations > 0 &&
                   summary.residual >= settings_.tolerance;
        ++i) {
-    const long before = summary.iterations;
+    const Summary before = summary;
     now_ = then_ = {};
     summary = step(t, level);
-    summary.iterations += before;
+    summary.iterations += before.iterations;
+    summary.updates += before.updates;
   }
   assembled_ = summary.ok();
   return summary;
@@ -163,6 +166,7 @@ Summary Formulation::run(const TimeGrid& grid, const Request& request, Sink& sin
     const Summary s = i == 0 ? assemble(t, request.level) : step(t, request.level);
     total.time = t;
     total.iterations += s.iterations;
+    total.updates += s.updates;
     if (!s.ok()) {
       total.status = s.status;
       total.group = s.group;
@@ -173,7 +177,8 @@ Summary Formulation::run(const TimeGrid& grid, const Request& request, Sink& sin
     ++total.instants;
     total.residual = std::max(total.residual, s.residual);
     sink.accept({i, t, q(), request.level >= Level::velocity ? qd() : std::span<const double>{},
-                 request.level >= Level::acceleration ? qdd() : std::span<const double>{}});
+                 request.level >= Level::acceleration ? qdd() : std::span<const double>{},
+                 s.updates});
   }
   return total;
 }

@@ -25,6 +25,7 @@ struct Instant {
   int index;
   double time;  ///< s
   std::span<const double> q, qd, qdd;
+  long updates = 0;  ///< that it took: see Summary
 };
 
 /// Receives solved instants in order of time.
@@ -39,6 +40,9 @@ struct Summary {
   Status status = Status::converged;
   long instants = 0;    ///< solved
   long iterations = 0;  ///< Newton iterations, the largest of any part, summed over instants
+  /// Unknowns that Newton's method moved: of each part its number times its iterations, summed. The
+  /// work of a motion grows with it, beside that of every instant.
+  long updates = 0;
   /// Largest ‖Φ‖₂ of the whole mechanism accepted, or that which failed: relative, as the
   /// tolerance.
   double residual = 0;
@@ -108,7 +112,7 @@ class Formulation {
   struct Stage {
     Part* solver;
     Level level;  // as far as anyone asks for its unknowns
-    int part;
+    int part, unknowns;
   };
 
   void prepare();

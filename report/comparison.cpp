@@ -31,9 +31,9 @@ Entry ratio_entry(const Timing& a, const Timing& b) {
 /// As of a record before 1.4.0.
 Record without_segments(Record record) {
   record.settings.segments.reset();
-  for (auto& [key, cell] : record.cells) cell.segment_seconds.clear();
-  for (Request& request : record.requests) request.segment_seconds.clear();
-  for (Peer& peer : record.peers) peer.cell.segment_seconds.clear();
+  for (auto& [key, cell] : record.cells) cell.segments = {};
+  for (Request& request : record.requests) request.segments = {};
+  for (Peer& peer : record.peers) peer.cell.segments = {};
   return record;
 }
 

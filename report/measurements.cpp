@@ -22,11 +22,10 @@ std::optional<double> number(const std::string& digits) {
   return value;
 }
 
-Measured measured(Status status, const std::vector<double>& cpu_seconds,
-                  const std::vector<double>& segment_seconds) {
+Measured measured(Status status, const std::vector<double>& cpu_seconds, const Segments& segments) {
   switch (status) {
     case Status::ok:
-      return {summarise(cpu_seconds, segment_seconds), {}};
+      return {summarise(cpu_seconds, segments), {}};
     case Status::failed:
       return {std::nullopt, failed_mark};
     case Status::not_run:
@@ -44,11 +43,11 @@ Measured measured(const Record& record, const CellKey& key) {
 }
 
 Measured measured(const Cell& cell) {
-  return measured(cell.status, cell.cpu_seconds, cell.segment_seconds);
+  return measured(cell.status, cell.cpu_seconds, cell.segments);
 }
 
 Measured measured(const Request& request) {
-  return measured(request.status, request.cpu_seconds, request.segment_seconds);
+  return measured(request.status, request.cpu_seconds, request.segments);
 }
 
 std::map<CellKey, Timing> timings(const Record& record) {
@@ -117,12 +116,24 @@ Sources sources(const Record& record) {
           motions + ": these are ratios of times of unequal motions."};
 }
 
+bool has_samples_of_segments(const Record& record) {
+  return std::ranges::any_of(
+      record.cells, [](const auto& cell) { return !cell.second.segments.samples.empty(); });
+}
+
 TimeWords time_words(const Record& record) {
   if (!record.settings.segments) return {"median", "medians", "[its interval]", {}};
+  const std::string segments =
+      std::to_string(*record.settings.segments) + " equal segments of the motion";
   return {"undisturbed time", "undisturbed times", "[to the median]",
-          "Undisturbed time: of each of " + std::to_string(*record.settings.segments) +
-              " equal segments of the motion the least CPU time that any repetition took, summed. "
-              "Interval of a ratio: 95 %, from how it varies from segment to segment."};
+          has_samples_of_segments(record)
+              ? "Undisturbed time: of " + segments +
+                    " in all repetitions, the lower convex envelope of CPU time over Newton "
+                    "updates, both an instant, at the updates of the whole motion. Interval of a "
+                    "ratio: without the best repetition of either side."
+              : "Undisturbed time: of each of " + segments +
+                    " the least CPU time that any repetition took, summed. Interval of a ratio: "
+                    "95 %, from how it varies from segment to segment."};
 }
 
 std::string capitalised(std::string text) {

@@ -74,6 +74,9 @@ struct Sources {
 
 Sources sources(const Record& record);
 
+/// Whether times are taken from all samples of segments, as since 1.6.0.
+bool has_samples_of_segments(const Record& record);
+
 /// What the times of a record are, in the words of its notes: records before 1.4.0 have medians,
 /// later ones segments.
 struct TimeWords {

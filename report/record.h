@@ -13,6 +13,7 @@
 
 #include "report/precision/points.h"
 #include "report/precision/promises.h"
+#include "report/segments.h"
 
 namespace desmo::report {
 
@@ -97,7 +98,7 @@ struct Cell {
   std::string message;  ///< why it failed or was not run
   Origin origin;
   std::vector<double> cpu_seconds;  ///< one per repetition; never empty when ok, always when not
-  std::vector<double> segment_seconds;  ///< Settings::segments when ok: the least that each took
+  Segments segments;                ///< Settings::segments when ok
   std::optional<Verification> verification;  ///< always when ok
   std::optional<double> setup_seconds;
   std::optional<double> iterations_per_step;
@@ -143,9 +144,9 @@ struct Request {
   Status status = Status::not_run;
   std::string message;  ///< why it failed or was not run
   Origin origin;
-  std::vector<double> cpu_seconds;  ///< one per repetition; never empty when ok, always when not
-  std::vector<double> segment_seconds;  ///< Settings::segments when ok: the least that each took
-  std::optional<double> difference;     ///< from the whole mechanism's solution; always when ok
+  std::vector<double> cpu_seconds;   ///< one per repetition; never empty when ok, always when not
+  Segments segments;                 ///< Settings::segments when ok
+  std::optional<double> difference;  ///< from the whole mechanism's solution; always when ok
   std::optional<double> iterations_per_step;
 };
 

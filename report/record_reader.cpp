@@ -73,20 +73,52 @@ std::vector<double> read_samples(const JsonNode& node, const std::string& what) 
   return seconds;
 }
 
+template <class Read>
+std::vector<double> read_each_segment(const JsonNode& list, std::size_t count, const Read& read) {
+  std::vector<double> values;
+  for (const JsonNode& segment : list.elements()) values.push_back(read(segment));
+  if (values.size() != count)
+    list.complain(std::to_string(values.size()) + " segments of " + std::to_string(count));
+  return values;
+}
+
+// By instants equal, the rest shared out as desmo_bench does.
+std::vector<double> instants_of_segments(std::int64_t instants, std::size_t count) {
+  const auto segments = static_cast<std::int64_t>(count);
+  std::vector<double> of_each;
+  for (std::int64_t i = 0; i < segments; ++i)
+    of_each.push_back(static_cast<double>((i + 1) * instants / segments - i * instants / segments));
+  return of_each;
+}
+
 // None in a record without segments. They are all that a repetition consists of, so that their
 // least times cannot add up to more than the least repetition; a thousandth is left to the clock.
-std::vector<double> read_segments(const JsonNode& node, const std::optional<std::int64_t>& count,
-                                  const std::vector<double>& cpu_seconds) {
-  std::vector<double> seconds;
-  if (!count) return seconds;
-  const JsonNode segments = node["segment_seconds"];
-  for (const JsonNode& segment : segments.elements()) seconds.push_back(segment.sample());
-  if (static_cast<std::int64_t>(seconds.size()) != *count)
-    segments.complain(std::to_string(seconds.size()) + " segments of " + std::to_string(*count));
-  const double sum = std::accumulate(seconds.begin(), seconds.end(), 0.0);
+Segments read_segments(const JsonNode& node, const Settings& settings,
+                       const std::vector<double>& cpu_seconds) {
+  Segments segments;
+  if (!settings.segments) return segments;
+  const auto count = static_cast<std::size_t>(*settings.segments);
+  const auto seconds = [](const JsonNode& segment) { return segment.sample(); };
+  const JsonNode least = node["segment_seconds"];
+  segments.least = read_each_segment(least, count, seconds);
+  const double sum = std::accumulate(segments.least.begin(), segments.least.end(), 0.0);
   if (sum > 1.001 * *std::ranges::min_element(cpu_seconds))
-    segments.complain("together they are longer than a whole repetition");
-  return seconds;
+    least.complain("together they are longer than a whole repetition");
+  const auto samples = node.find("segment_samples");
+  if (!samples) return segments;
+  for (const JsonNode& sample : samples->elements())
+    segments.samples.push_back(read_each_segment(sample, count, seconds));
+  if (segments.samples.empty()) samples->complain("there is none");
+  for (std::size_t i = 0; i < count; ++i)
+    if (std::ranges::none_of(segments.samples, [&](const std::vector<double>& sample) {
+          return sample[i] == segments.least[i];
+        }))
+      least.complain("segment " + std::to_string(i) + " is not the least of its samples");
+  segments.updates = read_each_segment(node["segment_updates"], count, [](const JsonNode& updates) {
+    return static_cast<double>(updates.integer(0));
+  });
+  segments.instants = instants_of_segments(settings.instants, count);
+  return segments;
 }
 
 Cell read_cell(const JsonNode& node, const Settings& settings) {
@@ -94,7 +126,7 @@ Cell read_cell(const JsonNode& node, const Settings& settings) {
             .message = {},
             .origin = read_origin(node),
             .cpu_seconds = {},
-            .segment_seconds = {},
+            .segments = {},
             .verification = std::nullopt,
             .setup_seconds = read_optional(node, "setup_seconds"),
             .iterations_per_step = read_optional(node, "iterations_per_step"),
@@ -107,13 +139,13 @@ Cell read_cell(const JsonNode& node, const Settings& settings) {
   if (cell.status != Status::ok) return cell;  // times of a wrong answer are not times
   if (!cell.verification) node.complain("an \"ok\" cell needs \"verification\"");
   cell.cpu_seconds = read_samples(node, "cell");
-  cell.segment_seconds = read_segments(node, settings.segments, cell.cpu_seconds);
+  cell.segments = read_segments(node, settings, cell.cpu_seconds);
   if (!settings.allowed) return cell;
   if (std::string reason = excess(*cell.verification, *settings.allowed); !reason.empty()) {
     cell.status = Status::failed;
     cell.message = std::move(reason);
     cell.cpu_seconds.clear();
-    cell.segment_seconds.clear();
+    cell.segments = {};
   }
   return cell;
 }
@@ -179,7 +211,7 @@ Request read_request(const JsonNode& node, const Settings& settings) {
                   .message = {},
                   .origin = read_origin(node),
                   .cpu_seconds = {},
-                  .segment_seconds = {},
+                  .segments = {},
                   .difference = read_optional(node, "difference"),
                   .iterations_per_step = read_optional(node, "iterations_per_step")};
   if (request.unknowns > request.all_unknowns)
@@ -189,7 +221,7 @@ Request read_request(const JsonNode& node, const Settings& settings) {
   const JsonNode verification = node["verification"];
   if (!request.difference) node.complain("an \"ok\" request needs \"difference\"");
   request.cpu_seconds = read_samples(node, "request");
-  request.segment_seconds = read_segments(node, settings.segments, request.cpu_seconds);
+  request.segments = read_segments(node, settings, request.cpu_seconds);
   const std::optional<Allowed>& allowed = settings.allowed;
   if (!allowed) return request;
   std::string reason = request_excess(verification, *allowed);
@@ -200,7 +232,7 @@ Request read_request(const JsonNode& node, const Settings& settings) {
     request.status = Status::failed;
     request.message = std::move(reason);
     request.cpu_seconds.clear();
-    request.segment_seconds.clear();
+    request.segments = {};
   }
   return request;
 }

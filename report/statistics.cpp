@@ -63,7 +63,7 @@ double half_width_of_ratio(std::span<const double> a, std::span<const double> b)
 
 }  // namespace
 
-Summary summarise(std::span<const double> samples, std::span<const double> segments) {
+Summary summarise(std::span<const double> samples, const Segments& segments) {
   std::vector<double> sorted(samples.begin(), samples.end());
   std::sort(sorted.begin(), sorted.end());
   const std::size_t n = sorted.size(), left_out = left_out_at_either_end(n);
@@ -77,10 +77,12 @@ Summary summarise(std::span<const double> samples, std::span<const double> segme
             .median_low = sorted[left_out],
             .median_high = sorted[n - 1 - left_out],
             .count = n,
-            .segments = {segments.begin(), segments.end()}};
-  if (segments.empty()) return s;
-  s.value = s.low = sum(segments);
+            .segments = segments.least,
+            .without_best = {}};
+  if (segments.least.empty()) return s;
+  s.value = s.low = segments.samples.empty() ? sum(segments.least) : undisturbed(segments);
   s.high = std::max(s.value, median);
+  if (segments.samples.size() > 1) s.without_best = undisturbed_without_best(segments);
   return s;
 }
 
@@ -88,13 +90,21 @@ SpeedUp speed_up(const Summary& reference, const Summary& variant) {
   const bool paired =
       reference.segments.size() > 1 && reference.segments.size() == variant.segments.size();
   // S = t_global / t_topological
-  const double ratio = paired ? reference.value / variant.value : reference.median / variant.median;
+  const bool sampled = paired && reference.without_best && variant.without_best;
+  const double ratio = sampled  ? reference.value / variant.value
+                       : paired ? sum(reference.segments) / sum(variant.segments)
+                                : reference.median / variant.median;
   SpeedUp s{.value = ratio,
             .low = reference.median_low / variant.median_high,
             .high = reference.median_high / variant.median_low,
             .percent = 100 * (1 - 1 / ratio),
             .spread = reference.count > 1 && variant.count > 1};
   if (!paired) return s;
+  if (sampled) {
+    s.low = reference.value / *variant.without_best;
+    s.high = *reference.without_best / variant.value;
+    return s;
+  }
   const double half = half_width_of_ratio(reference.segments, variant.segments);
   s.low = std::max(0.0, ratio - half);
   s.high = ratio + half;

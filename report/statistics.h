@@ -6,12 +6,15 @@
 #include <span>
 #include <vector>
 
+#include "report/segments.h"
+
 namespace desmo::report {
 
 /// The repetitions of one measurement.
 struct Summary {
-  /// The time and its interval. With segments the undisturbed time, their sum, and from there to
-  /// the median; without, the median, median_low and median_high.
+  /// The time and its interval. With segments the undisturbed time (see segments.h; the sum of
+  /// their least times where their samples are not known), and from there to the median; without,
+  /// the median, median_low and median_high.
   double value = 0;
   double low = 0;
   double high = 0;
@@ -25,11 +28,13 @@ struct Summary {
   double median_high = 0;
   std::size_t count = 0;
   std::vector<double> segments;  ///< the least time of each; may be empty
+  /// Where the samples of segments are known: the undisturbed time without its best repetition.
+  std::optional<double> without_best;
   double half_range() const { return (largest - least) / 2; }
 };
 
-/// Of one sample or more; with the least times of the segments that they consist of, where known.
-Summary summarise(std::span<const double> samples, std::span<const double> segments = {});
+/// Of one sample or more; with the segments that they consist of, where known.
+Summary summarise(std::span<const double> samples, const Segments& segments = {});
 
 /// Relative half-width of a speed-up's interval beyond which it is called inconclusive. An idle
 /// machine reaches 0.02.
@@ -38,11 +43,13 @@ inline constexpr double widest_conclusive = 0.05;
 /// How many times as fast: S = t_reference / t_variant.
 struct SpeedUp {
   double value = 0;  ///< ratio of the times
-  /// With segments on both sides: the 95 % interval of a ratio of sums over pairs, from how far the
-  /// segments are from having that ratio, by Student's t (W. G. Cochran: Sampling Techniques, 1977,
-  /// chapter 6). Without: the reference's median_low over the variant's median_high, and the
-  /// reverse. That holds the ratio of the true medians with a probability of 95 % at least from 7
-  /// repetitions each, and of (1 - 2^(1-n))^2 with n < 7.
+  /// With samples of segments on both sides: what the ratio becomes without the best repetition of
+  /// either side; narrow where two repetitions or more say the same of both. With the least times
+  /// of segments: the 95 % interval of a ratio of sums over pairs, from how far the segments are
+  /// from having that ratio, by Student's t (W. G. Cochran: Sampling Techniques, 1977, chapter 6).
+  /// Without: the reference's median_low over the variant's median_high, and the reverse. That
+  /// holds the ratio of the true medians with a probability of 95 % at least from 7 repetitions
+  /// each, and of (1 - 2^(1-n))^2 with n < 7.
   double low = 0;
   double high = 0;
   double percent = 0;   ///< improvement 100 (1 - 1/S), from the unrounded S
@@ -53,7 +60,8 @@ struct SpeedUp {
   bool inconclusive() const { return spread && half_width() > widest_conclusive; }
 };
 
-/// Of times with as many segments each, which are paired; otherwise of the medians.
+/// Of undisturbed times, where segments are known of both as well and as many; otherwise of the
+/// medians.
 SpeedUp speed_up(const Summary& reference, const Summary& variant);
 
 /// Each member the arithmetic mean over the sizes, as in the last row of the paper's table 2; the

@@ -4,6 +4,7 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
@@ -36,6 +37,7 @@ namespace {
 /// it finds itself is that of a thread that waits.
 benchmark::BenchmarkReporter::Run shown_as_cpu_time(benchmark::BenchmarkReporter::Run run) {
   run.run_name.time_type.clear();
+  run.run_name.repetitions.clear();
   run.cpu_accumulated_time = run.real_accumulated_time;
   return run;
 }
@@ -80,13 +82,22 @@ void run_timed(benchmark::State& state, Timed& timed, RunProgress& progress) {
   progress.repeated(timed);
 }
 
-/// As Google Benchmark reads it: the last one counts.
-int repetitions_of(const std::vector<char*>& arguments) {
+/// As Google Benchmark reads it: the last one counts. Nothing where the user leaves it to us.
+std::optional<int> repetitions_of(const std::vector<char*>& arguments) {
   constexpr std::string_view flag = "--benchmark_repetitions=";
-  int repetitions = 1;
+  std::optional<int> repetitions;
   for (const std::string_view a : arguments)
-    if (a.starts_with(flag)) repetitions = std::atoi(a.data() + flag.size());
-  return std::max(1, repetitions);
+    if (a.starts_with(flag)) repetitions = std::max(1, std::atoi(a.data() + flag.size()));
+  return repetitions;
+}
+
+/// As many as take long enough, together, that something of them is undisturbed: a core may be slow
+/// for seconds. What takes long itself needs few.
+int worth_repeating(const Timed& timed) {
+  constexpr double seconds = 2.5;
+  constexpr int fewest = 3, most = 20;
+  const double needed = std::ceil(seconds / std::max(timed.analysis_seconds, 1e-9));
+  return static_cast<int>(std::clamp<double>(needed, fewest, most));
 }
 
 /// Those whose benchmark the filter selects. Google Benchmark offers no question for that before
@@ -150,13 +161,12 @@ int run(int argc, char** argv) {
   // Defaults first, so that the user's flags win. An iteration is a whole analysis, and a
   // repetition is one iteration: the least time is met by the first.
   std::string interleave = "--benchmark_enable_random_interleaving=true";
-  std::string repetitions = "--benchmark_repetitions=5";
   std::string least_time = "--benchmark_min_time=1e-6";
   std::string help = "--help";
   arguments.insert(arguments.begin() + 1,
-                   {interleave.data(), repetitions.data(), least_time.data()});
+                   {interleave.data(), least_time.data()});
   if (options.help) arguments.push_back(help.data());
-  const int asked_repetitions = repetitions_of(arguments);
+  const std::optional<int> asked_repetitions = repetitions_of(arguments);
   int count = static_cast<int>(arguments.size());
   benchmark::Initialize(&count, arguments.data());
   if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 64;
@@ -180,20 +190,21 @@ int run(int argc, char** argv) {
   if (!options.record.empty()) file.emplace(options.record);
 
   ReferenceCache references;
-  RunProgress progress(chosen, asked_repetitions);
+  RunProgress progress(chosen);
   for (Timed* timed : chosen) {
     timed->verify(references);
     timed->profile();
-    progress.verified(*timed);
+    const int repetitions = asked_repetitions.value_or(worth_repeating(*timed));
+    progress.verified(*timed, repetitions);
     if (timed->is_not_run() || timed->is_failed()) {
       progress.clear();
       std::cerr << timed->name() << ": " << timed->message << '\n';
     }
     if (timed->is_not_run()) continue;
-    benchmark::RegisterBenchmark(timed->name().c_str(), &run_timed, std::ref(*timed),
-                                 std::ref(progress))
-        ->Unit(benchmark::kMillisecond)
-        ->UseManualTime();
+    auto* const registered = benchmark::RegisterBenchmark(timed->name().c_str(), &run_timed,
+                                                          std::ref(*timed), std::ref(progress));
+    registered->Unit(benchmark::kMillisecond)->UseManualTime();
+    if (!asked_repetitions) registered->Repetitions(repetitions);
   }
   progress.timing();
   CollectingReporter reporter(chosen, progress);

@@ -41,9 +41,8 @@ const char* const usage =
     "                           global_automatic_klu/guess:hermite5; may be given more than once\n"
     "  --record=FILE            write the results record (see results/README.md)\n\n"
     "Exit code: 0 all verified and timed; 1 some formulation failed; 64 usage, or no benchmark\n"
-    "matches; 74 the record\n"
-    "could not be written. Flags of Google Benchmark (repetitions default to 5,\n"
-    "in random order):\n\n";
+    "matches; 74 the record could not be written. Flags of Google Benchmark (repetitions,\n"
+    "in random order, default to as many as take 2.5 s together, 3 to 20):\n\n";
 
 Options take_options(std::vector<char*>& arguments) {
   Options o;

@@ -1,6 +1,9 @@
 #include "bench/suite/record.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string_view>
@@ -34,11 +37,26 @@ void add_status(Json& j, const Timed& timed) {
 }
 
 /// Of what has a time: how right it is, the time, and what belongs to it.
+/// To nanoseconds, beyond which no clock tells anything.
+double rounded(double seconds) { return std::round(seconds * 1e9) / 1e9; }
+
+void add_segments(Json& j, const Segments& segments) {
+  for (const double least : segments.least()) j["segment_seconds"].push_back(rounded(least));
+  const std::vector<long>& updates = segments.updates();
+  if (std::ranges::count(updates, 0) == std::ssize(updates)) return;  // nobody counts
+  j["segment_updates"] = updates;
+  for (const std::vector<double>& sample : segments.samples()) {
+    Json seconds;
+    for (const double s : sample) seconds.push_back(rounded(s));
+    j["segment_samples"].push_back(std::move(seconds));
+  }
+}
+
 void add_time(Json& j, const Timed& timed, Json verification) {
   j["verification"] = std::move(verification);
   j["cpu_seconds"] = timed.cpu_seconds;
   j["repetitions"] = timed.cpu_seconds.size();
-  j["segment_seconds"] = timed.segments.least();
+  add_segments(j, timed.segments);
   j["setup_seconds"] = timed.setup_seconds;
   j["iterations_per_step"] = timed.iterations_per_step;
 }
@@ -130,7 +148,7 @@ Json profile_json(const Cell& cell) {
 std::string record_text(const Run& run, const std::vector<Timed*>& timed) {
   Json all = {{"schema", "desmo-results"}, {"version", schema_version}};
   all["record"] = environment_json(run, timed.front()->grid);
-  all["record"]["settings"]["segments"] = timed.front()->segments.least().size();
+  all["record"]["settings"]["segments"] = timed.front()->segments.count();
   for (const char* list : {"cells", "profiles", "structure", "requests"}) all[list] = Json::array();
   std::set<std::pair<std::string_view, int>> described;
   for (const Timed* one : timed) {

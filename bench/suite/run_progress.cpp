@@ -4,25 +4,24 @@
 
 namespace desmo::suite {
 
-RunProgress::RunProgress(const std::vector<Timed*>& all, int repetitions)
-    : repetitions_(repetitions) {
+RunProgress::RunProgress(const std::vector<Timed*>& all) {
   for (const Timed* one : all) work_ += one->expected_work();
   stage_.emplace("verified", static_cast<int>(all.size()));
 }
 
-void RunProgress::verified(const Timed& one) {
+void RunProgress::verified(const Timed& one, int repetitions) {
   work_verified_ += one.expected_work();
   if (one.state == Timed::State::verified) {
-    repetitions_left_[&one] = repetitions_;
-    to_repeat_ += repetitions_ * one.analysis_seconds;
-    ++timed_;
+    repetitions_left_[&one] = repetitions;
+    to_repeat_ += repetitions * one.analysis_seconds;
+    all_repetitions_ += repetitions;
   }
   stage_->one_done(left_to_verify() + to_repeat_ * work_ / work_verified_);
 }
 
 void RunProgress::timing() {
   stage_.reset();
-  if (timed_ > 0) stage_.emplace("repetitions", timed_ * repetitions_);
+  if (all_repetitions_ > 0) stage_.emplace("repetitions", all_repetitions_);
 }
 
 void RunProgress::repeated(const Timed& one) {

@@ -14,10 +14,11 @@ namespace desmo::suite {
 /// repetitions. What is left follows from how long the verified analyses took.
 class RunProgress {
  public:
-  RunProgress(const std::vector<Timed*>& all, int repetitions);
+  explicit RunProgress(const std::vector<Timed*>& all);
 
-  /// One has been through verify() and profile(), whatever became of it.
-  void verified(const Timed& one);
+  /// One has been through verify() and profile(), whatever became of it, and is to be timed so many
+  /// times.
+  void verified(const Timed& one, int repetitions);
   /// All have; timing begins.
   void timing();
   /// One repetition of it has been taken.
@@ -29,11 +30,10 @@ class RunProgress {
   double left_to_verify() const;
   double left_to_repeat() const;
 
-  const int repetitions_;
   std::map<const Timed*, int> repetitions_left_;
   double work_ = 0, work_verified_ = 0;  // as Timed::expected_work()
   double to_repeat_ = 0, repeated_ = 0;  // CPU s, by the verified analyses
-  int timed_ = 0;
+  int all_repetitions_ = 0;
   std::optional<Progress> stage_;
 };
 

@@ -24,16 +24,33 @@ Segments::Segments(int instants) {
   for (int i = 1; i <= count; ++i)
     last_instants_.push_back(static_cast<int>(static_cast<long>(i) * instants / count) - 1);
   last_instants_.push_back(-1);
-  least_.assign(count, std::numeric_limits<double>::infinity());
+  sample_.resize(count);
+  updates_.resize(count);
+}
+
+void Segments::begin() {
+  next_ = 0;
+  sum_ = 0;
+  samples_.reserve(samples_.size() + 1);
+  began_ = cpu_now();
+}
+
+std::vector<double> Segments::least() const {
+  std::vector<double> least(count(), std::numeric_limits<double>::infinity());
+  for (const std::vector<double>& sample : samples_)
+    for (std::size_t i = 0; i < least.size(); ++i) least[i] = std::min(least[i], sample[i]);
+  return least;
 }
 
 void Segments::end() {
   static const double clock = clock_seconds();
   constexpr double resolution = 1e-9;
   const double now = cpu_now();
-  least_[next_] = std::min(least_[next_], std::max(resolution, now - began_ - clock));
-  began_ = now;
-  ++next_;
+  sample_[next_] = std::max(resolution, now - began_ - clock);
+  updates_[next_] = sum_;
+  sum_ = 0;
+  if (++next_ == count()) samples_.push_back(sample_);
+  began_ = cpu_now();
 }
 
 }  // namespace desmo::suite

@@ -13,33 +13,43 @@ namespace desmo::suite {
 /// instants than that: reading the clock is to cost little beside solving them.
 inline constexpr int most_segments = 25, least_instants = 20;
 
-/// The least CPU time that any analysis of a motion took for each of its segments, without that of
-/// reading the clock; assembly belongs to the first. What else the machine does spoils some
-/// segments of one analysis, and seldom the same in all of them: the sum of the least times is that
-/// of an analysis which nothing disturbed.
+/// The CPU time that analyses of a motion took for each of its segments, without that of reading
+/// the clock, and the work that was done in it; assembly belongs to the first. What else the
+/// machine does slows some segments of some analyses: what the same work takes undisturbed shows in
+/// the others.
 class Segments {
  public:
   explicit Segments(int instants);
 
-  /// An analysis begins.
-  void begin() {
-    next_ = 0;
-    began_ = cpu_now();
-  }
+  /// An analysis begins. What one that did not come to its end has left is dropped.
+  void begin();
   /// An instant has been delivered. Every one of the motion is told, in order.
   void passed(int instant) {
     if (instant == last_instants_[next_]) end();
   }
+  /// Likewise, with the updates that it took (see Summary).
+  void passed(int instant, long updates) {
+    sum_ += updates;
+    passed(instant);
+  }
 
-  /// CPU seconds, in the order of the motion; infinite before the first whole analysis.
-  const std::vector<double>& least() const { return least_; }
+  std::size_t count() const { return last_instants_.size() - 1; }
+  /// CPU seconds of every whole analysis, in the order of the motion.
+  const std::vector<std::vector<double>>& samples() const { return samples_; }
+  /// Their least; infinite before the first whole analysis.
+  std::vector<double> least() const;
+  /// Of the last analysis, in the order of the motion; all zero where nobody counts.
+  const std::vector<long>& updates() const { return updates_; }
 
  private:
   void end();
 
   std::vector<int> last_instants_;  // of each segment, and one that never comes
-  std::vector<double> least_;
+  std::vector<std::vector<double>> samples_;
+  std::vector<double> sample_;  // of the analysis that goes on
+  std::vector<long> updates_;
   std::size_t next_ = 0;  // to end
+  long sum_ = 0;          // of updates in the segment that goes on
   double began_ = 0;
 };
 
@@ -52,7 +62,7 @@ class SegmentedDelivery final : public Sink {
 
   void accept(const Instant& instant) override {
     inner_.accept(instant);
-    segments_.passed(instant.index);
+    segments_.passed(instant.index, instant.updates);
   }
 
  private:

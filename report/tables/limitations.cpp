@@ -14,6 +14,11 @@ std::string counted(std::size_t count, const std::string& what) {
 }
 
 std::string intervals_of(const Record& record) {
+  if (has_samples_of_segments(record))
+    return "The intervals of speed-ups hold what leaving out one repetition changes: they are "
+           "narrow "
+           "where several repetitions were undisturbed for a while, and say nothing of what "
+           "disturbed all of them throughout.";
   if (record.settings.segments)
     return "The intervals of speed-ups hold what differs from segment to segment of the motion in "
            "one run, with a probability of 95 %.";

@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "report/formats/formats.h"
+#include "report/measurements.h"
 #include "report/record_reader.h"
 #include "report/report.h"
 #include "tests/report/sample.h"
@@ -15,10 +16,11 @@
 namespace desmo::report {
 namespace {
 
-constexpr std::array minors{"1.0.0", "1.1.0", "1.2.0", "1.3.0", "1.4.0", "1.5.0"};
+constexpr std::array minors{"1.0.0", "1.1.0", "1.2.0", "1.3.0", "1.4.0", "1.5.0", "1.6.0"};
 // Of desmo_bench each, and of the other programs since there are any.
 constexpr std::array records{"1.0.0", "1.1.0", "1.2.0",           "1.3.0",
-                             "1.4.0", "1.5.0", "1.5.0-precision", "1.5.0-promises"};
+                             "1.4.0", "1.5.0", "1.5.0-precision", "1.5.0-promises",
+                             "1.6.0"};
 
 class Golden : public ::testing::TestWithParam<const char*> {};
 
@@ -47,6 +49,7 @@ TEST(GoldenRecords, WereRecordedWithWhatTheirMinorHas) {
     EXPECT_EQ(record.settings.reducer.has_value(), version >= "1.3.0") << minor;
     EXPECT_EQ(record.build.binary.has_value(), version >= "1.3.0") << minor;
     EXPECT_EQ(record.settings.segments.has_value(), version >= "1.4.0") << minor;
+    EXPECT_EQ(has_samples_of_segments(record), version >= "1.6.0") << minor;
   }
 }
 

@@ -203,10 +203,10 @@ TEST(RecordReader, ReadsTheSegmentsOfEverythingTimed) {
   const Record record = record_from(with_segments(structured_record()));
   EXPECT_EQ(record.settings.segments, 25);
   for (const auto& [key, cell] : record.cells)
-    EXPECT_EQ(cell.segment_seconds.size(), cell.status == Status::ok ? 25u : 0u) << key.id;
+    EXPECT_EQ(cell.segments.least.size(), cell.status == Status::ok ? 25u : 0u) << key.id;
   for (const Request& request : record.requests)
-    EXPECT_EQ(request.segment_seconds.size(), request.status == Status::ok ? 25u : 0u);
-  EXPECT_TRUE(record_from(structured_record()).cells.begin()->second.segment_seconds.empty());
+    EXPECT_EQ(request.segments.least.size(), request.status == Status::ok ? 25u : 0u);
+  EXPECT_TRUE(record_from(structured_record()).cells.begin()->second.segments.least.empty());
 }
 
 TEST(RecordReader, RefusesSegmentsThatAreNotAll) {
@@ -224,6 +224,39 @@ TEST(RecordReader, RefusesSegmentsThatAreNotAll) {
   json = record;
   json["record"]["settings"]["segments"] = 1;
   EXPECT_CONTAINS(complaint(json), "record.settings.segments: 1 is not in 2");
+}
+
+TEST(RecordReader, ReadsTheSamplesOfSegments) {
+  const Record record = record_from(with_samples_of_segments(structured_record()));
+  for (const auto& [key, cell] : record.cells) {
+    EXPECT_EQ(cell.segments.samples.size(), cell.cpu_seconds.size()) << key.id;
+    if (cell.status != Status::ok) continue;
+    EXPECT_EQ(cell.segments.updates.size(), 25u);
+    EXPECT_EQ(std::accumulate(cell.segments.instants.begin(), cell.segments.instants.end(), 0.0),
+              static_cast<double>(record.settings.instants));
+  }
+}
+
+TEST(RecordReader, RefusesSamplesOfSegmentsThatDoNotBelongTogether) {
+  const Json record = with_samples_of_segments(complete_record());
+  Json json = record;
+  json["cells"][3]["segment_samples"][0].erase(7);
+  EXPECT_CONTAINS(complaint(json), "cells[3].segment_samples[0]: 24 segments of 25");
+  json = record;
+  json["cells"][3]["segment_updates"].push_back(1);
+  EXPECT_CONTAINS(complaint(json), "cells[3].segment_updates: 26 segments of 25");
+  json = record;
+  json["cells"][3]["segment_updates"][2] = -1;
+  EXPECT_CONTAINS(complaint(json), "cells[3].segment_updates[2]: ");
+  json = record;
+  json["cells"][3].erase("segment_updates");
+  EXPECT_CONTAINS(complaint(json), "the required key \"segment_updates\" is missing");
+  json = record;
+  for (Json& sample : json["cells"][3]["segment_samples"]) sample[7] = 0.5;
+  EXPECT_CONTAINS(complaint(json), "segment 7 is not the least of its samples");
+  json = record;
+  json["cells"][3]["segment_samples"] = Json::array();
+  EXPECT_CONTAINS(complaint(json), "cells[3].segment_samples: there is none");
 }
 
 TEST(RecordReader, RefusesAReducerAndDigestsItDoesNotKnow) {

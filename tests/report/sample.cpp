@@ -41,6 +41,29 @@ Json with_segments(Json record, int segments) {
   return record;
 }
 
+Json with_samples_of_segments(Json record, int segments) {
+  record = with_segments(std::move(record), segments);
+  record["version"] = "1.6.0";
+  for (const char* list : {"cells", "requests"}) {
+    if (!record.contains(list)) continue;
+    for (Json& timed : record[list]) {
+      if (!timed.contains("segment_seconds")) continue;
+      const auto samples = timed["cpu_seconds"].get<std::vector<double>>();
+      const double least = *std::ranges::min_element(samples);
+      timed["segment_updates"] = Json::array();
+      for (int i = 1; i <= segments; ++i) timed["segment_updates"].push_back(1000 * i);
+      timed["segment_samples"] = Json::array();
+      for (const double sample : samples) {
+        Json of_one = Json::array();
+        for (const double seconds : timed["segment_seconds"])
+          of_one.push_back(sample == least ? seconds : seconds * (sample / least));
+        timed["segment_samples"].push_back(std::move(of_one));
+      }
+    }
+  }
+  return record;
+}
+
 Json structured_record() { return Json::parse(read_text(data_file("structured.json"))); }
 
 namespace {

@@ -36,7 +36,7 @@ TEST(Statistics, SpeedUpAndItsInterval) {
 }
 
 TEST(Statistics, TheUndisturbedTimeIsTheSumOfTheSegments) {
-  const Summary s = summarise(std::vector{9.0, 5.0, 6.0}, std::vector{1.0, 2.0, 1.0});
+  const Summary s = summarise(std::vector{9.0, 5.0, 6.0}, {.least = {1.0, 2.0, 1.0}});
   EXPECT_EQ(s.value, 4);
   EXPECT_EQ(s.low, 4);
   EXPECT_EQ(s.high, 6);  // the median
@@ -46,7 +46,7 @@ TEST(Statistics, TheUndisturbedTimeIsTheSumOfTheSegments) {
 
 Summary of_segments(std::vector<double> segments) {
   const double all = std::accumulate(segments.begin(), segments.end(), 0.0);
-  return summarise(std::vector{1.5 * all, 3 * all}, segments);  // much disturbed
+  return summarise(std::vector{1.5 * all, 3 * all}, {.least = segments});  // much disturbed
 }
 
 TEST(Statistics, SpeedUpsOfSegmentsAreRatiosOfTheirSums) {

@@ -129,6 +129,22 @@ TEST(TableOne, ShowsTheUndisturbedTimesThatTableTwoDivides) {
     }));
 }
 
+TEST(TableOne, TakesUndisturbedTimesFromSamplesOfSegments) {
+  Json json = complete_record();
+  set_samples(json, 114, "global_automatic_klu", {6, 4, 5});
+  set_samples(json, 114, "group_symbolic_klu", {9, 2, 2.02});
+  const Record record = record_from(with_samples_of_segments(json));
+  const Table times = cpu_times(record, "klu"), ratios = speed_ups(record, "klu");
+  EXPECT_EQ(entry_at(times, {"114", "ours"}, "TS-G_klu").shown.substr(0, 2), "4.");
+  EXPECT_EQ(entry_at(times, {"114", "ours"}, "TS-TPS_klu").shown.substr(0, 2), "2.");
+  // 4/2; without the best repetition 4/2.02, and 5/2.
+  EXPECT_EQ(entry_at(ratios, {"114", "ours"}, "TS-TPS_klu").shown,
+            "2.00 [1.98, 2.50] (50.0 %) inconclusive");
+  EXPECT_TRUE(std::ranges::any_of(times.notes, [](const std::string& note) {
+    return note.find("lower convex envelope") != std::string::npos;
+  }));
+}
+
 TEST(TableOne, NamesTheMotionsThatDiffer) {
   Json json = complete_record();
   EXPECT_EQ(cpu_times(record_from(json), "klu").notes.size(), 2u);
