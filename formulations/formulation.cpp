@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "formulations/diagnosis.h"
+#include "formulations/trajectory.h"
 
 namespace desmo {
 
@@ -39,8 +40,11 @@ std::string describe(const Summary& s, const Mechanism& m) {
 }
 
 Formulation::Formulation(const Mechanism& mechanism, std::vector<DefinedPart> parts,
-                         const Settings& settings)
-    : mechanism_(mechanism), parts_(std::move(parts)), settings_(settings) {
+                         const Settings& settings, std::unique_ptr<WholeMotion> whole_motion)
+    : mechanism_(mechanism),
+      parts_(std::move(parts)),
+      settings_(settings),
+      whole_motion_(std::move(whole_motion)) {
   for (State* s : {&state_, &before_})
     for (std::vector<double>* values : {&s->q, &s->qd, &s->qdd})
       values->resize(mechanism_.state_size());
@@ -159,7 +163,26 @@ Summary Formulation::step(double t, Level level) {
   return summary;
 }
 
+std::optional<Summary> Formulation::run_at_once(const TimeGrid& grid, const Request& request,
+                                                Sink& sink) {
+  if (grid.instants == 0 || !assemble(grid.time(0), request.level).ok()) return {};
+  std::optional<Trajectory> kept;
+  if (!sink.takes_any_order()) kept.emplace(grid.instants, mechanism_.coordinates());
+  const std::optional<Summary> total =
+      whole_motion_->run(grid, request, state_, kept ? static_cast<Sink&>(*kept) : sink);
+  if (!total) return {};
+  for (const DefinedPart& part : parts_) part.solver->forget();  // they have not come along
+  now_ = {grid.time(grid.instants - 1), request.level};
+  then_ = {};
+  if (kept) kept->hand_on(sink);
+  return total;
+}
+
 Summary Formulation::run(const TimeGrid& grid, const Request& request, Sink& sink) {
+  if (whole_motion_) {
+    if (const std::optional<Summary> total = run_at_once(grid, request, sink)) return *total;
+    ++run_by_steps_;
+  }
   Summary total;
   for (int i = 0; i < grid.instants; ++i) {
     const double t = grid.time(i);

@@ -17,6 +17,8 @@ namespace desmo {
 /// What is asked of an analysis.
 struct Request {
   Level level = Level::acceleration;
+  /// Those that the sink reads, none standing for all; the others may be unspecified.
+  std::span<const int> coordinates{};
 };
 
 /// One solved instant. The spans are in coordinate order and valid until the next step; those
@@ -33,6 +35,9 @@ class Sink {
  public:
   virtual ~Sink() = default;
   virtual void accept(const Instant& instant) = 0;
+  /// Whether they may come in any order, and again, the later then being the one that holds. Who
+  /// solves several at once keeps all of them for a sink that needs their order.
+  virtual bool takes_any_order() const { return false; }
 };
 
 /// What became of a step, or of a whole run.
@@ -59,6 +64,17 @@ std::string describe(const Summary& summary, const Mechanism& mechanism);
 /// time t (s).
 void drive(const Mechanism& mechanism, double t, State& state);
 
+/// Runs through a motion that is known in advance otherwise than step by step.
+class WholeMotion {
+ public:
+  virtual ~WholeMotion() = default;
+  /// Hands every instant of the grid to a sink that takes any order. state: the first, assembled;
+  /// overwritten by the last. Nothing when it has to be done step by step after all; the state and
+  /// what the sink was given are then of no meaning.
+  virtual std::optional<Summary> run(const TimeGrid& grid, const Request& request, State& state,
+                                     Sink& sink) = 0;
+};
+
 /// One way of solving the kinematics of a mechanism: an ordered list of parts. The mechanism is
 /// read only and must outlive the formulation; the formulation owns all that changes.
 class Formulation {
@@ -71,8 +87,9 @@ class Formulation {
     Level level = Level::acceleration;  ///< as far as anyone asks for its unknowns
   };
 
-  /// settings: those that the parts were made with.
-  Formulation(const Mechanism& mechanism, std::vector<DefinedPart> parts, const Settings& settings);
+  /// settings: those that the parts were made with. whole_motion: how to run, if not by steps.
+  Formulation(const Mechanism& mechanism, std::vector<DefinedPart> parts, const Settings& settings,
+              std::unique_ptr<WholeMotion> whole_motion = nullptr);
 
   /// Assembles the mechanism at time t from its initial estimate, whatever was solved before.
   Summary assemble(double t, Level level = Level::acceleration);
@@ -81,14 +98,17 @@ class Formulation {
   /// later step may go on from there; velocities and accelerations are unspecified. What a guess
   /// needs and was not solved in the two instants before, it does without (see best_guess).
   Summary step(double t, Level level = Level::acceleration);
-  /// Assembles at the first instant of the grid and steps through the others, handing each to
-  /// the sink. Stops at the first failure.
+  /// Assembles at the first instant of the grid and steps through the others, or takes several at
+  /// once where settings say so, handing each to the sink. Stops at the first failure.
   Summary run(const TimeGrid& grid, const Request& request, Sink& sink);
 
   /// Leaves out the levels of parts that nobody asks for: a part is solved as far as the highest
   /// level of its unknowns. needed: one for each coordinate; what a part needs must be asked for at
   /// the part's own level or a higher one. Values of levels left out are unspecified.
   void solve_only(std::span<const Level> needed);
+
+  /// How often a motion that was to be solved at once was solved step by step after all.
+  long run_by_steps() const { return run_by_steps_; }
 
   const Mechanism& mechanism() const { return mechanism_; }
   const std::vector<DefinedPart>& parts() const { return parts_; }
@@ -116,6 +136,7 @@ class Formulation {
   };
 
   void prepare();
+  std::optional<Summary> run_at_once(const TimeGrid& grid, const Request& request, Sink& sink);
   void guess(double t);
   Summary solve(std::span<const Stage> stages, double t, Level level);
 
@@ -130,6 +151,8 @@ class Formulation {
   std::vector<double> estimate_;  // where a guess is made
   bool assembled_ = false;
   Solved now_, then_;  // what state_ and before_ hold
+  std::unique_ptr<WholeMotion> whole_motion_;
+  long run_by_steps_ = 0;
 };
 
 }  // namespace desmo

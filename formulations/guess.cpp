@@ -102,28 +102,4 @@ Extrapolation::Extrapolation(Guess guess, const Past& past) : guess_(guess) {
   }
 }
 
-void Extrapolation::operator()(CoordinateRun run, const State& last, const State& before,
-                               double* q) const {
-  const double *q1 = last.q.data(), *v1 = last.qd.data(), *a1 = last.qdd.data();
-  const double *q0 = before.q.data(), *v0 = before.qd.data(), *a0 = before.qdd.data();
-  switch (guess_) {
-    case Guess::previous:
-      return;
-    case Guess::linear:
-      for (int i = run.first; i < run.end; ++i) q[i] = q1[i] + w_v1_ * v1[i];
-      return;
-    case Guess::quadratic:
-      for (int i = run.first; i < run.end; ++i) q[i] = q1[i] + w_v1_ * v1[i] + w_a1_ * a1[i];
-      return;
-    case Guess::hermite3:
-      for (int i = run.first; i < run.end; ++i)
-        q[i] = q1[i] + w_q_ * (q0[i] - q1[i]) + w_v1_ * v1[i] + w_v0_ * v0[i];
-      return;
-    case Guess::hermite5:
-      for (int i = run.first; i < run.end; ++i)
-        q[i] = q1[i] + w_q_ * (q0[i] - q1[i]) + w_v1_ * v1[i] + w_v0_ * v0[i] + w_a1_ * a1[i] +
-               w_a0_ * a0[i];
-  }
-}
-
 }  // namespace desmo

@@ -44,12 +44,39 @@ class Extrapolation {
   Extrapolation(Guess guess, const Past& past);
 
   /// Writes where the guess expects the coordinates of a run into q, which may be that of `last`
-  /// or of `before`. Of these two only what the guess needs is read; q is left alone by `previous`.
-  void operator()(CoordinateRun run, const State& last, const State& before, double* q) const;
+  /// or of `before`: states of numbers, or of several side by side. Of these two only what the
+  /// guess needs is read; q is left alone by `previous`.
+  template <class States, class T>
+  void operator()(CoordinateRun run, const States& last, const States& before, T* q) const;
 
  private:
   Guess guess_;
   double w_q_ = 0, w_v1_ = 0, w_a1_ = 0, w_v0_ = 0, w_a0_ = 0;
 };
+
+template <class States, class T>
+void Extrapolation::operator()(CoordinateRun run, const States& last, const States& before,
+                               T* q) const {
+  const T *q1 = last.q.data(), *v1 = last.qd.data(), *a1 = last.qdd.data();
+  const T *q0 = before.q.data(), *v0 = before.qd.data(), *a0 = before.qdd.data();
+  switch (guess_) {
+    case Guess::previous:
+      return;
+    case Guess::linear:
+      for (int i = run.first; i < run.end; ++i) q[i] = q1[i] + w_v1_ * v1[i];
+      return;
+    case Guess::quadratic:
+      for (int i = run.first; i < run.end; ++i) q[i] = q1[i] + w_v1_ * v1[i] + w_a1_ * a1[i];
+      return;
+    case Guess::hermite3:
+      for (int i = run.first; i < run.end; ++i)
+        q[i] = q1[i] + w_q_ * (q0[i] - q1[i]) + w_v1_ * v1[i] + w_v0_ * v0[i];
+      return;
+    case Guess::hermite5:
+      for (int i = run.first; i < run.end; ++i)
+        q[i] = q1[i] + w_q_ * (q0[i] - q1[i]) + w_v1_ * v1[i] + w_v0_ * v0[i] + w_a1_ * a1[i] +
+               w_a0_ * a0[i];
+  }
+}
 
 }  // namespace desmo

@@ -85,12 +85,14 @@ Suffix iterations() {
           }};
 }
 
-Suffix lanes() {
-  return {"lanes", std::to_string(lane_count),
-          [](const Settings& s) { return s.lanes == 1 ? std::string() : std::to_string(s.lanes); },
-          [](std::string_view text, Settings& s) {
-            return read(text, s.lanes) && (s.lanes == 1 || s.lanes == lane_count);
-          }};
+/// As many as a register has lanes.
+Suffix at_once(std::string_view key, int Settings::*count) {
+  return {
+      key, std::to_string(lane_count),
+      [=](const Settings& s) { return s.*count == 1 ? std::string() : std::to_string(s.*count); },
+      [=](std::string_view text, Settings& s) {
+        return read(text, s.*count) && (s.*count == 1 || s.*count == lane_count);
+      }};
 }
 
 Suffix tolerance() {
@@ -116,7 +118,8 @@ const std::vector<Suffix>& suffixes() {
         choice("jacobian", &Settings::jacobian, names(jacobian_names)),
         choice("factorisation", &Settings::factorisation, names(factorisation_names)),
         choice("scalar", &Settings::scalar, names(scalar_names)),
-        lanes(),
+        at_once("lanes", &Settings::lanes),
+        at_once("segments", &Settings::segments),
         iterations(),
         tolerance()};
   }();

@@ -38,9 +38,35 @@ void put_two(__m256d x, __m256d y, const std::array<int, lane_count>& place, dou
   _mm_storeu_pd(to + place[2], _mm256_extractf128_pd(even, 1));
   _mm_storeu_pd(to + place[3], _mm256_extractf128_pd(odd, 1));
 }
+
+/// Four values of all lanes, to element k and the three behind it.
+void unpack_four(const Lanes* from, const std::array<double*, lane_count>& to, std::size_t k) {
+  const __m256d a(from[0]), b(from[1]), c(from[2]), d(from[3]);
+  const __m256d even_ab = _mm256_unpacklo_pd(a, b), odd_ab = _mm256_unpackhi_pd(a, b);
+  const __m256d even_cd = _mm256_unpacklo_pd(c, d), odd_cd = _mm256_unpackhi_pd(c, d);
+  _mm256_storeu_pd(to[0] + k, _mm256_permute2f128_pd(even_ab, even_cd, 0x20));
+  _mm256_storeu_pd(to[1] + k, _mm256_permute2f128_pd(odd_ab, odd_cd, 0x20));
+  _mm256_storeu_pd(to[2] + k, _mm256_permute2f128_pd(even_ab, even_cd, 0x31));
+  _mm256_storeu_pd(to[3] + k, _mm256_permute2f128_pd(odd_ab, odd_cd, 0x31));
+}
 #endif
 
 }  // namespace
+
+void unpack(std::span<const Lanes> from, const std::array<double*, lane_count>& to) {
+  std::size_t k = 0;
+#ifdef __AVX__
+  for (; k + lane_count <= from.size(); k += lane_count) unpack_four(&from[k], to, k);
+#endif
+  for (; k < from.size(); ++k)
+    for (int l = 0; l < lane_count; ++l) to[l][k] = from[k][l];
+}
+
+void unpack(std::span<const Lanes> from, std::span<const int> which,
+            const std::array<double*, lane_count>& to) {
+  for (const int k : which)
+    for (int l = 0; l < lane_count; ++l) to[l][k] = from[k][l];
+}
 
 LanePlaces::LanePlaces(std::span<const int> inputs, const std::array<const int*, lane_count>& in) {
   for (const int i : inputs) {

@@ -8,6 +8,12 @@
 
 namespace desmo {
 
+/// to[l][k] = lane l of from[k].
+void unpack(std::span<const Lanes> from, const std::array<double*, lane_count>& to);
+/// The same for these k alone.
+void unpack(std::span<const Lanes> from, std::span<const int> which,
+            const std::array<double*, lane_count>& to);
+
 /// Where values that lanes hold side by side stand in a state, a part in each lane.
 class LanePlaces {
  public:

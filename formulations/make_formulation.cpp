@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <memory>
@@ -12,6 +13,7 @@
 #include "formulations/lane_part.h"
 #include "formulations/magnitudes.h"
 #include "formulations/schedule.h"
+#include "formulations/time_lanes.h"
 #include "formulations/variants.h"
 
 namespace desmo {
@@ -147,9 +149,15 @@ std::unique_ptr<Formulation> make_formulation(const Variant& v, const Mechanism&
     single = std::make_shared<SinglePrecisionState>(m.state_size());
   const Common common{m, v, own, Magnitudes(m), std::move(single), profile};
 
+  std::unique_ptr<WholeMotion> whole_motion;
+  if (settings.segments > 1) {
+    std::array<TimeLanes::Parts, lane_count> lanes;
+    for (TimeLanes::Parts& parts : lanes) parts = make_parts(common, definitions);
+    whole_motion = std::make_unique<TimeLanes>(m, std::move(lanes), settings);
+  }
   std::vector<DefinedPart> parts = make_parts(common, std::move(definitions));
   if (settings.lanes > 1) parts = on_lanes(std::move(parts), run_ends);
-  return std::make_unique<Formulation>(m, std::move(parts), settings);
+  return std::make_unique<Formulation>(m, std::move(parts), settings, std::move(whole_motion));
 }
 
 }  // namespace desmo

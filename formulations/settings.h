@@ -50,6 +50,9 @@ struct Settings {
   /// How many parts of one type that need not wait for each other may be solved at once, on wide
   /// registers, by variants that have code for it; 1: none.
   int lanes = 1;
+  /// Into how many segments a motion known in advance is cut, to be solved at once on wide
+  /// registers, by variants that have code for it; 1: it is solved step by step.
+  int segments = 1;
 };
 
 }  // namespace desmo

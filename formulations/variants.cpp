@@ -63,8 +63,11 @@ std::string why_not(const Variant& v, const Settings& s) {
   if (!(s.tolerance > 0) || s.max_iterations < 1 || s.fixed_iterations < 0)
     return "the tolerance must be positive, at least one iteration allowed, and the fixed number "
            "of iterations not negative";
-  if (s.lanes != 1 && (s.lanes != lane_count || !v.explicit_order))
-    return "there is code for " + std::to_string(lane_count) + " lanes, in explicit order";
+  for (const int at_once : {s.lanes, s.segments})
+    if (at_once != 1 && (at_once != lane_count || !v.explicit_order))
+      return "there is code for " + std::to_string(lane_count) + " lanes, in explicit order";
+  if (s.lanes != 1 && s.segments != 1)
+    return "lanes hold parts of one type or segments of the motion, not both";
   const bool other_scalar = s.scalar != Scalar::double_precision;
   if (!v.backend) {
     if (s.jacobian != JacobianUpdate::newton)

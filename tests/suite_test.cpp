@@ -229,7 +229,7 @@ TEST(Segments, KeepTheLeastTimeOfEach) {
     for (int i = 0; i < 500; ++i) {
       spend(2e-6);
       if (i == disturbed) spend(0.05);
-      segments.passed(i, i < 20 ? 7 : 1);
+      segments.passed(i < 20 ? 7 : 1);
     }
   }
   ASSERT_EQ(segments.count(), 25u);
@@ -250,7 +250,7 @@ TEST(Segments, AreFewerWhenThereAreFewInstants) {
        {std::pair{1, 1}, {3, 2}, {201, 10}, {499, 24}, {3001, 25}}) {
     Segments segments(instants);
     segments.begin();
-    for (int i = 0; i < instants; ++i) segments.passed(i);
+    for (int i = 0; i < instants; ++i) segments.passed();
     ASSERT_EQ(segments.least().size(), static_cast<std::size_t>(count));
     for (const double seconds : segments.least()) EXPECT_LT(seconds, 1) << instants;
   }

@@ -40,6 +40,11 @@ std::string note_on_refusals(const Formulation& f) {
   return note + "\n";
 }
 
+std::string note_on_steps(const Formulation& f) {
+  if (f.run_by_steps() == 0) return "";
+  return "note: solved step by step, for the motion is short or could not be solved in segments\n";
+}
+
 std::string branch_text(int constraint, double time, const Mechanism& m) {
   char numbers[40];
   std::snprintf(numbers, sizeof numbers, "t = %.9g s", time);

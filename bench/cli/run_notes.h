@@ -13,6 +13,10 @@ std::string note_on_code(const Formulation& formulation);
 /// A line when generated code refused steps, and on which branches they came out; otherwise empty.
 std::string note_on_refusals(const Formulation& formulation);
 
+/// A line when the id asks for segments of the motion and it was solved step by step after all;
+/// otherwise empty.
+std::string note_on_steps(const Formulation& formulation);
+
 /// "group 'SG-I' (crank, rod), constraint 'rod/length', t = 0.3 s: no position was found …;
 /// <remedy>"
 std::string failure_text(const Summary& summary, const Mechanism& mechanism);

@@ -97,7 +97,7 @@ void solve(const Options& options) {
     fail(branch_text(wrong->constraint, wrong->time, plan.mechanism), wrong->index, input, output);
   if (!all) fail(failure_text(summary, plan.mechanism), summary.instants, input, output);
   output.finish();
-  if (!options.quiet) say(note_on_refusals(*formulation));
+  if (!options.quiet) say(note_on_refusals(*formulation) + note_on_steps(*formulation));
 }
 
 }  // namespace

@@ -18,6 +18,7 @@ class Delivery final : public Sink {
     std::ranges::copy(instant.qd, qd_.begin());
     std::ranges::copy(instant.qdd, qdd_.begin());
   }
+  bool takes_any_order() const override { return true; }
 
  private:
   std::vector<double> q_, qd_, qdd_;

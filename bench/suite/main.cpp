@@ -163,8 +163,7 @@ int run(int argc, char** argv) {
   std::string interleave = "--benchmark_enable_random_interleaving=true";
   std::string least_time = "--benchmark_min_time=1e-6";
   std::string help = "--help";
-  arguments.insert(arguments.begin() + 1,
-                   {interleave.data(), least_time.data()});
+  arguments.insert(arguments.begin() + 1, {interleave.data(), least_time.data()});
   if (options.help) arguments.push_back(help.data());
   const std::optional<int> asked_repetitions = repetitions_of(arguments);
   int count = static_cast<int>(arguments.size());

@@ -114,7 +114,7 @@ Summary PeerCell::analyse() {
       std::ranges::copy(peer_->answer().q, q_.begin());
       std::ranges::copy(peer_->answer().qd, qd_.begin());
       std::ranges::copy(peer_->answer().qdd, qdd_.begin());
-      segments.passed(i);
+      segments.passed();
     }
     summary.instants = grid.instants;
   } catch (const std::exception& e) {

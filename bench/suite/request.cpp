@@ -113,6 +113,7 @@ PlannedRequest::PlannedRequest(std::string_view short_name, const Scene& scene,
   asked = components(whole, plan, everything_asked);
   if (asked.empty())
     throw std::invalid_argument("request " + name + ": asks for nothing that moves");
+  for (const AskedComponent& a : asked) coordinates.push_back(a.kept);
   unknowns = moving_unknowns(plan.mechanism);
   all_unknowns = moving_unknowns(whole);
 }
@@ -208,7 +209,7 @@ std::string RequestCell::compare_with_whole() {
 }
 
 Summary RequestCell::run(Sink& sink) {
-  return formulation_->run(request_->grid, {request_->plan.level()}, sink);
+  return formulation_->run(request_->grid, {request_->plan.level(), request_->coordinates}, sink);
 }
 
 void RequestCell::make() {

@@ -39,6 +39,7 @@ struct PlannedRequest {
   const Case& definition;
   TimeGrid grid;
   std::vector<AskedComponent> asked;  ///< without what never moves
+  std::vector<int> coordinates;       ///< of the part that is solved, those asked for
   int unknowns, all_unknowns;         ///< solved for at every instant, of how many
 };
 
@@ -47,6 +48,7 @@ class RequestedDelivery final : public Sink {
  public:
   explicit RequestedDelivery(std::span<const AskedComponent> asked);
   void accept(const Instant& instant) override;
+  bool takes_any_order() const override { return true; }
 
   std::span<const double> q() const { return q_.values; }
   std::span<const double> qd() const { return qd_.values; }

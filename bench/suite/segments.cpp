@@ -30,6 +30,7 @@ Segments::Segments(int instants) {
 
 void Segments::begin() {
   next_ = 0;
+  passed_ = 0;
   sum_ = 0;
   samples_.reserve(samples_.size() + 1);
   began_ = cpu_now();

@@ -23,14 +23,11 @@ class Segments {
 
   /// An analysis begins. What one that did not come to its end has left is dropped.
   void begin();
-  /// An instant has been delivered. Every one of the motion is told, in order.
-  void passed(int instant) {
-    if (instant == last_instants_[next_]) end();
-  }
-  /// Likewise, with the updates that it took (see Summary).
-  void passed(int instant, long updates) {
+  /// An instant has been delivered: every one of the motion, in whatever order, with the updates
+  /// that it took (see Summary) where somebody counts.
+  void passed(long updates = 0) {
     sum_ += updates;
-    passed(instant);
+    if (passed_++ == last_instants_[next_]) end();
   }
 
   std::size_t count() const { return last_instants_.size() - 1; }
@@ -49,6 +46,7 @@ class Segments {
   std::vector<double> sample_;  // of the analysis that goes on
   std::vector<long> updates_;
   std::size_t next_ = 0;  // to end
+  int passed_ = 0;        // instants
   long sum_ = 0;          // of updates in the segment that goes on
   double began_ = 0;
 };
@@ -62,8 +60,9 @@ class SegmentedDelivery final : public Sink {
 
   void accept(const Instant& instant) override {
     inner_.accept(instant);
-    segments_.passed(instant.index, instant.updates);
+    segments_.passed(instant.updates);
   }
+  bool takes_any_order() const override { return inner_.takes_any_order(); }
 
  private:
   Inner inner_;

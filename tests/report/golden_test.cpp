@@ -18,9 +18,8 @@ namespace {
 
 constexpr std::array minors{"1.0.0", "1.1.0", "1.2.0", "1.3.0", "1.4.0", "1.5.0", "1.6.0"};
 // Of desmo_bench each, and of the other programs since there are any.
-constexpr std::array records{"1.0.0", "1.1.0", "1.2.0",           "1.3.0",
-                             "1.4.0", "1.5.0", "1.5.0-precision", "1.5.0-promises",
-                             "1.6.0"};
+constexpr std::array records{"1.0.0", "1.1.0",           "1.2.0",          "1.3.0", "1.4.0",
+                             "1.5.0", "1.5.0-precision", "1.5.0-promises", "1.6.0"};
 
 class Golden : public ::testing::TestWithParam<const char*> {};
 

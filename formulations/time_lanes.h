@@ -1,0 +1,80 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "formulations/equations/lanes.h"
+#include "formulations/explicit_part.h"
+#include "formulations/formulation.h"
+
+namespace desmo {
+
+/// A state at several instants, one in each lane.
+struct LaneState {
+  std::vector<Lanes> q, qd, qdd;
+};
+
+/// Runs through a motion in as many equal segments as there are lanes, all of them at once. The
+/// first position of a segment is found on the way from that of the motion along which the drivers
+/// go straight; that it lies on the same branch shows at the end of the segment before, where both
+/// must agree. A part without code for lanes is solved lane by lane, as is a lane that the code
+/// refuses.
+class TimeLanes final : public WholeMotion {
+ public:
+  using Parts = std::vector<Formulation::DefinedPart>;
+
+  /// parts: the same for every lane, in the order of solution.
+  TimeLanes(const Mechanism& mechanism, std::array<Parts, lane_count> parts,
+            const Settings& settings);
+
+  /// Nothing where the motion is too short, a segment was not entered or solved, or two did not
+  /// meet.
+  std::optional<Summary> run(const TimeGrid& grid, const Request& request, State& state,
+                             Sink& sink) override;
+
+ private:
+  /// A part, and the same part in every lane.
+  struct Stage {
+    const LaneKernel* kernel = nullptr;  // null: lane by lane
+    std::array<Part*, lane_count> members{};
+    std::span<const int> unknowns;
+    std::vector<Lanes> c{}, f{}, w{}, branch{};
+    ExplicitBinding<Lanes> binding{};
+  };
+  /// What became of a step in all lanes.
+  struct Step {
+    bool ok = true;
+    int iterations = 0;
+    long updates = 0;  // in each lane
+    Lanes residual2 = 0;
+  };
+
+  Stage make_stage(std::size_t part) const;
+  bool enter(const TimeGrid& grid, int length, const State& first);
+  bool walk(int lane, double t);
+  bool solve_alone(int lane, State& state, Level level);
+  void pack(int lane, const State& from);
+  void pack_branches();
+  void pack_branches(Stage& stage);
+  void guess(double h, int known);
+  void drive(const TimeGrid& grid, int length, int i);
+  Step solve();
+  void solve_lane(Stage& stage, int lane, Step& step);
+  bool meet() const;
+  void deliver(const TimeGrid& grid, int length, int i, const Request& request, long updates,
+               Sink& sink);
+
+  const Mechanism& mechanism_;
+  const Settings settings_;
+  std::array<Parts, lane_count> parts_;
+  std::vector<Stage> stages_;                // those that move
+  std::vector<CoordinateRun> started_from_;  // unknowns of which a part reads the position
+  LaneState now_, before_;
+  std::vector<Lanes> estimate_, entered_;  // positions: guessed, and at the first of each segment
+  State alone_;                            // of one lane
+  std::array<State, lane_count> delivered_;
+};
+
+}  // namespace desmo

@@ -1,0 +1,203 @@
+// Segments of a motion solved at once: the same instants as step by step, or step by step after
+// all.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cases/cases.h"
+#include "cases/files.h"
+#include "cases/library.h"
+#include "formulations/equations/lanes.h"
+#include "formulations/id.h"
+#include "formulations/variants.h"
+#include "tests/mechanisms.h"
+
+namespace desmo {
+namespace {
+
+constexpr Settings at_once{.segments = lane_count};
+
+/// Everything that comes, by instant.
+class Everything final : public Sink {
+ public:
+  Everything(int instants, bool any_order)
+      : all(static_cast<std::size_t>(instants)), any_order_(any_order) {}
+  void accept(const Instant& i) override {
+    order.push_back(i.index);
+    std::vector<double>& values = all.at(i.index);
+    values.clear();
+    for (const std::span<const double> given : {i.q, i.qd, i.qdd})
+      values.insert(values.end(), given.begin(), given.end());
+  }
+  bool takes_any_order() const override { return any_order_; }
+
+  std::vector<std::vector<double>> all;
+  std::vector<int> order;
+
+ private:
+  bool any_order_;
+};
+
+void expect_same(const Everything& actual, const Everything& expected, const std::string& name) {
+  double size = 1;
+  for (const auto& values : expected.all)
+    for (const double v : values) size = std::max(size, std::abs(v));
+  for (std::size_t i = 0; i < expected.all.size(); ++i) {
+    ASSERT_EQ(actual.all[i].size(), expected.all[i].size()) << name << " " << i;
+    for (std::size_t k = 0; k < expected.all[i].size(); ++k)
+      ASSERT_NEAR(actual.all[i][k], expected.all[i][k], 1e-9 * size)
+          << name << " " << i << " " << k;
+  }
+}
+
+TEST(TimeLanes, SolveWhatStepsSolve) {
+  std::vector<std::pair<Mechanism, TimeGrid>> all;
+  for (const Case& c : cases()) all.emplace_back(make_mechanism(c.describe(3)), time_grid(3, 0.01));
+  for (const LibraryMechanism& l : library()) {
+    const Scene scene = parse_scene(l.scene, std::string(l.name), {});
+    all.emplace_back(make_mechanism(scene), scene.grid);
+  }
+  for (const char* id : {"group_symbolic_explicit", "block_symbolic_explicit"})
+    for (const Guess guess : {Guess::previous, Guess::hermite5})
+      for (const auto& [m, grid] : all) {
+        Settings settings = at_once;
+        settings.guess = guess;
+        const auto by_steps = make_formulation(find_variant(id), m),
+                   lanes = make_formulation(find_variant(id), m, settings);
+        Everything expected(grid.instants, false), actual(grid.instants, false);
+        const Summary a = by_steps->run(grid, {}, expected), b = lanes->run(grid, {}, actual);
+        ASSERT_TRUE(a.ok() && b.ok()) << m.name;
+        EXPECT_EQ(b.instants, grid.instants) << m.name;
+        EXPECT_LT(b.residual, 1e-10) << m.name;
+        EXPECT_TRUE(std::ranges::is_sorted(actual.order)) << m.name;
+        expect_same(actual, expected, m.name);
+      }
+}
+
+/// And what is asked of a part of the coordinates is right there.
+TEST(TimeLanes, NeedNoStepsOnTheCases) {
+  for (const Case& c : cases()) {
+    const Mechanism m = make_mechanism(c.describe(2));
+    const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, at_once),
+               g = make_formulation(find_variant("group_symbolic_explicit"), m);
+    const TimeGrid grid = time_grid(3, 0.01);
+    Everything whole(grid.instants, true), some(grid.instants, true), expected(grid.instants, true);
+    ASSERT_TRUE(f->run(grid, {}, whole).ok() && g->run(grid, {}, expected).ok());
+    EXPECT_EQ(f->run_by_steps(), 0) << c.name;
+    EXPECT_EQ(whole.order.size(), static_cast<std::size_t>(grid.instants));
+    EXPECT_FALSE(std::ranges::is_sorted(whole.order));
+    expect_same(whole, expected, std::string(c.name));
+
+    const std::vector<int> asked{1, m.coordinates() - 1};
+    ASSERT_TRUE(f->run(grid, {Level::velocity, asked}, some).ok());
+    for (int i = 0; i < grid.instants; ++i)
+      for (const int k : {1, m.coordinates() - 1, m.coordinates() + 1})
+        EXPECT_EQ(some.all[i][k], whole.all[i][k]) << i;
+  }
+}
+
+TEST(TimeLanes, LeaveTheLastInstantToStepOnFrom) {
+  const Mechanism m = truck_mechanism(2);
+  const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, at_once),
+             g = make_formulation(find_variant("group_symbolic_explicit"), m);
+  const TimeGrid grid = time_grid(2, 0.01);
+  Everything sink(grid.instants, true), other(grid.instants, true);
+  ASSERT_TRUE(f->run(grid, {}, sink).ok() && g->run(grid, {}, other).ok());
+  for (const double t : {2.0, 2.01, 2.02}) {
+    if (t > 2) {
+      ASSERT_TRUE(f->step(t).ok() && g->step(t).ok());
+    }
+    for (int i = 0; i < m.coordinates(); ++i) {
+      EXPECT_NEAR(f->q()[i], g->q()[i], 1e-10) << t;
+      EXPECT_NEAR(f->qdd()[i], g->qdd()[i], 1e-7) << t;
+    }
+  }
+}
+
+TEST(TimeLanes, LeaveShortMotionsToSteps) {
+  const Mechanism m = truck_mechanism(1);
+  const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, at_once);
+  const TimeGrid grid = time_grid(0.2, 0.01);
+  Everything sink(grid.instants, true);
+  ASSERT_TRUE(f->run(grid, {}, sink).ok());
+  EXPECT_EQ(f->run_by_steps(), 1);
+  EXPECT_EQ(sink.order.size(), static_cast<std::size_t>(grid.instants));
+}
+
+/// Links that are too short where the crank points away: the same failure, and nothing after it.
+TEST(TimeLanes, FailAsStepsFail) {
+  Mechanism m = four_bar_mechanism(1);
+  for (Constraint& c : m.constraints)
+    if (c.name.starts_with("dyad1/coupler")) c.constants[0] = 3.75 * 3.75;
+  for (Constraint& c : m.constraints)
+    if (c.name.find("psi") != std::string::npos) c.constants[0] = 4;
+  const int c = m.entities[m.find("dyad1/C")].first;
+  m.estimate[c] = 3.5;
+  m.estimate[c + 1] = 3;
+  const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, at_once),
+             g = make_formulation(find_variant("group_symbolic_explicit"), m);
+  const TimeGrid grid = time_grid(6, 0.01);
+  Everything actual(grid.instants, false), expected(grid.instants, false);
+  const Summary a = f->run(grid, {}, actual), b = g->run(grid, {}, expected);
+  ASSERT_FALSE(b.ok());
+  EXPECT_EQ(a.status, b.status);
+  EXPECT_EQ(a.time, b.time);
+  EXPECT_EQ(a.group, b.group);
+  EXPECT_EQ(actual.order, expected.order);
+}
+
+/// Runs that are never what they should be.
+class Reluctant final : public WholeMotion {
+ public:
+  std::optional<Summary> run(const TimeGrid&, const Request&, State& state, Sink& sink) override {
+    std::ranges::fill(state.q, 17.0);
+    sink.accept({3, 17.0, state.q, {}, {}});
+    return {};
+  }
+};
+
+TEST(TimeLanes, ThatGiveUpLeaveNoTrace) {
+  const Mechanism m = four_bar_mechanism(2);
+  auto parts = make_partition(m, Partition::group);
+  const auto g = make_formulation(find_variant("group_automatic_eigen"), m);
+  std::vector<Formulation::DefinedPart> borrowed;
+  class Borrowed final : public Part {
+   public:
+    explicit Borrowed(Part& part) : part_(part) {}
+    PartResult solve(State& s, Level level) override { return part_.solve(s, level); }
+
+   private:
+    Part& part_;
+  };
+  for (const auto& p : g->parts())
+    borrowed.push_back({p.definition, std::make_unique<Borrowed>(*p.solver)});
+  Formulation f(m, std::move(borrowed), {}, std::make_unique<Reluctant>());
+  const TimeGrid grid = time_grid(1, 0.01);
+  for (const bool any_order : {false, true}) {
+    Everything actual(grid.instants, any_order), expected(grid.instants, any_order);
+    ASSERT_TRUE(f.run(grid, {}, actual).ok() && g->run(grid, {}, expected).ok());
+    expect_same(actual, expected, "reluctant");
+  }
+  EXPECT_EQ(f.run_by_steps(), 2);
+}
+
+TEST(TimeLanes, StandInTheId) {
+  const Variant& v = find_variant("group_symbolic_explicit");
+  const std::string id = "group_symbolic_explicit/segments:" + std::to_string(lane_count);
+  EXPECT_EQ(id_with(v, at_once), id);
+  EXPECT_EQ(parse_id(id).settings.segments, lane_count);
+  const Mechanism m = four_bar_mechanism(1);
+  EXPECT_THROW(make_formulation(find_variant("group_symbolic_inlined"), m, at_once),
+               std::invalid_argument);
+  Settings both = at_once;
+  both.lanes = lane_count;
+  EXPECT_THROW(make_formulation(v, m, both), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace desmo
