@@ -66,6 +66,8 @@ void add_experiment(std::vector<Section>& sections, const Record& record) {
   sections.push_back({"Growth with the number of coordinates", {}, {scaling(record)}});
   if (!record.structure.empty()) sections.push_back(partitions(record));
   if (!record.requests.empty()) sections.push_back(requests(record));
+  if (Section section = beyond(record); !section.tables.empty())
+    sections.push_back(std::move(section));
   if (!record.peers.empty()) sections.push_back(peers(record));
 }
 

@@ -1,5 +1,7 @@
 #include "report/variants.h"
 
+#include <algorithm>
+
 namespace desmo::report {
 namespace {
 
@@ -18,6 +20,12 @@ std::string family_name(const Variant& variant, std::string_view family) {
 
 CellKey family_key(const Variant& variant, std::int64_t coordinates, std::string_view family) {
   return {std::string(variant.case_name), coordinates, replaced(variant.id, "<sparse>", family)};
+}
+
+bool is_beside_peers(const Record& record, std::string_view id) {
+  return std::ranges::any_of(record.peers, [&](const Peer& peer) {
+    return has_settings(id) && id.substr(id.find('/')) == "/guess:" + peer.guess;
+  });
 }
 
 }  // namespace desmo::report

@@ -36,10 +36,11 @@ inline constexpr std::array<std::size_t, 4> topological{3, 4, 5, 6};  ///< colum
 /// Where the paper says that the four-bar's times begin to show.
 inline constexpr std::int64_t largest_four_bar = 1002;
 
-/// Whether a formulation starts from another guess than the paper's, as its id says.
-inline bool has_another_guess(std::string_view id) {
-  return id.find("/guess:") != std::string_view::npos;
-}
+/// Whether an id says that a formulation has other settings than the paper's.
+inline bool has_settings(std::string_view id) { return id.find('/') != std::string_view::npos; }
+
+/// Whether a formulation stands beside other libraries, with no other setting than their guess.
+bool is_beside_peers(const Record& record, std::string_view id);
 
 /// TS-TPA_MA27 and klu: TS-TPA_klu.
 std::string family_name(const Variant& variant, std::string_view family);

@@ -357,7 +357,7 @@ struct Requests : testing::Test {
 TEST_F(Requests, AreVerifiedBeforeTheyAreTimed) {
   int verified = 0;
   for (const auto& cell : make_requests(options)) {
-    EXPECT_TRUE(cell->name().starts_with("truck_suspension/558/" + cell->variant.id + "/request:"))
+    EXPECT_TRUE(cell->name().starts_with("truck_suspension/558/" + cell->id() + "/request:"))
         << cell->name();
     cell->verify(references);
     if (cell->is_not_run()) {

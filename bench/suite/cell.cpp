@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <exception>
 
+#include "bench/suite/beyond.h"
 #include "bench/suite/cpu_clock.h"
 #include "bench/suite/model_digest.h"
 #include "formulations/modelling/model.h"
@@ -117,14 +118,16 @@ std::vector<std::unique_ptr<Cell>> make_cells(const Options& options) {
     for (const int n : c.extra_sizes)
       for (const Variant& v : variants())
         if (runs_at_extra_sizes(v)) cells.push_back(std::make_unique<Cell>(c, n, v, options));
-    for (const std::string& id : options.formulations) {
+    const auto add = [&](int n, std::string_view id) {
       const Configuration configuration = parse_id(id);
-      if (id_with(*configuration.variant, configuration.settings) == configuration.variant->id)
-        continue;  // it is among those above
-      for (const int n : c.sizes)
-        cells.push_back(
-            std::make_unique<Cell>(c, n, *configuration.variant, options, configuration.settings));
-    }
+      auto cell =
+          std::make_unique<Cell>(c, n, *configuration.variant, options, configuration.settings);
+      if (std::ranges::find(cells, cell->name(), &Cell::name) == cells.end())
+        cells.push_back(std::move(cell));
+    };
+    for (const std::string_view id : beyond_the_paper) add(c.sizes.back(), id);
+    for (const std::string& id : options.formulations)
+      for (const int n : c.sizes) add(n, id);
   }
   return cells;
 }

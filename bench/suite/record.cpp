@@ -86,7 +86,7 @@ Json request_json(const RequestCell& cell) {
   const PlannedRequest& request = cell.request();
   Json j = {{"case", request.definition.name},
             {"coordinates", request.whole.coordinates()},
-            {"id", cell.variant.id},
+            {"id", cell.id()},
             {"request", request.name},
             {"title", request.title},
             {"level", level_names[static_cast<int>(request.plan.level())]},

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "bench/suite/beyond.h"
 #include "bench/suite/cpu_clock.h"
 #include "bench/suite/model_digest.h"
 #include "cases/files.h"
@@ -153,20 +154,23 @@ Errors largest_differences(Formulation& whole, Formulation& kept,
   return largest;
 }
 
-RequestCell::RequestCell(std::shared_ptr<const PlannedRequest> request, const Variant& v)
+RequestCell::RequestCell(std::shared_ptr<const PlannedRequest> request, const Variant& v,
+                         const Settings& s)
     : Timed(request->grid),
       variant(v),
+      settings(s),
       request_(std::move(request)),
       delivery_(RequestedDelivery(request_->asked), segments) {}
 
 std::string RequestCell::name() const {
   return std::string(request_->definition.name) + "/" +
-         std::to_string(request_->whole.coordinates()) + "/" + variant.id +
-         "/request:" + request_->name;
+         std::to_string(request_->whole.coordinates()) + "/" + id() + "/request:" + request_->name;
 }
 
-std::unique_ptr<Formulation> RequestCell::made_with(const Settings& settings) const {
-  std::unique_ptr<Formulation> f = make_formulation(variant, request_->plan.mechanism, settings);
+std::unique_ptr<Formulation> RequestCell::made_with_tolerance(double tolerance) const {
+  Settings own = settings;
+  own.tolerance = tolerance;
+  std::unique_ptr<Formulation> f = make_formulation(variant, request_->plan.mechanism, own);
   f->solve_only(request_->plan.levels);
   return f;
 }
@@ -176,7 +180,7 @@ void RequestCell::verify(ReferenceCache& references) {
   try {
     model = model_digest(request_->whole);
     const double before_setup = cpu_now();
-    formulation_ = made_with({});
+    formulation_ = made_with_tolerance(settings.tolerance);
     setup_seconds = cpu_now() - before_setup;
     if (const std::string missing = missing_code(*formulation_); !missing.empty())
       return leave_out(missing);
@@ -196,12 +200,14 @@ void RequestCell::verify(ReferenceCache& references) {
 }
 
 std::string RequestCell::compare_with_whole() {
-  const auto whole = make_formulation(variant, request_->whole, {.tolerance = converged});
+  Settings own = settings;
+  own.tolerance = converged;
+  const auto whole = make_formulation(variant, request_->whole, own);
   // Each part stops at tolerance/√parts: the same residual in both, so that equal parts do the
   // same.
   const double share = static_cast<double>(formulation_->parts().size()) /
                        static_cast<double>(whole->parts().size());
-  const auto kept = made_with({.tolerance = converged * std::sqrt(share)});
+  const auto kept = made_with_tolerance(converged * std::sqrt(share));
   const Errors largest =
       largest_differences(*whole, *kept, request_->asked, request_->plan.level(), request_->grid);
   difference = std::max({largest.position, largest.velocity, largest.acceleration});
@@ -213,7 +219,7 @@ Summary RequestCell::run(Sink& sink) {
 }
 
 void RequestCell::make() {
-  formulation_ = made_with({});
+  formulation_ = made_with_tolerance(settings.tolerance);
   formulation_->assemble(grid.time(0), request_->plan.level());
 }
 
@@ -236,8 +242,12 @@ std::vector<std::unique_ptr<RequestCell>> make_requests(const Options& options) 
   for (const RequestScene& source : request_scenes()) {
     const Scene scene = parse_scene(source.scene, std::string(source.name), {});
     const auto request = std::make_shared<const PlannedRequest>(source.name, scene, options);
-    for (const std::string_view id : formulations)
-      cells.push_back(std::make_unique<RequestCell>(request, find_variant(id)));
+    const auto add = [&](std::string_view id) {
+      const auto [variant, settings] = parse_id(id);
+      cells.push_back(std::make_unique<RequestCell>(request, *variant, settings));
+    };
+    std::ranges::for_each(formulations, add);
+    if (source.name == request_beyond_the_paper) std::ranges::for_each(beyond_the_paper, add);
   }
   return cells;
 }

@@ -12,6 +12,7 @@
 #include "cases/cases.h"
 #include "cases/motion.h"
 #include "cases/scene.h"
+#include "formulations/id.h"
 #include "formulations/plan.h"
 #include "formulations/variants.h"
 
@@ -77,8 +78,11 @@ inline constexpr double allowed_request_difference = 1e-12;
 /// One request with one formulation.
 class RequestCell final : public Timed {
  public:
-  RequestCell(std::shared_ptr<const PlannedRequest> request, const Variant& variant);
+  RequestCell(std::shared_ptr<const PlannedRequest> request, const Variant& variant,
+              const Settings& settings = {});
 
+  /// The variant's, with its settings.
+  std::string id() const { return id_with(variant, settings); }
   /// <case>/<coordinates>/<id>/request:<name>
   std::string name() const override;
   /// Against the whole mechanism, both converged as far as double precision goes, which shows that
@@ -91,12 +95,13 @@ class RequestCell final : public Timed {
   const PlannedRequest& request() const { return *request_; }
 
   const Variant& variant;
+  const Settings settings;
   double difference = 0;  ///< from the whole mechanism, at any level
 
  private:
   void make() override;
   void discard() override { formulation_.reset(); }
-  std::unique_ptr<Formulation> made_with(const Settings& settings) const;
+  std::unique_ptr<Formulation> made_with_tolerance(double tolerance) const;
   /// Empty when the answers are those of the whole mechanism; otherwise what is wrong.
   std::string compare_with_whole();
   Summary run(Sink& sink);

@@ -10,18 +10,14 @@
 namespace desmo::report {
 namespace {
 
-// What stands beside other libraries, because it starts from their guess, is shown there.
-bool is_shown_with_peers(const Record& record, const CellKey& key) {
-  return !record.peers.empty() && has_another_guess(key.id);
-}
-
-// Fastest first; what has no time comes last, by id.
+// What stands beside other libraries is shown there. Fastest first; what has no time comes last, by
+// id.
 std::vector<CellKey> ordered_keys(const Record& record, std::string_view case_name,
                                   std::int64_t coordinates) {
   std::vector<std::pair<double, CellKey>> found;
   for (const auto& [key, cell] : record.cells)
     if (key.case_name == case_name && key.coordinates == coordinates &&
-        !is_shown_with_peers(record, key)) {
+        !is_beside_peers(record, key.id)) {
       const Measured time = measured(record, key);
       found.emplace_back(
           time.seconds ? time.seconds->value : std::numeric_limits<double>::infinity(), key);

@@ -70,6 +70,10 @@ Section requests(const Record& record);
 /// What must not be concluded from the record.
 Section limitations(const Record& record);
 
+/// What settings and generated code gain over the paper's: a table for each case that was solved
+/// with settings. Without tables when none was.
+Section beyond(const Record& record);
+
 /// What other libraries take beside the formulations that start from the same guess: a table for
 /// each case, and one of what they needed to be set up. Without tables when the record has no
 /// peers.
