@@ -425,7 +425,7 @@ TEST(Bench, ExitCodesSayWhatHappened) {
   EXPECT_EQ(run_bench("--duration=0.2 --record=" + record + one), 0);
   std::ifstream in(record);
   const std::string text{std::istreambuf_iterator<char>(in), {}};
-  EXPECT_NE(text.find("\"status\": \"ok\""), std::string::npos);
+  EXPECT_NE(text.find("\"status\":\"ok\""), std::string::npos);
   for (const char* key :
        {"cpu_seconds", "repetitions", "machine", "model", "results", "turbo", "link", "binary",
         "reducer", "segments", "segment_seconds", "segment_updates", "segment_samples"})
@@ -434,7 +434,7 @@ TEST(Bench, ExitCodesSayWhatHappened) {
   EXPECT_EQ(run_bench("--step=2 --record=" + record + one), 1);
   std::ifstream again(record);
   const std::string failed{std::istreambuf_iterator<char>(again), {}};
-  EXPECT_NE(failed.find("\"status\": \"failed\""), std::string::npos);
+  EXPECT_NE(failed.find("\"status\":\"failed\""), std::string::npos);
   EXPECT_EQ(failed.find("\"cpu_seconds\""), std::string::npos);
 
   EXPECT_EQ(run_bench("--benchmark_filter=nothing_of_that_name"), 64);

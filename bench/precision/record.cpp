@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/suite/environment_json.h"
+#include "bench/suite/record_layout.h"
 #include "formulations/accuracy/condition.h"
 
 namespace desmo::precision {
@@ -66,15 +67,7 @@ std::string record_text(const suite::Run& run, const TimeGrid& grid, const Json&
   Json head = {{"schema", "desmo-results"}, {"version", suite::schema_version}};
   head["record"] = suite::environment_json(run, grid);
   head["cells"] = Json::array();
-  std::string text = head.dump(1);
-  text.erase(text.rfind('\n'));  // with the brace behind it
-  for (const auto& [name, list] : lists.items()) {
-    text += ",\n " + Json(name).dump() + ": [";
-    for (std::size_t i = 0; i < list.size(); ++i)
-      text += (i == 0 ? "\n  " : ",\n  ") + list[i].dump();
-    text += "\n ]";
-  }
-  return text + "\n}\n";
+  return suite::record_layout(head, lists);
 }
 
 Json floor_json(const Series& series, const Problem& problem) {

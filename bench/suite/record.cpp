@@ -13,6 +13,7 @@
 #include "bench/suite/environment.h"
 #include "bench/suite/environment_json.h"
 #include "bench/suite/peer_cell.h"
+#include "bench/suite/record_layout.h"
 #include "bench/suite/request.h"
 #include "bench/suite/structure.h"
 #include "formulations/guess.h"
@@ -37,8 +38,11 @@ void add_status(Json& j, const Timed& timed) {
 }
 
 /// Of what has a time: how right it is, the time, and what belongs to it.
-/// To nanoseconds, beyond which no clock tells anything.
-double rounded(double seconds) { return std::round(seconds * 1e9) / 1e9; }
+/// To five digits: there are many of them, and what a machine repeats is less.
+double rounded(double seconds) {
+  const double unit = std::pow(10, 4 - std::floor(std::log10(seconds)));
+  return std::round(seconds * unit) / unit;
+}
 
 void add_segments(Json& j, const Segments& segments) {
   for (const double least : segments.least()) j["segment_seconds"].push_back(rounded(least));
@@ -146,9 +150,9 @@ Json profile_json(const Cell& cell) {
 }  // namespace
 
 std::string record_text(const Run& run, const std::vector<Timed*>& timed) {
-  Json all = {{"schema", "desmo-results"}, {"version", schema_version}};
-  all["record"] = environment_json(run, timed.front()->grid);
-  all["record"]["settings"]["segments"] = timed.front()->segments.count();
+  Json head = {{"schema", "desmo-results"}, {"version", schema_version}}, all;
+  head["record"] = environment_json(run, timed.front()->grid);
+  head["record"]["settings"]["segments"] = timed.front()->segments.count();
   for (const char* list : {"cells", "profiles", "structure", "requests"}) all[list] = Json::array();
   std::set<std::pair<std::string_view, int>> described;
   for (const Timed* one : timed) {
@@ -165,7 +169,7 @@ std::string record_text(const Run& run, const std::vector<Timed*>& timed) {
       for (const Structure& structure : structures(cell->definition, cell->coordinates))
         all["structure"].push_back(structure_json(structure));
   }
-  return all.dump(1) + '\n';
+  return record_layout(head, all);
 }
 
 }  // namespace desmo::suite
