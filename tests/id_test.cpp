@@ -70,7 +70,7 @@ TEST(Id, SaysWhatIsWrong) {
       {"group_symbolic_klu/guess", "unknown suffix '/guess'"},
       {"group_symbolic_klu/gess:linear",
        "unknown suffix '/gess:linear'; there are, each followed by ':' and a value: guess, "
-       "jacobian, factorisation, scalar, lanes, iterations, tolerance"},
+       "jacobian, factorisation, scalar, lanes, segments, iterations, tolerance"},
       {"group_symbolic_explicit/lanes:5", "unknown value '5' of '/lanes:'; there are: 4"},
       {"group_symbolic_klu/guess:cubic",
        "unknown value 'cubic' of '/guess:'; there are: previous, linear, quadratic, hermite3, "
