@@ -35,6 +35,7 @@ struct Common {
   const Magnitudes magnitudes;
   std::shared_ptr<SinglePrecisionState> single;
   Profile* profile;
+  const KernelTable& table;
 };
 
 /// A part in the making: what generated code is bound to, and so far what it falls back to.
@@ -45,9 +46,9 @@ struct Draft {
 };
 
 Draft draft(const Common& common, PartDefinition d) {
-  const auto& [m, v, settings, magnitudes, single, profile] = common;
+  const auto& [m, v, settings, magnitudes, single, profile, table] = common;
   PartContext context{m, d, magnitudes.weights(d), std::nullopt, settings, profile, single};
-  if (v.evaluation == Evaluation::symbolic) context.kernels = bind_kernels(m, d);
+  if (v.evaluation == Evaluation::symbolic) context.kernels = bind_kernels(m, d, table);
   const bool as_named = v.evaluation == Evaluation::automatic || context.kernels;
   const Backend& backend = v.backend ? *v.backend : pivoting_backend();
   std::unique_ptr<Part> part = backend.make_part(context);
@@ -63,9 +64,9 @@ void make_inlined(const Settings& settings, Draft& d) {
                                          definition.unknowns);
 }
 
-void make_explicit(const Settings& settings, Draft& d) {
+void make_explicit(const Settings& settings, const KernelTable& table, Draft& d) {
   auto& [definition, solver, as_named, level] = d.part;
-  const ExplicitKernel* kernel = find_explicit_kernel(d.bound->kernel->fingerprint);
+  const ExplicitKernel* kernel = table.find_explicit_kernel(d.bound->kernel->fingerprint);
   as_named = kernel != nullptr;
   if (kernel)
     solver =
@@ -80,7 +81,7 @@ std::vector<DefinedPart> make_parts(const Common& common, std::vector<PartDefini
   for (Draft& d : drafts)
     if (d.bound) make_inlined(common.settings, d);
   for (Draft& d : drafts)
-    if (d.bound && common.v.explicit_order) make_explicit(common.settings, d);
+    if (d.bound && common.v.explicit_order) make_explicit(common.settings, common.table, d);
   std::vector<DefinedPart> parts;
   for (Draft& d : drafts) parts.push_back(std::move(d.part));
   return parts;
@@ -104,10 +105,10 @@ PartDefinition join(std::vector<DefinedPart>& run) {
 }
 
 /// The run as one part on lanes, where there is code for its type.
-std::vector<DefinedPart> on_lanes(std::vector<DefinedPart> run) {
+std::vector<DefinedPart> on_lanes(std::vector<DefinedPart> run, const KernelTable& table) {
   auto* first = dynamic_cast<ExplicitPart*>(run.front().solver.get());
   if (run.size() < 2 || !first) return run;
-  const LaneKernel* kernel = find_lane_kernel(first->kernel().fingerprint);
+  const LaneKernel* kernel = table.find_lane_kernel(first->kernel().fingerprint);
   if (!kernel) return run;
   PartDefinition definition = join(run);
   std::vector<std::unique_ptr<ExplicitPart>> members;
@@ -119,14 +120,14 @@ std::vector<DefinedPart> on_lanes(std::vector<DefinedPart> run) {
 }
 
 /// run_ends: behind the last of parts of one type that do not need each other.
-std::vector<DefinedPart> on_lanes(std::vector<DefinedPart> parts,
-                                  const std::vector<int>& run_ends) {
+std::vector<DefinedPart> on_lanes(std::vector<DefinedPart> parts, const std::vector<int>& run_ends,
+                                  const KernelTable& table) {
   std::vector<DefinedPart> result;
   auto first = parts.begin();
   for (const int end : run_ends) {
     const auto last = parts.begin() + end;
     std::vector<DefinedPart> run(std::make_move_iterator(first), std::make_move_iterator(last));
-    std::ranges::move(on_lanes(std::move(run)), std::back_inserter(result));
+    std::ranges::move(on_lanes(std::move(run), table), std::back_inserter(result));
     first = last;
   }
   return result;
@@ -135,7 +136,8 @@ std::vector<DefinedPart> on_lanes(std::vector<DefinedPart> parts,
 }  // namespace
 
 std::unique_ptr<Formulation> make_formulation(const Variant& v, const Mechanism& m,
-                                              const Settings& settings, Profile* profile) {
+                                              const Settings& settings, Profile* profile,
+                                              const KernelTable* added) {
   if (const std::string reason = why_not(v, settings); !reason.empty())
     throw std::invalid_argument(v.id + ": " + reason);
   std::vector<PartDefinition> definitions = make_partition(m, v.partition);
@@ -144,19 +146,20 @@ std::unique_ptr<Formulation> make_formulation(const Variant& v, const Mechanism&
   // With p parts, each within tolerance/√p, the whole mechanism is within the tolerance.
   Settings own = settings;
   own.tolerance /= std::sqrt(static_cast<double>(definitions.size()));
+  const KernelTable& table = added ? *added : KernelTable::built_in();
   std::shared_ptr<SinglePrecisionState> single;
   if (settings.scalar == Scalar::single_precision)
     single = std::make_shared<SinglePrecisionState>(m.state_size());
-  const Common common{m, v, own, Magnitudes(m), std::move(single), profile};
+  const Common common{m, v, own, Magnitudes(m), std::move(single), profile, table};
 
   std::unique_ptr<WholeMotion> whole_motion;
   if (settings.segments > 1) {
     std::array<TimeLanes::Parts, lane_count> lanes;
     for (TimeLanes::Parts& parts : lanes) parts = make_parts(common, definitions);
-    whole_motion = std::make_unique<TimeLanes>(m, std::move(lanes), settings);
+    whole_motion = std::make_unique<TimeLanes>(m, std::move(lanes), settings, table);
   }
   std::vector<DefinedPart> parts = make_parts(common, std::move(definitions));
-  if (settings.lanes > 1) parts = on_lanes(std::move(parts), run_ends);
+  if (settings.lanes > 1) parts = on_lanes(std::move(parts), run_ends, table);
   return std::make_unique<Formulation>(m, std::move(parts), settings, std::move(whole_motion));
 }
 

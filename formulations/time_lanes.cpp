@@ -38,7 +38,7 @@ double shortest_way(const Mechanism& m, const Driver& d, double from, double to)
 }  // namespace
 
 TimeLanes::TimeLanes(const Mechanism& mechanism, std::array<Parts, lane_count> parts,
-                     const Settings& settings)
+                     const Settings& settings, const KernelTable& table)
     : mechanism_(mechanism), settings_(settings), parts_(std::move(parts)) {
   const std::size_t size = mechanism_.state_size();
   for (LaneState* s : {&now_, &before_})
@@ -54,7 +54,7 @@ TimeLanes::TimeLanes(const Mechanism& mechanism, std::array<Parts, lane_count> p
   for (std::size_t i = 0; i < parts_[0].size(); ++i) {
     const PartDefinition& definition = parts_[0][i].definition;
     if (definition.constant) continue;
-    stages_.push_back(make_stage(i));
+    stages_.push_back(make_stage(i, table));
     std::ranges::copy(parts_[0][i].solver->starts_from(definition.unknowns),
                       std::back_inserter(started_from));
   }
@@ -70,13 +70,13 @@ TimeLanes::TimeLanes(const Mechanism& mechanism, std::array<Parts, lane_count> p
   started_from_ = runs_of(started_from);
 }
 
-TimeLanes::Stage TimeLanes::make_stage(std::size_t part) const {
+TimeLanes::Stage TimeLanes::make_stage(std::size_t part, const KernelTable& table) const {
   Stage stage;
   stage.unknowns = parts_[0][part].definition.unknowns;
   for (int l = 0; l < lane_count; ++l) stage.members[l] = parts_[l][part].solver.get();
   const auto* explicit_part = dynamic_cast<const ExplicitPart*>(stage.members[0]);
   if (!explicit_part) return stage;
-  stage.kernel = find_lane_kernel(explicit_part->kernel().fingerprint);
+  stage.kernel = table.find_lane_kernel(explicit_part->kernel().fingerprint);
   if (!stage.kernel) return stage;
   const auto& [in, c, f, branch, w, limits] = explicit_part->binding();
   stage.c.assign(c, c + explicit_part->constants());

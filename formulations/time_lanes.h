@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "formulations/equations/kernel_table.h"
 #include "formulations/equations/lanes.h"
 #include "formulations/explicit_part.h"
 #include "formulations/formulation.h"
@@ -25,9 +26,10 @@ class TimeLanes final : public WholeMotion {
  public:
   using Parts = std::vector<Formulation::DefinedPart>;
 
-  /// parts: the same for every lane, in the order of solution.
+  /// parts: the same for every lane, in the order of solution. table: where code for lanes is; it
+  /// must outlive this.
   TimeLanes(const Mechanism& mechanism, std::array<Parts, lane_count> parts,
-            const Settings& settings);
+            const Settings& settings, const KernelTable& table);
 
   /// Nothing where the motion is too short, a segment was not entered or solved, or two did not
   /// meet.
@@ -51,7 +53,7 @@ class TimeLanes final : public WholeMotion {
     Lanes residual2 = 0;
   };
 
-  Stage make_stage(std::size_t part) const;
+  Stage make_stage(std::size_t part, const KernelTable& table) const;
   bool enter(const TimeGrid& grid, int length, const State& first);
   bool walk(int lane, double t);
   bool solve_alone(int lane, State& state, Level level);

@@ -16,6 +16,7 @@
 namespace desmo {
 
 struct Backend;
+class KernelTable;
 
 /// One formulation of the suite: a point on the three axes of the design.
 struct Variant {
@@ -45,14 +46,16 @@ bool has_phases(const Variant& variant);
 /// does. What it names is not applicable: it is refused, never silently replaced.
 std::string why_not(const Variant& variant, const Settings& settings);
 
-/// Analyses the mechanism and allocates everything. Parts for which no symbolic equations were
-/// generated are evaluated automatically and are not `as_named`. `profile`, when given, must
-/// outlive the formulation and receives the time of its phases. Throws std::invalid_argument,
-/// naming the place, for a mechanism that it cannot solve, and with the reason for settings that it
-/// does not offer (why_not).
+/// Analyses the mechanism and allocates everything. Parts of types for which there is no generated
+/// code are evaluated automatically and are not `as_named`. `profile`, when given, receives the
+/// time of its phases; `table`, when given, has generated code beside what desmo was built with;
+/// both must outlive the formulation. Throws std::invalid_argument, naming the place, for a
+/// mechanism that it cannot solve, and with the reason for settings that it does not offer
+/// (why_not).
 std::unique_ptr<Formulation> make_formulation(const Variant& variant, const Mechanism& mechanism,
                                               const Settings& settings = {},
-                                              Profile* profile = nullptr);
+                                              Profile* profile = nullptr,
+                                              const KernelTable* table = nullptr);
 
 /// Libraries of the linear algebra in this build and their versions, by backend name.
 std::vector<std::pair<std::string, std::string>> library_versions();

@@ -78,7 +78,7 @@ struct ExplicitKernel {
 /// Every generated explicit kernel.
 std::span<const ExplicitKernel> explicit_kernels();
 
-/// The explicit kernel for a fingerprint, or null.
+/// The explicit kernel that desmo was built with for a fingerprint, or null.
 const ExplicitKernel* find_explicit_kernel(std::string_view fingerprint);
 
 }  // namespace desmo

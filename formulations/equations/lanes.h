@@ -27,7 +27,7 @@ struct LaneKernel {
 /// Every generated lane kernel.
 std::span<const LaneKernel> lane_kernels();
 
-/// The lane kernel for a fingerprint, or null.
+/// The lane kernel that desmo was built with for a fingerprint, or null.
 const LaneKernel* find_lane_kernel(std::string_view fingerprint);
 
 }  // namespace desmo

@@ -17,20 +17,21 @@ const Kernel* find_kernel(std::string_view fingerprint) {
   return it == by_fingerprint.end() ? nullptr : it->second;
 }
 
-std::optional<BoundKernel> bind_kernel(const Mechanism& m, const PartDefinition& part) {
+std::optional<BoundKernel> bind_kernel(const Mechanism& m, const PartDefinition& part,
+                                       const KernelTable& table) {
   PartType type = describe_type(m, part);
-  const Kernel* kernel = find_kernel(type.fingerprint);
+  const Kernel* kernel = table.find_kernel(type.fingerprint);
   if (!kernel) return std::nullopt;
   std::vector<int> inputs;
   for (const PartType::Input& input : type.inputs) inputs.push_back(input.state);
   return BoundKernel{kernel, std::move(inputs), std::move(type.constants)};
 }
 
-std::optional<std::vector<BoundKernel>> bind_kernels(const Mechanism& m,
-                                                     const PartDefinition& part) {
+std::optional<std::vector<BoundKernel>> bind_kernels(const Mechanism& m, const PartDefinition& part,
+                                                     const KernelTable& table) {
   std::vector<BoundKernel> result;
   for (const PartDefinition& group : split_by_group(m, part)) {
-    std::optional<BoundKernel> bound = bind_kernel(m, group);
+    std::optional<BoundKernel> bound = bind_kernel(m, group, table);
     if (!bound) return std::nullopt;
     result.push_back(std::move(*bound));
   }

@@ -6,12 +6,13 @@
 
 #include "cases/mechanism.h"
 #include "formulations/equations/kernel.h"
+#include "formulations/equations/kernel_table.h"
 #include "formulations/equations/pattern.h"
 #include "formulations/partition.h"
 
 namespace desmo {
 
-/// The kernel for a fingerprint, or null.
+/// The kernel that desmo was built with for a fingerprint, or null.
 const Kernel* find_kernel(std::string_view fingerprint);
 
 /// A generated kernel bound to a group, or a block of one, of a mechanism.
@@ -21,13 +22,15 @@ struct BoundKernel {
   std::vector<double> constants;  ///< its dimensions
 };
 
-/// Finds and binds the kernel for a part of one group; nothing when none was generated for its
-/// type.
-std::optional<BoundKernel> bind_kernel(const Mechanism& mechanism, const PartDefinition& part);
+/// Finds and binds the kernel for a part of one group; nothing when the table has none for its
+/// type. The table must outlive what is bound.
+std::optional<BoundKernel> bind_kernel(const Mechanism& mechanism, const PartDefinition& part,
+                                       const KernelTable& table = KernelTable::built_in());
 
 /// The kernels of a part, group by group; nothing when one is missing.
-std::optional<std::vector<BoundKernel>> bind_kernels(const Mechanism& mechanism,
-                                                     const PartDefinition& part);
+std::optional<std::vector<BoundKernel>> bind_kernels(
+    const Mechanism& mechanism, const PartDefinition& part,
+    const KernelTable& table = KernelTable::built_in());
 
 /// Symbolic equations: the generated kernels of a part's groups, one after the other. Meets the
 /// contract of AutomaticEquations.

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+
+#include "formulations/equations/explicit_kernel.h"
+#include "formulations/equations/kernel.h"
+
+namespace desmo {
+
+struct LaneKernel;
+
+template <class Kernel>
+struct KernelList {
+  const Kernel* first = nullptr;
+  std::size_t size = 0;
+};
+
+/// What a file of compiled kernels holds: the type of the object it exports as `desmo_kernels`.
+struct KernelLibrary {
+  KernelList<Kernel> kernels;
+  KernelList<ExplicitKernel> explicit_kernels;
+  KernelList<LaneKernel> lane_kernels;
+};
+
+}  // namespace desmo
