@@ -16,7 +16,6 @@
 #include "bench/suite/binary.h"
 #include "bench/suite/cell.h"
 #include "bench/suite/cpu_clock.h"
-#include "bench/suite/digest.h"
 #include "bench/suite/model_digest.h"
 #include "bench/suite/options.h"
 #include "bench/suite/request.h"
@@ -25,6 +24,7 @@
 #include "bench/suite/verification.h"
 #include "cases/files.h"
 #include "cases/library.h"
+#include "formulations/digest.h"
 #include "formulations/modelling/model.h"
 
 namespace desmo::suite {

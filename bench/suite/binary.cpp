@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string_view>
 
-#include "bench/suite/digest.h"
+#include "formulations/digest.h"
 
 namespace desmo::suite {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <variant>
 
-#include "bench/suite/digest.h"
+#include "formulations/digest.h"
 
 namespace desmo::suite {
 

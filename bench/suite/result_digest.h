@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "bench/suite/digest.h"
+#include "formulations/digest.h"
 
 namespace desmo::suite {
 

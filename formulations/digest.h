@@ -6,7 +6,7 @@
 
 struct evp_md_ctx_st;  // OpenSSL's
 
-namespace desmo::suite {
+namespace desmo {
 
 /// SHA-256 of all that is added, in order. By OpenSSL, whose interface is public and kept: Boost's
 /// digests are either a detail of another library (SHA-1) or younger than what Debian has.
@@ -25,4 +25,4 @@ class Digest {
   std::unique_ptr<evp_md_ctx_st, void (*)(evp_md_ctx_st*)> context_;
 };
 
-}  // namespace desmo::suite
+}  // namespace desmo

@@ -1,11 +1,11 @@
-#include "bench/suite/digest.h"
+#include "formulations/digest.h"
 
 #include <openssl/evp.h>
 
 #include <array>
 #include <stdexcept>
 
-namespace desmo::suite {
+namespace desmo {
 
 namespace {
 
@@ -38,4 +38,4 @@ std::string Digest::hex() {
   return text;
 }
 
-}  // namespace desmo::suite
+}  // namespace desmo
