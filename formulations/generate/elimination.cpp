@@ -68,6 +68,12 @@ double largest_ratio(Expr a, Expr b) {
 /// How much worse than the worst sample a pivot may become before it is distrusted.
 constexpr double magnification_allowed = 1e3, cancellation_allowed = 1e6;
 
+/// A bound that ratios of that size are far from, to the next power of two: the text of the code
+/// does not change with every digit of the samples.
+double bound(double allowed, double largest) {
+  return std::exp2(std::ceil(std::log2(allowed * (1 + largest))));
+}
+
 }  // namespace
 
 Elimination::Elimination(Rows rows) {
@@ -97,13 +103,13 @@ Elimination::Elimination(Rows rows) {
       step.lower.emplace_back(i, multiplier);
       if (!multiplier.is_constant())
         monitor.magnified.push_back(
-            {multiplier, magnification_allowed * (1 + largest_ratio(multiplier, Expr(1)))});
+            {multiplier, bound(magnification_allowed, largest_ratio(multiplier, Expr(1)))});
     }
     for (const Step& earlier : steps_)
       for (const auto& [j, value] : earlier.upper)
         if (j == pivot.column)
           monitor.against.push_back(
-              {value, 1 / (cancellation_allowed * (1 + largest_ratio(value, p)))});
+              {value, 1 / bound(cancellation_allowed, largest_ratio(value, p))});
     if (!p.is_constant()) monitors_.push_back(std::move(monitor));
     steps_.push_back(std::move(step));
   }
