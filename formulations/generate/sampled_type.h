@@ -1,0 +1,30 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "formulations/generate/recording.h"
+#include "formulations/part_type.h"
+
+namespace desmo::generate {
+
+/// A type of part to generate code for, and places along motions where its parts were.
+struct SampledType {
+  std::string name;  ///< of its namespace in the code
+  PartType type;
+  std::vector<SamplePoint> samples;
+};
+
+/// Adds the type of a part of one group, without a name, to those found, unless it is one of them,
+/// and to its samples one for each state (q, then the fixed values) of the mechanism. Returns it;
+/// valid until more are added.
+SampledType& add_part(const Mechanism& mechanism, const PartDefinition& part,
+                      std::span<const std::vector<double>> states, std::vector<SampledType>& found);
+
+/// The type with names made of numbers, the same for all types of one fingerprint: u4, an unknown,
+/// k0, known, or f7, fixed, is the input at that position, and "unit#2" the constraint at that one.
+/// What a file calls its entities stays out of code that is generated for it.
+PartType without_names(PartType type);
+
+}  // namespace desmo::generate
