@@ -1,0 +1,166 @@
+// Files of the cache that are not as they were written, and several writers.
+
+#include "formulations/load/cache.h"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "tests/load/loading.h"
+
+namespace desmo::load {
+namespace {
+
+struct CacheTest : Loading {
+  void overwrite(const fs::path& file, const std::string& text) {
+    std::ofstream(file, std::ios::binary | std::ios::trunc) << text;
+  }
+  /// That what was compiled is made anew after this, and once.
+  void expect_made_anew(const std::string& what) {
+    const int before = compilations();
+    const OwnKernels own = load();
+    EXPECT_EQ(own.problem, "") << what;
+    EXPECT_EQ(compilations(), before + 1) << what;
+    EXPECT_FALSE(load().compiled) << what;
+  }
+};
+
+TEST_F(CacheTest, KeepsWhatIsWritten) {
+  const Cache cache = Cache::open();
+  const std::string content("\0 some bytes \xff\n// desmo ", 23);
+  EXPECT_FALSE(cache.read("a.so"));
+  cache.write("a.so", content);
+  EXPECT_EQ(cache.read("a.so"), content);
+  cache.write("a.so", "");
+  EXPECT_EQ(cache.read("a.so"), "");
+  EXPECT_EQ(Cache::open().read("a.so"), "");
+}
+
+TEST_F(CacheTest, DoesNotBelieveWhatIsNotAsItWasWritten) {
+  const Cache cache = Cache::open();
+  const fs::path file = cache.folder() / "a.so";
+  const auto refused = [&](const std::string& spoilt) {
+    cache.write("a.so", "content");
+    overwrite(file, spoilt);
+    return !cache.read("a.so");
+  };
+  cache.write("a.so", "content");
+  const std::string good = text_of(file);
+  EXPECT_FALSE(refused(good));
+  EXPECT_TRUE(refused(""));
+  EXPECT_TRUE(refused("content"));
+  EXPECT_TRUE(refused(good.substr(1)));
+  EXPECT_TRUE(refused(good + "\n"));
+  EXPECT_TRUE(refused("C" + good.substr(1)));
+
+  cache.write("a.so", "content");
+  fs::copy_file(file, cache.folder() / "b.so");
+  EXPECT_FALSE(cache.read("b.so")) << "under another name";
+  fs::rename(file, cache.folder() / "c");
+  fs::create_symlink("c", file);
+  EXPECT_FALSE(cache.read("a.so")) << "a link";
+  fs::remove(file);
+  fs::create_directory(file);
+  EXPECT_FALSE(cache.read("a.so")) << "a folder";
+  fs::remove(file);
+  cache.write("a.so", "content");
+  fs::permissions(file, fs::perms::group_write, fs::perm_options::add);
+  EXPECT_FALSE(cache.read("a.so")) << "others can write to it";
+  if (::geteuid() == 0) {
+    cache.write("a.so", "content");
+    ASSERT_EQ(::chown(file.c_str(), 65534, 65534), 0);
+    EXPECT_FALSE(cache.read("a.so")) << "of another user";
+  }
+}
+
+TEST_F(CacheTest, LeavesNothingOfWhatWasNotFinished) {
+  const Cache cache = Cache::open();
+  const auto fail = [&](const std::string& name) {
+    overwrite(cache.folder() / name, "half");
+    throw std::runtime_error("no more");
+  };
+  EXPECT_THROW(cache.content_made_by(fail), std::runtime_error);
+  EXPECT_TRUE(cached("").empty());
+  EXPECT_THROW(cache.content_made_by([](const std::string&) {}), std::runtime_error);
+  EXPECT_EQ(cache.content_made_by(
+                [&](const std::string& name) { overwrite(cache.folder() / name, "whole"); }),
+            "whole");
+  EXPECT_TRUE(cached("").empty());
+}
+
+TEST_F(CacheTest, ForgetsTheOldestAndWhatWasAbandoned) {
+  const Cache cache = Cache::open();
+  const auto now = fs::file_time_type::clock::now();
+  overwrite(cache.folder() / "unfinished.1.2", "");
+  overwrite(cache.folder() / "unfinished.3.4", "");
+  overwrite(cache.folder() / "of the user", "");
+  fs::last_write_time(cache.folder() / "unfinished.1.2", now - std::chrono::hours(2));
+  for (int i = 0; i < 300; ++i) {
+    const fs::path file = cache.folder() / (std::to_string(i) + ".so");
+    overwrite(file, "");
+    fs::last_write_time(file, now - std::chrono::minutes(i + 1));
+  }
+  cache.write("new.so", "");
+  EXPECT_EQ(cached(".so").size(), 256u);
+  EXPECT_TRUE(cache.read("new.so"));
+  EXPECT_TRUE(fs::exists(cache.folder() / "0.so"));
+  EXPECT_FALSE(fs::exists(cache.folder() / "299.so"));
+  EXPECT_FALSE(fs::exists(cache.folder() / "unfinished.1.2"));
+  EXPECT_TRUE(fs::exists(cache.folder() / "unfinished.3.4")) << "somebody is at work";
+  EXPECT_TRUE(fs::exists(cache.folder() / "of the user"));
+}
+
+TEST_F(CacheTest, IsMendedWhereCompiledCodeIsSpoilt) {
+  load();
+  ASSERT_EQ(cached(".so").size(), 1u);
+  const fs::path library = cached(".so")[0];
+  const std::string good = text_of(library);
+  overwrite(library, good.substr(0, good.size() / 2));
+  expect_made_anew("half of it is gone");
+  std::string bit = good;
+  bit[bit.size() / 3] ^= 1;
+  overwrite(library, bit);
+  expect_made_anew("a bit has changed");
+  fs::permissions(library, fs::perms::others_write, fs::perm_options::add);
+  expect_made_anew("others could write to it");
+  load(*std::make_unique<KernelTable>(), "group_symbolic_explicit");
+  for (const fs::path& other : cached(".so"))
+    if (other != library) fs::rename(other, library);
+  expect_made_anew("it is the code of something else");
+}
+
+TEST_F(CacheTest, IsMendedWhereSourcesAreSpoilt) {
+  load();
+  const fs::path source = cached(".cpp").at(0);
+  const std::string good = text_of(source);
+  overwrite(source, "#error spoilt\n" + good);
+  fs::remove(cached(".so").at(0));
+  expect_made_anew("the source was changed");
+  EXPECT_EQ(text_of(source), good) << "the same bytes every time";
+}
+
+TEST_F(CacheTest, ServesSeveralProcessesAtOnce) {
+  const auto solve = [&] {
+    KernelTable table;
+    const bool good = load(table).problem.empty();
+    const auto f =
+        make_formulation(find_variant("group_symbolic_inlined"), mechanism_, {}, nullptr, &table);
+    return good && f->parts().back().as_named && f->assemble(0).ok();
+  };
+  std::vector<pid_t> children;
+  for (int i = 0; i < 3; ++i) {
+    const pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) ::_exit(solve() ? 0 : 1);
+    children.push_back(child);
+  }
+  for (const pid_t child : children) {
+    int status = -1;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+  }
+  EXPECT_EQ(cached("").size(), 2u) << "one source, one library, nothing unfinished";
+  EXPECT_FALSE(load().compiled);
+}
+
+}  // namespace
+}  // namespace desmo::load

@@ -1,0 +1,138 @@
+// Compilers that are missing, fail or take too long, and how programs are run.
+
+#include "formulations/load/compiler.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <sstream>
+#include <system_error>
+
+#include "formulations/load/descriptor.h"
+#include "formulations/load/program.h"
+#include "tests/load/loading.h"
+
+namespace desmo::load {
+namespace {
+
+struct CompilerTest : Loading {
+  void expect_problem(const std::string& what) {
+    KernelTable table;
+    const OwnKernels own = load(table);
+    EXPECT_NE(own.problem.find(what), std::string::npos) << own.problem;
+    EXPECT_FALSE(own.types.empty());
+    const auto f =
+        make_formulation(find_variant("group_symbolic_inlined"), mechanism_, {}, nullptr, &table);
+    EXPECT_FALSE(f->parts().back().as_named);
+    EXPECT_TRUE(f->assemble(0).ok());
+    if (fs::exists(cache())) {
+      EXPECT_EQ(cached("").size(), cached(".cpp").size()) << "no library";
+    }
+  }
+  void wait_for(const fs::path& file) {
+    for (int i = 0; i < 1000 && !fs::exists(file); ++i) ::usleep(10000);
+  }
+};
+
+TEST_F(CompilerTest, ThatIsMissingIsNamed) {
+  ::setenv("CXX", "/no/such/compiler", 1);
+  expect_problem("CXX=/no/such/compiler: no such program");
+  ::setenv("CXX", "no-such-compiler", 1);
+  expect_problem("CXX=no-such-compiler");
+  ::setenv("CXX", "./compiler", 1);
+  expect_problem("CXX=./compiler");
+  ::setenv("CXX", "/bin/false", 1);
+  expect_problem("/bin/false: does not say its version");
+}
+
+TEST_F(CompilerTest, IsTheOneThatDesmoWasBuiltWithUnlessAnotherIsNamed) {
+  ::unsetenv("CXX");
+  EXPECT_EQ(Compiler::find().file(), DESMO_COMPILER);
+  const fs::path link = folder_ / "my-c++";
+  fs::create_symlink(DESMO_COMPILER, link);
+  const std::string path = ::getenv("PATH");
+  ::setenv("PATH", (":relative:" + folder_.string() + ":" + path).c_str(), 1);
+  ::setenv("CXX", "my-c++", 1);
+  const Compiler named = Compiler::find();
+  ::setenv("PATH", path.c_str(), 1);
+  EXPECT_EQ(named.file(), link.string());
+  EXPECT_NE(named.version(), "");
+  EXPECT_NE(named.identity().find("-O3"), std::string::npos);
+  EXPECT_NE(named.identity().find(named.version()), std::string::npos);
+}
+
+TEST_F(CompilerTest, ThatFailsIsQuoted) {
+  use_compiler("echo 'first words' >&2; echo 'kernels.cpp:1: error: no space left' >&2; exit 1");
+  expect_problem("cannot compile the kernels: kernels.cpp:1: error: no space left");
+  use_compiler("exit 0");
+  expect_problem("has not got what was to be made there");
+  use_compiler(
+      "while [ $# -gt 0 ]; do [ \"$1\" = -o ] && echo 'no library' >\"$2\"; shift; done; exit 0");
+  expect_problem("compiled kernels cannot be loaded");
+}
+
+TEST_F(CompilerTest, ThatTakesTooLongIsEndedWithAllThatItHasStarted) {
+  const fs::path started = folder_ / "started";
+  use_compiler("sleep 600 &\necho $! >'" + started.string() + "'\nwait");
+  limit_ = std::chrono::seconds(2);
+  expect_problem("ended after 2 s");
+  wait_for(started);
+  const std::string sleeper = "/proc/" + std::to_string(std::stoi(text_of(started))) + "/stat";
+  const auto sleeps = [&] {
+    const std::string state = text_of(sleeper);
+    return !state.empty() && state.substr(state.rfind(')')).find('Z') == std::string::npos;
+  };
+  for (int i = 0; i < 500 && sleeps(); ++i) ::usleep(10000);
+  EXPECT_FALSE(sleeps()) << text_of(sleeper);
+}
+
+struct Programs : testing::Test {
+  Descriptor root{::open("/", O_RDONLY | O_DIRECTORY | O_CLOEXEC)};
+
+  Ending run(const std::vector<std::string>& arguments, int milliseconds = 60000) {
+    return run_program(arguments, root.number(), std::chrono::milliseconds(milliseconds));
+  }
+};
+
+TEST_F(Programs, GetTheirArgumentsAsTheyAre) {
+  const Ending ending = run({"/bin/echo", "$(touch /tmp/pwned); `x`", "*", "a\nb", "\"'"});
+  EXPECT_TRUE(ending.good);
+  EXPECT_EQ(ending.output, "$(touch /tmp/pwned); `x` * a\nb \"'\n");
+  EXPECT_EQ(run({"/bin/pwd"}).output, "/\n");
+  EXPECT_FALSE(run({"/bin/false"}).good);
+  EXPECT_THROW(run({"/no/such/program"}), std::system_error);
+}
+
+TEST_F(Programs, GetLittleOfOurEnvironment) {
+  ::setenv("CPATH", "/somewhere", 1);
+  const std::string output = run({"/usr/bin/env"}).output;
+  ::unsetenv("CPATH");
+  std::istringstream lines(output);
+  for (std::string line; std::getline(lines, line);) {
+    const std::string name = line.substr(0, line.find('='));
+    EXPECT_TRUE(name == "LC_ALL" || name == "PATH" || name == "HOME" || name == "TMPDIR") << line;
+  }
+  EXPECT_NE(output.find("LC_ALL=C\n"), std::string::npos);
+}
+
+TEST_F(Programs, AreReadToTheirEndAndNoFurther) {
+  const Ending ending = run({"/bin/sh", "-c", "head -c 1000000 /dev/zero; echo >&2; exit 3"});
+  EXPECT_FALSE(ending.good);
+  EXPECT_FALSE(ending.late);
+  EXPECT_EQ(ending.output, std::string(65536, '\0'));
+  EXPECT_EQ(run({"/bin/cat"}).output, "") << "nothing comes from standard input";
+}
+
+TEST_F(Programs, AreEndedWhenTheirTimeIsOverEvenWhenTheySayNothingMore) {
+  for (const char* commands :
+       {"sleep 600", "exec >&- 2>&-; sleep 600", "trap '' TERM; sleep 600"}) {
+    const auto start = std::chrono::steady_clock::now();
+    const Ending ending = run({"/bin/sh", "-c", commands}, 200);
+    EXPECT_TRUE(ending.late) << commands;
+    EXPECT_FALSE(ending.good) << commands;
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(60)) << commands;
+  }
+}
+
+}  // namespace
+}  // namespace desmo::load

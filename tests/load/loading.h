@@ -1,0 +1,86 @@
+// What loads code in these tests: a cache of its own, and a compiler that counts.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cases/cases.h"
+#include "cases/files.h"
+#include "formulations/id.h"
+#include "formulations/load/own_kernels.h"
+#include "formulations/modelling/model.h"
+#include "tests/own_mechanism.h"
+
+namespace desmo::load {
+
+namespace fs = std::filesystem;
+
+class Loading : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = (fs::temp_directory_path() / "desmo_load_XXXXXX").string();
+    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
+    folder_ = pattern;
+    ::setenv("XDG_CACHE_HOME", folder_.c_str(), 1);
+    use_compiler("echo compiled >>'" + (folder_ / "count").string() +
+                 "'\nexec " DESMO_COMPILER " \"$@\"");
+  }
+  void TearDown() override {
+    ::unsetenv("CXX");
+    ::unsetenv("XDG_CACHE_HOME");
+    fs::remove_all(folder_);
+  }
+
+  /// A compiler that does this when it is to compile.
+  void use_compiler(const std::string& commands) {
+    const fs::path file = folder_ / "compiler";
+    std::ofstream(file) << "#!/bin/sh\n[ \"$1\" = --version ] && exec " DESMO_COMPILER
+                           " --version\n"
+                        << commands << "\n";
+    fs::permissions(file, fs::perms::owner_all);
+    ::setenv("CXX", file.c_str(), 1);
+  }
+  int compilations() const {
+    std::ifstream in(folder_ / "count");
+    return static_cast<int>(std::count(std::istreambuf_iterator<char>(in), {}, '\n'));
+  }
+
+  fs::path cache() const { return folder_ / "desmo" / "kernels"; }
+  /// Files of the cache whose names end so.
+  std::vector<fs::path> cached(const std::string& end) const {
+    std::vector<fs::path> result;
+    for (const fs::directory_entry& file : fs::directory_iterator(cache()))
+      if (file.path().string().ends_with(end)) result.push_back(file.path());
+    std::ranges::sort(result);
+    return result;
+  }
+  static std::string text_of(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+
+  OwnKernels load(KernelTable& table, const std::string& id = "group_symbolic_inlined") {
+    const Configuration c = parse_id(id);
+    return add_own_kernels(table, *c.variant, c.settings, mechanism_, scene_.grid, limit_);
+  }
+  OwnKernels load() {
+    KernelTable table;
+    return load(table);
+  }
+
+  fs::path folder_;
+  Scene scene_ = parse_scene(swinging_plates(1, one_second), "plates", {});
+  Mechanism mechanism_ = make_mechanism(scene_);
+  std::chrono::milliseconds limit_ = std::chrono::minutes(3);  // where others compile, too
+};
+
+}  // namespace desmo::load

@@ -1,0 +1,145 @@
+// Code for a mechanism that is none of ours: made, found again, right.
+
+#include <cmath>
+
+#include "formulations/explicit_part.h"
+#include "formulations/lane_part.h"
+#include "tests/load/loading.h"
+
+namespace desmo::load {
+namespace {
+
+struct Recorder final : Sink {
+  void accept(const Instant& i) override {
+    values.insert(values.end(), i.q.begin(), i.q.end());
+    values.insert(values.end(), i.qd.begin(), i.qd.end());
+    values.insert(values.end(), i.qdd.begin(), i.qdd.end());
+  }
+  std::vector<double> values;
+};
+
+std::vector<double> run(Formulation& f, const TimeGrid& grid) {
+  Recorder recorder;
+  const Summary s = f.run(grid, Request{}, recorder);
+  EXPECT_TRUE(s.ok()) << describe(s, f.mechanism());
+  return recorder.values;
+}
+
+bool is_as_named(const Formulation& f) {
+  return std::ranges::all_of(f.parts(), &Formulation::DefinedPart::as_named);
+}
+
+template <class P>
+bool has(const Formulation& f) {
+  return std::ranges::any_of(f.parts(), [](const Formulation::DefinedPart& part) {
+    return dynamic_cast<const P*>(part.solver.get()) != nullptr;
+  });
+}
+
+struct OwnKernelsTest : Loading {
+  /// With code that was made for it, against automatic equations.
+  std::unique_ptr<Formulation> compare(const std::string& id) {
+    const Configuration c = parse_id(id, exact);
+    const OwnKernels own = load(table_, id);
+    EXPECT_EQ(own.problem, "") << id;
+    auto f = make_formulation(*c.variant, mechanism_, c.settings, nullptr, &table_);
+    EXPECT_TRUE(is_as_named(*f)) << id;
+    const std::vector<double> found = run(*f, scene_.grid);
+    const std::vector<double> expected = run(
+        *make_formulation(find_variant("group_automatic_eigen"), mechanism_, exact), scene_.grid);
+    EXPECT_EQ(found.size(), expected.size());
+    double largest = 0;
+    for (std::size_t i = 0; i < found.size() && i < expected.size(); ++i)
+      largest = std::max(largest,
+                         std::abs(found[i] - expected[i]) / std::max(1.0, std::abs(expected[i])));
+    EXPECT_LT(largest, 1e-10) << id;
+    return f;
+  }
+  void take(int copies) {
+    scene_ = parse_scene(swinging_plates(copies, one_second), "plates", {});
+    mechanism_ = make_mechanism(scene_);
+  }
+
+  static constexpr Settings exact{.tolerance = 1e-13};
+  KernelTable table_;
+};
+
+TEST_F(OwnKernelsTest, AreNotInTheProgram) {
+  for (const char* id : {"group_symbolic_klu", "block_symbolic_inlined"})
+    EXPECT_FALSE(is_as_named(*make_formulation(find_variant(id), mechanism_))) << id;
+}
+
+TEST_F(OwnKernelsTest, SolveInExplicitOrderWhatAutomaticEquationsSolve) {
+  EXPECT_TRUE(has<ExplicitPart>(*compare("group_symbolic_explicit")));
+}
+
+TEST_F(OwnKernelsTest, SolveWithEliminationInlinedAndAllAtOnce) {
+  compare("group_symbolic_inlined");
+  compare("group_symbolic_lapack");
+  compare("global_symbolic_klu");
+  EXPECT_EQ(compilations(), 1) << "all of them need the same code";
+}
+
+TEST_F(OwnKernelsTest, SolveBlockByBlock) { compare("block_symbolic_inlined"); }
+
+TEST_F(OwnKernelsTest, SolveTwinsInLanes) {
+  take(3);
+  EXPECT_TRUE(has<LanePart>(*compare("group_symbolic_explicit/lanes:4")));
+}
+
+TEST_F(OwnKernelsTest, AreNamedByGroupAndCounted) {
+  take(3);
+  const OwnKernels own = load(table_);
+  ASSERT_FALSE(own.types.empty());
+  int plates = 0;
+  for (const OwnKernels::Type& t : own.types) {
+    EXPECT_TRUE(t.group.starts_with("a/SG-")) << t.group;
+    EXPECT_EQ(t.parts, 3) << t.group;
+    plates += t.unknowns == 7;
+  }
+  EXPECT_EQ(plates, 1);
+  EXPECT_TRUE(own.compiled);
+  EXPECT_GT(own.seconds, own.seconds_compiling);
+  EXPECT_GT(own.seconds_compiling, 0);
+  EXPECT_EQ(own.folder, cache().string());
+  EXPECT_TRUE(own.compiler.starts_with((folder_ / "compiler").string())) << own.compiler;
+}
+
+TEST_F(OwnKernelsTest, AreCompiledOnce) {
+  EXPECT_TRUE(load().compiled);
+  const OwnKernels again = load(table_);
+  EXPECT_FALSE(again.compiled);
+  EXPECT_EQ(again.problem, "");
+  EXPECT_EQ(compilations(), 1);
+  EXPECT_TRUE(is_as_named(
+      *make_formulation(find_variant("group_symbolic_inlined"), mechanism_, {}, nullptr, &table_)));
+}
+
+TEST_F(OwnKernelsTest, FollowTheCompilerTheSamplesAndWhatIsInThem) {
+  load();
+  use_compiler("echo compiled >>'" + (folder_ / "count").string() +
+               "'\nexec " DESMO_COMPILER " \"$@\"");
+  load();
+  EXPECT_EQ(compilations(), 1) << "the same file of the same version";
+  fs::rename(folder_ / "compiler", folder_ / "other");
+  ::setenv("CXX", (folder_ / "other").c_str(), 1);
+  load();
+  EXPECT_EQ(compilations(), 2) << "another file";
+  load(table_, "group_symbolic_explicit");
+  EXPECT_EQ(compilations(), 3) << "explicit orders beside";
+}
+
+TEST_F(OwnKernelsTest, AreNeitherMadeNorSoughtWhereTheProgramHasThem) {
+  scene_ = library_scene("slider_crank");
+  mechanism_ = make_mechanism(scene_);
+  for (const char* id : {"group_symbolic_explicit/lanes:4", "block_symbolic_inlined"}) {
+    const OwnKernels own = load(table_, id);
+    EXPECT_TRUE(own.types.empty());
+    EXPECT_EQ(own.problem, "");
+  }
+  EXPECT_TRUE(load(table_, "group_automatic_klu").types.empty());
+  EXPECT_FALSE(fs::exists(folder_ / "desmo"));
+}
+
+}  // namespace
+}  // namespace desmo::load
