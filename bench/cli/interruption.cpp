@@ -7,6 +7,8 @@
 #include <csignal>
 #include <cstring>
 
+#include "formulations/load/program.h"
+
 namespace desmo::cli {
 namespace {
 
@@ -16,6 +18,7 @@ std::atomic<bool> is_to_be_removed{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
 extern "C" void end_now(int signal) {
+  load::end_running_program();
   if (is_to_be_removed) ::unlink(path_to_remove);
   ::_exit(128 + signal);
 }

@@ -1,4 +1,5 @@
-// SIGINT, SIGTERM and SIGHUP end the program at once and leave no unfinished file.
+// SIGINT, SIGTERM and SIGHUP end the program at once, and a compiler that it runs, and leave no
+// unfinished file.
 #pragma once
 
 #include <string>

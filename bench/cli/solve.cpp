@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -15,6 +16,7 @@
 #include "bench/cli/run_notes.h"
 #include "cases/names.h"
 #include "formulations/id.h"
+#include "formulations/load/own_kernels.h"
 #include "formulations/variants.h"
 
 namespace desmo::cli {
@@ -24,7 +26,8 @@ constexpr const char* default_formulation = "block_symbolic_inlined";
 
 struct Options {
   std::string scene, output, format, formulation;
-  bool explain = false, quiet = false;
+  bool explain = false, quiet = false, no_compile = false;
+  double compile_limit = 60;  // s
 
   std::string format_name() const {
     if (!format.empty()) return format;
@@ -59,6 +62,18 @@ void say(const std::string& text) {
   std::fflush(stderr);
 }
 
+/// The code that a formulation needs, where one is named: for the program's own choice nobody waits
+/// for a compiler.
+void add_kernels(KernelTable& table, const Configuration& chosen, const Mechanism& m,
+                 const Options& options, const Scene& scene) {
+  if (options.no_compile || (options.formulation.empty() && scene.formulation.empty())) return;
+  const std::chrono::duration<double> limit(options.compile_limit);
+  const load::OwnKernels own =
+      load::add_own_kernels(table, *chosen.variant, chosen.settings, m, scene.grid,
+                            std::chrono::ceil<std::chrono::milliseconds>(limit));
+  if (!options.quiet) say(note_on_own_kernels(own));
+}
+
 [[noreturn]] void fail(const std::string& what, long instants, const Input& input,
                        const Output& output) {
   std::string text = input.source + ": " + what;
@@ -69,12 +84,15 @@ void say(const std::string& text) {
 
 void solve(const Options& options) {
   const Input input = load_scene(options.scene);
-  const auto [variant, settings] = choose_formulation(options, input);
+  const Configuration chosen = choose_formulation(options, input);
+  const auto& [variant, settings] = chosen;
   Output output(options.output);
   const Mechanism whole = model(input).mechanism;
   const Plan plan = make_plan(whole, asked_by(input.scene, whole));
   if (options.explain) say(explain(plan, whole));
-  const auto formulation = make_formulation(*variant, plan.mechanism, settings);
+  KernelTable kernels;
+  add_kernels(kernels, chosen, plan.mechanism, options, input.scene);
+  const auto formulation = make_formulation(*variant, plan.mechanism, settings, nullptr, &kernels);
   formulation->solve_only(plan.levels);
   if (!options.quiet) say(note_on_code(*formulation));
 
@@ -124,6 +142,13 @@ void add_solve(CLI::App& program) {
                    "/guess:hermite5; by default the scene's, or " +
                        std::string(default_formulation))
       ->check(refuse_empty);
+  command->add_flag("--no-compile", options->no_compile,
+                    "Generate and load no code: parts for which the program brings none are "
+                    "evaluated automatically");
+  command
+      ->add_option("--compile-limit", options->compile_limit,
+                   "Seconds that a compiler may take; 60 by default")
+      ->check(CLI::Range(0.001, 86400.0));
   command->add_flag("--explain", options->explain,
                     "Say on standard error what has to be solved for what is asked, and why");
   command->add_flag("--quiet", options->quiet, "No progress and no notes");

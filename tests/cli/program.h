@@ -46,8 +46,12 @@ class Cli : public testing::Test {
     ASSERT_NE(mkdtemp(pattern.data()), nullptr);
     folder_ = pattern;
     std::filesystem::create_directory(folder_ / "out");
+    ::setenv("XDG_CACHE_HOME", folder_.c_str(), 1);
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
+  void TearDown() override {
+    ::unsetenv("XDG_CACHE_HOME");
+    std::filesystem::remove_all(folder_);
+  }
 
   static std::string text_of(const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary);
