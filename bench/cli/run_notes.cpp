@@ -20,13 +20,14 @@ std::string note_on_own_kernels(const load::OwnKernels& own) {
   std::string note;
   if (own.parts_too_large > 0)
     note = "note: " + count(own.parts_too_large, "part") + " too large to generate code for\n";
-  if (own.types.empty()) return note + (own.problem.empty() ? "" : "note: " + own.problem + "\n");
+  if (own.types.empty())
+    return note + (own.problem.empty() ? "" : "note: " + printable(own.problem, 600) + "\n");
   std::vector<std::string> types;
-  for (const load::OwnKernels::Type& t : own.types)
+  for (const load::TypeUse& t : own.types)
     types.push_back(printable(t.group) + " (" + count(t.unknowns, "unknown") +
                     (t.parts > 1 ? ", " + count(t.parts, "part") : "") + ")");
   const std::string of = " for " + enumerate(types, 8) + ": ";
-  if (!own.problem.empty()) return note + "note: no code" + of + own.problem + "\n";
+  if (!own.problem.empty()) return note + "note: no code" + of + printable(own.problem, 600) + "\n";
   char compiling[40] = "", time[40];
   if (own.compiled) std::snprintf(compiling, sizeof compiling, " in %.2f s", own.seconds_compiling);
   std::snprintf(time, sizeof time, " (%.2f s in all)\n", own.seconds);
@@ -35,13 +36,13 @@ std::string note_on_own_kernels(const load::OwnKernels& own) {
          compiling + time;
 }
 
-std::string note_on_code(const Formulation& f) {
+std::string note_on_code(const Formulation& f, bool named) {
   const auto without = std::ranges::count(f.parts(), false, &Formulation::DefinedPart::as_named);
   if (without == 0) return "";
   return "note: no generated code for " + std::to_string(without) + " of " +
          count(static_cast<long>(f.parts().size()), "part") +
-         (without == 1 ? "; it is evaluated automatically\n"
-                       : "; they are evaluated automatically\n");
+         (without == 1 ? "; it is evaluated automatically" : "; they are evaluated automatically") +
+         (named ? "\n" : " (a formulation that is named, with --formulation, has it made)\n");
 }
 
 std::string note_on_refusals(const Formulation& f) {

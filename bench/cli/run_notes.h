@@ -13,7 +13,8 @@ namespace desmo::cli {
 std::string note_on_own_kernels(const load::OwnKernels& own);
 
 /// A line when parts lack the generated code that the formulation's id promises; otherwise empty.
-std::string note_on_code(const Formulation& formulation);
+/// named: the user has chosen the formulation.
+std::string note_on_code(const Formulation& formulation, bool named);
 
 /// A line when generated code refused steps, and on which branches they came out; otherwise empty.
 std::string note_on_refusals(const Formulation& formulation);

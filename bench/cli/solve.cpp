@@ -62,11 +62,9 @@ void say(const std::string& text) {
   std::fflush(stderr);
 }
 
-/// The code that a formulation needs, where one is named: for the program's own choice nobody waits
-/// for a compiler.
+/// Adds the code that a formulation needs.
 void add_kernels(KernelTable& table, const Configuration& chosen, const Mechanism& m,
                  const Options& options, const Scene& scene) {
-  if (options.no_compile || (options.formulation.empty() && scene.formulation.empty())) return;
   const std::chrono::duration<double> limit(options.compile_limit);
   const load::OwnKernels own =
       load::add_own_kernels(table, *chosen.variant, chosen.settings, m, scene.grid,
@@ -91,10 +89,13 @@ void solve(const Options& options) {
   const Plan plan = make_plan(whole, asked_by(input.scene, whole));
   if (options.explain) say(explain(plan, whole));
   KernelTable kernels;
-  add_kernels(kernels, chosen, plan.mechanism, options, input.scene);
+  // For the program's own choice nobody waits for a compiler.
+  const bool named = !options.formulation.empty() || !input.scene.formulation.empty();
+  if (named && !options.no_compile)
+    add_kernels(kernels, chosen, plan.mechanism, options, input.scene);
   const auto formulation = make_formulation(*variant, plan.mechanism, settings, nullptr, &kernels);
   formulation->solve_only(plan.levels);
-  if (!options.quiet) say(note_on_code(*formulation));
+  if (!options.quiet) say(note_on_code(*formulation, named));
 
   const bool in_the_way = output.is_standard_output() && ::isatty(STDOUT_FILENO) == 1;
   Progress progress(input.scene.grid.instants, !options.quiet && !in_the_way);

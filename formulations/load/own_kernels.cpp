@@ -10,10 +10,8 @@
 #include "formulations/generate/library_source.h"
 #include "formulations/load/cache.h"
 #include "formulations/load/compiler.h"
-#include "formulations/load/motion_samples.h"
 #include "formulations/load/shared_library.h"
 #include "formulations/load/unavailable.h"
-#include "formulations/part_type.h"
 
 namespace desmo::load {
 
@@ -22,48 +20,8 @@ namespace {
 using generate::LibraryContents, generate::SampledType;
 using Clock = std::chrono::steady_clock;
 
-/// The work of a generator and a compiler grows faster than the size of a part.
-constexpr std::size_t most_unknowns = 100;
-/// More than these tell no more of a type.
-constexpr std::size_t enough_samples = 48;
-
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-std::vector<PartDefinition> parts_without_code(const Mechanism& m, const Variant& v,
-                                               LibraryContents contents, const KernelTable& table) {
-  std::vector<PartDefinition> result;
-  if (v.evaluation == Evaluation::automatic) return result;
-  for (const PartDefinition& part : make_partition(m, v.partition))
-    for (PartDefinition& group : split_by_group(m, part)) {
-      const std::string fingerprint = describe_type(m, group).fingerprint;
-      if (!table.find_kernel(fingerprint) ||
-          (contents.explicit_order && !table.find_explicit_kernel(fingerprint)) ||
-          (contents.lanes && !table.find_lane_kernel(fingerprint)))
-        result.push_back(std::move(group));
-    }
-  return result;
-}
-
-/// The types of the parts, named by numbers alone.
-std::vector<SampledType> sample_types(const std::vector<PartDefinition>& parts, const Mechanism& m,
-                                      const TimeGrid& grid, OwnKernels& told) {
-  const std::vector<std::vector<double>> states = sample_motion(m, grid);
-  if (states.empty()) throw Unavailable("the mechanism cannot be assembled");
-  std::vector<SampledType> types;
-  for (const PartDefinition& part : parts) {
-    SampledType& type = generate::add_part(m, part, states, types);
-    if (type.name.empty()) {
-      type.name = "type_" + std::to_string(types.size() - 1);
-      type.type = generate::without_names(std::move(type.type));
-      told.types.push_back(
-          {m.groups[part.groups.front()].name, static_cast<int>(part.unknowns.size())});
-    }
-    if (type.samples.size() > enough_samples) type.samples.resize(enough_samples);
-    ++told.types[&type - types.data()].parts;
-  }
-  return types;
 }
 
 std::string_view bytes(const std::vector<double>& values) {
@@ -125,13 +83,11 @@ OwnKernels add_own_kernels(KernelTable& table, const Variant& v, const Settings&
   OwnKernels told;
   const Clock::time_point start = Clock::now();
   const LibraryContents contents{v.explicit_order, settings.lanes > 1};
-  std::vector<PartDefinition> parts = parts_without_code(m, v, contents, table);
-  told.parts_too_large = static_cast<int>(std::erase_if(
-      parts, [](const PartDefinition& part) { return part.unknowns.size() > most_unknowns; }));
-  if (parts.empty()) return told;
   try {
-    const std::vector<SampledType> types = sample_types(parts, m, grid, told);
-    table.add(make_library(types, contents, compile_time, told));
+    WantedTypes wanted = wanted_types(v, contents, m, grid, table);
+    told.parts_too_large = wanted.parts_too_large;
+    told.types = std::move(wanted.uses);
+    if (!wanted.types.empty()) table.add(make_library(wanted.types, contents, compile_time, told));
   } catch (const std::exception& error) {
     told.problem = error.what();
   }

@@ -4,22 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "cases/mechanism.h"
-#include "cases/motion.h"
-#include "formulations/equations/kernel_table.h"
-#include "formulations/variants.h"
+#include "formulations/load/wanted_types.h"
 
 namespace desmo::load {
 
 /// What became of the code that a formulation needs beside what desmo was built with.
 struct OwnKernels {
-  /// A type of part.
-  struct Type {
-    std::string group;  ///< the first that has it
-    int unknowns = 0;
-    int parts = 0;
-  };
-  std::vector<Type> types;       ///< that code was wanted for
+  std::vector<TypeUse> types;    ///< that code was wanted for
   int parts_too_large = 0;       ///< to want any for them
   bool compiled = false;         ///< now, rather than before
   std::string compiler;          ///< its file and version

@@ -63,8 +63,10 @@ TEST_F(OwnCode, IsMadeOnceAndGivesTheSameAnswer) {
 TEST_F(OwnCode, IsNotMadeUnlessItsFormulationIsNamed) {
   ASSERT_EQ(desmo("solve own.json"), 0) << err_;
   EXPECT_TRUE(says("note: no generated code for ")) << err_;
+  EXPECT_TRUE(says("with --formulation, has it made")) << err_;
   ASSERT_EQ(desmo(explicit_order + std::string("--no-compile")), 0) << err_;
   EXPECT_TRUE(says("note: no generated code for ")) << err_;
+  EXPECT_FALSE(says("has it made")) << err_;
   EXPECT_FALSE(std::filesystem::exists(folder_ / "desmo"));
   write("own.json",
         swinging_plates(1, one_second + R"(, "formulation": "block_symbolic_inlined")"));

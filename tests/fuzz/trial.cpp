@@ -10,6 +10,8 @@
 
 #include "cases/files.h"
 #include "cases/names.h"
+#include "formulations/load/unavailable.h"
+#include "formulations/load/wanted_types.h"
 #include "formulations/modelling/model.h"
 #include "formulations/plan.h"
 #include "tests/fuzz/tree.h"
@@ -162,6 +164,19 @@ void rest_where_measured(Mechanism& mechanism) {
         Polynomial{{mechanism.estimate.at(mechanism.entities.at(driver.coordinate).first)}};
 }
 
+/// Code for what nobody has foreseen is written all the same; to compile it would take too long.
+void check_code(const Variant& variant, const Mechanism& mechanism, const TimeGrid& grid) {
+  const generate::LibraryContents contents{variant.explicit_order, variant.explicit_order};
+  try {
+    const load::WantedTypes wanted =
+        load::wanted_types(variant, contents, mechanism, grid, KernelTable::built_in());
+    const std::string source = generate::library_source(wanted.types, contents);
+    if (source.empty() != wanted.types.empty())
+      throw Finding("code: none for any type", wanted.types.front().type.fingerprint);
+  } catch (const load::Unavailable&) {
+  }
+}
+
 const Variant& affordable(const Variant& variant, const Mechanism& mechanism) {
   return is_dense_global(variant) && mechanism.coordinates() > largest_dense
              ? find_variant("global_automatic_klu")
@@ -220,6 +235,11 @@ Outcome attempt(std::string_view text, const std::filesystem::path& folder,
       check_delivered(plan, *formulation, t);
     }
   });
+  if (outcome == Outcome::solved)
+    passes<void>("code", folder, [&] {
+      const TimeGrid begin{scene.grid.start, scene.grid.step, most_instants};
+      check_code(variant, plan.mechanism, begin);
+    });
   return outcome;
 }
 

@@ -92,7 +92,7 @@ TEST_F(OwnKernelsTest, AreNamedByGroupAndCounted) {
   const OwnKernels own = load(table_);
   ASSERT_FALSE(own.types.empty());
   int plates = 0;
-  for (const OwnKernels::Type& t : own.types) {
+  for (const TypeUse& t : own.types) {
     EXPECT_TRUE(t.group.starts_with("a/SG-")) << t.group;
     EXPECT_EQ(t.parts, 3) << t.group;
     plates += t.unknowns == 7;
@@ -115,7 +115,7 @@ TEST_F(OwnKernelsTest, AreCompiledOnce) {
       *make_formulation(find_variant("group_symbolic_inlined"), mechanism_, {}, nullptr, &table_)));
 }
 
-TEST_F(OwnKernelsTest, FollowTheCompilerTheSamplesAndWhatIsInThem) {
+TEST_F(OwnKernelsTest, FollowTheCompilerAndWhatIsAskedOfThem) {
   load();
   use_compiler("echo compiled >>'" + (folder_ / "count").string() +
                "'\nexec " DESMO_COMPILER " \"$@\"");
@@ -127,6 +127,14 @@ TEST_F(OwnKernelsTest, FollowTheCompilerTheSamplesAndWhatIsInThem) {
   EXPECT_EQ(compilations(), 2) << "another file";
   load(table_, "group_symbolic_explicit");
   EXPECT_EQ(compilations(), 3) << "explicit orders beside";
+}
+
+TEST_F(OwnKernelsTest, DoNotFollowTheDigitsOfAMotion) {
+  load();
+  scene_.grid.instants -= 1;
+  EXPECT_EQ(load().problem, "");
+  EXPECT_EQ(cached(".cpp").size(), 2u) << "generated anew";
+  EXPECT_EQ(compilations(), 1) << "to the same code";
 }
 
 TEST_F(OwnKernelsTest, AreNeitherMadeNorSoughtWhereTheProgramHasThem) {
