@@ -4,7 +4,6 @@
 #include <cstdio>
 
 #include "bench/cli/text.h"
-#include "cases/names.h"
 #include "formulations/guarded_part.h"
 
 namespace desmo::cli {
@@ -15,26 +14,6 @@ namespace {
 constexpr double near_rounding = 1e-11;
 
 }  // namespace
-
-std::string note_on_own_kernels(const load::OwnKernels& own) {
-  std::string note;
-  if (own.parts_too_large > 0)
-    note = "note: " + count(own.parts_too_large, "part") + " too large to generate code for\n";
-  if (own.types.empty())
-    return note + (own.problem.empty() ? "" : "note: " + printable(own.problem, 600) + "\n");
-  std::vector<std::string> types;
-  for (const load::TypeUse& t : own.types)
-    types.push_back(printable(t.group) + " (" + count(t.unknowns, "unknown") +
-                    (t.parts > 1 ? ", " + count(t.parts, "part") : "") + ")");
-  const std::string of = " for " + enumerate(types, 8) + ": ";
-  if (!own.problem.empty()) return note + "note: no code" + of + printable(own.problem, 600) + "\n";
-  char compiling[40] = "", time[40];
-  if (own.compiled) std::snprintf(compiling, sizeof compiling, " in %.2f s", own.seconds_compiling);
-  std::snprintf(time, sizeof time, " (%.2f s in all)\n", own.seconds);
-  return note + "note: code" + of +
-         (own.compiled ? "compiled by " + own.compiler : "from " + printable(own.folder, 300)) +
-         compiling + time;
-}
 
 std::string note_on_code(const Formulation& f, bool named) {
   const auto without = std::ranges::count(f.parts(), false, &Formulation::DefinedPart::as_named);

@@ -4,13 +4,8 @@
 #include <string>
 
 #include "formulations/formulation.h"
-#include "formulations/load/own_kernels.h"
 
 namespace desmo::cli {
-
-/// What was generated for the formulation and how long it took, or why it was not; empty when it
-/// needed nothing beside what the program brings.
-std::string note_on_own_kernels(const load::OwnKernels& own);
 
 /// A line when parts lack the generated code that the formulation's id promises; otherwise empty.
 /// named: the user has chosen the formulation.

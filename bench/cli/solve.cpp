@@ -2,7 +2,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -13,10 +12,10 @@
 #include "bench/cli/errors.h"
 #include "bench/cli/explanation.h"
 #include "bench/cli/input.h"
+#include "bench/cli/own_code.h"
 #include "bench/cli/run_notes.h"
 #include "cases/names.h"
 #include "formulations/id.h"
-#include "formulations/load/own_kernels.h"
 #include "formulations/variants.h"
 
 namespace desmo::cli {
@@ -26,8 +25,8 @@ constexpr const char* default_formulation = "block_symbolic_inlined";
 
 struct Options {
   std::string scene, output, format, formulation;
-  bool explain = false, quiet = false, no_compile = false;
-  double compile_limit = 60;  // s
+  bool explain = false, quiet = false;
+  OwnCode own_code;
 
   std::string format_name() const {
     if (!format.empty()) return format;
@@ -62,16 +61,6 @@ void say(const std::string& text) {
   std::fflush(stderr);
 }
 
-/// Adds the code that a formulation needs.
-void add_kernels(KernelTable& table, const Configuration& chosen, const Mechanism& m,
-                 const Options& options, const Scene& scene) {
-  const std::chrono::duration<double> limit(options.compile_limit);
-  const load::OwnKernels own =
-      load::add_own_kernels(table, *chosen.variant, chosen.settings, m, scene.grid,
-                            std::chrono::ceil<std::chrono::milliseconds>(limit));
-  if (!options.quiet) say(note_on_own_kernels(own));
-}
-
 [[noreturn]] void fail(const std::string& what, long instants, const Input& input,
                        const Output& output) {
   std::string text = input.source + ": " + what;
@@ -91,8 +80,9 @@ void solve(const Options& options) {
   KernelTable kernels;
   // For the program's own choice nobody waits for a compiler.
   const bool named = !options.formulation.empty() || !input.scene.formulation.empty();
-  if (named && !options.no_compile)
-    add_kernels(kernels, chosen, plan.mechanism, options, input.scene);
+  if (named)
+    add_own_code(kernels, chosen, plan.mechanism, input.scene.grid, options.own_code,
+                 options.quiet);
   const auto formulation = make_formulation(*variant, plan.mechanism, settings, nullptr, &kernels);
   formulation->solve_only(plan.levels);
   if (!options.quiet) say(note_on_code(*formulation, named));
@@ -143,13 +133,7 @@ void add_solve(CLI::App& program) {
                    "/guess:hermite5; by default the scene's, or " +
                        std::string(default_formulation))
       ->check(refuse_empty);
-  command->add_flag("--no-compile", options->no_compile,
-                    "Generate and load no code: parts for which the program brings none are "
-                    "evaluated automatically");
-  command
-      ->add_option("--compile-limit", options->compile_limit,
-                   "Seconds that a compiler may take; 60 by default")
-      ->check(CLI::Range(0.001, 86400.0));
+  add_options(*command, options->own_code);
   command->add_flag("--explain", options->explain,
                     "Say on standard error what has to be solved for what is asked, and why");
   command->add_flag("--quiet", options->quiet, "No progress and no notes");

@@ -10,6 +10,7 @@
 #include "bench/cli/errors.h"
 #include "bench/cli/input.h"
 #include "bench/cli/output.h"
+#include "bench/cli/own_code.h"
 #include "bench/cli/text.h"
 #include "bench/precision/search.h"
 #include "cases/files/scene_text.h"
@@ -25,6 +26,7 @@ struct Options {
   std::string scene, level = "position";
   double max_error = 0, budget = 0;
   bool write = false, exhaustive = false, quiet = false;
+  OwnCode own_code;
 
   precision::Goal goal() const {
     return {level == "position"   ? Level::position
@@ -95,6 +97,14 @@ void write_scene(const std::string& path, const std::string& id) {
   output.finish();
 }
 
+/// The code of all formulations that have any: theirs by groups, and by blocks.
+KernelTable make_kernels(const Plan& plan, const TimeGrid& grid, const Options& options) {
+  KernelTable kernels;
+  for (const char* id : {"group_symbolic_explicit/lanes:4", "block_symbolic_explicit/lanes:4"})
+    add_own_code(kernels, parse_id(id), plan.mechanism, grid, options.own_code, options.quiet);
+  return kernels;
+}
+
 void tune(const Options& options) {
   if ((options.max_error > 0) == (options.budget > 0))
     throw Error(usage_error, "give either --max-error or --budget");
@@ -110,8 +120,10 @@ void tune(const Options& options) {
   const auto say = [&](const std::string& what) {
     if (!options.quiet) std::fprintf(stderr, "tune: %s\n", what.c_str());
   };
+  const KernelTable kernels = make_kernels(plan, input.scene.grid, options);
   say("reference solutions in quadruple precision");
-  const precision::TunedMotion motion = precision::make_tuned_motion(plan, input.scene.grid);
+  precision::TunedMotion motion = precision::make_tuned_motion(plan, input.scene.grid);
+  motion.whole.kernels = motion.begin.kernels = kernels;
   const precision::Found found =
       precision::search(motion, goal, {.exhaustive = options.exhaustive, .say = say});
   if (!found.choice) refuse(found, motion.whole, options, input);
@@ -160,6 +172,7 @@ void add_tune(CLI::App& program) {
   command->add_flag("--write", options->write, "Store the choice in the scene file");
   command->add_flag("--exhaustive", options->exhaustive,
                     "Try every formulation with all settings on the whole motion");
+  add_options(*command, options->own_code);
   command->add_flag("--quiet", options->quiet, "No progress");
   command->callback([options] { tune(*options); });
 }

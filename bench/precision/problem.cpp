@@ -12,7 +12,7 @@ Problem make_problem(Plan plan, const TimeGrid& grid, int compared) {
   for (long i = 0; i < count; ++i)
     times.push_back(grid.time(static_cast<int>(i * last / (count - 1))));
   Reference reference = make_reference(plan.mechanism, times);
-  return {std::move(plan), grid, std::move(reference)};
+  return {std::move(plan), grid, std::move(reference), {}};
 }
 
 TunedMotion make_tuned_motion(const Plan& plan, const TimeGrid& grid) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "cases/motion.h"
+#include "formulations/equations/kernel_table.h"
 #include "formulations/plan.h"
 #include "formulations/reference.h"
 
@@ -10,7 +11,8 @@ namespace desmo::precision {
 struct Problem {
   Plan plan;
   TimeGrid grid;
-  Reference reference;  ///< at some instants of the grid, the first and the last among them
+  Reference reference;    ///< at some instants of the grid, the first and the last among them
+  KernelTable kernels{};  ///< of what formulations are made
 };
 
 /// compared: instants of the reference, at least 2; all of the grid when it has no more. Throws

@@ -47,8 +47,8 @@ void Trial::compare() {
   if (state != State::untried) return;
   const Plan& plan = problem_.plan;
   try {
-    formulation_ =
-        make_formulation(*configuration_.variant, plan.mechanism, configuration_.settings);
+    formulation_ = make_formulation(*configuration_.variant, plan.mechanism,
+                                    configuration_.settings, nullptr, &problem_.kernels);
     formulation_->solve_only(plan.levels);
     const Reference& reference = problem_.reference;
     const std::vector<double> times = some_times(reference);

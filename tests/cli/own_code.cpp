@@ -100,9 +100,18 @@ TEST_F(OwnCode, IsDoneWithoutWhereThereIsNoCompiler) {
   EXPECT_EQ(desmo(explicit_order + std::string("--compile-limit 0")), 64);
 }
 
+TEST_F(OwnCode, IsWhatTuneChoosesFrom) {
+  ASSERT_EQ(desmo("tune own.json --max-error 1e-8 --write"), 0) << err_;
+  EXPECT_TRUE(says("note: code for a/SG-II (7 unknowns)")) << err_;
+  const std::string id = lines().at(0);
+  EXPECT_NE(id.find("_symbolic_"), std::string::npos) << id << ": nothing else is as fast";
+  ASSERT_EQ(desmo("solve own.json"), 0) << err_;
+  EXPECT_FALSE(says("automatically")) << err_;
+}
+
 TEST_F(OwnCode, RefusesNamesThatAreNone) {
   for (const char* name :
-       {"a\\\"b", "a\\nb", "$(touch pwned)", "`x`", "-o", "*/ x", "??/", "a b"}) {
+       {"a\\\"b", "a\\nb", "$(touch pwned)", "`x`", "-o", "*/ x", "?\?/", "a b"}) {
     std::string text = swinging_plates(1, one_second);
     for (std::size_t at = 0; (at = text.find("a/Q1", at)) != text.npos; at += 1)
       text.replace(at, 4, name);
