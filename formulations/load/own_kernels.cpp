@@ -82,7 +82,7 @@ OwnKernels add_own_kernels(KernelTable& table, const Variant& v, const Settings&
                            std::chrono::milliseconds compile_time) {
   OwnKernels told;
   const Clock::time_point start = Clock::now();
-  const LibraryContents contents{v.explicit_order, settings.lanes > 1};
+  const LibraryContents contents{v.explicit_order, settings.lanes > 1 || settings.segments > 1};
   try {
     WantedTypes wanted = wanted_types(v, contents, m, grid, table);
     told.parts_too_large = wanted.parts_too_large;

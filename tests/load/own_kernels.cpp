@@ -87,6 +87,15 @@ TEST_F(OwnKernelsTest, SolveTwinsInLanes) {
   EXPECT_TRUE(has<LanePart>(*compare("group_symbolic_explicit/lanes:4")));
 }
 
+TEST_F(OwnKernelsTest, SolveSegmentsOfTheMotionInLanes) {
+  const auto f = compare("group_symbolic_explicit/segments:4");
+  EXPECT_EQ(f->run_by_steps(), 0);
+  for (const Formulation::DefinedPart& part : f->parts())
+    if (const auto* solver = dynamic_cast<const ExplicitPart*>(part.solver.get())) {
+      EXPECT_NE(table_.find_lane_kernel(solver->kernel().fingerprint), nullptr);
+    }
+}
+
 TEST_F(OwnKernelsTest, AreNamedByGroupAndCounted) {
   take(3);
   const OwnKernels own = load(table_);
