@@ -72,7 +72,7 @@ std::string failure_text(const Summary& s, const Mechanism& m) {
     place =
         "group '" + m.groups[s.group].name + "' (" + enumerate(m.groups[s.group].bodies, 8) + "), ";
   if (s.constraint >= 0) place += "constraint '" + m.constraints[s.constraint].name + "', ";
-  char numbers[96];
+  char numbers[160];
   std::snprintf(numbers, sizeof numbers, "t = %.9g s: %s (residual %.1e)", s.time, reason.what,
                 s.residual);
   return place + numbers + "; " + reason.remedy;
