@@ -13,8 +13,6 @@
 #include <string>
 
 #include "cases/cases.h"
-#include "cases/files.h"
-#include "cases/library.h"
 #include "formulations/equations/turned_angle.h"
 #include "formulations/explicit_part.h"
 #include "formulations/id.h"
@@ -228,12 +226,7 @@ struct LastInstant final : Sink {
 constexpr Settings on_lanes{.lanes = lane_count};
 
 TEST(Lanes, SolveWhatSolvingOneByOneSolves) {
-  std::vector<std::pair<Mechanism, TimeGrid>> all;
-  for (const Case& c : cases()) all.emplace_back(make_mechanism(c.describe(3)), time_grid(3, 0.01));
-  for (const LibraryMechanism& l : library()) {
-    const Scene scene = parse_scene(l.scene, std::string(l.name), {});
-    all.emplace_back(make_mechanism(scene), scene.grid);
-  }
+  const auto all = every_motion();
   for (const char* id : {"group_symbolic_explicit", "block_symbolic_explicit"})
     for (const auto& [m, grid] : all) {
       const auto one_by_one = make_formulation(find_variant(id), m),

@@ -10,8 +10,6 @@
 #include <vector>
 
 #include "cases/cases.h"
-#include "cases/files.h"
-#include "cases/library.h"
 #include "formulations/equations/lanes.h"
 #include "formulations/id.h"
 #include "formulations/variants.h"
@@ -56,12 +54,7 @@ void expect_same(const Everything& actual, const Everything& expected, const std
 }
 
 TEST(TimeLanes, SolveWhatStepsSolve) {
-  std::vector<std::pair<Mechanism, TimeGrid>> all;
-  for (const Case& c : cases()) all.emplace_back(make_mechanism(c.describe(3)), time_grid(3, 0.01));
-  for (const LibraryMechanism& l : library()) {
-    const Scene scene = parse_scene(l.scene, std::string(l.name), {});
-    all.emplace_back(make_mechanism(scene), scene.grid);
-  }
+  const auto all = every_motion();
   for (const char* id : {"group_symbolic_explicit", "block_symbolic_explicit"})
     for (const Guess guess : {Guess::previous, Guess::hermite5})
       for (const auto& [m, grid] : all) {

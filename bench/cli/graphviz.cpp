@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "bench/cli/errors.h"
+#include "formulations/load/file_actions.h"
 
 extern char** environ;
 
@@ -28,19 +29,11 @@ File holding(const std::string& text) {
   return file;
 }
 
-struct FileActions {
-  FileActions() { ::posix_spawn_file_actions_init(&list); }
-  FileActions(const FileActions&) = delete;
-  FileActions& operator=(const FileActions&) = delete;
-  ~FileActions() { ::posix_spawn_file_actions_destroy(&list); }
-  posix_spawn_file_actions_t list;
-};
-
 }  // namespace
 
 void draw_svg(const std::string& graph, Output& output) {
   const File input = holding(graph);
-  FileActions actions;
+  load::FileActions actions;
   ::posix_spawn_file_actions_adddup2(&actions.list, ::fileno(input.get()), STDIN_FILENO);
   ::posix_spawn_file_actions_adddup2(&actions.list, output.descriptor(), STDOUT_FILENO);
   char program[] = "dot", format[] = "-Tsvg";

@@ -68,10 +68,10 @@ double largest_ratio(Expr a, Expr b) {
 /// How much worse than the worst sample a pivot may become before it is distrusted.
 constexpr double magnification_allowed = 1e3, cancellation_allowed = 1e6;
 
-/// A bound that ratios of that size are far from, to the next power of two: the text of the code
+/// A bound that ratios of that size are far from, the power of two below it: the text of the code
 /// does not change with every digit of the samples.
 double bound(double allowed, double largest) {
-  return std::exp2(std::ceil(std::log2(allowed * (1 + largest))));
+  return std::exp2(std::floor(std::log2(allowed * (1 + largest))));
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include <system_error>
 
 #include "formulations/load/descriptor.h"
+#include "formulations/load/file_actions.h"
 
 namespace desmo::load {
 
@@ -45,14 +46,6 @@ std::vector<char*> pointers(const std::vector<std::string>& texts) {
   result.push_back(nullptr);
   return result;
 }
-
-struct FileActions {
-  FileActions() { ::posix_spawn_file_actions_init(&list); }
-  FileActions(const FileActions&) = delete;
-  FileActions& operator=(const FileActions&) = delete;
-  ~FileActions() { ::posix_spawn_file_actions_destroy(&list); }
-  posix_spawn_file_actions_t list;
-};
 
 /// A process group of its own, so that what it starts ends with it, and signals as they are for a
 /// program that was started by hand.
