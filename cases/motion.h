@@ -126,8 +126,13 @@ struct TimeGrid {
   double start = 0;  ///< s
   double step = 0;   ///< s, positive
   int instants = 0;  ///< both ends included
+  int stride = 1;    ///< steps from one instant to the next
 
-  double time(int i) const { return start + i * step; }
+  double time(int i) const { return start + i * stride * step; }
+  double interval() const { return stride * step; }  ///< s, from one instant to the next
+
+  /// Its first instant and every so manieth after it, at the very same times.
+  TimeGrid every(int nth) const { return {start, step, (instants + nth - 1) / nth, stride * nth}; }
 };
 
 }  // namespace desmo

@@ -39,7 +39,7 @@ BranchMonitor::BranchMonitor(const Plan& plan)
 }
 
 int BranchMonitor::violated(const Instant& instant) {
-  if (watched_.empty()) return -1;
+  if (watched_.empty() || instant.interpolated) return -1;
   const Mechanism& m = plan_.mechanism;
   std::ranges::copy(instant.q, state_.begin());
   std::ranges::copy(instant.qd, rate_.begin());

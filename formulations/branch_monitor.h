@@ -21,7 +21,7 @@ class BranchMonitor {
 
   /// A constraint of the plan's mechanism that a solved instant does not satisfy in this sense, in
   /// position or, as far as it was solved, in velocity, to 1e-6 of what its equations add up; -1:
-  /// none.
+  /// none. Interpolated instants are not looked at: another branch shows where one is solved.
   int violated(const Instant& instant);
 
  private:

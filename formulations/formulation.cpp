@@ -7,6 +7,7 @@
 #include <iterator>
 #include <utility>
 
+#include "formulations/dense_output.h"
 #include "formulations/diagnosis.h"
 #include "formulations/trajectory.h"
 
@@ -72,6 +73,7 @@ void Formulation::prepare() {
 }
 
 void Formulation::solve_only(std::span<const Level> needed) {
+  if (settings_.stride > 1) return;
   for (DefinedPart& part : parts_) {
     part.level = Level::position;
     for (const int i : part.definition.unknowns) part.level = std::max(part.level, needed[i]);
@@ -178,31 +180,47 @@ std::optional<Summary> Formulation::run_at_once(const TimeGrid& grid, const Requ
   return total;
 }
 
-Summary Formulation::run(const TimeGrid& grid, const Request& request, Sink& sink) {
+/// Solves the instant after the last, or the first, and adds it to the total. False: it failed.
+bool Formulation::solve_next(int i, double t, const Request& request, Sink& sink, Summary& total) {
+  const Summary s = i == 0 ? assemble(t, request.level) : step(t, request.level);
+  total.time = t;
+  total.iterations += s.iterations;
+  total.updates += s.updates;
+  if (!s.ok()) {
+    total.status = s.status;
+    total.group = s.group;
+    total.constraint = s.constraint;
+    total.residual = s.residual;
+    return false;
+  }
+  ++total.instants;
+  total.residual = std::max(total.residual, s.residual);
+  sink.accept({i, t, q(), request.level >= Level::velocity ? qd() : std::span<const double>{},
+               request.level >= Level::acceleration ? qdd() : std::span<const double>{},
+               s.updates});
+  return true;
+}
+
+Summary Formulation::solve_all(const TimeGrid& grid, const Request& request, Sink& sink) {
   if (whole_motion_) {
     if (const std::optional<Summary> total = run_at_once(grid, request, sink)) return *total;
     ++run_by_steps_;
   }
   Summary total;
-  for (int i = 0; i < grid.instants; ++i) {
-    const double t = grid.time(i);
-    const Summary s = i == 0 ? assemble(t, request.level) : step(t, request.level);
-    total.time = t;
-    total.iterations += s.iterations;
-    total.updates += s.updates;
-    if (!s.ok()) {
-      total.status = s.status;
-      total.group = s.group;
-      total.constraint = s.constraint;
-      total.residual = s.residual;
-      return total;
-    }
-    ++total.instants;
-    total.residual = std::max(total.residual, s.residual);
-    sink.accept({i, t, q(), request.level >= Level::velocity ? qd() : std::span<const double>{},
-                 request.level >= Level::acceleration ? qdd() : std::span<const double>{},
-                 s.updates});
-  }
+  for (int i = 0; i < grid.instants; ++i)
+    if (!solve_next(i, grid.time(i), request, sink, total)) break;
+  return total;
+}
+
+Summary Formulation::run(const TimeGrid& grid, const Request& request, Sink& sink) {
+  if (settings_.stride == 1) return solve_all(grid, request, sink);
+  const TimeGrid solved = grid.every(settings_.stride);
+  const Request every_level{Level::acceleration, request.coordinates};
+  DenseOutput all(grid, settings_.stride, request, mechanism_.coordinates(), sink);
+  Summary total = solve_all(solved, every_level, all);
+  if (total.ok() && all.delivered() < grid.instants)  // the rest, shorter than the stride
+    solve_next(solved.instants, grid.time(grid.instants - 1), every_level, all, total);
+  total.instants = all.delivered();
   return total;
 }
 

@@ -21,16 +21,17 @@ struct Request {
   std::span<const int> coordinates{};
 };
 
-/// One solved instant. The spans are in coordinate order and valid until the next step; those
+/// One instant of a motion. The spans are in coordinate order and valid until the next step; those
 /// beyond the requested level are empty.
 struct Instant {
   int index;
   double time;  ///< s
   std::span<const double> q, qd, qdd;
-  long updates = 0;  ///< that it took: see Summary
+  long updates = 0;           ///< that it took: see Summary
+  bool interpolated = false;  ///< between those solved (see Settings::stride)
 };
 
-/// Receives solved instants in order of time.
+/// Receives the instants of a motion in order of time.
 class Sink {
  public:
   virtual ~Sink() = default;
@@ -43,7 +44,7 @@ class Sink {
 /// What became of a step, or of a whole run.
 struct Summary {
   Status status = Status::converged;
-  long instants = 0;    ///< solved
+  long instants = 0;    ///< solved, or interpolated between those solved
   long iterations = 0;  ///< Newton iterations, the largest of any part, summed over instants
   /// Unknowns that Newton's method moved: of each part its number times its iterations, summed. The
   /// work of a motion grows with it, beside that of every instant.
@@ -99,12 +100,14 @@ class Formulation {
   /// needs and was not solved in the two instants before, it does without (see best_guess).
   Summary step(double t, Level level = Level::acceleration);
   /// Assembles at the first instant of the grid and steps through the others, or takes several at
-  /// once where settings say so, handing each to the sink. Stops at the first failure.
+  /// once, or solves some and interpolates the others, where settings say so; hands each to the
+  /// sink. Stops at the first failure: up to the last instant solved before it, all were handed on.
   Summary run(const TimeGrid& grid, const Request& request, Sink& sink);
 
   /// Leaves out the levels of parts that nobody asks for: a part is solved as far as the highest
   /// level of its unknowns. needed: one for each coordinate; what a part needs must be asked for at
-  /// the part's own level or a higher one. Values of levels left out are unspecified.
+  /// the part's own level or a higher one. Values of levels left out are unspecified. Where
+  /// instants are interpolated nothing is left out, for that takes all levels.
   void solve_only(std::span<const Level> needed);
 
   /// How often a motion that was to be solved at once was solved step by step after all.
@@ -136,6 +139,8 @@ class Formulation {
   };
 
   void prepare();
+  Summary solve_all(const TimeGrid& grid, const Request& request, Sink& sink);
+  bool solve_next(int i, double t, const Request& request, Sink& sink, Summary& total);
   std::optional<Summary> run_at_once(const TimeGrid& grid, const Request& request, Sink& sink);
   void guess(double t);
   Summary solve(std::span<const Stage> stages, double t, Level level);

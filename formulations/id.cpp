@@ -74,14 +74,13 @@ Suffix choice(std::string_view key, Choice Settings::*setting,
           }};
 }
 
-Suffix iterations() {
-  return {"iterations", "a whole number from 1 to 1000",
-          [](const Settings& s) {
-            return s.fixed_iterations == 0 ? std::string() : std::to_string(s.fixed_iterations);
+Suffix whole_number(std::string_view key, int Settings::*number, int largest) {
+  return {key, "a whole number from 1 to " + std::to_string(largest),
+          [=](const Settings& s) {
+            return s.*number == Settings{}.*number ? std::string() : std::to_string(s.*number);
           },
-          [](std::string_view text, Settings& s) {
-            return read(text, s.fixed_iterations) && s.fixed_iterations >= 1 &&
-                   s.fixed_iterations <= 1000;
+          [=](std::string_view text, Settings& s) {
+            return read(text, s.*number) && s.*number >= 1 && s.*number <= largest;
           }};
 }
 
@@ -120,7 +119,8 @@ const std::vector<Suffix>& suffixes() {
         choice("scalar", &Settings::scalar, names(scalar_names)),
         at_once("lanes", &Settings::lanes),
         at_once("segments", &Settings::segments),
-        iterations(),
+        whole_number("stride", &Settings::stride, largest_stride),
+        whole_number("iterations", &Settings::fixed_iterations, 1000),
         tolerance()};
   }();
   return all;

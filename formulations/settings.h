@@ -31,6 +31,8 @@ enum class Factorisation {
   per_level,  ///< one of them: each level makes its own
 };
 
+inline constexpr int largest_stride = 64;
+
 /// What an analysis may use. The defaults are the paper's. Not every formulation offers every
 /// combination (see why_not in formulations/variants.h).
 struct Settings {
@@ -53,6 +55,10 @@ struct Settings {
   /// Into how many segments a motion known in advance is cut, to be solved at once on wide
   /// registers, by variants that have code for it; 1: it is solved step by step.
   int segments = 1;
+  /// Of a motion known in advance every so manieth instant is solved, and the last; those between
+  /// are interpolated (see formulations/dense_output.h), 2 … largest_stride. 1: all are solved, as
+  /// they are when instants are asked for one at a time.
+  int stride = 1;
 };
 
 }  // namespace desmo

@@ -94,7 +94,7 @@ std::optional<Summary> TimeLanes::run(const TimeGrid& grid, const Request& reque
   Summary total;
   Lanes residual2 = 0;
   for (int i = 0; i <= length; ++i) {  // up to the first instant of the next segment
-    guess(grid.step, std::min(i, 2));
+    guess(grid.interval(), std::min(i, 2));
     drive(grid, length, i);
     const Step step = solve();
     if (!step.ok) return {};

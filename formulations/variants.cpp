@@ -63,6 +63,9 @@ std::string why_not(const Variant& v, const Settings& s) {
   if (!(s.tolerance > 0) || s.max_iterations < 1 || s.fixed_iterations < 0)
     return "the tolerance must be positive, at least one iteration allowed, and the fixed number "
            "of iterations not negative";
+  if (s.stride < 1 || s.stride > largest_stride)
+    return "every instant is solved, or every so manieth up to the " +
+           std::to_string(largest_stride) + "th";
   for (const int at_once : {s.lanes, s.segments})
     if (at_once != 1 && (at_once != lane_count || !v.explicit_order))
       return "there is code for " + std::to_string(lane_count) + " lanes, in explicit order";

@@ -163,6 +163,20 @@ TEST_P(EveryVariant, AllocatesNothingInAStepWhateverTheSettings) {
   }
 }
 
+/// Interpolation takes its memory once a motion, however many instants that has.
+TEST(DenseOutput, AllocatesNothingFromInstantToInstant) {
+  class Discard final : public Sink {
+   public:
+    void accept(const Instant&) override {}
+  } sink;
+  const Mechanism m = make_mechanism(describe(find_case("truck_suspension"), 114));
+  const auto f = make_formulation(find_variant("group_symbolic_klu"), m, {.stride = 8});
+  ASSERT_TRUE(f->run(time_grid(1, 0.01), {}, sink).ok());
+  const long once = count([&] { f->run(time_grid(0.08, 0.01), {}, sink); });
+  EXPECT_GT(once, 0);
+  EXPECT_EQ(count([&] { f->run(time_grid(1, 0.01), {}, sink); }), once);
+}
+
 INSTANTIATE_TEST_SUITE_P(Table, EveryVariant,
                          testing::ValuesIn(variants().begin(), variants().end()),
                          EveryVariant::name);

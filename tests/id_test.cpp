@@ -39,16 +39,18 @@ TEST(Id, ReadsBackEveryValueOfEverySuffix) {
        {"", "/guess:linear", "/guess:quadratic", "/guess:hermite3", "/guess:hermite5",
         "/jacobian:step", "/jacobian:chord", "/factorisation:per_level", "/scalar:mixed",
         "/scalar:float/tolerance:1e-5", "/iterations:1", "/iterations:12", "/tolerance:1e-6",
-        "/tolerance:1e-10", "/tolerance:3e+0", "/guess:hermite5/jacobian:step/tolerance:1e-8"}) {
+        "/stride:2", "/stride:64", "/stride:8/tolerance:1e-6", "/tolerance:1e-10",
+        "/tolerance:3e+0", "/guess:hermite5/jacobian:step/tolerance:1e-8"}) {
     const std::string id = std::string("group_automatic_eigen") + suffix;
     const Configuration c = parse_id(id);
     EXPECT_EQ(c.variant, &find_variant("group_automatic_eigen"));
     EXPECT_EQ(id_with(*c.variant, c.settings), id);
   }
   EXPECT_EQ(parse_id("group_symbolic_explicit/lanes:4").settings.lanes, 4);
-  EXPECT_EQ(id_with(find_variant("group_automatic_eigen"),
-                    parse_id("group_automatic_eigen/guess:previous/tolerance:1e-12").settings),
-            "group_automatic_eigen");
+  EXPECT_EQ(
+      id_with(find_variant("group_automatic_eigen"),
+              parse_id("group_automatic_eigen/guess:previous/stride:1/tolerance:1e-12").settings),
+      "group_automatic_eigen");
 }
 
 TEST(Id, LeavesTheBaseWhereItSaysNothing) {
@@ -70,7 +72,7 @@ TEST(Id, SaysWhatIsWrong) {
       {"group_symbolic_klu/guess", "unknown suffix '/guess'"},
       {"group_symbolic_klu/gess:linear",
        "unknown suffix '/gess:linear'; there are, each followed by ':' and a value: guess, "
-       "jacobian, factorisation, scalar, lanes, segments, iterations, tolerance"},
+       "jacobian, factorisation, scalar, lanes, segments, stride, iterations, tolerance"},
       {"group_symbolic_explicit/lanes:5", "unknown value '5' of '/lanes:'; there are: 4"},
       {"group_symbolic_klu/guess:cubic",
        "unknown value 'cubic' of '/guess:'; there are: previous, linear, quadratic, hermite3, "
@@ -79,6 +81,8 @@ TEST(Id, SaysWhatIsWrong) {
       {"group_symbolic_klu/guess:linear/guess:linear", "'/guess:' is given twice"},
       {"group_symbolic_klu/iterations:0", "unknown value '0' of '/iterations:'"},
       {"group_symbolic_klu/iterations:2.5", "a whole number from 1 to 1000"},
+      {"group_symbolic_klu/stride:0", "unknown value '0' of '/stride:'"},
+      {"group_symbolic_klu/stride:65", "a whole number from 1 to 64"},
       {"group_symbolic_klu/tolerance:-1", "a number above 0"},
       {"group_symbolic_klu/tolerance:1e999", "a number above 0"},
       {"group_symbolic_klu/tolerance:nan", "a number above 0"},
@@ -104,6 +108,8 @@ TEST(Id, WhatIsNotApplicableIsNotMade) {
   EXPECT_THROW(
       make_formulation(find_variant("group_symbolic_klu"), m, {.scalar = Scalar::single_precision}),
       std::invalid_argument);
+  EXPECT_THROW(make_formulation(find_variant("group_symbolic_klu"), m, {.stride = 65}),
+               std::invalid_argument);
   EXPECT_THROW(make_formulation(find_variant("group_symbolic_inlined"), m,
                                 {.jacobian = JacobianUpdate::chord}),
                std::invalid_argument);
