@@ -34,6 +34,11 @@ bool Configuration::has_papers_knobs() const {
          factorisation == paper.factorisation && scalar == paper.scalar && others.empty();
 }
 
+bool Configuration::solves_every_instant() const {
+  return std::ranges::none_of(others,
+                              [](const std::string& o) { return o.starts_with("stride:"); });
+}
+
 std::string Configuration::stop() const {
   const std::string count = iterations + (iterations == "1" ? " iteration" : " iterations");
   if (tolerance.empty()) return iterations.empty() ? "usual tolerance" : count;

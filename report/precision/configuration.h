@@ -13,10 +13,12 @@ struct Configuration {
   std::string formulation;  ///< <partition>_<equations>_<algebra>
   std::string guess = "previous", jacobian = "newton", factorisation = "shared", scalar = "double";
   std::string iterations, tolerance;  ///< where a step stops; both empty: at the usual tolerance
-  std::vector<std::string> others;    ///< suffixes of a newer desmo, "key:value"
+  std::vector<std::string> others;    ///< any other suffixes, "key:value"
 
   /// Whether all but where a step stops is as in the paper.
   bool has_papers_knobs() const;
+  /// Whether no instant is interpolated between solved ones.
+  bool solves_every_instant() const;
   /// "tolerance 1e-6", "2 iterations", "usual tolerance".
   std::string stop() const;
 };

@@ -1,5 +1,7 @@
 #include "report/precision/families.h"
 
+#include <string_view>
+
 namespace desmo::report {
 namespace {
 
@@ -19,8 +21,9 @@ std::string algebra(std::string_view formulation) {
 
 }  // namespace
 
-std::string family_of(std::string_view formulation) {
-  return cut(formulation) + ", " + algebra(formulation);
+std::string family_of(const Configuration& configuration) {
+  if (!configuration.solves_every_instant()) return "interpolated";
+  return cut(configuration.formulation) + ", " + algebra(configuration.formulation);
 }
 
 }  // namespace desmo::report

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <string>
-#include <string_view>
+
+#include "report/precision/configuration.h"
 
 namespace desmo::report {
 
-/// "groups, sparse": of <partition>_<equations>_<algebra>.
-std::string family_of(std::string_view formulation);
+/// "groups, sparse": of <partition>_<equations>_<algebra>; "interpolated", whatever it is, where
+/// not every instant is solved.
+std::string family_of(const Configuration& configuration);
 
 }  // namespace desmo::report

@@ -51,6 +51,12 @@ Points of_formulation(const Points& points, std::string_view formulation) {
   return found;
 }
 
+Points solving_every_instant(Points points) {
+  std::erase_if(
+      points, [](const NamedPoint* p) { return !p->second.configuration.solves_every_instant(); });
+  return points;
+}
+
 std::vector<std::string> formulations_of(const Points& points) {
   std::set<std::string> names;
   for (const NamedPoint* point : points) names.insert(point->second.configuration.formulation);

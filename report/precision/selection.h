@@ -41,6 +41,9 @@ std::vector<std::string> drawn_cases(const Record& record);
 /// Those of one formulation, whatever its settings.
 Points of_formulation(const Points& points, std::string_view formulation);
 
+/// Those that interpolate no instant between solved ones.
+Points solving_every_instant(Points points);
+
 /// Formulations, each once.
 std::vector<std::string> formulations_of(const Points& points);
 

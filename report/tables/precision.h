@@ -22,8 +22,11 @@ Table work_precision(const Record& record, const std::string& case_name);
 Table accuracy_costs(const Record& record);
 Table accuracy_errors(const Record& record);
 
-/// The least time of every formulation for each of the accuracies: all with the same knobs.
-Table cheapest_by_formulation(const Record& record, const std::string& case_name);
+/// The least time of every formulation for each of the accuracies: all with the same knobs; of
+/// those that solve every instant, or of all.
+enum class Instants { solved, interpolated };
+Table cheapest_by_formulation(const Record& record, const std::string& case_name,
+                              Instants instants = Instants::solved);
 
 /// Guesses × Jacobian updates of global_automatic_klu at an error of 1e-9, and a sentence on what
 /// they gain.

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <utility>
 
 #include "report/digits.h"
 #include "report/measurements.h"
@@ -51,10 +52,15 @@ std::vector<Points> in_order(const Points& points) {
 
 }  // namespace
 
-Table cheapest_by_formulation(const Record& record, const std::string& case_name) {
+Table cheapest_by_formulation(const Record& record, const std::string& case_name,
+                              Instants instants) {
+  const bool interpolated = instants == Instants::interpolated;
   Table table{
-      .name = "cheapest_" + case_name,
-      .title = "The cheapest of each formulation: " + case_name,
+      .name = (interpolated ? "cheapest_interpolated_" : "cheapest_") + case_name,
+      .title =
+          "The cheapest of each formulation" +
+          std::string(interpolated ? ", instants interpolated where that costs less: " : ": ") +
+          case_name,
       .notes =
           {"Least µs/step of all configurations of the formulation within each error. Times as "
            "fast: over the cheapest global formulation; both with every "
@@ -70,7 +76,8 @@ Table cheapest_by_formulation(const Record& record, const std::string& case_name
   table.columns.push_back(
       {"times as fast, " + write_shortest(quoted), {"speed_up", "low", "high"}});
 
-  const Points points = points_of(record, series);
+  Points points = points_of(record, series);
+  if (!interpolated) points = solving_every_instant(std::move(points));
   const std::size_t all = most_configurations(points);
   const NamedPoint* global = cheapest_global(points, quoted);
   for (const Points& own : in_order(points)) {

@@ -20,7 +20,7 @@ const NamedPoint* find(const Points& points, std::string_view id) {
 /// The usual formulation, and what its points are held against.
 struct Usual {
   explicit Usual(const Points& all)
-      : points(of_formulation(all, usual_reference)),
+      : points(solving_every_instant(of_formulation(all, usual_reference))),
         paper(find(points, usual_reference)),
         stopped(cheapest_of_paper(points, accuracy)) {}
 

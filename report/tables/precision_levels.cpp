@@ -101,7 +101,7 @@ std::string fewest_levels(const Record& record) {
            " distinct levels of error at every case and size.";
   std::string text = std::to_string(lacking.size()) + " of " + std::to_string(all) +
                      " formulations at a case and size reach fewer than " + std::to_string(wanted) +
-                     " distinct levels of error (what is in closed form has one): ";
+                     " distinct levels of error: ";
   for (std::size_t i = 0; i < std::min(lacking.size(), shown); ++i)
     text += (i == 0 ? "" : ", ") + lacking[i];
   return text + (lacking.size() > shown ? " and others." : ".");

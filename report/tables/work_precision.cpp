@@ -24,7 +24,7 @@ std::vector<Entry> row(const NamedPoint& point, bool in_front) {
   const Point& p = point.second;
   const bool solved = is_solved(point);
   return {text_entry(point.first.id),
-          text_entry(family_of(p.configuration.formulation)),
+          text_entry(family_of(p.configuration)),
           solved ? step_time_entry(&point) : note_entry(failed_mark),
           level_entry(p.error.position, &LevelError::max),
           level_entry(p.error.position, &LevelError::rms),
@@ -50,8 +50,9 @@ std::vector<std::string> notes(const Record& record, const SeriesKey& series,
               " not applicable.",
           "Numbers beside the line: iterations a step of what is fastest at its error. Black: "
           "global, blue: by groups, yellow: by blocks.",
-          "Circles: sparse solvers, squares: dense ones, triangles: generated elimination. What is "
-          "more than 10 off stands at the right edge."};
+          "Circles: sparse solvers, squares: dense ones, triangles: generated elimination. Green "
+          "diamonds, apart from the line: instants interpolated between solved ones. What is more "
+          "than 10 off stands at the right edge."};
 }
 
 }  // namespace
@@ -84,7 +85,8 @@ Table work_precision(const Record& record, const std::string& case_name) {
   std::ranges::stable_sort(points, {}, seconds_of);
   double least = std::numeric_limits<double>::infinity();
   for (const NamedPoint* point : points) {
-    const bool in_front = is_solved(*point) && position_error(*point) < least;
+    const bool in_front = is_solved(*point) && position_error(*point) < least &&
+                          point->second.configuration.solves_every_instant();
     if (in_front) least = position_error(*point);
     table.rows.push_back(row(*point, in_front));
   }

@@ -110,6 +110,8 @@ TEST(Configuration, TakesSettingsInAnyOrderAndKeepsWhatItDoesNotKnow) {
   EXPECT_TRUE(parse_configuration("a_b_c/iterations:2")->has_papers_knobs());
   EXPECT_EQ(parse_configuration("a_b_c/iterations:2")->stop(), "2 iterations");
   EXPECT_EQ(parse_configuration("a_b_c")->stop(), "usual tolerance");
+  EXPECT_TRUE(parse_configuration("a_b_c/lanes:8")->solves_every_instant());
+  EXPECT_FALSE(parse_configuration("a_b_c/lanes:8/stride:4")->solves_every_instant());
 }
 
 }  // namespace

@@ -70,6 +70,19 @@ TEST(WorkPrecision, TheFrontIsWhatNothingElseBeatsInBoth) {
   EXPECT_FALSE(mark_of(spec, klu).contains("label"));  // no room: 1e-15 beside 2e-15
 }
 
+// What is not solved cannot be held against what is: apart from the line, in marks of its own.
+TEST(WorkPrecision, WhatIsInterpolatedIsAFamilyApartFromTheFront) {
+  Json json = points_record();
+  const Json before = figure_of(json);
+  json["precision"].push_back(solved_point("global_automatic_klu/stride:8", 5, 1e-9));
+  const Json spec = figure_of(json), mark = mark_of(spec, "global_automatic_klu/stride:8");
+  EXPECT_EQ(mark["family"], "interpolated");
+  EXPECT_FALSE(mark["front"].get<bool>());
+  for (const Json& other : before["data"]["values"]) EXPECT_EQ(mark_of(spec, other["id"]), other);
+  EXPECT_EQ(spec["vconcat"][0]["layer"][0]["encoding"]["shape"]["scale"]["range"].back(),
+            "diamond");
+}
+
 TEST(WorkPrecision, FailuresStandOnARailWithTheirReason) {
   Json json = points_record();
   const Json spec = figure_of(json);

@@ -15,6 +15,15 @@ const std::string klu = "global_automatic_klu", lapack = "group_symbolic_lapack"
 const std::string over_itself = "times as fast as with the paper's knobs",
                   over_global = "as global_automatic_klu with them";
 
+std::vector<std::vector<std::string>> shown(const Table& table) {
+  std::vector<std::vector<std::string>> all;
+  for (const auto& row : table.rows) {
+    all.emplace_back();
+    for (const Entry& entry : row) all.back().push_back(entry.shown);
+  }
+  return all;
+}
+
 TEST(AccuracyCosts, NamesTheCheapestWithinEachError) {
   const Table table = accuracy_costs(record_from(points_record()));
   ASSERT_EQ(table.rows.size(), 8u);  // four errors, two cases
@@ -56,6 +65,36 @@ TEST(AccuracyCosts, ComparesWithTheSameFormulationAtTheSameError) {
   EXPECT_EQ(entry_at(table, row, over_global).digits[0], "3.00");  // 30 over 10
   EXPECT_EQ(entry_at(accuracy_errors(record_from(json)), row, "paper's knobs").shown,
             "tolerance 1e-6");
+}
+
+// Solving every instant stands beside the cheapest of all, where that interpolates some.
+TEST(AccuracyCosts, ShowWhatInterpolationGainsInARowOfItsOwn) {
+  Json json = points_record();
+  json["precision"].push_back(solved_point(klu + "/stride:8", 5, 1e-7, 0.4));
+  const Record record = record_from(json);
+  const Table table = accuracy_costs(record), before = accuracy_costs(record_from(points_record()));
+  ASSERT_EQ(table.rows.size(), before.rows.size() + 2);  // at 1e-3 and 1e-6
+  const std::string solved = klu + "/guess:hermite5/jacobian:step/iterations:1";
+  const std::vector<std::string> row{"truck_suspension", "225", "1e-06"};
+  EXPECT_EQ(entry_at(table, row, "cheapest").shown, solved);
+  std::vector<std::string> second = row;
+  second.push_back(klu + "/stride:8");
+  EXPECT_EQ(entry_at(table, second, "µs/step").digits[0], "5.000");
+  EXPECT_EQ(entry_at(table, second, over_global).digits[0], "6.00");  // 30 over 5
+  EXPECT_EQ(entry_at(accuracy_errors(record), second, "error q").shown, "1.0e-07");
+}
+
+TEST(CheapestByFormulation, StandsWithAndWithoutInterpolation) {
+  Json json = points_record();
+  json["precision"].push_back(solved_point(klu + "/stride:8", 5, 1e-7, 0.4));
+  const Document report = make_report(record_from(json));
+  const Table &solved = table_named(report, "cheapest_truck_suspension"),
+              &interpolated = table_named(report, "cheapest_interpolated_truck_suspension");
+  EXPECT_EQ(shown(solved),
+            shown(cheapest_by_formulation(record_from(points_record()), "truck_suspension")));
+  EXPECT_EQ(entry_at(interpolated, {klu}, "1e-06").digits[0], "5.000");
+  EXPECT_EQ(entry_at(interpolated, {klu}, "1e-09").digits[0], "16.00");
+  EXPECT_THROW(table_named(report, "cheapest_interpolated_four_bar"), std::exception);
 }
 
 TEST(AccuracyCosts, SaysWhereNothingHoldsTheError) {
@@ -118,6 +157,17 @@ TEST(Knobs, AreComparedAtEqualErrorAndWithThePapersSettings) {
             "paper's knobs at equal error, with an error of 8.0e-10.");
 }
 
+// What guesses and factors gain is not mixed up with instants that are not solved.
+TEST(Knobs, AreOfEveryInstantSolved) {
+  Json json = points_record();
+  json["precision"].push_back(solved_point(klu + "/stride:2", 5, 1e-12, 1.5));
+  json["precision"].push_back(
+      solved_point(klu + "/guess:hermite5/jacobian:step/stride:2/tolerance:1e-10", 4, 1e-12, 0.5));
+  const Record record = record_from(json), before = record_from(points_record());
+  EXPECT_EQ(what_knobs_gain(record), what_knobs_gain(before));
+  EXPECT_EQ(shown(knobs(record)), shown(knobs(before)));
+}
+
 TEST(Scalars, StandBesideDoubleAndWhatIsPredicted) {
   const Table table = scalars(record_from(points_record()));
   const std::vector<std::string> single{"truck_suspension", lapack, "float"},
@@ -161,12 +211,10 @@ TEST(ErrorLevels, CountDecadesOnce) {
 
 TEST(ErrorLevels, NamesTheFormulationsThatReachTooFew) {
   Json json = points_record();
-  EXPECT_EQ(
-      fewest_levels(record_from(json)),
-      "4 of 6 formulations at a case and size reach fewer than 4 distinct levels of error (what is "
-      "in closed form has one): "
-      "four_bar/114/global_automatic_klu, four_bar/114/group_symbolic_inlined, "
-      "truck_suspension/114/global_automatic_klu, truck_suspension/225/group_automatic_klu.");
+  EXPECT_EQ(fewest_levels(record_from(json)),
+            "4 of 6 formulations at a case and size reach fewer than 4 distinct levels of error: "
+            "four_bar/114/global_automatic_klu, four_bar/114/group_symbolic_inlined, "
+            "truck_suspension/114/global_automatic_klu, truck_suspension/225/group_automatic_klu.");
   Json kept = Json::array();
   for (const Json& point : json["precision"])
     if (point["coordinates"] == 225 && point["id"] != "group_automatic_klu" &&
