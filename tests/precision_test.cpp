@@ -53,10 +53,53 @@ std::set<int> levels(const Problem& problem, const char* id, const std::vector<S
 
 TEST(Trials, FewSettingsReachErrorsOfFourSizes) {
   for (const Case& c : cases()) {
-    const Problem p = problem(describe(c, 114), seconds, 5);
-    for (const char* id : {"global_automatic_klu", "group_symbolic_inlined", "block_symbolic_klu"})
+    const Problem p = problem(describe(c, 114), 1, 21);
+    for (const char* id : {"global_automatic_klu", "group_symbolic_inlined", "block_symbolic_klu",
+                           "group_symbolic_explicit", "block_symbolic_explicit"})
       EXPECT_GE(levels(p, id, few_settings()).size(), 4u) << c.name << ' ' << id;
     EXPECT_GE(levels(p, "global_automatic_klu", fewest_settings()).size(), 4u) << c.name;
+  }
+}
+
+/// Of however many instants of however long a motion: no stride hides its error between them.
+TEST(Trials, SeeTheErrorBetweenSolvedInstants) {
+  const Scene scene = describe(find_case("truck_suspension"), 114);
+  for (const auto& [duration, compared] : {std::pair{1.0, 21}, {2.0, 101}, {0.8, 6}}) {
+    const Problem p = problem(scene, duration, compared);
+    double last = 1e-12;  // solved, none has more
+    for (const int stride : {1, 2, 4, 8, 16}) {
+      Trial trial(p, {&find_variant("group_symbolic_inlined"), {.stride = stride}});
+      trial.compare();
+      ASSERT_EQ(trial.state, Trial::State::solved) << trial.message;
+      EXPECT_EQ(trial.error.instants, compared);
+      if (stride == 1)
+        EXPECT_LT(trial.error.position.max, last);
+      else
+        EXPECT_GT(trial.error.position.max, 4 * last) << stride << " of " << compared;
+      last = std::max(last, trial.error.position.max);
+    }
+  }
+}
+
+TEST(Problems, CompareInstantsWhereverTheyStandBetweenSolvedOnes) {
+  const Scene scene = library_scene("slider_crank");
+  for (const auto& [instants, compared] :
+       {std::pair{101, 21}, {101, 50}, {1001, 21}, {2001, 1001}, {30, 30}, {3, 2}}) {
+    const TimeGrid grid{0, 1e-3, instants};
+    const Problem p = make_problem(whole(scene), grid, compared);
+    ASSERT_EQ(p.reference.instants.size(), static_cast<std::size_t>(compared));
+    EXPECT_EQ(p.reference.instants.front().time, 0);
+    EXPECT_EQ(p.reference.instants.back().time, grid.time(instants - 1));
+    std::set<int> indices, places;
+    for (const ReferenceInstant& i : p.reference.instants) {
+      const int index = static_cast<int>(std::lround(i.time / grid.step));
+      EXPECT_EQ(i.time, grid.time(index));
+      EXPECT_TRUE(indices.empty() || index > *indices.rbegin());
+      indices.insert(index);
+      places.insert(index % 16);
+    }
+    if (compared >= 50) EXPECT_EQ(places.size(), 16u) << instants;
+    if (compared == 21) EXPECT_GE(places.size(), 8u) << instants;
   }
 }
 

@@ -1,6 +1,7 @@
 #include "bench/precision/knobs.h"
 
 #include <array>
+#include <span>
 
 #include "formulations/equations/lanes.h"
 
@@ -11,6 +12,8 @@ namespace {
 constexpr std::array guesses{Guess::previous, Guess::linear, Guess::quadratic, Guess::hermite3,
                              Guess::hermite5};
 constexpr std::array updates{JacobianUpdate::newton, JacobianUpdate::step, JacobianUpdate::chord};
+constexpr std::array strides{2, 4, 8, 16, 32};
+constexpr std::array few_strides{8, 16, 32};  // errors of three sizes that no closed form has
 
 /// Where Newton's method stops: a tolerance, or a number of iterations.
 std::vector<Settings> stops() {
@@ -19,6 +22,21 @@ std::vector<Settings> stops() {
     all.push_back({.tolerance = tolerance});
   for (const int iterations : {1, 2}) all.push_back({.fixed_iterations = iterations});
   return all;
+}
+
+void add_strides(std::vector<Settings>& all, Settings settings, std::span<const int> some) {
+  for (const int stride : some) {
+    settings.stride = stride;
+    all.push_back(settings);
+  }
+}
+
+/// What instants between solved ones are interpolated from: the paper's settings, and what usually
+/// costs least within an error that is less than the interpolation's.
+std::vector<Settings> solved_from() {
+  return {Settings{},
+          {.tolerance = 1e-10, .guess = Guess::hermite5},
+          {.tolerance = 1e-10, .guess = Guess::hermite5, .jacobian = JacobianUpdate::step}};
 }
 
 }  // namespace
@@ -37,6 +55,7 @@ std::vector<Settings> few_settings() {
   for (const Guess guess : {Guess::previous, Guess::linear})
     for (const double tolerance : {1e-4, 1e-6, 1e-8})
       all.push_back({.tolerance = tolerance, .guess = guess});
+  add_strides(all, {}, few_strides);
   return all;
 }
 
@@ -58,6 +77,7 @@ std::vector<Settings> all_settings(const Variant& variant) {
           s.jacobian = update;
           all.push_back(s);
         }
+  for (const Settings& s : solved_from()) add_strides(all, s, strides);
   if (!variant.explicit_order) return all;
   std::vector<Settings> with_lanes = all;
   for (Settings& s : with_lanes) s.lanes = lane_count;

@@ -11,15 +11,16 @@ namespace desmo::precision {
 /// and with one and two iterations a step from different guesses.
 std::vector<Settings> fewest_settings();
 
-/// Those, and with three iterations and some tolerances: they end at errors of four sizes or more
-/// in every formulation. (The fewest do not do: solved dyad by dyad, a long four-bar diverges with
-/// fewer than three iterations.)
+/// Those, and with three iterations, some tolerances, and instants interpolated between those that
+/// the paper's settings solve: they end at errors of four sizes or more in every formulation. (The
+/// fewest do not do: solved dyad by dyad, a long four-bar diverges with fewer than three
+/// iterations; and to closed forms nothing but interpolation makes a difference.)
 std::vector<Settings> few_settings();
 
 /// Guesses × Jacobian updates × where to stop (tolerances and numbers of iterations), in double
-/// precision; single and mixed precision with the paper's guess and the best one. Among them is
-/// what the variant does not offer (why_not), to be told. Where it has code for lanes, all with
-/// them, too.
+/// precision; single and mixed precision with the paper's guess and the best one; strides with the
+/// paper's settings and what usually costs least. Among them is what the variant does not offer
+/// (why_not), to be told. Where it has code for lanes, all with them, too.
 std::vector<Settings> all_settings(const Variant& variant);
 
 }  // namespace desmo::precision

@@ -1,17 +1,36 @@
 #include "bench/precision/problem.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <utility>
 #include <vector>
 
 namespace desmo::precision {
 
-Problem make_problem(Plan plan, const TimeGrid& grid, int compared) {
-  const long count = std::min(grid.instants, compared), last = grid.instants - 1;
+namespace {
+
+/// One of each of count − 1 equal stretches of the grid, and its last; the first of them all. Where
+/// in its stretch goes by multiples of the golden ratio, which fall everywhere: at regular
+/// distances all might be multiples of a stride, where nothing is interpolated.
+std::vector<double> spread(const TimeGrid& grid, int count) {
+  const long last = grid.instants - 1, stretches = count - 1;
   std::vector<double> times;
-  for (long i = 0; i < count; ++i)
-    times.push_back(grid.time(static_cast<int>(i * last / (count - 1))));
-  Reference reference = make_reference(plan.mechanism, times);
+  for (long i = 0; i < stretches; ++i) {
+    const long begin = i * last / stretches, end = (i + 1) * last / stretches;
+    const double turns = static_cast<double>(i) * std::numbers::phi;
+    const double part = (turns - std::floor(turns)) * static_cast<double>(end - begin);
+    times.push_back(grid.time(static_cast<int>(begin + static_cast<long>(part))));
+  }
+  times.push_back(grid.time(static_cast<int>(last)));
+  return times;
+}
+
+}  // namespace
+
+Problem make_problem(Plan plan, const TimeGrid& grid, int compared) {
+  Reference reference =
+      make_reference(plan.mechanism, spread(grid, std::min(grid.instants, compared)));
   return {std::move(plan), grid, std::move(reference), {}};
 }
 

@@ -11,7 +11,7 @@ namespace desmo::precision {
 struct Problem {
   Plan plan;
   TimeGrid grid;
-  Reference reference;    ///< at some instants of the grid, the first and the last among them
+  Reference reference;    ///< at instants all over the grid, the first and the last among them
   KernelTable kernels{};  ///< of what formulations are made
 };
 

@@ -30,15 +30,15 @@ class Trial {
   /// Solves the whole motion and compares it with the reference.
   void compare();
   /// Takes one more sample of the CPU time of a step: the whole motion with its assembly, drivers
-  /// and delivery into plain vectors, by the number of instants; over and over until that took
-  /// `least` seconds. Needs State::solved.
+  /// and delivery into plain vectors, by the number of instants delivered; over and over until that
+  /// took `least` seconds. Needs State::solved.
   void time(double least);
 
   State state = State::untried;
   std::string message;
-  Error error;      ///< of the outputs asked for
-  Error violation;  ///< of the equations, at a few of the instants compared
-  double iterations_per_step = 0;
+  Error error;                           ///< of the outputs asked for
+  Error violation;                       ///< of the equations, at a few of the instants compared
+  double iterations_per_step = 0;        ///< by the number of instants, as times are
   std::vector<double> seconds_per_step;  ///< samples
 
   /// The least of the samples; infinite when there is none.
