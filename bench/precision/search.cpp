@@ -17,6 +17,7 @@ constexpr double least_sample = 2e-3;  // s
 constexpr int dense_limit = 114;       // coordinates of a dense global solve, O(n³) a step
 constexpr double near_best = 1.6;      // formulations that other settings may yet make the fastest
 constexpr double perhaps_best = 1.5;   // times, of one sample each, that further ones may turn over
+constexpr double even = 1.25;          // times on the begin that may change places on the whole
 constexpr std::size_t finalists = 16;
 constexpr std::size_t most_accurate = 100;  // on the begin, within a budget
 
@@ -94,13 +95,20 @@ class Searcher {
     return goal_.budget > 0 ? is_cheap(t.least_seconds()) : is_accurate(t);
   }
 
-  /// The best first, as far as the begin of the motion tells.
+  /// Errors of the same size count as one: rounding makes them, and time then decides.
+  double wrong(const Trial& t) const { return std::round(2 * std::log10(error(t))); }
+
+  bool is_even(const Trial& best, const Trial& other) const {
+    return other.least_seconds() <= even * best.least_seconds() &&
+           (goal_.budget == 0 || wrong(other) <= wrong(best));
+  }
+
+  /// The best first, as far as their motion tells.
   void sort(std::vector<Trial*>& trials) const {
     const auto time = [](const Trial* t) { return t->least_seconds(); };
-    // Errors of the same size count as one: rounding makes them, and time then decides.
-    const auto wrong = [&](const Trial* t) { return std::round(2 * std::log10(error(*t))); };
     std::ranges::stable_sort(trials, {}, time);
-    if (goal_.budget > 0) std::ranges::stable_sort(trials, {}, wrong);
+    if (goal_.budget > 0)
+      std::ranges::stable_sort(trials, {}, [&](const Trial* t) { return wrong(*t); });
   }
 
   /// Samples the times that decide once more, in turn, and tries the best on the whole motion until
@@ -121,8 +129,7 @@ class Searcher {
       for (int round = 0; round < effort_.rounds; ++round)
         for (Trial* t : batch) t->time(least_sample);
       sort(batch);
-      for (const Trial* t : batch)
-        if (holds(t->configuration())) break;
+      play_off(batch);
     }
   }
 
@@ -148,20 +155,38 @@ class Searcher {
     return kept;
   }
 
-  bool holds(const Configuration& configuration) {
-    Trial trial(whole_, configuration), usual(whole_, {configuration.variant, Settings{}});
-    trial.compare();
-    trial.time(least_sample);
-    if (!effort_.exhaustive) tried_.push_back(tried(trial, true));
-    if (!may_do(trial)) return false;
+  /// Chooses among those of a batch, best first, that hold the goal on the whole motion: the first,
+  /// and what its begin cannot tell from it.
+  void play_off(const std::vector<Trial*>& batch) {
+    std::list<Trial> trials;
+    std::vector<Trial*> holding;
+    const Trial* first = nullptr;
+    for (const Trial* t : batch) {
+      if (first && !is_even(*first, *t)) break;
+      Trial& trial = trials.emplace_back(whole_, t->configuration());
+      trial.compare();
+      trial.time(least_sample);
+      if (!may_do(trial)) continue;
+      holding.push_back(&trial);
+      if (!first) first = t;
+    }
+    for (int round = 0; round < effort_.rounds; ++round)
+      for (Trial* t : holding) t->time(least_sample);
+    if (!effort_.exhaustive)
+      for (const Trial& t : trials) tried_.push_back(tried(t, true));
+    if (holding.empty()) return;
+    sort(holding);
+    choose(*holding.front());
+  }
+
+  void choose(Trial& best) {
+    Trial usual(whole_, {best.configuration().variant, Settings{}});
     usual.compare();
-    usual.time(least_sample);
-    trial.time(least_sample);
-    found_.choice = configuration;
-    found_.error = trial.error;
-    found_.seconds = trial.least_seconds();
+    for (int round = 0; round < effort_.rounds; ++round) usual.time(least_sample);
+    found_.choice = best.configuration();
+    found_.error = best.error;
+    found_.seconds = best.least_seconds();
     found_.usual_seconds = usual.least_seconds();
-    return true;
   }
 
   Tried tried(const Trial& t, bool whole) const {
