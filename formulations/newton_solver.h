@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "formulations/equations/pattern.h"
+#include "formulations/guess.h"
 #include "formulations/part.h"
 #include "formulations/refinement.h"
 
@@ -58,6 +59,7 @@ class NewtonSolver {
         least_iterations_(settings.fixed_iterations),
         most_iterations_(settings.fixed_iterations ? settings.fixed_iterations
                                                    : settings.max_iterations),
+        runs_(runs_of(equations_.pattern().unknowns)),
         values_(equations_.pattern().size(), Real(0)),
         weights_(
             Eigen::Map<const Eigen::VectorXd>(weights.data(), pattern().n).template cast<Real>()),
@@ -113,7 +115,7 @@ class NewtonSolver {
       if (result.iterations == most_iterations_) {
         result.status = std::isfinite(result.residual) ? Status::not_converged : Status::not_finite;
       } else if (by_old_factors && !solved && !(result.residual < before)) {
-        for (int i = 0; i < pattern().n; ++i) q[pattern().unknowns[i]] += correction_[i];
+        each_unknown([&](int at, int i) { q[at] += correction_[i]; });
         has_factors_ = by_old_factors = false;
         continue;
       } else if (!std::isfinite(result.residual)) {
@@ -126,8 +128,8 @@ class NewtonSolver {
       }
       if (result.status != Status::converged) return result;
       before = result.residual;
-      algebra_.solve(b_.data());                                                // Φ_φ Δφ = Φ
-      for (int i = 0; i < pattern().n; ++i) q[pattern().unknowns[i]] -= b_[i];  // eq. (2)
+      algebra_.solve(b_.data());                             // Φ_φ Δφ = Φ
+      each_unknown([&](int at, int i) { q[at] -= b_[i]; });  // eq. (2)
       if (by_old_factors) b_.swap(correction_);
     }
   }
@@ -198,14 +200,25 @@ class NewtonSolver {
   }
 
   void scatter(Real* target) const {
-    for (int i = 0; i < pattern().n; ++i) target[pattern().unknowns[i]] = b_[i];
+    each_unknown([&](int at, int i) { target[at] = b_[i]; });
   }
-
   void remember_start(const Real* q) {
-    for (int i = 0; i < pattern().n; ++i) start_[i] = q[pattern().unknowns[i]];
+    each_unknown([&](int at, int i) { start_[i] = q[at]; });
   }
   void restore_start(Real* q) const {
-    for (int i = 0; i < pattern().n; ++i) q[pattern().unknowns[i]] = start_[i];
+    each_unknown([&](int at, int i) { q[at] = start_[i]; });
+  }
+
+  /// Calls with the place of each unknown in the state, and its own: run by run, so that what is
+  /// done with neighbours fits wide registers.
+  template <class Call>
+  void each_unknown(Call call) const {
+    int i = 0;
+    for (const CoordinateRun run : runs_) {
+      const int shift = i - run.first;
+      for (int at = run.first; at < run.end; ++at) call(at, at + shift);
+      i += run.end - run.first;
+    }
   }
 
   Equations equations_;
@@ -214,7 +227,8 @@ class NewtonSolver {
   bool per_level_;
   double tolerance_;
   int least_iterations_, most_iterations_;
-  std::vector<Real> values_;  // Φ_φ and Φ_h, laid out by the pattern
+  std::vector<CoordinateRun> runs_;  // of unknowns side by side in the state
+  std::vector<Real> values_;         // Φ_φ and Φ_h, laid out by the pattern
   Vector weights_;
   Vector b_;           // right-hand side, then solution
   Vector correction_;  // the last one by old factors

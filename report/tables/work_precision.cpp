@@ -2,6 +2,9 @@
 // these numbers.
 #include <algorithm>
 #include <limits>
+#include <map>
+#include <string>
+#include <utility>
 
 #include "report/digits.h"
 #include "report/measurements.h"
@@ -14,6 +17,23 @@ namespace {
 
 double seconds_of(const NamedPoint* point) {
   return is_solved(*point) ? step_time(*point).seconds : std::numeric_limits<double>::infinity();
+}
+
+/// Of points by time, what is drawn: of each formulation the settings that no others of its own
+/// beat in both time and error, and the paper's; and all that failed.
+Points drawn(Points points) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::map<std::pair<std::string, bool>, double> least;  // by formulation, solving all instants
+  std::erase_if(points, [&](const NamedPoint* p) {
+    if (!is_solved(*p)) return false;
+    const Configuration& c = p->second.configuration;
+    double& error =
+        least.try_emplace({c.formulation, c.solves_every_instant()}, infinity).first->second;
+    if (!(position_error(*p) < error)) return p->first.id != c.formulation;
+    error = position_error(*p);
+    return false;
+  });
+  return points;
 }
 
 Entry level_entry(const std::optional<LevelError>& error, double LevelError::*value) {
@@ -47,7 +67,9 @@ std::vector<std::string> notes(const Record& record, const SeriesKey& series,
               " s apart; the least CPU time of a step.",
           count(Point::Status::ok) + " configurations solved, " + count(Point::Status::failed) +
               " failed (below, with their reason), " + count(Point::Status::not_applicable) +
-              " not applicable.",
+              " not applicable. Of those solved, what no other settings of the same formulation "
+              "beat in "
+              "time and error at once, and the paper's settings; the record has all.",
           "Numbers beside the line: iterations a step of what is fastest at its error. Black: "
           "global, blue: by groups, yellow: by blocks.",
           "Circles: sparse solvers, squares: dense ones, triangles: generated elimination. Green "
@@ -84,7 +106,7 @@ Table work_precision(const Record& record, const std::string& case_name) {
   });
   std::ranges::stable_sort(points, {}, seconds_of);
   double least = std::numeric_limits<double>::infinity();
-  for (const NamedPoint* point : points) {
+  for (const NamedPoint* point : drawn(std::move(points))) {
     const bool in_front = is_solved(*point) && position_error(*point) < least &&
                           point->second.configuration.solves_every_instant();
     if (in_front) least = position_error(*point);
