@@ -90,7 +90,7 @@ void expect_same_numbers(const Document& document) {
     }
     EXPECT_EQ(at, read.tables.size());
     EXPECT_EQ(at, csv.size());
-    EXPECT_GT(numbers, 400u);
+    EXPECT_GT(numbers, 100u);
   }
 }
 
