@@ -10,6 +10,7 @@ extern const std::string_view table2_speedup;              ///< results/paper/ta
 extern const std::string_view table2_improvement_percent;  ///< .../table2_improvement_percent.csv
 extern const std::string_view figure5;                     ///< report/figures/figure5.template.json
 extern const std::string_view figure6;                     ///< report/figures/figure6.template.json
+extern const std::string_view growth;                      ///< .../growth.template.json
 extern const std::string_view work_precision;              ///< .../work_precision.template.json
 extern const std::string_view page_style;                  ///< report/formats/page.css
 

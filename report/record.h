@@ -1,5 +1,5 @@
-// The record of one run of desmo_bench, desmo_precision or desmo_promises, as
-// results/record.schema.json defines it: plain data.
+// The record of one run of desmo_bench or of one of its siblings, as results/record.schema.json
+// defines it: plain data.
 #pragma once
 
 #include <array>
@@ -14,6 +14,8 @@
 #include "report/precision/points.h"
 #include "report/precision/promises.h"
 #include "report/segments.h"
+#include "report/sizes/timed_size.h"
+#include "report/verification.h"
 
 namespace desmo::report {
 
@@ -47,14 +49,6 @@ struct Blas {
   std::int64_t threads = 0;
 };
 
-/// Largest differences from the reference that a verification may find.
-struct Allowed {
-  double position = 0;
-  double velocity = 0;
-  double acceleration = 0;
-  std::optional<double> request;  ///< of a request from the whole mechanism
-};
-
 struct Settings {
   double tolerance = 0;  ///< of the norm of the constraint equations, whole mechanism
   std::int64_t max_iterations = 0;
@@ -66,16 +60,6 @@ struct Settings {
   std::optional<Allowed> allowed;
   std::optional<std::string> reducer;    ///< of samples to a time; since 1.3.0
   std::optional<std::int64_t> segments;  ///< into which the motion is cut; since 1.4.0
-};
-
-enum class Status { ok, failed, not_run };
-
-/// Largest absolute differences from the quadruple-precision reference.
-struct Verification {
-  std::int64_t instants = 0;
-  double position = 0;
-  double velocity = 0;
-  double acceleration = 0;
 };
 
 /// What a time is of. All since 1.3.0; digests are SHA-256.
@@ -182,11 +166,18 @@ struct Record {
   std::map<SeriesKey, Floor> floors;            ///< since 1.5.0; of every series with points
   std::map<PointKey, Point> points;             ///< since 1.5.0: time against error
   std::vector<Promise> promises;                ///< since 1.5.0, in the record's order
+  std::map<CellKey, TimedSize> growth;          ///< since 1.7.0: time against coordinates
+  std::map<CellKey, TimedSize> crossing;        ///< since 1.7.0: dense and sparse, by unknowns
 };
 
 /// Whether it has what desmo_bench measures: the paper's experiment.
 inline bool has_cells(const Record& record) {
   return !record.cells.empty() || !record.requests.empty() || !record.peers.empty();
+}
+
+/// Whether it has what desmo_growth measures.
+inline bool has_sizes(const Record& record) {
+  return !record.growth.empty() || !record.crossing.empty();
 }
 
 }  // namespace desmo::report

@@ -7,13 +7,14 @@
 #include <set>
 #include <tuple>
 
-#include "report/digits.h"
 #include "report/environment_reader.h"
 #include "report/json_document.h"
 #include "report/json_node.h"
 #include "report/one_origin.h"
 #include "report/precision/points_reader.h"
 #include "report/precision/promises_reader.h"
+#include "report/sizes/timed_size_reader.h"
+#include "report/verification_reader.h"
 
 namespace desmo::report {
 namespace {
@@ -29,36 +30,9 @@ CellKey read_key(const JsonNode& node) {
   return {node["case"].name(), node["coordinates"].integer(1), node["id"].text()};
 }
 
-Status read_status(const JsonNode& node) {
-  const std::string status = node.text();
-  if (status == "ok") return Status::ok;
-  if (status == "failed") return Status::failed;
-  if (status == "not_run") return Status::not_run;
-  node.complain("\"" + status + "\" is none of \"ok\", \"failed\", \"not_run\"");
-}
-
 std::optional<double> read_optional(const JsonNode& node, std::string_view key) {
   const auto member = node.find(key);
   return member ? std::optional(member->not_negative()) : std::nullopt;
-}
-
-// "velocity differs by 2e-06, 1e-08 is allowed"; empty when it is allowed.
-std::string excess(const std::string& what, double difference, double limit) {
-  if (difference <= limit) return {};
-  return what + " differs by " + write_shortest(difference) + ", " + write_shortest(limit) +
-         " is allowed";
-}
-
-std::string excess(const Verification& found, const Allowed& allowed) {
-  std::string text;
-  const auto compare = [&text](const char* what, double difference, double limit) {
-    const std::string reason = excess(what, difference, limit);
-    if (!reason.empty()) text += (text.empty() ? "" : "; ") + reason;
-  };
-  compare("position", found.position, allowed.position);
-  compare("velocity", found.velocity, allowed.velocity);
-  compare("acceleration", found.acceleration, allowed.acceleration);
-  return text;
 }
 
 std::vector<double> read_samples(const JsonNode& node, const std::string& what) {
@@ -133,9 +107,7 @@ Cell read_cell(const JsonNode& node, const Settings& settings) {
             .residual = read_optional(node, "residual")};
   if (const auto message = node.find("message")) cell.message = message->text();
   if (const auto checked = node.find("verification"))
-    cell.verification = Verification{
-        (*checked)["instants"].integer(1), (*checked)["position"].not_negative(),
-        (*checked)["velocity"].not_negative(), (*checked)["acceleration"].not_negative()};
+    cell.verification = read_verification(*checked);
   if (cell.status != Status::ok) return cell;  // times of a wrong answer are not times
   if (!cell.verification) node.complain("an \"ok\" cell needs \"verification\"");
   cell.cpu_seconds = read_samples(node, "cell");
@@ -317,7 +289,9 @@ Record read_record(const JsonNode& root) {
                 .peers = {},
                 .floors = {},
                 .points = {},
-                .promises = {}};
+                .promises = {},
+                .growth = {},
+                .crossing = {}};
   for (const auto& [name, version] : node["libraries"].members())
     record.libraries.emplace(name, version.text());
   for (const JsonNode& cell : root["cells"].elements())
@@ -330,9 +304,10 @@ Record read_record(const JsonNode& root) {
   if (const auto peers = root.find("peers")) read_peers(record, *peers);
   read_points(record, root);
   read_promises(record, root);
-  if (!has_cells(record) && record.points.empty() && record.promises.empty())
+  read_sizes(record, root);
+  if (!has_cells(record) && record.points.empty() && record.promises.empty() && !has_sizes(record))
     root["cells"].complain(
-        "the record has no cell, and neither requests nor peers, points nor promises");
+        "the record has no cell, and neither requests nor peers, points nor promises, nor sizes");
   require_one_origin(record);
   return record;
 }

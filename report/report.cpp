@@ -7,6 +7,7 @@
 #include "report/measurements.h"
 #include "report/paper.h"
 #include "report/tables/precision.h"
+#include "report/tables/sizes.h"
 #include "report/tables/tables.h"
 #include "report/variants.h"
 
@@ -71,6 +72,11 @@ void add_experiment(std::vector<Section>& sections, const Record& record) {
   if (!record.peers.empty()) sections.push_back(peers(record));
 }
 
+void add_sizes(std::vector<Section>& sections, const Record& record) {
+  if (!record.growth.empty()) sections.push_back(growth(record));
+  if (!record.crossing.empty()) sections.push_back(dense_or_sparse(record));
+}
+
 void add_details(std::vector<Section>& sections, const Record& record) {
   sections.push_back(formulations(record));
   if (!record.profiles.empty())
@@ -109,14 +115,17 @@ Document make_report(const std::vector<Record>& records) {
       std::ranges::find_if(records, [](const Record& r) { return !r.points.empty(); });
   const auto tuned =
       std::ranges::find_if(records, [](const Record& r) { return !r.promises.empty(); });
-  Document document{
-      .title = experiment == end ? "desmo: speed for accuracy" : "desmo: the paper's experiment",
-      .sections = {}};
+  const auto grown = std::ranges::find_if(records, has_sizes);
+  Document document{.title = experiment != end                 ? "desmo: the paper's experiment"
+                             : accuracy != end || tuned != end ? "desmo: speed for accuracy"
+                                                               : "desmo: time against size",
+                    .sections = {}};
   auto& sections = document.sections;
   if (experiment != end) add_experiment(sections, *experiment);
   if (accuracy != end)
     std::ranges::move(precision_sections(*accuracy), std::back_inserter(sections));
   if (tuned != end) sections.push_back(promises(*tuned));
+  if (grown != end) add_sizes(sections, *grown);
   if (experiment != end) add_details(sections, *experiment);
   sections.push_back(measured_how(records));
   sections.push_back(joint_limitations(records));

@@ -7,8 +7,6 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "bench/suite/environment_json.h"
-#include "bench/suite/record_layout.h"
 #include "formulations/accuracy/condition.h"
 
 namespace desmo::precision {
@@ -62,13 +60,6 @@ double condition(const Problem& problem) {
 }
 
 }  // namespace
-
-std::string record_text(const suite::Run& run, const TimeGrid& grid, const Json& lists) {
-  Json head = {{"schema", "desmo-results"}, {"version", suite::schema_version}};
-  head["record"] = suite::environment_json(run, grid);
-  head["cells"] = Json::array();
-  return suite::record_layout(head, lists);
-}
 
 Json floor_json(const Series& series, const Problem& problem) {
   Json j = place(series);

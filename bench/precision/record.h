@@ -1,18 +1,12 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
-#include <string>
 
 #include "bench/precision/series.h"
 #include "bench/precision/trial.h"
 #include "bench/suite/record.h"
 
 namespace desmo::precision {
-
-/// A record without cells (results/record.schema.json). lists: an object of arrays, what it holds
-/// instead; each of their elements gets a line, since there are thousands.
-std::string record_text(const suite::Run& run, const TimeGrid& grid,
-                        const nlohmann::ordered_json& lists);
 
 /// What is known of a problem beside its trials: `floors` of the record.
 nlohmann::ordered_json floor_json(const Series& series, const Problem& problem);

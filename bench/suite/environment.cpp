@@ -2,6 +2,7 @@
 
 #include <benchmark/benchmark.h>
 #include <sys/utsname.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <ctime>
@@ -48,20 +49,34 @@ std::string turbo() {
   return "unknown";
 }
 
+std::vector<std::string> caches(const benchmark::CPUInfo& info) {
+  std::vector<std::string> found;
+  const auto add = [&](int level, const std::string& type, long size, const std::string& sharing) {
+    if (size > 0)
+      found.push_back("L" + std::to_string(level) + " " + type + " " + std::to_string(size / 1024) +
+                      " KiB" + sharing);
+  };
+  for (const auto& c : info.caches)
+    add(c.level, c.type, c.size, ", shared by " + std::to_string(c.num_sharing));
+  if (!found.empty()) return found;
+  // Some virtual machines list none. The C library asks the processor; of the third level, though,
+  // it tells what all cores of a processor have together.
+  add(1, "Data", sysconf(_SC_LEVEL1_DCACHE_SIZE), {});
+  add(1, "Instruction", sysconf(_SC_LEVEL1_ICACHE_SIZE), {});
+  add(2, "Unified", sysconf(_SC_LEVEL2_CACHE_SIZE), {});
+  return found;
+}
+
 }  // namespace
 
 Machine this_machine() {
   const benchmark::CPUInfo& info = benchmark::CPUInfo::Get();
   Machine m{processor_name(),
             info.num_cpus,
-            {},
+            caches(info),
             "unknown",
             first_line("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor"),
             turbo()};
-  for (const auto& c : info.caches)
-    m.caches.push_back("L" + std::to_string(c.level) + " " + c.type + " " +
-                       std::to_string(c.size / 1024) + " KiB, shared by " +
-                       std::to_string(c.num_sharing));
   utsname name{};
   if (uname(&name) == 0) m.kernel = std::string(name.sysname) + " " + name.release;
   return m;

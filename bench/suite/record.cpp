@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -37,13 +36,6 @@ void add_status(Json& j, const Timed& timed) {
   if (!timed.results.empty()) j["results"] = timed.results;
 }
 
-/// Of what has a time: how right it is, the time, and what belongs to it.
-/// To five digits: there are many of them, and what a machine repeats is less.
-double rounded(double seconds) {
-  const double unit = std::pow(10, 4 - std::floor(std::log10(seconds)));
-  return std::round(seconds * unit) / unit;
-}
-
 void add_segments(Json& j, const Segments& segments) {
   for (const double least : segments.least()) j["segment_seconds"].push_back(rounded(least));
   const std::vector<long>& updates = segments.updates();
@@ -56,6 +48,7 @@ void add_segments(Json& j, const Segments& segments) {
   }
 }
 
+/// Of what has a time: how right it is, the time, and what belongs to it.
 void add_time(Json& j, const Timed& timed, Json verification) {
   j["verification"] = std::move(verification);
   j["cpu_seconds"] = timed.cpu_seconds;
@@ -147,11 +140,22 @@ Json profile_json(const Cell& cell) {
           {"total_range", {cell.phases->least_total, cell.phases->most_total}}};
 }
 
+Json head_of(const Run& run, const TimeGrid& grid) {
+  return {{"schema", "desmo-results"},
+          {"version", schema_version},
+          {"record", environment_json(run, grid)}};
+}
+
 }  // namespace
 
+std::string record_text(const Run& run, const TimeGrid& grid, const Json& lists) {
+  Json head = head_of(run, grid);
+  head["cells"] = Json::array();
+  return record_layout(head, lists);
+}
+
 std::string record_text(const Run& run, const std::vector<Timed*>& timed) {
-  Json head = {{"schema", "desmo-results"}, {"version", schema_version}}, all;
-  head["record"] = environment_json(run, timed.front()->grid);
+  Json head = head_of(run, timed.front()->grid), all;
   head["record"]["settings"]["segments"] = timed.front()->segments.count();
   for (const char* list : {"cells", "profiles", "structure", "requests"}) all[list] = Json::array();
   std::set<std::pair<std::string_view, int>> described;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -17,5 +18,9 @@ struct Run {
 /// The results record (results/record.schema.json) of these, at least one; all have the same time
 /// grid.
 std::string record_text(const Run& run, const std::vector<Timed*>& timed);
+
+/// A record without cells. grid: the usual one, for the settings; lists: an object of arrays, what
+/// it holds instead.
+std::string record_text(const Run& run, const TimeGrid& grid, const nlohmann::ordered_json& lists);
 
 }  // namespace desmo::suite

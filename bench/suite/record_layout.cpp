@@ -1,5 +1,6 @@
 #include "bench/suite/record_layout.h"
 
+#include <cmath>
 #include <cstddef>
 #include <nlohmann/json.hpp>
 
@@ -15,6 +16,11 @@ std::string record_layout(const nlohmann::ordered_json& head, const nlohmann::or
     text += list.empty() ? "]" : "\n ]";
   }
   return text + "\n}\n";
+}
+
+double rounded(double seconds) {
+  const double unit = std::pow(10, 4 - std::floor(std::log10(seconds)));
+  return std::round(seconds * unit) / unit;
 }
 
 }  // namespace desmo::suite

@@ -10,4 +10,7 @@ namespace desmo::suite {
 /// of arrays.
 std::string record_layout(const nlohmann::ordered_json& head, const nlohmann::ordered_json& lists);
 
+/// A time above zero to five digits: there are many of them, and what a machine repeats is less.
+double rounded(double seconds);
+
 }  // namespace desmo::suite

@@ -12,6 +12,7 @@
 #include "bench/suite/beyond.h"
 #include "bench/suite/cpu_clock.h"
 #include "bench/suite/model_digest.h"
+#include "bench/suite/structure.h"
 #include "cases/files.h"
 #include "cases/library.h"
 #include "formulations/modelling/model.h"
@@ -39,13 +40,6 @@ std::vector<AskedComponent> components(const Mechanism& whole, const Plan& plan,
       result.push_back({from.first + k, to.first + k, asked[i].level});
   }
   return result;
-}
-
-int moving_unknowns(const Mechanism& m) {
-  std::size_t count = 0;
-  for (const PartDefinition& part : make_partition(m, Partition::group))
-    if (!part.constant) count += part.unknowns.size();
-  return static_cast<int>(count);
 }
 
 /// Widens `largest` by the differences of what is asked between an instant of the whole mechanism

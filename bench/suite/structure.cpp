@@ -25,6 +25,13 @@ std::vector<PartSizes> part_sizes(const Mechanism& m, Partition partition) {
   return sizes;
 }
 
+int moving_unknowns(const Mechanism& m) {
+  int unknowns = 0;
+  for (const PartSizes& parts : part_sizes(m, Partition::group))
+    unknowns += parts.unknowns * parts.count;
+  return unknowns;
+}
+
 std::vector<Structure> structures(const Case& definition, int coordinates) {
   const Mechanism m = make_mechanism(describe(definition, coordinates));
   std::vector<Structure> result;

@@ -26,6 +26,9 @@ struct Structure {
 
 std::vector<PartSizes> part_sizes(const Mechanism& mechanism, Partition partition);
 
+/// Coordinates that are to be found at every instant: neither driven nor at rest.
+int moving_unknowns(const Mechanism& mechanism);
+
 /// Every partition of one case at one size.
 std::vector<Structure> structures(const Case& definition, int coordinates);
 

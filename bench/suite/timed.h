@@ -34,11 +34,8 @@ class Timed {
   /// The whole analysis, as timed. Needs State::verified; a failure turns it into State::failed.
   virtual Summary analyse() = 0;
 
-  /// Makes what is timed anew, analyses once and discards it; CPU seconds of the analysis. A thread
-  /// of its own has a heap of its own: among what others have left on a used one, data lie so
-  /// scattered that an analysis takes up to a quarter longer, in one run and not in the next. On
-  /// which pages they lie, and where in them, is luck, worth some percent, and drawn anew each
-  /// time. Needs State::verified.
+  /// Makes what is timed anew, analyses once and discards it, on a fresh heap (see on_fresh_heap);
+  /// CPU seconds of the analysis. Needs State::verified.
   double time_afresh();
 
   /// Grows with the time of an analysis, before anything is known of it.

@@ -27,16 +27,6 @@ void compare(double& largest, ResultDigest& results, std::span<const double> fou
   }
 }
 
-void require_agreement(const Mechanism& m, const PerLevel<double>& floor) {
-  for (const Level level : levels) {
-    if (floor[level] <= highest_floor) continue;
-    char text[32];
-    std::snprintf(text, sizeof text, "%.1e", floor[level]);
-    throw std::runtime_error(m.name + ": no reference: two quadruple solutions differ by " + text +
-                             " of the scale");
-  }
-}
-
 }  // namespace
 
 void widen(double& largest, double a, double b) {
@@ -63,11 +53,21 @@ std::string complaint(const Errors& e, std::size_t expected_instants) {
     return {};
   char text[200];
   std::snprintf(text, sizeof text,
-                "differs from the quadruple reference by %.1e in position, %.1e in velocity, %.1e "
+                "differs from the reference by %.1e in position, %.1e in velocity, %.1e "
                 "in acceleration (allowed: %.0e, %.0e, %.0e)",
                 e.position, e.velocity, e.acceleration, allowed.position, allowed.velocity,
                 allowed.acceleration);
   return text;
+}
+
+void require_agreement(const Mechanism& m, const PerLevel<double>& floor) {
+  for (const Level level : levels) {
+    if (floor[level] <= highest_floor) continue;
+    char text[32];
+    std::snprintf(text, sizeof text, "%.1e", floor[level]);
+    throw std::runtime_error(m.name + ": no reference: two quadruple solutions differ by " + text +
+                             " of the scale");
+  }
 }
 
 std::string missing_code(const Formulation& f) {

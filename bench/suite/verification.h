@@ -44,6 +44,10 @@ class VerifyingSink final : public Sink {
 /// Empty when within what is allowed; otherwise what is wrong, in words.
 std::string complaint(const Errors& errors, std::size_t expected_instants);
 
+/// Throws std::runtime_error, naming the mechanism, where two quadruple solutions differ by more
+/// than 1e-20 of its scales: then neither is a reference.
+void require_agreement(const Mechanism& mechanism, const PerLevel<double>& floor);
+
 /// Empty when every part is what the formulation's id says; otherwise which are not: without
 /// generated code a part falls back to automatic equations, and is not to be timed under that id.
 std::string missing_code(const Formulation& formulation);
@@ -52,8 +56,7 @@ std::string missing_code(const Formulation& formulation);
 /// size and shared by all its formulations.
 class ReferenceCache {
  public:
-  /// Throws std::runtime_error when there is none: see make_reference; or its two solutions do not
-  /// agree to 1e-20.
+  /// Throws std::runtime_error when there is none: see make_reference and require_agreement.
   std::span<const ReferenceInstant> get(const Mechanism& mechanism, const TimeGrid& grid);
 
  private:

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report/embedded.h"
+#include "report/figures/growth.h"
 #include "report/figures/work_precision.h"
 #include "report/precision/selection.h"
 #include "report/tables/tables.h"
@@ -98,6 +99,7 @@ std::vector<Rendered> figures(const Record& record) {
   }
   for (const std::string& name : drawn_cases(record))
     files.push_back(work_precision_figure(record, name));
+  if (!record.growth.empty()) files.push_back(growth_figure(record));
   return files;
 }
 

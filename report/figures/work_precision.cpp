@@ -7,6 +7,7 @@
 #include <set>
 
 #include "report/embedded.h"
+#include "report/figures/legend.h"
 #include "report/precision/selection.h"
 #include "report/tables/precision.h"
 
@@ -91,29 +92,10 @@ Json domain(const Json& all) {
           std::pow(10, std::ceil(std::log10(largest)))};
 }
 
-/// Families that were measured keep their colours and shapes; one that the design does not know is
-/// a grey cross.
-void keep_families(Json& spec, const Table& table) {
+std::set<std::string> families(const Table& table) {
   std::set<std::string> measured;
   for (const auto& row : table.rows) measured.insert(row[family].shown);
-  Json& encoding = spec["vconcat"][0]["layer"][0]["encoding"];
-  for (const auto& [channel, unknown] : {std::pair{"color", "#888888"}, {"shape", "cross"}}) {
-    Json& scale = encoding[channel]["scale"];
-    Json names = Json::array(), range = Json::array();
-    std::set<std::string> rest = measured;
-    for (std::size_t i = 0; i < scale["domain"].size(); ++i)
-      if (rest.erase(scale["domain"][i].get<std::string>())) {
-        names.push_back(scale["domain"][i]);
-        range.push_back(scale["range"][i]);
-      }
-    for (const std::string& name : rest) {
-      names.push_back(name);
-      range.push_back(unknown);
-    }
-    spec["params"][0]["value"] = names;
-    scale["domain"] = std::move(names);
-    scale["range"] = std::move(range);
-  }
+  return measured;
 }
 
 }  // namespace
@@ -123,8 +105,8 @@ Rendered work_precision_figure(const Record& record, const std::string& case_nam
   Json spec = Json::parse(embedded::work_precision), data = marks(table);
   spec["title"]["text"] = table.title;
   spec["title"]["subtitle"] = table.notes;
-  keep_families(spec, table);
   Json& layers = spec["vconcat"][0]["layer"];
+  keep_measured(spec, {&layers[0]["encoding"]}, families(table));
   const Json ends = domain(data);
   layers[0]["encoding"]["x"]["scale"]["domain"] = ends;
   const Json rules =

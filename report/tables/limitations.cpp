@@ -87,6 +87,10 @@ Section limitations(const Record& record) {
         "Errors are those at the instants compared, a few of a short motion; another motion, "
         "nearer to a singular position, has others.");
   }
+  if (has_sizes(record))
+    lines.push_back(
+        "Times at different sizes were taken one after the other: what the machine did for minutes "
+        "meets some sizes and not others.");
   add_of_the_machine(record, lines);
   if (has_cells(record)) add_of_the_cells(record, lines);
   return {"Known limitations", std::move(lines), {}};

@@ -8,6 +8,7 @@
 #include "tests/report/points_sample.h"
 #include "tests/report/reading.h"
 #include "tests/report/sample.h"
+#include "tests/report/sizes_sample.h"
 
 namespace desmo::report {
 namespace {
@@ -68,7 +69,7 @@ void compare(const Json& table, const std::vector<std::vector<std::string>>& csv
   }
 }
 
-void expect_same_numbers(const Document& document) {
+void expect_same_numbers(const Document& document, std::size_t least_numbers = 100) {
   const Json json = Json::parse(to_json(document));
   const std::vector<Rendered> csv = render(document, "csv");
   for (const auto& read : {read_markdown(to_markdown(document)), read_latex(to_latex(document)),
@@ -90,7 +91,7 @@ void expect_same_numbers(const Document& document) {
     }
     EXPECT_EQ(at, read.tables.size());
     EXPECT_EQ(at, csv.size());
-    EXPECT_GT(numbers, 100u);
+    EXPECT_GT(numbers, least_numbers);
   }
 }
 
@@ -108,6 +109,10 @@ TEST(SameNumbers, OfARecordWithFailures) {
 
 TEST(SameNumbers, OfTimeAgainstError) {
   expect_same_numbers(make_report(record_from(points_record())));
+}
+
+TEST(SameNumbers, OfTimeAgainstSize) {
+  expect_same_numbers(make_report(record_from(sizes_record())), 130);
 }
 
 TEST(SameNumbers, OfEveryFiledRun) {

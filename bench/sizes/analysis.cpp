@@ -1,17 +1,10 @@
-// desmo_growth [BODIES...]: how reading, analysing and solving a mechanism file grow with the
-// number of bodies, for generated files of both scalable cases, in CPU seconds; a step is the
-// fastest of a few. Default: 100 1000 10000.
+#include "bench/sizes/analysis.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <cstdio>
-#include <exception>
-#include <iostream>
 #include <limits>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "bench/suite/cpu_clock.h"
@@ -20,23 +13,16 @@
 #include "formulations/modelling/model.h"
 #include "formulations/variants.h"
 
+namespace desmo::sizes {
+
 namespace {
 
-using namespace desmo;
 using suite::cpu_now;
 
 constexpr int steps = 20;
 /// Rounding leaves more in the squared lengths of links that are ten thousand lengths from the
 /// origin than the usual tolerance allows; Newton's last step goes far below either.
 constexpr double tolerance = 1e-7;
-
-int bodies_of(std::string_view text) {
-  int bodies = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), bodies);
-  if (error != std::errc{} || end != text.data() + text.size() || bodies < 20 || bodies > 1'000'000)
-    throw std::invalid_argument("'" + std::string(text) + "' is not a number of bodies, 20 to 1e6");
-  return bodies;
-}
 
 /// Bodies of a case with two units less those with one, ground and crank left out.
 int bodies_per_unit(const Case& c) {
@@ -75,20 +61,11 @@ void measure(const Case& c, int bodies) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  try {
-    std::vector<int> sizes;
-    for (int i = 1; i < argc; ++i) sizes.push_back(bodies_of(argv[i]));
-    if (sizes.empty()) sizes = {100, 1000, 10'000};
-    std::printf("%-18s %8s %8s %8s %8s %9s %9s %9s %9s %12s\n", "case", "bodies", "q", "blocks",
-                "KiB", "read s", "model s", "blocks s", "setup s", "us/step");
-    for (const Case& c : cases())
-      for (const int bodies : sizes) measure(c, bodies);
-  } catch (const std::invalid_argument& e) {
-    std::cerr << "desmo_growth: " << e.what() << '\n';
-    return 64;
-  } catch (const std::exception& e) {
-    std::cerr << "desmo_growth: " << e.what() << '\n';
-    return 1;
-  }
+void print_analysis(const std::vector<int>& bodies) {
+  std::printf("%-18s %8s %8s %8s %8s %9s %9s %9s %9s %12s\n", "case", "bodies", "q", "blocks",
+              "KiB", "read s", "model s", "blocks s", "setup s", "us/step");
+  for (const Case& c : cases())
+    for (const int number : bodies) measure(c, number);
 }
+
+}  // namespace desmo::sizes

@@ -1,0 +1,60 @@
+#include "report/sizes/timed_size_reader.h"
+
+#include <utility>
+
+#include "report/verification_reader.h"
+
+namespace desmo::report {
+namespace {
+
+TimedSize failed(TimedSize entry, std::string why) {
+  entry.status = Status::failed;
+  entry.message = std::move(why);
+  entry.seconds_per_step.clear();
+  return entry;
+}
+
+TimedSize read_entry(const JsonNode& node, const Settings& settings) {
+  TimedSize entry{.status = read_status(node["status"]),
+                  .message = node.find_text("message").value_or(""),
+                  .unknowns = node["unknowns"].integer(1),
+                  .tolerance = node["tolerance"].positive(),
+                  .checked_against = {},
+                  .verification = std::nullopt,
+                  .bytes = std::nullopt,
+                  .seconds_per_step = {}};
+  if (entry.status == Status::not_run) node["status"].complain("everything here is run");
+  if (entry.status != Status::ok) return entry;
+  entry.checked_against = node["checked_against"].text();
+  entry.verification = read_verification(node["verification"]);
+  entry.iterations_per_step = node["iterations_per_step"].not_negative();
+  entry.state_bytes = node["state_bytes"].positive();
+  if (const auto bytes = node.find("bytes")) entry.bytes = bytes->positive();
+  const JsonNode samples = node["seconds_per_step"];
+  for (const JsonNode& sample : samples.elements())
+    entry.seconds_per_step.push_back(sample.sample());
+  if (entry.seconds_per_step.empty()) samples.complain("at least one sample was expected");
+  if (!settings.allowed) return entry;
+  std::string reason = excess(*entry.verification, *settings.allowed);
+  return reason.empty() ? entry : failed(std::move(entry), std::move(reason));
+}
+
+void read_list(std::map<CellKey, TimedSize>& entries, const JsonNode& list,
+               const Settings& settings) {
+  for (const JsonNode& node : list.elements()) {
+    const CellKey key{node["case"].name(), node["coordinates"].integer(1), node["id"].text()};
+    if (!entries.emplace(key, read_entry(node, settings)).second)
+      node.complain(key.case_name + "/" + std::to_string(key.coordinates) + "/" + key.id +
+                    " is given twice");
+  }
+}
+
+}  // namespace
+
+void read_sizes(Record& record, const JsonNode& root) {
+  if (const auto growth = root.find("growth")) read_list(record.growth, *growth, record.settings);
+  if (const auto crossing = root.find("crossing"))
+    read_list(record.crossing, *crossing, record.settings);
+}
+
+}  // namespace desmo::report

@@ -1,0 +1,13 @@
+// The parts of a record that hold time against size.
+#pragma once
+
+#include "report/json_node.h"
+#include "report/record.h"
+
+namespace desmo::report {
+
+/// Reads `growth` and `crossing`, where there are any: each case, size and formulation once. What
+/// exceeds `record.settings.allowed` becomes failed and has no time. Throws InvalidRecord.
+void read_sizes(Record& record, const JsonNode& root);
+
+}  // namespace desmo::report

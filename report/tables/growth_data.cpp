@@ -1,0 +1,66 @@
+// What the figure of growth shows, as a table: the design in report/figures draws these numbers.
+#include "report/digits.h"
+#include "report/measurements.h"
+#include "report/precision/selection.h"
+#include "report/sizes/caches.h"
+#include "report/tables/sizes.h"
+
+namespace desmo::report {
+namespace {
+
+std::vector<Entry> row(const CellKey& key, const TimedSize& entry,
+                       const std::vector<Cache>& caches) {
+  std::vector<Entry> cells{text_entry(key.case_name), text_entry(key.id),
+                           text_entry(std::to_string(key.coordinates))};
+  if (entry.status != Status::ok) {
+    cells.push_back(note_entry(failed_mark));
+    for (int i = 0; i < 5; ++i) cells.push_back(note_entry(missing_mark));
+    cells.push_back(text_entry(""));
+    cells.push_back(text_entry(entry.message));
+    return cells;
+  }
+  const double seconds = step_time(entry.seconds_per_step).seconds;
+  const auto kibibytes = [](std::optional<double> bytes) {
+    return number_entry(bytes ? std::optional(*bytes / 1024) : std::nullopt, 4);
+  };
+  cells.push_back(step_time_entry(entry.seconds_per_step));
+  cells.push_back(number_entry(1e9 * seconds / static_cast<double>(key.coordinates), 4));
+  cells.push_back(kibibytes(entry.bytes));
+  cells.push_back(kibibytes(entry.state_bytes));
+  cells.push_back(number_entry(entry.iterations_per_step, 3));
+  cells.push_back(error_entry(entry.verification->position));
+  cells.push_back(text_entry(entry.bytes ? held_by(caches, *entry.bytes) : ""));
+  cells.push_back(text_entry("checked against " + entry.checked_against + " precision"));
+  return cells;
+}
+
+}  // namespace
+
+Table growth_data(const Record& record) {
+  Table table{.name = "growth",
+              .title = "What a coordinate costs a step, by the memory of the formulation",
+              .notes = {"Ours: " + record.machine.cpu + ", " + record.date +
+                            ". Growth is linear where a coordinate costs the same.",
+                        "Memory: all that the formulation keeps, libraries included; a step "
+                        "touches less. Vertical: the caches of the machine, as far as it tells.",
+                        step_time_note()},
+              .columns = {{"case", {}},
+                          {"id", {}},
+                          {"coordinates", {}},
+                          {"µs/step", {"microseconds", "again"}},
+                          {"ns/coordinate", {"nanoseconds"}},
+                          {"memory KiB", {"kibibytes"}},
+                          {"q, q', q'' KiB", {"kibibytes"}},
+                          {"iterations/step", {"iterations"}},
+                          {"error q", {"error"}},
+                          {"memory is", {}},
+                          {"remark", {}}},
+              .rows = {},
+              .detail = true,
+              .figure = true};
+  const std::vector<Cache> caches = data_caches(record.machine);
+  for (const auto& [key, entry] : record.growth) table.rows.push_back(row(key, entry, caches));
+  return table;
+}
+
+}  // namespace desmo::report

@@ -1,0 +1,38 @@
+#include "report/tables/slope.h"
+
+#include "report/digits.h"
+
+namespace desmo::report {
+namespace {
+
+constexpr double least_linear = 0.9, largest_linear = 1.15;
+
+std::string linearity(const Slope& slope) {
+  if (!is_linear(slope.value)) return "OUTSIDE";
+  return is_linear(slope.low) && is_linear(slope.high) ? "inside" : "inside, interval not";
+}
+
+}  // namespace
+
+std::string linear_band() {
+  return write_shortest(least_linear) + " ... " + write_shortest(largest_linear);
+}
+
+bool is_linear(double slope) { return least_linear <= slope && slope <= largest_linear; }
+
+Entry slope_entry(const SizedTimes& times) {
+  const auto slope = fit_slope(times.sizes, times.seconds);
+  const std::string count = std::to_string(times.sizes.size());
+  const std::string gap = times.mark.empty() ? "" : ", a size " + times.mark;
+  if (!slope && times.sizes.empty())
+    return note_entry(times.mark.empty() ? missing_mark : times.mark);
+  if (!slope) return note_entry("too few sizes: " + count + gap);
+  const std::string value = write_fixed(slope->value, 3), low = write_fixed(slope->low, 3),
+                    high = write_fixed(slope->high, 3);
+  const std::string note = linearity(*slope) + gap;
+  return {value + " [" + low + ", " + high + "] n=" + count + " " + note,
+          {value, low, high, count},
+          note};
+}
+
+}  // namespace desmo::report

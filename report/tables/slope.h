@@ -1,0 +1,30 @@
+// How a time grows with a size, as a place of a table.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "report/document.h"
+#include "report/statistics.h"
+
+namespace desmo::report {
+
+/// Times at sizes, one each.
+struct SizedTimes {
+  std::vector<double> sizes;
+  std::vector<double> seconds;
+  std::string mark;  ///< of a size that has no number; empty where there is none
+};
+
+/// "0.9 ... 1.15": slopes between these are called linear.
+std::string linear_band();
+bool is_linear(double slope);
+
+/// What a slope_entry's numbers are.
+inline const std::vector<std::string> slope_quantities{"slope", "low", "high", "sizes"};
+
+/// "1.012 [0.990, 1.034] n=5 inside", the log-log slope; the number of sizes where there are too
+/// few for one, or the mark.
+Entry slope_entry(const SizedTimes& times);
+
+}  // namespace desmo::report
