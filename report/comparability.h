@@ -22,7 +22,7 @@ std::vector<Difference> why_incomparable(const Record& first, const Record& seco
 
 /// Why times of the two records cannot stand on one page, one beside the other; empty when they
 /// can: as above, but for the motions and what was timed. Only one of them may have cells, only one
-/// points, and likewise promises and sizes.
+/// points, and likewise promises, sizes and instructions.
 std::vector<Difference> why_apart(const Record& first, const Record& second);
 
 /// "CPU model: A here, B there", a line for each.

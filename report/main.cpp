@@ -102,8 +102,8 @@ int main(int argc, char** argv) {
       "tables", "Tables 1 and 2, figures 5 and 6, time against error, and the rest");
   tables_app
       ->add_option("records", command.records,
-                   "The JSON record written by desmo_bench, desmo_precision, desmo_promises or "
-                   "desmo_growth, or one of each")
+                   "The JSON record written by desmo_bench, desmo_precision, desmo_promises, "
+                   "desmo_growth or desmo_instructions, or one of each")
       ->required();
   tables_app->add_option("--out", command.folder,
                          "Write the files of every format, and the figures, into this folder");

@@ -147,6 +147,13 @@ struct Peer {
   Cell cell;
 };
 
+/// Instructions of a step, with as many Newton iterations as it takes.
+struct StepCount {
+  std::int64_t instructions = 0;
+  std::int64_t steps = 0;  ///< counted
+  std::string tool;        ///< what counted, and what else counts depend on
+};
+
 struct Record {
   std::string version;
   std::string date;  ///< UTC, ISO 8601
@@ -168,6 +175,7 @@ struct Record {
   std::vector<Promise> promises;                ///< since 1.5.0, in the record's order
   std::map<CellKey, TimedSize> growth;          ///< since 1.7.0: time against coordinates
   std::map<CellKey, TimedSize> crossing;        ///< since 1.7.0: dense and sparse, by unknowns
+  std::map<CellKey, StepCount> instructions;    ///< since 1.7.0
 };
 
 /// Whether it has what desmo_bench measures: the paper's experiment.

@@ -266,6 +266,13 @@ void insert_once(Map& map, const JsonNode& node, Value value) {
                   " is given twice");
 }
 
+void read_instructions(Record& record, const JsonNode& list) {
+  for (const JsonNode& node : list.elements())
+    insert_once(record.instructions, node,
+                StepCount{node["instructions_per_step"].integer(1), node["steps"].integer(1),
+                          node["tool"].text()});
+}
+
 }  // namespace
 
 Record read_record(const JsonNode& root) {
@@ -291,7 +298,8 @@ Record read_record(const JsonNode& root) {
                 .points = {},
                 .promises = {},
                 .growth = {},
-                .crossing = {}};
+                .crossing = {},
+                .instructions = {}};
   for (const auto& [name, version] : node["libraries"].members())
     record.libraries.emplace(name, version.text());
   for (const JsonNode& cell : root["cells"].elements())
@@ -305,9 +313,12 @@ Record read_record(const JsonNode& root) {
   read_points(record, root);
   read_promises(record, root);
   read_sizes(record, root);
-  if (!has_cells(record) && record.points.empty() && record.promises.empty() && !has_sizes(record))
+  if (const auto instructions = root.find("instructions")) read_instructions(record, *instructions);
+  if (!has_cells(record) && record.points.empty() && record.promises.empty() &&
+      !has_sizes(record) && record.instructions.empty())
     root["cells"].complain(
-        "the record has no cell, and neither requests nor peers, points nor promises, nor sizes");
+        "the record has no cell, and neither requests nor peers, points nor promises, sizes nor "
+        "instructions");
   require_one_origin(record);
   return record;
 }

@@ -116,9 +116,12 @@ Document make_report(const std::vector<Record>& records) {
   const auto tuned =
       std::ranges::find_if(records, [](const Record& r) { return !r.promises.empty(); });
   const auto grown = std::ranges::find_if(records, has_sizes);
+  const auto counted =
+      std::ranges::find_if(records, [](const Record& r) { return !r.instructions.empty(); });
   Document document{.title = experiment != end                 ? "desmo: the paper's experiment"
                              : accuracy != end || tuned != end ? "desmo: speed for accuracy"
-                                                               : "desmo: time against size",
+                             : grown != end                    ? "desmo: time against size"
+                                                               : "desmo: instructions a step",
                     .sections = {}};
   auto& sections = document.sections;
   if (experiment != end) add_experiment(sections, *experiment);
@@ -126,6 +129,7 @@ Document make_report(const std::vector<Record>& records) {
     std::ranges::move(precision_sections(*accuracy), std::back_inserter(sections));
   if (tuned != end) sections.push_back(promises(*tuned));
   if (grown != end) add_sizes(sections, *grown);
+  if (counted != end) sections.push_back(instructions(*counted));
   if (experiment != end) add_details(sections, *experiment);
   sections.push_back(measured_how(records));
   sections.push_back(joint_limitations(records));

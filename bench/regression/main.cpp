@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/regression/callgrind.h"
 #include "bench/regression/cells.h"
 #include "bench/regression/check_file.h"
 #include "bench/regression/counts.h"

@@ -3,24 +3,14 @@
 #include <cmath>
 
 #include "cases/cases.h"
-#include "formulations/id.h"
 #include "formulations/modelling/model.h"
 
 namespace desmo::regression {
 
-namespace {
-
-std::unique_ptr<Formulation> formulation_named(const std::string& id, const Mechanism& mechanism,
-                                               const Settings& base) {
-  const Configuration c = parse_id(id, base);
-  return make_formulation(*c.variant, mechanism, c.settings);
-}
-
-}  // namespace
-
 Subject::Subject(const CellName& cell, int instants, const Settings& settings)
-    : mechanism_(make_mechanism(describe(find_case(cell.case_name), cell.coordinates))),
-      formulation_(formulation_named(cell.id, mechanism_, settings)),
+    : configuration_(parse_id(cell.id, settings)),
+      mechanism_(make_mechanism(describe(find_case(cell.case_name), cell.coordinates))),
+      formulation_(make_formulation(*configuration_.variant, mechanism_, configuration_.settings)),
       delivery_(mechanism_.coordinates()),
       grid_{0, 0.01, instants} {}
 

@@ -6,7 +6,7 @@
 #include "bench/suite/delivery.h"
 #include "cases/mechanism.h"
 #include "formulations/formulation.h"
-#include "formulations/variants.h"
+#include "formulations/id.h"
 
 namespace desmo::regression {
 
@@ -26,10 +26,16 @@ class Subject {
   /// Needs an earlier solution nearby. Returns what became of the last step tried.
   Summary walk(int first, int last);
 
+  /// Whether its settings solve more than one instant at once: by analyse() only, since a step is
+  /// one step.
+  bool runs_at_once() const { return settings().segments > 1 || settings().stride > 1; }
+
+  const Settings& settings() const { return configuration_.settings; }
   int last_instant() const { return grid_.instants - 1; }
   const Mechanism& mechanism() const { return mechanism_; }
 
  private:
+  Configuration configuration_;
   Mechanism mechanism_;
   std::unique_ptr<Formulation> formulation_;
   suite::Delivery delivery_;

@@ -1,8 +1,9 @@
 // desmo_steps CASE COORDINATES ID STEPS [ITERATIONS [PERCENT]]: assembles and takes so many steps
 // of 10 ms, nothing else, for instruction counts and profilers. With ITERATIONS every step takes
-// exactly so many Newton iterations. PERCENT repeats that share of the steps: a slowdown on
-// purpose, for tests of what is to find one. The steps after the first few are all in
-// desmo_counted_steps.
+// exactly so many Newton iterations; 0: as many as it needs. PERCENT repeats that share of the
+// steps: a slowdown on purpose, for tests of what is to find one. The steps after the first few are
+// all in desmo_counted_steps. With an id that solves more than one instant at once, the whole
+// motion is in it, assembly included.
 
 #include <algorithm>
 #include <charconv>
@@ -32,6 +33,7 @@ int whole(std::string_view text) {
 
 extern "C" [[gnu::noinline]] desmo::Summary desmo_counted_steps(Subject& subject, int first,
                                                                 int last, int repeated) {
+  if (subject.runs_at_once()) return subject.analyse();
   const desmo::Summary s = subject.walk(first, last);
   return s.ok() && repeated > 0 ? subject.walk(last - 1, last - repeated) : s;
 }
@@ -48,11 +50,12 @@ int main(int argc, char** argv) {
     if (argc > 5) settings.fixed_iterations = whole(argv[5]);
     const int first = std::min(warm_up, steps);
     Subject subject({argv[1], whole(argv[2]), argv[3]}, steps + 1, settings);
-    Summary s = subject.walk(0, first);
+    Summary s;
+    if (!subject.runs_at_once()) s = subject.walk(0, first);
     if (s.ok() && first < steps)
       s = desmo_counted_steps(subject, first + 1, steps,
                               regression::extra_steps(steps - first, repeated));
-    if (s.ok() && s.residual > Settings{}.tolerance)  // possible with fixed iterations only
+    if (s.ok() && s.residual > subject.settings().tolerance)  // possible with fixed iterations only
       s.status = Status::not_converged;
     if (s.ok()) return 0;
     std::cerr << "desmo_steps: " << describe(s, subject.mechanism()) << '\n';

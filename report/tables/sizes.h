@@ -1,4 +1,5 @@
-// The parts of the report about time against size: pure functions of the record.
+// The parts of the report about time against size, and about instructions: pure functions of the
+// record.
 #pragma once
 
 #include <string>
@@ -31,5 +32,9 @@ Section dense_or_sparse(const Record& record);
 
 /// Its data: µs a step of every formulation, by unknowns.
 Table crossing_times(const Record& record, const std::string& case_name);
+
+/// Instructions of a step, and how many times those of the usual reference. The record has
+/// `instructions`.
+Section instructions(const Record& record);
 
 }  // namespace desmo::report

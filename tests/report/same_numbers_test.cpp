@@ -112,7 +112,11 @@ TEST(SameNumbers, OfTimeAgainstError) {
 }
 
 TEST(SameNumbers, OfTimeAgainstSize) {
-  expect_same_numbers(make_report(record_from(sizes_record())), 130);
+  expect_same_numbers(make_report(record_from(sizes_record())));
+}
+
+TEST(SameNumbers, OfInstructions) {
+  expect_same_numbers(make_report(record_from(instructions_record())), 10);
 }
 
 TEST(SameNumbers, OfEveryFiledRun) {

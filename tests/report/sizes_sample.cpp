@@ -16,6 +16,12 @@ Json without_cells(const std::string& command) {
   return record;
 }
 
+Json counted(const std::string& case_name, const std::string& id, int instructions) {
+  return {{"case", case_name}, {"coordinates", 558},
+          {"id", id},          {"instructions_per_step", instructions},
+          {"steps", 50},       {"tool", "valgrind-0.0, glibc 0.0"}};
+}
+
 }  // namespace
 
 Json timed_size(const std::string& case_name, int coordinates, const std::string& id,
@@ -58,6 +64,15 @@ Json sizes_record() {
     record["crossing"].push_back(timed_size(bars, n, "global_automatic_umfpack", 0.05 * n));
     record["crossing"].push_back(timed_size(bars, n, "global_automatic_cholmod", 1e3 * n * n));
   }
+  return record;
+}
+
+Json instructions_record() {
+  Json record = without_cells("desmo_instructions --synthetic");
+  record["instructions"] = {counted("truck_suspension", "global_automatic_klu", 1'400'000),
+                            counted("truck_suspension", "group_symbolic_lapack", 5'900'000),
+                            counted("truck_suspension", "group_symbolic_explicit/lanes:4", 14'000),
+                            counted("four_bar", "group_symbolic_inlined", 100'000)};
   return record;
 }
 

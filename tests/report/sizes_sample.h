@@ -1,4 +1,4 @@
-// A synthetic record of time against size.
+// Synthetic records of time against size, and of instructions.
 #pragma once
 
 #include "tests/report/sample.h"
@@ -14,5 +14,8 @@ Json timed_size(const std::string& case_name, int coordinates, const std::string
 /// time is n³, sparse 3600 n (klu: they meet at 60), 50 n (umfpack), and 1e6 n² (cholmod). Of a
 /// machine with L1 10 KiB and L2 100 KiB. Made-up numbers.
 Json sizes_record();
+
+/// `instructions` of both cases.
+Json instructions_record();
 
 }  // namespace desmo::report

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 
+#include "report/comparability.h"
 #include "report/figures/figures.h"
+#include "report/report.h"
 #include "report/sizes/caches.h"
 #include "report/sizes/crossing.h"
 #include "tests/report/sizes_sample.h"
@@ -63,7 +65,7 @@ TEST(Sizes, ThatSayNothingAreRefused) {
           "crossing[1]: four_bar/10/global_automatic_eigen is given twice");
   Json json = sizes_record();
   json["growth"] = json["crossing"] = Json::array();
-  EXPECT_NE(complaint(json).find("nor sizes"), std::string::npos);
+  EXPECT_NE(complaint(json).find("sizes nor instructions"), std::string::npos);
 }
 
 TEST(Caches, AreThoseThatHoldData) {
@@ -179,6 +181,21 @@ TEST(SizesFigure, DrawsWhatItsTableSays) {
   EXPECT_EQ(marks, 9u);  // what failed is in the table only
   EXPECT_EQ(caches, 2u);
   EXPECT_EQ(spec["params"][0]["value"], Json({klu, in_order}));
+}
+
+TEST(Sizes, StandOnOnePageWithPoints) {
+  Json sizes = sizes_record(), counts = instructions_record();
+  for (Json* json : {&sizes, &counts})
+    (*json)["record"] = Json::parse(read_text(data_file("golden/1.3.0.json")))["record"];
+  const Record a = record_from(sizes), b = record_from(counts);
+  EXPECT_TRUE(why_apart(a, b).empty()) << describe(why_apart(a, b));
+  EXPECT_EQ(why_apart(a, a).front().what, "one record with sizes");
+  EXPECT_EQ(why_apart(b, b).front().what, "one record with instructions");
+  const Document page = make_report(std::vector{a, b});
+  EXPECT_EQ(page.title, "desmo: time against size");
+  EXPECT_EQ(page.sections.at(0).title, "Growth, and where caches end it");
+  EXPECT_EQ(page.sections.at(1).title, "Dense or sparse");
+  EXPECT_EQ(page.sections.at(2).title, "Instructions a step");
 }
 
 }  // namespace

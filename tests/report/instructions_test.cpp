@@ -1,0 +1,56 @@
+// Instructions a step: reader and tables.
+#include <gtest/gtest.h>
+
+#include "report/report.h"
+#include "report/tables/sizes.h"
+#include "tests/report/sizes_sample.h"
+
+namespace desmo::report {
+namespace {
+
+TEST(Instructions, StandFewestFirstBesideTheReference) {
+  const Section section = instructions(record_from(instructions_record()));
+  ASSERT_EQ(section.tables.size(), 2u);
+  const Table& truck = section.tables.at(1);
+  EXPECT_EQ(truck.name, "instructions_truck_suspension_558");
+  EXPECT_EQ(truck.rows.front().front().shown, "group_symbolic_explicit/lanes:4");
+  EXPECT_EQ(entry_at(truck, {"group_symbolic_explicit/lanes:4"}, "times fewer").shown, "100");
+  EXPECT_EQ(entry_at(truck, {"group_symbolic_explicit/lanes:4"}, "instructions/step").shown,
+            "14000");
+  EXPECT_EQ(entry_at(truck, {"group_symbolic_lapack"}, "times fewer").shown, "0.24");
+  EXPECT_EQ(entry_at(truck, {"group_symbolic_lapack"}, "paper").shown, "TS-TPS_LAP");
+  EXPECT_EQ(entry_at(truck, {"global_automatic_klu"}, "paper").shown, "TS-G_klu");
+  EXPECT_EQ(entry_at(truck, {"global_automatic_klu"}, "times fewer").shown, "1.00 reference");
+  EXPECT_EQ(section.paragraphs.at(1),
+            "truck_suspension, 558 coordinates: 14000 instructions a step are the fewest, with "
+            "group_symbolic_explicit/lanes:4; global_automatic_klu takes 1400000.");
+}
+
+TEST(Instructions, WithoutAReferenceHaveNoRatio) {
+  const Table bars = instructions(record_from(instructions_record())).tables.at(0);
+  EXPECT_EQ(entry_at(bars, {"group_symbolic_inlined"}, "times fewer").shown, missing_mark);
+  EXPECT_EQ(entry_at(bars, {"group_symbolic_inlined"}, "paper").shown, "FBL-TP");
+}
+
+TEST(Instructions, ThatSayNothingAreRefused) {
+  const auto with = [](const std::string& place, const Json& value) {
+    Json json = instructions_record();
+    json[Json::json_pointer(place)] = value;
+    return complaint(json);
+  };
+  EXPECT_EQ(complaint(instructions_record()), "accepted");
+  EXPECT_NE(with("/instructions/0/instructions_per_step", 0)
+                .find("instructions[0].instructions_per_step: "),
+            std::string::npos);
+  EXPECT_NE(with("/instructions/1/id", "global_automatic_klu").find("instructions[1]: "),
+            std::string::npos);
+}
+
+TEST(Instructions, HaveAPageOfTheirOwn) {
+  const Document page = make_report(record_from(instructions_record()));
+  EXPECT_EQ(page.title, "desmo: instructions a step");
+  EXPECT_EQ(page.sections.front().title, "Instructions a step");
+}
+
+}  // namespace
+}  // namespace desmo::report
