@@ -28,6 +28,7 @@ struct Instant {
   double time;  ///< s
   std::span<const double> q, qd, qdd;
   long updates = 0;           ///< that it took: see Summary
+  double residual = 0;        ///< ‖Φ‖₂ where it was accepted, as in Summary
   bool interpolated = false;  ///< between those solved (see Settings::stride)
 };
 

@@ -103,7 +103,7 @@ std::optional<Summary> TimeLanes::run(const TimeGrid& grid, const Request& reque
     if (i == length) break;
     total.iterations += static_cast<long>(step.iterations) * lane_count;
     total.updates += step.updates * lane_count;
-    deliver(grid, length, i, request, step.updates, sink);
+    deliver(grid, length, i, request, step, sink);
   }
   if (!meet()) return {};
   total.instants = grid.instants;
@@ -277,7 +277,7 @@ bool TimeLanes::meet() const {
 }
 
 void TimeLanes::deliver(const TimeGrid& grid, int length, int i, const Request& request,
-                        long updates, Sink& sink) {
+                        const Step& step, Sink& sink) {
   const auto unpacked = [&](const std::vector<Lanes>& from, std::vector<double> State::*to) {
     std::array<double*, lane_count> lanes;
     for (int l = 0; l < lane_count; ++l) lanes[l] = (delivered_[l].*to).data();
@@ -295,7 +295,8 @@ void TimeLanes::deliver(const TimeGrid& grid, int length, int i, const Request& 
     const State& s = delivered_[l];
     const std::span<const double> none;
     sink.accept({index, grid.time(index), s.q, request.level >= Level::velocity ? s.qd : none,
-                 request.level >= Level::acceleration ? s.qdd : none, updates});
+                 request.level >= Level::acceleration ? s.qdd : none, step.updates,
+                 std::sqrt(step.residual2[l])});
   }
 }
 

@@ -65,7 +65,7 @@ class TimeLanes final : public WholeMotion {
   Step solve();
   void solve_lane(Stage& stage, int lane, Step& step);
   bool meet() const;
-  void deliver(const TimeGrid& grid, int length, int i, const Request& request, long updates,
+  void deliver(const TimeGrid& grid, int length, int i, const Request& request, const Step& step,
                Sink& sink);
 
   const Mechanism& mechanism_;

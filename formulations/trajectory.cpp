@@ -5,11 +5,15 @@
 namespace desmo {
 
 Trajectory::Trajectory(int instants, int coordinates)
-    : coordinates_(static_cast<std::size_t>(coordinates)), times_(instants), updates_(instants) {}
+    : coordinates_(static_cast<std::size_t>(coordinates)),
+      times_(instants),
+      updates_(instants),
+      residuals_(instants) {}
 
 void Trajectory::accept(const Instant& instant) {
   times_[instant.index] = instant.time;
   updates_[instant.index] = instant.updates;
+  residuals_[instant.index] = instant.residual;
   keep(q_, instant, instant.q);
   keep(qd_, instant, instant.qd);
   keep(qdd_, instant, instant.qdd);
@@ -30,8 +34,8 @@ std::span<const double> Trajectory::kept(const Values& values, std::size_t insta
 
 void Trajectory::hand_on(Sink& sink) const {
   for (std::size_t i = 0; i < times_.size(); ++i)
-    sink.accept(
-        {static_cast<int>(i), times_[i], kept(q_, i), kept(qd_, i), kept(qdd_, i), updates_[i]});
+    sink.accept({static_cast<int>(i), times_[i], kept(q_, i), kept(qd_, i), kept(qdd_, i),
+                 updates_[i], residuals_[i]});
 }
 
 }  // namespace desmo

@@ -30,6 +30,7 @@ class Trajectory final : public Sink {
   std::size_t coordinates_;
   std::vector<double> times_;
   std::vector<long> updates_;
+  std::vector<double> residuals_;
   Values q_, qd_, qdd_;
 };
 

@@ -10,6 +10,27 @@ namespace desmo::cli {
 
 namespace {
 
+std::string group_text(GroupId group, const Mechanism& m) {
+  if (group < 0) return "";
+  return "group '" + m.groups[group].name + "' (" + enumerate(m.groups[group].bodies, 8) + "), ";
+}
+
+std::string degradation_text(const Degradation& d, Level level, const Mechanism& m) {
+  char numbers[40];
+  std::snprintf(numbers, sizeof numbers, "t = %.9g s: ", d.time);
+  return group_text(d.assessment.group, m) + numbers + "so near a singular position that " +
+         describe_accuracy(d.assessment.condition, d.assessment.bound, level);
+}
+
+std::string crossing_text(const Crossing& c, const Mechanism& m) {
+  char numbers[120];
+  std::snprintf(numbers, sizeof numbers,
+                "t = %.9g s to %.9g s: a singular position was passed, beyond which there are "
+                "several branches",
+                c.after, c.before);
+  return group_text(c.group, m) + numbers;
+}
+
 /// A residual below which a position is found but for rounding: no step, however small, helps.
 constexpr double near_rounding = 1e-11;
 
@@ -45,6 +66,22 @@ std::string note_on_steps(const Formulation& f) {
   return "note: solved step by step, for the motion is short or could not be solved in segments\n";
 }
 
+std::string note_on_accuracy(const SafeSummary& s, Level level, const Mechanism& m) {
+  std::string note = "accuracy: " + describe_accuracy(s.condition, s.bound, level) + '\n';
+  if (s.first_degraded)
+    note += "accuracy: degraded: " + count(s.degraded, "instant") + " of " +
+            std::to_string(s.instants) + ", the first at " +
+            degradation_text(*s.first_degraded, level, m) + '\n';
+  if (s.crossing) note += "accuracy: degraded: " + crossing_text(*s.crossing, m) + '\n';
+  return note;
+}
+
+std::string refusal_text(const SafeSummary& s, Level level, const Mechanism& m) {
+  return (s.first_degraded ? degradation_text(*s.first_degraded, level, m)
+                           : crossing_text(*s.crossing, m)) +
+         "; choose a motion that avoids it, or solve without --strict";
+}
+
 std::string branch_text(int constraint, double time, const Mechanism& m) {
   char numbers[40];
   std::snprintf(numbers, sizeof numbers, "t = %.9g s", time);
@@ -67,10 +104,7 @@ std::string failure_text(const Summary& s, const Mechanism& m) {
       : s.status == Status::not_converged
           ? Reason{"no position was found", "keep the motion within reach, or take smaller steps"}
           : Reason{"the equations are not finite", "check the motion and the estimates"};
-  std::string place;
-  if (s.group >= 0)
-    place =
-        "group '" + m.groups[s.group].name + "' (" + enumerate(m.groups[s.group].bodies, 8) + "), ";
+  std::string place = group_text(s.group, m);
   if (s.constraint >= 0) place += "constraint '" + m.constraints[s.constraint].name + "', ";
   char numbers[160];
   std::snprintf(numbers, sizeof numbers, "t = %.9g s: %s (residual %.1e)", s.time, reason.what,

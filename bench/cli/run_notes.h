@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "formulations/formulation.h"
+#include "formulations/safety/safe_run.h"
 
 namespace desmo::cli {
 
@@ -17,6 +17,13 @@ std::string note_on_refusals(const Formulation& formulation);
 /// A line when the id asks for segments of the motion and it was solved step by step after all;
 /// otherwise empty.
 std::string note_on_steps(const Formulation& formulation);
+
+/// How right the results are: a line on condition number and bounds, and one each on degraded
+/// instants and on a singular position that was passed, if any.
+std::string note_on_accuracy(const SafeSummary& summary, Level level, const Mechanism& mechanism);
+
+/// Why a strict run ended: as failure_text.
+std::string refusal_text(const SafeSummary& summary, Level level, const Mechanism& mechanism);
 
 /// "group 'SG-I' (crank, rod), constraint 'rod/length', t = 0.3 s: no position was found …;
 /// <remedy>"

@@ -25,7 +25,7 @@ constexpr const char* default_formulation = "block_symbolic_inlined";
 
 struct Options {
   std::string scene, output, format, formulation;
-  bool explain = false, quiet = false;
+  bool explain = false, quiet = false, strict = false;
   OwnCode own_code;
 
   std::string format_name() const {
@@ -92,21 +92,29 @@ void solve(const Options& options) {
   Delivery delivery(
       {whole.name, input.scene.name, id_with(*variant, settings), make_columns(plan, input.scene)},
       series_format(options.format_name()), plan, output, progress);
-  Summary summary;
+  SafeSummary summary;
   std::optional<WrongBranch> wrong;
   try {
-    summary = formulation->run(input.scene.grid, Request{plan.level()}, delivery);
+    summary = run_safely(*formulation, input.scene.grid, Request{plan.level()}, delivery,
+                         {{.tolerance = settings.tolerance,
+                           .levels = plan.levels,
+                           .every = options.strict ? 1 : Watch::usual},
+                          options.strict});
   } catch (const WrongBranch& branch) {
     wrong = branch;
   }
   progress.clear();
-  const bool all = summary.ok() && !wrong;
+  const bool all = summary.outcome() != Outcome::failed && !wrong;
   if (all || output.is_standard_output()) delivery.flush();
   if (wrong)
     fail(branch_text(wrong->constraint, wrong->time, plan.mechanism), wrong->index, input, output);
+  if (summary.refused)
+    fail(refusal_text(summary, plan.level(), plan.mechanism), summary.instants, input, output);
   if (!all) fail(failure_text(summary, plan.mechanism), summary.instants, input, output);
   output.finish();
-  if (!options.quiet) say(note_on_refusals(*formulation) + note_on_steps(*formulation));
+  if (!options.quiet)
+    say(note_on_refusals(*formulation) + note_on_steps(*formulation) +
+        note_on_accuracy(summary, plan.level(), plan.mechanism));
 }
 
 }  // namespace
@@ -136,6 +144,9 @@ void add_solve(CLI::App& program) {
   add_options(*command, options->own_code);
   command->add_flag("--explain", options->explain,
                     "Say on standard error what has to be solved for what is asked, and why");
+  command->add_flag("--strict", options->strict,
+                    "Assess every instant, and fail where conditioning lets one be no better than "
+                    "degraded");
   command->add_flag("--quiet", options->quiet, "No progress and no notes");
   command->callback([options] { solve(*options); });
 }

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <klu.h>
+
+#include <Eigen/Core>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <stdexcept>
+#include <vector>
+
+#include "formulations/algebra/backend.h"
+
+namespace desmo {
+
+/// Sparse LU by SuiteSparse's KLU: block triangular form and ordering once, then numeric
+/// refactorisation in the pivot order of the last full factorisation. An algebra of NewtonSolver,
+/// and what solved instants are assessed with.
+class KluFactors {
+ public:
+  static constexpr bool rounds_factors = false;
+  static constexpr bool keeps_pivots = true;
+
+  explicit KluFactors(const Pattern& pattern)
+      : n_(pattern.n), start_(pattern.column_start), row_(pattern.row) {
+    klu_defaults(&common_);
+    common_.scale = -1;  // row scaling costs a tenth and these matrices need none
+    // The pivot order has to last: with the default, 0.001, a pivot may be so small that the
+    // mechanism's motion takes it through zero.
+    common_.tol = 0.1;
+    symbolic_ = klu_analyze(n_, start_.data(), row_.data(), &common_);
+    if (!symbolic_) throw std::invalid_argument("KLU: the Jacobian is structurally singular");
+  }
+  KluFactors(const KluFactors&) = delete;
+  KluFactors& operator=(const KluFactors&) = delete;
+  ~KluFactors() {
+    klu_free_numeric(&numeric_, &common_);
+    klu_free_symbolic(&symbolic_, &common_);
+  }
+
+  bool factor(const double* values) {
+    double* ax = const_cast<double*>(values);  // KLU reads them only
+    if (numeric_ && klu_refactor(start_.data(), row_.data(), ax, symbolic_, numeric_, &common_) &&
+        pivots_are_good())
+      return true;
+    forget_pivots();
+    numeric_ = klu_factor(start_.data(), row_.data(), ax, symbolic_, &common_);
+    return numeric_ && common_.status == KLU_OK;
+  }
+
+  void solve(double* b) { klu_solve(symbolic_, numeric_, n_, 1, b, &common_); }
+
+  /// b = A⁻ᵀ b
+  void solve_transposed(double* b) { klu_tsolve(symbolic_, numeric_, n_, 1, b, &common_); }
+
+  void forget_pivots() { klu_free_numeric(&numeric_, &common_); }
+
+  int patience() const { return sparse_patience; }
+
+  /// The column at which factor() found the matrix singular.
+  int singular_column() const { return common_.singular_col; }
+
+  /// The irreducible blocks: block b has rows block_rows()[block_start()[b]] and those that follow.
+  std::span<const int> block_start() const {
+    return {symbolic_->R, static_cast<std::size_t>(symbolic_->nblocks) + 1};
+  }
+  std::span<const int> block_rows() const { return {symbolic_->P, row_count()}; }
+  /// The rows of the blocks in the order of their pivots, and these: with the last factors.
+  std::span<const int> pivot_rows() const { return {numeric_->Pnum, row_count()}; }
+  std::span<const double> pivots() const {
+    return {static_cast<const double*>(numeric_->Udiag), row_count()};
+  }
+
+ private:
+  std::size_t row_count() const { return static_cast<std::size_t>(n_); }
+
+  /// A pivot order gone bad shows as a tiny estimate of the reciprocal condition, as klu_rcond
+  /// makes it from the pivots, against the bound that SUNDIALS uses.
+  bool pivots_are_good() const {
+    static const double trusted = std::pow(std::numeric_limits<double>::epsilon(), 2.0 / 3.0);
+    const auto size = Eigen::Map<const Eigen::ArrayXd>(pivots().data(), n_).abs();
+    return size.minCoeff() > trusted * size.maxCoeff();
+  }
+
+  int n_;
+  std::vector<int> start_, row_;
+  klu_common common_{};
+  klu_symbolic* symbolic_ = nullptr;
+  klu_numeric* numeric_ = nullptr;
+};
+
+}  // namespace desmo

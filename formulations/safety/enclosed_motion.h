@@ -1,0 +1,53 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "formulations/accuracy/jet.h"
+#include "formulations/accuracy/scales.h"
+#include "formulations/formulation.h"
+#include "formulations/safety/rounded.h"
+
+namespace desmo {
+
+/// The order of a jet that belongs to a level.
+template <class S>
+constexpr S Jet<S>::*order_of(Level level) {
+  return level == Level::position   ? &Jet<S>::value
+         : level == Level::velocity ? &Jet<S>::first
+                                    : &Jet<S>::second;
+}
+
+/// A solved instant with what is not known of it: of drivers, what rounding makes of their motions;
+/// of unknowns, the errors that they may have. Levels that are not solved are zero.
+class EnclosedMotion {
+ public:
+  /// levels: as far as each coordinate is solved; it and the mechanism must outlive this.
+  EnclosedMotion(const Mechanism& mechanism, std::span<const Level> levels);
+
+  /// Starts anew: unknowns as they are.
+  void take(const Instant& instant);
+  /// Gives all unknowns, as far as they are solved, an error relative to their scales.
+  void widen(Level level, double error, const Scales& scales);
+  /// The largest error of a driver relative to its scale.
+  double of_drivers(Level level, const Scales& scales) const;
+
+  std::span<const Jet<Rounded>> state() const { return state_; }
+  std::span<const Rounded> positions();  ///< of state()
+  double scale(int coordinate, Level level, const Scales& scales) const {
+    return scales.of(mechanism_.entities[entity_[coordinate]].kind, level);
+  }
+  int size_of_output(int coordinate) const { return mechanism_.entities[entity_[coordinate]].size; }
+  GroupId group(int coordinate) const { return mechanism_.entities[entity_[coordinate]].group; }
+  bool is_solved(int coordinate, Level level) const { return levels_[coordinate] >= level; }
+
+ private:
+  const Mechanism& mechanism_;
+  std::span<const Level> levels_;
+  std::vector<EntityId> entity_;  // of each coordinate
+  std::vector<bool> driven_;
+  std::vector<Jet<Rounded>> state_;
+  std::vector<Rounded> positions_;
+};
+
+}  // namespace desmo

@@ -1,0 +1,74 @@
+#include "formulations/safety/running_scales.h"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+
+namespace desmo {
+
+namespace {
+
+/// Instants at which drivers are looked at beforehand.
+constexpr int looks = 64;
+/// What unknowns do at least of what drivers do, before they have been seen.
+constexpr double least_gain = 0.01;
+
+/// The largest of drivers at one level, of lengths or of rotations.
+struct Largest {
+  double velocity = 0, acceleration = 0;
+
+  void take(double v, double a) {
+    velocity = std::max(velocity, std::abs(v));
+    acceleration = std::max(acceleration, std::abs(a));
+  }
+};
+
+}  // namespace
+
+RunningScales::RunningScales(const Mechanism& m, const TimeGrid& grid)
+    : is_length_(m.coordinates()) {
+  for (const Entity& e : m.entities)
+    if (!e.fixed) std::fill_n(is_length_.begin() + e.first, e.size, is_length(e.kind) ? 1.0 : 0.0);
+  const double size = nominal_size(m);
+  Largest length, rotation;
+  for (const Driver& d : m.drivers)
+    for (int i = 0; i <= looks; ++i) {
+      const double t = grid.start + i * (grid.step * std::max(0, grid.instants - 1) / looks);
+      const MotionSample<double> z = sample(d.motion, t);
+      (is_length(m.entities[d.coordinate].kind) ? length : rotation)
+          .take(z.velocity, z.acceleration);
+    }
+  seen_.length = {size, std::max(length.velocity, least_gain * size * rotation.velocity),
+                  std::max(length.acceleration, least_gain * size * rotation.acceleration)};
+  seen_.rotation = {1, std::max(rotation.velocity, least_gain * length.velocity / size),
+                    std::max(rotation.acceleration, least_gain * length.acceleration / size)};
+  complete();
+}
+
+bool RunningScales::take(const Instant& instant) {
+  const auto largest = [&](std::span<const double> values, double& length, double& rotation) {
+    if (values.empty()) return false;
+    const auto n = static_cast<Eigen::Index>(values.size());
+    const auto size = Eigen::Map<const Eigen::ArrayXd>(values.data(), n).abs();
+    const Eigen::Map<const Eigen::ArrayXd> mask(is_length_.data(), n);
+    const double l = (size * mask).maxCoeff(), r = (size * (1 - mask)).maxCoeff();
+    const bool grows = l > length || r > rotation;
+    length = std::max(length, l);
+    rotation = std::max(rotation, r);
+    return grows;
+  };
+  const bool v = largest(instant.qd, seen_.length.velocity, seen_.rotation.velocity);
+  const bool a = largest(instant.qdd, seen_.length.acceleration, seen_.rotation.acceleration);
+  if (v || a) complete();
+  return v || a;
+}
+
+/// What does not accelerate is judged by its speed.
+void RunningScales::complete() {
+  now_ = seen_;
+  for (PerLevel<double>* of : {&now_.length, &now_.rotation})
+    of->acceleration =
+        std::max(of->acceleration, least_gain * of->velocity * of->velocity / of->position);
+}
+
+}  // namespace desmo

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "formulations/formulation.h"
+#include "formulations/safety/assessment.h"
+
+namespace desmo {
+
+/// What makes a watch assess an instant, and what it looks at when it does.
+enum class Monitor : unsigned {
+  gain = 1,         ///< rates of unknowns, relative to those of the drivers
+  residual = 2,     ///< ‖Φ‖ at which positions were accepted
+  clock = 4,        ///< so many instants since the last
+  bounds = 8,       ///< degraded and singular instants are told from others
+  orientation = 16  ///< signs of the determinants of irreducible blocks
+};
+
+/// A block's determinant changed its sign: between two instants the motion went through a singular
+/// position, or onto another assembly branch.
+struct Crossing {
+  double after, before;  ///< s
+  GroupId group;
+};
+
+/// How right the instants of a motion are, at little cost: one is assessed (Assessor) when it is
+/// the first or the clock has come round, and when a cheap signal has moved by a factor of four
+/// since the last assessment, or by less where that may take a bound over its limit:
+///
+///   gain       the largest rate of an unknown of a group over that of the drivers; it grows as
+///              the condition number does, which is the inverse of the distance to a dead point
+///   residual   ‖Φ‖, to which the error of position is proportional
+///
+/// An instant whose bounds exceed their limits, 100 times the tolerance in position, 100² and 100³
+/// times in velocity and acceleration (as a condition number's powers go), is corrected with
+/// factors of its own position and assessed again. What is above its limit then is *degraded*:
+/// conditioning allows no better. The instant after it is assessed as well, until one is not
+/// degraded.
+class Watch {
+ public:
+  static constexpr int usual = 1000;
+
+  struct Options {
+    double tolerance = 1e-12;         ///< that positions are solved to
+    std::span<const Level> levels{};  ///< as far as each coordinate is solved (Plan::levels)
+    int every = usual;                ///< instants from one assessment to the next, at most
+    unsigned without = 0;             ///< monitors left out, for tests of what each finds
+  };
+
+  /// grid: of the motion, whose drivers tell how fast it will be. The mechanism must outlive the
+  /// watch.
+  Watch(const Mechanism& mechanism, const TimeGrid& grid, const Options& options);
+  ~Watch();
+
+  struct Judgement {
+    Instant instant;  ///< corrected, perhaps; valid until the next
+    bool degraded = false;
+    std::optional<Crossing> crossing;
+    Assessment assessment;  ///< of this instant, or a guess after the last one assessed
+  };
+  /// Instants in order of time. Nothing is taken from the heap but by KLU.
+  Judgement judge(const Instant& instant);
+
+  /// Instants assessed and corrected.
+  long assessed() const;
+  long corrected() const;
+  /// The largest condition number and bounds so far, relative to the motion so far: of all
+  /// instants, those between assessments by their signals.
+  double condition() const;
+  const PerLevel<double>& bound() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace desmo

@@ -1,0 +1,50 @@
+// desmo solve: what it says of how right its numbers are.
+
+#include "tests/cli/program.h"
+
+namespace desmo {
+namespace {
+
+/// The first of its two instants is as any; the crank of the second lacks 6e-11 rad to where it
+/// locks, at asin(30/50).
+const std::string nearly_locks = slider_crank(30, R"(,
+  "time": {"end": 0.10241638234, "step": 0.10241638234})");
+
+TEST_F(Cli, SaysHowRightTheNumbersAre) {
+  ASSERT_EQ(desmo("solve slider_crank -o out/motion.csv"), 0) << err_;
+  for (const char* text : {"accuracy: condition 9.0e+00, errors up to ", " in acceleration"})
+    EXPECT_TRUE(says(text)) << err_;
+  EXPECT_FALSE(says("degraded")) << err_;
+
+  write("scene.json", slider_crank(150, R"(, "time": {"end": 1, "step": 0.1},
+    "request": [{"points": ["C"]}])"));
+  ASSERT_EQ(desmo("solve scene.json"), 0) << err_;
+  EXPECT_TRUE(says("accuracy: condition ")) << err_;
+  EXPECT_FALSE(says("velocity")) << err_;
+  ASSERT_EQ(desmo("solve scene.json --strict --quiet"), 0) << err_;
+  EXPECT_EQ(err_, "");
+}
+
+TEST_F(Cli, DeliversDegradedInstantsAndSaysSo) {
+  write("nearly.json", nearly_locks);
+  ASSERT_EQ(desmo("solve nearly.json"), 0) << err_;
+  EXPECT_EQ(lines().size(), 3u);
+  EXPECT_TRUE(
+      says("accuracy: degraded: 1 instant of 2, the first at group 'SG-II' (rod, slider), "
+           "t = 0.102416382 s: so near a singular position that condition "))
+      << err_;
+}
+
+TEST_F(Cli, StrictRefusesWhatIsDegraded) {
+  write("nearly.json", nearly_locks);
+  EXPECT_EQ(desmo("solve nearly.json --strict -o out/motion.csv"), 1);
+  for (const char* text :
+       {"desmo: nearly.json: group 'SG-II' (rod, slider), t = 0.102416382 s: so near a singular "
+        "position that condition ",
+        " in velocity, ", "; choose a motion that avoids it, or solve without --strict"})
+    EXPECT_TRUE(says(text)) << err_;
+  EXPECT_TRUE(std::filesystem::is_empty(folder_ / "out"));
+}
+
+}  // namespace
+}  // namespace desmo

@@ -1,0 +1,44 @@
+// A four-bar whose crank cannot turn over: what happens near the end of its reach.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "tests/mechanisms.h"
+
+namespace desmo {
+
+/// Crank 2 about (0, 0), coupler 3, rocker 6 about (8, 0): coupler and rocker are in line, 9 from
+/// pivot to pin, at this angle of the crank.
+inline const double dead_point = std::acos((4.0 + 64 - 81) / 32);
+
+/// The four-bar with the rocker's pin above that line, and a crank that turns as it is told. The
+/// estimate is the position at t = 0.
+inline Mechanism locking_four_bar(const Motion& crank) {
+  Mechanism m = four_bar_mechanism(1);
+  m.drivers[0].motion = crank;
+  for (Constraint& c : m.constraints)
+    if (c.name.starts_with("dyad1/coupler")) c.constants[0] = 3 * 3;
+  const auto place = [&](const char* name, double x, double y) {
+    const Entity& e = m.entities[m.find(name)];
+    double* at = (e.fixed ? m.fixed_values : m.estimate).data() + e.first;
+    at[0] = x;
+    if (e.size > 1) at[1] = y;
+  };
+  const double theta = sample(crank, 0.0).position;
+  const double x = 2 * std::cos(theta), y = 2 * std::sin(theta);
+  // C is `along` from B on the line to D, and `above` it.
+  const double length = std::hypot(8 - x, y);
+  const double along = (length * length + 9 - 36) / (2 * length);
+  const double above = std::sqrt(std::max(0.0, 9 - along * along));
+  const double ex = (8 - x) / length, ey = -y / length;
+  const double cx = x + along * ex - above * ey, cy = y + along * ey + above * ex;
+  place("dyad1/D", 8, 0);
+  place("crank/theta", theta, 0);
+  place("crank/B", x, y);
+  place("dyad1/C", cx, cy);
+  place("dyad1/psi", std::atan2(cy, cx - 8), 0);
+  return m;
+}
+
+}  // namespace desmo
