@@ -108,6 +108,7 @@ std::vector<Difference> why_apart(const Record& first, const Record& second) {
   only_one("promises", !first.promises.empty(), !second.promises.empty());
   only_one("sizes", has_sizes(first), has_sizes(second));
   only_one("instructions", !first.instructions.empty(), !second.instructions.empty());
+  only_one("extremes", !first.extremes.empty(), !second.extremes.empty());
   return std::move(all).differences();
 }
 

@@ -103,7 +103,7 @@ int main(int argc, char** argv) {
   tables_app
       ->add_option("records", command.records,
                    "The JSON record written by desmo_bench, desmo_precision, desmo_promises, "
-                   "desmo_growth or desmo_instructions, or one of each")
+                   "desmo_growth, desmo_instructions or desmo_extremes, or one of each")
       ->required();
   tables_app->add_option("--out", command.folder,
                          "Write the files of every format, and the figures, into this folder");

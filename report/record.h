@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "report/extremes/results.h"
 #include "report/precision/points.h"
 #include "report/precision/promises.h"
 #include "report/segments.h"
@@ -176,6 +177,8 @@ struct Record {
   std::map<CellKey, TimedSize> growth;          ///< since 1.7.0: time against coordinates
   std::map<CellKey, TimedSize> crossing;        ///< since 1.7.0: dense and sparse, by unknowns
   std::map<CellKey, StepCount> instructions;    ///< since 1.7.0
+  std::vector<ExtremeRow> extreme_rows;         ///< since 1.7.0; of every result
+  std::vector<ExtremeResult> extremes;          ///< since 1.7.0, in the record's order
 };
 
 /// Whether it has what desmo_bench measures: the paper's experiment.

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "report/environment_reader.h"
+#include "report/extremes/reader.h"
 #include "report/json_document.h"
 #include "report/json_node.h"
 #include "report/one_origin.h"
@@ -299,7 +300,9 @@ Record read_record(const JsonNode& root) {
                 .promises = {},
                 .growth = {},
                 .crossing = {},
-                .instructions = {}};
+                .instructions = {},
+                .extreme_rows = {},
+                .extremes = {}};
   for (const auto& [name, version] : node["libraries"].members())
     record.libraries.emplace(name, version.text());
   for (const JsonNode& cell : root["cells"].elements())
@@ -314,11 +317,12 @@ Record read_record(const JsonNode& root) {
   read_promises(record, root);
   read_sizes(record, root);
   if (const auto instructions = root.find("instructions")) read_instructions(record, *instructions);
+  read_extremes(record, root);
   if (!has_cells(record) && record.points.empty() && record.promises.empty() &&
-      !has_sizes(record) && record.instructions.empty())
+      !has_sizes(record) && record.instructions.empty() && record.extremes.empty())
     root["cells"].complain(
         "the record has no cell, and neither requests nor peers, points nor promises, sizes nor "
-        "instructions");
+        "instructions, nor extremes");
   require_one_origin(record);
   return record;
 }

@@ -6,6 +6,7 @@
 
 #include "report/measurements.h"
 #include "report/paper.h"
+#include "report/tables/extremes.h"
 #include "report/tables/precision.h"
 #include "report/tables/sizes.h"
 #include "report/tables/tables.h"
@@ -106,6 +107,19 @@ Section joint_limitations(const std::vector<Record>& records) {
   return section;
 }
 
+bool has_accuracy(const Record& r) { return !r.points.empty() || !r.promises.empty(); }
+
+/// What the first of its sections are about.
+std::string title(const std::vector<Record>& records) {
+  const auto any = [&](auto has) { return std::ranges::any_of(records, has); };
+  return any(has_cells)      ? "desmo: the paper's experiment"
+         : any(has_accuracy) ? "desmo: speed for accuracy"
+         : any(has_sizes)    ? "desmo: time against size"
+         : any([](const Record& r) { return !r.instructions.empty(); })
+             ? "desmo: instructions a step"
+             : "desmo: stability at the extremes";
+}
+
 }  // namespace
 
 Document make_report(const std::vector<Record>& records) {
@@ -118,11 +132,9 @@ Document make_report(const std::vector<Record>& records) {
   const auto grown = std::ranges::find_if(records, has_sizes);
   const auto counted =
       std::ranges::find_if(records, [](const Record& r) { return !r.instructions.empty(); });
-  Document document{.title = experiment != end                 ? "desmo: the paper's experiment"
-                             : accuracy != end || tuned != end ? "desmo: speed for accuracy"
-                             : grown != end                    ? "desmo: time against size"
-                                                               : "desmo: instructions a step",
-                    .sections = {}};
+  const auto stable =
+      std::ranges::find_if(records, [](const Record& r) { return !r.extremes.empty(); });
+  Document document{.title = title(records), .sections = {}};
   auto& sections = document.sections;
   if (experiment != end) add_experiment(sections, *experiment);
   if (accuracy != end)
@@ -130,6 +142,7 @@ Document make_report(const std::vector<Record>& records) {
   if (tuned != end) sections.push_back(promises(*tuned));
   if (grown != end) add_sizes(sections, *grown);
   if (counted != end) sections.push_back(instructions(*counted));
+  if (stable != end) sections.push_back(extremes(*stable));
   if (experiment != end) add_details(sections, *experiment);
   sections.push_back(measured_how(records));
   sections.push_back(joint_limitations(records));

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "bench/stability/attempt.h"
+#include "bench/stability/problem.h"
+
+namespace desmo::extreme {
+
+enum class Outcome {
+  converged,       ///< numbers everywhere, without a word
+  failed,          ///< it says so at one instant at least
+  refused,         ///< before anything was solved
+  not_applicable,  ///< not tried
+};
+
+enum class Verdict {
+  as_expected,
+  missed,          ///< less than expected, and it says so, or does not say what it should
+  defect,          ///< numbers that are wrong, without a flag
+  not_applicable,  ///< the reason says why
+};
+
+/// The worst of the errors at one level, beside what it was judged by.
+struct WorstError {
+  double error = 0, floor = 0, allowed = 0;
+};
+
+/// A case in one formulation, judged.
+struct Judgement {
+  Outcome outcome = Outcome::converged;
+  Verdict verdict = Verdict::as_expected;
+  std::string reason;  ///< when not as expected
+  /// Nothing where no number was compared. The worst is the one that is the most of what is
+  /// allowed; at a level of which nothing is allowed to be wrong, the largest.
+  std::optional<PerLevel<WorstError>> worst;
+  long iterations = 0;  ///< of all instants
+  long instants = 0;    ///< tried
+};
+
+/// Attempts that others are measured by.
+struct Yardsticks {
+  const Attempt* first_case = nullptr;  ///< of the row, in the same formulation
+  const Attempt* new_pivots = nullptr;  ///< the same case, with pivots chosen anew
+};
+
+Judgement judge(const Problem& problem, const Attempt& attempt, const Yardsticks& yardsticks);
+
+}  // namespace desmo::extreme

@@ -1,0 +1,98 @@
+// desmo_extremes: what every formulation does where most go wrong.
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "bench/stability/record.h"
+#include "bench/stability/summary.h"
+#include "bench/stability/table.h"
+#include "bench/suite/environment.h"
+#include "bench/suite/kept_memory.h"
+#include "bench/suite/new_file.h"
+#include "bench/suite/record.h"
+#include "cases/cases.h"
+#include "formulations/algebra/blas.h"
+
+namespace desmo::extreme {
+
+namespace {
+
+struct Options {
+  std::string record, command, formulations;
+  std::vector<int> rows;
+  bool brief = false;
+};
+
+std::vector<const Extreme*> chosen_rows(const std::vector<int>& numbers) {
+  std::vector<const Extreme*> rows;
+  for (const int number : numbers) rows.push_back(&find_extreme(number));
+  if (numbers.empty())
+    for (const Extreme& row : extremes()) rows.push_back(&row);
+  return rows;
+}
+
+/// Whether no formulation gave wrong numbers without a flag.
+bool run(const Options& options) {
+  suite::keep_freed_memory();
+  set_blas_threads(1);
+  const std::vector<const Extreme*> rows = chosen_rows(options.rows);
+  const std::regex formulations(options.formulations);
+  suite::NewFile file(options.record);
+  suite::Run run{suite::utc_now(), options.command, suite::load_averages(), {}};
+  nlohmann::ordered_json lists = {{"extreme_rows", nlohmann::ordered_json::array()},
+                                  {"extremes", nlohmann::ordered_json::array()}};
+  std::size_t defects = 0;
+  for (const Extreme* row : rows) {
+    const std::vector<Result> results =
+        row_results(*row, options.brief ? Extent::brief : Extent::full, formulations);
+    lists["extreme_rows"].push_back(row_json(*row));
+    for (const Result& result : results) lists["extremes"].push_back(result_json(result));
+    std::cout << summary(*row, results) << std::flush;
+    defects += count(results, Verdict::defect);
+  }
+  if (lists["extremes"].empty())
+    throw std::invalid_argument("no formulation matches " + options.formulations);
+  run.load_after = suite::load_averages();
+  file.write(suite::record_text(run, time_grid(30, 0.01), lists));
+  return defects == 0;
+}
+
+}  // namespace
+
+}  // namespace desmo::extreme
+
+int main(int argc, char** argv) {
+  using namespace desmo::extreme;
+  CLI::App program{"Every formulation in the table of extremes", "desmo_extremes"};
+  Options options;
+  program.add_option("--record", options.record, "Write the results record to this file")
+      ->required();
+  program.add_option("--row", options.rows, "Only these rows of the table, not all");
+  program.add_option("--formulation", options.formulations,
+                     "Only where this regular expression is found in the formulation's id");
+  program.add_flag("--short", options.brief, "What takes seconds, not minutes");
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return program.exit(error) == 0 ? 0 : 64;
+  }
+  options.command = "desmo_extremes";
+  for (int i = 1; i < argc; ++i) options.command += " " + std::string(argv[i]);
+  try {
+    return run(options) ? 0 : 1;
+  } catch (const std::regex_error& error) {
+    std::cerr << "desmo_extremes: --formulation: " << error.what() << '\n';
+    return 64;
+  } catch (const std::invalid_argument& error) {
+    std::cerr << "desmo_extremes: " << error.what() << '\n';
+    return 64;
+  } catch (const std::exception& error) {
+    std::cerr << "desmo_extremes: " << error.what() << '\n';
+    return 74;
+  }
+}

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "cases/extremes.h"
+#include "formulations/accuracy/per_level.h"
+#include "formulations/accuracy/reference_instant.h"
+#include "formulations/accuracy/scales.h"
+#include "formulations/modelling/model.h"
+
+namespace desmo::extreme {
+
+/// What is right, for a part of a mechanism that is judged by its own size.
+struct Answers {
+  Mechanism mechanism;                  ///< of the part alone
+  std::vector<int> coordinate;          ///< in the whole, of each of the part
+  std::vector<ReferenceInstant> right;  ///< one for each instant compared; no q where there is none
+  std::vector<PerLevel<double>> floor;  ///< of each
+  Scales scales;
+  double condition = 0;     ///< the largest of those compared
+  double chain_length = 0;  ///< links × longest link, over the size; 0: no chain
+};
+
+/// A case of an extreme with what is known of it.
+struct Problem {
+  const ExtremeCase* definition;
+  std::optional<Model> model;  ///< nothing: refused
+  std::string refusal;
+  std::string no_answer;  ///< why nothing is known to compare with; then answers is empty
+  std::vector<Answers> answers;
+  std::vector<int> compared;                ///< instants of the grid, or starts, ascending
+  std::vector<bool> solvable;               ///< each instant of the grid, or start
+  std::vector<std::vector<double>> starts;  ///< estimates, where it is solved from them
+};
+
+/// The case must outlive it.
+Problem make_problem(const ExtremeCase& definition);
+
+}  // namespace desmo::extreme

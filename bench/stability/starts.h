@@ -1,0 +1,15 @@
+#pragma once
+
+#include <vector>
+
+#include "cases/extremes.h"
+#include "cases/mechanism.h"
+
+namespace desmo::extreme {
+
+/// Estimates of a mechanism's positions that are off by up to `off` of natural magnitudes, the
+/// drivers' excepted: evenly distributed, the same in every run.
+std::vector<std::vector<double>> make_starts(const Mechanism& mechanism,
+                                             const ExtremeCase::Starts& starts);
+
+}  // namespace desmo::extreme

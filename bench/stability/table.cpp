@@ -1,0 +1,80 @@
+#include "bench/stability/table.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "bench/stability/attempt.h"
+#include "bench/stability/problem.h"
+#include "formulations/id.h"
+
+namespace desmo::extreme {
+
+namespace {
+
+/// What solves the same parts by the same equations and makes factors, and chooses their pivots,
+/// anew at every position.
+const Variant& with_new_pivots(const Variant& v) {
+  return find_variant(v.id.substr(0, v.id.rfind('_')) + "_eigen");
+}
+
+std::vector<const Variant*> matching(const std::regex& formulations) {
+  std::vector<const Variant*> all;
+  for (const Variant& v : variants())
+    if (std::regex_search(v.id, formulations)) all.push_back(&v);
+  return all;
+}
+
+Configuration configuration(const Variant& v, const ExtremeCase& c) {
+  // Parsed without its formulation's leave: what that does not offer is a result.
+  Settings settings = parse_id("group_automatic_eigen" + c.settings).settings;
+  settings.tolerance = c.scene.tolerance;
+  return {&v, settings};
+}
+
+Result not_offered(const Extreme& row, const Variant& v) {
+  Result r{.row = &row, .case_name = "all", .id = v.id, .judgement = {}};
+  r.judgement.outcome = Outcome::not_applicable;
+  r.judgement.verdict = Verdict::not_applicable;
+  r.judgement.reason = row.not_offered;
+  return r;
+}
+
+double condition(const Problem& p) {
+  double largest = 0;
+  for (const Answers& a : p.answers) largest = std::max(largest, a.condition);
+  return largest;
+}
+
+}  // namespace
+
+std::vector<Result> row_results(const Extreme& row, Extent extent, const std::regex& formulations,
+                                const std::function<void(const std::string&)>& done) {
+  std::vector<Result> results;
+  const std::vector<const Variant*> chosen = matching(formulations);
+  if (!row.cases)
+    for (const Variant* v : chosen) results.push_back(not_offered(row, *v));
+  if (!row.cases) return results;
+  std::map<const Variant*, Attempt> first;
+  for (const ExtremeCase& c : row.cases(extent)) {
+    const Problem problem = make_problem(c);
+    std::map<const Variant*, Attempt> anew;
+    for (const Variant* v : chosen) {
+      const Variant& other = with_new_pivots(*v);
+      if (c.bound == Bound::new_pivots && !anew.contains(&other))
+        anew.emplace(&other, attempt(problem, {&other, {.tolerance = c.scene.tolerance}}));
+      const Configuration tried = configuration(*v, c);
+      Attempt a = attempt(problem, tried);
+      const auto before = first.find(v);
+      const Yardsticks yardsticks{before == first.end() ? nullptr : &before->second,
+                                  anew.contains(&other) ? &anew.at(&other) : nullptr};
+      results.push_back({&row, c.name, id_with(*v, tried.settings), condition(problem),
+                         judge(problem, a, yardsticks)});
+      first.try_emplace(v, std::move(a));
+    }
+    if (done) done(c.name);
+  }
+  return results;
+}
+
+}  // namespace desmo::extreme

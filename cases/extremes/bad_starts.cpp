@@ -1,0 +1,43 @@
+// Row 9: estimates that are exact, or far off.
+#include <cstdio>
+#include <numbers>
+#include <string>
+
+#include "cases/extremes/rows.h"
+#include "cases/files.h"
+
+namespace desmo::extreme {
+
+namespace {
+
+constexpr TimeGrid only_start{0, 1, 1};
+
+ExtremeCase off_by(ExtremeCase c, double off, int count) {
+  char text[32];
+  std::snprintf(text, sizeof text, ", %g %% off", 100 * off);
+  c.name += text;
+  c.starts = {count, off};
+  c.may_fail = off > 0;  // an exact start is never made worse
+  return c;
+}
+
+}  // namespace
+
+std::vector<ExtremeCase> bad_starts(Extent extent) {
+  const int count = extent == Extent::brief ? 50 : 2000;
+  std::vector<ExtremeCase> all;
+  for (const int dyads : {1, 3}) {
+    const ExtremeCase chain = case_of("four-bar of " + std::to_string(dyads) + " dyads",
+                                      usual_chain(dyads, std::numbers::pi / 3), 1, only_start);
+    all.push_back(off_by(chain, 0, 1));
+    for (const double off : {0.1, 0.5, 2.0}) all.push_back(off_by(chain, off, count));
+  }
+  for (const char* name : {"andrews", "stewart"}) {
+    ExtremeCase c{.name = name, .scene = library_scene(name)};
+    c.scene.grid = only_start;
+    all.push_back(off_by(c, 0.1, count));
+  }
+  return all;
+}
+
+}  // namespace desmo::extreme

@@ -1,0 +1,65 @@
+// Row 5: steps so large, and starts so far off, that another branch is near.
+#include <cstdio>
+#include <numbers>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "cases/extremes/rows.h"
+#include "cases/files.h"
+
+namespace desmo::extreme {
+
+namespace {
+
+constexpr double start = std::numbers::pi / 3;
+
+ExtremeCase may_fail(ExtremeCase c) {
+  c.may_fail = true;
+  return c;
+}
+
+std::string steps(std::string_view of, double step, const char* unit) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%s, steps of %g %s", std::string(of).c_str(), step, unit);
+  return text;
+}
+
+ExtremeCase four_bar_in(double step) {
+  return may_fail(
+      case_of(steps("four-bar of 3 dyads", step, "rad"), usual_chain(3, start), 1, {0, step, 31}));
+}
+
+ExtremeCase library_in(std::string_view name, std::string case_name, double step, int instants) {
+  Scene scene = library_scene(name);
+  scene.grid = {0, step, instants};
+  return may_fail({.name = std::move(case_name), .scene = std::move(scene)});
+}
+
+/// Four equal links. In 0.01 rad from π, where it turns back, both branches are nearly one.
+ExtremeCase folding_rhombus(double step) {
+  DyadChain chain{.crank = 2, .start = 2, .dyads = {}};
+  chain.dyads = {closed_dyad(crank_pin(chain), {2, 0, 0}, 2, 2, 1)};
+  const Motion there_and_back = HarmonicSum{2, {{1.13, 1, 0}}};
+  return may_fail(case_of(steps("folding rhombus", step, "s"), std::vector{chain}, {there_and_back},
+                          {0, step, 31}));
+}
+
+}  // namespace
+
+std::vector<ExtremeCase> branches(Extent extent) {
+  std::vector<ExtremeCase> all;
+  for (const double step : {0.01, 0.1, 0.5, 1.0, 2.0, 3.0}) all.push_back(four_bar_in(step));
+  all.push_back(
+      library_in("andrews", "Andrews' mechanism, steps of 3 rad", 3 / (2 * std::numbers::pi), 11));
+  for (const double step : {0.25, 1.0})
+    all.push_back(library_in("stewart", steps("Stewart platform", step, "s"), step, 9));
+  for (const double step : {0.05, 0.5}) all.push_back(folding_rhombus(step));
+  ExtremeCase anywhere =
+      may_fail(case_of("four-bar of 2 dyads, from anywhere", usual_chain(2, start), 1, {0, 1, 1}));
+  anywhere.starts = {extent == Extent::brief ? 200 : 100'000, 1};
+  all.push_back(anywhere);
+  return all;
+}
+
+}  // namespace desmo::extreme

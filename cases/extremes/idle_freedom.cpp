@@ -1,0 +1,17 @@
+// Row 12: a coupler between two spherical joints may spin, which moves nothing else.
+#include "cases/extremes/rows.h"
+#include "cases/files.h"
+
+namespace desmo::extreme {
+
+std::vector<ExtremeCase> idle_freedom(Extent) {
+  ExtremeCase right{.name = "RSSR, its points", .scene = library_scene("rssr")};
+  right.bound = Bound::fixed;
+  right.factor = 1e-13;
+  ExtremeCase named = right;
+  named.name = "RSSR, its idle freedom named";
+  named.to_be_said = "which freedom is idle";
+  return {right, named};
+}
+
+}  // namespace desmo::extreme

@@ -1,0 +1,18 @@
+// Row 8: does the error grow with time? The crank's angle is a number that binary floating point
+// has, at every instant, so that nothing of it is rounded.
+#include "cases/extremes/rows.h"
+
+namespace desmo::extreme {
+
+std::vector<ExtremeCase> long_runs(Extent extent) {
+  constexpr double rate = 1.0 / 1024;  // rad/s
+  const TimeGrid grid =
+      extent == Extent::brief ? TimeGrid{0, 500, 20'001} : TimeGrid{0, 10, 1'000'001};
+  ExtremeCase c = case_of("four-bar to 1e7 s", usual_chain(1, 0.5), rate, grid);
+  c.bound = Bound::first_part;
+  c.factor = 2;
+  c.compared_at_ends = 1000;
+  return {c};
+}
+
+}  // namespace desmo::extreme

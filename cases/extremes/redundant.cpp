@@ -1,0 +1,86 @@
+// Row 6: mechanisms that have more restrictions than freedoms and move all the same; and one whose
+// surplus contradicts the rest.
+#include <array>
+#include <cmath>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "cases/extremes/rows.h"
+
+namespace desmo::extreme {
+
+namespace {
+
+using enum Description::JointType;
+using Vec = Description::Vec;
+
+constexpr TimeGrid grid{0, 0.02, 51};
+
+/// Three cranks of length 1 carry a coupler, where two would do. The second pin of the coupler is
+/// `off` its place.
+ExtremeCase parallel_cranks(std::string name, double off) {
+  constexpr double start = 1;
+  Describer d("parallel_cranks", 2);
+  d.set_length_unit("1");
+  const int coupler = d.body("coupler", {});
+  for (const auto& [number, pivot, shift] :
+       {std::tuple{1, 0.0, 0.0}, std::tuple{2, 2.0, off}, std::tuple{3, 5.0, 0.0}}) {
+    const std::string name_of = std::to_string(number);
+    const int a = d.point("A" + name_of, {pivot, 0, 0});
+    const int b = d.point("B" + name_of, {pivot + std::cos(start) + shift, std::sin(start), 0});
+    d.carry(Describer::ground, {a});
+    d.carry(coupler, {b});
+    const int crank = d.link("crank" + name_of, a, b, 1);
+    d.joint(revolute, Describer::ground, crank, {a});
+    d.joint(revolute, crank, coupler, {b});
+    if (number > 1) continue;
+    Description::Coordinate& theta = d.coordinate("theta", Description::CoordinateType::angle);
+    theta.of = {-1, a, b};
+    theta.driven = true;
+  }
+  return {.name = std::move(name),
+          .scene = {"parallel_cranks", d.take(), {Polynomial{{start, 1}}}, grid, {}, {}}};
+}
+
+/// Bricard's mechanism with right angles: six edges of a cube, hinged at its corners.
+ExtremeCase bricard() {
+  constexpr std::array<Vec, 6> corners{
+      {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {0, 1, 1}, {0, 0, 1}}};
+  // Each at right angles to both edges that it joins.
+  constexpr std::array<Vec, 6> axes{
+      {{0, 1, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}}};
+  Describer d("bricard", 3);
+  d.set_length_unit("1");
+  std::array<int, 6> p, v;
+  for (int i = 0; i < 6; ++i) {
+    p[i] = d.point("P" + std::to_string(i + 1), corners[i]);
+    v[i] = d.vector("v" + std::to_string(i + 1), axes[i]);
+  }
+  const int from = d.vector("x", {1, 0, 0}), towards = d.vector("minus_z", {0, 0, -1});
+  d.carry(Describer::ground, {p[5], p[0]}, {v[5], v[0], from, towards});
+  std::array<int, 6> edge;
+  for (int i = 0; i < 5; ++i)
+    edge[i] = d.body("edge" + std::to_string(i + 1), {p[i], p[i + 1]}, {v[i], v[i + 1]});
+  edge[5] = Describer::ground;
+  for (int i = 0; i < 6; ++i) d.joint(revolute, edge[(i + 5) % 6], edge[i], {p[i]}, {v[i]});
+  Description::Coordinate& theta = d.coordinate("theta", Description::CoordinateType::angle);
+  theta.of = {-1, p[0], p[1]};
+  theta.from = {from, -1, -1};
+  theta.towards = {towards, -1, -1};
+  theta.driven = true;
+  return {.name = "Bricard's mechanism",
+          .scene = {"bricard", d.take(), {Polynomial{{0, 0.5}}}, grid, {}, {}}};
+}
+
+}  // namespace
+
+std::vector<ExtremeCase> redundant(Extent) {
+  std::vector<ExtremeCase> all{parallel_cranks("three parallel cranks", 0), bricard()};
+  for (ExtremeCase& c : all) c.is_redundant = true;
+  all.push_back(parallel_cranks("the cranks, contradictory by 1e-6", 1e-6));
+  all.back().is_refused = true;
+  return all;
+}
+
+}  // namespace desmo::extreme

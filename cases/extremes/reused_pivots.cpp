@@ -1,0 +1,23 @@
+// Row 11: factors, and orders of pivots, that are kept while the mechanism passes a position in
+// which coupler and rocker are nearly stretched.
+#include <string>
+
+#include "cases/extremes/rows.h"
+
+namespace desmo::extreme {
+
+std::vector<ExtremeCase> reused_pivots(Extent) {
+  DyadChain chain{.crank = 2, .start = 1, .dyads = {}};
+  chain.dyads = {closed_dyad(crank_pin(chain), {6, 0, 0}, 5, 3 + 1e-5, 1)};
+  std::vector<ExtremeCase> all;
+  for (const char* settings : {"", "/jacobian:step", "/jacobian:chord"}) {
+    ExtremeCase c = case_of("a revolution" + std::string(settings), chain, 1, {0, 6.25e-4, 10'001});
+    c.settings = settings;
+    c.bound = Bound::new_pivots;
+    c.factor = 2;
+    all.push_back(c);
+  }
+  return all;
+}
+
+}  // namespace desmo::extreme

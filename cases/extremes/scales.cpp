@@ -1,0 +1,47 @@
+// Row 7: the same mechanism in other units, and mechanisms of different size in one model.
+#include <cstdio>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include "cases/extremes/rows.h"
+
+namespace desmo::extreme {
+
+namespace {
+
+constexpr double start = std::numbers::pi / 3;
+constexpr TimeGrid grid{0, 0.05, 61};
+
+ExtremeCase as_first(ExtremeCase c) {
+  c.bound = Bound::first_case;
+  c.factor = 4;
+  return c;
+}
+
+ExtremeCase scaled(double scale) {
+  char name[16];
+  std::snprintf(name, sizeof name, "× %.0e", scale);
+  return as_first(case_of(name, usual_chain(3, start, scale), 1, grid));
+}
+
+ExtremeCase both() {
+  DyadChain small = usual_chain(3, start, 1e-9), large = usual_chain(3, start, 1e9);
+  small.prefix = "small/";
+  large.prefix = "large/";
+  const Motion turning = Polynomial{{start, 1}};
+  return as_first(case_of("× 1e-9 and × 1e9 in one", {small, large}, {turning, turning}, grid));
+}
+
+}  // namespace
+
+std::vector<ExtremeCase> scales(Extent) {
+  return {case_of("× 1", usual_chain(3, start), 1, grid),
+          scaled(1e-9),
+          scaled(1e9),
+          both(),
+          scaled(1e-150),
+          scaled(1e150)};
+}
+
+}  // namespace desmo::extreme

@@ -1,0 +1,21 @@
+// Row 13: tolerances from coarse to what double precision does not have.
+#include <cstdio>
+#include <numbers>
+#include <string>
+
+#include "cases/extremes/rows.h"
+
+namespace desmo::extreme {
+
+std::vector<ExtremeCase> tolerances(Extent) {
+  std::vector<ExtremeCase> all;
+  for (int digits = 3; digits <= 16; ++digits) {
+    const std::string tolerance = "1e-" + std::to_string(digits);
+    ExtremeCase c = case_of(tolerance, usual_chain(5, std::numbers::pi / 3), 1, {0, 0.03, 101});
+    c.scene.tolerance = std::stod(tolerance);
+    all.push_back(c);
+  }
+  return all;
+}
+
+}  // namespace desmo::extreme

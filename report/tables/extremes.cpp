@@ -1,0 +1,180 @@
+// Stability at the extremes: which formulation does what where most go wrong.
+#include "report/tables/extremes.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "report/digits.h"
+#include "report/measurements.h"
+
+namespace desmo::report {
+namespace {
+
+using Verdict = ExtremeResult::Verdict;
+using Results = std::vector<const ExtremeResult*>;
+
+constexpr const char* defect_mark = "DEFECT";
+constexpr const char* not_applicable_mark = "n/a";
+
+/// Results that something holds of.
+template <class Holds>
+Results results_of(const Record& record, Holds&& holds) {
+  Results found;
+  for (const ExtremeResult& r : record.extremes)
+    if (holds(r)) found.push_back(&r);
+  return found;
+}
+
+std::size_t count(const Results& results, Verdict verdict) {
+  return static_cast<std::size_t>(
+      std::ranges::count(results, verdict, [](const ExtremeResult* r) { return r->verdict; }));
+}
+
+/// Over all levels and results that were compared.
+std::optional<double> worst_over_floor(const Results& results) {
+  std::optional<double> worst;
+  for (const ExtremeResult* r : results)
+    for (int level = 0; r->worst && level < 3; ++level)
+      if (const ExtremeError& e = (*r->worst)[level]; e.floor > 0)
+        worst = std::max(worst.value_or(0), e.error / e.floor);
+  return worst;
+}
+
+std::string formulation_of(const ExtremeResult& r) { return r.id.substr(0, r.id.find('/')); }
+
+/// In the record's order.
+std::vector<std::string> formulations(const Record& record) {
+  std::vector<std::string> names;
+  for (const ExtremeResult& r : record.extremes)
+    if (!std::ranges::count(names, formulation_of(r))) names.push_back(formulation_of(r));
+  return names;
+}
+
+Entry entry(const Results& results) {
+  const std::size_t tried = results.size() - count(results, Verdict::not_applicable);
+  if (tried == 0) return note_entry(not_applicable_mark);
+  const std::size_t defects = count(results, Verdict::defect),
+                    missed = count(results, Verdict::missed);
+  const std::string note = defects ? defect_mark : missed ? "missed" : "ok";
+  Entry e{note, {"", "", ""}, note};
+  if (const std::size_t bad = defects ? defects : missed) {
+    e.digits[0] = std::to_string(bad);
+    e.digits[1] = std::to_string(tried);
+    e.shown += " " + e.digits[0] + " of " + e.digits[1];
+  }
+  if (const auto worst = worst_over_floor(results)) {
+    e.digits[2] = write(*worst, {.scientific = true, .decimals = 0});
+    e.shown += ", " + e.digits[2];
+  }
+  return e;
+}
+
+std::vector<Column> verdict_columns() {
+  return {
+      {"as expected", {"count"}}, {"missed", {"count"}}, {"DEFECT", {"count"}}, {"n/a", {"count"}}};
+}
+
+void add_verdicts(std::vector<Entry>& row, const Results& results) {
+  for (const Verdict v :
+       {Verdict::as_expected, Verdict::missed, Verdict::defect, Verdict::not_applicable})
+    row.push_back(count_entry(count(results, v)));
+}
+
+/// The first of the worst kind there is.
+std::string example(const Results& results) {
+  for (const Verdict v : {Verdict::defect, Verdict::missed, Verdict::not_applicable})
+    for (const ExtremeResult* r : results)
+      if (r->verdict == v) return r->id + ": " + r->reason;
+  return {};
+}
+
+}  // namespace
+
+Table extremes_by_formulation(const Record& record) {
+  Table table{
+      .name = "extremes",
+      .title = "What every formulation does at the extremes",
+      .notes = {"ok: as expected in every case. missed: in so many of the cases tried it does less "
+                "than expected and says so, or does not say what it should. DEFECT: in so many it "
+                "gives wrong numbers without a flag. n/a: not applicable, or not tried for the "
+                "time it takes; the reasons stand with the cases. After it the worst error of any "
+                "level over the floor that conditioning sets at that instant."},
+      .columns = {{"formulation", {}}},
+      .rows = {}};
+  for (const ExtremeRow& row : record.extreme_rows)
+    table.columns.push_back(
+        {std::to_string(row.number) + " " + row.name, {"cases", "of", "error_over_floor"}});
+  for (const std::string& name : formulations(record)) {
+    std::vector<Entry>& entries = table.rows.emplace_back();
+    entries.push_back(text_entry(name));
+    for (const ExtremeRow& row : record.extreme_rows)
+      entries.push_back(entry(results_of(record, [&](const ExtremeResult& r) {
+        return r.row == row.number && formulation_of(r) == name;
+      })));
+  }
+  return table;
+}
+
+Table extreme_rows(const Record& record) {
+  Table table{.name = "extreme_rows",
+              .title = "What is extreme, and what is expected",
+              .notes = {"Results: a case in a formulation each."},
+              .columns = {{"row", {}}, {"extreme", {}}, {"expected", {}}},
+              .rows = {}};
+  std::ranges::move(verdict_columns(), std::back_inserter(table.columns));
+  for (const ExtremeRow& row : record.extreme_rows) {
+    std::vector<Entry>& entries = table.rows.emplace_back();
+    entries = {text_entry(std::to_string(row.number) + " " + row.name), text_entry(row.extreme),
+               text_entry(row.expected)};
+    add_verdicts(entries,
+                 results_of(record, [&](const ExtremeResult& r) { return r.row == row.number; }));
+  }
+  return table;
+}
+
+Table extreme_cases(const Record& record) {
+  Table table{.name = "extreme_cases",
+              .title = "Every case at the extremes",
+              .notes = {"Formulations by what they do; example: the first that does worst."},
+              .columns = {{"row", {}}, {"case", {}}},
+              .rows = {},
+              .detail = true};
+  std::ranges::move(verdict_columns(), std::back_inserter(table.columns));
+  table.columns.push_back({"example", {}});
+  for (const ExtremeRow& row : record.extreme_rows) {
+    std::vector<std::string> names;
+    for (const ExtremeResult& r : record.extremes)
+      if (r.row == row.number && !std::ranges::count(names, r.case_name))
+        names.push_back(r.case_name);
+    for (const std::string& name : names) {
+      const Results results = results_of(record, [&](const ExtremeResult& r) {
+        return r.row == row.number && r.case_name == name;
+      });
+      std::vector<Entry>& entries = table.rows.emplace_back();
+      entries = {text_entry(std::to_string(row.number)), text_entry(name)};
+      add_verdicts(entries, results);
+      entries.push_back(text_entry(example(results)));
+    }
+  }
+  return table;
+}
+
+Section extremes(const Record& record) {
+  const Results all = results_of(record, [](const ExtremeResult&) { return true; });
+  const std::size_t defects = count(all, Verdict::defect);
+  const std::size_t tried = all.size() - count(all, Verdict::not_applicable);
+  const std::string of_all = " of " + std::to_string(tried) + " results";
+  return {
+      "Stability at the extremes",
+      {(defects == 0 ? "No wrong number without a flag in any"
+                     : "Wrong numbers without a flag, which is a defect whatever the residual, "
+                       "in " +
+                           std::to_string(defects)) +
+       of_all + "; " + std::to_string(count(all, Verdict::as_expected)) + " are as expected, and " +
+       std::to_string(count(all, Verdict::missed)) + " fall short of it without a wrong number."},
+      {extremes_by_formulation(record), extreme_rows(record), extreme_cases(record)}};
+}
+
+}  // namespace desmo::report

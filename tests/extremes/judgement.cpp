@@ -1,0 +1,117 @@
+// What is called a defect, and what is not.
+#include "bench/stability/judgement.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <string>
+
+#include "cases/extremes/rows.h"
+
+namespace desmo::extreme {
+namespace {
+
+/// A case of three instants, and an attempt that has the same error at every level of each.
+class Judging : public testing::Test {
+ protected:
+  Judging() { c.scene.tolerance = 1e-10; }
+
+  void attempted(double error) {
+    problem = make_problem(c);
+    attempt.steps.assign(3, {false, 2});
+    attempt.errors.assign(1, {});
+    for (int i = 0; i < 3; ++i) attempt.errors[0].push_back(PerLevel<double>{error, error, error});
+  }
+  void flag(int instant) {
+    attempt.steps[instant].flagged = true;
+    attempt.errors[0][instant].reset();
+    attempt.message = "no convergence";
+  }
+  Verdict verdict() const { return judge(problem, attempt, {}).verdict; }
+  std::string reason() const { return judge(problem, attempt, {}).reason; }
+
+  ExtremeCase c = case_of("", usual_chain(1, std::numbers::pi / 3), 1, {0, 0.1, 3});
+  Problem problem;
+  Attempt attempt;
+};
+
+TEST_F(Judging, AnErrorWithinTheBoundIsAsExpected) {
+  attempted(5e-10);
+  const Judgement j = judge(problem, attempt, {});
+  EXPECT_EQ(j.verdict, Verdict::as_expected);
+  EXPECT_EQ(j.outcome, Outcome::converged);
+  EXPECT_EQ(j.iterations, 6);
+  ASSERT_TRUE(j.worst);
+  EXPECT_EQ(j.worst->velocity.error, 5e-10);
+  EXPECT_EQ(j.worst->velocity.allowed, 1e-9);
+}
+
+TEST_F(Judging, AWrongNumberWithoutAFlagIsADefect) {
+  attempted(5e-10);
+  attempt.errors[0][1]->acceleration = 2e-9;
+  EXPECT_EQ(verdict(), Verdict::defect);
+  EXPECT_EQ(reason(), "acceleration wrong by 2.0e-09 at t = 0.1 s, allowed 1.0e-09");
+}
+
+TEST_F(Judging, ANeedlessFlagIsMissedUnlessItIsAsGoodAsAnAnswer) {
+  attempted(0);
+  flag(2);
+  EXPECT_EQ(verdict(), Verdict::missed);
+  EXPECT_EQ(reason(), "no convergence");
+  c.may_fail = true;
+  EXPECT_EQ(verdict(), Verdict::as_expected);
+  attempt.errors[0][0]->position = 1;  // and what it did give was wrong
+  EXPECT_EQ(verdict(), Verdict::defect);
+}
+
+TEST_F(Judging, NumbersWhereThereIsNoAnswerAreADefect) {
+  c.ends_singular = true;
+  attempted(0);
+  attempt.errors[0][2].reset();
+  EXPECT_EQ(verdict(), Verdict::defect);
+  EXPECT_EQ(reason(), "plain numbers at t = 0.2 s, where there is no answer");
+  flag(2);
+  EXPECT_EQ(verdict(), Verdict::as_expected);
+}
+
+TEST_F(Judging, WhatIsToBeRefusedMayFailAtOnce) {
+  c.is_refused = true;
+  attempted(0);
+  EXPECT_EQ(verdict(), Verdict::defect);
+  attempt.steps.assign(1, {true, 0});
+  EXPECT_EQ(verdict(), Verdict::as_expected);
+  attempt.ending = Attempt::Ending::refused;
+  EXPECT_EQ(verdict(), Verdict::as_expected);
+  c.is_refused = false;
+  EXPECT_EQ(verdict(), Verdict::missed);
+}
+
+TEST_F(Judging, WhatHasToBeSaidAndNamedIs) {
+  c.failing_body = "dyad1/rocker";
+  c.may_fail = true;
+  attempted(0);
+  flag(2);
+  EXPECT_EQ(reason(), "it does not name the group of dyad1/rocker");
+  attempt.failed_group =
+      problem.model->mechanism.entities[problem.model->mechanism.find("dyad1/C")].group;
+  EXPECT_EQ(verdict(), Verdict::as_expected);
+  c.to_be_said = "why";
+  EXPECT_EQ(reason(), "it does not say why");
+}
+
+TEST_F(Judging, YardsticksAreOtherAttempts) {
+  c.bound = Bound::first_case;
+  c.factor = 4;
+  attempted(3e-12);
+  Attempt first = attempt;
+  first.errors[0].assign(3, PerLevel<double>{1e-12, 1e-12, 1e-12});
+  EXPECT_EQ(judge(problem, attempt, {&first, nullptr}).verdict, Verdict::as_expected);
+  first.steps[1].iterations = 4;
+  EXPECT_EQ(judge(problem, attempt, {&first, nullptr}).reason,
+            "2 iterations where the first case has 4");
+  first.errors[0].assign(3, PerLevel<double>{});
+  EXPECT_EQ(judge(problem, attempt, {&first, nullptr}).verdict, Verdict::defect);
+}
+
+}  // namespace
+}  // namespace desmo::extreme
