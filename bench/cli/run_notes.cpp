@@ -24,11 +24,19 @@ std::string degradation_text(const Degradation& d, Level level, const Mechanism&
 
 std::string crossing_text(const Crossing& c, const Mechanism& m) {
   char numbers[120];
-  std::snprintf(numbers, sizeof numbers,
-                "t = %.9g s to %.9g s: a singular position was passed, beyond which there are "
-                "several branches",
-                c.after, c.before);
+  std::snprintf(numbers, sizeof numbers, "t = %.9g s to %.9g s: %s", c.after, c.before,
+                c.jumped ? "the motion jumps onto another assembly branch"
+                         : "it passes a singular position, where branches meet");
   return group_text(c.group, m) + numbers;
+}
+
+std::string deficit_text(const std::optional<Deficit>& d, const Mechanism& m) {
+  if (!d || d->constraint < 0) return "";
+  char amount[24];
+  std::snprintf(amount, sizeof amount, "%.1e", d->amount);
+  const bool has_unit = d->is_length && m.length_unit != "1";
+  return "; at the nearest to it '" + m.constraints[d->constraint].name + "' is off by " + amount +
+         (has_unit ? " " + m.length_unit : "");
 }
 
 /// A residual below which a position is found but for rounding: no step, however small, helps.
@@ -76,6 +84,20 @@ std::string note_on_accuracy(const SafeSummary& s, Level level, const Mechanism&
   return note;
 }
 
+std::string note_on_gaps(const SafeSummary& s, const Mechanism& m) {
+  std::string note;
+  for (const Gap& gap : s.gaps) {
+    char times[120];
+    std::snprintf(times, sizeof times, "t = %.12g s to %.12g s%s: ", gap.from, gap.to,
+                  gap.ends ? "" : ", the end");
+    note += "accuracy: not assembled: " + group_text(gap.failure.group, m) + times +
+            (gap.failure.status == Status::singular ? "the position is singular"
+                                                    : "no position was found") +
+            deficit_text(gap.deficit, m) + '\n';
+  }
+  return note;
+}
+
 std::string refusal_text(const SafeSummary& s, Level level, const Mechanism& m) {
   return (s.first_degraded ? degradation_text(*s.first_degraded, level, m)
                            : crossing_text(*s.crossing, m)) +
@@ -91,7 +113,7 @@ std::string branch_text(int constraint, double time, const Mechanism& m) {
          "in another way";
 }
 
-std::string failure_text(const Summary& s, const Mechanism& m) {
+std::string failure_text(const SafeSummary& s, const Mechanism& m) {
   struct Reason {
     const char *what, *remedy;
   };
@@ -109,7 +131,7 @@ std::string failure_text(const Summary& s, const Mechanism& m) {
   char numbers[160];
   std::snprintf(numbers, sizeof numbers, "t = %.9g s: %s (residual %.1e)", s.time, reason.what,
                 s.residual);
-  return place + numbers + "; " + reason.remedy;
+  return place + numbers + deficit_text(s.deficit, m) + "; " + reason.remedy;
 }
 
 }  // namespace desmo::cli

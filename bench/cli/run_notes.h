@@ -26,8 +26,11 @@ std::string note_on_accuracy(const SafeSummary& summary, Level level, const Mech
 std::string refusal_text(const SafeSummary& summary, Level level, const Mechanism& mechanism);
 
 /// "group 'SG-I' (crank, rod), constraint 'rod/length', t = 0.3 s: no position was found …;
-/// <remedy>"
-std::string failure_text(const Summary& summary, const Mechanism& mechanism);
+/// at the nearest to it 'rod/length' is off by 1.2e-03 m; <remedy>"
+std::string failure_text(const SafeSummary& summary, const Mechanism& mechanism);
+
+/// Lines on the intervals that could not be assembled, if any.
+std::string note_on_gaps(const SafeSummary& summary, const Mechanism& mechanism);
 
 /// "constraint 'theta: definition', t = 0.3 s: solved on another branch …; <remedy>"
 std::string branch_text(int constraint, double time, const Mechanism& mechanism);

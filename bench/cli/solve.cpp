@@ -25,7 +25,7 @@ constexpr const char* default_formulation = "block_symbolic_inlined";
 
 struct Options {
   std::string scene, output, format, formulation;
-  bool explain = false, quiet = false, strict = false;
+  bool explain = false, quiet = false, strict = false, past_failures = false;
   OwnCode own_code;
 
   std::string format_name() const {
@@ -99,7 +99,8 @@ void solve(const Options& options) {
                          {{.tolerance = settings.tolerance,
                            .levels = plan.levels,
                            .every = options.strict ? 1 : Watch::usual},
-                          options.strict});
+                          options.strict,
+                          options.past_failures});
   } catch (const WrongBranch& branch) {
     wrong = branch;
   }
@@ -114,6 +115,7 @@ void solve(const Options& options) {
   output.finish();
   if (!options.quiet)
     say(note_on_refusals(*formulation) + note_on_steps(*formulation) +
+        note_on_gaps(summary, plan.mechanism) +
         note_on_accuracy(summary, plan.level(), plan.mechanism));
 }
 
@@ -144,9 +146,14 @@ void add_solve(CLI::App& program) {
   add_options(*command, options->own_code);
   command->add_flag("--explain", options->explain,
                     "Say on standard error what has to be solved for what is asked, and why");
-  command->add_flag("--strict", options->strict,
-                    "Assess every instant, and fail where conditioning lets one be no better than "
-                    "degraded");
+  CLI::Option* past_failures = command->add_flag(
+      "--past-failures", options->past_failures,
+      "Go on after an interval that cannot be assembled, and say from when to when");
+  command
+      ->add_flag("--strict", options->strict,
+                 "Assess every instant, and fail where conditioning lets one be no better than "
+                 "degraded")
+      ->excludes(past_failures);
   command->add_flag("--quiet", options->quiet, "No progress and no notes");
   command->callback([options] { solve(*options); });
 }

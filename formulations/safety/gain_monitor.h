@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 #include <vector>
 
 #include "formulations/formulation.h"
@@ -13,26 +14,33 @@ namespace desmo {
 /// instant before stand for them.
 class GainMonitor {
  public:
+  /// levels: as far as each coordinate is solved. The mechanism must outlive the monitor.
   GainMonitor(const Mechanism& mechanism, std::span<const Level> levels);
 
-  /// At least 1; 1 where no driver moves.
+  /// At least 1. Where no driver moves there is nothing to compare with: infinite at the first such
+  /// instant, 1 at the others, which are the same. Instants in order of time.
   double growth(const Instant& instant);
   /// The instant of the last growth() is the one to compare with. system: with factors at it.
-  void reset(ScaledSystem& system);
+  void reset(const Instant& instant, ScaledSystem& system);
+  /// Of each unknown, 1 over what its group moves when the drivers move by their magnitudes.
+  const Eigen::ArrayXd& weights() const { return weight_; }
 
  private:
-  double drivers_rate() const;
-  void rate_at(const Instant& instant);
+  std::span<const double> rates(const Instant& instant) const;
+  double of_drivers(std::span<const double> rates) const;
 
-  const Mechanism& mechanism_;
+  struct Driven {
+    int coordinate;
+    double magnitude;
+  };
+  std::vector<Driven> drivers_;
   std::vector<GroupId> group_;  // of each coordinate
-  Eigen::ArrayXd unit_;         // 1 over magnitude of the unknowns whose rates are watched, or 0
-  Eigen::ArrayXd of_drivers_;   // 1 over magnitude of driven coordinates, or 0
-  Eigen::ArrayXd weight_;       // unit over the largest gain of the group
-  Eigen::ArrayXd rate_, last_q_;
+  Eigen::ArrayXd unit_;         // 1 over the magnitude of unknowns whose rates are watched, or 0
+  Eigen::ArrayXd weight_;       // the same over the largest gain of the group
+  Eigen::ArrayXd difference_, last_;
   std::vector<double> gain_;  // of each group
   double fastest_ = 0;        // of the drivers so far
-  bool started_ = false;
+  bool moves_ = false;        // one of them, at the last instant
 };
 
 }  // namespace desmo

@@ -1,69 +1,131 @@
 #include "formulations/safety/safe_run.h"
 
-#include <algorithm>
+#include <cmath>
 #include <cstdio>
+
+#include "formulations/safety/watched_sink.h"
 
 namespace desmo {
 
 namespace {
 
-/// Ends a run from within its sink.
-struct Ended {};
+/// To which the ends of an interval that cannot be assembled are found, s.
+constexpr double bracket = 1e-9;
 
-/// Hands on what a watch has judged.
-class WatchedSink final : public Sink {
+/// One run, stretch by stretch between the intervals that cannot be assembled.
+class Run {
  public:
-  WatchedSink(Watch& watch, bool strict, Sink& next, SafeSummary& summary)
-      : watch_(watch), strict_(strict), next_(next), summary_(summary) {}
+  Run(Formulation& formulation, const TimeGrid& grid, const Request& request, Sink& sink,
+      const SafetyOptions& options)
+      : formulation_(formulation),
+        grid_(grid),
+        request_(request),
+        options_(options),
+        watch_(formulation.mechanism(), grid, options),
+        sink_(watch_, options.strict, sink, summary_) {}
 
-  void accept(const Instant& instant) override {
-    if (instant.interpolated) return hand_on(instant);
-    const Watch::Judgement j = watch_.judge(instant);
-    summary_.time = instant.time;
-    if (j.assessment.singular) {
-      summary_.status = Status::singular;
-      summary_.group = j.assessment.group;
-      summary_.residual = instant.residual;
-      throw Ended{};
+  SafeSummary operator()() {
+    watched([&] { static_cast<Summary&>(summary_) = formulation_.run(grid_, request_, sink_); });
+    tried_ = static_cast<int>(summary_.instants);
+    measure_deficit();
+    while (!summary_.ok() && options_.past_failures) {
+      const int again = pass_gap();
+      watched([&] { go_on(again); });
+      measure_deficit();
     }
-    if (j.crossing && !summary_.crossing) summary_.crossing = j.crossing;
-    if (j.degraded && summary_.degraded++ == 0)
-      summary_.first_degraded = {instant.index, instant.time, j.assessment};
-    summary_.refused = strict_ && (j.degraded || j.crossing);
-    if (summary_.refused) throw Ended{};
-    summary_.updates += instant.updates;
-    summary_.residual = std::max(summary_.residual, instant.residual);
-    hand_on(j.instant);
+    summary_.condition = watch_.condition();
+    summary_.bound = watch_.bound();
+    summary_.assessed = watch_.assessed();
+    summary_.corrected = watch_.corrected();
+    return summary_;
   }
 
  private:
-  void hand_on(const Instant& instant) {
-    next_.accept(instant);
-    ++summary_.instants;
+  template <class Stretch>
+  static void watched(Stretch&& stretch) {
+    try {
+      stretch();
+    } catch (const Ended&) {  // the summary says why
+    }
   }
 
-  Watch& watch_;
-  bool strict_;
-  Sink& next_;
-  SafeSummary& summary_;
+  void measure_deficit() {
+    if (summary_.status != Status::not_converged) return;
+    const Mechanism& m = formulation_.mechanism();
+    State state;
+    state.q.assign(formulation_.q().begin(), formulation_.q().end());
+    state.q.insert(state.q.end(), m.fixed_values.begin(), m.fixed_values.end());
+    state.qd = state.qdd = state.q;
+    drive(m, summary_.time, state);
+    summary_.deficit = find_deficit(m, state.q, {.tolerance = options_.tolerance});
+  }
+
+  /// From the instant that failed to the first that can be assembled again.
+  int pass_gap() {
+    const double end = grid_.time(grid_.instants - 1);
+    Gap gap{summary_.time, end, false, summary_, summary_.deficit};
+    if (tried_ > 0) gap.from = last_solved(grid_.time(tried_ - 1), gap.from);
+    int again = tried_ + 1;
+    const auto assembled = [&] { return formulation_.assemble(grid_.time(again)).ok(); };
+    while (again < grid_.instants && !assembled()) ++again;
+    gap.ends = again < grid_.instants;
+    if (gap.ends) gap.to = last_solved(grid_.time(again), grid_.time(again - 1));
+    summary_.gaps.push_back(gap);
+    summary_.status = Status::converged;
+    summary_.group = summary_.constraint = -1;
+    summary_.residual = sink_.largest_residual();
+    summary_.deficit.reset();
+    watch_.resume();
+    return again;
+  }
+
+  /// The last time that can be solved on the way from one where the formulation is to one where
+  /// it cannot.
+  double last_solved(double good, double bad) {
+    while (std::abs(bad - good) > bracket) {
+      const double middle = good + (bad - good) / 2;
+      if (middle == good || middle == bad) break;
+      (formulation_.step(middle, Level::position).ok() ? good : bad) = middle;
+    }
+    return good;
+  }
+
+  void go_on(int first) {
+    for (tried_ = first; tried_ < grid_.instants; ++tried_) {
+      const double t = summary_.time = grid_.time(tried_);
+      const Summary s = tried_ == first ? formulation_.assemble(t, request_.level)
+                                        : formulation_.step(t, request_.level);
+      summary_.iterations += s.iterations;
+      if (!s.ok()) {
+        summary_.status = s.status;
+        summary_.group = s.group;
+        summary_.constraint = s.constraint;
+        summary_.residual = s.residual;
+        return;
+      }
+      const std::span<const double> none;
+      sink_.accept({tried_, t, formulation_.q(),
+                    request_.level >= Level::velocity ? formulation_.qd() : none,
+                    request_.level >= Level::acceleration ? formulation_.qdd() : none, s.updates,
+                    s.residual});
+    }
+  }
+
+  Formulation& formulation_;
+  const TimeGrid grid_;
+  const Request request_;
+  const SafetyOptions options_;
+  SafeSummary summary_{};
+  Watch watch_;
+  WatchedSink sink_;
+  int tried_ = 0;  // the instant tried last
 };
 
 }  // namespace
 
 SafeSummary run_safely(Formulation& formulation, const TimeGrid& grid, const Request& request,
                        Sink& sink, const SafetyOptions& options) {
-  Watch watch(formulation.mechanism(), grid, options);
-  SafeSummary summary;
-  WatchedSink watched(watch, options.strict, sink, summary);
-  try {
-    static_cast<Summary&>(summary) = formulation.run(grid, request, watched);
-  } catch (const Ended&) {
-  }
-  summary.condition = watch.condition();
-  summary.bound = watch.bound();
-  summary.assessed = watch.assessed();
-  summary.corrected = watch.corrected();
-  return summary;
+  return Run(formulation, grid, request, sink, options)();
 }
 
 std::string describe_accuracy(double condition, const PerLevel<double>& bound, Level level) {

@@ -2,8 +2,10 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "formulations/formulation.h"
+#include "formulations/safety/deficit.h"
 #include "formulations/safety/watch.h"
 
 namespace desmo {
@@ -11,8 +13,8 @@ namespace desmo {
 /// How a run ends.
 enum class Outcome {
   converged,  ///< every instant as right as its tolerance asks for
-  degraded,   ///< solved, but conditioning let some instants be no better than the bounds say, or a
-              ///< singular position was passed
+  degraded,   ///< solved, but conditioning let some instants be no better than the bounds say, a
+              ///< singular position was passed, or an interval that cannot be assembled
   failed,     ///< up to the instant that the summary names
 };
 
@@ -21,6 +23,14 @@ struct Degradation {
   int index;
   double time;  ///< s
   Assessment assessment;
+};
+
+/// An interval in which a mechanism could not be assembled, to 1e-9 s at either end.
+struct Gap {
+  double from, to;  ///< s
+  bool ends;        ///< false: it lasts as long as the run
+  Summary failure;  ///< at the first instant of the grid in it
+  std::optional<Deficit> deficit;
 };
 
 /// What became of a run, and how right it is.
@@ -33,21 +43,25 @@ struct SafeSummary : Summary {
   long degraded = 0;         ///< of these
   std::optional<Degradation> first_degraded{};
   std::optional<Crossing> crossing{};  ///< the first
+  std::optional<Deficit> deficit{};    ///< on failure, where no position was found
+  std::vector<Gap> gaps{};             ///< that the run went on after
 
   Outcome outcome() const {
-    return !ok() || refused           ? Outcome::failed
-           : degraded > 0 || crossing ? Outcome::degraded
-                                      : Outcome::converged;
+    return !ok() || refused                            ? Outcome::failed
+           : degraded > 0 || crossing || !gaps.empty() ? Outcome::degraded
+                                                       : Outcome::converged;
   }
 };
 
 struct SafetyOptions : Watch::Options {
-  bool strict = false;  ///< what is degraded has failed
+  bool strict = false;         ///< what is degraded has failed
+  bool past_failures = false;  ///< go on after an interval that cannot be assembled
 };
 
 /// Formulation::run, watched: every instant handed to the sink is as right as the summary says.
-/// Ends, as a failure, at the first that is singular, the instants before it handed on. The request
-/// must ask for all coordinates: they are what is judged.
+/// Ends, as a failure, at the first that cannot be assembled or is singular, the instants before it
+/// handed on; or goes on where it can be assembled again from the mechanism's estimate, which
+/// declares the branch. The request must ask for all coordinates: they are what is judged.
 SafeSummary run_safely(Formulation& formulation, const TimeGrid& grid, const Request& request,
                        Sink& sink, const SafetyOptions& options);
 

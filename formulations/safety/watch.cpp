@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "formulations/safety/assessor.h"
+#include "formulations/safety/continuity.h"
 #include "formulations/safety/gain_monitor.h"
 #include "formulations/safety/running_scales.h"
 
@@ -15,6 +16,8 @@ namespace {
 
 /// By how much a signal may move before an instant is assessed.
 constexpr double factor = 4;
+/// Instants from one look at the scales to the next: they grow slowly, and small ones are safe.
+constexpr int look_every = 16;
 /// Residuals below it are rounding.
 constexpr double least_residual = 1e-15;
 /// Rounding of an equation, relative to its terms.
@@ -56,11 +59,15 @@ struct Watch::State {
   Assessor assessor;
   RunningScales scales;
   GainMonitor gain;
+  Continuity continuity;
+  std::vector<EntityId> entity;  // of each coordinate
+  const Mechanism& mechanism;
 
   Assessment last{};  // that was made
   std::vector<signed char> orientation{};
   double last_time = 0;
   bool started = false, degraded = false;
+  bool after_gap = false;
   int since = 0;              // instants since the last assessment
   double worst_residual = 0;  // of those assessed
   double amplification = 0;   // of residuals, the largest seen
@@ -73,41 +80,62 @@ struct Watch::State {
         limit(limits(o.tolerance)),
         assessor(m, o.levels),
         scales(m, grid),
-        gain(m, assessor.levels()) {}
+        gain(m, assessor.levels()),
+        continuity(m),
+        entity(entity_of_coordinate(m)),
+        mechanism(m) {}
 
   bool has(Monitor monitor) const { return !(options.without & static_cast<unsigned>(monitor)); }
 
   bool is_due(double growth, double residual, const PerLevel<double>& expected) const {
-    return !started || degraded || (has(Monitor::clock) && since >= options.every) ||
+    return !started || degraded || after_gap || (has(Monitor::clock) && since >= options.every) ||
            !(growth <= factor) || exceeds(expected, limit) ||
            (has(Monitor::residual) && residual > least_residual &&
             residual > factor * worst_residual);
   }
 
   Judgement judge(const Instant& instant) {
-    const Scales before = scales.now();
-    if (scales.take(instant)) rescale(worst, before, scales.now());
-    const double growth = gain.growth(instant);
-    const double counted_growth = has(Monitor::gain) ? growth : 1;
+    const double growth = has(Monitor::gain) ? gain.growth(instant) : 1;
     const double residual = has(Monitor::residual) ? instant.residual : 0;
     Judgement j{instant, false, {}, last};
-    j.assessment.condition *= counted_growth;
-    j.assessment.bound = extrapolated(last.bound, counted_growth, amplification * residual);
-    ++since;
-    if (is_due(counted_growth, residual, j.assessment.bound))
+    j.assessment.condition *= growth;
+    j.assessment.bound = extrapolated(last.bound, growth, amplification * residual);
+    find_jump(j);
+    const bool due = j.crossing || is_due(growth, residual, j.assessment.bound);
+    if (due || ++since % look_every == 0) look_at_scales(instant);
+    if (due)
       assess(j);
-    else  // what rounding may do where its assessment was lucky
-      j.assessment.bound.position =
-          std::max(j.assessment.bound.position, rounding * j.assessment.condition);
+    else
+      allow_for_the_unseen(j.assessment);
+    continuity.take(j.instant);
     condition = std::max(condition, j.assessment.condition);
     for (const Level l : levels) worst[l] = std::max(worst[l], j.assessment.bound[l]);
     return j;
+  }
+
+  /// Signals that move by less than `factor`, and rounding where an assessment was lucky.
+  static void allow_for_the_unseen(Assessment& a) {
+    for (const Level l : levels) a.bound[l] *= factor;
+    a.bound.position = std::max(a.bound.position, rounding * a.condition);
+  }
+
+  void find_jump(Judgement& j) {
+    if (!has(Monitor::continuity) || !continuity.in_doubt(j.instant, gain.weights())) return;
+    if (const auto jump = continuity.find_jump(j.instant, gain.weights(), assessor))
+      j.crossing = {jump->after, jump->before, mechanism.entities[entity[jump->coordinate]].group,
+                    true};
+  }
+
+  void look_at_scales(const Instant& instant) {
+    const Scales before = scales.now();
+    if (scales.take(instant)) rescale(worst, before, scales.now());
   }
 
   void assess(Judgement& j) {
     last = assessor(j.instant, scales.now());
     ++assessed;
     since = 0;
+    after_gap = false;
     worst_residual = std::max(worst_residual, j.instant.residual);
     if (j.instant.residual > least_residual && !last.singular)
       amplification = std::max(amplification, last.bound.position / j.instant.residual);
@@ -117,8 +145,9 @@ struct Watch::State {
     j.degraded = degraded;
     j.assessment = last;
     if (last.condition < INFINITY) {
-      gain.reset(assessor.system());
-      if (has(Monitor::orientation)) j.crossing = crossing(j.instant.time);
+      gain.reset(j.instant, assessor.system());
+      const std::optional<Crossing> crossed = crossing(j.instant.time);
+      if (!j.crossing) j.crossing = crossed;
       started = true;
     }
     last_time = j.instant.time;
@@ -127,7 +156,7 @@ struct Watch::State {
   void correct(Instant& instant) {
     const Instant better = assessor.corrected(instant);
     const Assessment then = assessor(better, scales.now());
-    if (!then.singular || last.singular) {
+    if (last.singular || then.bound.position <= last.bound.position) {
       instant = better;
       last = then;
       ++corrected;
@@ -137,9 +166,9 @@ struct Watch::State {
   std::optional<Crossing> crossing(double time) {
     const auto now = assessor.system().orientation();
     std::optional<Crossing> found;
-    for (std::size_t b = 0; b < now.size() && started && !found; ++b)
+    for (std::size_t b = 0; has(Monitor::orientation) && b < now.size() && started && !found; ++b)
       if (now[b] != orientation[b])
-        found = {last_time, time, assessor.system().group_of_block(static_cast<int>(b))};
+        found = {last_time, time, assessor.system().group_of_block(static_cast<int>(b)), false};
     orientation.assign(now.begin(), now.end());
     return found;
   }
@@ -150,6 +179,10 @@ Watch::Watch(const Mechanism& m, const TimeGrid& grid, const Options& options)
 Watch::~Watch() = default;
 
 Watch::Judgement Watch::judge(const Instant& instant) { return state_->judge(instant); }
+void Watch::resume() {
+  state_->after_gap = true;
+  state_->continuity.forget();
+}
 long Watch::assessed() const { return state_->assessed; }
 long Watch::corrected() const { return state_->corrected; }
 double Watch::condition() const { return state_->condition; }

@@ -11,18 +11,21 @@ namespace desmo {
 
 /// What makes a watch assess an instant, and what it looks at when it does.
 enum class Monitor : unsigned {
-  gain = 1,         ///< rates of unknowns, relative to those of the drivers
-  residual = 2,     ///< ‖Φ‖ at which positions were accepted
-  clock = 4,        ///< so many instants since the last
-  bounds = 8,       ///< degraded and singular instants are told from others
-  orientation = 16  ///< signs of the determinants of irreducible blocks
+  gain = 1,          ///< rates of unknowns, relative to those of the drivers
+  residual = 2,      ///< ‖Φ‖ at which positions were accepted
+  clock = 4,         ///< so many instants since the last
+  bounds = 8,        ///< degraded and singular instants are told from others
+  orientation = 16,  ///< signs of the determinants of irreducible blocks
+  continuity = 32    ///< whether rates lead from each instant to the next (Continuity)
 };
 
-/// A block's determinant changed its sign: between two instants the motion went through a singular
-/// position, or onto another assembly branch.
+/// Between two instants the motion went through a singular position, beyond which the branch is not
+/// determined by continuity: a block's determinant has changed its sign. Or it jumped: the second
+/// is not what the motion from the first leads to.
 struct Crossing {
   double after, before;  ///< s
   GroupId group;
+  bool jumped;
 };
 
 /// How right the instants of a motion are, at little cost: one is assessed (Assessor) when it is
@@ -62,6 +65,9 @@ class Watch {
   };
   /// Instants in order of time. Nothing is taken from the heap but by KLU.
   Judgement judge(const Instant& instant);
+
+  /// The next instant does not follow the last: it is assessed.
+  void resume();
 
   /// Instants assessed and corrected.
   long assessed() const;

@@ -46,5 +46,18 @@ TEST_F(Cli, StrictRefusesWhatIsDegraded) {
   EXPECT_TRUE(std::filesystem::is_empty(folder_ / "out"));
 }
 
+TEST_F(Cli, GoesOnPastWhatCannotBeAssembled) {
+  write("locks.json", locks);
+  ASSERT_EQ(desmo("solve locks.json --past-failures -o out/motion.csv"), 0) << err_;
+  out_ = text_of(out("motion.csv"));
+  EXPECT_EQ(lines().size(), 1u + 11 + 21 + 11);
+  // It locks when 50 sin θ is 30.
+  for (const char* text : {"accuracy: not assembled: group 'SG-II' (rod, slider), t = 0.10241638",
+                           " s to 0.39758361", "t = 0.60241638", " s to 0.89758361",
+                           "no position was found; at the nearest to it '", "' is off by ", " m\n"})
+    EXPECT_TRUE(says(text)) << text << "\n" << err_;
+  EXPECT_EQ(desmo("solve locks.json --past-failures --strict"), 64);
+}
+
 }  // namespace
 }  // namespace desmo

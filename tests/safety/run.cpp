@@ -1,14 +1,15 @@
 // Whole runs, watched: what ordinary motions, dead points and change points end as.
 
-#include "formulations/safety/safe_run.h"
-
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "formulations/accuracy/error.h"
 #include "formulations/reference.h"
+#include "formulations/safety/safe_run.h"
 #include "formulations/variants.h"
 #include "tests/accuracy/scenes.h"
 #include "tests/safety/dead_point.h"
@@ -33,7 +34,8 @@ TEST(SafeRun, FindsOrdinaryMotionsConverged) {
       Discard sink;
       const SafeSummary s = run(m, grid, id, sink);
       EXPECT_EQ(s.outcome(), Outcome::converged)
-          << m.name << ", " << id << ": " << describe_accuracy(s.condition, s.bound, Level::acceleration);
+          << m.name << ", " << id << ": "
+          << describe_accuracy(s.condition, s.bound, Level::acceleration);
       EXPECT_EQ(s.instants, grid.instants);
       EXPECT_LT(s.assessed, 8 + s.instants / 100) << m.name << ", " << id;
     }
@@ -109,6 +111,61 @@ TEST(SafeRun, StrictEndsAtTheFirstDegradedInstant) {
   EXPECT_EQ(s.instants, s.first_degraded->index);
 }
 
+/// A crank that is told to swing 0.1 rad beyond its dead point, of 0.6 rad.
+Mechanism overswinging() {
+  return locking_four_bar(HarmonicSum{dead_point - 0.5, {{0.6, 2 * std::numbers::pi, 0}}});
+}
+const double locked = std::asin(0.5 / 0.6) / (2 * std::numbers::pi);  // until 0.5 s less that
+
+class Times final : public Sink {
+ public:
+  void accept(const Instant& instant) override {
+    ASSERT_TRUE(indices.empty() || instant.index > indices.back());
+    indices.push_back(instant.index);
+  }
+  std::vector<int> indices;
+};
+
+TEST(SafeRun, GoesOnPastAnIntervalThatCannotBeAssembled) {
+  const Mechanism m = overswinging();
+  const TimeGrid grid{0, 1e-2, 101};
+  SafetyOptions options;
+  options.past_failures = true;
+  for (const char* id :
+       {"global_automatic_klu", "group_symbolic_inlined", "group_symbolic_explicit"}) {
+    Times times;
+    const SafeSummary s = run(m, grid, id, times, options);
+    EXPECT_EQ(s.outcome(), Outcome::degraded) << id;
+    ASSERT_EQ(s.gaps.size(), 1u) << id;
+    const Gap& gap = s.gaps.front();
+    EXPECT_TRUE(gap.ends);
+    EXPECT_NEAR(gap.from, locked, 2e-9) << id;
+    EXPECT_NEAR(gap.to, 0.5 - locked, 2e-9) << id;
+    EXPECT_EQ(m.groups[gap.failure.group].name, "dyad1/SG-I");
+    for (int i = 0; i < grid.instants; ++i)
+      EXPECT_EQ(std::ranges::count(times.indices, i),
+                grid.time(i) < locked || grid.time(i) > 0.5 - locked);
+    EXPECT_EQ(s.instants, std::ssize(times.indices));
+  }
+}
+
+TEST(SafeRun, EndsAtAnIntervalThatCannotBeAssembledAndSaysByHowMuch) {
+  const Mechanism m = overswinging();
+  const TimeGrid grid{0, 1e-2, 101};
+  Times times;
+  const SafeSummary s = run(m, grid, "group_symbolic_inlined", times);
+  EXPECT_EQ(s.outcome(), Outcome::failed);
+  EXPECT_EQ(s.time, 0.16);
+  ASSERT_TRUE(s.deficit);
+  EXPECT_TRUE(s.deficit->is_length);
+  EXPECT_TRUE(m.constraints[s.deficit->constraint].name.starts_with("dyad1/"));
+  // Coupler and rocker lack what is between the pin of the crank and 9 from the pivot.
+  const double theta = sample(m.drivers[0].motion, s.time).position;
+  const double lacking = std::hypot(8 - 2 * std::cos(theta), 2 * std::sin(theta)) - 9;
+  EXPECT_GT(s.deficit->amount, lacking / 5);
+  EXPECT_LT(s.deficit->amount, lacking);
+}
+
 /// A parallelogram turns through its change points with rates that are as ever.
 Mechanism parallelogram() {
   Mechanism m = four_bar_mechanism(1);
@@ -127,12 +184,101 @@ TEST(SafeRun, SaysThatAChangePointWasPassed) {
   const TimeGrid grid{0, 0.01, 400};  // θ = π/3 + t passes π at 2.09 s
   SafetyOptions options;
   options.every = 50;
-  const SafeSummary s = run(m, grid, "group_symbolic_inlined", sink, options, {.guess = Guess::quadratic});
+  const SafeSummary s =
+      run(m, grid, "group_symbolic_inlined", sink, options, {.guess = Guess::quadratic});
   EXPECT_EQ(s.outcome(), Outcome::degraded);
   ASSERT_TRUE(s.crossing);
   EXPECT_LE(s.crossing->after, 2 * std::numbers::pi / 3);
   EXPECT_GE(s.crossing->before, 2 * std::numbers::pi / 3);
   EXPECT_EQ(m.groups[s.crossing->group].name, "dyad1/SG-I");
+}
+
+/// Newton's method takes the turn that the links cannot: behind the change point the coupler no
+/// longer stays parallel to the ground.
+TEST(SafeRun, SaysThatTheMotionJumpedAtAChangePoint) {
+  const Mechanism m = parallelogram();
+  Discard sink;
+  const SafeSummary s = run(m, {0, 0.01, 300}, "group_symbolic_inlined", sink);
+  EXPECT_EQ(s.outcome(), Outcome::degraded);
+  ASSERT_TRUE(s.crossing);
+  EXPECT_TRUE(s.crossing->jumped);
+  EXPECT_GE(s.crossing->after, 2.09);
+  EXPECT_LE(s.crossing->before, 2.1);
+  EXPECT_EQ(m.groups[s.crossing->group].name, "dyad1/SG-I");
+}
+
+/// Steps of a radian are gone again in shorter ones, and found to lead where they ended.
+TEST(SafeRun, DoesNotTakeALongStepForAJump) {
+  for (const double step : {0.3, 1.0}) {
+    Discard sink;
+    const SafeSummary s =
+        run(four_bar_mechanism(1), {0, step, 21}, "group_symbolic_explicit", sink);
+    EXPECT_EQ(s.outcome(), Outcome::converged) << step;
+  }
+}
+
+/// What a run ends as without a monitor.
+SafeSummary without(Monitor monitor, const Mechanism& m, const TimeGrid& grid, Sink& sink,
+                    const Settings& settings = {}, Level level = Level::acceleration) {
+  SafetyOptions options;
+  options.tolerance = settings.tolerance;
+  options.without = static_cast<unsigned>(monitor);
+  options.every = 100;
+  const auto f = make_formulation(find_variant("group_symbolic_inlined"), m, settings);
+  return run_safely(*f, grid, {level}, sink, options);
+}
+
+/// A crank that turns at a constant rate until it has all but come to its dead point.
+const Mechanism arriving = locking_four_bar(Polynomial{{dead_point - 0.5 - 1e-12, 1}});
+
+TEST(Monitors, OfGainTellsADeadPoint) {
+  const TimeGrid grid{0, 0.01, 51};
+  Discard sink;
+  const auto outcome = [&](Monitor monitor) {
+    return without(monitor, arriving, grid, sink, {.tolerance = 1e-14}, Level::position).outcome();
+  };
+  EXPECT_EQ(outcome(Monitor::gain), Outcome::converged);
+  EXPECT_EQ(outcome(Monitor{}), Outcome::degraded);
+}
+
+TEST(Monitors, OfBoundsTellADeadPoint) {
+  const TimeGrid grid{0.5, 0.01, 1};
+  Discard sink;
+  EXPECT_EQ(without(Monitor::bounds, arriving, grid, sink).outcome(), Outcome::converged);
+  EXPECT_EQ(without(Monitor{}, arriving, grid, sink).outcome(), Outcome::degraded);
+}
+
+TEST(Monitors, OfClockAndOrientationTellAChangePoint) {
+  const Mechanism m = parallelogram();
+  const TimeGrid grid{0, 0.01, 400};
+  const Settings straight_on{.guess = Guess::quadratic};
+  Discard sink;
+  EXPECT_EQ(without(Monitor::clock, m, grid, sink, straight_on).outcome(), Outcome::converged);
+  EXPECT_EQ(without(Monitor::orientation, m, grid, sink, straight_on).outcome(),
+            Outcome::converged);
+  EXPECT_EQ(without(Monitor{}, m, grid, sink, straight_on).outcome(), Outcome::degraded);
+}
+
+TEST(Monitors, OfContinuityTellsAJump) {
+  const Mechanism m = parallelogram();
+  const TimeGrid grid{0, 0.01, 300};
+  Discard sink;
+  EXPECT_EQ(without(Monitor::continuity, m, grid, sink).outcome(), Outcome::converged);
+  EXPECT_EQ(without(Monitor{}, m, grid, sink).outcome(), Outcome::degraded);
+}
+
+TEST(Monitors, OfResidualsTellWhatATolerancePermits) {
+  const Scene scene = library_scene("slider_crank");
+  const Mechanism m = make_mechanism(scene);
+  const TimeGrid grid{scene.grid.start, scene.grid.step, 100};
+  const Reference reference = make_reference(m, sampled(grid, 34));
+  const auto unsaid = [&](Monitor monitor) {
+    ErrorMeasure measure(m, reference.instants, reference.scales);
+    const SafeSummary s = without(monitor, m, grid, measure, {.tolerance = 1e-6});
+    return measure.error().position.max / s.bound.position;
+  };
+  EXPECT_GT(unsaid(Monitor::residual), 1000);
+  EXPECT_LT(unsaid(Monitor{}), 1);
 }
 
 }  // namespace
