@@ -46,7 +46,8 @@ struct ExtremeCase {
   bool is_refused = false;     ///< before anything is solved, or at the first instant
   bool is_redundant = false;   ///< what follows from other equations has to be reported
   std::string failing_body{};  ///< in the group that is to be named where it fails
-  std::string to_be_said{};    ///< what a summary has to say beside all that
+  /// What has to be said beside all that, and for which a summary has no place yet.
+  std::string to_be_said{};
 
   /// Solved from estimates that are off by up to so much of natural magnitudes, instead of in
   /// steps: the branch is that on whose side the estimate is.

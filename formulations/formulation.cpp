@@ -196,8 +196,8 @@ bool Formulation::solve_next(int i, double t, const Request& request, Sink& sink
   ++total.instants;
   total.residual = std::max(total.residual, s.residual);
   sink.accept({i, t, q(), request.level >= Level::velocity ? qd() : std::span<const double>{},
-               request.level >= Level::acceleration ? qdd() : std::span<const double>{},
-               s.updates, s.residual});
+               request.level >= Level::acceleration ? qdd() : std::span<const double>{}, s.updates,
+               s.residual});
   return true;
 }
 

@@ -321,8 +321,9 @@ Record read_record(const JsonNode& root) {
   if (!has_cells(record) && record.points.empty() && record.promises.empty() &&
       !has_sizes(record) && record.instructions.empty() && record.extremes.empty())
     root["cells"].complain(
-        "the record has no cell, and neither requests nor peers, points nor promises, sizes nor "
-        "instructions, nor extremes");
+        "the record has no cell, and neither requests, peers, points, promises, sizes, "
+        "instructions "
+        "nor extremes");
   require_one_origin(record);
   return record;
 }

@@ -25,11 +25,16 @@ std::string at(const Problem& p, std::size_t instant) {
   return formatted("at t = %.9g s", p.definition->scene.grid.time(static_cast<int>(instant)));
 }
 
-/// The worst of an attempt's errors, and the first that is not allowed.
+/// The worst of an attempt's errors, and the first that is wrong, or only more than is allowed.
 struct Errors {
   std::optional<PerLevel<WorstError>> worst;
-  std::string defect;
+  std::string defect, inexact;
 };
+
+/// What is neither within the tolerance that was asked for nor for conditioning to excuse is wrong.
+bool is_wrong(const WorstError& e, double tolerance) {
+  return e.error > std::max(e.allowed, 10 * std::max(tolerance, e.floor));
+}
 
 Errors errors_of(const Problem& p, const Attempt& a, const Allowed& allowed) {
   Errors found;
@@ -42,9 +47,12 @@ Errors errors_of(const Problem& p, const Attempt& a, const Allowed& allowed) {
                            allowed(level, part, next)};
         WorstError& worst = (*found.worst)[level];
         if (worst.allowed == 0 || e.error * worst.allowed > worst.error * e.allowed) worst = e;
-        if (e.error > e.allowed && found.defect.empty())
-          found.defect = formatted("%s wrong by %.1e %s, allowed %.1e", level_names[level], e.error,
-                                   at(p, p.compared[next]).c_str(), e.allowed);
+        if (!(e.error > e.allowed)) continue;
+        std::string& first =
+            is_wrong(e, p.definition->scene.tolerance) ? found.defect : found.inexact;
+        if (first.empty())
+          first = formatted("%s wrong by %.1e %s, allowed %.1e", level_names[level], e.error,
+                            at(p, p.compared[next]).c_str(), e.allowed);
       }
     }
   return found;
@@ -128,6 +136,7 @@ Judgement judge(const Problem& p, const Attempt& a, const Yardsticks& yardsticks
   j.worst = errors.worst;
   if (!errors.defect.empty()) return end(Verdict::defect, std::move(errors.defect));
   if (std::string why = unflagged(p, a); !why.empty()) return end(Verdict::defect, std::move(why));
+  if (!errors.inexact.empty()) return end(Verdict::missed, std::move(errors.inexact));
   if (std::string why = shortcoming(p, a, yardsticks); !why.empty())
     return end(Verdict::missed, std::move(why));
   return j;

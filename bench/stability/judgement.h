@@ -17,8 +17,9 @@ enum class Outcome {
 
 enum class Verdict {
   as_expected,
-  missed,          ///< less than expected, and it says so, or does not say what it should
-  defect,          ///< numbers that are wrong, without a flag
+  missed,          ///< less than expected: it failed, is less exact, or does not say what it should
+  defect,          ///< without a flag, numbers where there is no answer, or wrong by more than the
+                   ///< bound and by ten times the tolerance and the floor
   not_applicable,  ///< the reason says why
 };
 

@@ -23,7 +23,7 @@ namespace desmo::extreme {
 namespace {
 
 struct Options {
-  std::string record, command, formulations;
+  std::string record, command, formulations, cases;
   std::vector<int> rows;
   bool brief = false;
 };
@@ -41,22 +41,26 @@ bool run(const Options& options) {
   suite::keep_freed_memory();
   set_blas_threads(1);
   const std::vector<const Extreme*> rows = chosen_rows(options.rows);
-  const std::regex formulations(options.formulations);
+  Selection selection{.extent = options.brief ? Extent::brief : Extent::full,
+                      .formulations = std::regex(options.formulations),
+                      .cases = std::regex(options.cases)};
   suite::NewFile file(options.record);
   suite::Run run{suite::utc_now(), options.command, suite::load_averages(), {}};
   nlohmann::ordered_json lists = {{"extreme_rows", nlohmann::ordered_json::array()},
                                   {"extremes", nlohmann::ordered_json::array()}};
   std::size_t defects = 0;
   for (const Extreme* row : rows) {
-    const std::vector<Result> results =
-        row_results(*row, options.brief ? Extent::brief : Extent::full, formulations);
+    selection.say = [&](const std::string& name) {
+      std::cerr << "row " << row->number << ": " << name << '\n';
+    };
+    const std::vector<Result> results = row_results(*row, selection);
     lists["extreme_rows"].push_back(row_json(*row));
     for (const Result& result : results) lists["extremes"].push_back(result_json(result));
     std::cout << summary(*row, results) << std::flush;
     defects += count(results, Verdict::defect);
   }
   if (lists["extremes"].empty())
-    throw std::invalid_argument("no formulation matches " + options.formulations);
+    throw std::invalid_argument("nothing matches --formulation and --case");
   run.load_after = suite::load_averages();
   file.write(suite::record_text(run, time_grid(30, 0.01), lists));
   return defects == 0;
@@ -75,6 +79,8 @@ int main(int argc, char** argv) {
   program.add_option("--row", options.rows, "Only these rows of the table, not all");
   program.add_option("--formulation", options.formulations,
                      "Only where this regular expression is found in the formulation's id");
+  program.add_option("--case", options.cases,
+                     "Only where this regular expression is found in the name of the case");
   program.add_flag("--short", options.brief, "What takes seconds, not minutes");
   try {
     program.parse(argc, argv);
@@ -86,7 +92,7 @@ int main(int argc, char** argv) {
   try {
     return run(options) ? 0 : 1;
   } catch (const std::regex_error& error) {
-    std::cerr << "desmo_extremes: --formulation: " << error.what() << '\n';
+    std::cerr << "desmo_extremes: not a regular expression: " << error.what() << '\n';
     return 64;
   } catch (const std::invalid_argument& error) {
     std::cerr << "desmo_extremes: " << error.what() << '\n';

@@ -25,6 +25,18 @@ std::vector<const Variant*> matching(const std::regex& formulations) {
   return all;
 }
 
+/// Of a row's cases those selected, and the first where they are measured by it.
+std::vector<ExtremeCase> selected(std::vector<ExtremeCase> all, const std::regex& names) {
+  const ExtremeCase* const first = all.empty() ? nullptr : &all.front();
+  std::vector<ExtremeCase> chosen;
+  for (const ExtremeCase& c : all)
+    if (std::regex_search(c.name, names)) chosen.push_back(c);
+  const bool is_measured = std::ranges::any_of(
+      chosen, [](const ExtremeCase& c) { return c.bound == Bound::first_case; });
+  if (is_measured && chosen.front().name != first->name) chosen.insert(chosen.begin(), *first);
+  return chosen;
+}
+
 Configuration configuration(const Variant& v, const ExtremeCase& c) {
   // Parsed without its formulation's leave: what that does not offer is a result.
   Settings settings = parse_id("group_automatic_eigen" + c.settings).settings;
@@ -48,15 +60,15 @@ double condition(const Problem& p) {
 
 }  // namespace
 
-std::vector<Result> row_results(const Extreme& row, Extent extent, const std::regex& formulations,
-                                const std::function<void(const std::string&)>& done) {
+std::vector<Result> row_results(const Extreme& row, const Selection& selection) {
   std::vector<Result> results;
-  const std::vector<const Variant*> chosen = matching(formulations);
+  const std::vector<const Variant*> chosen = matching(selection.formulations);
   if (!row.cases)
     for (const Variant* v : chosen) results.push_back(not_offered(row, *v));
   if (!row.cases) return results;
   std::map<const Variant*, Attempt> first;
-  for (const ExtremeCase& c : row.cases(extent)) {
+  for (const ExtremeCase& c : selected(row.cases(selection.extent), selection.cases)) {
+    if (selection.say) selection.say(c.name);
     const Problem problem = make_problem(c);
     std::map<const Variant*, Attempt> anew;
     for (const Variant* v : chosen) {
@@ -70,9 +82,8 @@ std::vector<Result> row_results(const Extreme& row, Extent extent, const std::re
                                   anew.contains(&other) ? &anew.at(&other) : nullptr};
       results.push_back({&row, c.name, id_with(*v, tried.settings), condition(problem),
                          judge(problem, a, yardsticks)});
-      first.try_emplace(v, std::move(a));
+      if (before == first.end()) first.emplace(v, std::move(a));
     }
-    if (done) done(c.name);
   }
   return results;
 }

@@ -19,9 +19,16 @@ struct Result {
   Judgement judgement;
 };
 
-/// Every case of a row in every formulation whose id the expression is found in. done: called after
-/// each case, with its name.
-std::vector<Result> row_results(const Extreme& row, Extent extent, const std::regex& formulations,
-                                const std::function<void(const std::string&)>& done = {});
+/// What of the table is tried.
+struct Selection {
+  Extent extent = Extent::full;
+  /// To be found in ids, and in the names of cases; by default they are in all.
+  std::regex formulations{""}, cases{""};
+  std::function<void(const std::string&)> say = {};  ///< called with what comes next; may be empty
+};
+
+/// The cases of a row in the formulations selected. A case by which others are measured is tried
+/// with them, selected or not.
+std::vector<Result> row_results(const Extreme& row, const Selection& selection);
 
 }  // namespace desmo::extreme

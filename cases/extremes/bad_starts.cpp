@@ -27,7 +27,7 @@ std::vector<ExtremeCase> bad_starts(Extent extent) {
   const int count = extent == Extent::brief ? 50 : 2000;
   std::vector<ExtremeCase> all;
   for (const int dyads : {1, 3}) {
-    const ExtremeCase chain = case_of("four-bar of " + std::to_string(dyads) + " dyads",
+    const ExtremeCase chain = case_of("four-bar, K = " + std::to_string(dyads),
                                       usual_chain(dyads, std::numbers::pi / 3), 1, only_start);
     all.push_back(off_by(chain, 0, 1));
     for (const double off : {0.1, 0.5, 2.0}) all.push_back(off_by(chain, off, count));

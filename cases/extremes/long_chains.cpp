@@ -31,7 +31,7 @@ constexpr TimeGrid grid{0, 0.15, 11};
 
 ExtremeCase chain_case(const std::string& lengths, const DyadChain& chain) {
   ExtremeCase c =
-      case_of(std::to_string(chain.dyads.size()) + " dyads, " + lengths, chain, 1, grid);
+      case_of("K = " + std::to_string(chain.dyads.size()) + ", " + lengths, chain, 1, grid);
   c.bound = Bound::length;
   c.factor = 16;
   return c;

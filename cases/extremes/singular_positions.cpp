@@ -1,6 +1,13 @@
-// Row 3: positions in which the equations are singular to the last bit. Lengths, pivots and the
-// angle 0 are numbers that binary floating point has.
+// Row 3: positions in which the equations are singular. Of the plane ones to the last bit: lengths,
+// pivots and the angle 0 are numbers that binary floating point has.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+
 #include "cases/extremes/rows.h"
+#include "cases/files.h"
 
 namespace desmo::extreme {
 
@@ -30,11 +37,43 @@ DyadChain aligned(int dyads) {
   return chain;
 }
 
+const Description::Vec& point(const Description& d, const std::string& name) {
+  return std::ranges::find(d.points, name, &Description::Point::name)->position;
+}
+
+/// The length of leg `number` of the Stewart platform that has been turned about its axis.
+double leg_length(const Description& platform, const std::string& number, double yaw) {
+  const auto [ax, ay, az] = point(platform, "A" + number);
+  const auto [bx, by, bz] = point(platform, "B" + number);
+  const double c = std::cos(yaw), s = std::sin(yaw);
+  return std::hypot(c * bx - s * by - ax, s * bx + c * by - ay, bz - az);
+}
+
+/// The legs turn the platform by 90° in a second, where their lengths no longer tell which way it
+/// turns on (Fichter 1986).
+ExtremeCase yawing_platform() {
+  constexpr int knots = 101;
+  Scene scene = library_scene("stewart");
+  for (std::size_t leg = 0; leg < scene.motions.size(); ++leg) {
+    std::vector<double> times, lengths;
+    for (int i = 0; i < knots; ++i) {
+      times.push_back(static_cast<double>(i) / (knots - 1));
+      lengths.push_back(leg_length(scene.mechanism, std::to_string(leg + 1),
+                                   times.back() * std::numbers::pi / 2));
+    }
+    scene.motions[leg] = make_spline(std::move(times), std::move(lengths), SplineEnds::natural);
+  }
+  scene.grid = {0, 0.1, 11};
+  ExtremeCase c{.name = "Stewart platform, turned by 90°", .scene = std::move(scene)};
+  c.ends_singular = true;
+  return c;
+}
+
 }  // namespace
 
 std::vector<ExtremeCase> singular_positions(Extent) {
   return {to_zero("dead point", dead_point()), to_zero("parallel cranks in line", aligned(1)),
-          to_zero("8 parallel cranks in line", aligned(8))};
+          to_zero("8 parallel cranks in line", aligned(8)), yawing_platform()};
 }
 
 }  // namespace desmo::extreme

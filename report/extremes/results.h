@@ -24,7 +24,7 @@ struct ExtremeResult {
   enum class Verdict {
     as_expected,
     missed,  ///< less than expected, and no wrong number without a flag
-    defect,  ///< wrong numbers, without a flag
+    defect,  ///< wrong numbers, or numbers where there is no answer, without a flag
     not_applicable,
   };
   std::int64_t row = 0;

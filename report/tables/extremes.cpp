@@ -96,11 +96,14 @@ Table extremes_by_formulation(const Record& record) {
   Table table{
       .name = "extremes",
       .title = "What every formulation does at the extremes",
-      .notes = {"ok: as expected in every case. missed: in so many of the cases tried it does less "
-                "than expected and says so, or does not say what it should. DEFECT: in so many it "
-                "gives wrong numbers without a flag. n/a: not applicable, or not tried for the "
-                "time it takes; the reasons stand with the cases. After it the worst error of any "
-                "level over the floor that conditioning sets at that instant."},
+      .notes =
+          {"ok: as expected in every case. missed: in so many of the cases tried it does less than "
+           "expected: it fails, is less exact, or does not say what it should. DEFECT: in so many "
+           "it gives, without a flag, numbers where there is no answer, or numbers that are wrong "
+           "by more than is allowed and by ten times the tolerance and the floor. n/a: not "
+           "applicable, or not tried for the time it takes; the reasons stand with the cases. "
+           "After it: of each case and level the error that is the most of what is allowed, over "
+           "the floor that conditioning sets at its instant; the largest."},
       .columns = {{"formulation", {}}},
       .rows = {}};
   for (const ExtremeRow& row : record.extreme_rows)

@@ -53,6 +53,15 @@ TEST_F(Judging, AWrongNumberWithoutAFlagIsADefect) {
   EXPECT_EQ(reason(), "acceleration wrong by 2.0e-09 at t = 0.1 s, allowed 1.0e-09");
 }
 
+TEST_F(Judging, LessExactThanExpectedButWithinTheToleranceIsMissed) {
+  c.bound = Bound::floor;
+  attempted(5e-10);
+  EXPECT_EQ(verdict(), Verdict::missed);
+  EXPECT_TRUE(reason().starts_with("position wrong by 5.0e-10 at t = 0 s, allowed")) << reason();
+  attempted(2e-9);
+  EXPECT_EQ(verdict(), Verdict::defect);
+}
+
 TEST_F(Judging, ANeedlessFlagIsMissedUnlessItIsAsGoodAsAnAnswer) {
   attempted(0);
   flag(2);
@@ -110,6 +119,8 @@ TEST_F(Judging, YardsticksAreOtherAttempts) {
   EXPECT_EQ(judge(problem, attempt, {&first, nullptr}).reason,
             "2 iterations where the first case has 4");
   first.errors[0].assign(3, PerLevel<double>{});
+  EXPECT_EQ(judge(problem, attempt, {&first, nullptr}).verdict, Verdict::missed);
+  attempted(2e-9);
   EXPECT_EQ(judge(problem, attempt, {&first, nullptr}).verdict, Verdict::defect);
 }
 

@@ -37,6 +37,7 @@ TEST_F(ExtremesProgram, ComplainsOfMistakes) {
   EXPECT_EQ(extremes("--row 15"), 64);
   EXPECT_EQ(extremes("--row 14 --formulation ma27"), 64);
   EXPECT_EQ(extremes("--row 14 --formulation '('"), 64);
+  EXPECT_EQ(extremes("--row 3 --case 'no such case'"), 64);
   EXPECT_FALSE(std::filesystem::exists(record_));
 }
 

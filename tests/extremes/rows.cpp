@@ -45,10 +45,12 @@ std::map<std::string, Result> worst_by_case(const std::vector<Result>& results) 
 }
 
 TEST_P(EveryExtreme, IsAsExpectedOrKnownNotToBe) {
-  const std::regex kinds(
-      "^(global_automatic_klu|group_automatic_eigen|block_symbolic_inlined|group_symbolic_explicit)"
-      "$");
-  const std::vector<Result> results = row_results(GetParam(), Extent::brief, kinds);
+  const std::vector<Result> results =
+      row_results(GetParam(), {.extent = Extent::brief,
+                               .formulations = std::regex("^(global_automatic_klu|"
+                                                          "group_automatic_eigen|"
+                                                          "block_symbolic_inlined|"
+                                                          "group_symbolic_explicit)$")});
   EXPECT_FALSE(results.empty());
   for (const auto& [name, r] : worst_by_case(results)) {
     const Verdict verdict = r.judgement.verdict;

@@ -18,8 +18,9 @@ namespace {
 
 constexpr std::array minors{"1.0.0", "1.1.0", "1.2.0", "1.3.0", "1.4.0", "1.5.0", "1.6.0"};
 // Of desmo_bench each, and of the other programs since there are any.
-constexpr std::array records{"1.0.0", "1.1.0",           "1.2.0",          "1.3.0", "1.4.0",
-                             "1.5.0", "1.5.0-precision", "1.5.0-promises", "1.6.0"};
+constexpr std::array records{"1.0.0", "1.1.0",         "1.2.0",           "1.3.0",
+                             "1.4.0", "1.5.0",         "1.5.0-precision", "1.5.0-promises",
+                             "1.6.0", "1.7.0-extremes"};
 
 class Golden : public ::testing::TestWithParam<const char*> {};
 
@@ -58,6 +59,7 @@ TEST(GoldenRecords, OfPrecisionHavePointsAndWhatIsKnownOfTheirMotions) {
   EXPECT_FALSE(record.points.empty());
   EXPECT_FALSE(record.floors.empty());
   EXPECT_FALSE(read_record(data_file("golden/1.5.0-promises.json")).promises.empty());
+  EXPECT_FALSE(read_record(data_file("golden/1.7.0-extremes.json")).extremes.empty());
 }
 
 }  // namespace

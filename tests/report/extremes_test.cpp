@@ -1,0 +1,116 @@
+// The table of extremes: reader, tables, sentence.
+#include "report/tables/extremes.h"
+
+#include <gtest/gtest.h>
+
+#include "report/comparability.h"
+#include "report/report.h"
+#include "tests/report/points_sample.h"
+
+namespace desmo::report {
+namespace {
+
+Json result(int row, const char* case_name, const char* id, const char* verdict) {
+  Json json = {{"row", row},
+               {"case", case_name},
+               {"id", id},
+               {"outcome", "converged"},
+               {"verdict", verdict}};
+  if (json["verdict"] != "as_expected") json["reason"] = "so it is";
+  return json;
+}
+
+/// With numbers: so many times the floor of 1e-12 in velocity, less in the others.
+Json compared(Json json, double times_floor) {
+  const auto level = [](double error) {
+    return Json{{"error", error}, {"floor", 1e-12}, {"allowed", 1e-11}};
+  };
+  json["instants"] = 21;
+  json["iterations"] = 40;
+  json["condition"] = 9000;
+  json["worst"] = {{"position", level(1e-13)},
+                   {"velocity", level(times_floor * 1e-12)},
+                   {"acceleration", level(0)}};
+  return json;
+}
+
+Json extremes_record() {
+  Json record = points_record();
+  for (const char* list : {"floors", "precision"}) record.erase(list);
+  record["extreme_rows"] = {
+      {{"row", 2}, {"name", "dead points"}, {"extreme", "near"}, {"expected", "right"}},
+      {{"row", 3}, {"name", "singular"}, {"extreme", "exactly"}, {"expected", "flagged"}}};
+  record["extremes"] = {compared(result(2, "a", "klu", "as_expected"), 2),
+                        compared(result(2, "b", "klu/tolerance:1e-13", "defect"), 4000),
+                        compared(result(2, "a", "eigen", "as_expected"), 3),
+                        result(2, "b", "eigen", "missed"),
+                        result(3, "c", "klu", "not_applicable"),
+                        result(3, "c", "eigen", "as_expected")};
+  return record;
+}
+
+TEST(Extremes, AreATableOfFormulationsAndRows) {
+  const Table table = extremes_by_formulation(record_from(extremes_record()));
+  EXPECT_EQ(table.rows.size(), 2u);
+  EXPECT_EQ(entry_at(table, {"klu"}, "2 dead points").shown, "DEFECT 1 of 2, 4e+03");
+  EXPECT_EQ(entry_at(table, {"klu"}, "3 singular").shown, "n/a");
+  EXPECT_EQ(entry_at(table, {"eigen"}, "2 dead points").shown, "missed 1 of 2, 3e+00");
+  EXPECT_EQ(entry_at(table, {"eigen"}, "3 singular").shown, "ok");
+}
+
+TEST(Extremes, CountDefectsInASentence) {
+  Json record = extremes_record();
+  EXPECT_EQ(extremes(record_from(record)).paragraphs.front(),
+            "Wrong numbers without a flag, which is a defect whatever the residual, in 1 of 5 "
+            "results; 3 are as expected, and 1 fall short of it without a wrong number.");
+  record["extremes"].erase(1);
+  EXPECT_TRUE(extremes(record_from(record))
+                  .paragraphs.front()
+                  .starts_with("No wrong number without a flag in any of 4 results;"));
+}
+
+TEST(Extremes, NameTheReasonOfTheWorst) {
+  const Record record = record_from(extremes_record());
+  const Table cases = extreme_cases(record), rows = extreme_rows(record);
+  EXPECT_EQ(entry_at(cases, {"2", "b"}, "example").shown, "klu/tolerance:1e-13: so it is");
+  EXPECT_EQ(entry_at(cases, {"2", "a"}, "example").shown, "");
+  EXPECT_EQ(entry_at(cases, {"2", "b"}, "missed").shown, "1");
+  EXPECT_EQ(entry_at(rows, {"2 dead points"}, "as expected").shown, "2");
+  EXPECT_EQ(entry_at(rows, {"3 singular"}, "expected").shown, "flagged");
+}
+
+TEST(Extremes, HaveAPageOfTheirOwnOrWithPoints) {
+  Json measured = points_record(), stable = extremes_record();
+  for (Json* json : {&measured, &stable})
+    (*json)["record"] = Json::parse(read_text(data_file("golden/1.3.0.json")))["record"];
+  const Record points = record_from(measured), record = record_from(stable);
+  EXPECT_EQ(make_report(record).title, "desmo: stability at the extremes");
+  EXPECT_EQ(make_report(record).sections.front().title, "Stability at the extremes");
+  EXPECT_EQ(table_named(make_report(std::vector{points, record}), "extremes").rows.size(), 2u);
+  EXPECT_TRUE(why_apart(points, record).empty());
+  ASSERT_EQ(why_apart(record, record).size(), 1u);
+  EXPECT_EQ(why_apart(record, record).front().what, "one record with extremes");
+}
+
+TEST(Extremes, ThatSayNothingAreRefused) {
+  const auto with = [](const std::string& place, const Json& value) {
+    Json json = extremes_record();
+    json[Json::json_pointer(place)] = value;
+    return complaint(json);
+  };
+  EXPECT_EQ(complaint(extremes_record()), "accepted");
+  EXPECT_NE(with("/extremes/0/verdict", "fine").find("extremes[0].verdict: \"fine\" is none of"),
+            std::string::npos);
+  EXPECT_NE(with("/extremes/0/row", 4).find("extremes[0].row: \"extreme_rows\" has no row 4"),
+            std::string::npos);
+  EXPECT_NE(with("/extremes/3/case", "a").find("extremes[3]: eigen in \"a\" is given twice"),
+            std::string::npos);
+  EXPECT_NE(with("/extremes/3/reason", "").find("extremes[3]: what is not as expected needs"),
+            std::string::npos);
+  EXPECT_NE(with("/extreme_rows/1/row", 2).find("extreme_rows[1]: row 2 is given twice"),
+            std::string::npos);
+  EXPECT_NE(with("/extremes", Json::array()).find("promises nor extremes"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace desmo::report
