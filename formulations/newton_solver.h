@@ -59,7 +59,7 @@ class NewtonSolver {
         least_iterations_(settings.fixed_iterations),
         most_iterations_(settings.fixed_iterations ? settings.fixed_iterations
                                                    : settings.max_iterations),
-        runs_(runs_of(equations_.pattern().unknowns)),
+        runs_(long_runs(equations_.pattern().unknowns)),
         values_(equations_.pattern().size(), Real(0)),
         weights_(
             Eigen::Map<const Eigen::VectorXd>(weights.data(), pattern().n).template cast<Real>()),
@@ -89,6 +89,15 @@ class NewtonSolver {
   }
 
  private:
+  /// Of unknowns side by side in the state: what is done with these fits wide registers. None where
+  /// most have few neighbours, so that loops over runs would cost more.
+  static std::vector<CoordinateRun> long_runs(std::span<const int> unknowns) {
+    constexpr std::size_t least_mean = 8;
+    std::vector<CoordinateRun> runs = runs_of(unknowns);
+    if (runs.size() * least_mean > unknowns.size()) runs.clear();
+    return runs;
+  }
+
   bool refines() const { return Algebra::rounds_factors || update_ == JacobianUpdate::chord; }
 
   PartResult attempt(Real* q, Real* qd, Real* qdd, Level level, JacobianUpdate update) {
@@ -209,10 +218,11 @@ class NewtonSolver {
     each_unknown([&](int at, int i) { q[at] = start_[i]; });
   }
 
-  /// Calls with the place of each unknown in the state, and its own: run by run, so that what is
-  /// done with neighbours fits wide registers.
+  /// Calls with the place of each unknown in the state, and its own.
   template <class Call>
   void each_unknown(Call call) const {
+    if (runs_.empty())
+      for (int i = 0; i < pattern().n; ++i) call(pattern().unknowns[i], i);
     int i = 0;
     for (const CoordinateRun run : runs_) {
       const int shift = i - run.first;
@@ -227,7 +237,7 @@ class NewtonSolver {
   bool per_level_;
   double tolerance_;
   int least_iterations_, most_iterations_;
-  std::vector<CoordinateRun> runs_;  // of unknowns side by side in the state
+  std::vector<CoordinateRun> runs_;  // see long_runs
   std::vector<Real> values_;         // Φ_φ and Φ_h, laid out by the pattern
   Vector weights_;
   Vector b_;           // right-hand side, then solution

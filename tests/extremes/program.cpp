@@ -20,7 +20,8 @@ class ExtremesProgram : public testing::Test {
   }
   ~ExtremesProgram() override { std::filesystem::remove(record_); }
 
-  std::string record_ = testing::TempDir() + "extremes_record.json";
+  std::string record_ = testing::TempDir() + "extremes_" +
+                        testing::UnitTest::GetInstance()->current_test_info()->name() + ".json";
 };
 
 TEST_F(ExtremesProgram, RecordsWhatTheReportReads) {

@@ -65,7 +65,7 @@ TEST(Sizes, ThatSayNothingAreRefused) {
           "crossing[1]: four_bar/10/global_automatic_eigen is given twice");
   Json json = sizes_record();
   json["growth"] = json["crossing"] = Json::array();
-  EXPECT_NE(complaint(json).find("sizes nor instructions"), std::string::npos);
+  EXPECT_NE(complaint(json).find("sizes, instructions nor extremes"), std::string::npos);
 }
 
 TEST(Caches, AreThoseThatHoldData) {
