@@ -101,8 +101,9 @@ TEST(Series, AskBothQuestionsOfBothCases) {
     EXPECT_TRUE(is_new || series.size > place->second.second) << name;  // ascending, each once
     place->second.second = series.size;
     for (const std::string_view id : series.ids) EXPECT_NO_THROW(parse_id(id)) << id;
-    if (series.question == Question::growth)
+    if (series.question == Question::growth) {
       EXPECT_NO_THROW(describe(*series.definition, series.size));
+    }
   }
   ASSERT_EQ(ranges.size(), 4u);
   for (const Case& c : cases()) {

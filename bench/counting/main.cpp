@@ -34,10 +34,10 @@ std::string desmo_steps() {
 }
 
 void print(const std::vector<StepCount>& counts) {
-  std::printf("%-18s %-52s %12s %12s\n", "case", "formulation", "instructions", "prototype");
+  std::printf("%-18s %-68s %12s %12s\n", "case", "formulation", "instructions", "prototype");
   for (const StepCount& c : counts) {
     const auto early = of_prototype(c);
-    std::printf("%-18s %-52s %12lld %12s\n", c.case_name.c_str(), c.id.c_str(),
+    std::printf("%-18s %-68s %12lld %12s\n", c.case_name.c_str(), c.id.c_str(),
                 static_cast<long long>(c.instructions),
                 early ? std::to_string(*early).c_str() : "-");
   }

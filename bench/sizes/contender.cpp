@@ -2,6 +2,7 @@
 
 #include <malloc.h>
 
+#include <algorithm>
 #include <exception>
 #include <memory>
 #include <stdexcept>
@@ -53,7 +54,8 @@ void Contender::compare() {
     message = describe(summary, problem_.mechanism);
     return;
   }
-  message = suite::complaint(errors, problem_.reference.size());
+  message = suite::complaint(errors, problem_.reference.size(),
+                             std::max(1.0, problem_.tolerance / Settings{}.tolerance));
   iterations_per_step =
       static_cast<double>(summary.iterations) / static_cast<double>(summary.instants);
   residual = summary.residual;

@@ -16,8 +16,9 @@ class Contender {
   /// id: as parse_id takes it; the tolerance is the problem's, which must outlive the contender.
   Contender(const Problem& problem, std::string_view id);
 
-  /// Solves the whole motion and compares it with what is right, where that is known. What goes
-  /// wrong ends in `message`.
+  /// Solves the whole motion and compares it with what is right, where that is known; what may
+  /// differ grows as the problem's tolerance does beyond the usual one. What goes wrong ends in
+  /// `message`.
   void verify();
   /// Takes one more sample of the CPU time of a step: the whole motion with its assembly, drivers
   /// and delivery into plain vectors, by the number of instants; over and over until that took

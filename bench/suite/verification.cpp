@@ -44,19 +44,21 @@ void VerifyingSink::accept(const Instant& instant) {
   compare(errors_.acceleration, results_, instant.qdd, r.qdd, allowed.acceleration);
 }
 
-std::string complaint(const Errors& e, std::size_t expected_instants) {
+std::string complaint(const Errors& e, std::size_t expected_instants, double times) {
+  const Errors bound{0, times * allowed.position, times * allowed.velocity,
+                     times * allowed.acceleration};
   if (static_cast<std::size_t>(e.instants) != expected_instants)
     return "compared with the reference at " + std::to_string(e.instants) +
            " instants instead of " + std::to_string(expected_instants);
-  if (e.position <= allowed.position && e.velocity <= allowed.velocity &&
-      e.acceleration <= allowed.acceleration)
+  if (e.position <= bound.position && e.velocity <= bound.velocity &&
+      e.acceleration <= bound.acceleration)
     return {};
   char text[200];
   std::snprintf(text, sizeof text,
                 "differs from the reference by %.1e in position, %.1e in velocity, %.1e "
                 "in acceleration (allowed: %.0e, %.0e, %.0e)",
-                e.position, e.velocity, e.acceleration, allowed.position, allowed.velocity,
-                allowed.acceleration);
+                e.position, e.velocity, e.acceleration, bound.position, bound.velocity,
+                bound.acceleration);
   return text;
 }
 

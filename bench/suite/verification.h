@@ -41,8 +41,8 @@ class VerifyingSink final : public Sink {
   ResultDigest results_;
 };
 
-/// Empty when within what is allowed; otherwise what is wrong, in words.
-std::string complaint(const Errors& errors, std::size_t expected_instants);
+/// Empty when within so many times what is allowed; otherwise what is wrong, in words.
+std::string complaint(const Errors& errors, std::size_t expected_instants, double times = 1);
 
 /// Throws std::runtime_error, naming the mechanism, where two quadruple solutions differ by more
 /// than 1e-20 of its scales: then neither is a reference.

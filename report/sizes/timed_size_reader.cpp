@@ -1,5 +1,6 @@
 #include "report/sizes/timed_size_reader.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "report/verification_reader.h"
@@ -12,6 +13,13 @@ TimedSize failed(TimedSize entry, std::string why) {
   entry.message = std::move(why);
   entry.seconds_per_step.clear();
   return entry;
+}
+
+/// It grows as the tolerance does beyond the record's.
+Allowed allowed_of(const TimedSize& entry, const Settings& settings) {
+  const double times = std::max(1.0, entry.tolerance / settings.tolerance);
+  return {times * settings.allowed->position, times * settings.allowed->velocity,
+          times * settings.allowed->acceleration, std::nullopt};
 }
 
 TimedSize read_entry(const JsonNode& node, const Settings& settings) {
@@ -35,7 +43,7 @@ TimedSize read_entry(const JsonNode& node, const Settings& settings) {
     entry.seconds_per_step.push_back(sample.sample());
   if (entry.seconds_per_step.empty()) samples.complain("at least one sample was expected");
   if (!settings.allowed) return entry;
-  std::string reason = excess(*entry.verification, *settings.allowed);
+  std::string reason = excess(*entry.verification, allowed_of(entry, settings));
   return reason.empty() ? entry : failed(std::move(entry), std::move(reason));
 }
 

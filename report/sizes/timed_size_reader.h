@@ -7,7 +7,8 @@
 namespace desmo::report {
 
 /// Reads `growth` and `crossing`, where there are any: each case, size and formulation once. What
-/// exceeds `record.settings.allowed` becomes failed and has no time. Throws InvalidRecord.
+/// exceeds `record.settings.allowed`, which grows as an entry's tolerance, becomes failed and has
+/// no time. Throws InvalidRecord.
 void read_sizes(Record& record, const JsonNode& root);
 
 }  // namespace desmo::report

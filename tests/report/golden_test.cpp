@@ -18,9 +18,18 @@ namespace {
 
 constexpr std::array minors{"1.0.0", "1.1.0", "1.2.0", "1.3.0", "1.4.0", "1.5.0", "1.6.0"};
 // Of desmo_bench each, and of the other programs since there are any.
-constexpr std::array records{"1.0.0", "1.1.0",         "1.2.0",           "1.3.0",
-                             "1.4.0", "1.5.0",         "1.5.0-precision", "1.5.0-promises",
-                             "1.6.0", "1.7.0-extremes"};
+constexpr std::array records{"1.0.0",
+                             "1.1.0",
+                             "1.2.0",
+                             "1.3.0",
+                             "1.4.0",
+                             "1.5.0",
+                             "1.5.0-precision",
+                             "1.5.0-promises",
+                             "1.6.0",
+                             "1.7.0-extremes",
+                             "1.7.0-growth",
+                             "1.7.0-instructions"};
 
 class Golden : public ::testing::TestWithParam<const char*> {};
 
@@ -60,6 +69,14 @@ TEST(GoldenRecords, OfPrecisionHavePointsAndWhatIsKnownOfTheirMotions) {
   EXPECT_FALSE(record.floors.empty());
   EXPECT_FALSE(read_record(data_file("golden/1.5.0-promises.json")).promises.empty());
   EXPECT_FALSE(read_record(data_file("golden/1.7.0-extremes.json")).extremes.empty());
+}
+
+TEST(GoldenRecords, OfSizesAndInstructionsHaveThem) {
+  const Record sizes = read_record(data_file("golden/1.7.0-growth.json"));
+  EXPECT_FALSE(has_cells(sizes));
+  EXPECT_FALSE(sizes.growth.empty());
+  EXPECT_FALSE(sizes.crossing.empty());
+  EXPECT_FALSE(read_record(data_file("golden/1.7.0-instructions.json")).instructions.empty());
 }
 
 }  // namespace

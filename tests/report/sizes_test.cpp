@@ -47,6 +47,19 @@ TEST(Sizes, OfWrongAnswersHaveNoTime) {
   EXPECT_TRUE(entry.seconds_per_step.empty());
 }
 
+TEST(Sizes, WithALargerToleranceMayDifferMore) {
+  Json json = sizes_record();
+  Json& entry = json["growth"][0];
+  entry["verification"]["velocity"] = 2e-8;
+  entry["tolerance"] = 3 * json["record"]["settings"]["tolerance"].get<double>();
+  const auto status = [&] {
+    return record_from(json).growth.at({"four_bar", 10, in_order}).status;
+  };
+  EXPECT_EQ(status(), Status::ok);
+  entry["verification"]["velocity"] = 4e-8;
+  EXPECT_EQ(status(), Status::failed);
+}
+
 TEST(Sizes, ThatSayNothingAreRefused) {
   const auto with = [](const std::string& place, const Json& value) {
     Json json = sizes_record();
