@@ -18,18 +18,9 @@ namespace {
 
 constexpr std::array minors{"1.0.0", "1.1.0", "1.2.0", "1.3.0", "1.4.0", "1.5.0", "1.6.0"};
 // Of desmo_bench each, and of the other programs since there are any.
-constexpr std::array records{"1.0.0",
-                             "1.1.0",
-                             "1.2.0",
-                             "1.3.0",
-                             "1.4.0",
-                             "1.5.0",
-                             "1.5.0-precision",
-                             "1.5.0-promises",
-                             "1.6.0",
-                             "1.7.0-extremes",
-                             "1.7.0-growth",
-                             "1.7.0-instructions"};
+constexpr std::array records{"1.0.0", "1.1.0",          "1.2.0",           "1.3.0",
+                             "1.4.0", "1.5.0",          "1.5.0-precision", "1.5.0-promises",
+                             "1.6.0", "1.7.0-extremes", "1.7.0-growth",    "1.7.0-instructions"};
 
 class Golden : public ::testing::TestWithParam<const char*> {};
 
