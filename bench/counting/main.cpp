@@ -2,11 +2,10 @@
 // Beside them stands what an early prototype took.
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <exception>
 #include <filesystem>
 #include <iostream>
-#include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <regex>
 #include <stdexcept>
 #include <string>
@@ -15,9 +14,7 @@
 #include "bench/counting/claims.h"
 #include "bench/counting/step_counts.h"
 #include "bench/regression/callgrind.h"
-#include "bench/suite/environment.h"
-#include "bench/suite/new_file.h"
-#include "bench/suite/record.h"
+#include "bench/suite/recording.h"
 
 namespace desmo::counting {
 
@@ -64,15 +61,11 @@ bool run(const Options& options) {
   if (counts.empty()) throw std::invalid_argument("nothing matches " + options.filter);
   const std::string tool = regression::counting_tool();
   if (tool.empty()) throw std::runtime_error("valgrind, which counts, cannot be run");
-  const auto file =
-      options.record.empty() ? nullptr : std::make_unique<suite::NewFile>(options.record);
-  suite::Run run{suite::utc_now(), options.command, suite::load_averages(), {}};
+  std::optional<suite::Recording> recording;
+  if (!options.record.empty()) recording.emplace(options.record, options.command);
   count(counts, desmo_steps());
-  run.load_after = suite::load_averages();
   print(counts);
-  if (file)
-    file->write(
-        suite::record_text(run, cases().front().describe(1).grid, counts_json(counts, tool)));
+  if (recording) recording->write(cases().front().describe(1).grid, counts_json(counts, tool));
   const std::vector<std::string> broken = broken_claims(counts);
   for (const std::string& claim : broken) std::cerr << claim << '\n';
   return broken.empty();
@@ -93,23 +86,6 @@ int main(int argc, char** argv) {
       ->check(CLI::PositiveNumber);
   program.add_option("--filter", options.filter,
                      "Only where this regular expression is found in <case>/<coordinates>/<id>");
-  try {
-    program.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return program.exit(error) == 0 ? 0 : 64;
-  }
-  options.command = "desmo_instructions";
-  for (int i = 1; i < argc; ++i) options.command += " " + std::string(argv[i]);
-  try {
-    return run(options) ? 0 : 1;
-  } catch (const std::regex_error& error) {
-    std::cerr << "desmo_instructions: --filter: " << error.what() << '\n';
-    return 64;
-  } catch (const std::invalid_argument& error) {
-    std::cerr << "desmo_instructions: " << error.what() << '\n';
-    return 64;
-  } catch (const std::exception& error) {
-    std::cerr << "desmo_instructions: " << error.what() << '\n';
-    return 74;
-  }
+  options.command = desmo::suite::command_line(argc, argv);
+  return desmo::suite::record_main(program, argc, argv, [&] { return run(options); });
 }

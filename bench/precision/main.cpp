@@ -1,8 +1,6 @@
 // desmo_precision: time against error, for formulations and the settings that trade one for the
 // other.
 #include <CLI/CLI.hpp>
-#include <exception>
-#include <iostream>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <stdexcept>
@@ -11,10 +9,9 @@
 #include <vector>
 
 #include "bench/precision/record.h"
-#include "bench/suite/environment.h"
 #include "bench/suite/kept_memory.h"
-#include "bench/suite/new_file.h"
 #include "bench/suite/progress.h"
+#include "bench/suite/recording.h"
 #include "formulations/algebra/blas.h"
 #include "formulations/modelling/model.h"
 
@@ -67,8 +64,7 @@ void run(const Options& options) {
   const std::vector<Series> all =
       matching(options.quick ? quick_series() : all_series(), std::regex(options.filter));
   if (all.empty()) throw std::invalid_argument("no configuration matches " + options.filter);
-  suite::NewFile file(options.record);
-  suite::Run run{suite::utc_now(), options.command, suite::load_averages(), {}};
+  suite::Recording recording(options.record, options.command);
   nlohmann::ordered_json lists = {{"floors", nlohmann::ordered_json::array()},
                                   {"precision", nlohmann::ordered_json::array()}};
   TimeGrid usual;
@@ -83,8 +79,7 @@ void run(const Options& options) {
     for (const Trial& trial : measure(series, problem, options.repetitions, progress))
       lists["precision"].push_back(point_json(series, trial));
   }
-  run.load_after = suite::load_averages();
-  file.write(record_text(run, usual, lists));
+  recording.write(usual, lists);
 }
 
 }  // namespace
@@ -102,24 +97,9 @@ int main(int argc, char** argv) {
   program.add_flag("--quick", options.quick, "The smallest sizes only, with few settings");
   program.add_option("--filter", options.filter,
                      "Only where this regular expression is found in <case>/<coordinates>/<id>");
-  try {
-    program.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return program.exit(error) == 0 ? 0 : 64;
-  }
-  for (int i = 0; i < argc; ++i) options.command += (i == 0 ? "" : " ") + std::string(argv[i]);
-  options.command.erase(0, options.command.find_last_of('/', options.command.find(' ')) + 1);
-  try {
+  options.command = desmo::suite::command_line(argc, argv);
+  return desmo::suite::record_main(program, argc, argv, [&] {
     run(options);
-    return 0;
-  } catch (const std::regex_error& error) {
-    std::cerr << "desmo_precision: --filter: " << error.what() << '\n';
-    return 64;
-  } catch (const std::invalid_argument& error) {
-    std::cerr << "desmo_precision: " << error.what() << '\n';
-    return 64;
-  } catch (const std::exception& error) {
-    std::cerr << "desmo_precision: " << error.what() << '\n';
-    return 74;
-  }
+    return true;
+  });
 }

@@ -3,18 +3,16 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
-#include <exception>
-#include <iostream>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "bench/precision/promise.h"
 #include "bench/precision/record.h"
-#include "bench/suite/environment.h"
 #include "bench/suite/kept_memory.h"
-#include "bench/suite/new_file.h"
 #include "bench/suite/progress.h"
+#include "bench/suite/recording.h"
 #include "cases/cases.h"
 #include "cases/files.h"
 #include "formulations/algebra/blas.h"
@@ -34,13 +32,14 @@ struct Named {
   Scene scene;
 };
 
-/// All there are, or those named.
+/// All there are, or those named, at least one. Throws std::invalid_argument where there is none.
 std::vector<Named> scenes(const std::vector<std::string>& named) {
   std::vector<Named> all;
   for (const Case& c : cases()) all.push_back({std::string(c.name), describe(c, c.sizes.front())});
   for (const char* name : library) all.push_back({name, library_scene(name)});
   if (!named.empty())
     std::erase_if(all, [&](const Named& n) { return !std::ranges::count(named, n.name); });
+  if (all.empty()) throw std::invalid_argument("there is no such mechanism among those tried");
   return all;
 }
 
@@ -74,15 +73,13 @@ void add_promises(Json& list, const Named& named, suite::Progress& progress) {
 void run(const std::string& record, const std::string& command, const std::vector<Named>& all) {
   suite::keep_freed_memory();
   set_blas_threads(1);  // the clock is the thread's own
-  suite::NewFile file(record);
-  suite::Run run{suite::utc_now(), command, suite::load_averages(), {}};
+  suite::Recording recording(record, command);
   Json lists = {{"promises", Json::array()}};
   {
     suite::Progress progress("searches", static_cast<int>(all.size() * (1 + budgets.size())));
     for (const Named& named : all) add_promises(lists["promises"], named, progress);
   }
-  run.load_after = suite::load_averages();
-  file.write(record_text(run, all.front().scene.grid, lists));
+  recording.write(all.front().scene.grid, lists);
 }
 
 }  // namespace
@@ -91,26 +88,13 @@ void run(const std::string& record, const std::string& command, const std::vecto
 
 int main(int argc, char** argv) {
   CLI::App program{"What the choices of desmo tune are worth", "desmo_promises"};
-  std::string record, command = "desmo_promises";
+  std::string record;
   program.add_option("--record", record, "Write the results record to this file")->required();
   std::vector<std::string> mechanisms;
   program.add_option("--mechanism", mechanisms, "Only these, not all");
-  try {
-    program.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return program.exit(error) == 0 ? 0 : 64;
-  }
-  for (int i = 1; i < argc; ++i) command += " " + std::string(argv[i]);
-  try {
-    const auto scenes = desmo::precision::scenes(mechanisms);
-    if (scenes.empty()) {
-      std::cerr << "desmo_promises: there is no such mechanism among those tried\n";
-      return 64;
-    }
-    desmo::precision::run(record, command, scenes);
-    return 0;
-  } catch (const std::exception& error) {
-    std::cerr << "desmo_promises: " << error.what() << '\n';
-    return 74;
-  }
+  const std::string command = desmo::suite::command_line(argc, argv);
+  return desmo::suite::record_main(program, argc, argv, [&] {
+    desmo::precision::run(record, command, desmo::precision::scenes(mechanisms));
+    return true;
+  });
 }

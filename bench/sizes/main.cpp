@@ -2,7 +2,6 @@
 // it at once costs the same with dense and with sparse matrices, into a record; without one, how
 // reading, analysing and solving a mechanism file grow, as a table.
 #include <CLI/CLI.hpp>
-#include <exception>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -12,11 +11,9 @@
 
 #include "bench/sizes/analysis.h"
 #include "bench/sizes/record.h"
-#include "bench/suite/environment.h"
 #include "bench/suite/kept_memory.h"
-#include "bench/suite/new_file.h"
 #include "bench/suite/progress.h"
-#include "bench/suite/record.h"
+#include "bench/suite/recording.h"
 #include "formulations/algebra/blas.h"
 
 namespace desmo::sizes {
@@ -91,8 +88,7 @@ bool run(const Options& options) {
   const std::vector<Series> all =
       matching(options.quick ? quick_series() : all_series(), std::regex(options.filter));
   if (all.empty()) throw std::invalid_argument("nothing matches " + options.filter);
-  suite::NewFile file(options.record);
-  suite::Run run{suite::utc_now(), options.command, suite::load_averages(), {}};
+  suite::Recording recording(options.record, options.command);
   nlohmann::ordered_json lists;
   {
     Work work(all);
@@ -101,9 +97,19 @@ bool run(const Options& options) {
       work.done(series);
     }
   }
-  run.load_after = suite::load_averages();
-  file.write(suite::record_text(run, all.front().definition->describe(1).grid, lists));
+  recording.write(all.front().definition->describe(1).grid, lists);
   return all_right(lists);
+}
+
+/// Whether all files could be solved; one that could not is named.
+bool analyse(const std::vector<int>& bodies) {
+  try {
+    print_analysis(bodies);
+    return true;
+  } catch (const std::runtime_error& error) {
+    std::cerr << "desmo_growth: " << error.what() << '\n';
+    return false;
+  }
 }
 
 }  // namespace
@@ -127,27 +133,8 @@ int main(int argc, char** argv) {
                   "Without --record: numbers of bodies of the files that are read and analysed")
       ->check(CLI::Range(20, 1'000'000))
       ->excludes("--record");
-  try {
-    program.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return program.exit(error) == 0 ? 0 : 64;
-  }
-  for (int i = 0; i < argc; ++i) options.command += (i == 0 ? "" : " ") + std::string(argv[i]);
-  options.command.erase(0, options.command.find_last_of('/', options.command.find(' ')) + 1);
-  try {
-    if (record->empty()) {
-      print_analysis(options.bodies);
-      return 0;
-    }
-    return run(options) ? 0 : 1;
-  } catch (const std::regex_error& error) {
-    std::cerr << "desmo_growth: --filter: " << error.what() << '\n';
-    return 64;
-  } catch (const std::invalid_argument& error) {
-    std::cerr << "desmo_growth: " << error.what() << '\n';
-    return 64;
-  } catch (const std::exception& error) {
-    std::cerr << "desmo_growth: " << error.what() << '\n';
-    return record->empty() ? 1 : 74;
-  }
+  options.command = desmo::suite::command_line(argc, argv);
+  return desmo::suite::record_main(program, argc, argv, [&] {
+    return record->empty() ? analyse(options.bodies) : run(options);
+  });
 }

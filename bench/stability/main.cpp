@@ -1,6 +1,5 @@
 // desmo_extremes: what every formulation does where most go wrong.
 #include <CLI/CLI.hpp>
-#include <exception>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -11,10 +10,8 @@
 #include "bench/stability/record.h"
 #include "bench/stability/summary.h"
 #include "bench/stability/table.h"
-#include "bench/suite/environment.h"
 #include "bench/suite/kept_memory.h"
-#include "bench/suite/new_file.h"
-#include "bench/suite/record.h"
+#include "bench/suite/recording.h"
 #include "cases/cases.h"
 #include "formulations/algebra/blas.h"
 
@@ -44,8 +41,7 @@ bool run(const Options& options) {
   Selection selection{.extent = options.brief ? Extent::brief : Extent::full,
                       .formulations = std::regex(options.formulations),
                       .cases = std::regex(options.cases)};
-  suite::NewFile file(options.record);
-  suite::Run run{suite::utc_now(), options.command, suite::load_averages(), {}};
+  suite::Recording recording(options.record, options.command);
   nlohmann::ordered_json lists = {{"extreme_rows", nlohmann::ordered_json::array()},
                                   {"extremes", nlohmann::ordered_json::array()}};
   std::size_t defects = 0;
@@ -61,8 +57,7 @@ bool run(const Options& options) {
   }
   if (lists["extremes"].empty())
     throw std::invalid_argument("nothing matches --formulation and --case");
-  run.load_after = suite::load_averages();
-  file.write(suite::record_text(run, time_grid(30, 0.01), lists));
+  recording.write(time_grid(30, 0.01), lists);
   return defects == 0;
 }
 
@@ -82,23 +77,6 @@ int main(int argc, char** argv) {
   program.add_option("--case", options.cases,
                      "Only where this regular expression is found in the name of the case");
   program.add_flag("--short", options.brief, "What takes seconds, not minutes");
-  try {
-    program.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return program.exit(error) == 0 ? 0 : 64;
-  }
-  options.command = "desmo_extremes";
-  for (int i = 1; i < argc; ++i) options.command += " " + std::string(argv[i]);
-  try {
-    return run(options) ? 0 : 1;
-  } catch (const std::regex_error& error) {
-    std::cerr << "desmo_extremes: not a regular expression: " << error.what() << '\n';
-    return 64;
-  } catch (const std::invalid_argument& error) {
-    std::cerr << "desmo_extremes: " << error.what() << '\n';
-    return 64;
-  } catch (const std::exception& error) {
-    std::cerr << "desmo_extremes: " << error.what() << '\n';
-    return 74;
-  }
+  options.command = desmo::suite::command_line(argc, argv);
+  return desmo::suite::record_main(program, argc, argv, [&] { return run(options); });
 }

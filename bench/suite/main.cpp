@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <exception>
-#include <filesystem>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -135,12 +134,6 @@ void require_one_grid(const std::vector<Timed*>& all) {
     if (timed->grid.step != first.step || timed->grid.instants != first.instants)
       throw std::invalid_argument(
           "the cases differ in step or duration: give --step and --duration");
-}
-
-std::string command_line(int argc, char** argv) {
-  std::string command = std::filesystem::path(argv[0]).filename().string();
-  for (int i = 1; i < argc; ++i) command += std::string(" ") + argv[i];
-  return command;
 }
 
 bool is_listing(std::string_view argument) {

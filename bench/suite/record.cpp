@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -152,6 +153,12 @@ std::string record_text(const Run& run, const TimeGrid& grid, const Json& lists)
   Json head = head_of(run, grid);
   head["cells"] = Json::array();
   return record_layout(head, lists);
+}
+
+std::string command_line(int argc, char** argv) {
+  std::string command = std::filesystem::path(argv[0]).filename().string();
+  for (int i = 1; i < argc; ++i) command += std::string(" ") + argv[i];
+  return command;
 }
 
 std::string record_text(const Run& run, const std::vector<Timed*>& timed) {

@@ -15,6 +15,9 @@ struct Run {
   std::vector<double> load_before, load_after;
 };
 
+/// Name of the program, without its folder, and its arguments: Run::command.
+std::string command_line(int argc, char** argv);
+
 /// The results record (results/record.schema.json) of these, at least one; all have the same time
 /// grid.
 std::string record_text(const Run& run, const std::vector<Timed*>& timed);
