@@ -262,18 +262,23 @@ TEST(Cells, HaveSegmentsThatAreAllOfTheirTime) {
   ReferenceCache references;
   Cell cell(find_case("truck_suspension"), 114, find_variant("group_symbolic_klu"), o);
   cell.verify(references);
-  const double seconds = cell.time_afresh();
-  const auto sum_of_least = [&] {
-    const std::vector<double> least = cell.segments.least();
-    return std::accumulate(least.begin(), least.end(), 0.0);
+  const auto sum = [](const std::vector<double>& segments) {
+    return std::accumulate(segments.begin(), segments.end(), 0.0);
   };
-  const double sum = sum_of_least();
-  EXPECT_LE(sum, seconds);
-  EXPECT_GT(sum, 0.95 * seconds);
-  EXPECT_GT(cell.time_afresh(), 0);
+  // Between two segments something else may run and leave the caches cold: not always.
+  constexpr int attempts = 50;
+  double largest_share = 0;
+  int taken = 0;
+  while (taken++ < attempts && largest_share < 0.95) {
+    const double least_before = sum(cell.segments.least()), seconds = cell.time_afresh();
+    const double in_segments = sum(cell.segments.samples().back());
+    EXPECT_LE(in_segments, seconds);
+    EXPECT_LE(sum(cell.segments.least()), std::min(least_before, in_segments));
+    largest_share = std::max(largest_share, in_segments / seconds);
+  }
+  EXPECT_GE(largest_share, 0.95);
   EXPECT_EQ(cell.state, Timed::State::verified);
-  EXPECT_LE(sum_of_least(), sum);
-  EXPECT_EQ(cell.segments.samples().size(), 2u);
+  EXPECT_EQ(cell.segments.samples().size(), static_cast<std::size_t>(taken) - 1);
 }
 
 TEST(Cells, AreVerifiedBeforeTheyAreTimed) {
