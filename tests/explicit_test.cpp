@@ -4,13 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <fstream>
 #include <limits>
 #include <map>
 #include <memory>
 #include <numbers>
 #include <random>
 #include <string>
+#include <string_view>
 
 #include "cases/cases.h"
 #include "formulations/equations/turned_angle.h"
@@ -24,20 +25,16 @@
 namespace desmo {
 namespace {
 
-/// What desmo_generate says of every type, by the name of its kernel.
+/// What is said of its order above the code of every type, by the name of its kernel.
 const std::map<std::string, std::string>& orders() {
   static const std::map<std::string, std::string> all = [] {
+    constexpr std::string_view begin = "namespace ", comment = "//";
     std::map<std::string, std::string> result;
-    const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(DESMO_GENERATE " --order", "r"), pclose);
-    std::string name, line;
-    for (int c; pipe && (c = std::fgetc(pipe.get())) != EOF;) {
-      if (c != '\n') {
-        line += static_cast<char>(c);
-        continue;
-      }
-      if (!line.starts_with(' ')) name = line.substr(0, line.find(','));
-      result[name] += line + '\n';
-      line.clear();
+    std::ifstream file(DESMO_EXPLICIT_KERNELS);
+    std::string name;
+    for (std::string line; std::getline(file, line);) {
+      if (line.starts_with(begin)) name = line.substr(begin.size(), line.find(" {") - begin.size());
+      if (line.starts_with(comment) && !name.empty()) result[name] += line + '\n';
     }
     return result;
   }();
