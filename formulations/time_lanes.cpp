@@ -3,36 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 
 #include "formulations/guess.h"
 #include "formulations/lane_transport.h"
+#include "formulations/same_position.h"
+#include "formulations/straight_way.h"
 
 namespace desmo {
 
 namespace {
 
-/// Fewer instants in a segment, and entering it costs more than the lanes gain.
-constexpr int shortest_segment = 16;
-
-/// The drivers' way to the first instant of a segment is cut into so many pieces; a piece that
-/// cannot be solved is halved, down to the shortest.
-constexpr double longest_piece = 1.0 / 8, shortest_piece = 1.0 / 128;
-
-/// By how much two solutions of the same instant may differ, beside their size: converged, they
-/// agree to far less, and on different branches they differ by far more.
-constexpr double same_position = 1e-6;
-
 Lanes with(const Lanes& lanes, int lane, double value) {
   return Lanes([&](auto l) { return static_cast<int>(l) == lane ? value : lanes[l]; });
-}
-
-/// Whole turns more do not make another way.
-double shortest_way(const Mechanism& m, const Driver& d, double from, double to) {
-  const double way = to - from;
-  return m.entities[d.coordinate].kind == EntityKind::angle
-             ? std::remainder(way, 2 * std::numbers::pi)
-             : way;
 }
 
 }  // namespace
@@ -122,7 +104,8 @@ bool TimeLanes::enter(const TimeGrid& grid, int length, const State& first) {
   for (int l = 0; l < lane_count; ++l) {
     for (const Formulation::DefinedPart& part : parts_[l]) part.solver->forget();
     alone_ = first;
-    if (!walk(l, grid.time(l * length))) return false;
+    const auto solve = [&](State& state) { return solve_alone(l, state, Level::position); };
+    if (!go_straight(mechanism_, grid.time(l * length), alone_, solve)) return false;
     pack(l, alone_);
   }
   pack_branches();
@@ -131,34 +114,6 @@ bool TimeLanes::enter(const TimeGrid& grid, int length, const State& first) {
       return static_cast<const ExplicitPart*>(member)->assembled();
     });
   });
-}
-
-/// Takes alone_ from where it is to where the drivers are at time t, give or take whole turns.
-bool TimeLanes::walk(int lane, double t) {
-  const std::size_t drivers = mechanism_.drivers.size();
-  std::vector<double> from(drivers), way(drivers);
-  for (std::size_t d = 0; d < drivers; ++d) {
-    const Driver& driver = mechanism_.drivers[d];
-    from[d] = alone_.q[mechanism_.entities[driver.coordinate].first];
-    way[d] = shortest_way(mechanism_, driver, from[d], sample(driver.motion, t).position);
-  }
-  State reached = alone_;
-  double done = 0, piece = 0;  // first where it is, for the branches
-  while (true) {
-    for (std::size_t d = 0; d < drivers; ++d)
-      alone_.q[mechanism_.entities[mechanism_.drivers[d].coordinate].first] =
-          from[d] + (done + piece) * way[d];
-    if (solve_alone(lane, alone_, Level::position)) {
-      reached = alone_;
-      done += piece;
-      if (done >= 1) return true;
-      piece = std::min(longest_piece, 1 - done);
-    } else {
-      alone_ = reached;
-      piece /= 2;
-      if (piece < shortest_piece) return false;
-    }
-  }
 }
 
 bool TimeLanes::solve_alone(int lane, State& state, Level level) {
@@ -255,25 +210,16 @@ void TimeLanes::solve_lane(Stage& stage, int lane, Step& step) {
 
 /// Whether each segment ended where the next had begun.
 bool TimeLanes::meet() const {
-  const auto is_length = [](const Entity& e) {
-    return e.kind == EntityKind::point || e.kind == EntityKind::distance;
-  };
-  const auto largest_of = [&](const Entity& e, const auto& of) {
-    double largest = 0;
-    for (int k = e.first; k < e.first + e.size; ++k)
-      for (int l = 0; l + 1 < lane_count; ++l) largest = std::max(largest, of(k, l));
-    return largest;
-  };
-  double length = 0;
-  for (const Entity& e : mechanism_.entities)
-    if (!e.fixed && is_length(e))
-      length = std::max(length,
-                        largest_of(e, [&](int k, int l) { return std::abs(entered_[k][l + 1]); }));
-  return std::ranges::all_of(mechanism_.entities, [&](const Entity& e) {
-    return e.fixed || largest_of(e, [&](int k, int l) {
-                        return std::abs(now_.q[k][l] - entered_[k][l + 1]);
-                      }) <= same_position * (is_length(e) ? length : 1);
-  });
+  const auto coordinates = static_cast<std::size_t>(mechanism_.coordinates());
+  std::vector<double> ended(coordinates), begun(coordinates);
+  for (int l = 0; l + 1 < lane_count; ++l) {
+    for (std::size_t k = 0; k < coordinates; ++k) {
+      ended[k] = now_.q[k][l];
+      begun[k] = entered_[k][l + 1];
+    }
+    if (!same_position(mechanism_, ended, begun)) return false;
+  }
+  return true;
 }
 
 void TimeLanes::deliver(const TimeGrid& grid, int length, int i, const Request& request,

@@ -12,6 +12,9 @@
 
 namespace desmo {
 
+/// In instants: entering a shorter segment costs more than the lanes gain.
+inline constexpr int shortest_segment = 16;
+
 /// A state at several instants, one in each lane.
 struct LaneState {
   std::vector<Lanes> q, qd, qdd;
@@ -55,7 +58,6 @@ class TimeLanes final : public WholeMotion {
 
   Stage make_stage(std::size_t part, const KernelTable& table) const;
   bool enter(const TimeGrid& grid, int length, const State& first);
-  bool walk(int lane, double t);
   bool solve_alone(int lane, State& state, Level level);
   void pack(int lane, const State& from);
   void pack_branches();

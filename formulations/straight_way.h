@@ -1,0 +1,18 @@
+#pragma once
+
+#include <functional>
+
+#include "cases/mechanism.h"
+#include "formulations/part.h"
+
+namespace desmo {
+
+/// Takes a state from where it is solved to where the drivers are at time t, give or take whole
+/// turns, along the way on which they go straight: how an instant in the middle of a motion is
+/// reached without all those before it. solve: solves the positions of a state for those of its
+/// drivers, and says whether it could; first where the state is, so that it may find its branches.
+/// False where the way cannot be gone; the state is then somewhere on it. Not for timed loops.
+bool go_straight(const Mechanism& mechanism, double t, State& state,
+                 const std::function<bool(State&)>& solve);
+
+}  // namespace desmo
