@@ -9,6 +9,7 @@
 
 #include "formulations/dense_output.h"
 #include "formulations/diagnosis.h"
+#include "formulations/straight_way.h"
 #include "formulations/trajectory.h"
 
 namespace desmo {
@@ -74,6 +75,7 @@ void Formulation::prepare() {
 
 void Formulation::solve_only(std::span<const Level> needed) {
   if (settings_.stride > 1) return;
+  if (whole_motion_) whole_motion_->solve_only(needed);
   for (DefinedPart& part : parts_) {
     part.level = Level::position;
     for (const int i : part.definition.unknowns) part.level = std::max(part.level, needed[i]);
@@ -165,9 +167,29 @@ Summary Formulation::step(double t, Level level) {
   return summary;
 }
 
+bool Formulation::enter(std::span<const double> q, double t) {
+  for (State* s : {&state_, &before_}) {
+    std::ranges::copy(q, s->q.begin());
+    std::ranges::fill(s->qd, 0.0);
+    std::ranges::fill(s->qdd, 0.0);
+  }
+  for (const DefinedPart& part : parts_) part.solver->forget();
+  now_ = then_ = {};
+  const auto solve_position = [&](State& state) {
+    return std::ranges::all_of(moving_, [&](const Stage& stage) {
+      return stage.solver->solve(state, Level::position).status == Status::converged;
+    });
+  };
+  assembled_ = go_straight(mechanism_, t, state_, solve_position);
+  if (!assembled_) return false;
+  drive(mechanism_, t, state_);  // whole turns
+  return assembled_ = solve_position(state_);
+}
+
+/// From the instant that was solved last, which is that of the grid's first or another from which
+/// the drivers can go there straight.
 std::optional<Summary> Formulation::run_at_once(const TimeGrid& grid, const Request& request,
                                                 Sink& sink) {
-  if (grid.instants == 0 || !assemble(grid.time(0), request.level).ok()) return {};
   std::optional<Trajectory> kept;
   if (!sink.takes_any_order()) kept.emplace(grid.instants, mechanism_.coordinates());
   const std::optional<Summary> total =
@@ -180,9 +202,10 @@ std::optional<Summary> Formulation::run_at_once(const TimeGrid& grid, const Requ
   return total;
 }
 
-/// Solves the instant after the last, or the first, and adds it to the total. False: it failed.
+/// Solves the instant after the last, or assembles where there is none, and adds it to the total.
+/// False: it failed.
 bool Formulation::solve_next(int i, double t, const Request& request, Sink& sink, Summary& total) {
-  const Summary s = i == 0 ? assemble(t, request.level) : step(t, request.level);
+  const Summary s = step(t, request.level);
   total.time = t;
   total.iterations += s.iterations;
   total.updates += s.updates;
@@ -203,13 +226,26 @@ bool Formulation::solve_next(int i, double t, const Request& request, Sink& sink
 
 Summary Formulation::solve_all(const TimeGrid& grid, const Request& request, Sink& sink) {
   if (whole_motion_) {
-    if (const std::optional<Summary> total = run_at_once(grid, request, sink)) return *total;
+    if (grid.instants > 0 && assemble(grid.time(0), request.level).ok())
+      if (const std::optional<Summary> total = run_at_once(grid, request, sink)) return *total;
     ++run_by_steps_;
   }
+  assembled_ = false;
+  return take_steps(grid, request, sink);
+}
+
+Summary Formulation::take_steps(const TimeGrid& grid, const Request& request, Sink& sink) {
   Summary total;
   for (int i = 0; i < grid.instants; ++i)
     if (!solve_next(i, grid.time(i), request, sink, total)) break;
   return total;
+}
+
+std::optional<Summary> Formulation::run_on(const TimeGrid& grid, const Request& request,
+                                           Sink& sink) {
+  if (whole_motion_) return run_at_once(grid, request, sink);
+  const Summary total = take_steps(grid, request, sink);
+  return total.ok() ? std::optional(total) : std::nullopt;
 }
 
 Summary Formulation::run(const TimeGrid& grid, const Request& request, Sink& sink) {

@@ -75,6 +75,8 @@ class WholeMotion {
   /// what the sink was given are then of no meaning.
   virtual std::optional<Summary> run(const TimeGrid& grid, const Request& request, State& state,
                                      Sink& sink) = 0;
+  /// As Formulation::solve_only(): what may be left out.
+  virtual void solve_only(std::span<const Level>) {}
 };
 
 /// One way of solving the kinematics of a mechanism: an ordered list of parts. The mechanism is
@@ -104,6 +106,14 @@ class Formulation {
   /// once, or solves some and interpolates the others, where settings say so; hands each to the
   /// sink. Stops at the first failure: up to the last instant solved before it, all were handed on.
   Summary run(const TimeGrid& grid, const Request& request, Sink& sink);
+
+  /// Goes to where a motion is at time t without its instants before: from q (the state as far as
+  /// positions, coordinates and fixed entities), solved at another instant, along a way on which
+  /// the drivers go straight. A step goes on from there. False where that way cannot be gone.
+  bool enter(std::span<const double> q, double t);
+  /// As run(), of a motion whose first instant is where enter() has gone. Nothing when an instant
+  /// could not be solved, or not at once; what the sink was given is then of no meaning.
+  std::optional<Summary> run_on(const TimeGrid& grid, const Request& request, Sink& sink);
 
   /// Leaves out the levels of parts that nobody asks for: a part is solved as far as the highest
   /// level of its unknowns. needed: one for each coordinate; what a part needs must be asked for at
@@ -141,6 +151,7 @@ class Formulation {
 
   void prepare();
   Summary solve_all(const TimeGrid& grid, const Request& request, Sink& sink);
+  Summary take_steps(const TimeGrid& grid, const Request& request, Sink& sink);
   bool solve_next(int i, double t, const Request& request, Sink& sink, Summary& total);
   std::optional<Summary> run_at_once(const TimeGrid& grid, const Request& request, Sink& sink);
   void guess(double t);

@@ -119,6 +119,7 @@ const std::vector<Suffix>& suffixes() {
         choice("scalar", &Settings::scalar, names(scalar_names)),
         at_once("lanes", &Settings::lanes),
         at_once("segments", &Settings::segments),
+        whole_number("threads", &Settings::threads, most_threads),
         whole_number("stride", &Settings::stride, largest_stride),
         whole_number("iterations", &Settings::fixed_iterations, 1000),
         tolerance()};

@@ -12,6 +12,7 @@
 #include "formulations/inlined_part.h"
 #include "formulations/lane_part.h"
 #include "formulations/magnitudes.h"
+#include "formulations/parallel_motion.h"
 #include "formulations/schedule.h"
 #include "formulations/time_lanes.h"
 #include "formulations/variants.h"
@@ -133,6 +134,15 @@ std::vector<DefinedPart> on_lanes(std::vector<DefinedPart> parts, const std::vec
   return result;
 }
 
+/// Formulations that differ from what is to be made in that each has one thread alone.
+std::unique_ptr<WholeMotion> on_threads(const Variant& v, const Mechanism& m, Settings settings,
+                                        const KernelTable& table) {
+  std::vector<std::unique_ptr<Formulation>> workers(settings.threads);
+  settings.threads = settings.stride = 1;
+  for (auto& worker : workers) worker = make_formulation(v, m, settings, nullptr, &table);
+  return std::make_unique<ParallelMotion>(std::move(workers), shortest_segment * settings.segments);
+}
+
 }  // namespace
 
 std::unique_ptr<Formulation> make_formulation(const Variant& v, const Mechanism& m,
@@ -153,7 +163,9 @@ std::unique_ptr<Formulation> make_formulation(const Variant& v, const Mechanism&
   const Common common{m, v, own, Magnitudes(m), std::move(single), profile, table};
 
   std::unique_ptr<WholeMotion> whole_motion;
-  if (settings.segments > 1) {
+  if (settings.threads > 1) {
+    whole_motion = on_threads(v, m, settings, table);
+  } else if (settings.segments > 1) {
     std::array<TimeLanes::Parts, lane_count> lanes;
     for (TimeLanes::Parts& parts : lanes) parts = make_parts(common, definitions);
     whole_motion = std::make_unique<TimeLanes>(m, std::move(lanes), settings, table);

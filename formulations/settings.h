@@ -32,6 +32,7 @@ enum class Factorisation {
 };
 
 inline constexpr int largest_stride = 64;
+inline constexpr int most_threads = 64;
 
 /// What an analysis may use. The defaults are the paper's. Not every formulation offers every
 /// combination (see why_not in formulations/variants.h).
@@ -55,6 +56,9 @@ struct Settings {
   /// Into how many segments a motion known in advance is cut, to be solved at once on wide
   /// registers, by variants that have code for it; 1: it is solved step by step.
   int segments = 1;
+  /// Into how many stretches a motion known in advance is cut, to be solved on as many threads at
+  /// once, 1 … most_threads; fewer where there is little to do. 1: all is done on the caller's.
+  int threads = 1;
   /// Of a motion known in advance every so manieth instant is solved, and the last; those between
   /// are interpolated (see formulations/dense_output.h), 2 … largest_stride. 1: all are solved, as
   /// they are when instants are asked for one at a time.

@@ -66,6 +66,8 @@ std::string why_not(const Variant& v, const Settings& s) {
   if (s.stride < 1 || s.stride > largest_stride)
     return "every instant is solved, or every so manieth up to the " +
            std::to_string(largest_stride) + "th";
+  if (s.threads < 1 || s.threads > most_threads)
+    return "a motion is solved on one thread or several, up to " + std::to_string(most_threads);
   for (const int at_once : {s.lanes, s.segments})
     if (at_once != 1 && (at_once != lane_count || !v.explicit_order))
       return "there is code for " + std::to_string(lane_count) + " lanes, in explicit order";

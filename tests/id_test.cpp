@@ -72,7 +72,7 @@ TEST(Id, SaysWhatIsWrong) {
       {"group_symbolic_klu/guess", "unknown suffix '/guess'"},
       {"group_symbolic_klu/gess:linear",
        "unknown suffix '/gess:linear'; there are, each followed by ':' and a value: guess, "
-       "jacobian, factorisation, scalar, lanes, segments, stride, iterations, tolerance"},
+       "jacobian, factorisation, scalar, lanes, segments, threads, stride, iterations, tolerance"},
       {"group_symbolic_explicit/lanes:5", "unknown value '5' of '/lanes:'; there are: 4"},
       {"group_symbolic_klu/guess:cubic",
        "unknown value 'cubic' of '/guess:'; there are: previous, linear, quadratic, hermite3, "
@@ -81,6 +81,7 @@ TEST(Id, SaysWhatIsWrong) {
       {"group_symbolic_klu/guess:linear/guess:linear", "'/guess:' is given twice"},
       {"group_symbolic_klu/iterations:0", "unknown value '0' of '/iterations:'"},
       {"group_symbolic_klu/iterations:2.5", "a whole number from 1 to 1000"},
+      {"group_symbolic_klu/threads:0", "unknown value '0' of '/threads:'"},
       {"group_symbolic_klu/stride:0", "unknown value '0' of '/stride:'"},
       {"group_symbolic_klu/stride:65", "a whole number from 1 to 64"},
       {"group_symbolic_klu/tolerance:-1", "a number above 0"},

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,45 +12,13 @@
 #include "formulations/equations/lanes.h"
 #include "formulations/id.h"
 #include "formulations/variants.h"
+#include "tests/everything.h"
 #include "tests/mechanisms.h"
 
 namespace desmo {
 namespace {
 
 constexpr Settings at_once{.segments = lane_count};
-
-/// Everything that comes, by instant.
-class Everything final : public Sink {
- public:
-  Everything(int instants, bool any_order)
-      : all(static_cast<std::size_t>(instants)), any_order_(any_order) {}
-  void accept(const Instant& i) override {
-    order.push_back(i.index);
-    std::vector<double>& values = all.at(i.index);
-    values.clear();
-    for (const std::span<const double> given : {i.q, i.qd, i.qdd})
-      values.insert(values.end(), given.begin(), given.end());
-  }
-  bool takes_any_order() const override { return any_order_; }
-
-  std::vector<std::vector<double>> all;
-  std::vector<int> order;
-
- private:
-  bool any_order_;
-};
-
-void expect_same(const Everything& actual, const Everything& expected, const std::string& name) {
-  double size = 1;
-  for (const auto& values : expected.all)
-    for (const double v : values) size = std::max(size, std::abs(v));
-  for (std::size_t i = 0; i < expected.all.size(); ++i) {
-    ASSERT_EQ(actual.all[i].size(), expected.all[i].size()) << name << " " << i;
-    for (std::size_t k = 0; k < expected.all[i].size(); ++k)
-      ASSERT_NEAR(actual.all[i][k], expected.all[i][k], 1e-9 * size)
-          << name << " " << i << " " << k;
-  }
-}
 
 TEST(TimeLanes, SolveWhatStepsSolve) {
   const auto all = every_motion();

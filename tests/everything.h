@@ -1,0 +1,54 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <set>
+#include <span>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "formulations/formulation.h"
+
+namespace desmo {
+
+/// Everything that comes, by instant.
+class Everything : public Sink {
+ public:
+  Everything(int instants, bool any_order)
+      : all(static_cast<std::size_t>(instants)), any_order_(any_order) {}
+  void accept(const Instant& i) override {
+    order.push_back(i.index);
+    threads.insert(std::this_thread::get_id());
+    std::vector<double>& values = all.at(i.index);
+    values.clear();
+    for (const std::span<const double> given : {i.q, i.qd, i.qdd})
+      values.insert(values.end(), given.begin(), given.end());
+  }
+  bool takes_any_order() const override { return any_order_; }
+
+  std::vector<std::vector<double>> all;
+  std::vector<int> order;
+  std::set<std::thread::id> threads;  // that they came from
+
+ private:
+  bool any_order_;
+};
+
+inline void expect_same(const Everything& actual, const Everything& expected,
+                        const std::string& name) {
+  double size = 1;
+  for (const auto& values : expected.all)
+    for (const double v : values) size = std::max(size, std::abs(v));
+  for (std::size_t i = 0; i < expected.all.size(); ++i) {
+    ASSERT_EQ(actual.all[i].size(), expected.all[i].size()) << name << " " << i;
+    for (std::size_t k = 0; k < expected.all[i].size(); ++k)
+      ASSERT_NEAR(actual.all[i][k], expected.all[i][k], 1e-9 * size)
+          << name << " " << i << " " << k;
+  }
+}
+
+}  // namespace desmo
