@@ -28,7 +28,9 @@ class Subject {
 
   /// Whether its settings solve more than one instant at once: by analyse() only, since a step is
   /// one step.
-  bool runs_at_once() const { return settings().segments > 1 || settings().stride > 1; }
+  bool runs_at_once() const {
+    return settings().segments > 1 || settings().threads > 1 || settings().stride > 1;
+  }
 
   const Settings& settings() const { return configuration_.settings; }
   int last_instant() const { return grid_.instants - 1; }

@@ -41,7 +41,7 @@ std::string too_costly(const Variant& v, int n, const Options& options) {
 }  // namespace
 
 Cell::Cell(const Case& d, int n, const Variant& v, const Options& options, const Settings& s)
-    : Timed(chosen_grid(d.describe(1).grid, options)),
+    : Timed(chosen_grid(d.describe(1).grid, options), s.threads),
       definition(d),
       coordinates(n),
       variant(v),
@@ -69,9 +69,9 @@ void Cell::verify(ReferenceCache& references) {
 
     const auto reference = references.get(*mechanism_, grid);
     VerifyingSink sink(reference);
-    const double start = cpu_now();
+    const double start = now(clock);
     const Summary summary = formulation_->run(grid, {}, sink);
-    analysis_seconds = cpu_now() - start;
+    analysis_seconds = now(clock) - start;
     errors = sink.errors();
     results = sink.results();
     conclude(summary, *mechanism_, reference.size());

@@ -52,6 +52,7 @@ void add_segments(Json& j, const Segments& segments) {
 /// Of what has a time: how right it is, the time, and what belongs to it.
 void add_time(Json& j, const Timed& timed, Json verification) {
   j["verification"] = std::move(verification);
+  if (timed.threads > 1) j["threads"] = timed.threads;
   j["cpu_seconds"] = timed.cpu_seconds;
   j["repetitions"] = timed.cpu_seconds.size();
   add_segments(j, timed.segments);

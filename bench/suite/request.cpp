@@ -150,7 +150,7 @@ Errors largest_differences(Formulation& whole, Formulation& kept,
 
 RequestCell::RequestCell(std::shared_ptr<const PlannedRequest> request, const Variant& v,
                          const Settings& s)
-    : Timed(request->grid),
+    : Timed(request->grid, s.threads),
       variant(v),
       settings(s),
       request_(std::move(request)),
@@ -182,9 +182,9 @@ void RequestCell::verify(ReferenceCache& references) {
 
     const auto reference = references.get(request_->whole, request_->grid);
     VerifyingRequest sink(reference, request_->asked);
-    const double start = cpu_now();
+    const double start = now(clock);
     const Summary summary = run(sink);
-    analysis_seconds = cpu_now() - start;
+    analysis_seconds = now(clock) - start;
     errors = sink.errors;
     results = sink.results.hex();
     conclude(summary, request_->plan.mechanism, reference.size());

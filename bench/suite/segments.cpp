@@ -7,19 +7,19 @@ namespace desmo::suite {
 
 namespace {
 
-/// The least CPU seconds between two readings of the clock: what every segment has of it.
-double clock_seconds() {
+/// The least seconds between two readings of a clock: what every segment has of it.
+double reading_seconds(Clock clock) {
   double least = 1;
   for (int i = 0; i < 1000; ++i) {
-    const double before = cpu_now();
-    least = std::min(least, cpu_now() - before);
+    const double before = now(clock);
+    least = std::min(least, now(clock) - before);
   }
   return least;
 }
 
 }  // namespace
 
-Segments::Segments(int instants) {
+Segments::Segments(int instants, Clock clock) : clock_(clock) {
   const int count = std::min(instants, std::clamp(instants / least_instants, 2, most_segments));
   for (int i = 1; i <= count; ++i)
     last_instants_.push_back(static_cast<int>(static_cast<long>(i) * instants / count) - 1);
@@ -33,7 +33,7 @@ void Segments::begin() {
   passed_ = 0;
   sum_ = 0;
   samples_.reserve(samples_.size() + 1);
-  began_ = cpu_now();
+  began_ = now(clock_);
 }
 
 std::vector<double> Segments::least() const {
@@ -44,14 +44,14 @@ std::vector<double> Segments::least() const {
 }
 
 void Segments::end() {
-  static const double clock = clock_seconds();
+  static const double reading[] = {reading_seconds(Clock::cpu), reading_seconds(Clock::wall)};
   constexpr double resolution = 1e-9;
-  const double now = cpu_now();
-  sample_[next_] = std::max(resolution, now - began_ - clock);
+  const double ended = now(clock_);
+  sample_[next_] = std::max(resolution, ended - began_ - reading[static_cast<std::size_t>(clock_)]);
   updates_[next_] = sum_;
   sum_ = 0;
   if (++next_ == count()) samples_.push_back(sample_);
-  began_ = cpu_now();
+  began_ = now(clock_);
 }
 
 }  // namespace desmo::suite

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "bench/suite/cpu_clock.h"
+#include "bench/suite/clock.h"
 #include "formulations/formulation.h"
 
 namespace desmo::suite {
@@ -13,25 +13,26 @@ namespace desmo::suite {
 /// instants than that: reading the clock is to cost little beside solving them.
 inline constexpr int most_segments = 25, least_instants = 20;
 
-/// The CPU time that analyses of a motion took for each of its segments, without that of reading
+/// The time that analyses of a motion took for each of its segments, without that of reading
 /// the clock, and the work that was done in it; assembly belongs to the first. What else the
 /// machine does slows some segments of some analyses: what the same work takes undisturbed shows in
 /// the others.
 class Segments {
  public:
-  explicit Segments(int instants);
+  explicit Segments(int instants, Clock clock = Clock::cpu);
 
   /// An analysis begins. What one that did not come to its end has left is dropped.
   void begin();
   /// An instant has been delivered: every one of the motion, in whatever order, with the updates
-  /// that it took (see Summary) where somebody counts.
+  /// that it took (see Summary) where somebody counts. From several threads they come in another
+  /// order every time, so that their work is not that of a segment: it is not counted.
   void passed(long updates = 0) {
-    sum_ += updates;
+    if (clock_ == Clock::cpu) sum_ += updates;
     if (passed_++ == last_instants_[next_]) end();
   }
 
   std::size_t count() const { return last_instants_.size() - 1; }
-  /// CPU seconds of every whole analysis, in the order of the motion.
+  /// Seconds of every whole analysis, in the order of the motion.
   const std::vector<std::vector<double>>& samples() const { return samples_; }
   /// Their least; infinite before the first whole analysis.
   std::vector<double> least() const;
@@ -41,6 +42,7 @@ class Segments {
  private:
   void end();
 
+  const Clock clock_;
   std::vector<int> last_instants_;  // of each segment, and one that never comes
   std::vector<std::vector<double>> samples_;
   std::vector<double> sample_;  // of the analysis that goes on

@@ -1,6 +1,5 @@
 #include "bench/suite/timed.h"
 
-#include "bench/suite/cpu_clock.h"
 #include "bench/suite/fresh_heap.h"
 
 namespace desmo::suite {
@@ -9,9 +8,9 @@ double Timed::time_afresh() {
   double seconds = 0;
   on_fresh_heap([&] {
     make();
-    const double before = cpu_now();
+    const double before = now(clock);
     analyse();
-    seconds = cpu_now() - before;
+    seconds = now(clock) - before;
     discard();
   });
   return seconds;

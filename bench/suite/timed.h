@@ -35,7 +35,7 @@ class Timed {
   virtual Summary analyse() = 0;
 
   /// Makes what is timed anew, analyses once and discards it, on a fresh heap (see on_fresh_heap);
-  /// CPU seconds of the analysis. Needs State::verified.
+  /// seconds of the analysis. Needs State::verified.
   double time_afresh();
 
   /// Grows with the time of an analysis, before anything is known of it.
@@ -49,19 +49,25 @@ class Timed {
   bool is_timed() const { return state == State::verified && !cpu_seconds.empty(); }
 
   const TimeGrid grid;
+  const int threads;  ///< on which it is solved
+  const Clock clock;  ///< of cpu_seconds, segments and analysis_seconds
   State state = State::untouched;
   std::string message;              ///< why it failed or was not run
   std::string model;                ///< digest of the model it solves; empty: there is none
   std::string results;              ///< digest of what was compared with the reference, or empty
-  std::vector<double> cpu_seconds;  ///< one for each repetition
+  std::vector<double> cpu_seconds;  ///< one for each repetition, of `clock`
   Segments segments;                ///< of all analyses
-  double analysis_seconds = 0;      ///< CPU, of the one that was verified
+  double analysis_seconds = 0;      ///< of the one that was verified
   Errors errors;                    ///< from the reference
   double setup_seconds = 0;         ///< CPU: analysis, ordering, allocation
   double iterations_per_step = 0, residual = 0;
 
  protected:
-  explicit Timed(const TimeGrid& instants) : grid(instants), segments(instants.instants) {}
+  explicit Timed(const TimeGrid& instants, int on_threads = 1)
+      : grid(instants),
+        threads(on_threads),
+        clock(on_threads > 1 ? Clock::wall : Clock::cpu),
+        segments(instants.instants, clock) {}
 
   /// Makes what analyse() runs and assembles it once.
   virtual void make() = 0;

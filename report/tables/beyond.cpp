@@ -120,7 +120,9 @@ Table beyond_table(const Record& record, const std::string& case_name, std::int6
                "measured, delivering the same in the same run; ratio of the " +
                words.times + " [its interval]; " + inconclusive_note() + ".",
            "lanes: parts of one type solved side by side, step by step. segments: segments of "
-           "the motion, which has to be known in advance, solved side by side.",
+           "the motion, which has to be known in advance, solved side by side. threads: stretches "
+           "of such a "
+           "motion on several threads at once, in seconds of the wall clock.",
            "CPU s: " + words.time +
                " ± half the range, first assembly, drivers, all steps and delivery."},
       .columns = {{"delivered", {}},
