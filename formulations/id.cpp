@@ -1,5 +1,6 @@
 #include "formulations/id.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -9,7 +10,7 @@
 #include <system_error>
 #include <vector>
 
-#include "formulations/equations/lanes.h"
+#include "formulations/equations/lane_kernel.h"
 #include "formulations/guess.h"
 
 namespace desmo {
@@ -86,11 +87,15 @@ Suffix whole_number(std::string_view key, int Settings::*number, int largest) {
 
 /// As many as a register has lanes.
 Suffix at_once(std::string_view key, int Settings::*count) {
+  std::string values;
+  for (const int lanes : lane_counts)
+    values += (values.empty() ? "" : ", ") + std::to_string(lanes);
   return {
-      key, std::to_string(lane_count),
+      key, values,
       [=](const Settings& s) { return s.*count == 1 ? std::string() : std::to_string(s.*count); },
       [=](std::string_view text, Settings& s) {
-        return read(text, s.*count) && (s.*count == 1 || s.*count == lane_count);
+        return read(text, s.*count) &&
+               (s.*count == 1 || std::ranges::count(lane_counts, s.*count) > 0);
       }};
 }
 

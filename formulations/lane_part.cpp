@@ -10,9 +10,12 @@ namespace desmo {
 
 namespace {
 
-/// Element k of each lane's array.
-Lanes pack(const std::array<const double*, lane_count>& arrays, std::size_t k) {
-  return Lanes([&](auto lane) { return arrays[lane][k]; });
+/// One behind the other the elements of each array, side by side.
+LaneValues side_by_side(const std::vector<const double*>& arrays, std::size_t count) {
+  LaneValues result;
+  for (std::size_t k = 0; k < count; ++k)
+    for (const double* const array : arrays) result.push_back(array[k]);
+  return result;
 }
 
 void append(PartResult& all, const PartResult& one, double& residual2) {
@@ -23,41 +26,54 @@ void append(PartResult& all, const PartResult& one, double& residual2) {
 
 }  // namespace
 
-LanePart::LanePart(const LaneKernel& kernel, std::vector<std::unique_ptr<ExplicitPart>> members)
-    : kernel_(kernel), members_(std::move(members)) {
+LanePart::LanePart(std::vector<const LaneKernel*> kernels,
+                   std::vector<std::unique_ptr<ExplicitPart>> members)
+    : kernels_(std::move(kernels)), members_(std::move(members)) {
   const std::size_t inputs = members_.front()->inputs();
   identity_.resize(inputs);
   std::iota(identity_.begin(), identity_.end(), 0);
-  for (std::vector<Lanes>* local : {&q_, &qd_, &qdd_}) local->resize(inputs, Lanes(0.0));
-  for (std::size_t first = 0; first < members_.size(); first += lane_count)
+  for (LaneValues* values : {&local_.q, &local_.qd, &local_.qdd})
+    values->resize(inputs * kernels_.back()->lanes);
+  for (std::size_t first = 0; first < members_.size(); first += batches_.back().members.size())
     batches_.push_back(make_batch(first));
   for (Batch& b : batches_)
     b.binding = {identity_.data(), b.c.data(), b.f.data(),
                  b.branch.data(),  b.w.data(), b.members.front()->binding().limits};
 }
 
+/// Lanes left empty cost as much as others: as few as may be.
+const LaneKernel& LanePart::kernel_for(std::size_t members) const {
+  const auto holds_all = [&](const LaneKernel* k) {
+    return static_cast<std::size_t>(k->lanes) >= members;
+  };
+  const auto narrowest = std::ranges::find_if(kernels_, holds_all);
+  return narrowest == kernels_.end() ? *kernels_.back() : **narrowest;
+}
+
 LanePart::Batch LanePart::make_batch(std::size_t first) {
+  const LaneKernel& kernel = kernel_for(members_.size() - first);
   std::vector<ExplicitPart*> members;
-  std::array<const int*, lane_count> in;
-  std::array<const double*, lane_count> c, f, w;
-  for (std::size_t l = 0; l < lane_count; ++l) {
+  std::vector<const int*> in;
+  std::vector<const double*> c, f, w;
+  for (std::size_t l = 0; l < static_cast<std::size_t>(kernel.lanes); ++l) {
     const bool own = first + l < members_.size();
     ExplicitPart& member = *members_[own ? first + l : first];
     if (own) members.push_back(&member);
-    in[l] = member.binding().in;
-    c[l] = member.binding().c;
-    f[l] = member.binding().f;
-    w[l] = member.binding().w;
+    in.push_back(member.binding().in);
+    c.push_back(member.binding().c);
+    f.push_back(member.binding().f);
+    w.push_back(member.binding().w);
   }
-  Batch batch{.members = std::move(members),
-              .positions = {kernel_.positions, in},
-              .rates = {kernel_.rates, in},
-              .unknowns = {kernel_.unknowns, in}};
+  Batch batch{.kernel = kernel,
+              .members = std::move(members),
+              .positions = {kernel.positions, in},
+              .rates = {kernel.rates, in},
+              .unknowns = {kernel.unknowns, in}};
   const ExplicitPart& any = *members_.front();
-  for (std::size_t k = 0; k < any.constants(); ++k) batch.c.push_back(pack(c, k));
-  for (int k = 0; k < any.kernel().folded; ++k) batch.f.push_back(pack(f, k));
-  for (std::size_t k = 0; k < any.equations(); ++k) batch.w.push_back(pack(w, k));
-  batch.branch.resize(any.kernel().branches.size());
+  batch.c = side_by_side(c, any.constants());
+  batch.f = side_by_side(f, any.kernel().folded);
+  batch.w = side_by_side(w, any.equations());
+  batch.branch.resize(any.kernel().branches.size() * kernel.lanes);
   return batch;
 }
 
@@ -74,37 +90,40 @@ void LanePart::solve(Batch& batch, State& s, Level level, PartResult& result, do
       batch.members.size() > 1 && std::ranges::all_of(batch.members, &ExplicitPart::assembled);
   if (!ready) {
     for (ExplicitPart* member : batch.members) append(result, member->solve(s, level), residual2);
-    pack_branches(batch);
+    if (batch.members.size() > 1) pack_branches(batch);
     return;
   }
-  batch.positions.gather(s.q.data(), q_.data());
-  batch.rates.gather(s.qd.data(), qd_.data());
-  batch.rates.gather(s.qdd.data(), qdd_.data());
+  auto& [q, qd, qdd] = local_;
+  batch.positions.gather(s.q.data(), q.data());
+  batch.rates.gather(s.qd.data(), qd.data());
+  batch.rates.gather(s.qdd.data(), qdd.data());
 
-  const ExplicitResult<Lanes> r = kernel_.solve(q_.data(), qd_.data(), qdd_.data(), batch.binding);
+  alignas(64) std::array<double, most_lanes> residual2s;
+  const LaneResult r =
+      batch.kernel.solve(q.data(), qd.data(), qdd.data(), batch.binding, residual2s.data());
 
-  const int lanes = static_cast<int>(batch.members.size());
-  unsigned accepted = 0;
-  for (int l = 0; l < lane_count; ++l)  // what fills the rest is written like the first
-    accepted |= static_cast<unsigned>(r.accepted[l < lanes ? l : 0]) << l;
-  batch.unknowns.scatter(q_.data(), accepted, s.q.data());
-  if (level >= Level::velocity) batch.unknowns.scatter(qd_.data(), accepted, s.qd.data());
-  if (level >= Level::acceleration) batch.unknowns.scatter(qdd_.data(), accepted, s.qdd.data());
+  // What fills the rest is written like the first.
+  const unsigned own = (1u << batch.members.size()) - 1,
+                 every_lane = (1u << batch.kernel.lanes) - 1;
+  const unsigned accepted = (r.accepted & own) | (r.accepted & 1 ? every_lane & ~own : 0u);
+  batch.unknowns.scatter(q.data(), accepted, s.q.data());
+  if (level >= Level::velocity) batch.unknowns.scatter(qd.data(), accepted, s.qd.data());
+  if (level >= Level::acceleration) batch.unknowns.scatter(qdd.data(), accepted, s.qdd.data());
   result.iterations = std::max(result.iterations, r.iterations);
-  for (int l = 0; l < lanes; ++l)
-    if (r.accepted[l])
-      residual2 += r.residual2[l];
+  for (std::size_t l = 0; l < batch.members.size(); ++l)
+    if (accepted >> l & 1)
+      residual2 += residual2s[l];
     else
       append(result, batch.members[l]->solve(s, level), residual2);
-  if (!all(r.accepted)) pack_branches(batch);
+  if (accepted != every_lane) pack_branches(batch);
 }
 
-void LanePart::pack_branches(Batch& batch) {
-  for (std::size_t k = 0; k < batch.branch.size(); ++k)
-    batch.branch[k] = Lanes([&](auto lane) {
-      const std::size_t l = lane < batch.members.size() ? static_cast<std::size_t>(lane) : 0;
-      return batch.members[l]->branches()[k];
-    });
+void LanePart::pack_branches(Batch& batch) const {
+  const std::size_t lanes = batch.kernel.lanes;
+  for (std::size_t l = 0; l < lanes; ++l) {
+    const auto branches = batch.members[l < batch.members.size() ? l : 0]->branches();
+    for (std::size_t k = 0; k < branches.size(); ++k) batch.branch[k * lanes + l] = branches[k];
+  }
 }
 
 std::vector<int> LanePart::starts_from(const std::vector<int>& unknowns) const {

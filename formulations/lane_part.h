@@ -3,10 +3,11 @@
 #include <memory>
 #include <vector>
 
-#include "formulations/equations/lanes.h"
+#include "formulations/equations/lane_kernel.h"
 #include "formulations/explicit_part.h"
 #include "formulations/guarded_part.h"
 #include "formulations/lane_transport.h"
+#include "formulations/lane_values.h"
 
 namespace desmo {
 
@@ -15,8 +16,10 @@ namespace desmo {
 /// own ExplicitPart.
 class LanePart final : public GuardedPart {
  public:
-  /// members: two or more, bound to the explicit kernel of that type.
-  LanePart(const LaneKernel& kernel, std::vector<std::unique_ptr<ExplicitPart>> members);
+  /// kernels: of one type, with more lanes each than the one before. members: two or more, bound to
+  /// the explicit kernel of that type.
+  LanePart(std::vector<const LaneKernel*> kernels,
+           std::vector<std::unique_ptr<ExplicitPart>> members);
 
   PartResult solve(State& state, Level level) override;
   std::vector<int> starts_from(const std::vector<int>& unknowns) const override;
@@ -29,20 +32,22 @@ class LanePart final : public GuardedPart {
  private:
   /// Members of one call of the kernel; where they are fewer than lanes, the first fills the rest.
   struct Batch {
+    const LaneKernel& kernel;
     std::vector<ExplicitPart*> members;
     LanePlaces positions, rates, unknowns;  // of the kernel's lists
-    std::vector<Lanes> c{}, f{}, w{}, branch{};
-    ExplicitBinding<Lanes> binding{};
+    LaneValues c{}, f{}, w{}, branch{};
+    ExplicitBinding<double> binding{};
   };
+  const LaneKernel& kernel_for(std::size_t members) const;
   Batch make_batch(std::size_t first);
-  void pack_branches(Batch& batch);
+  void pack_branches(Batch& batch) const;
   void solve(Batch& batch, State& state, Level level, PartResult& result, double& residual2);
 
-  const LaneKernel& kernel_;
+  std::vector<const LaneKernel*> kernels_;
   std::vector<std::unique_ptr<ExplicitPart>> members_;
   std::vector<Batch> batches_;
   std::vector<int> identity_;
-  std::vector<Lanes> q_, qd_, qdd_;
+  LaneState local_;
 };
 
 }  // namespace desmo

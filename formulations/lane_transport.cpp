@@ -8,21 +8,18 @@ namespace desmo {
 
 namespace {
 
-constexpr unsigned every_lane = (1u << lane_count) - 1;
+using Places = std::array<int, quad>;
 
-void put(const Lanes& from, int component, const std::array<int, lane_count>& place, unsigned lanes,
-         double* to) {
-  alignas(Lanes) double values[lane_count];
-  from.copy_to(values, std::experimental::vector_aligned);
-  for (int l = 0; l < lane_count; ++l)
-    if (lanes >> l & 1) to[place[l] + component] = values[l];
+constexpr unsigned all_of_quad = (1u << quad) - 1;
+
+void put(const double* from, int component, const Places& place, unsigned which, double* to) {
+  for (int l = 0; l < quad; ++l)
+    if (which >> l & 1) to[place[l] + component] = from[l];
 }
 
 #ifdef __AVX__
-static_assert(lane_count == 4);
-
 /// One component of all lanes.
-void put_one(__m256d x, int component, const std::array<int, lane_count>& place, double* to) {
+void put_one(__m256d x, int component, const Places& place, double* to) {
   const __m128d low = _mm256_castpd256_pd128(x), high = _mm256_extractf128_pd(x, 1);
   _mm_storel_pd(to + place[0] + component, low);
   _mm_storeh_pd(to + place[1] + component, low);
@@ -31,7 +28,7 @@ void put_one(__m256d x, int component, const std::array<int, lane_count>& place,
 }
 
 /// The first two components of all lanes, side by side.
-void put_two(__m256d x, __m256d y, const std::array<int, lane_count>& place, double* to) {
+void put_two(__m256d x, __m256d y, const Places& place, double* to) {
   const __m256d even = _mm256_unpacklo_pd(x, y), odd = _mm256_unpackhi_pd(x, y);
   _mm_storeu_pd(to + place[0], _mm256_castpd256_pd128(even));
   _mm_storeu_pd(to + place[1], _mm256_castpd256_pd128(odd));
@@ -39,9 +36,11 @@ void put_two(__m256d x, __m256d y, const std::array<int, lane_count>& place, dou
   _mm_storeu_pd(to + place[3], _mm256_extractf128_pd(odd, 1));
 }
 
-/// Four values of all lanes, to element k and the three behind it.
-void unpack_four(const Lanes* from, const std::array<double*, lane_count>& to, std::size_t k) {
-  const __m256d a(from[0]), b(from[1]), c(from[2]), d(from[3]);
+/// Four numbers, `lanes` apart, of a quad to element k and the three behind it.
+void unpack_four(const double* from, std::size_t lanes, const std::array<double*, quad>& to,
+                 std::size_t k) {
+  const __m256d a = _mm256_load_pd(from), b = _mm256_load_pd(from + lanes),
+                c = _mm256_load_pd(from + 2 * lanes), d = _mm256_load_pd(from + 3 * lanes);
   const __m256d even_ab = _mm256_unpacklo_pd(a, b), odd_ab = _mm256_unpackhi_pd(a, b);
   const __m256d even_cd = _mm256_unpacklo_pd(c, d), odd_cd = _mm256_unpackhi_pd(c, d);
   _mm256_storeu_pd(to[0] + k, _mm256_permute2f128_pd(even_ab, even_cd, 0x20));
@@ -53,58 +52,98 @@ void unpack_four(const Lanes* from, const std::array<double*, lane_count>& to, s
 
 }  // namespace
 
-void unpack(std::span<const Lanes> from, const std::array<double*, lane_count>& to) {
-  std::size_t k = 0;
+void unpack(const double* from, std::size_t count, std::span<double* const> to) {
+  const std::size_t lanes = to.size();
+  std::size_t unpacked = 0;
 #ifdef __AVX__
-  for (; k + lane_count <= from.size(); k += lane_count) unpack_four(&from[k], to, k);
+  unpacked = count / 4 * 4;
+  for (std::size_t l = 0; l < lanes; l += quad) {
+    const std::array<double*, quad> of_quad{to[l], to[l + 1], to[l + 2], to[l + 3]};
+    for (std::size_t k = 0; k < unpacked; k += 4)
+      unpack_four(from + k * lanes + l, lanes, of_quad, k);
+  }
 #endif
-  for (; k < from.size(); ++k)
-    for (int l = 0; l < lane_count; ++l) to[l][k] = from[k][l];
+  for (std::size_t k = unpacked; k < count; ++k)
+    for (std::size_t l = 0; l < lanes; ++l) to[l][k] = from[k * lanes + l];
 }
 
-void unpack(std::span<const Lanes> from, std::span<const int> which,
-            const std::array<double*, lane_count>& to) {
+void unpack(const double* from, std::span<const int> which, std::span<double* const> to) {
+  const std::size_t lanes = to.size();
   for (const int k : which)
-    for (int l = 0; l < lane_count; ++l) to[l][k] = from[k][l];
+    for (std::size_t l = 0; l < lanes; ++l) to[l][k] = from[k * lanes + l];
 }
 
-LanePlaces::LanePlaces(std::span<const int> inputs, const std::array<const int*, lane_count>& in) {
-  for (const int i : inputs) {
-    const auto continues = [&](const Run& run) {
-      if (run.first + run.size != i || run.size == 3) return false;
-      for (int l = 0; l < lane_count; ++l)
-        if (in[l][i] != run.place[l] + run.size) return false;
-      return true;
-    };
-    if (!runs_.empty() && continues(runs_.back())) {
-      ++runs_.back().size;
-      continue;
+LanePlaces::LanePlaces(std::span<const int> inputs, std::span<const int* const> in)
+    : quads_(in.size() / quad), lanes_(in.size()) {
+  for (std::size_t number = 0; number < quads_.size(); ++number) {
+    const std::span<const int* const> of_quad = in.subspan(number * quad, quad);
+    std::vector<Run>& runs = quads_[number];
+    for (const int i : inputs) {
+      const auto continues = [&](const Run& run) {
+        if (run.first + run.size != i || run.size == 3) return false;
+        for (int l = 0; l < quad; ++l)
+          if (of_quad[l][i] != run.place[l] + run.size) return false;
+        return true;
+      };
+      if (!runs.empty() && continues(runs.back())) {
+        ++runs.back().size;
+        continue;
+      }
+      runs.push_back({i, 1, {}});
+      for (int l = 0; l < quad; ++l) runs.back().place[l] = of_quad[l][i];
     }
-    runs_.push_back({i, 1, {}});
-    for (int l = 0; l < lane_count; ++l) runs_.back().place[l] = in[l][i];
   }
 }
 
-void LanePlaces::gather(const double* state, Lanes* to) const {
-  for (const Run& r : runs_)
-    for (int k = 0; k < r.size; ++k)
-      to[r.first + k] = Lanes([&](auto lane) { return state[r.place[lane] + k]; });
-}
-
-void LanePlaces::scatter(const Lanes* from, unsigned lanes, double* state) const {
+template <std::size_t lanes>
+void LanePlaces::gather_lanes(const double* __restrict state, double* __restrict to) const {
+  for (const std::vector<Run>& runs : quads_) {
+    for (const Run& r : runs) {
+      const auto [first, size, place] = r;  // stores might change what they are read from
+      const auto [a, b, c, d] = place;
+      double* values = to + first * lanes;
+      for (int k = 0; k < size; ++k, values += lanes) {
 #ifdef __AVX__
-  if (lanes == every_lane) {
-    for (const Run& r : runs_) {
-      const Lanes* const x = from + r.first;
-      if (r.size >= 2)
-        put_two(static_cast<__m256d>(x[0]), static_cast<__m256d>(x[1]), r.place, state);
-      if (r.size != 2) put_one(static_cast<__m256d>(x[r.size - 1]), r.size - 1, r.place, state);
-    }
-    return;
-  }
+        _mm256_store_pd(values,
+                        _mm256_set_pd(state[d + k], state[c + k], state[b + k], state[a + k]));
+#else
+        for (int l = 0; l < quad; ++l) values[l] = state[place[l] + k];
 #endif
-  for (const Run& r : runs_)
-    for (int k = 0; k < r.size; ++k) put(from[r.first + k], k, r.place, lanes, state);
+      }
+    }
+    to += quad;
+  }
+}
+
+template <std::size_t lanes>
+void LanePlaces::scatter_lanes(const double* __restrict from, unsigned which,
+                               double* __restrict state) const {
+  for (const std::vector<Run>& runs : quads_) {
+    const unsigned of_quad = which & all_of_quad;
+#ifdef __AVX__
+    if (of_quad == all_of_quad) {
+      for (const Run& r : runs) {
+        const auto [first, size, place] = r;
+        const double* const x = from + first * lanes;
+        if (size >= 2) put_two(_mm256_load_pd(x), _mm256_load_pd(x + lanes), place, state);
+        if (size != 2) put_one(_mm256_load_pd(x + (size - 1) * lanes), size - 1, place, state);
+      }
+    } else
+#endif
+      for (const Run& r : runs)
+        for (int k = 0; k < r.size; ++k)
+          put(from + (r.first + k) * lanes, k, r.place, of_quad, state);
+    from += quad;
+    which >>= quad;
+  }
+}
+
+void LanePlaces::gather(const double* state, double* to) const {
+  lanes_ == 4 ? gather_lanes<4>(state, to) : gather_lanes<8>(state, to);
+}
+
+void LanePlaces::scatter(const double* from, unsigned which, double* state) const {
+  lanes_ == 4 ? scatter_lanes<4>(from, which, state) : scatter_lanes<8>(from, which, state);
 }
 
 }  // namespace desmo

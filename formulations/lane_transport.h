@@ -1,37 +1,46 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <span>
 #include <vector>
 
-#include "formulations/equations/lanes.h"
-
 namespace desmo {
 
-/// to[l][k] = lane l of from[k].
-void unpack(std::span<const Lanes> from, const std::array<double*, lane_count>& to);
+/// Lanes are brought together and apart so many at a time: what registers of 256 bits hold.
+inline constexpr int quad = 4;
+
+/// to[l][k] = number k of lane l, for k < count; as many lanes as there are arrays, a multiple of
+/// four.
+void unpack(const double* from, std::size_t count, std::span<double* const> to);
 /// The same for these k alone.
-void unpack(std::span<const Lanes> from, std::span<const int> which,
-            const std::array<double*, lane_count>& to);
+void unpack(const double* from, std::span<const int> which, std::span<double* const> to);
 
 /// Where values that lanes hold side by side stand in a state, a part in each lane.
 class LanePlaces {
  public:
   /// inputs: local inputs, ascending; in: by lane, the position of each local input in the state.
-  LanePlaces(std::span<const int> inputs, const std::array<const int*, lane_count>& in);
+  LanePlaces(std::span<const int> inputs, std::span<const int* const> in);
 
-  /// to[input] = the values of all lanes, for the inputs given.
-  void gather(const double* state, Lanes* to) const;
-  /// The other way; only lanes l of which bit l of `lanes` is set.
-  void scatter(const Lanes* from, unsigned lanes, double* state) const;
+  /// Number `input` of each lane, from the state, for the inputs given.
+  void gather(const double* state, double* to) const;
+  /// The other way; only lanes l of which bit l of `which` is set.
+  void scatter(const double* from, unsigned which, double* state) const;
 
  private:
-  /// Inputs whose places follow each other in every lane: the components of an entity.
+  /// Inputs whose places follow each other in every lane of a quad: the components of an entity.
   struct Run {
     int first, size;
-    std::array<int, lane_count> place;  // of the first
+    std::array<int, quad> place;  // of the first
   };
-  std::vector<Run> runs_;
+  // Compiled for each number of lanes: it is in every address.
+  template <std::size_t lanes>
+  void gather_lanes(const double* state, double* to) const;
+  template <std::size_t lanes>
+  void scatter_lanes(const double* from, unsigned which, double* state) const;
+
+  std::vector<std::vector<Run>> quads_;
+  std::size_t lanes_;
 };
 
 }  // namespace desmo

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <memory>
@@ -9,6 +8,7 @@
 
 #include "formulations/algebra/backend.h"
 #include "formulations/explicit_part.h"
+#include "formulations/id.h"
 #include "formulations/inlined_part.h"
 #include "formulations/lane_part.h"
 #include "formulations/magnitudes.h"
@@ -106,29 +106,35 @@ PartDefinition join(std::vector<DefinedPart>& run) {
 }
 
 /// The run as one part on lanes, where there is code for its type.
-std::vector<DefinedPart> on_lanes(std::vector<DefinedPart> run, const KernelTable& table) {
+std::vector<DefinedPart> on_lanes(std::vector<DefinedPart> run, int lanes,
+                                  const KernelTable& table) {
   auto* first = dynamic_cast<ExplicitPart*>(run.front().solver.get());
   if (run.size() < 2 || !first) return run;
-  const LaneKernel* kernel = table.find_lane_kernel(first->kernel().fingerprint);
-  if (!kernel) return run;
+  std::vector<const LaneKernel*> kernels;
+  for (const int fewer : lane_counts)
+    if (fewer <= lanes)
+      if (const LaneKernel* kernel = table.find_lane_kernel(first->kernel().fingerprint, fewer))
+        kernels.push_back(kernel);
+  if (kernels.empty()) return run;
   PartDefinition definition = join(run);
   std::vector<std::unique_ptr<ExplicitPart>> members;
   for (DefinedPart& p : run) members.emplace_back(static_cast<ExplicitPart*>(p.solver.release()));
   std::vector<DefinedPart> one;
-  one.push_back({std::move(definition), std::make_unique<LanePart>(*kernel, std::move(members)),
+  one.push_back({std::move(definition),
+                 std::make_unique<LanePart>(std::move(kernels), std::move(members)),
                  run.front().as_named});
   return one;
 }
 
 /// run_ends: behind the last of parts of one type that do not need each other.
 std::vector<DefinedPart> on_lanes(std::vector<DefinedPart> parts, const std::vector<int>& run_ends,
-                                  const KernelTable& table) {
+                                  int lanes, const KernelTable& table) {
   std::vector<DefinedPart> result;
   auto first = parts.begin();
   for (const int end : run_ends) {
     const auto last = parts.begin() + end;
     std::vector<DefinedPart> run(std::make_move_iterator(first), std::make_move_iterator(last));
-    std::ranges::move(on_lanes(std::move(run), table), std::back_inserter(result));
+    std::ranges::move(on_lanes(std::move(run), lanes, table), std::back_inserter(result));
     first = last;
   }
   return result;
@@ -150,6 +156,8 @@ std::unique_ptr<Formulation> make_formulation(const Variant& v, const Mechanism&
                                               const KernelTable* added) {
   if (const std::string reason = why_not(v, settings); !reason.empty())
     throw std::invalid_argument(v.id + ": " + reason);
+  if (const std::string reason = not_here(settings); !reason.empty())
+    throw std::invalid_argument(id_with(v, settings) + ": " + reason);
   std::vector<PartDefinition> definitions = make_partition(m, v.partition);
   std::vector<int> run_ends{static_cast<int>(definitions.size())};
   if (!v.backend) run_ends = gather_types(m, definitions);
@@ -166,12 +174,12 @@ std::unique_ptr<Formulation> make_formulation(const Variant& v, const Mechanism&
   if (settings.threads > 1) {
     whole_motion = on_threads(v, m, settings, table);
   } else if (settings.segments > 1) {
-    std::array<TimeLanes::Parts, lane_count> lanes;
+    std::vector<TimeLanes::Parts> lanes(settings.segments);
     for (TimeLanes::Parts& parts : lanes) parts = make_parts(common, definitions);
     whole_motion = std::make_unique<TimeLanes>(m, std::move(lanes), settings, table);
   }
   std::vector<DefinedPart> parts = make_parts(common, std::move(definitions));
-  if (settings.lanes > 1) parts = on_lanes(std::move(parts), run_ends, table);
+  if (settings.lanes > 1) parts = on_lanes(std::move(parts), run_ends, settings.lanes, table);
   return std::make_unique<Formulation>(m, std::move(parts), settings, std::move(whole_motion));
 }
 

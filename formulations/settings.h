@@ -51,10 +51,11 @@ struct Settings {
   Factorisation factorisation = Factorisation::shared;
   Scalar scalar = Scalar::double_precision;
   /// How many parts of one type that need not wait for each other may be solved at once, on wide
-  /// registers, by variants that have code for it; 1: none.
+  /// registers, by variants that have code for it: 4 or, where the processor has AVX-512, 8. 1:
+  /// none.
   int lanes = 1;
   /// Into how many segments a motion known in advance is cut, to be solved at once on wide
-  /// registers, by variants that have code for it; 1: it is solved step by step.
+  /// registers, by variants that have code for it: as many as lanes. 1: it is solved step by step.
   int segments = 1;
   /// Into how many stretches a motion known in advance is cut, to be solved on as many threads at
   /// once, 1 … most_threads; fewer where there is little to do. 1: all is done on the caller's.

@@ -1,6 +1,7 @@
 #include "formulations/time_lanes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 
@@ -13,20 +14,29 @@ namespace desmo {
 
 namespace {
 
-Lanes with(const Lanes& lanes, int lane, double value) {
-  return Lanes([&](auto l) { return static_cast<int>(l) == lane ? value : lanes[l]; });
+/// Of each lane, as in all of them.
+template <class Values>
+LaneValues in_all_lanes(int lanes, const Values* values, std::size_t count) {
+  LaneValues result;
+  for (std::size_t k = 0; k < count; ++k) result.insert(result.end(), lanes, values[k]);
+  return result;
 }
 
 }  // namespace
 
-TimeLanes::TimeLanes(const Mechanism& mechanism, std::array<Parts, lane_count> parts,
-                     const Settings& settings, const KernelTable& table)
-    : mechanism_(mechanism), settings_(settings), parts_(std::move(parts)) {
+TimeLanes::TimeLanes(const Mechanism& mechanism, std::vector<Parts> parts, const Settings& settings,
+                     const KernelTable& table)
+    : mechanism_(mechanism),
+      settings_(settings),
+      lanes_(static_cast<int>(parts.size())),
+      parts_(std::move(parts)),
+      residual2_(lanes_),
+      delivered_(lanes_) {
   const std::size_t size = mechanism_.state_size();
   for (LaneState* s : {&now_, &before_})
-    for (std::vector<Lanes>* values : {&s->q, &s->qd, &s->qdd}) values->resize(size, Lanes(0.0));
-  estimate_.resize(size, Lanes(0.0));
-  entered_.resize(size, Lanes(0.0));
+    for (LaneValues* values : {&s->q, &s->qd, &s->qdd}) values->resize(size * lanes_);
+  estimate_.resize(size * lanes_);
+  entered_.resize(size * lanes_);
   for (std::vector<double>* values : {&alone_.q, &alone_.qd, &alone_.qdd}) values->resize(size);
   for (State& s : delivered_)
     for (std::vector<double>* values : {&s.q, &s.qd, &s.qdd})
@@ -37,7 +47,9 @@ TimeLanes::TimeLanes(const Mechanism& mechanism, std::array<Parts, lane_count> p
     const PartDefinition& definition = parts_[0][i].definition;
     if (definition.constant) continue;
     stages_.push_back(make_stage(i, table));
-    std::ranges::copy(parts_[0][i].solver->starts_from(definition.unknowns),
+    // What is solved lane by lane may start from any of its unknowns.
+    std::ranges::copy(stages_.back().kernel ? parts_[0][i].solver->starts_from(definition.unknowns)
+                                            : definition.unknowns,
                       std::back_inserter(started_from));
   }
   for (Stage& s : stages_)  // where its numbers now stay
@@ -49,59 +61,61 @@ TimeLanes::TimeLanes(const Mechanism& mechanism, std::array<Parts, lane_count> p
                    s.w.data(),
                    static_cast<ExplicitPart*>(s.members[0])->binding().limits};
   std::ranges::sort(started_from);
-  started_from_ = runs_of(started_from);
+  for (const CoordinateRun run : runs_of(started_from))
+    started_from_.push_back({run.first * lanes_, run.end * lanes_});
 }
 
 TimeLanes::Stage TimeLanes::make_stage(std::size_t part, const KernelTable& table) const {
   Stage stage;
   stage.unknowns = parts_[0][part].definition.unknowns;
-  for (int l = 0; l < lane_count; ++l) stage.members[l] = parts_[l][part].solver.get();
+  for (const Parts& parts : parts_) stage.members.push_back(parts[part].solver.get());
   const auto* explicit_part = dynamic_cast<const ExplicitPart*>(stage.members[0]);
   if (!explicit_part) return stage;
-  stage.kernel = table.find_lane_kernel(explicit_part->kernel().fingerprint);
+  stage.kernel = table.find_lane_kernel(explicit_part->kernel().fingerprint, lanes_);
   if (!stage.kernel) return stage;
   const auto& [in, c, f, branch, w, limits] = explicit_part->binding();
-  stage.c.assign(c, c + explicit_part->constants());
-  stage.f.assign(f, f + explicit_part->kernel().folded);
-  stage.w.assign(w, w + explicit_part->equations());
-  stage.branch.resize(explicit_part->branches().size());
+  stage.c = in_all_lanes(lanes_, c, explicit_part->constants());
+  stage.f = in_all_lanes(lanes_, f, explicit_part->kernel().folded);
+  stage.w = in_all_lanes(lanes_, w, explicit_part->equations());
+  stage.branch.resize(explicit_part->branches().size() * lanes_);
   return stage;
 }
 
 std::optional<Summary> TimeLanes::run(const TimeGrid& grid, const Request& request, State& state,
                                       Sink& sink) {
-  const int length = (grid.instants + lane_count - 1) / lane_count;
+  const int length = (grid.instants + lanes_ - 1) / lanes_;
   if (length < shortest_segment || !enter(grid, length, state)) return {};
 
   Summary total;
-  Lanes residual2 = 0;
+  double largest_residual2 = 0;
   for (int i = 0; i <= length; ++i) {  // up to the first instant of the next segment
     guess(grid.interval(), std::min(i, 2));
     drive(grid, length, i);
     const Step step = solve();
     if (!step.ok) return {};
-    residual2 = std::experimental::max(residual2, step.residual2);
+    largest_residual2 = std::max(largest_residual2, *std::ranges::max_element(residual2_));
     if (i == 0) entered_ = now_.q;
     if (i == length) break;
-    total.iterations += static_cast<long>(step.iterations) * lane_count;
-    total.updates += step.updates * lane_count;
+    total.iterations += static_cast<long>(step.iterations) * lanes_;
+    total.updates += step.updates * lanes_;
     deliver(grid, length, i, request, step, sink);
   }
   if (!meet()) return {};
   total.instants = grid.instants;
   total.time = grid.time(grid.instants - 1);
-  total.residual = std::sqrt(hmax(residual2));
+  total.residual = std::sqrt(largest_residual2);
   for (std::size_t k = 0; k < state.q.size(); ++k) {
-    state.q[k] = now_.q[k][lane_count - 1];
-    state.qd[k] = now_.qd[k][lane_count - 1];
-    state.qdd[k] = now_.qdd[k][lane_count - 1];
+    const std::size_t last = (k + 1) * lanes_ - 1;
+    state.q[k] = now_.q[last];
+    state.qd[k] = now_.qd[last];
+    state.qdd[k] = now_.qdd[last];
   }
   return total;
 }
 
 /// Each lane at the position from which the first instant of its segment is solved.
 bool TimeLanes::enter(const TimeGrid& grid, int length, const State& first) {
-  for (int l = 0; l < lane_count; ++l) {
+  for (int l = 0; l < lanes_; ++l) {
     for (const Formulation::DefinedPart& part : parts_[l]) part.solver->forget();
     alone_ = first;
     const auto solve = [&](State& state) { return solve_alone(l, state, Level::position); };
@@ -123,10 +137,8 @@ bool TimeLanes::solve_alone(int lane, State& state, Level level) {
 }
 
 void TimeLanes::pack(int lane, const State& from) {
-  for (std::size_t k = 0; k < from.q.size(); ++k) {
-    now_.q[k] = with(now_.q[k], lane, from.q[k]);
-    before_.q[k] = with(before_.q[k], lane, from.q[k]);  // of what never moves
-  }
+  for (std::size_t k = 0; k < from.q.size(); ++k)
+    now_.q[k * lanes_ + lane] = before_.q[k * lanes_ + lane] = from.q[k];  // some never move
 }
 
 void TimeLanes::pack_branches() {
@@ -134,77 +146,86 @@ void TimeLanes::pack_branches() {
     if (stage.kernel) pack_branches(stage);
 }
 
-void TimeLanes::pack_branches(Stage& stage) {
-  for (std::size_t k = 0; k < stage.branch.size(); ++k)
-    stage.branch[k] = Lanes([&](auto lane) {
-      return static_cast<const ExplicitPart*>(stage.members[lane])->branches()[k];
-    });
+void TimeLanes::pack_branches(Stage& stage) const {
+  for (int l = 0; l < lanes_; ++l) {
+    const auto branches = static_cast<const ExplicitPart*>(stage.members[l])->branches();
+    for (std::size_t k = 0; k < branches.size(); ++k) stage.branch[k * lanes_ + l] = branches[k];
+  }
 }
 
-/// Leaves the last instant in before_ and the guess in now_. known: how many instants were solved.
+/// Leaves the last instant in before_ and in now_ what solvers start from; the rest of now_ is of
+/// the instant before. known: how many instants were solved.
 void TimeLanes::guess(double h, int known) {
-  std::ranges::copy(now_.q, estimate_.begin());
-  if (known > 0) {
-    const Past past{h, h, Level::acceleration,
-                    known > 1 ? std::optional(Level::acceleration) : std::nullopt};
-    const Extrapolation extrapolated(best_guess(settings_.guess, past), past);
-    for (const CoordinateRun run : started_from_)
-      extrapolated(run, now_, before_, estimate_.data());
-  }
   std::swap(now_, before_);
-  std::swap(now_.q, estimate_);
+  const LaneState &last = before_, &one_before = now_;
+  const Past past{h, h, known > 0 ? std::optional(Level::acceleration) : std::nullopt,
+                  known > 1 ? std::optional(Level::acceleration) : std::nullopt};
+  const Guess best = known > 0 ? best_guess(settings_.guess, past) : Guess::previous;
+  const Extrapolation extrapolated(best, past);
+  for (const CoordinateRun run : started_from_) {
+    extrapolated(run, last, one_before, estimate_.data());
+    const LaneValues& from = best == Guess::previous ? last.q : estimate_;
+    std::copy(from.begin() + run.first, from.begin() + run.end, now_.q.begin() + run.first);
+  }
 }
 
 void TimeLanes::drive(const TimeGrid& grid, int length, int i) {
   for (const Driver& d : mechanism_.drivers) {
-    const int k = mechanism_.entities[d.coordinate].first;
-    std::array<MotionSample<double>, lane_count> z;
-    for (int l = 0; l < lane_count; ++l)
-      z[l] = sample(d.motion, grid.time(std::min(l * length + i, grid.instants - 1)));
-    now_.q[k] = Lanes([&](auto lane) { return z[lane].position; });
-    now_.qd[k] = Lanes([&](auto lane) { return z[lane].velocity; });
-    now_.qdd[k] = Lanes([&](auto lane) { return z[lane].acceleration; });
+    const std::size_t first = static_cast<std::size_t>(mechanism_.entities[d.coordinate].first);
+    for (int l = 0; l < lanes_; ++l) {
+      const MotionSample<double> z =
+          sample(d.motion, grid.time(std::min(l * length + i, grid.instants - 1)));
+      now_.q[first * lanes_ + l] = z.position;
+      now_.qd[first * lanes_ + l] = z.velocity;
+      now_.qdd[first * lanes_ + l] = z.acceleration;
+    }
   }
 }
 
 TimeLanes::Step TimeLanes::solve() {
+  const unsigned every_lane = (1u << lanes_) - 1;
   Step step;
+  std::ranges::fill(residual2_, 0.0);
   for (Stage& stage : stages_) {
+    unsigned accepted = 0;
     if (stage.kernel) {
-      const ExplicitResult<Lanes> r =
-          stage.kernel->solve(now_.q.data(), now_.qd.data(), now_.qdd.data(), stage.binding);
+      alignas(64) std::array<double, most_lanes> residual2;
+      const LaneResult r = stage.kernel->solve(now_.q.data(), now_.qd.data(), now_.qdd.data(),
+                                               stage.binding, residual2.data());
+      accepted = r.accepted;
       step.iterations = std::max(step.iterations, r.iterations);
       step.updates += static_cast<long>(r.iterations) * std::ssize(stage.unknowns);
-      where(r.accepted, step.residual2) += r.residual2;
-      if (all(r.accepted)) continue;
-      for (int l = 0; l < lane_count; ++l)
-        if (!r.accepted[l]) solve_lane(stage, l, step);
-      pack_branches(stage);
-    } else {
-      for (int l = 0; l < lane_count; ++l) solve_lane(stage, l, step);
+      for (int l = 0; l < lanes_; ++l)
+        if (accepted >> l & 1) residual2_[l] += residual2[l];
     }
+    if (accepted == every_lane) continue;
+    for (int l = 0; l < lanes_; ++l)
+      if (!(accepted >> l & 1)) solve_lane(stage, l, step);
     if (!step.ok) break;
+    if (stage.kernel) pack_branches(stage);
   }
   return step;
 }
 
-/// From the last position, for what was guessed may be overwritten.
+/// What code for lanes has refused starts from its last position; that of others was guessed.
 void TimeLanes::solve_lane(Stage& stage, int lane, Step& step) {
   for (std::size_t k = 0; k < alone_.q.size(); ++k) {
-    alone_.q[k] = now_.q[k][lane];
-    alone_.qd[k] = now_.qd[k][lane];
-    alone_.qdd[k] = now_.qdd[k][lane];
+    const std::size_t in_lane = k * lanes_ + lane;
+    alone_.q[k] = now_.q[in_lane];
+    alone_.qd[k] = now_.qd[in_lane];
+    alone_.qdd[k] = now_.qdd[in_lane];
   }
   if (stage.kernel)
-    for (const int k : stage.unknowns) alone_.q[k] = before_.q[k][lane];
+    for (const int k : stage.unknowns) alone_.q[k] = before_.q[k * lanes_ + lane];
   const PartResult r = stage.members[lane]->solve(alone_, Level::acceleration);
   step.ok = step.ok && r.status == Status::converged;
   step.iterations = std::max(step.iterations, r.iterations);
-  step.residual2[lane] += r.residual * r.residual;
+  residual2_[lane] += r.residual * r.residual;
   for (const int k : stage.unknowns) {
-    now_.q[k][lane] = alone_.q[k];
-    now_.qd[k][lane] = alone_.qd[k];
-    now_.qdd[k][lane] = alone_.qdd[k];
+    const std::size_t in_lane = static_cast<std::size_t>(k) * lanes_ + lane;
+    now_.q[in_lane] = alone_.q[k];
+    now_.qd[in_lane] = alone_.qd[k];
+    now_.qdd[in_lane] = alone_.qdd[k];
   }
 }
 
@@ -212,10 +233,10 @@ void TimeLanes::solve_lane(Stage& stage, int lane, Step& step) {
 bool TimeLanes::meet() const {
   const auto coordinates = static_cast<std::size_t>(mechanism_.coordinates());
   std::vector<double> ended(coordinates), begun(coordinates);
-  for (int l = 0; l + 1 < lane_count; ++l) {
+  for (int l = 0; l + 1 < lanes_; ++l) {
     for (std::size_t k = 0; k < coordinates; ++k) {
-      ended[k] = now_.q[k][l];
-      begun[k] = entered_[k][l + 1];
+      ended[k] = now_.q[k * lanes_ + l];
+      begun[k] = entered_[k * lanes_ + l + 1];
     }
     if (!same_position(mechanism_, ended, begun)) return false;
   }
@@ -224,25 +245,26 @@ bool TimeLanes::meet() const {
 
 void TimeLanes::deliver(const TimeGrid& grid, int length, int i, const Request& request,
                         const Step& step, Sink& sink) {
-  const auto unpacked = [&](const std::vector<Lanes>& from, std::vector<double> State::*to) {
-    std::array<double*, lane_count> lanes;
-    for (int l = 0; l < lane_count; ++l) lanes[l] = (delivered_[l].*to).data();
+  const auto unpacked = [&](const LaneValues& from, std::vector<double> State::*to) {
+    std::array<double*, most_lanes> lanes;
+    for (int l = 0; l < lanes_; ++l) lanes[l] = (delivered_[l].*to).data();
+    const std::span<double* const> arrays(lanes.data(), lanes_);
     if (request.coordinates.empty())
-      unpack(std::span(from).first(mechanism_.coordinates()), lanes);
+      unpack(from.data(), mechanism_.coordinates(), arrays);
     else
-      unpack(from, request.coordinates, lanes);
+      unpack(from.data(), request.coordinates, arrays);
   };
   unpacked(now_.q, &State::q);
   if (request.level >= Level::velocity) unpacked(now_.qd, &State::qd);
   if (request.level >= Level::acceleration) unpacked(now_.qdd, &State::qdd);
-  for (int l = 0; l < lane_count; ++l) {
+  for (int l = 0; l < lanes_; ++l) {
     const int index = l * length + i;
     if (index >= grid.instants) break;
     const State& s = delivered_[l];
     const std::span<const double> none;
     sink.accept({index, grid.time(index), s.q, request.level >= Level::velocity ? s.qd : none,
                  request.level >= Level::acceleration ? s.qdd : none, step.updates,
-                 std::sqrt(step.residual2[l])});
+                 std::sqrt(residual2_[l])});
   }
 }
 

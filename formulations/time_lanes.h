@@ -1,24 +1,19 @@
 #pragma once
 
-#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "formulations/equations/kernel_table.h"
-#include "formulations/equations/lanes.h"
+#include "formulations/equations/lane_kernel.h"
 #include "formulations/explicit_part.h"
 #include "formulations/formulation.h"
+#include "formulations/lane_values.h"
 
 namespace desmo {
 
 /// In instants: entering a shorter segment costs more than the lanes gain.
 inline constexpr int shortest_segment = 16;
-
-/// A state at several instants, one in each lane.
-struct LaneState {
-  std::vector<Lanes> q, qd, qdd;
-};
 
 /// Runs through a motion in as many equal segments as there are lanes, all of them at once. The
 /// first position of a segment is found on the way from that of the motion along which the drivers
@@ -29,10 +24,10 @@ class TimeLanes final : public WholeMotion {
  public:
   using Parts = std::vector<Formulation::DefinedPart>;
 
-  /// parts: the same for every lane, in the order of solution. table: where code for lanes is; it
-  /// must outlive this.
-  TimeLanes(const Mechanism& mechanism, std::array<Parts, lane_count> parts,
-            const Settings& settings, const KernelTable& table);
+  /// parts: of each lane, the same in all, in the order of solution. table: where code for lanes
+  /// is; it must outlive this.
+  TimeLanes(const Mechanism& mechanism, std::vector<Parts> parts, const Settings& settings,
+            const KernelTable& table);
 
   /// Nothing where the motion is too short, a segment was not entered or solved, or two did not
   /// meet.
@@ -43,17 +38,16 @@ class TimeLanes final : public WholeMotion {
   /// A part, and the same part in every lane.
   struct Stage {
     const LaneKernel* kernel = nullptr;  // null: lane by lane
-    std::array<Part*, lane_count> members{};
+    std::vector<Part*> members{};
     std::span<const int> unknowns;
-    std::vector<Lanes> c{}, f{}, w{}, branch{};
-    ExplicitBinding<Lanes> binding{};
+    LaneValues c{}, f{}, w{}, branch{};
+    ExplicitBinding<double> binding{};
   };
   /// What became of a step in all lanes.
   struct Step {
     bool ok = true;
     int iterations = 0;
     long updates = 0;  // in each lane
-    Lanes residual2 = 0;
   };
 
   Stage make_stage(std::size_t part, const KernelTable& table) const;
@@ -61,7 +55,7 @@ class TimeLanes final : public WholeMotion {
   bool solve_alone(int lane, State& state, Level level);
   void pack(int lane, const State& from);
   void pack_branches();
-  void pack_branches(Stage& stage);
+  void pack_branches(Stage& stage) const;
   void guess(double h, int known);
   void drive(const TimeGrid& grid, int length, int i);
   Step solve();
@@ -72,13 +66,17 @@ class TimeLanes final : public WholeMotion {
 
   const Mechanism& mechanism_;
   const Settings settings_;
-  std::array<Parts, lane_count> parts_;
-  std::vector<Stage> stages_;                // those that move
-  std::vector<CoordinateRun> started_from_;  // unknowns of which a part reads the position
+  const int lanes_;
+  std::vector<Parts> parts_;
+  std::vector<Stage> stages_;  // those that move
+  /// Unknowns of which a part reads the position, as runs of values: lanes beside each other.
+  std::vector<CoordinateRun> started_from_;
   LaneState now_, before_;
-  std::vector<Lanes> estimate_, entered_;  // positions: guessed, and at the first of each segment
-  State alone_;                            // of one lane
-  std::array<State, lane_count> delivered_;
+  LaneValues estimate_;   // where a guess is made
+  LaneValues entered_;    // positions at the first instant of each segment
+  LaneValues residual2_;  // of the step, by lane
+  State alone_;           // of one lane
+  std::vector<State> delivered_;
 };
 
 }  // namespace desmo

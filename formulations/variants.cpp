@@ -6,7 +6,7 @@
 #include <string>
 
 #include "formulations/algebra/backend.h"
-#include "formulations/equations/lanes.h"
+#include "formulations/equations/lane_kernel.h"
 
 namespace desmo {
 
@@ -69,8 +69,8 @@ std::string why_not(const Variant& v, const Settings& s) {
   if (s.threads < 1 || s.threads > most_threads)
     return "a motion is solved on one thread or several, up to " + std::to_string(most_threads);
   for (const int at_once : {s.lanes, s.segments})
-    if (at_once != 1 && (at_once != lane_count || !v.explicit_order))
-      return "there is code for " + std::to_string(lane_count) + " lanes, in explicit order";
+    if (at_once != 1 && (std::ranges::count(lane_counts, at_once) == 0 || !v.explicit_order))
+      return "there is code for four lanes or eight, in explicit order";
   if (s.lanes != 1 && s.segments != 1)
     return "lanes hold parts of one type or segments of the motion, not both";
   const bool other_scalar = s.scalar != Scalar::double_precision;
@@ -92,6 +92,14 @@ std::string why_not(const Variant& v, const Settings& s) {
   }
   if (s.jacobian == JacobianUpdate::chord && s.factorisation == Factorisation::per_level)
     return "a chord keeps its factors: no level makes its own";
+  return {};
+}
+
+std::string not_here(const Settings& s) {
+  for (const int at_once : {s.lanes, s.segments})
+    if (at_once != 1 && !has_lanes(at_once))
+      return std::to_string(at_once) +
+             " lanes need a processor with AVX-512 (x86-64-v4), and a build that has code for it";
   return {};
 }
 

@@ -46,12 +46,16 @@ bool has_phases(const Variant& variant);
 /// does. What it names is not applicable: it is refused, never silently replaced.
 std::string why_not(const Variant& variant, const Settings& settings);
 
+/// Why settings that a variant offers cannot be had on this machine, as why_not says it; empty when
+/// they can.
+std::string not_here(const Settings& settings);
+
 /// Analyses the mechanism and allocates everything. Parts of types for which there is no generated
 /// code are evaluated automatically and are not `as_named`. `profile`, when given, receives the
 /// time of its phases on the caller's thread; `table`, when given, has generated code beside what
 /// desmo was built with; both must outlive the formulation. Throws std::invalid_argument, naming
 /// the place, for a mechanism that it cannot solve, and with the reason for settings that it does
-/// not offer (why_not).
+/// not offer (why_not, not_here).
 std::unique_ptr<Formulation> make_formulation(const Variant& variant, const Mechanism& mechanism,
                                               const Settings& settings = {},
                                               Profile* profile = nullptr,

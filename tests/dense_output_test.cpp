@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "formulations/equations/lanes.h"
 #include "formulations/id.h"
 #include "tests/mechanisms.h"
 
@@ -191,10 +190,10 @@ TEST(DenseOutput, NeedsEveryLevelOfEveryPart) {
 TEST(DenseOutput, GoesWithSegmentsAndLanes) {
   const Mechanism m = truck_mechanism(2);
   const TimeGrid grid{0, 0.005, 402};
-  const std::string id = "group_symbolic_explicit", lanes = std::to_string(lane_count);
+  const std::string id = "group_symbolic_explicit";
   const Solution by_steps = run(id + "/stride:4", m, grid);
   ASSERT_TRUE(by_steps.summary.ok());
-  for (const std::string& how : {"/segments:" + lanes, "/lanes:" + lanes}) {
+  for (const std::string how : {"/segments:4", "/lanes:4", "/threads:2", "/segments:4/threads:2"}) {
     const Configuration c = parse_id(id + how + "/stride:4");
     const auto f = make_formulation(*c.variant, m, c.settings);
     Everything sink;

@@ -16,10 +16,9 @@
 #include "cases/cases.h"
 #include "formulations/equations/turned_angle.h"
 #include "formulations/explicit_part.h"
-#include "formulations/id.h"
-#include "formulations/lane_part.h"
 #include "formulations/magnitudes.h"
 #include "formulations/variants.h"
+#include "tests/borrowed_part.h"
 #include "tests/mechanisms.h"
 
 namespace desmo {
@@ -145,16 +144,6 @@ TEST(Explicit, LeavesNearlySingularPositionsToPivotingAndLosesNothing) {
   EXPECT_GT(fallbacks(*f), 0);
 }
 
-/// Stands in for the part that pivots: one of another formulation.
-class Borrowed final : public Part {
- public:
-  explicit Borrowed(Part& part) : part_(part) {}
-  PartResult solve(State& s, Level level) override { return part_.solve(s, level); }
-
- private:
-  Part& part_;
-};
-
 /// The kernel of the dyad, refusing always.
 TEST(Explicit, IsRightWhereItsCodeRefuses) {
   const Mechanism m = four_bar_mechanism(1);
@@ -211,109 +200,6 @@ TEST(Explicit, AssemblesAnewFromTheEstimate) {
   EXPECT_EQ(first, std::vector<double>(f->q().begin(), f->q().end()));
 }
 
-struct LastInstant final : Sink {
-  void accept(const Instant& i) override {
-    values.assign(i.q.begin(), i.q.end());
-    values.insert(values.end(), i.qd.begin(), i.qd.end());
-    values.insert(values.end(), i.qdd.begin(), i.qdd.end());
-  }
-  std::vector<double> values;
-};
-
-constexpr Settings on_lanes{.lanes = lane_count};
-
-TEST(Lanes, SolveWhatSolvingOneByOneSolves) {
-  const auto all = every_motion();
-  for (const char* id : {"group_symbolic_explicit", "block_symbolic_explicit"})
-    for (const auto& [m, grid] : all) {
-      const auto one_by_one = make_formulation(find_variant(id), m),
-                 at_once = make_formulation(find_variant(id), m, on_lanes);
-      LastInstant expected, actual;
-      const Summary a = one_by_one->run(grid, {}, expected), b = at_once->run(grid, {}, actual);
-      ASSERT_TRUE(a.ok() && b.ok()) << m.name;
-      EXPECT_LT(b.residual, 1e-10) << m.name;
-      double size = 1;
-      for (const double v : expected.values) size = std::max(size, std::abs(v));
-      for (std::size_t i = 0; i < expected.values.size(); ++i)
-        EXPECT_NEAR(actual.values[i], expected.values[i], 1e-9 * size) << m.name << i;
-    }
-}
-
-TEST(Lanes, TakeTwinsAndAxlesTogether) {
-  const Mechanism m = truck_mechanism(2);
-  const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, on_lanes);
-  ASSERT_EQ(f->parts().size(), 4u);  // y1, two axles, four levers, four dampers
-  int unknowns = 0;
-  for (const auto& p : f->parts()) unknowns += static_cast<int>(p.definition.unknowns.size());
-  EXPECT_EQ(unknowns, 3 + 2 * (39 + 2 * 19 + 2 * 16));
-}
-
-TEST(Lanes, StandInTheIdAndAreRefusedWhereThereIsNoCode) {
-  const Variant& v = find_variant("group_symbolic_explicit");
-  EXPECT_EQ(id_with(v, on_lanes), "group_symbolic_explicit/lanes:" + std::to_string(lane_count));
-  const Mechanism m = four_bar_mechanism(1);
-  EXPECT_THROW(make_formulation(v, m, {.lanes = lane_count + 1}), std::invalid_argument);
-  EXPECT_THROW(make_formulation(find_variant("group_symbolic_inlined"), m, on_lanes),
-               std::invalid_argument);
-}
-
-/// Of four levers at once, the code refuses the third: only that one is solved by another part.
-TEST(Lanes, ThatAreRefusedFallBackAlone) {
-  const Mechanism m = truck_mechanism(2);
-  const auto reference = make_formulation(find_variant("group_automatic_eigen"), m);
-  const std::vector<PartDefinition> parts = make_partition(m, Partition::group);
-  std::vector<std::size_t> levers;
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    if (parts[i].unknowns.size() == 19) levers.push_back(i);
-  ASSERT_EQ(levers.size(), 4u);
-
-  static const LaneKernel* sound = nullptr;
-  const BoundKernel first = bind_kernel(m, parts[levers[0]]).value();
-  sound = find_lane_kernel(first.kernel->fingerprint);
-  ASSERT_NE(sound, nullptr);
-  LaneKernel refusing = *sound;
-  refusing.solve = [](Lanes* q, Lanes* qd, Lanes* qdd, const ExplicitBinding<Lanes>& binding) {
-    ExplicitResult<Lanes> r = sound->solve(q, qd, qdd, binding);
-    r.accepted[2] = false;
-    return r;
-  };
-  std::vector<std::unique_ptr<ExplicitPart>> members;
-  std::vector<const ExplicitPart*> seen;
-  std::vector<ExplicitKernel> kernels(4, *find_explicit_kernel(first.kernel->fingerprint));
-  kernels[2].solve[2] = [](double*, double*, double*, const ExplicitBinding<double>&) {
-    return ExplicitResult<double>{0, 0, false};
-  };
-  for (std::size_t l = 0; l < 4; ++l) {
-    members.push_back(std::make_unique<ExplicitPart>(
-        kernels[l], bind_kernel(m, parts[levers[l]]).value(),
-        Magnitudes(m).weights(parts[levers[l]]), Settings{.tolerance = 1e-11},
-        std::make_unique<Borrowed>(*reference->parts()[levers[l]].solver)));
-    seen.push_back(members.back().get());
-  }
-  LanePart lanes(refusing, std::move(members));
-
-  ASSERT_TRUE(reference->assemble(0).ok());
-  State s;
-  const auto put = [](std::span<const double> from, std::vector<double>& to, std::size_t size) {
-    to.assign(from.begin(), from.end());
-    to.resize(size, 0);
-  };
-  const std::size_t size = static_cast<std::size_t>(m.state_size());
-  put(reference->q(), s.q, size);
-  put(reference->qd(), s.qd, size);
-  put(reference->qdd(), s.qdd, size);
-  std::ranges::copy(m.fixed_values, s.q.begin() + m.coordinates());
-  const State expected = s;
-  for (int i = 0; i < 3; ++i)
-    ASSERT_EQ(lanes.solve(s, Level::acceleration).status, Status::converged);
-  for (std::size_t l = 0; l < 4; ++l) EXPECT_EQ(seen[l]->fallbacks(), l == 2 ? 2 : 0) << l;
-  EXPECT_EQ(lanes.fallbacks(), 2);
-  for (int i = 0; i < m.coordinates(); ++i) {
-    EXPECT_NEAR(s.q[i], expected.q[i], 1e-10) << i;
-    EXPECT_NEAR(s.qdd[i], expected.qdd[i], 1e-8) << i;
-  }
-}
-
 TEST(Elementary, FunctionsAgreeWithTheStandardLibrary) {
   std::mt19937 generator(5);
   for (const double range : {1e-6, 1.0, 10.0, 1e3, 9e5}) {
@@ -340,26 +226,6 @@ TEST(Elementary, FunctionsAreNotANumberFarAway) {
                          std::numeric_limits<double>::quiet_NaN()}) {
     EXPECT_TRUE(std::isnan(elementary::sin(x)));
     EXPECT_TRUE(std::isnan(elementary::cos(x)));
-  }
-}
-
-TEST(Elementary, LanesAgreeWithScalars) {
-  std::mt19937 generator(6);
-  std::uniform_real_distribution<double> uniform(-20, 20);
-  const double ulps = 4 * std::numeric_limits<double>::epsilon();
-  for (int i = 0; i < 1000; ++i) {
-    const Lanes x([&](auto lane) { return i % 10 == 0 && lane == 1 ? 1e7 : uniform(generator); });
-    const Lanes y([&](auto) { return uniform(generator); });
-    const Lanes sine = elementary::sin(x), cosine = elementary::cos(x),
-                angle = elementary::turned_angle<Lanes>(y, x, 30.0).angle;
-    for (int l = 0; l < lane_count; ++l) {
-      const double xl = x[l], yl = y[l];
-      EXPECT_NEAR(angle[l], elementary::turned_angle<double>(yl, xl, 30.0).angle, 32 * ulps);
-      EXPECT_EQ(std::isnan(sine[l]), xl == 1e7);
-      if (xl == 1e7) continue;
-      EXPECT_NEAR(sine[l], std::sin(xl), ulps);
-      EXPECT_NEAR(cosine[l], std::cos(xl), ulps);
-    }
   }
 }
 

@@ -73,7 +73,7 @@ TEST(Id, SaysWhatIsWrong) {
       {"group_symbolic_klu/gess:linear",
        "unknown suffix '/gess:linear'; there are, each followed by ':' and a value: guess, "
        "jacobian, factorisation, scalar, lanes, segments, threads, stride, iterations, tolerance"},
-      {"group_symbolic_explicit/lanes:5", "unknown value '5' of '/lanes:'; there are: 4"},
+      {"group_symbolic_explicit/lanes:5", "unknown value '5' of '/lanes:'; there are: 4, 8"},
       {"group_symbolic_klu/guess:cubic",
        "unknown value 'cubic' of '/guess:'; there are: previous, linear, quadratic, hermite3, "
        "hermite5"},

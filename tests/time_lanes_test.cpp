@@ -9,24 +9,31 @@
 #include <vector>
 
 #include "cases/cases.h"
-#include "formulations/equations/lanes.h"
 #include "formulations/id.h"
 #include "formulations/variants.h"
+#include "tests/borrowed_part.h"
 #include "tests/everything.h"
+#include "tests/lanes_here.h"
 #include "tests/mechanisms.h"
 
 namespace desmo {
 namespace {
 
-constexpr Settings at_once{.segments = lane_count};
+constexpr Settings at_once{.segments = 4};
+
+std::vector<Settings> every_kind() {
+  std::vector<Settings> all;
+  for (const int lanes : lanes_here())
+    for (const Guess guess : {Guess::previous, Guess::hermite5})
+      all.push_back({.guess = guess, .segments = lanes});
+  return all;
+}
 
 TEST(TimeLanes, SolveWhatStepsSolve) {
   const auto all = every_motion();
   for (const char* id : {"group_symbolic_explicit", "block_symbolic_explicit"})
-    for (const Guess guess : {Guess::previous, Guess::hermite5})
+    for (const Settings& settings : every_kind())
       for (const auto& [m, grid] : all) {
-        Settings settings = at_once;
-        settings.guess = guess;
         const auto by_steps = make_formulation(find_variant(id), m),
                    lanes = make_formulation(find_variant(id), m, settings);
         Everything expected(grid.instants, false), actual(grid.instants, false);
@@ -40,10 +47,12 @@ TEST(TimeLanes, SolveWhatStepsSolve) {
 }
 
 /// And what is asked of a part of the coordinates is right there.
-TEST(TimeLanes, NeedNoStepsOnTheCases) {
+class OnTheCases : public testing::TestWithParam<Settings> {};
+
+TEST_P(OnTheCases, SegmentsNeedNoSteps) {
   for (const Case& c : cases()) {
     const Mechanism m = make_mechanism(c.describe(2));
-    const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, at_once),
+    const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, GetParam()),
                g = make_formulation(find_variant("group_symbolic_explicit"), m);
     const TimeGrid grid = time_grid(3, 0.01);
     Everything whole(grid.instants, true), some(grid.instants, true), expected(grid.instants, true);
@@ -60,6 +69,8 @@ TEST(TimeLanes, NeedNoStepsOnTheCases) {
         EXPECT_EQ(some.all[i][k], whole.all[i][k]) << i;
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(TimeLanes, OnTheCases, testing::ValuesIn(every_kind()));
 
 TEST(TimeLanes, LeaveTheLastInstantToStepOnFrom) {
   const Mechanism m = truck_mechanism(2);
@@ -126,14 +137,6 @@ TEST(TimeLanes, ThatGiveUpLeaveNoTrace) {
   auto parts = make_partition(m, Partition::group);
   const auto g = make_formulation(find_variant("group_automatic_eigen"), m);
   std::vector<Formulation::DefinedPart> borrowed;
-  class Borrowed final : public Part {
-   public:
-    explicit Borrowed(Part& part) : part_(part) {}
-    PartResult solve(State& s, Level level) override { return part_.solve(s, level); }
-
-   private:
-    Part& part_;
-  };
   for (const auto& p : g->parts())
     borrowed.push_back({p.definition, std::make_unique<Borrowed>(*p.solver)});
   Formulation f(m, std::move(borrowed), {}, std::make_unique<Reluctant>());
@@ -148,14 +151,15 @@ TEST(TimeLanes, ThatGiveUpLeaveNoTrace) {
 
 TEST(TimeLanes, StandInTheId) {
   const Variant& v = find_variant("group_symbolic_explicit");
-  const std::string id = "group_symbolic_explicit/segments:" + std::to_string(lane_count);
+  const std::string id = "group_symbolic_explicit/segments:4";
   EXPECT_EQ(id_with(v, at_once), id);
-  EXPECT_EQ(parse_id(id).settings.segments, lane_count);
+  EXPECT_EQ(parse_id(id).settings.segments, 4);
+  EXPECT_EQ(parse_id("group_symbolic_explicit/segments:8").settings.segments, 8);
   const Mechanism m = four_bar_mechanism(1);
   EXPECT_THROW(make_formulation(find_variant("group_symbolic_inlined"), m, at_once),
                std::invalid_argument);
   Settings both = at_once;
-  both.lanes = lane_count;
+  both.lanes = 4;
   EXPECT_THROW(make_formulation(v, m, both), std::invalid_argument);
 }
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <span>
 
-#include "formulations/equations/lanes.h"
+#include "formulations/equations/lane_kernel.h"
 
 namespace desmo::precision {
 
@@ -80,7 +80,7 @@ std::vector<Settings> all_settings(const Variant& variant) {
   for (const Settings& s : solved_from()) add_strides(all, s, strides);
   if (!variant.explicit_order) return all;
   std::vector<Settings> with_lanes = all;
-  for (Settings& s : with_lanes) s.lanes = lane_count;
+  for (Settings& s : with_lanes) s.lanes = lane_counts.front();
   std::erase_if(with_lanes, [&](const Settings& s) { return !why_not(variant, s).empty(); });
   all.insert(all.end(), with_lanes.begin(), with_lanes.end());
   return all;

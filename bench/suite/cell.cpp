@@ -56,6 +56,7 @@ std::string Cell::name() const {
 
 void Cell::verify(ReferenceCache& references) {
   if (state != State::untouched) return;
+  if (const std::string reason = not_here(settings); !reason.empty()) return leave_out(reason);
   try {
     mechanism_ = std::make_unique<Mechanism>(make_mechanism(describe(definition, coordinates)));
     model = model_digest(*mechanism_);

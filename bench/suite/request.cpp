@@ -171,6 +171,7 @@ std::unique_ptr<Formulation> RequestCell::made_with_tolerance(double tolerance) 
 
 void RequestCell::verify(ReferenceCache& references) {
   if (state != State::untouched) return;
+  if (const std::string reason = not_here(settings); !reason.empty()) return leave_out(reason);
   try {
     model = model_digest(request_->whole);
     const double before_setup = cpu_now();

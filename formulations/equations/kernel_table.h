@@ -21,11 +21,12 @@ class KernelTable {
   /// The code for a fingerprint (see PartType), or null.
   const Kernel* find_kernel(std::string_view fingerprint) const;
   const ExplicitKernel* find_explicit_kernel(std::string_view fingerprint) const;
-  const LaneKernel* find_lane_kernel(std::string_view fingerprint) const;
+  /// For so many lanes; null, too, where the processor has none so wide.
+  const LaneKernel* find_lane_kernel(std::string_view fingerprint, int lanes) const;
 
  private:
-  template <class K>
-  const K* find_added(KernelList<K> KernelLibrary::*list, std::string_view fingerprint) const;
+  template <class K, class IsWanted>
+  const K* find_added(KernelList<K> KernelLibrary::*list, const IsWanted& is_wanted) const;
 
   std::vector<std::shared_ptr<const KernelLibrary>> added_;
 };

@@ -1,33 +1,44 @@
 #pragma once
 
 #include <experimental/simd>
-#include <span>
-#include <string_view>
 
-#include "formulations/equations/explicit_kernel.h"
+#include "formulations/equations/lane_kernel.h"
+
+// For generated code alone, which is compiled for each number of lanes and the processors that have
+// registers for them. What is in here differs from one to the other, and so has no name outside.
+
+#ifndef DESMO_LANES
+#define DESMO_LANES 4
+#endif
 
 namespace desmo {
 
-/// How many parts of one type are solved at once: what 256-bit registers hold.
-inline constexpr int lane_count = 4;
-using Lanes = std::experimental::simd<
-    double, std::experimental::simd_abi::deduce_t<double, static_cast<std::size_t>(lane_count)>>;
+namespace {
 
-/// An explicit kernel for as many parts as there are lanes. Its arrays are those of the local
-/// inputs, a part in each lane. Rates are solved to accelerations.
-struct LaneKernel {
-  std::string_view fingerprint;    ///< PartType::fingerprint
-  std::span<const int> positions;  ///< local inputs of which the position is read
-  std::span<const int> rates;      ///< of which velocity and acceleration are
-  std::span<const int> unknowns;   ///< those that are written
-  ExplicitResult<Lanes> (*solve)(Lanes* q, Lanes* qd, Lanes* qdd,
-                                 const ExplicitBinding<Lanes>& parts);
-};
+constexpr int lanes = DESMO_LANES;
+using Lanes = std::experimental::simd<double, std::experimental::simd_abi::deduce_t<double, lanes>>;
+static_assert(sizeof(Lanes) == lanes * sizeof(double) && alignof(Lanes) <= 64);
 
-/// Every generated lane kernel.
-std::span<const LaneKernel> lane_kernels();
+inline Lanes* in_lanes(double* values) { return reinterpret_cast<Lanes*>(values); }
+inline const Lanes* in_lanes(const double* values) {
+  return reinterpret_cast<const Lanes*>(values);
+}
 
-/// The lane kernel that desmo was built with for a fingerprint, or null.
-const LaneKernel* find_lane_kernel(std::string_view fingerprint);
+/// A kernel on registers as one on numbers.
+template <ExplicitResult<Lanes> (*solve)(Lanes*, Lanes*, Lanes*, const ExplicitBinding<Lanes>&)>
+LaneResult solve_lanes(double* q, double* qd, double* qdd, const ExplicitBinding<double>& parts,
+                       double* residual2) {
+  const auto& [in, c, f, branch, w, limits] = parts;
+  const ExplicitResult<Lanes> r =
+      solve(in_lanes(q), in_lanes(qd), in_lanes(qdd),
+            {in, in_lanes(c), in_lanes(f), in_lanes(branch), in_lanes(w), limits});
+  *in_lanes(residual2) = r.residual2;
+  if (all(r.accepted)) return {(1u << lanes) - 1, r.iterations};
+  unsigned accepted = 0;
+  for (int l = 0; l < lanes; ++l) accepted |= static_cast<unsigned>(r.accepted[l]) << l;
+  return {accepted, r.iterations};
+}
+
+}  // namespace
 
 }  // namespace desmo

@@ -109,9 +109,9 @@ void write_explicit_table_row(std::ostream& out, const std::string& name, const 
 }
 
 void write_lane_table_row(std::ostream& out, const std::string& name, const PartType& type) {
-  out << "    {\"" << type.fingerprint << "\", " << name << "::positions, " << name
-      << "::rates,\n     " << name << "::unknowns, " << name
-      << "::solve<Lanes, Level::acceleration>},\n";
+  out << "    {lanes, \"" << type.fingerprint << "\", " << name << "::positions, " << name
+      << "::rates,\n     " << name << "::unknowns, solve_lanes<" << name
+      << "::solve<Lanes, Level::acceleration>>},\n";
 }
 
 }  // namespace desmo::generate

@@ -11,7 +11,7 @@ namespace desmo::generate {
 /// What a library holds for each of its types beside symbolic equations and their elimination.
 struct LibraryContents {
   bool explicit_order = false;
-  bool lanes = false;  ///< of explicit order
+  int lanes = 1;  ///< of explicit order, besides one
 };
 
 /// C++ that a compiler makes a library of kernels from (see KernelLibrary), with no header but

@@ -20,7 +20,9 @@ namespace desmo::load {
 namespace {
 
 /// As those of the kernels that desmo is built with (formulations/CMakeLists.txt).
-constexpr const char* flags = DESMO_KERNEL_FLAGS " -w -pipe -fPIC -shared -fvisibility=hidden";
+constexpr const char* all_flags = DESMO_KERNEL_FLAGS " -w -pipe -fPIC -shared -fvisibility=hidden";
+/// Of several options that name a processor the last one counts.
+constexpr const char* more_for_eight_lanes = " -march=x86-64-v4";
 
 constexpr std::chrono::seconds time_for_version{10};
 constexpr std::size_t most_shown = 300;  // characters of a compiler's complaint
@@ -78,8 +80,10 @@ Ending run(const std::string& file, std::vector<std::string> arguments, int fold
 
 }  // namespace
 
-Compiler Compiler::find() {
+Compiler Compiler::find(int lanes) {
   Compiler compiler;
+  compiler.flags_ = all_flags;
+  if (lanes == 8) compiler.flags_ += more_for_eight_lanes;
   compiler.file_ = locate_any();
   const Descriptor root(::open("/", O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   const Ending ending = run(compiler.file_, {"--version"}, root.number(), time_for_version);
@@ -92,11 +96,11 @@ Compiler Compiler::find() {
 
 std::string Compiler::version() const { return printable(first_line(version_), 100); }
 
-std::string Compiler::identity() const { return file_ + "\n" + version_ + "\n" + flags; }
+std::string Compiler::identity() const { return file_ + "\n" + version_ + "\n" + flags_; }
 
 void Compiler::compile(const std::string& source, const std::string& library, int folder,
                        std::chrono::milliseconds time) const {
-  std::istringstream words(flags);
+  std::istringstream words(flags_);
   std::vector<std::string> arguments{std::istream_iterator<std::string>(words), {}};
   arguments.insert(arguments.end(), {"-o", library, source});
   const Ending ending = run(file_, arguments, folder, time);

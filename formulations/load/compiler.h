@@ -10,8 +10,9 @@ class Compiler {
  public:
   /// That of the environment variable CXX (a name or a file, without arguments); where it is not
   /// set, the one that desmo was built with; where that is gone, c++. Throws Unavailable when there
-  /// is none, or it does not say which version it is.
-  static Compiler find();
+  /// is none, or it does not say which version it is. lanes: of the kernels, which need a processor
+  /// that has them.
+  static Compiler find(int lanes = 1);
 
   const std::string& file() const { return file_; }
   /// The first line of what it says of itself.
@@ -25,7 +26,7 @@ class Compiler {
                std::chrono::milliseconds time) const;
 
  private:
-  std::string file_, version_;
+  std::string file_, version_, flags_;
 };
 
 }  // namespace desmo::load

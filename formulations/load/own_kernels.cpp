@@ -1,5 +1,6 @@
 #include "formulations/load/own_kernels.h"
 
+#include <algorithm>
 #include <exception>
 #include <memory>
 #include <optional>
@@ -7,6 +8,7 @@
 #include <utility>
 
 #include "formulations/digest.h"
+#include "formulations/equations/lane_kernel.h"
 #include "formulations/generate/library_source.h"
 #include "formulations/load/cache.h"
 #include "formulations/load/compiler.h"
@@ -32,7 +34,8 @@ std::string_view bytes(const std::vector<double>& values) {
 std::string digest_of(const std::vector<SampledType>& types, LibraryContents contents) {
   Digest digest;
   digest.add(generate::generator_digest());
-  digest.add(contents.lanes ? "lanes" : contents.explicit_order ? "explicit" : "inlined");
+  if (contents.lanes > 1) digest.add(std::to_string(contents.lanes));
+  digest.add(contents.lanes > 1 ? "lanes" : contents.explicit_order ? "explicit" : "inlined");
   for (const auto& [name, type, samples] : types) {
     digest.add("\n" + type.fingerprint + "\n" + std::to_string(samples.size()) + "\n");
     for (const generate::SamplePoint& s : samples) digest.add(bytes(s.q)).add(bytes(s.constants));
@@ -45,7 +48,7 @@ std::shared_ptr<const KernelLibrary> make_library(const std::vector<SampledType>
                                                   LibraryContents contents,
                                                   std::chrono::milliseconds compile_time,
                                                   OwnKernels& told) {
-  const Compiler compiler = Compiler::find();
+  const Compiler compiler = Compiler::find(contents.lanes);
   told.compiler = compiler.file() + " (" + compiler.version() + ")";
   const Cache cache = Cache::open();
   told.folder = cache.folder().string();
@@ -82,7 +85,8 @@ OwnKernels add_own_kernels(KernelTable& table, const Variant& v, const Settings&
                            std::chrono::milliseconds compile_time) {
   OwnKernels told;
   const Clock::time_point start = Clock::now();
-  const LibraryContents contents{v.explicit_order, settings.lanes > 1 || settings.segments > 1};
+  const int lanes = std::max(settings.lanes, settings.segments);
+  const LibraryContents contents{v.explicit_order, has_lanes(lanes) ? lanes : 1};
   try {
     WantedTypes wanted = wanted_types(v, contents, m, grid, table);
     told.parts_too_large = wanted.parts_too_large;

@@ -20,7 +20,7 @@ constexpr std::size_t enough_samples = 48;
 bool has_all(const KernelTable& table, const std::string& fingerprint, LibraryContents contents) {
   return table.find_kernel(fingerprint) &&
          (!contents.explicit_order || table.find_explicit_kernel(fingerprint)) &&
-         (!contents.lanes || table.find_lane_kernel(fingerprint));
+         (contents.lanes == 1 || table.find_lane_kernel(fingerprint, contents.lanes));
 }
 
 std::vector<PartDefinition> parts_without_code(const Variant& v, LibraryContents contents,

@@ -29,8 +29,8 @@ std::vector<SampledType> types_of(const Mechanism& m) {
 
 TEST(LibrarySource, IsTheSameEveryTimeAndWholeInItself) {
   const std::vector<SampledType> types = types_of(truck_mechanism(2));
-  const std::string source = library_source(types, {true, true});
-  EXPECT_EQ(source, library_source(types, {true, true}));
+  const std::string source = library_source(types, {true, 4});
+  EXPECT_EQ(source, library_source(types, {true, 4}));
   EXPECT_EQ(source.find("#include \""), std::string::npos);
   EXPECT_EQ(source.find("#pragma once"), std::string::npos);
   for (const char* text : {"#include <experimental/simd>", "struct KernelLibrary", "desmo_kernels{",
@@ -44,7 +44,7 @@ TEST(LibrarySource, HoldsWhatIsAskedFor) {
   EXPECT_EQ(inlined.find("constexpr ExplicitKernel"), std::string::npos);
   EXPECT_NE(ordered.find("constexpr ExplicitKernel table[]"), std::string::npos);
   EXPECT_EQ(ordered.find("simd"), std::string::npos) << "it takes a second to compile";
-  EXPECT_EQ(library_source({}, {true, true}), "");
+  EXPECT_EQ(library_source({}, {true, 4}), "");
 }
 
 TEST(LibrarySource, LeavesOutWhatCannotBeWrittenAndSaysWhy) {
@@ -100,7 +100,7 @@ TEST(KernelTables, HaveWhatWasAddedBesideWhatIsBuiltIn) {
   ASSERT_EQ(table.find_kernel("own type"), &added[0]);
   EXPECT_EQ(table.find_kernel(built), find_kernel(built)) << "built in goes first";
   EXPECT_EQ(table.find_explicit_kernel("own type"), nullptr);
-  EXPECT_EQ(table.find_lane_kernel("own type"), nullptr);
+  EXPECT_EQ(table.find_lane_kernel("own type", 4), nullptr);
   EXPECT_EQ(KernelTable::built_in().find_kernel("own type"), nullptr);
 }
 

@@ -92,8 +92,16 @@ TEST_F(OwnKernelsTest, SolveSegmentsOfTheMotionInLanes) {
   EXPECT_EQ(f->run_by_steps(), 0);
   for (const Formulation::DefinedPart& part : f->parts())
     if (const auto* solver = dynamic_cast<const ExplicitPart*>(part.solver.get())) {
-      EXPECT_NE(table_.find_lane_kernel(solver->kernel().fingerprint), nullptr);
+      EXPECT_NE(table_.find_lane_kernel(solver->kernel().fingerprint, 4), nullptr);
     }
+}
+
+TEST_F(OwnKernelsTest, SolveInWiderRegistersWhereThereAreAny) {
+  if (!has_lanes(8)) GTEST_SKIP() << not_here({.lanes = 8});
+  take(8);
+  EXPECT_TRUE(has<LanePart>(*compare("group_symbolic_explicit/lanes:8")));
+  scene_.grid = time_grid(2, 0.01);
+  EXPECT_EQ(compare("group_symbolic_explicit/segments:8")->run_by_steps(), 0);
 }
 
 TEST_F(OwnKernelsTest, AreNamedByGroupAndCounted) {

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <new>
+#include <vector>
+
+namespace desmo {
+
+/// Allocates where the widest registers can be loaded from at once.
+template <class T>
+struct LaneAllocator {
+  using value_type = T;
+  static constexpr std::align_val_t alignment{64};
+
+  LaneAllocator() = default;
+  template <class Other>
+  explicit LaneAllocator(const LaneAllocator<Other>&) {}
+
+  T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), alignment)); }
+  void deallocate(T* p, std::size_t) { ::operator delete(p, alignment); }
+  bool operator==(const LaneAllocator&) const = default;
+};
+
+/// Numbers of several lanes, those of one number side by side: number k of lane l at k · lanes + l.
+using LaneValues = std::vector<double, LaneAllocator<double>>;
+
+/// A state in each lane.
+struct LaneState {
+  LaneValues q, qd, qdd;
+};
+
+}  // namespace desmo

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "formulations/part.h"
+
+namespace desmo {
+
+/// Stands in for the part that pivots: one of another formulation.
+class Borrowed final : public Part {
+ public:
+  explicit Borrowed(Part& part) : part_(part) {}
+  PartResult solve(State& s, Level level) override { return part_.solve(s, level); }
+
+ private:
+  Part& part_;
+};
+
+}  // namespace desmo

@@ -1,0 +1,193 @@
+// Parts of one type in the lanes of wide registers: the same as one by one; what is brought into
+// lanes and out of them; code for registers that not every processor has.
+
+#include "formulations/equations/lanes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "cases/cases.h"
+#include "formulations/equations/turned_angle.h"
+#include "formulations/explicit_part.h"
+#include "formulations/id.h"
+#include "formulations/lane_part.h"
+#include "formulations/magnitudes.h"
+#include "formulations/variants.h"
+#include "tests/borrowed_part.h"
+#include "tests/lanes_here.h"
+#include "tests/mechanisms.h"
+
+namespace desmo {
+namespace {
+
+struct LastInstant final : Sink {
+  void accept(const Instant& i) override {
+    values.assign(i.q.begin(), i.q.end());
+    values.insert(values.end(), i.qd.begin(), i.qd.end());
+    values.insert(values.end(), i.qdd.begin(), i.qdd.end());
+  }
+  std::vector<double> values;
+};
+
+constexpr Settings on_lanes{.lanes = 4};
+
+TEST(Lanes, SolveWhatSolvingOneByOneSolves) {
+  const auto all = every_motion();
+  for (const char* id : {"group_symbolic_explicit", "block_symbolic_explicit"})
+    for (const auto& [m, grid] : all)
+      for (const int lanes : lanes_here()) {
+        const auto one_by_one = make_formulation(find_variant(id), m),
+                   at_once = make_formulation(find_variant(id), m, {.lanes = lanes});
+        LastInstant expected, actual;
+        const Summary a = one_by_one->run(grid, {}, expected), b = at_once->run(grid, {}, actual);
+        ASSERT_TRUE(a.ok() && b.ok()) << m.name;
+        EXPECT_LT(b.residual, 1e-10) << m.name;
+        double size = 1;
+        for (const double v : expected.values) size = std::max(size, std::abs(v));
+        for (std::size_t i = 0; i < expected.values.size(); ++i)
+          EXPECT_NEAR(actual.values[i], expected.values[i], 1e-9 * size) << m.name << i;
+      }
+}
+
+TEST(Lanes, TakeTwinsAndAxlesTogether) {
+  const Mechanism m = truck_mechanism(2);
+  const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, on_lanes);
+  ASSERT_EQ(f->parts().size(), 4u);  // y1, two axles, four levers, four dampers
+  int unknowns = 0;
+  for (const auto& p : f->parts()) unknowns += static_cast<int>(p.definition.unknowns.size());
+  EXPECT_EQ(unknowns, 3 + 2 * (39 + 2 * 19 + 2 * 16));
+}
+
+TEST(Lanes, StandInTheIdAndAreRefusedWhereThereIsNoCode) {
+  const Variant& v = find_variant("group_symbolic_explicit");
+  EXPECT_EQ(id_with(v, on_lanes), "group_symbolic_explicit/lanes:4");
+  const Mechanism m = four_bar_mechanism(1);
+  EXPECT_THROW(make_formulation(v, m, {.lanes = 5}), std::invalid_argument);
+  EXPECT_THROW(make_formulation(find_variant("group_symbolic_inlined"), m, on_lanes),
+               std::invalid_argument);
+  EXPECT_EQ(why_not(v, {.lanes = 8}), "");
+  if (!has_lanes(8)) {
+    EXPECT_NE(not_here({.lanes = 8}), "");
+    EXPECT_THROW(make_formulation(v, m, {.segments = 8}), std::invalid_argument);
+  }
+}
+
+/// Five axles, ten levers, ten dampers: no wider registers than what is left of them fills.
+TEST(Lanes, AreAsManyAsAreFilled) {
+  if (!has_lanes(8)) GTEST_SKIP() << not_here({.lanes = 8});
+  const Mechanism m = truck_mechanism(5);
+  const auto four = make_formulation(find_variant("group_symbolic_explicit"), m, {.lanes = 4}),
+             eight = make_formulation(find_variant("group_symbolic_explicit"), m, {.lanes = 8});
+  EXPECT_EQ(eight->parts().size(), four->parts().size());
+  for (const double t : {0.0, 0.01, 0.02, 0.03}) {
+    ASSERT_TRUE(four->step(t).ok() && eight->step(t).ok());
+    for (int i = 0; i < m.coordinates(); ++i) {
+      EXPECT_NEAR(eight->q()[i], four->q()[i], 1e-10) << t;
+      EXPECT_NEAR(eight->qdd()[i], four->qdd()[i], 1e-7) << t;
+    }
+  }
+}
+
+/// Of four levers at once, the code refuses the third: only that one is solved by another part.
+TEST(Lanes, ThatAreRefusedFallBackAlone) {
+  const Mechanism m = truck_mechanism(2);
+  const auto reference = make_formulation(find_variant("group_automatic_eigen"), m);
+  const std::vector<PartDefinition> parts = make_partition(m, Partition::group);
+  std::vector<std::size_t> levers;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (parts[i].unknowns.size() == 19) levers.push_back(i);
+  ASSERT_EQ(levers.size(), 4u);
+
+  static const LaneKernel* sound = nullptr;
+  const BoundKernel first = bind_kernel(m, parts[levers[0]]).value();
+  sound = find_lane_kernel(first.kernel->fingerprint, 4);
+  ASSERT_NE(sound, nullptr);
+  LaneKernel refusing = *sound;
+  refusing.solve = [](double* q, double* qd, double* qdd, const ExplicitBinding<double>& binding,
+                      double* residual2) {
+    LaneResult r = sound->solve(q, qd, qdd, binding, residual2);
+    r.accepted &= ~(1u << 2);
+    return r;
+  };
+  std::vector<std::unique_ptr<ExplicitPart>> members;
+  std::vector<const ExplicitPart*> seen;
+  std::vector<ExplicitKernel> kernels(4, *find_explicit_kernel(first.kernel->fingerprint));
+  kernels[2].solve[2] = [](double*, double*, double*, const ExplicitBinding<double>&) {
+    return ExplicitResult<double>{0, 0, false};
+  };
+  for (std::size_t l = 0; l < 4; ++l) {
+    members.push_back(std::make_unique<ExplicitPart>(
+        kernels[l], bind_kernel(m, parts[levers[l]]).value(),
+        Magnitudes(m).weights(parts[levers[l]]), Settings{.tolerance = 1e-11},
+        std::make_unique<Borrowed>(*reference->parts()[levers[l]].solver)));
+    seen.push_back(members.back().get());
+  }
+  LanePart together({&refusing}, std::move(members));
+
+  ASSERT_TRUE(reference->assemble(0).ok());
+  State s;
+  const auto put = [](std::span<const double> from, std::vector<double>& to, std::size_t size) {
+    to.assign(from.begin(), from.end());
+    to.resize(size, 0);
+  };
+  const std::size_t size = static_cast<std::size_t>(m.state_size());
+  put(reference->q(), s.q, size);
+  put(reference->qd(), s.qd, size);
+  put(reference->qdd(), s.qdd, size);
+  std::ranges::copy(m.fixed_values, s.q.begin() + m.coordinates());
+  const State expected = s;
+  for (int i = 0; i < 3; ++i)
+    ASSERT_EQ(together.solve(s, Level::acceleration).status, Status::converged);
+  for (std::size_t l = 0; l < 4; ++l) EXPECT_EQ(seen[l]->fallbacks(), l == 2 ? 2 : 0) << l;
+  EXPECT_EQ(together.fallbacks(), 2);
+  for (int i = 0; i < m.coordinates(); ++i) {
+    EXPECT_NEAR(s.q[i], expected.q[i], 1e-10) << i;
+    EXPECT_NEAR(s.qdd[i], expected.qdd[i], 1e-8) << i;
+  }
+}
+
+TEST(Elementary, LanesAgreeWithScalars) {
+  std::mt19937 generator(6);
+  std::uniform_real_distribution<double> uniform(-20, 20);
+  const double ulps = 4 * std::numeric_limits<double>::epsilon();
+  for (int i = 0; i < 1000; ++i) {
+    const Lanes x([&](auto lane) { return i % 10 == 0 && lane == 1 ? 1e7 : uniform(generator); });
+    const Lanes y([&](auto) { return uniform(generator); });
+    const Lanes sine = elementary::sin(x), cosine = elementary::cos(x),
+                angle = elementary::turned_angle<Lanes>(y, x, 30.0).angle;
+    for (int l = 0; l < lanes; ++l) {
+      const double xl = x[l], yl = y[l];
+      EXPECT_NEAR(angle[l], elementary::turned_angle<double>(yl, xl, 30.0).angle, 32 * ulps);
+      EXPECT_EQ(std::isnan(sine[l]), xl == 1e7);
+      if (xl == 1e7) continue;
+      EXPECT_NEAR(sine[l], std::sin(xl), ulps);
+      EXPECT_NEAR(cosine[l], std::cos(xl), ulps);
+    }
+  }
+}
+
+/// Inline functions of others, compiled for processors that not everybody has, must not be what the
+/// linker takes for all.
+TEST(Lanes, OfWiderRegistersShareNoNames) {
+  const std::string objects = DESMO_WIDE_KERNELS;
+  if (objects.empty()) GTEST_SKIP() << "this build has no code for them";
+  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(
+      popen(("nm --extern-only --defined-only " + objects).c_str(), "r"), pclose);
+  std::vector<std::string> names;
+  std::array<char, 1000> line;
+  while (pipe && std::fgets(line.data(), line.size(), pipe.get())) names.emplace_back(line.data());
+  ASSERT_EQ(names.size(), 1u);
+  EXPECT_NE(names.front().find("lane_kernels"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace desmo
