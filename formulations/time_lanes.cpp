@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "formulations/guess.h"
+#include "formulations/lane_motion.h"
 #include "formulations/lane_transport.h"
 #include "formulations/same_position.h"
 #include "formulations/straight_way.h"
@@ -170,15 +171,14 @@ void TimeLanes::guess(double h, int known) {
 }
 
 void TimeLanes::drive(const TimeGrid& grid, int length, int i) {
+  std::array<double, most_lanes> of_lanes;
+  for (int l = 0; l < lanes_; ++l)
+    of_lanes[l] = grid.time(std::min(l * length + i, grid.instants - 1));
+  const std::span<const double> times(of_lanes.data(), lanes_);
   for (const Driver& d : mechanism_.drivers) {
-    const std::size_t first = static_cast<std::size_t>(mechanism_.entities[d.coordinate].first);
-    for (int l = 0; l < lanes_; ++l) {
-      const MotionSample<double> z =
-          sample(d.motion, grid.time(std::min(l * length + i, grid.instants - 1)));
-      now_.q[first * lanes_ + l] = z.position;
-      now_.qd[first * lanes_ + l] = z.velocity;
-      now_.qdd[first * lanes_ + l] = z.acceleration;
-    }
+    const std::size_t k =
+        static_cast<std::size_t>(mechanism_.entities[d.coordinate].first) * lanes_;
+    sample_lanes(d.motion, times, &now_.q[k], &now_.qd[k], &now_.qdd[k]);
   }
 }
 

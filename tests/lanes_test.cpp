@@ -19,6 +19,7 @@
 #include "formulations/equations/turned_angle.h"
 #include "formulations/explicit_part.h"
 #include "formulations/id.h"
+#include "formulations/lane_motion.h"
 #include "formulations/lane_part.h"
 #include "formulations/magnitudes.h"
 #include "formulations/variants.h"
@@ -171,6 +172,27 @@ TEST(Elementary, LanesAgreeWithScalars) {
       if (xl == 1e7) continue;
       EXPECT_NEAR(sine[l], std::sin(xl), ulps);
       EXPECT_NEAR(cosine[l], std::cos(xl), ulps);
+    }
+  }
+}
+
+TEST(Lanes, FollowTheMotionsOfDrivers) {
+  const Motion motions[] = {Polynomial{{1, -2, 0.5, 0.25}}, Polynomial{},
+                            HarmonicSum{0.5, {{0.1, 6, 0.3}, {2, -11, 1}}},
+                            make_spline({0, 1, 3, 4, 7}, {0, 1, -1, 2, 0}, SplineEnds::natural)};
+  // In one interval and in several, before and behind; an angle that is far away.
+  const std::array times{0.1, 0.2, 0.3, 0.4, -1.0, 2.5, 8.0, 1e6};
+  for (const Motion& motion : motions) {
+    std::array<double, times.size()> z, zd, zdd;
+    sample_lanes(motion, times, z.data(), zd.data(), zdd.data());
+    for (std::size_t l = 0; l < times.size(); ++l) {
+      const MotionSample<double> expected = sample(motion, times[l]);
+      const auto near = [](double a, double b) {
+        return std::abs(a - b) <= 1e-11 * (1 + std::abs(b));
+      };
+      EXPECT_TRUE(near(z[l], expected.position)) << motion.index() << " " << l;
+      EXPECT_TRUE(near(zd[l], expected.velocity)) << motion.index() << " " << l;
+      EXPECT_TRUE(near(zdd[l], expected.acceleration)) << motion.index() << " " << l;
     }
   }
 }
