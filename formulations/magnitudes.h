@@ -12,10 +12,7 @@ namespace desmo {
 /// magnitudes the coordinates that it joins are wrong.
 ///
 /// The magnitude of a coordinate is 1 if it belongs to a vector or an angle; if to a point or a
-/// distance, it is a length of the bodies about it, not of the whole mechanism: the largest
-/// distance at the nominal position (the estimate) between points that constraints join to that
-/// point; of the points of a constraint, the largest. Where all these points coincide it is the
-/// largest such length of the group, or of the mechanism, or 1.
+/// distance, it is the characteristic length of the constraint (characteristic_lengths.h).
 ///
 /// The magnitude of an equation is ‖∂Φ/∂qⱼ · magnitude of qⱼ‖₂ over its operands at the nominal
 /// position, which a rotation of the frame leaves alone; an equation whose derivatives vanish there

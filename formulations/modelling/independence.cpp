@@ -59,11 +59,11 @@ void mark_left_out(Mechanism& m, const GroupSystem& s, const SelectedRows& selec
 
 }  // namespace
 
-std::vector<LeftOut> leave_out_dependent(Candidates& candidates, double size,
+std::vector<LeftOut> leave_out_dependent(Candidates& candidates,
                                          const std::vector<int>& surplus) {
   Mechanism& m = candidates.mechanism;
   std::vector<GroupSystem> systems = group_systems(m);
-  Lineariser lineariser(m, size);
+  Lineariser lineariser(m);
   const JudgedPositions positions = assemble_positions(m, systems, lineariser);
   RowSelector selector(candidates, positions, lineariser);
   std::vector<LeftOut> left_out;

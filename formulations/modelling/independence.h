@@ -24,14 +24,13 @@ struct LeftOut {
 /// by Origin, then as they stand. One is left out if it depends on those taken before, in the
 /// unknowns of its group. A special pose deceives: this is judged where the group has the highest
 /// rank, of the nominal position and two perturbed ones, each assembled. A definition of several
-/// equations of which one is taken is replaced by its ScalarDefinition. `size`: the extent of the
-/// mechanism, in its unit of length.
+/// equations of which one is taken is replaced by its ScalarDefinition.
 ///
 /// surplus: for each group, restrictions beyond its freedoms.
 /// Throws std::invalid_argument, naming group, bodies and equations, when the nominal position
 /// cannot be assembled, when a group is left under-constrained, and when it cannot follow its
 /// drivers (too many drivers, contradictory constraints).
-std::vector<LeftOut> leave_out_dependent(Candidates& candidates, double size,
+std::vector<LeftOut> leave_out_dependent(Candidates& candidates,
                                          const std::vector<int>& surplus);
 
 }  // namespace desmo

@@ -1,5 +1,6 @@
 #include "formulations/modelling/judged_positions.h"
 
+#include <cmath>
 #include <optional>
 #include <random>
 #include <utility>
@@ -14,21 +15,23 @@ namespace {
 using Eigen::VectorXd;
 
 /// Gauss–Newton with the smallest correction, over unknowns and drivers: assembles from an
-/// estimate even where equations depend on each other. Returns whether Φ vanishes.
+/// estimate even where equations depend on each other. Returns whether Φ vanishes, as far as
+/// rounding lets it, which is the less the farther from the origin a group is.
 bool assemble(std::vector<double>& state, const GroupSystem& s, Lineariser& lineariser) {
   constexpr int most = 100;
-  double largest = 0;
+  constexpr double vanishes = 1e-9;
+  double largest = INFINITY;
   for (int iteration = 0; iteration < most; ++iteration) {
     const auto [phi, jacobian] = lineariser.at(state, s);
     if (!phi.allFinite() || !jacobian.allFinite()) return false;
     if (phi.size() == 0) return true;
-    largest = phi.lpNorm<Eigen::Infinity>();
-    if (largest < 1e-13) return true;
+    const double before = std::exchange(largest, phi.lpNorm<Eigen::Infinity>());
+    if (largest < 1e-13 || (largest < vanishes && !(largest < before / 2))) return true;
     const VectorXd step = SmallestCorrection(jacobian)(phi);
     lineariser.move(state, s, -step);
     if (!(step.norm() > 1e-14)) break;
   }
-  return largest < 1e-9;
+  return largest < vanishes;
 }
 
 /// Moves every group a little along its freedoms and assembles it anew.

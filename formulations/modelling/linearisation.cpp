@@ -1,24 +1,28 @@
 #include "formulations/modelling/linearisation.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
+#include "formulations/accuracy/scales.h"
+#include "formulations/characteristic_lengths.h"
+
 namespace desmo {
 
-Lineariser::Lineariser(const Mechanism& mechanism, double size)
+Lineariser::Lineariser(const Mechanism& mechanism)
     : m_(mechanism), scale_(mechanism.state_size(), 1.0), column_(mechanism.state_size(), -1) {
+  const CharacteristicLengths lengths(m_);
   for (EntityId e = 0; e < static_cast<EntityId>(m_.entities.size()); ++e) {
-    const EntityKind kind = m_.entities[e].kind;
-    if (kind != EntityKind::point && kind != EntityKind::distance) continue;
-    for (int i = m_.state_index(e); i < m_.state_index(e) + m_.entities[e].size; ++i)
-      scale_[i] = size;
+    if (!is_length(m_.entities[e].kind)) continue;
+    std::fill_n(scale_.begin() + m_.state_index(e), m_.entities[e].size,
+                std::ldexp(1, std::ilogb(lengths.of(e))));
   }
 }
 
 Linearisation Lineariser::at(const std::vector<double>& state, const GroupSystem& s) {
   const int n = static_cast<int>(s.rows.size());
-  Eigen::VectorXd phi(n), length2 = Eigen::VectorXd::Zero(n);
+  Eigen::VectorXd phi(n), length = Eigen::VectorXd::Zero(n);
   Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(n, static_cast<int>(s.columns.size()));
   for (std::size_t j = 0; j < s.columns.size(); ++j) column_[s.columns[j]] = static_cast<int>(j);
   int row = 0;
@@ -36,7 +40,7 @@ Linearisation Lineariser::at(const std::vector<double>& state, const GroupSystem
                      [&](int r, int operand, int i, double value) {
                        const int at = first[operand] + i;
                        const double scaled = value * scale_[at];
-                       length2[row + r] += scaled * scaled;
+                       length[row + r] = std::hypot(length[row + r], scaled);
                        if (column_[at] >= 0) jacobian(row + r, column_[at]) += scaled;
                      });
       row += Kind::rows;
@@ -44,10 +48,9 @@ Linearisation Lineariser::at(const std::vector<double>& state, const GroupSystem
   }
   for (const int i : s.columns) column_[i] = -1;
   for (int i = 0; i < n; ++i) {
-    const double length = std::sqrt(length2[i]);
-    if (length == 0) continue;
-    phi[i] /= length;
-    jacobian.row(i) /= length;
+    if (length[i] == 0) continue;
+    phi[i] /= length[i];
+    jacobian.row(i) /= length[i];
   }
   return {std::move(phi), std::move(jacobian)};
 }

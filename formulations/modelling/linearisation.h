@@ -8,17 +8,18 @@
 namespace desmo {
 
 /// Φ and Φ_q of a group's candidates, in columns of natural magnitude; rows have length 1 over all
-/// that they read.
+/// that they read. The magnitude of points and distances is the power of two next to their
+/// characteristic length, that of all else 1: the same in every unit and beside parts of any size.
 struct Linearisation {
   Eigen::VectorXd phi;
   Eigen::MatrixXd jacobian;
 };
 
-/// Linearises the systems of a mechanism's groups, whose lengths are of the order of `size`.
+/// Linearises the systems of a mechanism's groups.
 class Lineariser {
  public:
   /// The mechanism must outlive it; its constraints may change.
-  Lineariser(const Mechanism& mechanism, double size);
+  explicit Lineariser(const Mechanism& mechanism);
 
   Linearisation at(const std::vector<double>& state, const GroupSystem& system);
 

@@ -24,7 +24,7 @@ Model model(const Description& d, const std::vector<Motion>& motions) {
   std::vector<int> surplus(constant, 0);
   for (const StructuralGroup& g : structure.groups) surplus.push_back(g.restrictions - g.freedoms);
   Model result;
-  result.left_out = leave_out_dependent(candidates, nominal::size(d), surplus);
+  result.left_out = leave_out_dependent(candidates, surplus);
   result.mechanism = std::move(candidates.mechanism);
   validate(result.mechanism);
   return result;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
 namespace desmo {
 
@@ -71,10 +72,19 @@ int count_freedoms(int dimension, const Basis& basis) {
   return translations + (directions < 2 ? 2 * directions : 3);
 }
 
-void add_once(std::vector<int>& list, const std::vector<int>& more) {
-  for (const int x : more)
-    if (std::ranges::find(list, x) == list.end()) list.push_back(x);
-}
+/// Lists what bodies carry, each once, one rigid body after the other.
+class Carried {
+ public:
+  explicit Carried(std::size_t count) : last_(count, -1) {}
+
+  void add(const std::vector<int>& carried, int rigid_body, std::vector<int>& list) {
+    for (const int x : carried)
+      if (std::exchange(last_[x], rigid_body) != rigid_body) list.push_back(x);
+  }
+
+ private:
+  std::vector<int> last_;  // rigid body that each was listed for
+};
 
 /// For each body the first of those that it moves with.
 std::vector<int> merge_fixed(const Description& d) {
@@ -137,17 +147,19 @@ RigidBodies find_rigid_bodies(const Description& d) {
       rigid.list.emplace_back();
     }
     rigid.of_body[b] = rigid.of_body[first[b]];
-    RigidBody& body = rigid.list[rigid.of_body[b]];
-    body.bodies.push_back(b);
-    add_once(body.points, d.bodies[b].points);
-    add_once(body.vectors, d.bodies[b].vectors);
-    if (d.bodies[b].length)
-      body.lengths.push_back({d.bodies[b].points[0], d.bodies[b].points[1], *d.bodies[b].length});
+    rigid.list[rigid.of_body[b]].bodies.push_back(b);
   }
   rigid.of_point.resize(d.points.size());
   rigid.of_vector.resize(d.vectors.size());
+  Carried points(d.points.size()), vectors(d.vectors.size());
   for (int r = 0; r < static_cast<int>(rigid.list.size()); ++r) {
     RigidBody& body = rigid.list[r];
+    for (const int b : body.bodies) {
+      const Description::Body& part = d.bodies[b];
+      points.add(part.points, r, body.points);
+      vectors.add(part.vectors, r, body.vectors);
+      if (part.length) body.lengths.push_back({part.points[0], part.points[1], *part.length});
+    }
     if (r == 0 || body.points.size() > 2) require_nominal_lengths(d, body);
     for (const int p : body.points) rigid.of_point[p].push_back(r);
     for (const int v : body.vectors) rigid.of_vector[v].push_back(r);

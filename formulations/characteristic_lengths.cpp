@@ -1,0 +1,65 @@
+#include "formulations/characteristic_lengths.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "formulations/accuracy/scales.h"
+
+namespace desmo {
+
+namespace {
+
+/// The largest distance between points of a constraint, or of its distance operands.
+double extent(const Mechanism& m, const Constraint& c) {
+  double largest = 0;
+  const auto at_least = [&](double length) {
+    if (length > largest && std::isfinite(length)) largest = length;
+  };
+  const auto nominal = [&](EntityId e) {
+    return (m.entities[e].fixed ? m.fixed_values : m.estimate).data() + m.entities[e].first;
+  };
+  for (const EntityId a : c.operands) {
+    const double* x = nominal(a);
+    if (m.entities[a].kind == EntityKind::distance) at_least(std::abs(*x));
+    if (m.entities[a].kind != EntityKind::point) continue;
+    for (const EntityId b : c.operands) {
+      if (m.entities[b].kind != EntityKind::point) continue;
+      const double* y = nominal(b);
+      double distance = 0;
+      for (int i = 0; i < m.entities[a].size; ++i) distance = std::hypot(distance, y[i] - x[i]);
+      at_least(distance);
+    }
+  }
+  return largest;
+}
+
+}  // namespace
+
+CharacteristicLengths::CharacteristicLengths(const Mechanism& m)
+    : m_(m), about_(m.entities.size()), of_group_(m.groups.size()) {
+  for (const Constraint& c : m.constraints) {
+    const double length = extent(m, c);
+    for (const EntityId e : c.operands) about_[e] = std::max(about_[e], length);
+    of_group_[c.group] = std::max(of_group_[c.group], length);
+    of_all_ = std::max(of_all_, length);
+  }
+}
+
+double CharacteristicLengths::or_wider(double length, GroupId group) const {
+  if (length > 0) return length;
+  if (group >= 0 && of_group_[group] > 0) return of_group_[group];
+  return of_all_ > 0 ? of_all_ : 1;
+}
+
+double CharacteristicLengths::of(EntityId e) const {
+  return or_wider(about_[e], m_.entities[e].group);
+}
+
+double CharacteristicLengths::of(const Constraint& c) const {
+  double longest = 0;
+  for (const EntityId e : c.operands)
+    if (is_length(m_.entities[e].kind)) longest = std::max(longest, about_[e]);
+  return or_wider(longest, c.group);
+}
+
+}  // namespace desmo

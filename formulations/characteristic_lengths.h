@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vector>
+
+#include "cases/mechanism.h"
+
+namespace desmo {
+
+/// The lengths that points and distances are judged by: those of the bodies about them, not of the
+/// whole mechanism, in which a small part may be beside a large one. They are taken at the nominal
+/// position (the estimate).
+class CharacteristicLengths {
+ public:
+  explicit CharacteristicLengths(const Mechanism& mechanism);
+
+  /// Of a point or a distance: the largest distance between points that constraints join to it, or
+  /// of the distances themselves. Where all these points coincide it is the largest such length of
+  /// its group, or of the mechanism, or 1.
+  double of(EntityId entity) const;
+
+  /// Of a constraint: the largest of its points and distances; where they all coincide, likewise.
+  double of(const Constraint& constraint) const;
+
+ private:
+  double or_wider(double length, GroupId group) const;
+
+  const Mechanism& m_;
+  std::vector<double> about_, of_group_;  // 0: no length
+  double of_all_ = 0;
+};
+
+}  // namespace desmo
