@@ -1,6 +1,6 @@
 #include "formulations/diagnosis.h"
 
-#include <algorithm>
+#include <vector>
 
 #include "formulations/dense_group.h"
 #include "formulations/partition.h"
@@ -10,9 +10,11 @@ namespace desmo {
 Culprit find_culprit(const Mechanism& m, std::span<const GroupId> groups, std::vector<double> state,
                      const Settings& settings) {
   const Magnitudes magnitudes(m);
+  std::vector<bool> suspected(m.groups.size(), false);
+  for (const GroupId g : groups) suspected[g] = true;
   for (const PartDefinition& group : make_partition(m, Partition::group)) {
     const GroupId g = group.groups.front();
-    if (std::ranges::find(groups, g) == groups.end()) continue;
+    if (!suspected[g]) continue;
     const int row = DenseGroup(m, group, magnitudes).solve(state, settings);
     if (row >= 0) return {g, group.equations[row].constraint};
   }

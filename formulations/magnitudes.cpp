@@ -49,9 +49,12 @@ std::array<double, Kind::rows> magnitudes(Kind, const Mechanism& m, const Constr
 
 }  // namespace
 
-Magnitudes::Magnitudes(const Mechanism& m) {
+Magnitudes::Magnitudes(const Mechanism& m) : of_coordinate_(m.coordinates(), 1) {
   const std::vector<double> state = nominal_state(m);
   const CharacteristicLengths lengths(m);
+  for (EntityId e = 0; e < static_cast<EntityId>(m.entities.size()); ++e)
+    if (const Entity& entity = m.entities[e]; !entity.fixed && is_length(entity.kind))
+      std::fill_n(of_coordinate_.begin() + entity.first, entity.size, lengths.of(e));
   for (const Constraint& c : m.constraints) {
     first_row_.push_back(static_cast<int>(magnitude_.size()));
     visit_kind(c.kind, [&](auto kind) {
@@ -59,6 +62,12 @@ Magnitudes::Magnitudes(const Mechanism& m) {
       magnitude_.insert(magnitude_.end(), rows.begin(), rows.end());
     });
   }
+}
+
+std::vector<double> Magnitudes::of_unknowns(const PartDefinition& part) const {
+  std::vector<double> result;
+  for (const int i : part.unknowns) result.push_back(of_coordinate_[i]);
+  return result;
 }
 
 std::vector<double> Magnitudes::weights(const PartDefinition& part) const {

@@ -30,9 +30,13 @@ class Magnitudes {
   /// 1/magnitude of each equation of a part.
   std::vector<double> weights(const PartDefinition& part) const;
 
+  /// That of each unknown of a part, a point's and a distance's being its characteristic length.
+  std::vector<double> of_unknowns(const PartDefinition& part) const;
+
  private:
   std::vector<int> first_row_;  // of each constraint
   std::vector<double> magnitude_;
+  std::vector<double> of_coordinate_;
 };
 
 }  // namespace desmo

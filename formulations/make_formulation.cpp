@@ -48,7 +48,8 @@ struct Draft {
 
 Draft draft(const Common& common, PartDefinition d) {
   const auto& [m, v, settings, magnitudes, single, profile, table] = common;
-  PartContext context{m, d, magnitudes.weights(d), std::nullopt, settings, profile, single};
+  PartContext context{m,       d,      magnitudes.weights(d),    std::nullopt, settings,
+                      profile, single, magnitudes.of_unknowns(d)};
   if (v.evaluation == Evaluation::symbolic) context.kernels = bind_kernels(m, d, table);
   const bool as_named = v.evaluation == Evaluation::automatic || context.kernels;
   const Backend& backend = v.backend ? *v.backend : pivoting_backend();

@@ -13,9 +13,10 @@ template <class Equations, class Algebra>
 class NewtonPart final : public Part {
  public:
   template <class... AlgebraArguments>
-  NewtonPart(Equations equations, std::span<const double> weights, const Settings& settings,
+  NewtonPart(Equations equations, std::span<const double> weights,
+             std::span<const double> magnitudes, const Settings& settings,
              AlgebraArguments&&... arguments)
-      : solver_(std::move(equations), weights, settings, arguments...) {}
+      : solver_(std::move(equations), weights, magnitudes, settings, arguments...) {}
 
   PartResult solve(State& s, Level level) override {
     return solver_.solve(s.q.data(), s.qd.data(), s.qdd.data(), level);

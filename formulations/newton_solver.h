@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "formulations/equations/pattern.h"
+#include "formulations/equilibration.h"
 #include "formulations/guess.h"
 #include "formulations/part.h"
 #include "formulations/refinement.h"
@@ -45,12 +46,15 @@ class NewtonSolver {
   using Real = typename Equations::Real;
   using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
 
-  /// weights: 1/magnitude of each equation, by which ‖Φ‖₂ does not depend on units; settings: with
-  /// the tolerance on that norm of the part's own equations. Further arguments go to the algebra.
+  /// weights: 1/magnitude of each equation, by which ‖Φ‖₂ does not depend on units; magnitudes: of
+  /// the unknowns, none standing for 1; settings: with the tolerance on that norm of the part's own
+  /// equations. Further arguments go to the algebra.
   template <class... AlgebraArguments>
-  NewtonSolver(Equations equations, std::span<const double> weights, const Settings& settings,
+  NewtonSolver(Equations equations, std::span<const double> weights,
+               std::span<const double> magnitudes, const Settings& settings,
                AlgebraArguments&&... arguments)
       : equations_(std::move(equations)),
+        equilibrated_(equations_.pattern(), weights, magnitudes),
         algebra_(equations_.pattern(), arguments...),
         update_(settings.jacobian),
         per_level_(settings.factorisation == Factorisation::per_level),
@@ -137,7 +141,7 @@ class NewtonSolver {
       }
       if (result.status != Status::converged) return result;
       before = result.residual;
-      algebra_.solve(b_.data());                             // Φ_φ Δφ = Φ
+      equilibrated_.solve(algebra_, b_.data());              // Φ_φ Δφ = Φ
       each_unknown([&](int at, int i) { q[at] -= b_[i]; });  // eq. (2)
       if (by_old_factors) b_.swap(correction_);
     }
@@ -186,12 +190,14 @@ class NewtonSolver {
       if (!factors_are_old_ || !factor()) return false;
       if constexpr (Algebra::rounds_factors) return refined();
     }
-    algebra_.solve(b_.data());
+    equilibrated_.solve(algebra_, b_.data());
     return true;
   }
 
   bool refined() {
-    return refinement_.solve(pattern(), values_.data(), algebra_, algebra_.patience(), b_);
+    return refinement_.solve(
+        pattern(), values_.data(), [this](Real* b) { equilibrated_.solve(algebra_, b); },
+        algebra_.patience(), b_);
   }
 
   bool factor_at(const Real* q) {
@@ -200,7 +206,7 @@ class NewtonSolver {
   }
   bool factor() {
     factors_are_old_ = false;
-    return has_factors_ = algebra_.factor(values_.data());
+    return has_factors_ = algebra_.factor(equilibrated_.matrix(values_.data()));
   }
 
   void subtract_known_product(const Real* rate) {
@@ -232,6 +238,7 @@ class NewtonSolver {
   }
 
   Equations equations_;
+  Equilibration<Real> equilibrated_;
   Algebra algebra_;
   JacobianUpdate update_;
   bool per_level_;

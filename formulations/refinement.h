@@ -26,18 +26,20 @@ class Refinement {
 
   /// x: b on entry. True when the error has come down to a few units of rounding; false, with b in
   /// x again, as soon as it is clear that so many more sweeps would not get there.
-  template <class Algebra>
-  bool solve(const Pattern& pattern, const Real* values, Algebra& algebra, int sweeps, Vector& x) {
+  /// solve_by_factors(Real* b) makes of b what the factors make of it.
+  template <class Solve>
+  bool solve(const Pattern& pattern, const Real* values, Solve solve_by_factors, int sweeps,
+             Vector& x) {
     constexpr Real wanted = 16 * std::numeric_limits<Real>::epsilon();
     right_ = x;
-    algebra.solve(x.data());
+    solve_by_factors(x.data());
     Real error = backward_error(pattern, values, x);
     for (Real rate = 0; !(error <= wanted); --sweeps) {
       if (sweeps <= 0 || !(error * std::pow(rate, Real(sweeps)) <= wanted)) {
         x = right_;
         return false;
       }
-      algebra.solve(residual_.data());
+      solve_by_factors(residual_.data());
       x += residual_;
       const Real before = error;
       error = backward_error(pattern, values, x);

@@ -25,9 +25,10 @@ class SinglePrecisionPart final : public Part {
   /// read: positions in the state of all that the equations read, unknowns among them.
   template <class... AlgebraArguments>
   SinglePrecisionPart(Equations equations, std::span<const double> weights,
-                      const Settings& settings, std::shared_ptr<SinglePrecisionState> state,
-                      std::vector<int> read, AlgebraArguments&&... arguments)
-      : solver_(std::move(equations), weights, settings, arguments...),
+                      std::span<const double> magnitudes, const Settings& settings,
+                      std::shared_ptr<SinglePrecisionState> state, std::vector<int> read,
+                      AlgebraArguments&&... arguments)
+      : solver_(std::move(equations), weights, magnitudes, settings, arguments...),
         state_(std::move(state)),
         read_(std::move(read)) {}
 

@@ -28,6 +28,7 @@ struct PartContext {
   Settings settings;           ///< with the tolerance on ‖Φ‖₂ of the part's own equations
   Profile* profile = nullptr;  ///< where phases are measured, or null for the timed code
   std::shared_ptr<SinglePrecisionState> single{};  ///< where the scalar is single
+  std::vector<double> magnitudes{};                ///< of the unknowns; none: all are 1
 };
 
 /// One library for linear systems.
@@ -51,10 +52,11 @@ std::unique_ptr<Part> make_newton_part(const PartContext& c) {
   const auto make = [&]<class Equations>(Equations equations) -> std::unique_ptr<Part> {
     if (!c.profile)
       return std::make_unique<NewtonPart<Equations, Algebra>>(std::move(equations), c.weights,
-                                                              c.settings);
+                                                              c.magnitudes, c.settings);
     using Profiled = ProfiledEquations<Equations>;
     return std::make_unique<NewtonPart<Profiled, ProfiledAlgebra<Algebra>>>(
-        Profiled(std::move(equations), *c.profile), c.weights, c.settings, *c.profile);
+        Profiled(std::move(equations), *c.profile), c.weights, c.magnitudes, c.settings,
+        *c.profile);
   };
   if (!c.kernels) return make(AutomaticEquations(c.mechanism, c.definition));
   return make(SymbolicEquations(c.mechanism, c.definition, *c.kernels));
@@ -68,11 +70,11 @@ std::unique_ptr<Part> make_single_precision_part(const PartContext& c) {
   std::vector<int> read = states_read(c.mechanism, c.definition);
   if (!c.profile)
     return std::make_unique<SinglePrecisionPart<Equations, Algebra>>(
-        std::move(equations), c.weights, c.settings, c.single, std::move(read));
+        std::move(equations), c.weights, c.magnitudes, c.settings, c.single, std::move(read));
   using Profiled = ProfiledEquations<Equations>;
   return std::make_unique<SinglePrecisionPart<Profiled, ProfiledAlgebra<Algebra>>>(
-      Profiled(std::move(equations), *c.profile), c.weights, c.settings, c.single, std::move(read),
-      *c.profile);
+      Profiled(std::move(equations), *c.profile), c.weights, c.magnitudes, c.settings, c.single,
+      std::move(read), *c.profile);
 }
 
 }  // namespace desmo

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <span>
+#include <vector>
+
+#include "formulations/equations/pattern.h"
+
+namespace desmo {
+
+/// Linear systems with Φ_φ, solved with factors of R Φ_φ S: equations over their magnitudes,
+/// unknowns in theirs, so that in nanometres, in gigametres, and with both in one part, pivots are
+/// compared as in metres and nothing over- or underflows that need not. R and S are powers of two,
+/// which round nothing; where all magnitudes are ordinary numbers they are 1, and cost nothing.
+template <class Real>
+class Equilibration {
+ public:
+  /// weights: 1/magnitude of each equation; magnitudes: of the unknowns, none standing for 1.
+  Equilibration(const Pattern& pattern, std::span<const double> weights,
+                std::span<const double> magnitudes) {
+    if (are_ordinary(weights) && are_ordinary(magnitudes)) return;
+    for (const double w : weights) row_.push_back(std::ldexp(Real(1), std::ilogb(w)));
+    for (const double m : magnitudes) column_.push_back(std::ldexp(Real(1), std::ilogb(m)));
+    column_.resize(pattern.n, Real(1));
+    for (int j = 0; j < pattern.n; ++j)
+      for (int k = pattern.column_start[j]; k < pattern.column_start[j + 1]; ++k)
+        entries_.push_back({pattern.row[k], j});
+    scaled_.resize(entries_.size());
+  }
+
+  /// R Φ_φ S, valid until the next call and as long as the values of Φ_φ are.
+  const Real* matrix(const Real* values) {
+    if (entries_.empty()) return values;
+    for (std::size_t k = 0; k < entries_.size(); ++k)
+      scaled_[k] = row_[entries_[k].row] * values[k] * column_[entries_[k].column];
+    return scaled_.data();
+  }
+
+  /// b = Φ_φ⁻¹ b = S (R Φ_φ S)⁻¹ R b, by an algebra that has factors of matrix().
+  template <class Algebra>
+  void solve(Algebra& algebra, Real* b) const {
+    if (row_.empty()) return algebra.solve(b);
+    for (std::size_t i = 0; i < row_.size(); ++i) b[i] *= row_[i];
+    algebra.solve(b);
+    for (std::size_t j = 0; j < column_.size(); ++j) b[j] *= column_[j];
+  }
+
+ private:
+  struct Entry {
+    int row, column;
+  };
+
+  static bool are_ordinary(std::span<const double> numbers) {
+    constexpr int ordinary = 10;  // binary orders from 1
+    return std::ranges::all_of(numbers,
+                               [](double x) { return std::abs(std::ilogb(x)) <= ordinary; });
+  }
+
+  std::vector<Real> row_, column_;  // none: all are 1
+  std::vector<Entry> entries_;      // of Φ_φ
+  std::vector<Real> scaled_;
+};
+
+}  // namespace desmo
