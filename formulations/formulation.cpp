@@ -41,11 +41,22 @@ std::string describe(const Summary& s, const Mechanism& m) {
   return result;
 }
 
+namespace {
+
+double sum_of_tolerances(const std::vector<Formulation::DefinedPart>& parts) {
+  double norm = 0;
+  for (const Formulation::DefinedPart& part : parts) norm = std::hypot(norm, part.tolerance);
+  return norm;
+}
+
+}  // namespace
+
 Formulation::Formulation(const Mechanism& mechanism, std::vector<DefinedPart> parts,
                          const Settings& settings, std::unique_ptr<WholeMotion> whole_motion)
     : mechanism_(mechanism),
       parts_(std::move(parts)),
       settings_(settings),
+      tolerance_(std::max(settings.tolerance, sum_of_tolerances(parts_))),
       whole_motion_(std::move(whole_motion)) {
   for (State* s : {&state_, &before_})
     for (std::vector<double>* values : {&s->q, &s->qd, &s->qdd})
@@ -144,7 +155,7 @@ Summary Formulation::assemble(double t, Level level) {
   summary = step(t, level);
   // The estimate may be far off: a fixed number of iterations is for steps.
   for (int i = 0; i < settings_.max_iterations && summary.ok() && settings_.fixed_iterations > 0 &&
-                  summary.residual >= settings_.tolerance;
+                  summary.residual >= tolerance_;
        ++i) {
     const Summary before = summary;
     now_ = then_ = {};

@@ -89,6 +89,8 @@ class Formulation {
     bool as_named =
         true;  ///< false: automatic, for want of the generated code that its id promises
     Level level = Level::acceleration;  ///< as far as anyone asks for its unknowns
+    /// On ‖Φ‖₂ of its equations: its share, or what rounding leaves if that is more.
+    double tolerance = 0;
   };
 
   /// settings: those that the parts were made with. whole_motion: how to run, if not by steps.
@@ -127,6 +129,10 @@ class Formulation {
   const Mechanism& mechanism() const { return mechanism_; }
   const std::vector<DefinedPart>& parts() const { return parts_; }
 
+  /// On ‖Φ‖₂ of the whole mechanism: as asked for, or what rounding leaves if that is more, as in
+  /// long chains and far from the origin (Magnitudes::rounding).
+  double tolerance() const { return tolerance_; }
+
   /// The instant solved last, in coordinate order.
   std::span<const double> q() const { return coordinates(state_.q); }
   std::span<const double> qd() const { return coordinates(state_.qd); }
@@ -163,6 +169,7 @@ class Formulation {
   /// Moving unknowns from which a solver starts, by the level to which they are solved.
   std::array<std::vector<CoordinateRun>, 3> started_from_;
   Settings settings_;
+  double tolerance_;
   State state_;
   State before_;                  // the instant before that of state_
   std::vector<double> estimate_;  // where a guess is made

@@ -15,7 +15,7 @@ class InlinedPart final : public GuardedPart {
  public:
   /// weights: 1/magnitude of each equation (see magnitudes.h); settings: with the tolerance on ‖Φ‖₂
   /// of the part's own equations, so weighted.
-  InlinedPart(BoundKernel bound, std::vector<double> weights, const Settings& settings,
+  InlinedPart(BoundKernel bound, std::vector<double> weights, const PartSettings& settings,
               std::unique_ptr<Part> fallback, std::vector<int> unknowns);
 
   PartResult solve(State& state, Level level) override;
@@ -25,11 +25,14 @@ class InlinedPart final : public GuardedPart {
   long fallbacks() const override { return fallbacks_; }
 
  private:
+  InlinedResult once_more(State& state, int iterations) const;
+
   BoundKernel bound_;
   std::vector<double> weights_;
   double tolerance2_;  // on ‖Φ‖₂²: where to stop iterating …
   int max_iterations_;
   double accepted2_;  // … and what to accept
+  bool at_rounding_;  // see PartSettings
   std::unique_ptr<Part> fallback_;
   std::vector<int> unknowns_;
   std::vector<double> start_;  // unknowns at the start of the step

@@ -18,6 +18,13 @@ LaneValues side_by_side(const std::vector<const double*>& arrays, std::size_t co
   return result;
 }
 
+/// The widest: what rounding leaves is not the same for all.
+ExplicitLimits limits_of(const std::vector<ExplicitPart*>& members) {
+  const auto limits = [](const ExplicitPart* member) { return member->binding().limits; };
+  return limits(*std::ranges::max_element(
+      members, {}, [&](const ExplicitPart* member) { return limits(member).tolerance2; }));
+}
+
 void append(PartResult& all, const PartResult& one, double& residual2) {
   residual2 += one.residual * one.residual;
   all.iterations = std::max(all.iterations, one.iterations);
@@ -38,7 +45,7 @@ LanePart::LanePart(std::vector<const LaneKernel*> kernels,
     batches_.push_back(make_batch(first));
   for (Batch& b : batches_)
     b.binding = {identity_.data(), b.c.data(), b.f.data(),
-                 b.branch.data(),  b.w.data(), b.members.front()->binding().limits};
+                 b.branch.data(),  b.w.data(), limits_of(b.members)};
 }
 
 /// Lanes left empty cost as much as others: as few as may be.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "formulations/accuracy/scales.h"
 #include "formulations/characteristic_lengths.h"
@@ -19,6 +20,33 @@ std::vector<double> nominal_state(const Mechanism& m) {
   std::vector<double> state = m.estimate;
   state.insert(state.end(), m.fixed_values.begin(), m.fixed_values.end());
   return state;
+}
+
+/// How large the components of an entity become that is moved by about `length`.
+double reach(const Mechanism& m, EntityId e, const double* x, double length) {
+  const Entity& entity = m.entities[e];
+  double norm = 0;
+  for (int i = 0; i < entity.size; ++i) norm = std::hypot(norm, x[i]);
+  return norm + (is_length(entity.kind) ? length : 1);
+}
+
+/// Of each row of a constraint, whose lengths are about `length`: u Σⱼ |∂Φ/∂qⱼ| |qⱼ|.
+template <class Kind>
+std::array<double, Kind::rows> roundings(Kind, const Mechanism& m, const Constraint& c,
+                                         const std::vector<double>& state, double length) {
+  constexpr std::size_t operands = Kind::operand_sizes.size();
+  constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
+  std::array<double, operands> change;
+  std::array<const double*, operands> x;
+  for (std::size_t k = 0; k < operands; ++k) {
+    x[k] = state.data() + m.state_index(c.operands[k]);
+    change[k] = unit_roundoff * reach(m, c.operands[k], x[k], length);
+  }
+  std::array<double, Kind::rows> result{};
+  Kind::jacobian(x.data(), c.constants.data(), [&](int row, int operand, int, double value) {
+    result[row] += std::abs(value) * change[operand];
+  });
+  return result;
 }
 
 /// Of each row of a constraint, whose lengths are about `length`.
@@ -59,9 +87,17 @@ Magnitudes::Magnitudes(const Mechanism& m) : of_coordinate_(m.coordinates(), 1) 
     first_row_.push_back(static_cast<int>(magnitude_.size()));
     visit_kind(c.kind, [&](auto kind) {
       const auto rows = magnitudes(kind, m, c, state, lengths.of(c));
+      const auto rounded = roundings(kind, m, c, state, lengths.of(c));
       magnitude_.insert(magnitude_.end(), rows.begin(), rows.end());
+      rounding_.insert(rounding_.end(), rounded.begin(), rounded.end());
     });
   }
+}
+
+double Magnitudes::rounding(const PartDefinition& part) const {
+  double norm = 0;
+  for (const Equation& e : part.equations) norm = std::hypot(norm, rounding_[row_of(e)] / of(e));
+  return norm;
 }
 
 std::vector<double> Magnitudes::of_unknowns(const PartDefinition& part) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "cases/mechanism.h"
@@ -23,19 +24,27 @@ class Magnitudes {
  public:
   explicit Magnitudes(const Mechanism& mechanism);
 
-  double of(const Equation& equation) const {
-    return magnitude_[first_row_[equation.constraint] + equation.row];
-  }
+  double of(const Equation& equation) const { return magnitude_[row_of(equation)]; }
 
   /// 1/magnitude of each equation of a part.
   std::vector<double> weights(const PartDefinition& part) const;
+
+  /// ‖Φ‖₂ of a part's equations, each over its magnitude, that rounding leaves: of positions to
+  /// double precision, at the nominal position and as far from it as its bodies are large. Newton's
+  /// method gets no further. u Σⱼ |∂Φ/∂qⱼ| |qⱼ| an equation: it grows with the distance from the
+  /// origin, for it is there that coordinates are rounded.
+  double rounding(const PartDefinition& part) const;
 
   /// That of each unknown of a part, a point's and a distance's being its characteristic length.
   std::vector<double> of_unknowns(const PartDefinition& part) const;
 
  private:
-  std::vector<int> first_row_;  // of each constraint
-  std::vector<double> magnitude_;
+  std::size_t row_of(const Equation& equation) const {
+    return static_cast<std::size_t>(first_row_[equation.constraint] + equation.row);
+  }
+
+  std::vector<int> first_row_;                // of each constraint
+  std::vector<double> magnitude_, rounding_;  // of each row
   std::vector<double> of_coordinate_;
 };
 

@@ -32,7 +32,7 @@ const Backend& pivoting_backend() {
 struct Common {
   const Mechanism& m;
   const Variant& v;
-  const Settings settings;  // with a part's tolerance
+  const Settings settings;  // with a part's share of the tolerance
   const Magnitudes magnitudes;
   std::shared_ptr<SinglePrecisionState> single;
   Profile* profile;
@@ -44,10 +44,14 @@ struct Draft {
   DefinedPart part;
   std::optional<BoundKernel> bound;
   std::vector<double> weights;
+  PartSettings settings;
 };
 
 Draft draft(const Common& common, PartDefinition d) {
-  const auto& [m, v, settings, magnitudes, single, profile, table] = common;
+  const auto& [m, v, shared, magnitudes, single, profile, table] = common;
+  PartSettings settings(shared);
+  settings.tolerance = std::max(shared.tolerance, magnitudes.rounding(d));
+  settings.at_rounding = settings.tolerance > shared.tolerance;
   PartContext context{m,       d,      magnitudes.weights(d),    std::nullopt, settings,
                       profile, single, magnitudes.of_unknowns(d)};
   if (v.evaluation == Evaluation::symbolic) context.kernels = bind_kernels(m, d, table);
@@ -57,22 +61,26 @@ Draft draft(const Common& common, PartDefinition d) {
   std::optional<BoundKernel> bound;
   if (!v.backend && context.kernels) bound = std::move(context.kernels->front());
   std::vector<double> weights = std::move(context.weights);
-  return {{std::move(d), std::move(part), as_named}, std::move(bound), std::move(weights)};
+  return {{.definition = std::move(d),
+           .solver = std::move(part),
+           .as_named = as_named,
+           .tolerance = settings.tolerance},
+          std::move(bound),
+          std::move(weights),
+          settings};
 }
 
-void make_inlined(const Settings& settings, Draft& d) {
-  auto& [definition, solver, as_named, level] = d.part;
-  solver = std::make_unique<InlinedPart>(*d.bound, d.weights, settings, std::move(solver),
-                                         definition.unknowns);
+void make_inlined(Draft& d) {
+  d.part.solver = std::make_unique<InlinedPart>(
+      *d.bound, d.weights, d.settings, std::move(d.part.solver), d.part.definition.unknowns);
 }
 
-void make_explicit(const Settings& settings, const KernelTable& table, Draft& d) {
-  auto& [definition, solver, as_named, level] = d.part;
+void make_explicit(const KernelTable& table, Draft& d) {
   const ExplicitKernel* kernel = table.find_explicit_kernel(d.bound->kernel->fingerprint);
-  as_named = kernel != nullptr;
+  d.part.as_named = kernel != nullptr;
   if (kernel)
-    solver =
-        std::make_unique<ExplicitPart>(*kernel, *d.bound, d.weights, settings, std::move(solver));
+    d.part.solver = std::make_unique<ExplicitPart>(*kernel, *d.bound, d.weights, d.settings,
+                                                   std::move(d.part.solver));
 }
 
 /// One kind of part after the other: what is at work in every step then stands together in memory,
@@ -81,9 +89,9 @@ std::vector<DefinedPart> make_parts(const Common& common, std::vector<PartDefini
   std::vector<Draft> drafts;
   for (PartDefinition& d : definitions) drafts.push_back(draft(common, std::move(d)));
   for (Draft& d : drafts)
-    if (d.bound) make_inlined(common.settings, d);
+    if (d.bound) make_inlined(d);
   for (Draft& d : drafts)
-    if (d.bound && common.v.explicit_order) make_explicit(common.settings, common.table, d);
+    if (d.bound && common.v.explicit_order) make_explicit(common.table, d);
   std::vector<DefinedPart> parts;
   for (Draft& d : drafts) parts.push_back(std::move(d.part));
   return parts;
@@ -118,12 +126,15 @@ std::vector<DefinedPart> on_lanes(std::vector<DefinedPart> run, int lanes,
         kernels.push_back(kernel);
   if (kernels.empty()) return run;
   PartDefinition definition = join(run);
+  double tolerance = 0;
+  for (const DefinedPart& p : run) tolerance = std::hypot(tolerance, p.tolerance);
   std::vector<std::unique_ptr<ExplicitPart>> members;
   for (DefinedPart& p : run) members.emplace_back(static_cast<ExplicitPart*>(p.solver.release()));
   std::vector<DefinedPart> one;
-  one.push_back({std::move(definition),
-                 std::make_unique<LanePart>(std::move(kernels), std::move(members)),
-                 run.front().as_named});
+  one.push_back({.definition = std::move(definition),
+                 .solver = std::make_unique<LanePart>(std::move(kernels), std::move(members)),
+                 .as_named = run.front().as_named,
+                 .tolerance = tolerance});
   return one;
 }
 
@@ -162,7 +173,8 @@ std::unique_ptr<Formulation> make_formulation(const Variant& v, const Mechanism&
   std::vector<PartDefinition> definitions = make_partition(m, v.partition);
   std::vector<int> run_ends{static_cast<int>(definitions.size())};
   if (!v.backend) run_ends = gather_types(m, definitions);
-  // With p parts, each within tolerance/√p, the whole mechanism is within the tolerance.
+  // With p parts, each within tolerance/√p, the whole mechanism is within the tolerance, unless
+  // rounding leaves a part more than its share.
   Settings own = settings;
   own.tolerance /= std::sqrt(static_cast<double>(definitions.size()));
   const KernelTable& table = added ? *added : KernelTable::built_in();

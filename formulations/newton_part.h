@@ -14,7 +14,7 @@ class NewtonPart final : public Part {
  public:
   template <class... AlgebraArguments>
   NewtonPart(Equations equations, std::span<const double> weights,
-             std::span<const double> magnitudes, const Settings& settings,
+             std::span<const double> magnitudes, const PartSettings& settings,
              AlgebraArguments&&... arguments)
       : solver_(std::move(equations), weights, magnitudes, settings, arguments...) {}
 

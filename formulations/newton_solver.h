@@ -51,7 +51,7 @@ class NewtonSolver {
   /// equations. Further arguments go to the algebra.
   template <class... AlgebraArguments>
   NewtonSolver(Equations equations, std::span<const double> weights,
-               std::span<const double> magnitudes, const Settings& settings,
+               std::span<const double> magnitudes, const PartSettings& settings,
                AlgebraArguments&&... arguments)
       : equations_(std::move(equations)),
         equilibrated_(equations_.pattern(), weights, magnitudes),
@@ -63,6 +63,7 @@ class NewtonSolver {
         least_iterations_(settings.fixed_iterations),
         most_iterations_(settings.fixed_iterations ? settings.fixed_iterations
                                                    : settings.max_iterations),
+        at_rounding_(settings.at_rounding),
         runs_(long_runs(equations_.pattern().unknowns)),
         values_(equations_.pattern().size(), Real(0)),
         weights_(
@@ -119,11 +120,14 @@ class NewtonSolver {
     PartResult result;
     double before = 0;            // ‖Φ‖ an iteration ago
     bool by_old_factors = false;  // so was φ corrected then
+    bool is_last = !at_rounding_;
     for (;; ++result.iterations) {
       equations_.residual(q, b_.data());  // Φ
       result.residual = weights_.cwiseProduct(b_).norm();
       const bool solved = result.residual < tolerance_;
-      if (solved && result.iterations >= least_iterations_) return result;
+      if (solved && result.iterations >= least_iterations_ &&
+          (std::exchange(is_last, true) || result.iterations == most_iterations_))
+        return result;
       const bool old_serve = update != JacobianUpdate::newton && has_factors_;
       if (result.iterations == most_iterations_) {
         result.status = std::isfinite(result.residual) ? Status::not_converged : Status::not_finite;
@@ -244,6 +248,7 @@ class NewtonSolver {
   bool per_level_;
   double tolerance_;
   int least_iterations_, most_iterations_;
+  bool at_rounding_;                 // see PartSettings
   std::vector<CoordinateRun> runs_;  // see long_runs
   std::vector<Real> values_;         // Φ_φ and Φ_h, laid out by the pattern
   Vector weights_;

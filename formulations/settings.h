@@ -66,4 +66,13 @@ struct Settings {
   int stride = 1;
 };
 
+/// Those of one part, with the tolerance on its own equations.
+struct PartSettings : Settings {
+  PartSettings(const Settings& settings) : Settings(settings) {}
+
+  /// The tolerance is not one that was asked for but what rounding leaves: once below it, Newton's
+  /// method makes one correction more, which takes it as far as rounding lets it.
+  bool at_rounding = false;
+};
+
 }  // namespace desmo

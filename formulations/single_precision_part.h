@@ -25,7 +25,7 @@ class SinglePrecisionPart final : public Part {
   /// read: positions in the state of all that the equations read, unknowns among them.
   template <class... AlgebraArguments>
   SinglePrecisionPart(Equations equations, std::span<const double> weights,
-                      std::span<const double> magnitudes, const Settings& settings,
+                      std::span<const double> magnitudes, const PartSettings& settings,
                       std::shared_ptr<SinglePrecisionState> state, std::vector<int> read,
                       AlgebraArguments&&... arguments)
       : solver_(std::move(equations), weights, magnitudes, settings, arguments...),

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "cases/cases.h"
 #include "cases/files.h"
 #include "cases/library.h"
 #include "formulations/variants.h"
@@ -122,6 +123,51 @@ TEST(Magnitudes, OfTheLibraryAreWithinReach) {
         EXPECT_GT(magnitudes.of({c, row}), 1e-6) << l.name << ", " << m.constraints[c].name;
         EXPECT_LT(magnitudes.of({c, row}), 1e5) << l.name << ", " << m.constraints[c].name;
       }
+  }
+}
+
+// ---- what rounding leaves ----
+
+double rounding(const Mechanism& m, std::size_t group) {
+  return Magnitudes(m).rounding(make_partition(m, Partition::group)[group]);
+}
+
+TEST(Rounding, GrowsWithTheDistanceFromTheOrigin) {
+  const double at_origin = rounding(rod(1), 0), far = rounding(rod(1, 1e6), 0);
+  EXPECT_GT(at_origin, std::numeric_limits<double>::epsilon() / 4);
+  EXPECT_LT(at_origin, 4 * std::numeric_limits<double>::epsilon());
+  // A unit in the last place of 1e6, from −1/2 to 1/2 of it.
+  EXPECT_GT(far, 1e5 * at_origin);
+  EXPECT_LT(far, 1e-9);
+  EXPECT_NEAR(rounding(rod(1e9, 1e15), 0) / far, 1, 1e-9);  // whatever the unit is
+}
+
+TEST(Rounding, RaisesNoToleranceOfTheCases) {
+  for (const Case& c : cases())
+    for (const Variant& v : variants()) {
+      const Mechanism m = make_mechanism(describe(c, c.sizes.back()));
+      if (v.evaluation == Evaluation::automatic && algebra_name(v) == "klu") {
+        EXPECT_NEAR(make_formulation(v, m)->tolerance(), Settings{}.tolerance, 1e-20)
+            << c.name << ", " << v.id;
+      }
+    }
+}
+
+/// A residual of 1e-12 is far below a unit in the last place of where the chain ends.
+TEST(Rounding, OfALongChainIsSaidAndNoFailure) {
+  const Mechanism m = four_bar_mechanism(3000);
+  for (const char* id : {"global_automatic_klu", "group_automatic_eigen", "block_symbolic_inlined",
+                         "group_symbolic_explicit"}) {
+    const auto f = make_formulation(find_variant(id), m),
+               coarse = make_formulation(find_variant(id), m, {.tolerance = 1e-6});
+    EXPECT_GT(f->tolerance(), 1e-12) << id;
+    EXPECT_LT(f->tolerance(), 1e-9) << id;
+    for (int k = 0; k <= 5; ++k) {
+      const Summary s = f->step(0.02 * k);
+      ASSERT_TRUE(s.ok()) << id << ": " << describe(s, m);
+      EXPECT_LE(s.residual, f->tolerance());
+      EXPECT_LE(s.iterations, coarse->step(0.02 * k).iterations + 3) << id;
+    }
   }
 }
 

@@ -53,6 +53,16 @@ std::string note_on_code(const Formulation& f, bool named) {
          (named ? "\n" : " (a formulation that is named, with --formulation, has it made)\n");
 }
 
+std::string note_on_tolerance(const Formulation& f, double asked) {
+  if (f.tolerance() < 1.01 * asked) return "";
+  char numbers[160];
+  std::snprintf(numbers, sizeof numbers,
+                "note: the tolerance %.2g is below what rounding leaves; positions were solved to "
+                "%.2g\n",
+                asked, f.tolerance());
+  return numbers;
+}
+
 std::string note_on_refusals(const Formulation& f) {
   long steps = 0, parts = 0, changes = 0;
   for (const Formulation::DefinedPart& part : f.parts())

@@ -18,6 +18,10 @@ std::string note_on_refusals(const Formulation& formulation);
 /// otherwise empty.
 std::string note_on_steps(const Formulation& formulation);
 
+/// A line when rounding leaves more of the equations than the tolerance that was asked for;
+/// otherwise empty.
+std::string note_on_tolerance(const Formulation& formulation, double asked);
+
 /// How right the results are: a line on condition number and bounds, and one each on degraded
 /// instants and on a singular position that was passed, if any.
 std::string note_on_accuracy(const SafeSummary& summary, Level level, const Mechanism& mechanism);

@@ -114,8 +114,8 @@ void solve(const Options& options) {
   if (!all) fail(failure_text(summary, plan.mechanism), summary.instants, input, output);
   output.finish();
   if (!options.quiet)
-    say(note_on_refusals(*formulation) + note_on_steps(*formulation) +
-        note_on_gaps(summary, plan.mechanism) +
+    say(note_on_tolerance(*formulation, settings.tolerance) + note_on_refusals(*formulation) +
+        note_on_steps(*formulation) + note_on_gaps(summary, plan.mechanism) +
         note_on_accuracy(summary, plan.level(), plan.mechanism));
 }
 

@@ -37,6 +37,7 @@ std::vector<ExtremeCase> near_dead_points(Extent extent) {
       all.push_back(case_of("slack " + number(slack) + ", within " + number(way) + " rad", chain,
                             2 * way, {0, 0.05, 21}));
       all.back().bound = Bound::floor;
+      all.back().scene.tolerance = 1e-16;  // as far as rounding lets it
     }
   return all;
 }

@@ -25,7 +25,7 @@ struct PartContext {
   std::vector<double> weights;  ///< 1/magnitude of each equation of the part (see magnitudes.h)
   /// Of the symbolic equations, by bind_kernels(); without them the equations are automatic.
   std::optional<std::vector<BoundKernel>> kernels;
-  Settings settings;           ///< with the tolerance on ‖Φ‖₂ of the part's own equations
+  PartSettings settings;       ///< with the tolerance on ‖Φ‖₂ of the part's own equations
   Profile* profile = nullptr;  ///< where phases are measured, or null for the timed code
   std::shared_ptr<SinglePrecisionState> single{};  ///< where the scalar is single
   std::vector<double> magnitudes{};                ///< of the unknowns; none: all are 1

@@ -231,7 +231,7 @@ Outcome attempt(std::string_view text, const std::filesystem::path& folder,
         outcome = Outcome::not_solved;
         return;
       }
-      check_residual(s, scene.tolerance);
+      check_residual(s, formulation->tolerance());
       check_delivered(plan, *formulation, t);
     }
   });
