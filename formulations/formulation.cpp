@@ -65,6 +65,12 @@ Formulation::Formulation(const Mechanism& mechanism, std::vector<DefinedPart> pa
   prepare();
 }
 
+long Formulation::refactorisations() const {
+  long sum = 0;
+  for (const DefinedPart& part : parts_) sum += part.solver->refactorisations();
+  return sum;
+}
+
 void Formulation::prepare() {
   constant_.clear();
   moving_.clear();

@@ -126,6 +126,9 @@ class Formulation {
   /// How often a motion that was to be solved at once was solved step by step after all.
   long run_by_steps() const { return run_by_steps_; }
 
+  /// Of all parts: how often pivots that were to be kept had gone bad (Part::refactorisations).
+  long refactorisations() const;
+
   const Mechanism& mechanism() const { return mechanism_; }
   const std::vector<DefinedPart>& parts() const { return parts_; }
 

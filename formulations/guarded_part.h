@@ -10,6 +10,7 @@ class GuardedPart : public Part {
  public:
   /// Steps that were left to it.
   virtual long fallbacks() const = 0;
+  long refactorisations() const final { return fallbacks(); }
   /// Those of them that came out on another side of a square root, where sides are kept.
   virtual long branch_changes() const { return 0; }
 };

@@ -21,6 +21,7 @@ class NewtonPart final : public Part {
   PartResult solve(State& s, Level level) override {
     return solver_.solve(s.q.data(), s.qd.data(), s.qdd.data(), level);
   }
+  long refactorisations() const override { return solver_.refactorisations(); }
 
  private:
   NewtonSolver<Equations, Algebra> solver_;

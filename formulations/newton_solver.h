@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -28,6 +29,7 @@ namespace desmo {
 ///   static constexpr bool rounds_factors whether the factors have fewer digits than Real
 ///   static constexpr bool keeps_pivots   whether factor() reuses an earlier order of pivots
 ///   void forget_pivots()                 the next factor() chooses them anew
+///   long pivotings() const               how often it did; needed, like that, of what keeps them
 ///
 /// With JacobianUpdate::step and ::chord, iterations use factors that are there already, and
 /// converge linearly. Their monitor watches the rate ρ = ‖Φ‖ / ‖Φ‖ before: where `patience` more
@@ -79,6 +81,12 @@ class NewtonSolver {
   NewtonSolver& operator=(const NewtonSolver&) = delete;
 
   const Pattern& pattern() const { return equations_.pattern(); }
+
+  /// See Part::refactorisations.
+  long refactorisations() const {
+    if constexpr (Algebra::keeps_pivots) return std::max(0L, algebra_.pivotings() - 1);
+    return 0;
+  }
 
   /// See Part::solve; q, qd and qdd are the state and its time derivatives.
   PartResult solve(Real* q, Real* qd, Real* qdd, Level level) {

@@ -42,6 +42,10 @@ class Part {
   /// guess is needed for.
   virtual std::vector<int> starts_from(const std::vector<int>& unknowns) const { return unknowns; }
 
+  /// How often an order of pivots that is meant to last, of the factorisation before or of
+  /// generated code, had gone bad, and pivots were chosen anew.
+  virtual long refactorisations() const { return 0; }
+
   /// What earlier steps left behind no longer holds: the next solve() starts from an estimate.
   virtual void forget() {}
 };

@@ -85,6 +85,7 @@ class ProfiledAlgebra {
   }
   int patience() const { return algebra_.patience(); }
   void forget_pivots() { algebra_.forget_pivots(); }
+  long pivotings() const { return algebra_.pivotings(); }
 
  private:
   Algebra algebra_;

@@ -3,13 +3,17 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "cases/cases.h"
+#include "cases/extremes/rows.h"
 #include "formulations/algebra/backend.h"
 #include "formulations/inlined_part.h"
 #include "formulations/magnitudes.h"
+#include "formulations/modelling/model.h"
 #include "formulations/variants.h"
 #include "tests/every_variant.h"
 #include "tests/mechanisms.h"
@@ -146,11 +150,49 @@ TEST(Inlined, FallsBackToPivotingWhereItsOrderFails) {
   ASSERT_EQ(bad.solve(actual, Level::acceleration).status, Status::converged);
   EXPECT_EQ(good.fallbacks(), 0);
   EXPECT_EQ(bad.fallbacks(), 1);
+  EXPECT_EQ(bad.refactorisations(), 1);
   for (std::size_t i = 0; i < expected.q.size(); ++i) {
     EXPECT_NEAR(actual.q[i], expected.q[i], 1e-12);
     EXPECT_NEAR(actual.qd[i], expected.qd[i], 1e-12);
     EXPECT_NEAR(actual.qdd[i], expected.qdd[i], 1e-12);
   }
+}
+
+/// At 0.6 s one of the four derivatives of a dyad's lengths vanishes, in each case. In one or
+/// another of them it was the first pivot.
+TEST(ReusedPivots, AreChosenAnewAndCountedWhereOneVanishes) {
+  constexpr double angle = 1.2, crank = 6, pivot = 12;  // the angle is the crank's, then
+  const double x = crank * std::cos(angle), y = crank * std::sin(angle);
+  const std::array<Description::Vec, 6> joints{{{x, y + 15, 0},
+                                                {x, y - 15, 0},
+                                                {x + 15, y, 0},
+                                                {pivot, 15, 0},
+                                                {pivot, -18, 0},
+                                                {pivot - 9, 0, 0}}};
+  long chosen_anew = 0;
+  for (const auto& [jx, jy, jz] : joints) {
+    const DyadChain chain{.crank = crank,
+                          .start = angle,
+                          .dyads = {{{pivot, 0, 0},
+                                     std::hypot(jx - x, jy - y),
+                                     std::hypot(jx - pivot, jy),
+                                     {jx, jy, jz},
+                                     std::atan2(jy, jx - pivot)}}};
+    const Scene scene =
+        extreme::case_of("", std::vector{chain}, {Polynomial{{angle - 0.6, 1}}}, {0, 0.1, 8}).scene;
+    const Mechanism m = make_mechanism(scene);
+    const auto reusing = make_formulation(find_variant("group_automatic_klu"), m),
+               anew = make_formulation(find_variant("group_automatic_eigen"), m);
+    for (int k = 0; k < scene.grid.instants; ++k) {
+      const double t = scene.grid.time(k);
+      ASSERT_TRUE(reusing->step(t).ok() && anew->step(t).ok()) << jx << ", " << t;
+      for (int i = 0; i < m.coordinates(); ++i)
+        EXPECT_NEAR(reusing->qdd()[i], anew->qdd()[i], 1e-10 * (1 + std::abs(anew->qdd()[i])));
+    }
+    chosen_anew += reusing->refactorisations();
+    EXPECT_EQ(anew->refactorisations(), 0);
+  }
+  EXPECT_GT(chosen_anew, 0);
 }
 
 /// A dyad folded onto itself: the determinant that the generated code divides by vanishes.

@@ -44,6 +44,7 @@ class KluFactors {
         pivots_are_good())
       return true;
     forget_pivots();
+    ++pivotings_;
     numeric_ = klu_factor(start_.data(), row_.data(), ax, symbolic_, &common_);
     return numeric_ && common_.status == KLU_OK;
   }
@@ -56,6 +57,9 @@ class KluFactors {
   void forget_pivots() { klu_free_numeric(&numeric_, &common_); }
 
   int patience() const { return sparse_patience; }
+
+  /// How often the order of pivots was chosen, the first time included.
+  long pivotings() const { return pivotings_; }
 
   /// The column at which factor() found the matrix singular.
   int singular_column() const { return common_.singular_col; }
@@ -87,6 +91,7 @@ class KluFactors {
   klu_common common_{};
   klu_symbolic* symbolic_ = nullptr;
   klu_numeric* numeric_ = nullptr;
+  long pivotings_ = 0;
 };
 
 }  // namespace desmo
