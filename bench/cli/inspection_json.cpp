@@ -76,6 +76,9 @@ std::string to_json(const Inspection& inspection) {
                         {"group", m.groups[l.group].name},
                         {"follows_from", l.follows_from},
                         {"redundant", l.redundant}});
+  Json idle = Json::array();
+  for (const IdleFreedom& f : inspection.model.idle)
+    idle.push_back({{"body", f.body}, {"about", f.about}});
   const Json all = {{"name", m.name},
                     {"title", inspection.title},
                     {"dimension", inspection.dimension},
@@ -88,7 +91,8 @@ std::string to_json(const Inspection& inspection) {
                       {"independent", drivers}}},
                     {"constant_parts", inspection.constant_parts()},
                     {"groups", groups_json(inspection)},
-                    {"left_out", left_out}};
+                    {"left_out", left_out},
+                    {"idle_freedoms", idle}};
   return all.dump(1) + "\n";
 }
 

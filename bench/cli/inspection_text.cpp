@@ -98,6 +98,12 @@ std::string to_text(const Inspection& inspection) {
   text += "\nConstraints left out, because they follow from others: " +
           std::to_string(inspection.model.left_out.size()) + "\n";
   for (const LeftOut& l : inspection.model.left_out) text += left_out_text(l, m);
+
+  if (inspection.model.idle.empty()) return text;
+  text += "\nIdle freedoms, which move nothing that is modelled: " +
+          std::to_string(inspection.model.idle.size()) + "\n";
+  for (const IdleFreedom& f : inspection.model.idle)
+    text += "  " + wrap(f.body + ": free to spin about " + f.about, 4) + "\n";
   return text;
 }
 

@@ -3,8 +3,10 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
+#include "formulations/modelling/contradiction.h"
 #include "formulations/modelling/judged_positions.h"
 #include "formulations/modelling/refusal.h"
 #include "formulations/modelling/row_selection.h"
@@ -59,8 +61,7 @@ void mark_left_out(Mechanism& m, const GroupSystem& s, const SelectedRows& selec
 
 }  // namespace
 
-std::vector<LeftOut> leave_out_dependent(Candidates& candidates,
-                                         const std::vector<int>& surplus) {
+std::vector<LeftOut> leave_out_dependent(Candidates& candidates, const std::vector<int>& surplus) {
   Mechanism& m = candidates.mechanism;
   std::vector<GroupSystem> systems = group_systems(m);
   Lineariser lineariser(m);
@@ -69,7 +70,11 @@ std::vector<LeftOut> leave_out_dependent(Candidates& candidates,
   std::vector<LeftOut> left_out;
   for (GroupSystem& s : systems) {
     SelectedRows selected = selector.select(s);
-    require_determined(m, s, selected);  // of whole definitions: parts of them contradict nothing
+    std::optional<Contradiction> contradiction;
+    if (surplus[s.group] > 0 && s.drivers() > 0)
+      contradiction = find_contradiction(m, s, positions[1], lineariser);
+    // Of whole definitions: parts of them contradict nothing.
+    require_determined(m, s, selected, contradiction);
     selector.shorten(s, selected);
     mark_left_out(m, s, selected, surplus[s.group] > 0, left_out);
   }

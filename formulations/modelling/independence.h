@@ -29,8 +29,7 @@ struct LeftOut {
 /// surplus: for each group, restrictions beyond its freedoms.
 /// Throws std::invalid_argument, naming group, bodies and equations, when the nominal position
 /// cannot be assembled, when a group is left under-constrained, and when it cannot follow its
-/// drivers (too many drivers, contradictory constraints).
-std::vector<LeftOut> leave_out_dependent(Candidates& candidates,
-                                         const std::vector<int>& surplus);
+/// drivers (too many drivers, contradictory constraints: with what they are off by at best).
+std::vector<LeftOut> leave_out_dependent(Candidates& candidates, const std::vector<int>& surplus);
 
 }  // namespace desmo

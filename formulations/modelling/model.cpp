@@ -5,6 +5,7 @@
 #include <string>
 
 #include "formulations/modelling/candidates.h"
+#include "formulations/modelling/representable.h"
 #include "formulations/modelling/rigid_bodies.h"
 #include "formulations/modelling/structure.h"
 
@@ -12,6 +13,7 @@ namespace desmo {
 
 Model model(const Description& d, const std::vector<Motion>& motions) {
   validate(d);
+  require_representable(d);
   const auto drivers = std::ranges::count(d.coordinates, true, &Description::Coordinate::driven);
   if (static_cast<std::size_t>(drivers) != motions.size())
     throw std::invalid_argument(d.name + ": " + std::to_string(motions.size()) + " motions for " +
@@ -25,6 +27,7 @@ Model model(const Description& d, const std::vector<Motion>& motions) {
   for (const StructuralGroup& g : structure.groups) surplus.push_back(g.restrictions - g.freedoms);
   Model result;
   result.left_out = leave_out_dependent(candidates, surplus);
+  result.idle = find_idle_freedoms(d, rigid);
   result.mechanism = std::move(candidates.mechanism);
   validate(result.mechanism);
   return result;

@@ -4,6 +4,7 @@
 
 #include "cases/mechanism.h"
 #include "cases/scene.h"
+#include "formulations/modelling/idle_freedoms.h"
 #include "formulations/modelling/independence.h"
 
 namespace desmo {
@@ -11,7 +12,8 @@ namespace desmo {
 /// A mechanism modelled from its description, and what the user should know of it.
 struct Model {
   Mechanism mechanism;
-  std::vector<LeftOut> left_out;  ///< candidate equations that follow from others
+  std::vector<LeftOut> left_out;    ///< candidate equations that follow from others
+  std::vector<IdleFreedom> idle{};  ///< freedoms that move nothing that is modelled
 };
 
 /// Models a description: rigid bodies, structural groups, coordinates, independent equations.

@@ -1,9 +1,11 @@
 #include "formulations/modelling/refusal.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <stdexcept>
 #include <string>
 
+#include "formulations/accuracy/scales.h"
 #include "formulations/modelling/row_space.h"
 
 namespace desmo {
@@ -60,6 +62,21 @@ std::string loosest(const Mechanism& m, const GroupSystem& s, const SelectedRows
   return m.entities[entity_of_coordinate(m)[s.columns[largest]]].name;
 }
 
+/// "with its drivers ('theta') moved by 0.01, 'rod/length' is off by 1.2e-08 m at best"
+std::string described(const Contradiction& c, const Mechanism& m, const GroupSystem& s) {
+  char moved[24], amount[24];
+  std::snprintf(moved, sizeof moved, "%g", c.moved);
+  std::snprintf(amount, sizeof amount, "%.1e", c.amount);
+  const Constraint& constraint = m.constraints[c.constraint];
+  const bool has_unit =
+      m.length_unit != "1" && std::ranges::any_of(constraint.operands, [&](EntityId e) {
+        return is_length(m.entities[e].kind);
+      });
+  return "with its drivers (" + driver_names(m, s) + ") moved by " + moved + ", '" +
+         constraint.name + "' is off by " + amount + (has_unit ? " " + m.length_unit : "") +
+         " at best";
+}
+
 }  // namespace
 
 void refuse_assembly(const Mechanism& m, const GroupSystem& s, const VectorXd& phi) {
@@ -71,7 +88,8 @@ void refuse_assembly(const Mechanism& m, const GroupSystem& s, const VectorXd& p
                               "' is satisfied worst; check the dimensions of these bodies");
 }
 
-void require_determined(const Mechanism& m, const GroupSystem& s, const SelectedRows& selected) {
+void require_determined(const Mechanism& m, const GroupSystem& s, const SelectedRows& selected,
+                        const std::optional<Contradiction>& contradiction) {
   const int count = static_cast<int>(std::ranges::count(selected.taken, true));
   const bool some_left = count < static_cast<int>(selected.taken.size());
   if (count == s.unknowns && (!some_left || s.drivers() == 0)) return;
@@ -80,7 +98,12 @@ void require_determined(const Mechanism& m, const GroupSystem& s, const Selected
     throw std::invalid_argument(
         where(m, s) + "over-constrained: " + counted(freedoms, "freedom") + " for " +
         counted(s.drivers(), "driver") + " (" + driver_names(m, s) +
-        "); too many drivers, or constraints that contradict each other as it moves");
+        "); too many drivers, or constraints that contradict each other as it moves" +
+        (contradiction ? ": " + described(*contradiction, m, s) : ""));
+  if (count == s.unknowns && contradiction)
+    throw std::invalid_argument(where(m, s) +
+                                "inconsistent: constraints contradict each other as it moves: " +
+                                described(*contradiction, m, s));
   if (count == s.unknowns) return;
   if (freedoms > s.drivers())
     throw std::invalid_argument(

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+
+#include "formulations/modelling/contradiction.h"
 #include "formulations/modelling/row_selection.h"
 
 namespace desmo {
@@ -9,9 +12,11 @@ namespace desmo {
 [[noreturn]] void refuse_assembly(const Mechanism& mechanism, const GroupSystem& system,
                                   const Eigen::VectorXd& phi);
 
-/// Throws std::invalid_argument, naming group, bodies, drivers and what can still move, unless the
-/// selected rows determine the group and it can follow its drivers.
+/// Throws std::invalid_argument, naming group, bodies, drivers and what can still move, or by how
+/// much the equations contradict each other, unless the selected rows determine the group and it
+/// can follow its drivers.
 void require_determined(const Mechanism& mechanism, const GroupSystem& system,
-                        const SelectedRows& selected);
+                        const SelectedRows& selected,
+                        const std::optional<Contradiction>& contradiction);
 
 }  // namespace desmo

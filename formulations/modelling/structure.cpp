@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "formulations/modelling/idle_freedoms.h"
 #include "formulations/modelling/matching.h"
 
 namespace desmo {
@@ -26,10 +27,16 @@ std::string names_of(const Description& d, const RigidBodies& rigid, const std::
           return std::ranges::binary_search(bodies, b);
         }))
       measured += (measured.empty() ? "'" : ", '") + c.name + "'";
+  std::string spins;
+  for (const int b : bodies)
+    if (const std::string about = undetermined_spin(d, rigid, b); !about.empty())
+      spins += "; '" + d.bodies[rigid.list[b].bodies.front()].name + "' is free to spin about " +
+               about + ", which its other points do not follow";
   throw std::invalid_argument(
       d.name + " is under-constrained: " + std::to_string(missing) +
       (missing == 1 ? " freedom" : " freedoms") + " among " + names_of(d, rigid, bodies) +
-      (missing == 1 ? " is" : " are") + " determined by no joint or driver; add a driver" +
+      (missing == 1 ? " is" : " are") + " determined by no joint or driver" + spins +
+      "; add a driver" +
       (measured.empty() ? " (declare a coordinate to drive)" : ", such as " + measured + ",") +
       " or a joint");
 }

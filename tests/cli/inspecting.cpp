@@ -105,6 +105,16 @@ TEST_F(Cli, MarksRedundantConstraints) {
   EXPECT_TRUE(std::ranges::any_of(left_out, [](const Json& l) { return l["redundant"] == true; }));
 }
 
+TEST_F(Cli, NamesIdleFreedoms) {
+  ASSERT_EQ(desmo("inspect rssr"), 0) << err_;
+  EXPECT_TRUE(prints("coupler: free to spin about the line of 'A' and 'B'")) << out_;
+  ASSERT_EQ(desmo("inspect rssr --json"), 0);
+  EXPECT_EQ(Json::parse(out_)["idle_freedoms"],
+            Json::parse(R"([{"body": "coupler", "about": "the line of 'A' and 'B'"}])"));
+  ASSERT_EQ(desmo("inspect slider_crank"), 0);
+  EXPECT_FALSE(prints("Idle freedoms")) << out_;
+}
+
 TEST_F(Cli, DrawsTheStructuralDiagram) {
   ASSERT_EQ(desmo("inspect truck_suspension:1 --diagram -"), 0) << err_;
   for (const char* text : {"digraph \"truck_suspension\" {", "ground [label=\"0\"];",

@@ -25,6 +25,13 @@ TEST(Refused, ThirdCrankOfAnotherLength) {
                  {"over-constrained", "crank3", "coupler", "'theta'"});
 }
 
+TEST(Refused, ThirdCrankThatContradictsByAMillionth) {
+  for (const double off : {1e-6, -1e-5, 1e-4})
+    expect_refused(parallelogram({0, 2, 5}, 1, 1 + off), turning,
+                   {"contradict each other as it moves: with its drivers ('theta') moved by ",
+                    "' is off by ", " at best"});
+}
+
 TEST(Refused, TriangleWithADriver) {
   Sketch d("truss", 2);
   const int A = d.ground_point("A", {0, 0, 0}), B = d.ground_point("B", {2, 0, 0});

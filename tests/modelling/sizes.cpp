@@ -1,0 +1,87 @@
+// What a part is modelled as does not depend on how large its mechanism is, nor on what else is in
+// it.
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <string>
+
+#include "cases/extremes/rows.h"
+#include "formulations/characteristic_lengths.h"
+#include "formulations/modelling/model.h"
+#include "formulations/variants.h"
+#include "tests/modelling/common.h"
+
+namespace desmo {
+namespace {
+
+constexpr double start = std::numbers::pi / 3;
+
+Model modelled(const ExtremeCase& c) { return model(c.scene.mechanism, c.scene.motions); }
+
+ExtremeCase chain_of(double scale, int dyads = 2) {
+  return extreme::case_of("", extreme::usual_chain(dyads, start, scale), 1, {0, 0.1, 5});
+}
+
+/// Two chains in one mechanism.
+ExtremeCase both(double small, double large) {
+  DyadChain a = extreme::usual_chain(2, start, small), b = extreme::usual_chain(2, start, large);
+  a.prefix = "a/";
+  b.prefix = "b/";
+  const Motion turning = Polynomial{{start, 1}};
+  return extreme::case_of("", {a, b}, {turning, turning}, {0, 0.1, 5});
+}
+
+TEST(Sizes, OfMechanismsFromAtomsToGalaxiesMakeTheSameModel) {
+  const Mechanism usual = modelled(chain_of(1)).mechanism;
+  for (const double scale : {1e-150, 1e-30, 1e-9, 1e9, 1e30, 1e150}) {
+    const Mechanism m = modelled(chain_of(scale)).mechanism;
+    ASSERT_EQ(m.constraints.size(), usual.constraints.size()) << scale;
+    for (std::size_t c = 0; c < m.constraints.size(); ++c) {
+      EXPECT_EQ(m.constraints[c].name, usual.constraints[c].name) << scale;
+      EXPECT_EQ(m.constraints[c].left_out, usual.constraints[c].left_out) << scale;
+    }
+  }
+}
+
+TEST(Sizes, WhoseSquaresOverflowOrVanishAreRefused) {
+  for (const double scale : {1e-160, 1e-200, 1e160, 1e200}) {
+    const Scene scene = chain_of(scale).scene;
+    expect_refused(scene.mechanism, scene.motions,
+                   {"body 'crank'", "square", "choose another unit of length"});
+  }
+}
+
+TEST(Sizes, OfOnePartSayNothingOfAnother) {
+  for (const double small : {1e-9, 1e-30, 1e-100}) {
+    const Mechanism m = modelled(both(small, 1e9)).mechanism;
+    EXPECT_EQ(m.structural_groups(), 6) << small;
+    const auto f = make_formulation(find_variant("group_automatic_eigen"), m);
+    EXPECT_TRUE(f->assemble(0).ok()) << small;
+  }
+}
+
+TEST(CharacteristicLengths, AreThoseOfTheBodiesAbout) {
+  const Mechanism m = modelled(both(1e-9, 1e9)).mechanism;
+  const CharacteristicLengths lengths(m);
+  EXPECT_DOUBLE_EQ(lengths.of(m.find("a/crank/B")), 6e-9);
+  EXPECT_DOUBLE_EQ(lengths.of(m.find("b/dyad2/C")), 6e9);
+  for (const Constraint& c : m.constraints)
+    EXPECT_NEAR(lengths.of(c), c.name.starts_with("a/") ? 6e-9 : 6e9, 1e-3 * lengths.of(c))
+        << c.name;
+}
+
+/// At the end of a chain as long as 400,000 links, one link is nothing beside the whole.
+TEST(Sizes, OfLongMechanismsDoNotMatter) {
+  const ExtremeCase near = chain_of(1, 1);
+  Description far = near.scene.mechanism;
+  const double away = 6.0 * 400'000;
+  for (Description::Point& p : far.points) p.position[0] += away;
+  far.points.push_back({"origin", {0, 0, 0}});
+  far.bodies.front().points.push_back(static_cast<int>(far.points.size()) - 1);
+  const Mechanism m = model(far, {Polynomial{{start, 1}}}).mechanism;
+  EXPECT_EQ(m.constraints.size(), modelled(near).mechanism.constraints.size());
+}
+
+}  // namespace
+}  // namespace desmo
