@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 
 #include "bench/stability/chain_solution.h"
@@ -16,13 +17,13 @@ namespace {
 /// Conditions and floors of what is right. conditions: those of a closed form, if they are to be
 /// used, which know better than the equations how far a long chain passes an error on.
 void judge_by(Answers& a, const std::vector<double>& conditions) {
-  ConditionNumber number(a.mechanism);
-  const bool is_inverted = conditions.empty();
+  std::optional<ConditionNumber> number;
+  if (conditions.empty()) number.emplace(a.mechanism);
   for (std::size_t i = 0; i < a.right.size(); ++i) {
     PerLevel<double>& floor = a.floor.emplace_back();
     const ReferenceInstant& right = a.right[i];
     if (right.q.empty()) continue;
-    const double condition = is_inverted ? number(right.q) : conditions[i];
+    const double condition = number ? (*number)(right.q) : conditions[i];
     floor = floor_at(a.mechanism, right.q, condition);
     a.condition = std::max(a.condition, condition);
   }
@@ -40,10 +41,20 @@ std::vector<int> coordinates_of(const Mechanism& part, const Mechanism& whole) {
   return coordinate;
 }
 
-double length_of(const DyadChain& chain, double size) {
+double longest_link(const DyadChain& chain) {
   double longest = chain.crank;
   for (const DyadChain::Dyad& d : chain.dyads) longest = std::max({longest, d.coupler, d.rocker});
-  return longest * static_cast<double>(std::max<std::size_t>(1, chain.dyads.size())) / size;
+  return longest;
+}
+
+/// The mechanism of one of the chains.
+Mechanism alone(const Problem& p, std::size_t index) {
+  const ExtremeCase& c = *p.definition;
+  if (c.chains.size() == 1) return p.model->mechanism;
+  Describer d(c.scene.mechanism.name, 2);
+  d.set_length_unit(c.scene.mechanism.length_unit);
+  add(d, c.chains[index]);
+  return model(d.take(), {c.scene.motions[index]}).mechanism;
 }
 
 }  // namespace
@@ -51,16 +62,11 @@ double length_of(const DyadChain& chain, double size) {
 Answers chain_answers(Problem& p, std::size_t index) {
   const ExtremeCase& c = *p.definition;
   const DyadChain& chain = c.chains[index];
-  Describer d(c.scene.mechanism.name, 2);
-  d.set_length_unit(c.scene.mechanism.length_unit);
-  add(d, chain);
-  Answers a{.mechanism = model(d.take(), {c.scene.motions[index]}).mechanism,
-            .coordinate = {},
-            .right = {},
-            .floor = {},
-            .scales = {}};
+  Answers a{.mechanism = alone(p, index), .coordinate = {}, .right = {}, .floor = {}, .scales = {}};
   a.coordinate = coordinates_of(a.mechanism, p.model->mechanism);
-  a.chain_length = length_of(chain, nominal_size(a.mechanism));
+  const double size = nominal_size(a.mechanism), longest = longest_link(chain);
+  const std::size_t links = std::max<std::size_t>(1, chain.dyads.size());
+  a.chain_length = longest * static_cast<double>(links) / size;
   ChainSolution solution(chain, a.mechanism);
   std::vector<double> conditions;
   std::vector<double> start(a.mechanism.coordinates());
@@ -79,6 +85,9 @@ Answers chain_answers(Problem& p, std::size_t index) {
     if (c.bound == Bound::length) conditions.push_back(solution.condition());
   }
   judge_by(a, conditions);
+  // An angle's error is what it moves the end of its link by, or long chains would leave it less
+  // than the rounding of that point.
+  if (c.bound == Bound::length) a.scales.rotation.position = size / longest;
   return a;
 }
 

@@ -36,6 +36,19 @@ ExtremeCase library_in(std::string_view name, std::string case_name, double step
   return may_fail({.name = std::move(case_name), .scene = std::move(scene)});
 }
 
+/// Drawn beneath its base: a mirrored position, which the same lengths of its legs allow.
+ExtremeCase platform_beneath(double step) {
+  ExtremeCase c =
+      library_in("stewart", steps("Stewart platform beneath its base", step, "s"), step, 9);
+  Description& d = c.scene.mechanism;
+  const auto mirror = [](Description::Vec& v) { v[2] = -v[2]; };
+  for (Description::Point& p : d.points) mirror(p.position);  // the base stands at 0
+  for (const Description::Body& body : d.bodies)
+    if (body.name.starts_with("lower"))
+      for (const int v : body.vectors) mirror(d.vectors[v].direction);
+  return c;
+}
+
 /// Four equal links. In 0.01 rad from π, where it turns back, both branches are nearly one.
 ExtremeCase folding_rhombus(double step) {
   DyadChain chain{.crank = 2, .start = 2, .dyads = {}};
@@ -54,6 +67,7 @@ std::vector<ExtremeCase> branches(Extent extent) {
       library_in("andrews", "Andrews' mechanism, steps of 3 rad", 3 / (2 * std::numbers::pi), 11));
   for (const double step : {0.25, 1.0})
     all.push_back(library_in("stewart", steps("Stewart platform", step, "s"), step, 9));
+  all.push_back(platform_beneath(0.25));
   for (const double step : {0.05, 0.5}) all.push_back(folding_rhombus(step));
   ExtremeCase anywhere =
       may_fail(case_of("four-bar, K = 2, from anywhere", usual_chain(2, start), 1, {0, 1, 1}));

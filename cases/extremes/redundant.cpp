@@ -1,5 +1,5 @@
-// Row 6: mechanisms that have more restrictions than freedoms and move all the same; and one whose
-// surplus contradicts the rest.
+// Row 6: mechanisms that have more restrictions than freedoms and move all the same; and the same
+// with a surplus that contradicts the rest.
 #include <array>
 #include <cmath>
 #include <string>
@@ -43,10 +43,11 @@ ExtremeCase parallel_cranks(std::string name, double off) {
           .scene = {"parallel_cranks", d.take(), {Polynomial{{start, 1}}}, grid, {}, {}}};
 }
 
-/// Bricard's mechanism with right angles: six edges of a cube, hinged at its corners.
-ExtremeCase bricard() {
-  constexpr std::array<Vec, 6> corners{
-      {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, 1}, {0, 1, 1}, {0, 0, 1}}};
+/// Bricard's mechanism with right angles: six edges of a cube, hinged at its corners. The fourth
+/// corner is `off` its place.
+ExtremeCase bricard(std::string name, double off) {
+  const std::array<Vec, 6> corners{
+      {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, 1 + off}, {0, 1, 1}, {0, 0, 1}}};
   // Each at right angles to both edges that it joins.
   constexpr std::array<Vec, 6> axes{
       {{0, 1, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}}};
@@ -69,17 +70,21 @@ ExtremeCase bricard() {
   theta.from = {from, -1, -1};
   theta.towards = {towards, -1, -1};
   theta.driven = true;
-  return {.name = "Bricard's mechanism",
+  return {.name = std::move(name),
           .scene = {"bricard", d.take(), {Polynomial{{0, 0.5}}}, grid, {}, {}}};
 }
 
 }  // namespace
 
 std::vector<ExtremeCase> redundant(Extent) {
-  std::vector<ExtremeCase> all{parallel_cranks("three parallel cranks", 0), bricard()};
+  std::vector<ExtremeCase> all{parallel_cranks("three parallel cranks", 0),
+                               bricard("Bricard's mechanism", 0)};
   for (ExtremeCase& c : all) c.is_redundant = true;
-  all.push_back(parallel_cranks("the cranks, contradictory by 1e-6", 1e-6));
-  all.back().is_refused = true;
+  for (const ExtremeCase& c : {parallel_cranks("the cranks, contradictory by 1e-6", 1e-6),
+                               bricard("Bricard's mechanism, contradictory by 1e-6", 1e-6)}) {
+    all.push_back(c);
+    all.back().is_refused = true;
+  }
   return all;
 }
 

@@ -7,19 +7,9 @@
 /// The cases of the rows of the table, one .cpp each.
 namespace desmo::extreme {
 
-std::vector<ExtremeCase> long_chains(Extent extent);
-std::vector<ExtremeCase> near_dead_points(Extent extent);
-std::vector<ExtremeCase> singular_positions(Extent extent);
-std::vector<ExtremeCase> lock_up(Extent extent);
-std::vector<ExtremeCase> branches(Extent extent);
-std::vector<ExtremeCase> redundant(Extent extent);
-std::vector<ExtremeCase> scales(Extent extent);
-std::vector<ExtremeCase> long_runs(Extent extent);
-std::vector<ExtremeCase> bad_starts(Extent extent);
-std::vector<ExtremeCase> bad_input(Extent extent);
-std::vector<ExtremeCase> reused_pivots(Extent extent);
-std::vector<ExtremeCase> idle_freedom(Extent extent);
-std::vector<ExtremeCase> tolerances(Extent extent);
+using Cases = std::vector<ExtremeCase>(Extent extent);
+Cases long_chains, near_dead_points, singular_positions, lock_up, branches, redundant, scales,
+    long_runs, bad_starts, bad_input, reused_pivots, idle_freedom, tolerances;
 
 /// Chains moved by as many motions, in one mechanism.
 ExtremeCase case_of(std::string name, std::vector<DyadChain> chains, std::vector<Motion> motions,
