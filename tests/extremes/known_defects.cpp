@@ -8,20 +8,7 @@ namespace desmo::extreme {
 std::span<const KnownDefect> known_defects() {
   using enum Verdict;
   static const std::array all{
-      KnownDefect{1, "K = 1, equal", missed},
-      KnownDefect{1, "K = 10, equal", missed},
-      KnownDefect{1, "K = 100, equal", missed},
-      KnownDefect{1, "K = 1000, equal", missed},
-      KnownDefect{1, "K = 10, unequal", missed},
-      KnownDefect{1, "K = 1000, unequal", missed},
-      KnownDefect{2, "slack 1e-02, within 1e-01 rad", defect},
-      KnownDefect{2, "slack 1e-02, within 1e-05 rad", defect},
-      KnownDefect{2, "slack 1e-06, within 1e-01 rad", defect},
-      KnownDefect{2, "slack 1e-06, within 1e-03 rad", defect},
-      KnownDefect{2, "slack 1e-06, within 1e-05 rad", defect},
-      KnownDefect{2, "slack 1e-12, within 1e-01 rad", defect},
-      KnownDefect{2, "slack 1e-12, within 1e-03 rad", defect},
-      KnownDefect{2, "slack 1e-12, within 1e-05 rad", defect},
+      KnownDefect{2, "slack 1e-12, within 1e-01 rad", missed},
       KnownDefect{3, "dead point", defect},
       KnownDefect{3, "parallel cranks in line", defect},
       KnownDefect{3, "8 parallel cranks in line", defect},
@@ -33,7 +20,6 @@ std::span<const KnownDefect> known_defects() {
       KnownDefect{5, "folding rhombus, steps of 0.05 s", defect},
       KnownDefect{5, "folding rhombus, steps of 0.5 s", defect},
       KnownDefect{5, "four-bar, K = 2, from anywhere", defect},
-      KnownDefect{7, "× 1e-9 and × 1e9 in one", missed},
       KnownDefect{7, "× 1e-150", missed},
       KnownDefect{7, "× 1e+150", missed},
       KnownDefect{9, "four-bar, K = 1, 50 % off", defect},
@@ -44,7 +30,6 @@ std::span<const KnownDefect> known_defects() {
       KnownDefect{11, "a revolution/jacobian:step", defect},
       KnownDefect{11, "a revolution/jacobian:chord", defect},
       KnownDefect{12, "RSSR, its idle freedom named", missed},
-      KnownDefect{13, "1e-16", missed},
   };
   return all;
 }
