@@ -1,69 +1,111 @@
 #include "bench/stability/attempt.h"
 
-#include <cmath>
+#include <algorithm>
+#include <cstdio>
 #include <memory>
-#include <numbers>
 #include <stdexcept>
 #include <utility>
 
 #include "bench/stability/applicability.h"
-#include "formulations/accuracy/error.h"
+#include "bench/stability/comparison.h"
 
 namespace desmo::extreme {
 
 namespace {
 
-/// Compares what a formulation found with what is right.
-class Comparison {
+/// Keeps what becomes of each instant, or start.
+class Record final : public Sink {
  public:
-  explicit Comparison(const Problem& problem) : problem_(problem) {}
+  Record(const Problem& problem, const Formulation& formulation, Attempt& attempt)
+      : problem_(problem), attempt_(attempt) {
+    for (const Formulation::DefinedPart& part : formulation.parts())
+      if (!part.definition.constant) unknowns_ += std::ssize(part.definition.unknowns);
+    for (const Answers& answers : problem.answers)
+      attempt.errors.emplace_back(answers.right.size());
+    attempt.stated.resize(problem.compared.size());
+  }
 
-  /// next: which of the compared instants it is.
-  void operator()(const Formulation& f, std::size_t next, Attempt& attempt) const {
-    for (std::size_t k = 0; k < problem_.answers.size(); ++k) {
-      const Answers& answers = problem_.answers[k];
-      const ReferenceInstant& right = answers.right[next];
-      if (!right.q.empty()) attempt.errors[k][next] = error(f, answers, right);
+  /// The runs to come begin with that instant, or start.
+  void begin(std::size_t first) { first_ = first; }
+
+  void judged(const Watch::Judgement& judgement) {
+    degraded_ = judgement.degraded;
+    stated_ = {judgement.assessment.condition, judgement.assessment.bound};
+  }
+
+  void accept(const Instant& instant) override {
+    const std::size_t i = first_ + instant.index;
+    attempt_.steps.resize(i, {Attempt::Flag::failed});  // those that were passed over
+    attempt_.steps.push_back(
+        {degraded_ ? Attempt::Flag::degraded : Attempt::Flag::none,
+         unknowns_ > 0 ? static_cast<double>(instant.updates) / static_cast<double>(unknowns_)
+                       : 0});
+    const auto& compared = problem_.compared;
+    const auto found = std::ranges::lower_bound(compared, static_cast<int>(i));
+    if (found == compared.end() || *found != static_cast<int>(i)) return;
+    const std::size_t next = found - compared.begin();
+    for (std::size_t k = 0; k < problem_.answers.size(); ++k)
+      if (!problem_.answers[k].right[next].q.empty())
+        attempt_.errors[k][next] = error_of(instant, problem_, k, next);
+    attempt_.stated[next] = stated_;
+  }
+
+  /// A run is over that was to last so many instants.
+  void end(const SafeSummary& summary, const TimeGrid& grid, const Mechanism& m) {
+    const std::size_t last = first_ + grid.instants;
+    auto& steps = attempt_.steps;
+    if (steps.size() < last) {
+      const bool went_on = !summary.gaps.empty();
+      steps.resize(went_on ? last : steps.size() + 1, {Attempt::Flag::failed});
     }
+    if (summary.crossing)
+      for (std::size_t i = first_; i < steps.size(); ++i)
+        if (const double t = grid.time(static_cast<int>(i - first_));
+            steps[i].flag != Attempt::Flag::failed &&
+            (t > summary.crossing->after || t >= summary.crossing->before))
+          steps[i].flag = Attempt::Flag::doubtful;
+    attempt_.iterations += summary.iterations;
+    attempt_.most.condition = std::max(attempt_.most.condition, summary.condition);
+    for (const Level l : levels)
+      attempt_.most.bound[l] = std::max(attempt_.most.bound[l], summary.bound[l]);
+    attempt_.gaps.insert(attempt_.gaps.end(), summary.gaps.begin(), summary.gaps.end());
+    note_flag(summary, m);
   }
 
  private:
-  PerLevel<double> error(const Formulation& f, const Answers& answers,
-                         const ReferenceInstant& right) const {
-    const auto part = [&](std::span<const double> whole) {
-      std::vector<double> values;
-      for (const int i : answers.coordinate) values.push_back(whole[i]);
-      return values;
-    };
-    std::vector<double> q = part(f.q());
-    if (problem_.definition->starts) turn_back(answers.mechanism, right.q, q);
-    const std::vector<double> qd = part(f.qd()), qdd = part(f.qdd());
-    ErrorMeasure measure(answers.mechanism, {&right, 1}, answers.scales);
-    measure.accept({0, right.time, q, qd, qdd});
-    const Error e = measure.error();
-    return {e.position.max, e.velocity.max, e.acceleration.max};
+  void note_flag(const SafeSummary& s, const Mechanism& m) {
+    if (!attempt_.message.empty() || s.outcome() == desmo::Outcome::converged) return;
+    const Summary& failure = s.gaps.empty() ? s : s.gaps.front().failure;
+    attempt_.failed_group = failure.group;
+    attempt_.message = !failure.ok() ? desmo::describe(failure, m)
+                       : s.crossing  ? describe(*s.crossing)
+                                     : describe(*s.first_degraded);
   }
 
-  /// Whole turns mean nothing where an estimate alone says where an angle is.
-  static void turn_back(const Mechanism& m, std::span<const double> right, std::vector<double>& q) {
-    constexpr double turn = 2 * std::numbers::pi;
-    for (const Entity& e : m.entities)
-      if (e.kind == EntityKind::angle && !e.fixed)
-        q[e.first] -= turn * std::nearbyint((q[e.first] - right[e.first]) / turn);
+  static std::string describe(const Crossing& c) {
+    char text[120];
+    std::snprintf(text, sizeof text, "%s between t = %.9g s and %.9g s",
+                  c.jumped ? "jumps" : "passes a singular position", c.after, c.before);
+    return text;
+  }
+  static std::string describe(const Degradation& d) {
+    char text[60];
+    std::snprintf(text, sizeof text, "degraded from t = %.9g s on: ", d.time);
+    return text +
+           describe_accuracy(d.assessment.condition, d.assessment.bound, Level::acceleration);
   }
 
   const Problem& problem_;
+  Attempt& attempt_;
+  std::size_t first_ = 0;
+  long unknowns_ = 0;
+  bool degraded_ = false;
+  Attempt::Stated stated_{};
 };
-
-void note_failure(Attempt& attempt, const Summary& summary, const Mechanism& m) {
-  if (!attempt.message.empty()) return;
-  attempt.message = describe(summary, m);
-  attempt.failed_group = summary.group;
-}
 
 }  // namespace
 
-Attempt attempt(const Problem& problem, const Configuration& configuration) {
+Attempt attempt(const Problem& problem, const Configuration& configuration, unsigned without) {
   Attempt a;
   const auto stop = [&](Attempt::Ending ending, std::string why) {
     a.ending = ending;
@@ -84,22 +126,20 @@ Attempt attempt(const Problem& problem, const Configuration& configuration) {
   if (std::string why = lacks_generated_code(*f); !why.empty())
     return stop(Attempt::Ending::not_applicable, std::move(why));
 
-  for (const Answers& answers : problem.answers) a.errors.emplace_back(answers.right.size());
-  const Comparison compare(problem);
   const ExtremeCase& c = *problem.definition;
-  std::size_t next = 0;
-  for (std::size_t i = 0; i < problem.solvable.size(); ++i) {
+  Record record(problem, *f, a);
+  SafetyOptions options;
+  options.tolerance = configuration.settings.tolerance;
+  options.without = without;
+  options.past_failures = c.goes_on;
+  options.judged = [&](const Watch::Judgement& j) { record.judged(j); };
+  const std::size_t runs = c.starts ? problem.starts.size() : 1;
+  const TimeGrid grid =
+      c.starts ? TimeGrid{c.scene.grid.start, c.scene.grid.step, 1} : c.scene.grid;
+  for (std::size_t i = 0; i < runs; ++i) {
     if (c.starts) m.estimate = problem.starts[i];
-    const double t = c.scene.grid.time(c.starts ? 0 : static_cast<int>(i));
-    const Summary summary = i == 0 || c.starts ? f->assemble(t) : f->step(t);
-    a.steps.push_back({!summary.ok(), static_cast<int>(summary.iterations)});
-    const bool is_compared =
-        next < problem.compared.size() && problem.compared[next] == static_cast<int>(i);
-    if (is_compared && summary.ok()) compare(*f, next, a);
-    next += is_compared;
-    if (summary.ok()) continue;
-    note_failure(a, summary, m);
-    if (!c.goes_on && !c.starts) break;
+    record.begin(i);
+    record.end(run_safely(*f, grid, {}, record, options), grid, m);
   }
   return a;
 }

@@ -1,8 +1,8 @@
 #include "bench/stability/judgement.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <utility>
 
 #include "bench/stability/allowed.h"
@@ -25,22 +25,28 @@ std::string at(const Problem& p, std::size_t instant) {
   return formatted("at t = %.9g s", p.definition->scene.grid.time(static_cast<int>(instant)));
 }
 
+using Flag = Attempt::Flag;
+
 /// The worst of an attempt's errors, and the first that is wrong, or only more than is allowed.
 struct Errors {
   std::optional<PerLevel<WorstError>> worst;
   std::string defect, inexact;
 };
 
-/// What is neither within the tolerance that was asked for nor for conditioning to excuse is wrong.
-bool is_wrong(const WorstError& e, double tolerance) {
-  return e.error > std::max(e.allowed, 10 * std::max(tolerance, e.floor));
+/// What is neither within the tolerance that was asked for nor for conditioning to excuse is wrong,
+/// unless a bound that stands with it says so.
+bool is_wrong(const WorstError& e, double tolerance, double stated) {
+  return e.error > std::max({e.allowed, 10 * std::max(tolerance, e.floor), stated});
 }
 
 Errors errors_of(const Problem& p, const Attempt& a, const Allowed& allowed) {
   Errors found;
   for (std::size_t part = 0; part < a.errors.size(); ++part)
     for (std::size_t next = 0; next < a.errors[part].size(); ++next) {
-      if (!a.errors[part][next]) continue;
+      const Flag flag = a.steps.size() > static_cast<std::size_t>(p.compared[next])
+                            ? a.steps[p.compared[next]].flag
+                            : Flag::failed;
+      if (!a.errors[part][next] || flag == Flag::doubtful) continue;
       if (!found.worst) found.worst.emplace();
       for (const Level level : levels) {
         const WorstError e{(*a.errors[part][next])[level], p.answers[part].floor[next][level],
@@ -48,8 +54,9 @@ Errors errors_of(const Problem& p, const Attempt& a, const Allowed& allowed) {
         WorstError& worst = (*found.worst)[level];
         if (worst.allowed == 0 || e.error * worst.allowed > worst.error * e.allowed) worst = e;
         if (!(e.error > e.allowed)) continue;
+        const double stated = flag == Flag::degraded ? a.stated[next]->bound[level] : 0;
         std::string& first =
-            is_wrong(e, p.definition->scene.tolerance) ? found.defect : found.inexact;
+            is_wrong(e, p.definition->scene.tolerance, stated) ? found.defect : found.inexact;
         if (first.empty())
           first = formatted("%s wrong by %.1e %s, allowed %.1e", level_names[level], e.error,
                             at(p, p.compared[next]).c_str(), e.allowed);
@@ -62,15 +69,29 @@ Errors errors_of(const Problem& p, const Attempt& a, const Allowed& allowed) {
 std::string unflagged(const Problem& p, const Attempt& a) {
   if (p.definition->is_refused) return {};
   for (std::size_t i = 0; i < a.steps.size(); ++i)
-    if (!a.steps[i].flagged && !p.solvable[i])
+    if (a.steps[i].flag == Flag::none && !p.solvable[i])
       return "plain numbers " + at(p, i) + ", where there is no answer";
   return {};
+}
+
+/// Whether conditioning explains that an instant, one of those compared, is degraded.
+bool is_excused(const Problem& p, const Attempt& a, std::size_t instant) {
+  constexpr double most_over_floor = 1000;
+  const auto found = std::ranges::lower_bound(p.compared, static_cast<int>(instant));
+  if (found == p.compared.end() || *found != static_cast<int>(instant)) return true;
+  const std::size_t next = found - p.compared.begin();
+  return std::ranges::any_of(p.answers, [&](const Answers& of_part) {
+    return std::ranges::all_of(levels, [&](Level l) {
+      return a.stated[next]->bound[l] <= most_over_floor * of_part.floor[next][l];
+    });
+  });
 }
 
 std::string needless_flag(const Problem& p, const Attempt& a) {
   if (p.definition->may_fail) return {};
   for (std::size_t i = 0; i < a.steps.size(); ++i)
-    if (a.steps[i].flagged && p.solvable[i])
+    if (p.solvable[i] && a.steps[i].flag != Flag::none &&
+        !(a.steps[i].flag == Flag::degraded && is_excused(p, a, i)))
       return a.message.empty() ? "failed " + at(p, i) : a.message;
   return {};
 }
@@ -78,7 +99,7 @@ std::string needless_flag(const Problem& p, const Attempt& a) {
 std::string other_iterations(const Attempt& a, const Attempt& first) {
   for (std::size_t i = 0; i < std::min(a.steps.size(), first.steps.size()); ++i)
     if (std::abs(a.steps[i].iterations - first.steps[i].iterations) > 1)
-      return formatted("%d iterations where the first case has %d", a.steps[i].iterations,
+      return formatted("%g iterations where the first case has %g", a.steps[i].iterations,
                        first.steps[i].iterations);
   return {};
 }
@@ -119,9 +140,10 @@ Judgement judge(const Problem& p, const Attempt& a, const Yardsticks& yardsticks
 
   Judgement j;
   j.instants = static_cast<long>(a.steps.size());
+  j.iterations = a.iterations;
   for (const Attempt::Step& step : a.steps) {
-    j.iterations += step.iterations;
-    if (step.flagged) j.outcome = Outcome::failed;
+    if (step.flag == Flag::failed) j.outcome = Outcome::failed;
+    if (step.flag != Flag::none && j.outcome == Outcome::converged) j.outcome = Outcome::degraded;
   }
   const auto end = [&](Verdict verdict, std::string reason) {
     j.verdict = verdict;

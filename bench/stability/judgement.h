@@ -10,6 +10,7 @@ namespace desmo::extreme {
 
 enum class Outcome {
   converged,       ///< numbers everywhere, without a word
+  degraded,        ///< with one: no better than their bounds, or in doubt
   failed,          ///< it says so at one instant at least
   refused,         ///< before anything was solved
   not_applicable,  ///< not tried

@@ -17,6 +17,8 @@ const char* name(Outcome outcome) {
   switch (outcome) {
     case Outcome::converged:
       return "converged";
+    case Outcome::degraded:
+      return "degraded";
     case Outcome::failed:
       return "failed";
     case Outcome::refused:

@@ -22,7 +22,7 @@ class Run {
         request_(request),
         options_(options),
         watch_(formulation.mechanism(), grid, options),
-        sink_(watch_, options.strict, sink, summary_) {}
+        sink_(watch_, options_, sink, summary_) {}
 
   SafeSummary operator()() {
     watched([&] { static_cast<Summary&>(summary_) = formulation_.run(grid_, request_, sink_); });

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -56,6 +57,8 @@ struct SafeSummary : Summary {
 struct SafetyOptions : Watch::Options {
   bool strict = false;         ///< what is degraded has failed
   bool past_failures = false;  ///< go on after an interval that cannot be assembled
+  /// Called with what is said of each instant, before the sink has it; empty: nobody listens.
+  std::function<void(const Watch::Judgement&)> judged{};
 };
 
 /// Formulation::run, watched: every instant handed to the sink is as right as the summary says.

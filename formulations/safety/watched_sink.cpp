@@ -18,10 +18,11 @@ void WatchedSink::accept(const Instant& instant) {
   if (j.crossing && !summary_.crossing) summary_.crossing = j.crossing;
   if (j.degraded && summary_.degraded++ == 0)
     summary_.first_degraded = {instant.index, instant.time, j.assessment};
-  summary_.refused = strict_ && (j.degraded || j.crossing);
+  summary_.refused = options_.strict && (j.degraded || j.crossing);
   if (summary_.refused) throw Ended{};
   summary_.updates += instant.updates;
   summary_.residual = largest_residual_ = std::max(largest_residual_, instant.residual);
+  if (options_.judged) options_.judged(j);
   hand_on(j.instant);
 }
 

@@ -12,8 +12,9 @@ struct Ended {};
 /// is singular or, being strict, degraded.
 class WatchedSink final : public Sink {
  public:
-  WatchedSink(Watch& watch, bool strict, Sink& next, SafeSummary& summary)
-      : watch_(watch), strict_(strict), next_(next), summary_(summary) {}
+  /// All must outlive it.
+  WatchedSink(Watch& watch, const SafetyOptions& options, Sink& next, SafeSummary& summary)
+      : watch_(watch), options_(options), next_(next), summary_(summary) {}
 
   void accept(const Instant& instant) override;
   double largest_residual() const { return largest_residual_; }  ///< of instants handed on
@@ -22,7 +23,7 @@ class WatchedSink final : public Sink {
   void hand_on(const Instant& instant);
 
   Watch& watch_;
-  bool strict_;
+  const SafetyOptions& options_;
   Sink& next_;
   SafeSummary& summary_;
   double largest_residual_ = 0;

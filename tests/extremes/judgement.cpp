@@ -18,14 +18,21 @@ class Judging : public testing::Test {
 
   void attempted(double error) {
     problem = make_problem(c);
-    attempt.steps.assign(3, {false, 2});
+    attempt.steps.assign(3, {Attempt::Flag::none, 2});
+    attempt.iterations = 6;
     attempt.errors.assign(1, {});
     for (int i = 0; i < 3; ++i) attempt.errors[0].push_back(PerLevel<double>{error, error, error});
+    attempt.stated.assign(3, Attempt::Stated{1, {}});
   }
   void flag(int instant) {
-    attempt.steps[instant].flagged = true;
+    attempt.steps[instant].flag = Attempt::Flag::failed;
     attempt.errors[0][instant].reset();
     attempt.message = "no convergence";
+  }
+  /// As a run says of an instant that it is no better than that, at all levels.
+  void degrade(int instant, double bound) {
+    attempt.steps[instant].flag = Attempt::Flag::degraded;
+    attempt.stated[instant]->bound = {bound, bound, bound};
   }
   Verdict verdict() const { return judge(problem, attempt, {}).verdict; }
   std::string reason() const { return judge(problem, attempt, {}).reason; }
@@ -73,6 +80,28 @@ TEST_F(Judging, ANeedlessFlagIsMissedUnlessItIsAsGoodAsAnAnswer) {
   EXPECT_EQ(verdict(), Verdict::defect);
 }
 
+TEST_F(Judging, AWrongNumberWithABoundIsNoDefect) {
+  attempted(5e-10);
+  attempt.errors[0][1]->acceleration = 2e-9;
+  degrade(1, 3e-9);
+  EXPECT_EQ(verdict(), Verdict::missed);  // conditioning allows better
+  attempt.errors[0][1]->acceleration = 4e-9;
+  EXPECT_EQ(verdict(), Verdict::defect);
+  c.may_fail = true;
+  attempt.steps[1].flag = Attempt::Flag::doubtful;
+  EXPECT_EQ(verdict(), Verdict::as_expected);
+}
+
+TEST_F(Judging, DegradedIsExcusedByConditioningAlone) {
+  attempted(0);
+  attempt.message = "degraded";
+  degrade(1, 1e-14);
+  EXPECT_EQ(verdict(), Verdict::as_expected);
+  EXPECT_EQ(judge(problem, attempt, {}).outcome, Outcome::degraded);
+  degrade(1, 1e-9);
+  EXPECT_EQ(reason(), "degraded");
+}
+
 TEST_F(Judging, NumbersWhereThereIsNoAnswerAreADefect) {
   c.ends_singular = true;
   attempted(0);
@@ -87,7 +116,7 @@ TEST_F(Judging, WhatIsToBeRefusedMayFailAtOnce) {
   c.is_refused = true;
   attempted(0);
   EXPECT_EQ(verdict(), Verdict::defect);
-  attempt.steps.assign(1, {true, 0});
+  attempt.steps.assign(1, {Attempt::Flag::failed});
   EXPECT_EQ(verdict(), Verdict::as_expected);
   attempt.ending = Attempt::Ending::refused;
   EXPECT_EQ(verdict(), Verdict::as_expected);
