@@ -38,6 +38,19 @@ class Everything : public Sink {
   bool any_order_;
 };
 
+/// That both, solved at time t, have the same positions and accelerations there and a few steps on.
+inline void expect_to_step_on_alike(Formulation& f, Formulation& g, double t) {
+  for (int step = 0; step < 3; ++step, t += 0.01) {
+    if (step > 0) {
+      ASSERT_TRUE(f.step(t).ok() && g.step(t).ok());
+    }
+    for (int i = 0; i < f.mechanism().coordinates(); ++i) {
+      EXPECT_NEAR(f.q()[i], g.q()[i], 1e-10) << t;
+      EXPECT_NEAR(f.qdd()[i], g.qdd()[i], 1e-7) << t;
+    }
+  }
+}
+
 inline void expect_same(const Everything& actual, const Everything& expected,
                         const std::string& name) {
   double size = 1;

@@ -120,15 +120,7 @@ TEST(ParallelMotion, LeavesTheLastInstantToStepOnFrom) {
   const TimeGrid grid = worth_three_threads(time_grid(2, 0.01), *f);
   Everything sink(grid.instants, true);
   ASSERT_TRUE(f->run(grid, {}, sink).ok() && g->assemble(2).ok());
-  for (const double t : {2.0, 2.01, 2.02}) {
-    if (t > 2) {
-      ASSERT_TRUE(f->step(t).ok() && g->step(t).ok());
-    }
-    for (int i = 0; i < m.coordinates(); ++i) {
-      EXPECT_NEAR(f->q()[i], g->q()[i], 1e-10) << t;
-      EXPECT_NEAR(f->qdd()[i], g->qdd()[i], 1e-7) << t;
-    }
-  }
+  expect_to_step_on_alike(*f, *g, 2);
 }
 
 /// Only what is asked for is solved on threads, too.

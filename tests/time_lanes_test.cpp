@@ -79,15 +79,7 @@ TEST(TimeLanes, LeaveTheLastInstantToStepOnFrom) {
   const TimeGrid grid = time_grid(2, 0.01);
   Everything sink(grid.instants, true), other(grid.instants, true);
   ASSERT_TRUE(f->run(grid, {}, sink).ok() && g->run(grid, {}, other).ok());
-  for (const double t : {2.0, 2.01, 2.02}) {
-    if (t > 2) {
-      ASSERT_TRUE(f->step(t).ok() && g->step(t).ok());
-    }
-    for (int i = 0; i < m.coordinates(); ++i) {
-      EXPECT_NEAR(f->q()[i], g->q()[i], 1e-10) << t;
-      EXPECT_NEAR(f->qdd()[i], g->qdd()[i], 1e-7) << t;
-    }
-  }
+  expect_to_step_on_alike(*f, *g, 2);
 }
 
 TEST(TimeLanes, LeaveShortMotionsToSteps) {
