@@ -365,8 +365,10 @@ TEST_F(Requests, AreVerifiedBeforeTheyAreTimed) {
     EXPECT_TRUE(cell->name().starts_with("truck_suspension/558/" + cell->id() + "/request:"))
         << cell->name();
     cell->verify(references);
-    if (cell->is_not_run()) {
-      EXPECT_NE(cell->message.find("no generated code"), std::string::npos) << cell->name();
+    if (cell->is_not_run()) {  // this build has not the code, or this processor not the registers
+      EXPECT_TRUE(cell->message == not_here(cell->settings) ||
+                  cell->message.find("no generated code") != std::string::npos)
+          << cell->name() << ": " << cell->message;
       continue;
     }
     ++verified;
