@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
 
@@ -36,7 +37,7 @@ TEST(Cells, OfSeveralThreadsAreTimedByTheWallClock) {
   EXPECT_EQ(cell.clock, Clock::wall);
   cell.cpu_seconds.push_back(cell.time_afresh());
   EXPECT_GT(cell.cpu_seconds.front(), 0);
-  const std::string record = record_text({}, {&cell});
+  const std::string record = record_text({}, cell.grid, lists_of({&cell}));
   EXPECT_NE(record.find("\"threads\":2"), std::string::npos);
   EXPECT_NE(record.find("\"segment_seconds\""), std::string::npos);
   EXPECT_EQ(record.find("\"segment_samples\""), std::string::npos);

@@ -446,6 +446,8 @@ TEST(Bench, ExitCodesSayWhatHappened) {
 
   EXPECT_EQ(run_bench("--benchmark_filter=nothing_of_that_name"), 64);
   EXPECT_EQ(run_bench("--benchmark_list_tests"), 0);
+  EXPECT_EQ(run_bench("--benchmark_list_tests --benchmark_filter=four_bar/114/group_symbolic_klu$"),
+            0);
   EXPECT_EQ(run_bench("--benchmark_report_aggregates_only" + one), 64);
   EXPECT_EQ(run_bench("--step=zero"), 64);
   EXPECT_EQ(run_bench("--no_such_flag"), 64);
@@ -472,6 +474,11 @@ TEST(Bench, RecordsAreReadByTheReport) {
                       " '--benchmark_filter=/(114|225)/global_automatic_(klu|lapack)$'"),
             0);
   EXPECT_EQ(std::system(report.c_str()), 0);
+  std::ifstream in(record);
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  for (const char* of : {"four_bar\",\"coordinates\":114", "four_bar\",\"coordinates\":225",
+                         "truck_suspension\",\"coordinates\":225"})
+    EXPECT_NE(text.find("{\"case\":\"" + std::string(of)), std::string::npos) << of;
   ASSERT_EQ(run_bench("--step=2 --record=" + record +
                       " --benchmark_filter=four_bar/114/group_symbolic_klu"),
             1);

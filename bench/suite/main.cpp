@@ -4,12 +4,11 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
-#include <map>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -20,8 +19,10 @@
 #include "bench/suite/cell.h"
 #include "bench/suite/environment.h"
 #include "bench/suite/kept_memory.h"
+#include "bench/suite/measurement.h"
 #include "bench/suite/new_file.h"
 #include "bench/suite/options.h"
+#include "bench/suite/own_process.h"
 #include "bench/suite/peer_cell.h"
 #include "bench/suite/record.h"
 #include "bench/suite/request.h"
@@ -30,56 +31,9 @@
 
 namespace desmo::suite {
 
+using Json = nlohmann::ordered_json;
+
 namespace {
-
-/// As the console is to show it: the time given to Google Benchmark by hand is CPU time, and what
-/// it finds itself is that of a thread that waits.
-benchmark::BenchmarkReporter::Run shown_as_cpu_time(benchmark::BenchmarkReporter::Run run) {
-  run.run_name.time_type.clear();
-  run.run_name.repetitions.clear();
-  run.cpu_accumulated_time = run.real_accumulated_time;
-  return run;
-}
-
-/// Keeps the raw samples of everything timed beside what the console shows.
-class CollectingReporter final : public benchmark::ConsoleReporter {
- public:
-  CollectingReporter(const std::vector<Timed*>& all, RunProgress& progress)
-      : ConsoleReporter(OO_Tabular), progress_(progress) {
-    for (Timed* timed : all) timed_[timed->name()] = timed;
-  }
-
-  void ReportRuns(const std::vector<Run>& runs) override {
-    std::vector<Run> shown;
-    for (const Run& run : runs) {
-      const auto it = timed_.find(run.run_name.function_name);
-      if (it != timed_.end() && run.run_type == Run::RT_Iteration && !run.error_occurred)
-        it->second->cpu_seconds.push_back(run.real_accumulated_time /
-                                          static_cast<double>(run.iterations));
-      if (run.error_occurred || run.repetitions == 1 || run.aggregate_name == "median" ||
-          run.aggregate_name == "cv")
-        shown.push_back(shown_as_cpu_time(run));
-      if (run.error_occurred) break;  // the other repetitions say the same
-    }
-    progress_.clear();
-    ConsoleReporter::ReportRuns(shown);
-  }
-
- private:
-  RunProgress& progress_;
-  std::map<std::string, Timed*> timed_;
-};
-
-/// One repetition.
-void run_timed(benchmark::State& state, Timed& timed, RunProgress& progress) {
-  if (timed.state != Timed::State::verified) return state.SkipWithError(timed.message.c_str());
-  for (auto _ : state) {
-    state.SetIterationTime(timed.time_afresh());
-    if (timed.is_failed()) return state.SkipWithError(timed.message.c_str());
-  }
-  for (const auto& [name, value] : timed.counters()) state.counters[name] = value;
-  progress.repeated(timed);
-}
 
 /// As Google Benchmark reads it: the last one counts. Nothing where the user leaves it to us.
 std::optional<int> repetitions_of(const std::vector<char*>& arguments) {
@@ -88,15 +42,6 @@ std::optional<int> repetitions_of(const std::vector<char*>& arguments) {
   for (const std::string_view a : arguments)
     if (a.starts_with(flag)) repetitions = std::max(1, std::atoi(a.data() + flag.size()));
   return repetitions;
-}
-
-/// As many as take long enough, together, that something of them is undisturbed: a core may be slow
-/// for seconds. What takes long itself needs few.
-int worth_repeating(const Timed& timed) {
-  constexpr double seconds = 2.5;
-  constexpr int fewest = 3, most = 20;
-  const double needed = std::ceil(seconds / std::max(timed.analysis_seconds, 1e-9));
-  return static_cast<int>(std::clamp<double>(needed, fewest, most));
 }
 
 /// Those whose benchmark the filter selects. Google Benchmark offers no question for that before
@@ -136,6 +81,34 @@ void require_one_grid(const std::vector<Timed*>& all) {
           "the cases differ in step or duration: give --step and --duration");
 }
 
+/// What is compared with each other: all of one case and size.
+struct Experiment {
+  std::string name;  ///< "truck_suspension/558"
+  std::vector<Timed*> timed;
+};
+
+/// together: as one.
+std::vector<Experiment> experiments_of(const std::vector<Timed*>& all, bool together) {
+  if (together) return {{"desmo_bench", all}};
+  std::vector<Experiment> experiments;
+  for (Timed* timed : all) {
+    const std::string name = timed->name(), of = name.substr(0, name.find('/', name.find('/') + 1));
+    const auto it = std::ranges::find(experiments, of, &Experiment::name);
+    if (it == experiments.end())
+      experiments.push_back({of, {timed}});
+    else
+      it->timed.push_back(timed);
+  }
+  return experiments;
+}
+
+/// Google Benchmark writes it anew in every process.
+bool has_output_file(const std::vector<char*>& arguments) {
+  return std::ranges::any_of(arguments, [](std::string_view a) {
+    return a.starts_with("--benchmark_out=") && !a.ends_with('=');
+  });
+}
+
 bool is_listing(std::string_view argument) {
   return argument.starts_with("--benchmark_list_tests") && !argument.ends_with("=false");
 }
@@ -158,7 +131,10 @@ int run(int argc, char** argv) {
   std::string help = "--help";
   arguments.insert(arguments.begin() + 1, {interleave.data(), least_time.data()});
   if (options.help) arguments.push_back(help.data());
+  // Before Google Benchmark takes its flags away.
   const std::optional<int> asked_repetitions = repetitions_of(arguments);
+  const bool listing = std::ranges::any_of(arguments, is_listing),
+             together = has_output_file(arguments);
   int count = static_cast<int>(arguments.size());
   benchmark::Initialize(&count, arguments.data());
   if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 64;
@@ -176,36 +152,33 @@ int run(int argc, char** argv) {
   append(all, peers);
   require_one_grid(all);
   const std::vector<Timed*> chosen = selected(all);
-  if (std::ranges::any_of(arguments, is_listing)) return 0;
+  if (listing) return 0;
   if (chosen.empty()) return 64;  // Google Benchmark has said that nothing matches
   std::optional<NewFile> file;
   if (!options.record.empty()) file.emplace(options.record);
 
-  ReferenceCache references;
-  RunProgress progress(chosen);
-  for (Timed* timed : chosen) {
-    timed->verify(references);
-    timed->profile();
-    const int repetitions = asked_repetitions.value_or(worth_repeating(*timed));
-    progress.verified(*timed, repetitions);
-    if (timed->is_not_run() || timed->is_failed()) {
-      progress.clear();
-      std::cerr << timed->name() << ": " << timed->message << '\n';
+  Json all_lists;
+  bool failed = false;
+  const auto experiments = experiments_of(chosen, together);
+  RunProgress progress(static_cast<int>(chosen.size()));
+  for (const Experiment& experiment : experiments) {
+    const bool first = &experiment == &experiments.front();
+    const Json measured = in_own_process(experiment.name, [&] {
+      return measure(experiment.timed, asked_repetitions, first, progress);
+    });
+    progress.passed(static_cast<int>(experiment.timed.size()));
+    failed = failed || measured["failed"];
+    for (const auto& [name, list] : measured["lists"].items()) {
+      Json& all_of_it = all_lists.emplace(name, Json::array()).first.value();
+      all_of_it.insert(all_of_it.end(), list.begin(), list.end());
     }
-    if (timed->is_not_run()) continue;
-    auto* const registered = benchmark::RegisterBenchmark(timed->name().c_str(), &run_timed,
-                                                          std::ref(*timed), std::ref(progress));
-    registered->Unit(benchmark::kMillisecond)->UseManualTime();
-    if (!asked_repetitions) registered->Repetitions(repetitions);
   }
-  progress.timing();
-  CollectingReporter reporter(chosen, progress);
-  if (!std::ranges::all_of(chosen, &Timed::is_not_run))
-    benchmark::RunSpecifiedBenchmarks(&reporter, ".");  // those chosen, whatever the filter
   benchmark::Shutdown();
   record.load_after = load_averages();
-  if (file) file->write(record_text(record, chosen));
-  return std::ranges::any_of(chosen, &Timed::is_failed) ? 1 : 0;
+  if (file)
+    file->write(record_text(record, chosen.front()->grid, all_lists,
+                            static_cast<int>(chosen.front()->segments.count())));
+  return failed ? 1 : 0;
 }
 
 }  // namespace

@@ -40,8 +40,4 @@ void Progress::clear() {
   if (terminal_) std::fputs("\r\x1b[K", stderr);
 }
 
-double Progress::elapsed() const {
-  return std::chrono::duration<double>(Clock::now() - begin_).count();
-}
-
 }  // namespace desmo::suite

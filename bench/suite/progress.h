@@ -6,6 +6,16 @@
 
 namespace desmo::suite {
 
+/// Seconds since it was made.
+class Stopwatch {
+ public:
+  double elapsed() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point begin_ = Clock::now();
+};
+
 /// How far something has come and how long it will still take, on standard error: one line,
 /// rewritten, on a terminal; elsewhere a line every ten seconds. Any thread may report.
 class Progress {
@@ -23,10 +33,9 @@ class Progress {
   /// Makes room on a terminal for other output.
   void clear();
 
-  double elapsed() const;  ///< s
+  double elapsed() const { return since_.elapsed(); }  ///< s
 
  private:
-  using Clock = std::chrono::steady_clock;
   void show(double seconds_left);
 
   std::mutex mutex_;
@@ -34,7 +43,7 @@ class Progress {
   const int all_;
   int done_ = 0;
   const bool terminal_;
-  const Clock::time_point begin_ = Clock::now();
+  const Stopwatch since_;
   double shown_ = 0;  // s after the beginning
 };
 

@@ -142,17 +142,15 @@ Json profile_json(const Cell& cell) {
           {"total_range", {cell.phases->least_total, cell.phases->most_total}}};
 }
 
-Json head_of(const Run& run, const TimeGrid& grid) {
-  return {{"schema", "desmo-results"},
-          {"version", schema_version},
-          {"record", environment_json(run, grid)}};
-}
-
 }  // namespace
 
-std::string record_text(const Run& run, const TimeGrid& grid, const Json& lists) {
-  Json head = head_of(run, grid);
-  head["cells"] = Json::array();
+std::string record_text(const Run& run, const TimeGrid& grid, const Json& lists,
+                        std::optional<int> segments) {
+  Json head{{"schema", "desmo-results"},
+            {"version", schema_version},
+            {"record", environment_json(run, grid)}};
+  if (segments) head["record"]["settings"]["segments"] = *segments;
+  if (!lists.contains("cells")) head["cells"] = Json::array();
   return record_layout(head, lists);
 }
 
@@ -162,9 +160,8 @@ std::string command_line(int argc, char** argv) {
   return command;
 }
 
-std::string record_text(const Run& run, const std::vector<Timed*>& timed) {
-  Json head = head_of(run, timed.front()->grid), all;
-  head["record"]["settings"]["segments"] = timed.front()->segments.count();
+Json lists_of(const std::vector<Timed*>& timed) {
+  Json all;
   for (const char* list : {"cells", "profiles", "structure", "requests"}) all[list] = Json::array();
   std::set<std::pair<std::string_view, int>> described;
   for (const Timed* one : timed) {
@@ -181,7 +178,7 @@ std::string record_text(const Run& run, const std::vector<Timed*>& timed) {
       for (const Structure& structure : structures(cell->definition, cell->coordinates))
         all["structure"].push_back(structure_json(structure));
   }
-  return record_layout(head, all);
+  return all;
 }
 
 }  // namespace desmo::suite

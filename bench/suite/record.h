@@ -1,6 +1,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,12 +19,12 @@ struct Run {
 /// Name of the program, without its folder, and its arguments: Run::command.
 std::string command_line(int argc, char** argv);
 
-/// The results record (results/record.schema.json) of these, at least one; all have the same time
-/// grid.
-std::string record_text(const Run& run, const std::vector<Timed*>& timed);
+/// What a results record (results/record.schema.json) says of these, as an object of arrays.
+nlohmann::ordered_json lists_of(const std::vector<Timed*>& timed);
 
-/// A record without cells. grid: the usual one, for the settings; lists: an object of arrays, what
-/// it holds instead.
-std::string record_text(const Run& run, const TimeGrid& grid, const nlohmann::ordered_json& lists);
+/// A record. grid: for the settings, the usual one where there are several; lists: an object of
+/// arrays; segments: into which motions were cut, where they were.
+std::string record_text(const Run& run, const TimeGrid& grid, const nlohmann::ordered_json& lists,
+                        std::optional<int> segments = {});
 
 }  // namespace desmo::suite

@@ -4,9 +4,10 @@
 
 namespace desmo::suite {
 
-RunProgress::RunProgress(const std::vector<Timed*>& all) {
-  for (const Timed* one : all) work_ += one->expected_work();
-  stage_.emplace("verified", static_cast<int>(all.size()));
+void RunProgress::begin(const std::vector<Timed*>& experiment) {
+  things_ = static_cast<int>(experiment.size());
+  for (const Timed* one : experiment) work_ += one->expected_work();
+  stage_.emplace("verified", things_);
 }
 
 void RunProgress::verified(const Timed& one, int repetitions) {
@@ -16,7 +17,7 @@ void RunProgress::verified(const Timed& one, int repetitions) {
     to_repeat_ += repetitions * one.analysis_seconds;
     all_repetitions_ += repetitions;
   }
-  stage_->one_done(left_to_verify() + to_repeat_ * work_ / work_verified_);
+  one_done(left_to_verify() + to_repeat_ * work_ / work_verified_);
 }
 
 void RunProgress::timing() {
@@ -30,11 +31,18 @@ void RunProgress::repeated(const Timed& one) {
   if (left == 0) return;
   --left;
   repeated_ += one.analysis_seconds;
-  stage_->one_done(left_to_repeat());
+  one_done(left_to_repeat());
 }
+
+void RunProgress::end() { stage_.reset(); }
 
 void RunProgress::clear() {
   if (stage_) stage_->clear();
+}
+
+void RunProgress::passed(int things) {
+  things_left_ -= things;
+  things_passed_ += things;
 }
 
 double RunProgress::left_to_verify() const {
@@ -44,6 +52,11 @@ double RunProgress::left_to_verify() const {
 double RunProgress::left_to_repeat() const {
   const double pace = repeated_ > 0 ? stage_->elapsed() / repeated_ : 1;
   return std::max(0.0, to_repeat_ - repeated_) * pace;
+}
+
+void RunProgress::one_done(double left_of_experiment) {
+  const double each = (all_.elapsed() + left_of_experiment) / (things_passed_ + things_);
+  stage_->one_done(left_of_experiment + each * (things_left_ - things_));
 }
 
 }  // namespace desmo::suite
