@@ -1,4 +1,6 @@
 // The question, what the numbers answer, and what was fastest of all: one sentence each.
+#include <functional>
+
 #include "report/digits.h"
 #include "report/measurements.h"
 #include "report/paper.h"
@@ -36,14 +38,15 @@ std::string answer_of(const Record& record) {
          "one of the paper's sizes.";
 }
 
-// The fastest of the truck's cells of a size whose id begins so.
-const CellKey* fastest(const Record& record, std::int64_t size, std::string_view begin) {
+// The fastest of the truck's cells of a size that are eligible.
+const CellKey* fastest(const Record& record, std::int64_t size,
+                       const std::function<bool(const CellKey&)>& is_eligible) {
   const CellKey* found = nullptr;
   double least = 0;
   for (const auto& [key, cell] : record.cells) {
     if (key.case_name != variants[truck_global].case_name || key.coordinates != size) continue;
     const Measured time = measured(record, key);
-    if (!key.id.starts_with(begin) || !time.seconds) continue;
+    if (!time.seconds || !is_eligible(key)) continue;
     if (found && least <= time.seconds->value) continue;
     found = &key;
     least = time.seconds->value;
@@ -57,8 +60,15 @@ std::string fastest_of_all(const Record& record) {
   if (sizes.empty()) return "The record has no cell of " + std::string(name) + ".";
   const std::string of_all = "Of everything measured on " + std::string(name) + " with " +
                              std::to_string(sizes.back()) + " coordinates, ";
-  const CellKey *best = fastest(record, sizes.back(), ""),
-                *global = fastest(record, sizes.back(), "global_");
+  const CellKey* const global = fastest(
+      record, sizes.back(), [](const CellKey& key) { return key.id.starts_with("global_"); });
+  // A time that was disturbed too much to say how much faster it is claims nothing.
+  const CellKey* best = fastest(record, sizes.back(), [&](const CellKey& key) {
+    if (!global) return false;
+    const SpeedUp ratio = *measured_speed_up(record, *global, key).speed_up;
+    return ratio.value > 1 && !ratio.inconclusive();
+  });
+  if (!best) best = fastest(record, sizes.back(), [](const CellKey&) { return true; });
   if (!best) return of_all + "nothing has a time.";
   if (!global) return of_all + best->id + " is the fastest; no global formulation has a time.";
   if (best == global) return of_all + "the global " + best->id + " is the fastest.";
