@@ -135,7 +135,7 @@ struct Request {
   std::optional<double> iterations_per_step;
 };
 
-/// Another library that solves a case at a size; with its name each once.
+/// A rival that solves a case at a size; with its name each once.
 struct Peer {
   std::string case_name;
   std::int64_t coordinates = 0;

@@ -39,7 +39,7 @@ inline constexpr std::int64_t largest_four_bar = 1002;
 /// Whether an id says that a formulation has other settings than the paper's.
 inline bool has_settings(std::string_view id) { return id.find('/') != std::string_view::npos; }
 
-/// Whether a formulation stands beside other libraries, with no other setting than their guess.
+/// Whether a formulation stands beside rivals, with no other setting than their guess.
 bool is_beside_peers(const Record& record, std::string_view id);
 
 /// TS-TPA_MA27 and klu: TS-TPA_klu.

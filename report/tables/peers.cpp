@@ -1,5 +1,4 @@
-// What a user would pick instead: other libraries beside the formulations that start from the same
-// guess.
+// What a user would pick instead: rivals beside the formulations that start from the same guess.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -107,15 +106,15 @@ Table times_of(const Record& record, const std::string& case_name) {
   const TimeWords words = time_words(record);
   Table table{
       .name = "peers_" + case_name,
-      .title = "Other libraries beside ours: " + case_name,
+      .title = "Rivals beside ours: " + case_name,
       .notes =
           {"CPU s: " + words.time +
-               " ± half the range, first assembly, all steps and delivery. Times ours: the library "
+               " ± half the range, first assembly, all steps and delivery. Times ours: the rival "
                "over our fastest global formulation, and over our fastest, with the same guess in "
                "the same run; ratio of the " +
                words.times + " [its interval]; " + inconclusive_note() + ".",
-           "Iterations: of each library's own method. Errors: largest difference from the "
-           "quadruple-precision reference, in the coordinates that the library finds."},
+           "Iterations: of each rival's own method. Errors: largest difference from the "
+           "quadruple-precision reference, in the coordinates that the rival finds."},
       .columns = {{"coordinates", {}},
                   {"solved by", {}},
                   {"CPU s", {"seconds", "half_range", "repetitions"}},
@@ -138,12 +137,12 @@ Table times_of(const Record& record, const std::string& case_name) {
 
 Table setups(const Record& record) {
   Table table{.name = "peer_setups",
-              .title = "What each library needed to be set up",
+              .title = "What each rival needed to be set up",
               .notes = {"Set-up s: CPU time of making the model, not in the times above. Compared: "
-                        "coordinates of ours that the library finds, too."},
+                        "coordinates of ours that the rival finds, too."},
               .columns = {{"case", {}},
                           {"coordinates", {}},
-                          {"library", {}},
+                          {"rival", {}},
                           {"set-up", {}},
                           {"compared", {"coordinates"}},
                           {"set-up s", {"seconds"}}},
@@ -167,7 +166,7 @@ Table setups(const Record& record) {
 }  // namespace
 
 Section peers(const Record& record) {
-  Section section{.title = "What other libraries take", .paragraphs = {}, .tables = {}};
+  Section section{.title = "What rivals take", .paragraphs = {}, .tables = {}};
   if (record.peers.empty()) return section;
   std::map<std::string, std::string> methods;
   std::set<std::string> cases;
@@ -177,11 +176,11 @@ Section peers(const Record& record) {
     cases.insert(peer.case_name);
   }
   section.paragraphs.push_back(
-      "What a user would pick instead, on the same motion, in the same run and random order, held "
-      "to the same verification, and started from the same guess: each extrapolates the last "
-      "instant in its own coordinates (quadratic: q + q' h + q'' h²/2). A ratio above 1 is a "
-      "library "
-      "that takes longer.");
+      "What a user would pick instead, a library or code written by hand for the case, on the same "
+      "motion, in the same run and random order, held to the same verification, and started from "
+      "the same guess: each extrapolates in its own coordinates (quadratic: q + q' h + q'' h²/2 of "
+      "the last instant; hermite5: the quintic through q, q' and q'' of the last two). A ratio "
+      "above 1 is a rival that takes longer.");
   for (const auto& [name, method] : methods) section.paragraphs.push_back(method);
   for (const std::string& name : cases) section.tables.push_back(times_of(record, name));
   section.tables.push_back(setups(record));

@@ -74,7 +74,7 @@ Section limitations(const Record& record);
 /// with settings. Without tables when none was.
 Section beyond(const Record& record);
 
-/// What other libraries take beside the formulations that start from the same guess: a table for
+/// What rivals take beside the formulations that start from the same guess: a table for
 /// each case, and one of what they needed to be set up. Without tables when the record has no
 /// peers.
 Section peers(const Record& record);

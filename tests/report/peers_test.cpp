@@ -35,7 +35,7 @@ Json left_out(int coordinates, const std::string& name) {
   return json;
 }
 
-/// Two libraries beside two of ours, which start from the same guess. Made-up numbers.
+/// Two rivals beside two of ours, which start from the same guess. Made-up numbers.
 Json peers_record() {
   Json json = structured_record();
   json["version"] = "1.3.0";
