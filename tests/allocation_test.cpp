@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "bench/peers/peer.h"
 #include "cases/cases.h"
 #include "formulations/accuracy/error.h"
 #include "formulations/accuracy/violation.h"
@@ -160,6 +161,22 @@ TEST_P(EveryVariant, AllocatesNothingInAStepWhateverTheSettings) {
     });
     EXPECT_TRUE(ok) << suffixes;
     EXPECT_EQ(n, 0) << suffixes;
+  }
+}
+
+TEST(TreePeers, AllocateNothingInAStep) {
+  for (const PeerDefinition* peer : peers()) {
+    if (!peer->name.starts_with("tree")) continue;  // libraries do as they like
+    for (const Case& c : cases()) {
+      const Scene scene = describe(c, 558);
+      const Mechanism m = make_mechanism(scene);
+      const auto solver = peer->make(scene, m);
+      solver->assemble(0);
+      const long n = count([&] {
+        for (int i = 1; i <= 50; ++i) solver->step(0.01 * i);
+      });
+      EXPECT_EQ(n, 0) << c.name << ", " << peer->name;
+    }
   }
 }
 

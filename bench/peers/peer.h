@@ -8,11 +8,13 @@
 
 #include "cases/mechanism.h"
 #include "cases/scene.h"
+#include "formulations/settings.h"
 
 namespace desmo {
 
-/// The kinematics of a mechanism solved by another library. Plain on purpose: what a rival's
-/// headers need of the compiler, and what they clash with, stays in the file that includes them.
+/// The kinematics of a mechanism solved by another library, or by code written for it by hand.
+/// Plain on purpose: what a rival's headers need of the compiler, and what they clash with, stays
+/// in the file that includes them.
 class Peer {
  public:
   /// Coordinates of the mechanism that the peer finds, each once, and their values: the rival's own
@@ -29,7 +31,7 @@ class Peer {
   /// Assembles the mechanism at time t (s) from its nominal position, whatever was solved before.
   /// Throws std::exception, as step() does, when that fails.
   virtual void assemble(double t) = 0;
-  /// Solves at time t, starting from q + q̇ h + q̈ h²/2 of the last instant in its own coordinates.
+  /// Solves at time t, starting from the definition's guess in its own coordinates.
   virtual void step(double t) = 0;
 
   /// The instant solved last.
@@ -49,15 +51,17 @@ class Peer {
 /// A rival of this build.
 struct PeerDefinition {
   std::string_view name;
-  std::string_view library;  ///< for people
+  std::string_view library;  ///< what it is made of, for people
   std::string (*version)();
   std::string_view method;  ///< how it is used, in a sentence
   /// The model of a case. Scene and mechanism (the scene's) must outlive it. Throws
   /// std::invalid_argument when the case is none that it knows.
   std::unique_ptr<Peer> (*make)(const Scene& scene, const Mechanism& mechanism);
+  /// Where its steps start: quadratic is q + q̇ h + q̈ h²/2 of the last instant.
+  Guess guess = Guess::quadratic;
 };
 
-/// The rivals of this build; none unless it was configured with DESMO_PEERS.
+/// The rivals of this build: those written by hand and, configured with DESMO_PEERS, libraries.
 std::span<const PeerDefinition* const> peers();
 
 }  // namespace desmo

@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "bench/peers/named.h"
+
 namespace desmo::simbody {
 
 namespace {
@@ -17,13 +19,6 @@ constexpr Vec y_axis{0, 1, 0}, z_axis{0, 0, 1};
 
 Vec operator-(const Vec& a, const Vec& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 double norm(const Vec& a) { return std::hypot(a[0], a[1], a[2]); }
-
-template <class Named>
-const Named& named(const std::vector<Named>& all, const std::string& name) {
-  const auto it = std::ranges::find(all, name, &Named::name);
-  if (it == all.end()) throw std::invalid_argument("simbody: there is no '" + name + "'");
-  return *it;
-}
 
 class Builder {
  public:

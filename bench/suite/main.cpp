@@ -67,9 +67,14 @@ std::vector<Timed*> selected(const std::vector<Timed*>& all) {
   return result;
 }
 
+/// But for what is there by that name already, such as a formulation that was asked for and also
+/// stands beside a rival.
 template <class Kind>
 void append(std::vector<Timed*>& all, const std::vector<std::unique_ptr<Kind>>& some) {
-  for (const auto& timed : some) all.push_back(timed.get());
+  std::set<std::string> names;
+  for (const Timed* timed : all) names.insert(timed->name());
+  for (const auto& timed : some)
+    if (names.insert(timed->name()).second) all.push_back(timed.get());
 }
 
 /// A record has one time grid.

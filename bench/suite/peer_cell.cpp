@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdio>
 #include <exception>
+#include <set>
 #include <string_view>
 
 #include "bench/suite/cpu_clock.h"
@@ -16,7 +17,7 @@ namespace {
 
 /// The nearest in method, the paper's fastest, and the fastest of all.
 constexpr std::array<std::string_view, 3> formulations{
-    "global_automatic_klu", "group_symbolic_inlined", "block_symbolic_inlined"};
+    "global_automatic_klu", "group_symbolic_inlined", "group_symbolic_explicit"};
 
 /// After so many instants it is said how long the whole motion will take.
 constexpr int instants_of_estimate = 50;
@@ -138,12 +139,14 @@ std::vector<std::unique_ptr<PeerCell>> make_peer_cells(const Options& options) {
 }
 
 std::vector<std::unique_ptr<Cell>> make_cells_beside_peers(const Options& options) {
+  std::set<Guess> guesses;
+  for (const PeerDefinition* peer : peers()) guesses.insert(peer->guess);
   std::vector<std::unique_ptr<Cell>> cells;
-  if (peers().empty()) return cells;
   for_every_size([&](const Case& c, int n) {
-    for (const std::string_view id : formulations)
-      cells.push_back(std::make_unique<Cell>(c, n, find_variant(id), options,
-                                             Settings{.guess = Guess::quadratic}));
+    for (const Guess guess : guesses)
+      for (const std::string_view id : formulations)
+        cells.push_back(
+            std::make_unique<Cell>(c, n, find_variant(id), options, Settings{.guess = guess}));
   });
   return cells;
 }

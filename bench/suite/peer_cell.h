@@ -13,7 +13,7 @@
 
 namespace desmo::suite {
 
-/// One case at one size solved by a rival library.
+/// One case at one size solved by a rival.
 class PeerCell final : public Timed {
  public:
   PeerCell(const Case& definition, int coordinates, const PeerDefinition& peer,
@@ -49,8 +49,7 @@ class PeerCell final : public Timed {
 /// Every rival of this build at every size of every case.
 std::vector<std::unique_ptr<PeerCell>> make_peer_cells(const Options& options);
 
-/// Our formulations that rivals are measured against, starting from the same guess as they do. None
-/// when this build has no rivals.
+/// Our formulations that rivals are measured against, starting from the same guesses as they do.
 std::vector<std::unique_ptr<Cell>> make_cells_beside_peers(const Options& options);
 
 }  // namespace desmo::suite

@@ -106,7 +106,7 @@ Json peer_json(const PeerCell& cell) {
             {"library", cell.peer.library},
             {"library_version", cell.peer.version()},
             {"method", cell.peer.method},
-            {"guess", guess_name(Guess::quadratic)}};
+            {"guess", guess_name(cell.peer.guess)}};
   if (!cell.setup.empty()) {
     j["setup"] = cell.setup;
     j["compared"] = cell.compared;

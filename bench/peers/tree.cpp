@@ -1,0 +1,39 @@
+// What an expert would write by hand for each of the two cases, in relative coordinates.
+
+#include <Eigen/Core>
+#include <stdexcept>
+#include <string>
+
+#include "bench/peers/peer.h"
+#include "bench/peers/tree/tree_peer.h"
+
+namespace desmo {
+
+namespace {
+
+std::string version() {
+  return std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." +
+         std::to_string(EIGEN_MINOR_VERSION);
+}
+
+template <Guess guess>
+std::unique_ptr<Peer> make(const Scene& scene, const Mechanism& mechanism) {
+  if (scene.mechanism.name == "four_bar") return tree::make_four_bar(scene, mechanism);
+  if (scene.mechanism.name == "truck_suspension") return tree::make_truck(scene, mechanism, guess);
+  throw std::invalid_argument("tree: no model of '" + scene.mechanism.name + "'");
+}
+
+constexpr std::string_view library = "by hand with Eigen",
+                           method =
+                               "relative coordinates of a tree for this mechanism alone, loop "
+                               "after loop: closed forms, and Newton's method on two angles of "
+                               "each axle until our tolerance is met";
+
+}  // namespace
+
+extern const PeerDefinition tree_peer, tree_hermite5_peer;
+const PeerDefinition tree_peer{"tree", library, &version, method, &make<Guess::quadratic>};
+const PeerDefinition tree_hermite5_peer{"tree_hermite5",        library,        &version, method,
+                                        &make<Guess::hermite5>, Guess::hermite5};
+
+}  // namespace desmo

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bench/peers/tree/axle.h"
+#include "bench/peers/tree/delivery.h"
+#include "cases/description.h"
+
+namespace desmo::tree {
+
+/// A lever of the stabiliser, on the axle, and its link to the chassis. Relative coordinate: the
+/// lever's angle φ, which the link's length gives in closed form. With D = A − G, λ = ‖B − A‖ and
+/// the link's length L,
+///   ‖D + λ e‖ = L,  e = −cos φ x2 + sin φ z2.
+class Stabiliser {
+ public:
+  /// lever, link: the bodies' numbers, "6" and "8".
+  Stabiliser(const Description& description, const std::string& prefix, const std::string& lever,
+             const std::string& link);
+
+  /// Names of what solve() delivers, in its order.
+  static std::vector<std::string> delivered(const std::string& prefix, const std::string& lever,
+                                            const std::string& link);
+
+  /// Throws std::runtime_error, naming the lever, when its link does not reach it.
+  void solve(const Pose& axle, Delivery& out) const;
+
+ private:
+  std::string name_;     // of the lever
+  Vec a_;                // A on the axle, from S in its frame
+  Vec g_;                // G
+  double lever_, link_;  // λ and L
+  double side_;          // of two positions of the lever that nominally taken: 1 or -1
+};
+
+}  // namespace desmo::tree

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bench/peers/peer.h"
+#include "bench/peers/tree/delivery.h"
+
+namespace desmo::tree {
+
+/// A model that writes what it finds straight into its answer.
+class TreePeer : public Peer {
+ protected:
+  /// What is delivered next: the coordinates of these entities. Throws std::invalid_argument when
+  /// the mechanism has no such entity.
+  void will_deliver(const Mechanism& mechanism, const std::vector<std::string>& entities) {
+    for (const std::string& name : entities) {
+      const Entity& e = mechanism.entities[mechanism.find(name)];
+      for (int i = 0; i < e.size; ++i) answer_.coordinates.push_back(e.first + i);
+    }
+    for (auto* values : {&answer_.q, &answer_.qd, &answer_.qdd})
+      values->resize(answer_.coordinates.size());
+  }
+
+  /// Of everything that was announced, from the beginning.
+  Delivery delivery() { return {answer_.q.data(), answer_.qd.data(), answer_.qdd.data()}; }
+};
+
+/// truck_suspension, one axle after the other. The guess is that of the two angles of an axle for
+/// which Newton's method is needed.
+std::unique_ptr<Peer> make_truck(const Scene& scene, const Mechanism& mechanism, Guess guess);
+
+/// four_bar, one dyad after the other, in closed form.
+std::unique_ptr<Peer> make_four_bar(const Scene& scene, const Mechanism& mechanism);
+
+}  // namespace desmo::tree
