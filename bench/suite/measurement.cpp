@@ -75,7 +75,7 @@ void run_timed(benchmark::State& state, Timed& timed, RunProgress& progress) {
 /// As many as take long enough, together, that something of them is undisturbed: a core may be slow
 /// for seconds. What takes long itself needs few.
 int worth_repeating(const Timed& timed) {
-  constexpr double seconds = 2.5;
+  constexpr double seconds = 2;
   constexpr int fewest = 3, most = 20;
   const double needed = std::ceil(seconds / std::max(timed.analysis_seconds, 1e-9));
   return static_cast<int>(std::clamp<double>(needed, fewest, most));
