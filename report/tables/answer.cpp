@@ -38,18 +38,19 @@ std::string answer_of(const Record& record) {
          "one of the paper's sizes.";
 }
 
-// The fastest of the truck's cells of a size that are eligible.
-const CellKey* fastest(const Record& record, std::int64_t size,
-                       const std::function<bool(const CellKey&)>& is_eligible) {
+// Of the truck's cells of a size, the one that is worth most.
+const CellKey* best_of(const Record& record, std::int64_t size,
+                       const std::function<double(const CellKey&, const Summary&)>& worth) {
   const CellKey* found = nullptr;
-  double least = 0;
+  double most = 0;
   for (const auto& [key, cell] : record.cells) {
     if (key.case_name != variants[truck_global].case_name || key.coordinates != size) continue;
     const Measured time = measured(record, key);
-    if (!time.seconds || !is_eligible(key)) continue;
-    if (found && least <= time.seconds->value) continue;
+    if (!time.seconds) continue;
+    const double its = worth(key, *time.seconds);
+    if (its <= most) continue;
     found = &key;
-    least = time.seconds->value;
+    most = its;
   }
   return found;
 }
@@ -60,15 +61,17 @@ std::string fastest_of_all(const Record& record) {
   if (sizes.empty()) return "The record has no cell of " + std::string(name) + ".";
   const std::string of_all = "Of everything measured on " + std::string(name) + " with " +
                              std::to_string(sizes.back()) + " coordinates, ";
-  const CellKey* const global = fastest(
-      record, sizes.back(), [](const CellKey& key) { return key.id.starts_with("global_"); });
-  // A time that was disturbed too much to say how much faster it is claims nothing.
-  const CellKey* best = fastest(record, sizes.back(), [&](const CellKey& key) {
-    if (!global) return false;
-    const SpeedUp ratio = *measured_speed_up(record, *global, key).speed_up;
-    return ratio.value > 1 && !ratio.inconclusive();
-  });
-  if (!best) best = fastest(record, sizes.back(), [](const CellKey&) { return true; });
+  const CellKey* const global =
+      best_of(record, sizes.back(), [](const CellKey& key, const Summary& seconds) {
+        return key.id.starts_with("global_") ? 1 / seconds.value : 0;
+      });
+  // By what it is worth at least: a time that was disturbed may have any.
+  const CellKey* const best =
+      best_of(record, sizes.back(), [&](const CellKey& key, const Summary& seconds) {
+        if (!global) return 1 / seconds.value;
+        const SpeedUp ratio = *measured_speed_up(record, *global, key).speed_up;
+        return ratio.spread ? ratio.low : ratio.value;
+      });
   if (!best) return of_all + "nothing has a time.";
   if (!global) return of_all + best->id + " is the fastest; no global formulation has a time.";
   if (best == global) return of_all + "the global " + best->id + " is the fastest.";
