@@ -21,6 +21,7 @@ enum class Bound {
   first_part,  ///< after the first half of what is compared: factor × its error, or the floor
   new_pivots,  ///< factor × the error with factors made anew at each position, or the floor
   fixed,       ///< position: factor, relative to the mechanism's size; else the floor
+  estimates,   ///< what is said of the instant; that, factor × what tolerance or floor allow
 };
 
 /// One mechanism and motion of an extreme, and what is expected of every formulation: answers
@@ -42,12 +43,11 @@ struct ExtremeCase {
   bool ends_singular = false;
 
   bool may_fail = false;       ///< a flag is as good as an answer
-  bool goes_on = false;        ///< past what cannot be solved
+  bool goes_on = false;        ///< past what cannot be solved, both its ends to 1e-9 s
   bool is_refused = false;     ///< before anything is solved, or at the first instant
   bool is_redundant = false;   ///< what follows from other equations has to be reported
   std::string failing_body{};  ///< in the group that is to be named where it fails
-  /// What has to be said beside all that, and for which a summary has no place yet.
-  std::string to_be_said{};
+  std::string idle_body{};     ///< whose freedom to spin is to be reported
 
   /// Solved from estimates that are off by up to so much of natural magnitudes, instead of in
   /// steps: the branch is that on whose side the estimate is.
@@ -65,9 +65,8 @@ enum class Extent { brief, full };
 struct Extreme {
   int number;
   std::string_view name;
-  std::string_view extreme, expected;                ///< for people
-  std::vector<ExtremeCase> (*cases)(Extent extent);  ///< null: see not_offered
-  std::string_view not_offered = {};                 ///< why no formulation can do it
+  std::string_view extreme, expected;  ///< for people
+  std::vector<ExtremeCase> (*cases)(Extent extent);
 };
 
 /// Every extreme, by number. Tests, the bench and documents iterate this table.

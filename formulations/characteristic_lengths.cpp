@@ -55,6 +55,14 @@ double CharacteristicLengths::of(EntityId e) const {
   return or_wider(about_[e], m_.entities[e].group);
 }
 
+std::vector<double> CharacteristicLengths::of_coordinates() const {
+  std::vector<double> result(m_.coordinates(), 1);
+  for (EntityId e = 0; e < static_cast<EntityId>(m_.entities.size()); ++e)
+    if (const Entity& entity = m_.entities[e]; !entity.fixed && is_length(entity.kind))
+      std::fill_n(result.begin() + entity.first, entity.size, of(e));
+  return result;
+}
+
 double CharacteristicLengths::of(const Constraint& c) const {
   double longest = 0;
   for (const EntityId e : c.operands)

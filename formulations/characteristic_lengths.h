@@ -18,6 +18,9 @@ class CharacteristicLengths {
   /// its group, or of the mechanism, or 1.
   double of(EntityId entity) const;
 
+  /// For each coordinate that of its point or distance; 1 for those of vectors and angles.
+  std::vector<double> of_coordinates() const;
+
   /// Of a constraint: the largest of its points and distances; where they all coincide, likewise.
   double of(const Constraint& constraint) const;
 

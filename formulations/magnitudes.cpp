@@ -77,12 +77,10 @@ std::array<double, Kind::rows> magnitudes(Kind, const Mechanism& m, const Constr
 
 }  // namespace
 
-Magnitudes::Magnitudes(const Mechanism& m) : of_coordinate_(m.coordinates(), 1) {
+Magnitudes::Magnitudes(const Mechanism& m) {
   const std::vector<double> state = nominal_state(m);
   const CharacteristicLengths lengths(m);
-  for (EntityId e = 0; e < static_cast<EntityId>(m.entities.size()); ++e)
-    if (const Entity& entity = m.entities[e]; !entity.fixed && is_length(entity.kind))
-      std::fill_n(of_coordinate_.begin() + entity.first, entity.size, lengths.of(e));
+  of_coordinate_ = lengths.of_coordinates();
   for (const Constraint& c : m.constraints) {
     first_row_.push_back(static_cast<int>(magnitude_.size()));
     visit_kind(c.kind, [&](auto kind) {

@@ -24,9 +24,15 @@ std::string degradation_text(const Degradation& d, Level level, const Mechanism&
 
 std::string crossing_text(const Crossing& c, const Mechanism& m) {
   char numbers[120];
-  std::snprintf(numbers, sizeof numbers, "t = %.9g s to %.9g s: %s", c.after, c.before,
-                c.jumped ? "the motion jumps onto another assembly branch"
-                         : "it passes a singular position, where branches meet");
+  if (c.kind == Crossing::Kind::not_declared)
+    std::snprintf(numbers, sizeof numbers,
+                  "t = %.9g s: assembled on another branch than the one that its estimate declares",
+                  c.before);
+  else
+    std::snprintf(numbers, sizeof numbers, "t = %.9g s to %.9g s: %s", c.after, c.before,
+                  c.kind == Crossing::Kind::jumped
+                      ? "the motion jumps onto another assembly branch"
+                      : "it passes a singular position, where branches meet");
   return group_text(c.group, m) + numbers;
 }
 

@@ -37,7 +37,7 @@ PerLevel<double> measured(const Problem& problem, const Attempt& attempt,
 }  // namespace
 
 Allowed::Allowed(const Problem& problem, const Attempt& attempt, const Yardsticks& yardsticks)
-    : problem_(problem), measured_(measured(problem, attempt, yardsticks)) {}
+    : problem_(problem), attempt_(attempt), measured_(measured(problem, attempt, yardsticks)) {}
 
 double Allowed::operator()(Level level, std::size_t part, std::size_t next) const {
   const ExtremeCase& c = *problem_.definition;
@@ -55,6 +55,8 @@ double Allowed::operator()(Level level, std::size_t part, std::size_t next) cons
       return c.factor * std::max(c.scene.tolerance, floor);
     case Bound::fixed:
       return is_position ? c.factor : 10 * floor;
+    case Bound::estimates:
+      return attempt_.stated[next] ? attempt_.stated[next]->bound[level] : 0;
     case Bound::first_part:
       if (next < problem_.compared.size() / 2) return 10 * std::max(c.scene.tolerance, floor);
       [[fallthrough]];

@@ -15,6 +15,7 @@ class Allowed {
 
  private:
   const Problem& problem_;
+  const Attempt& attempt_;
   PerLevel<double> measured_;  // the largest error of the yardstick, if the bound has one
 };
 

@@ -57,6 +57,17 @@ Mechanism alone(const Problem& p, std::size_t index) {
   return model(d.take(), {c.scene.motions[index]}).mechanism;
 }
 
+/// Where, on the way from a time to another, a chain that has an answer at one of them ceases or
+/// begins to have one.
+double end_between(ChainSolution& solution, double from, double to) {
+  const bool known = solution.solve(from);
+  for (;;) {
+    const double middle = from + (to - from) / 2;
+    if (middle <= from || middle >= to) return middle;
+    (solution.solve(middle) == known ? from : to) = middle;
+  }
+}
+
 }  // namespace
 
 Answers chain_answers(Problem& p, std::size_t index) {
@@ -71,6 +82,7 @@ Answers chain_answers(Problem& p, std::size_t index) {
   std::vector<double> conditions;
   std::vector<double> start(a.mechanism.coordinates());
   std::size_t next = 0;
+  bool before = true;
   for (std::size_t i = 0; i < p.solvable.size(); ++i) {
     if (c.starts) {
       for (std::size_t j = 0; j < start.size(); ++j) start[j] = p.starts[i][a.coordinate[j]];
@@ -78,6 +90,11 @@ Answers chain_answers(Problem& p, std::size_t index) {
     }
     const double t = c.scene.grid.time(c.starts ? 0 : static_cast<int>(i));
     const bool solved = solution.solve(t);
+    if (!c.starts && i > 0 && solved != before) {
+      p.ends.push_back(end_between(solution, c.scene.grid.time(static_cast<int>(i) - 1), t));
+      solution.solve(t);
+    }
+    before = solved;
     if (!solved) p.solvable[i] = false;
     if (next == p.compared.size() || p.compared[next] != static_cast<int>(i)) continue;
     ++next;

@@ -8,10 +8,14 @@
 
 #include "bench/stability/applicability.h"
 #include "bench/stability/comparison.h"
+#include "bench/suite/heap.h"
 
 namespace desmo::extreme {
 
 namespace {
+
+/// Instants after which a run has all the memory that it needs.
+constexpr std::size_t early = 1000;
 
 /// Keeps what becomes of each instant, or start.
 class Record final : public Sink {
@@ -23,6 +27,7 @@ class Record final : public Sink {
     for (const Answers& answers : problem.answers)
       attempt.errors.emplace_back(answers.right.size());
     attempt.stated.resize(problem.compared.size());
+    attempt.steps.reserve(problem.solvable.size());  // so that nothing here grows
   }
 
   /// The runs to come begin with that instant, or start.
@@ -35,6 +40,7 @@ class Record final : public Sink {
 
   void accept(const Instant& instant) override {
     const std::size_t i = first_ + instant.index;
+    weigh(i);
     attempt_.steps.resize(i, {Attempt::Flag::failed});  // those that were passed over
     attempt_.steps.push_back(
         {degraded_ ? Attempt::Flag::degraded : Attempt::Flag::none,
@@ -73,6 +79,13 @@ class Record final : public Sink {
   }
 
  private:
+  void weigh(std::size_t instant) {
+    if (instant == early) early_heap_ = suite::heap_in_use();
+    if (instant > early && instant + 1 == problem_.solvable.size())
+      attempt_.heap_growth =
+          static_cast<std::int64_t>(suite::heap_in_use()) - static_cast<std::int64_t>(early_heap_);
+  }
+
   void note_flag(const SafeSummary& s, const Mechanism& m) {
     if (!attempt_.message.empty() || s.outcome() == desmo::Outcome::converged) return;
     const Summary& failure = s.gaps.empty() ? s : s.gaps.front().failure;
@@ -83,9 +96,11 @@ class Record final : public Sink {
   }
 
   static std::string describe(const Crossing& c) {
+    static constexpr const char* what[] = {"passes a singular position", "jumps",
+                                           "not assembled as declared"};
     char text[120];
     std::snprintf(text, sizeof text, "%s between t = %.9g s and %.9g s",
-                  c.jumped ? "jumps" : "passes a singular position", c.after, c.before);
+                  what[static_cast<int>(c.kind)], c.after, c.before);
     return text;
   }
   static std::string describe(const Degradation& d) {
@@ -97,7 +112,7 @@ class Record final : public Sink {
 
   const Problem& problem_;
   Attempt& attempt_;
-  std::size_t first_ = 0;
+  std::size_t first_ = 0, early_heap_ = 0;
   long unknowns_ = 0;
   bool degraded_ = false;
   Attempt::Stated stated_{};
@@ -141,6 +156,7 @@ Attempt attempt(const Problem& problem, const Configuration& configuration, unsi
     record.begin(i);
     record.end(run_safely(*f, grid, {}, record, options), grid, m);
   }
+  a.refactorisations = f->refactorisations();
   return a;
 }
 

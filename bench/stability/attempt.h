@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,10 @@ struct Attempt {
   Stated most{};                              ///< that was said of all instants together
   std::vector<Gap> gaps;                      ///< that it went on after
   GroupId failed_group = -1;                  ///< of the first flag
+  long refactorisations = 0;                  ///< of pivots kept that had gone bad
+  /// Bytes by which the heap has grown from the 1000th instant, or start, to the last; 0 where the
+  /// last is not reached.
+  std::int64_t heap_growth = 0;
 };
 
 /// Solves the problem as `desmo solve` does (run_safely), to the first failure or, where the case

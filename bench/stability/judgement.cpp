@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <utility>
+#include <vector>
 
 #include "bench/stability/allowed.h"
 
@@ -12,6 +13,9 @@ namespace desmo::extreme {
 namespace {
 
 constexpr PerLevel<const char*> level_names{"position", "velocity", "acceleration"};
+
+/// Bytes that a long run may hold more of at its end: factors made anew are not always of one size.
+constexpr std::int64_t most_growth = 4096;
 
 std::string formatted(const char* format, auto... values) {
   char text[256];
@@ -55,8 +59,9 @@ Errors errors_of(const Problem& p, const Attempt& a, const Allowed& allowed) {
         if (worst.allowed == 0 || e.error * worst.allowed > worst.error * e.allowed) worst = e;
         if (!(e.error > e.allowed)) continue;
         const double stated = flag == Flag::degraded ? a.stated[next]->bound[level] : 0;
-        std::string& first =
-            is_wrong(e, p.definition->scene.tolerance, stated) ? found.defect : found.inexact;
+        const bool wrong = p.definition->bound == Bound::estimates ||
+                           is_wrong(e, p.definition->scene.tolerance, stated);
+        std::string& first = wrong ? found.defect : found.inexact;
         if (first.empty())
           first = formatted("%s wrong by %.1e %s, allowed %.1e", level_names[level], e.error,
                             at(p, p.compared[next]).c_str(), e.allowed);
@@ -108,16 +113,76 @@ bool is_named(const Mechanism& m, GroupId group, const std::string& body) {
   return group >= 0 && std::ranges::count(m.groups[group].bodies, body) > 0;
 }
 
+/// By which factor an estimate of the condition number may be off.
+constexpr double most_off = 10;
+
+double condition_of(const Problem& p) {
+  double condition = 0;
+  for (const Answers& of_part : p.answers) condition = std::max(condition, of_part.condition);
+  return condition;
+}
+
+/// A condition number that is said to be much smaller than it is.
+std::string understated_condition(const Problem& p, const Attempt& a) {
+  const double condition = condition_of(p);
+  if (p.definition->bound != Bound::estimates || a.most.condition >= condition / most_off)
+    return {};
+  return formatted("condition %.1e said to be %.1e", condition, a.most.condition);
+}
+
+/// What is said of the whole run, where it says too much.
+std::string overstated(const Problem& p, const Attempt& a) {
+  const double condition = condition_of(p);
+  if (!(a.most.condition <= most_off * condition))
+    return formatted("condition %.1e said to be %.1e", condition, a.most.condition);
+  double allowed =
+      p.definition->factor * std::max(p.definition->scene.tolerance, std::ldexp(condition, -53));
+  for (const Level level : levels) {
+    if (!(a.most.bound[level] <= allowed))
+      return formatted("%s said to be wrong by up to %.1e, more than %.1e", level_names[level],
+                       a.most.bound[level], allowed);
+    allowed *= std::max(condition, 1.0);
+  }
+  return {};
+}
+
+/// An end of what cannot be solved that a run went on past, where it is not known well enough.
+std::string wrong_end(const Problem& p, const Attempt& a) {
+  constexpr double bracket = 1e-9;  // s
+  std::vector<double> found;
+  for (const Gap& gap : a.gaps) {
+    found.push_back(gap.from);
+    if (gap.ends) found.push_back(gap.to);
+  }
+  for (std::size_t i = 0; i < std::min(found.size(), p.ends.size()); ++i)
+    if (!(std::abs(found[i] - p.ends[i]) <= bracket))
+      return formatted("it says %.12g s where the answer ends or begins at %.12g s", found[i],
+                       p.ends[i]);
+  return found.size() == p.ends.size()
+             ? ""
+             : formatted("it says %zu ends of answers of %zu", found.size(), p.ends.size());
+}
+
+bool is_idle(const Model& model, const std::string& body) {
+  return std::ranges::count(model.idle, body, &IdleFreedom::body) > 0;
+}
+
 /// What was expected and is not there, although nothing is wrong.
 std::string shortcoming(const Problem& p, const Attempt& a, const Yardsticks& yardsticks) {
   const ExtremeCase& c = *p.definition;
-  if (std::string why = needless_flag(p, a); !why.empty()) return why;
   if (c.bound == Bound::first_case && yardsticks.first_case)
     if (std::string why = other_iterations(a, *yardsticks.first_case); !why.empty()) return why;
+  if (c.bound == Bound::estimates)
+    if (std::string why = overstated(p, a); !why.empty()) return why;
   if (!c.failing_body.empty() && !is_named(p.model->mechanism, a.failed_group, c.failing_body))
     return "it does not name the group of " + c.failing_body;
   if (c.is_redundant && p.model->left_out.empty()) return "it does not report the redundancy";
-  if (!c.to_be_said.empty()) return "it does not say " + c.to_be_said;
+  if (c.goes_on)
+    if (std::string why = wrong_end(p, a); !why.empty()) return why;
+  if (!c.idle_body.empty() && !is_idle(*p.model, c.idle_body))
+    return "it does not report that " + c.idle_body + " may spin";
+  if (a.heap_growth > most_growth)
+    return formatted("the heap has grown by %lld bytes", static_cast<long long>(a.heap_growth));
   return {};
 }
 
@@ -141,6 +206,7 @@ Judgement judge(const Problem& p, const Attempt& a, const Yardsticks& yardsticks
   Judgement j;
   j.instants = static_cast<long>(a.steps.size());
   j.iterations = a.iterations;
+  j.refactorisations = a.refactorisations;
   for (const Attempt::Step& step : a.steps) {
     if (step.flag == Flag::failed) j.outcome = Outcome::failed;
     if (step.flag != Flag::none && j.outcome == Outcome::converged) j.outcome = Outcome::degraded;
@@ -158,6 +224,10 @@ Judgement judge(const Problem& p, const Attempt& a, const Yardsticks& yardsticks
   j.worst = errors.worst;
   if (!errors.defect.empty()) return end(Verdict::defect, std::move(errors.defect));
   if (std::string why = unflagged(p, a); !why.empty()) return end(Verdict::defect, std::move(why));
+  if (std::string why = needless_flag(p, a); !why.empty())
+    return end(Verdict::missed, std::move(why));
+  if (std::string why = understated_condition(p, a); !why.empty())
+    return end(Verdict::defect, std::move(why));
   if (!errors.inexact.empty()) return end(Verdict::missed, std::move(errors.inexact));
   if (std::string why = shortcoming(p, a, yardsticks); !why.empty())
     return end(Verdict::missed, std::move(why));

@@ -37,8 +37,9 @@ struct Judgement {
   /// Nothing where no number was compared. The worst is the one that is the most of what is
   /// allowed; at a level of which nothing is allowed to be wrong, the largest.
   std::optional<PerLevel<WorstError>> worst;
-  long iterations = 0;  ///< of all instants
-  long instants = 0;    ///< tried
+  long iterations = 0;        ///< of all instants
+  long instants = 0;          ///< tried
+  long refactorisations = 0;  ///< of pivots kept that had gone bad
 };
 
 /// Attempts that others are measured by.

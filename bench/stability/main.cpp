@@ -1,5 +1,6 @@
 // desmo_extremes: what every formulation does where most go wrong.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -21,6 +22,7 @@ namespace {
 
 struct Options {
   std::string record, command, formulations, cases;
+  std::vector<std::string> without;
   std::vector<int> rows;
   bool brief = false;
 };
@@ -33,6 +35,14 @@ std::vector<const Extreme*> chosen_rows(const std::vector<int>& numbers) {
   return rows;
 }
 
+unsigned left_out(const std::vector<std::string>& names) {
+  unsigned monitors = 0;
+  for (const std::string& name : names)
+    monitors |=
+        static_cast<unsigned>(std::ranges::find(monitor_names, name, &MonitorName::name)->monitor);
+  return monitors;
+}
+
 /// Whether no formulation gave wrong numbers without a flag.
 bool run(const Options& options) {
   suite::keep_freed_memory();
@@ -40,7 +50,8 @@ bool run(const Options& options) {
   const std::vector<const Extreme*> rows = chosen_rows(options.rows);
   Selection selection{.extent = options.brief ? Extent::brief : Extent::full,
                       .formulations = std::regex(options.formulations),
-                      .cases = std::regex(options.cases)};
+                      .cases = std::regex(options.cases),
+                      .without = left_out(options.without)};
   suite::Recording recording(options.record, options.command);
   nlohmann::ordered_json lists = {{"extreme_rows", nlohmann::ordered_json::array()},
                                   {"extremes", nlohmann::ordered_json::array()}};
@@ -76,6 +87,10 @@ int main(int argc, char** argv) {
                      "Only where this regular expression is found in the formulation's id");
   program.add_option("--case", options.cases,
                      "Only where this regular expression is found in the name of the case");
+  std::vector<std::string> names;
+  for (const auto& [monitor, name] : desmo::monitor_names) names.emplace_back(name);
+  program.add_option("--without", options.without, "Leave this monitor out, to see what it finds")
+      ->check(CLI::IsMember(names));
   program.add_flag("--short", options.brief, "What takes seconds, not minutes");
   options.command = desmo::suite::command_line(argc, argv);
   return desmo::suite::record_main(program, argc, argv, [&] { return run(options); });

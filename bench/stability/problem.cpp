@@ -38,6 +38,7 @@ Problem make_problem(const ExtremeCase& c) {
             .answers = {},
             .compared = compared_instants(c),
             .solvable = {},
+            .ends = {},
             .starts = {}};
   p.solvable.assign(c.starts ? c.starts->count : c.scene.grid.instants, true);
   if (c.ends_singular) p.solvable.back() = false;

@@ -33,6 +33,7 @@ struct Problem {
   std::vector<Answers> answers;
   std::vector<int> compared;                ///< instants of the grid, or starts, ascending
   std::vector<bool> solvable;               ///< each instant of the grid, or start
+  std::vector<double> ends;                 ///< times between them at which answers end or begin
   std::vector<std::vector<double>> starts;  ///< estimates, where it is solved from them
 };
 

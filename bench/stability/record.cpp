@@ -83,6 +83,7 @@ Json result_json(const Result& r) {
   if (judged.instants > 0) {
     j["instants"] = judged.instants;
     j["iterations"] = judged.iterations;
+    j["refactorisations"] = judged.refactorisations;
   }
   if (!judged.worst) return j;
   j["condition"] = rounded(r.condition);

@@ -44,12 +44,12 @@ Configuration configuration(const Variant& v, const ExtremeCase& c) {
   return {&v, settings};
 }
 
-Result not_offered(const Extreme& row, const Variant& v) {
-  Result r{.row = &row, .case_name = "all", .id = v.id, .judgement = {}};
-  r.judgement.outcome = Outcome::not_applicable;
-  r.judgement.verdict = Verdict::not_applicable;
-  r.judgement.reason = row.not_offered;
-  return r;
+/// ", without gain"
+std::string note_on(unsigned without) {
+  std::string note;
+  for (const auto& [monitor, name] : monitor_names)
+    if (without & static_cast<unsigned>(monitor)) note += ", without " + std::string(name);
+  return note;
 }
 
 double condition(const Problem& p) {
@@ -63,9 +63,6 @@ double condition(const Problem& p) {
 std::vector<Result> row_results(const Extreme& row, const Selection& selection) {
   std::vector<Result> results;
   const std::vector<const Variant*> chosen = matching(selection.formulations);
-  if (!row.cases)
-    for (const Variant* v : chosen) results.push_back(not_offered(row, *v));
-  if (!row.cases) return results;
   std::map<const Variant*, Attempt> first;
   for (const ExtremeCase& c : selected(row.cases(selection.extent), selection.cases)) {
     if (selection.say) selection.say(c.name);
@@ -74,14 +71,15 @@ std::vector<Result> row_results(const Extreme& row, const Selection& selection) 
     for (const Variant* v : chosen) {
       const Variant& other = with_new_pivots(*v);
       if (c.bound == Bound::new_pivots && !anew.contains(&other))
-        anew.emplace(&other, attempt(problem, {&other, {.tolerance = c.scene.tolerance}}));
+        anew.emplace(&other, attempt(problem, {&other, {.tolerance = c.scene.tolerance}},
+                                     selection.without));
       const Configuration tried = configuration(*v, c);
-      Attempt a = attempt(problem, tried);
+      Attempt a = attempt(problem, tried, selection.without);
       const auto before = first.find(v);
       const Yardsticks yardsticks{before == first.end() ? nullptr : &before->second,
                                   anew.contains(&other) ? &anew.at(&other) : nullptr};
-      results.push_back({&row, c.name, id_with(*v, tried.settings), condition(problem),
-                         judge(problem, a, yardsticks)});
+      results.push_back({&row, c.name + note_on(selection.without), id_with(*v, tried.settings),
+                         condition(problem), judge(problem, a, yardsticks)});
       if (before == first.end()) first.emplace(v, std::move(a));
     }
   }

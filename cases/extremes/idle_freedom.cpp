@@ -5,13 +5,11 @@
 namespace desmo::extreme {
 
 std::vector<ExtremeCase> idle_freedom(Extent) {
-  ExtremeCase right{.name = "RSSR, its points", .scene = library_scene("rssr")};
+  ExtremeCase right{.name = "RSSR", .scene = library_scene("rssr")};
   right.bound = Bound::fixed;
   right.factor = 1e-13;
-  ExtremeCase named = right;
-  named.name = "RSSR, its idle freedom named";
-  named.to_be_said = "which freedom is idle";
-  return {right, named};
+  right.idle_body = "coupler";
+  return {right};
 }
 
 }  // namespace desmo::extreme

@@ -9,7 +9,7 @@ namespace desmo::extreme {
 
 using Cases = std::vector<ExtremeCase>(Extent extent);
 Cases long_chains, near_dead_points, singular_positions, lock_up, branches, redundant, scales,
-    long_runs, bad_starts, bad_input, reused_pivots, idle_freedom, tolerances;
+    long_runs, bad_starts, bad_input, reused_pivots, idle_freedom, tolerances, estimates;
 
 /// Chains moved by as many motions, in one mechanism.
 ExtremeCase case_of(std::string name, std::vector<DyadChain> chains, std::vector<Motion> motions,

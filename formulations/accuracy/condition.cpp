@@ -60,8 +60,4 @@ double ConditionNumber::operator()(std::span<const double> q) {
   return std::isfinite(norm) ? norm : INFINITY;
 }
 
-PerLevel<double> accuracy_limit(double condition, double u) {
-  return {condition * u, condition * condition * u, condition * condition * condition * u};
-}
-
 }  // namespace desmo

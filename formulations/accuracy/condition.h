@@ -28,10 +28,12 @@ class ConditionNumber {
   std::unique_ptr<Matrices> matrices_;
 };
 
-/// The relative error that conditioning lets a scalar of that unit roundoff u reach (2⁻⁵³ for
+/// The relative error that conditioning lets a scalar of unit roundoff u reach (2⁻⁵³ for
 /// double, 2⁻²⁴ for float), as a prediction of its order: κ u in position, κ² u in velocity, κ³ u
 /// in acceleration. Each level divides once more by Φ_φ, which depends on the erroneous level
 /// before.
-PerLevel<double> accuracy_limit(double condition, double unit_roundoff);
+inline PerLevel<double> accuracy_limit(double condition, double u) {
+  return {condition * u, condition * condition * u, condition * condition * condition * u};
+}
 
 }  // namespace desmo

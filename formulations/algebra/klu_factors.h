@@ -64,11 +64,13 @@ class KluFactors {
   /// The column at which factor() found the matrix singular.
   int singular_column() const { return common_.singular_col; }
 
-  /// The irreducible blocks: block b has rows block_rows()[block_start()[b]] and those that follow.
+  /// The irreducible blocks: block b has rows block_rows()[block_start()[b]] and those that follow,
+  /// and columns likewise.
   std::span<const int> block_start() const {
     return {symbolic_->R, static_cast<std::size_t>(symbolic_->nblocks) + 1};
   }
   std::span<const int> block_rows() const { return {symbolic_->P, row_count()}; }
+  std::span<const int> block_columns() const { return {symbolic_->Q, row_count()}; }
   /// The rows of the blocks in the order of their pivots, and these: with the last factors.
   std::span<const int> pivot_rows() const { return {numeric_->Pnum, row_count()}; }
   std::span<const double> pivots() const {

@@ -14,7 +14,8 @@ struct Assessment {
   /// Of the error of any output, as accuracy/error.h measures it; infinite where singular. 0 beyond
   /// the level solved.
   PerLevel<double> bound;
-  GroupId group = -1;  ///< of the unknown that the condition is worst for
+  double rounding = 0;  ///< what bound.position would be if Φ were nothing but its rounding
+  GroupId group = -1;   ///< of the unknown that the condition is worst for
 };
 
 }  // namespace desmo

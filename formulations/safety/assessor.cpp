@@ -7,6 +7,9 @@ namespace desmo {
 
 namespace {
 
+/// What the estimate of a norm may miss.
+constexpr double missed = 3;
+
 Assessment undetermined(Assessment a, GroupId group) {
   a.singular = true;
   a.group = group;
@@ -29,8 +32,11 @@ Assessor::Assessor(const Mechanism& m, std::span<const Level> levels)
       motion_(m, levels_),
       norm_(system_.size()),
       weights_(system_.size()),
-      right_(system_.size()),
+      off_(system_.size()),
+      unknown_(system_.size()),
       change_(system_.size()),
+      error_(system_.size()),
+      largest_(m.groups.size()),
       state_(m.state_size()),
       phi_(system_.size()),
       phi_motion_(system_.size()) {
@@ -41,6 +47,7 @@ Assessor::Assessor(const Mechanism& m, std::span<const Level> levels)
       if (!m.entities[e].fixed) level = std::min(level, levels_[m.entities[e].first]);
     row_levels_.insert(row_levels_.end(), kept_rows(c), level);
   }
+  for (const int i : system_.unknowns()) group_.push_back(motion_.group(i));
   for (const Level level : desmo::levels) corrected_[level].resize(m.coordinates());
 }
 
@@ -53,77 +60,133 @@ Assessment Assessor::operator()(const Instant& instant, const Scales& scales) {
     return undetermined(a, system_.singular_group());
   }
   if (system_.size() > 0) {
-    weights_.setOnes();
-    right_.setOnes();
-    const WorstCase worst = norm_(system_, weights_, right_);
+    const WorstCase worst = norm_(system_, system_.unknown_shares(), system_.row_shares());
     a.condition = worst.value;
     a.group = motion_.group(system_.unknowns()[worst.unknown]);
   }
 
-  system_.equations().residual<Rounded>(motion_.positions(), phi_);
-  for (int r = 0; r < system_.size(); ++r) right_[r] = phi_[r].most() / system_.row_sums()[r];
-  const double distance = outputs(Level::position, scales);  // δ
-  motion_.widen(Level::position, 2 * distance, scales);
-  const double closeness = contraction(a.condition);  // η
+  equations_of(Level::position);
+  const Bound position = of_outputs(Level::position, scales);
+  a.rounding = position.rounding;
+  enclose();
+  widen(Level::position, 2);
+  const double closeness = contraction();  // η
   if (!(closeness < 0.5)) return undetermined(a, a.group);
   const double share = 1 / (1 - closeness);
-  a.bound.position = share * distance;
-  motion_.widen(Level::position, a.bound.position, scales);
+  a.bound.position = share * position.whole;
+  widen(Level::position, share);
   if (instant.qd.empty()) return a;
 
-  a.bound.velocity = share * rates(Level::velocity, scales);
-  motion_.widen(Level::velocity, a.bound.velocity, scales);
-  if (!instant.qdd.empty()) a.bound.acceleration = share * rates(Level::acceleration, scales);
+  equations_of(Level::velocity);
+  a.bound.velocity = share * of_outputs(Level::velocity, scales).whole;
+  enclose();
+  widen(Level::velocity, share);
+  if (instant.qdd.empty()) return a;
+
+  equations_of(Level::acceleration);
+  a.bound.acceleration = share * of_outputs(Level::acceleration, scales).whole;
   return a;
 }
 
-/// max |A⁻¹| right over all outputs, each relative to its scale, and the drivers' own errors.
-double Assessor::outputs(Level level, const Scales& scales) {
-  for (int j = 0; j < system_.size(); ++j) {
-    const int i = system_.unknowns()[j];
-    const double scale = motion_.scale(i, level, scales);
-    weights_[j] = scale > 0 && motion_.is_solved(i, level)
-                      ? system_.magnitude(i) * std::sqrt(motion_.size_of_output(i)) / scale
-                      : 0;
+/// off_ = what that order of the equations is off by, over R, and unknown_ = how much more or less
+/// it may be, for all lower orders in question.
+void Assessor::equations_of(Level level) {
+  const auto put = [&](int row, const Rounded& phi) {
+    off_[row] = phi.value / system_.row_sums()[row];
+    unknown_[row] = phi.radius / system_.row_sums()[row];
+  };
+  if (level == Level::position) {
+    system_.equations().residual<Rounded>(motion_.positions(), phi_);
+    for (int r = 0; r < system_.size(); ++r) put(r, phi_[r]);
+    return;
   }
-  return std::max(norm_(system_, weights_, right_).value, motion_.of_drivers(level, scales));
-}
-
-/// By how much Φ_φ changes at most within the bounds of position, against itself.
-double Assessor::contraction(double condition) {
-  if (system_.size() == 0) return 0;
-  change_.setZero();
-  system_.equations().jacobian<Rounded>(motion_.positions(),
-                                        [&](int row, int i, const Rounded& value) {
-                                          if (system_.is_unknown(i))
-                                            change_[row] += value.radius * system_.magnitude(i);
-                                        });
-  return condition * (change_ / system_.row_sums()).maxCoeff<Eigen::PropagateNaN>();
-}
-
-double Assessor::rates(Level level, const Scales& scales) {
   system_.equations().residual<Jet<Rounded>>(motion_.state(), phi_motion_);
   for (int r = 0; r < system_.size(); ++r)
-    right_[r] = row_levels_[r] >= level
-                    ? (phi_motion_[r].*order_of<Rounded>(level)).most() / system_.row_sums()[r]
-                    : 0;
-  return outputs(level, scales);
+    put(r, row_levels_[r] >= level ? phi_motion_[r].*order_of<Rounded>(level) : Rounded());
 }
 
-/// values −= Φ_φ⁻¹ of that order of the equations; the largest correction in natural magnitudes.
+/// max |A⁻¹ off_| + max |A⁻¹| unknown_ over all outputs, each relative to its scale, and the
+/// drivers' own errors; the second alone. off_ = A⁻¹ off_.
+Assessor::Bound Assessor::of_outputs(Level level, const Scales& scales) {
+  double known = 0;
+  if (system_.size() > 0) {
+    system_.solve(off_.data());
+    for (int j = 0; j < system_.size(); ++j) {
+      const int i = system_.unknowns()[j];
+      const double scale = motion_.scale(i, level, scales);
+      weights_[j] = scale > 0 && motion_.is_solved(i, level)
+                        ? system_.magnitude(i) * std::sqrt(motion_.size_of_output(i)) / scale
+                        : 0;
+    }
+    known = (weights_ * off_.abs()).maxCoeff<Eigen::PropagateNaN>();
+  }
+  const double rounding = missed * norm_(system_, weights_, unknown_).value;
+  const double drivers = motion_.of_drivers(level, scales);
+  return {std::max(known + rounding, drivers), std::max(rounding, drivers)};
+}
+
+/// error_ ≥ |off_| + |A⁻¹| unknown_, the same for all unknowns of a group: of the second, what
+/// signs without a pattern show of each, and as many times that as it takes.
+void Assessor::enclose() {
+  constexpr int probes = 2;
+  std::ranges::fill(largest_, 0.0);
+  unsigned bits = 0;
+  for (int probe = 0; probe < probes && system_.size() > 0; ++probe) {
+    for (int r = 0; r < system_.size(); ++r) {
+      bits += 2654435769u;
+      change_[r] = bits >> 31 ? -unknown_[r] : unknown_[r];
+    }
+    system_.solve(change_.data());
+    at_least(change_);
+  }
+  for (int j = 0; j < system_.size(); ++j) error_[j] = largest_[group_[j]];
+  error_ *= missed * norm_(system_, inverse(error_), unknown_).value;
+  std::ranges::fill(largest_, 0.0);
+  at_least(off_);
+  for (int j = 0; j < system_.size(); ++j) error_[j] += largest_[group_[j]];
+}
+
+void Assessor::at_least(const Eigen::ArrayXd& errors) {
+  for (int j = 0; j < system_.size(); ++j)
+    largest_[group_[j]] = std::max(largest_[group_[j]], std::abs(errors[j]));
+}
+
+/// 1 / errors; 0 of what is exact.
+const Eigen::ArrayXd& Assessor::inverse(const Eigen::ArrayXd& errors) {
+  weights_ = (errors > 0).select(errors.inverse(), 0);
+  return weights_;
+}
+
+/// By how much Φ_φ changes at most within the errors of position, against itself, in the norm in
+/// which these are equal.
+double Assessor::contraction() {
+  change_.setZero();
+  system_.equations().jacobian<Rounded>(
+      motion_.positions(), [&](int row, int i, const Rounded& value) {
+        if (system_.is_unknown(i))
+          change_[row] += value.radius * system_.magnitude(i) * error_[system_.column(i)];
+      });
+  change_ /= system_.row_sums();
+  return norm_(system_, inverse(error_), change_).value;
+}
+
+/// Unknowns may be wrong by so many times their errors.
+void Assessor::widen(Level level, double times) {
+  for (int j = 0; j < system_.size(); ++j)
+    change_[j] = times * error_[j] * system_.magnitude(system_.unknowns()[j]);
+  motion_.widen(level, system_.unknowns(), change_);
+}
+
+/// values −= Φ_φ⁻¹ of that order of the equations; the largest correction in their magnitudes.
 double Assessor::correct(Level level, std::vector<double>& values) {
   if (system_.size() == 0) return 0;
-  system_.equations().residual<Jet<Rounded>>(motion_.state(), phi_motion_);
-  for (int r = 0; r < system_.size(); ++r)
-    right_[r] = row_levels_[r] >= level
-                    ? (phi_motion_[r].*order_of<Rounded>(level)).value / system_.row_sums()[r]
-                    : 0;
-  system_.solve(right_.data());
+  equations_of(level);
+  system_.solve(off_.data());
   for (int j = 0; j < system_.size(); ++j) {
     const int i = system_.unknowns()[j];
-    if (motion_.is_solved(i, level)) values[i] -= system_.magnitude(i) * right_[j];
+    if (motion_.is_solved(i, level)) values[i] -= system_.magnitude(i) * off_[j];
   }
-  return right_.abs().maxCoeff<Eigen::PropagateNaN>();
+  return off_.abs().maxCoeff<Eigen::PropagateNaN>();
 }
 
 Instant Assessor::corrected(const Instant& instant) {

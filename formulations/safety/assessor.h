@@ -16,15 +16,17 @@ namespace desmo {
 /// Assesses solved instants of a mechanism a posteriori, all equations at once, whatever solved
 /// them. With A = R⁻¹ Φ_φ S, S the natural magnitudes of the unknowns and R the row sums:
 ///
-///   position       δ = max |A⁻¹| R⁻¹ (|Φ| + rounding of Φ and of the drivers)
-///   there is one   η = ‖A⁻¹‖ max R⁻¹ |change of Φ_φ within 2 δ| S 1 < ½; else it is singular
-///   velocity       max |Φ_φ⁻¹| |Φ_q q̇|, and
-///   acceleration   max |Φ_φ⁻¹| |Φ_q q̈ + Φ̇_q q̇|, of all positions and velocities within their
-///                  bounds
+///   position       δ = |A⁻¹ R⁻¹ Φ| + |A⁻¹| R⁻¹ (rounding of Φ and of the drivers)
+///   there is one   η = max |A⁻¹| R⁻¹ |change of Φ_φ within 2 δ| S δ / δ < ½; else it is singular
+///   velocity       |Φ_φ⁻¹ Φ̇| + |Φ_φ⁻¹| (what Φ̇ may be more or less), and
+///   acceleration   likewise of Φ̈, at all positions and velocities within their bounds
 ///
-/// each over 1 − η: the errors, for Φ_φ⁻¹ at any position in question (Newton–Kantorovich). What is
-/// in | | comes from the residuals alone, in jets (accuracy/jet.h) of numbers that carry bounds
-/// (rounded.h); the maxima are estimated (inverse_norm.h).
+/// each over 1 − η: the errors, for Φ_φ⁻¹ at any position in question (Newton–Kantorovich, in the
+/// norm in which the errors δ of all groups are equal, so that a long chain whose end is uncertain
+/// does not make its beginning so). What is known of Φ and how much more or less it may be comes
+/// from the residuals alone, in jets (accuracy/jet.h) of numbers that carry bounds (rounded.h);
+/// what |A⁻¹| makes of it at most is estimated (inverse_norm.h), and taken three times, for what
+/// the estimate may miss.
 class Assessor {
  public:
   /// levels: as far as each coordinate is solved (Plan::levels); none: as far as the instant. The
@@ -47,9 +49,16 @@ class Assessor {
   std::span<const Level> levels() const { return levels_; }
 
  private:
-  double outputs(Level level, const Scales& scales);
-  double contraction(double condition);
-  double rates(Level level, const Scales& scales);
+  struct Bound {
+    double whole, rounding;
+  };
+  void equations_of(Level level);
+  Bound of_outputs(Level level, const Scales& scales);
+  void enclose();
+  void at_least(const Eigen::ArrayXd& errors);
+  const Eigen::ArrayXd& inverse(const Eigen::ArrayXd& errors);
+  double contraction();
+  void widen(Level level, double times);
   double correct(Level level, std::vector<double>& values);
 
   const Mechanism& mechanism_;
@@ -57,7 +66,10 @@ class Assessor {
   ScaledSystem system_;
   EnclosedMotion motion_;
   InverseNorm norm_;
-  Eigen::ArrayXd weights_, right_, change_;
+  Eigen::ArrayXd weights_, off_, unknown_, change_;
+  Eigen::ArrayXd error_;         // of each unknown at most, in its magnitude, as large in a group
+  std::vector<GroupId> group_;   // of each unknown
+  std::vector<double> largest_;  // error of each group
   std::vector<double> state_;
   std::vector<Rounded> phi_;
   std::vector<Jet<Rounded>> phi_motion_;

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "formulations/accuracy/scales.h"
-
 namespace desmo {
 
 namespace {
@@ -24,8 +22,8 @@ Eigen::Map<const Eigen::ArrayXd> array(std::span<const double> values) {
 
 }  // namespace
 
-Continuity::Continuity(const Mechanism& m) : mechanism_(m), driver_unit_(m.coordinates()) {
-  const std::vector<double> magnitude = natural_magnitudes(m);
+Continuity::Continuity(const Mechanism& m, std::span<const double> magnitude)
+    : mechanism_(m), driver_unit_(m.coordinates()) {
   for (const Driver& d : m.drivers) {
     const int i = m.entities[d.coordinate].first;
     driver_unit_[i] = 1 / magnitude[i];
@@ -84,6 +82,15 @@ double Continuity::mismatch(const Instant& from, const Instant& to,
   return mismatch(from, to, weights, [](const auto& off) { return off.maxCoeff(); });
 }
 
+/// The same of positions, relative to what groups move when the drivers move by their magnitudes:
+/// whole turns of an angle do not show in its rates.
+double Continuity::position_mismatch(const Instant& from, const Instant& to,
+                                     const Eigen::ArrayXd& weights) const {
+  const double h = to.time - from.time;
+  const auto off = array(to.q) - array(from.q) - h / 2 * (array(from.qd) + array(to.qd));
+  return (off.abs() * weights).maxCoeff();
+}
+
 /// How many times as fast as usual a group moves, at least 1: near a dead point.
 double Continuity::growth(const Instant& instant, const Eigen::ArrayXd& weights) const {
   const double drivers = std::max(fastest_driver(instant), at_rest * fastest_);
@@ -125,7 +132,8 @@ std::optional<Continuity::Jump> Continuity::find_jump(const Instant& instant,
     const Instant from = view(reached_, instant);
     const double moved = std::max(growth(from, weights), growth(next, weights));
     if (mismatch(from, next, weights) <= smooth * moved) {
-      if (to_end) return {};
+      if (to_end && position_mismatch(from, next, weights) <= smooth * moved) return {};
+      if (to_end) return Jump{from.time, next.time, 0};
       std::swap(reached_, next_);
       step *= 2;
     } else if (std::abs(step) > shortest * std::abs(whole)) {

@@ -17,8 +17,8 @@ namespace desmo {
 /// polynomial leads: an end that they do not lead to lies on another assembly branch.
 class Continuity {
  public:
-  /// The mechanism must outlive it.
-  explicit Continuity(const Mechanism& mechanism);
+  /// magnitudes: of each coordinate. The mechanism must outlive it.
+  Continuity(const Mechanism& mechanism, std::span<const double> magnitudes);
 
   /// Whether the step from the instant taken last is in doubt. weights: of each coordinate, 1 over
   /// what it moves when the drivers move by their magnitudes (GainMonitor).
@@ -48,6 +48,8 @@ class Continuity {
   auto mismatch(const Instant& from, const Instant& to, const Eigen::ArrayXd& weights,
                 Found&& found) const;
   double mismatch(const Instant& from, const Instant& to, const Eigen::ArrayXd& weights) const;
+  double position_mismatch(const Instant& from, const Instant& to,
+                           const Eigen::ArrayXd& weights) const;
   double growth(const Instant& instant, const Eigen::ArrayXd& weights) const;
   Instant view(const Node& node, const Instant& like) const;
   void lead_on(double t, const Instant& like, Assessor& assessor);

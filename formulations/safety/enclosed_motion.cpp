@@ -11,7 +11,6 @@ EnclosedMotion::EnclosedMotion(const Mechanism& m, std::span<const Level> solved
     : mechanism_(m),
       levels_(solved),
       entity_(entity_of_coordinate(m)),
-      driven_(independent_coordinates(m)),
       state_(m.state_size()),
       positions_(m.state_size()) {
   for (std::size_t i = 0; i < m.fixed_values.size(); ++i)
@@ -37,10 +36,11 @@ void EnclosedMotion::take(const Instant& instant) {
   }
 }
 
-void EnclosedMotion::widen(Level level, double error, const Scales& scales) {
-  for (int i = 0; i < mechanism_.coordinates(); ++i)
-    if (!driven_[i] && is_solved(i, level))
-      (state_[i].*order_of<Rounded>(level)).radius = error * scale(i, level, scales);
+void EnclosedMotion::widen(Level level, std::span<const int> unknowns,
+                           const Eigen::ArrayXd& errors) {
+  for (std::size_t j = 0; j < unknowns.size(); ++j)
+    if (const int i = unknowns[j]; is_solved(i, level))
+      (state_[i].*order_of<Rounded>(level)).radius = errors[static_cast<Eigen::Index>(j)];
 }
 
 double EnclosedMotion::of_drivers(Level level, const Scales& scales) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <span>
 #include <vector>
 
@@ -27,8 +28,8 @@ class EnclosedMotion {
 
   /// Starts anew: unknowns as they are.
   void take(const Instant& instant);
-  /// Gives all unknowns, as far as they are solved, an error relative to their scales.
-  void widen(Level level, double error, const Scales& scales);
+  /// Gives unknowns, as far as they are solved, the errors that they may have, in their own units.
+  void widen(Level level, std::span<const int> unknowns, const Eigen::ArrayXd& errors);
   /// The largest error of a driver relative to its scale.
   double of_drivers(Level level, const Scales& scales) const;
 
@@ -45,7 +46,6 @@ class EnclosedMotion {
   const Mechanism& mechanism_;
   std::span<const Level> levels_;
   std::vector<EntityId> entity_;  // of each coordinate
-  std::vector<bool> driven_;
   std::vector<Jet<Rounded>> state_;
   std::vector<Rounded> positions_;
 };

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "formulations/accuracy/scales.h"
-
 namespace desmo {
 
 namespace {
@@ -20,13 +18,13 @@ Eigen::Map<const Eigen::ArrayXd> array(std::span<const double> values) {
 
 }  // namespace
 
-GainMonitor::GainMonitor(const Mechanism& m, std::span<const Level> levels)
+GainMonitor::GainMonitor(const Mechanism& m, std::span<const Level> levels,
+                         std::span<const double> magnitude)
     : group_(m.coordinates()),
       unit_(Eigen::ArrayXd::Zero(m.coordinates())),
       weight_(unit_),
       difference_(unit_),
       gain_(m.groups.size()) {
-  const std::vector<double> magnitude = natural_magnitudes(m);
   const std::vector<bool> driven = independent_coordinates(m);
   const std::vector<EntityId> entity = entity_of_coordinate(m);
   const bool has_rates = std::ranges::any_of(levels, [](Level l) { return l > Level::position; });
@@ -69,10 +67,10 @@ double GainMonitor::growth(const Instant& instant) {
 
 void GainMonitor::reset(const Instant& instant, ScaledSystem& system) {
   std::ranges::fill(gain_, 0.0);
-  double largest = 0;
+  largest_ = 0;
   const auto at_least = [&](int i, double gain) {
     gain_[group_[i]] = std::max(gain_[group_[i]], gain);
-    largest = std::max(largest, gain);
+    largest_ = std::max(largest_, gain);
   };
   const Eigen::ArrayXd& gains = system.gains();
   const std::span<const double> rate = rates(instant);
@@ -84,7 +82,7 @@ void GainMonitor::reset(const Instant& instant, ScaledSystem& system) {
     if (moves_) at_least(i, std::abs(rate[i]) * unit_[i] / drivers);
   }
   for (int i = 0; i < weight_.size(); ++i)
-    weight_[i] = largest > 0 ? unit_[i] / std::max(gain_[group_[i]], least_gain * largest) : 0;
+    weight_[i] = largest_ > 0 ? unit_[i] / std::max(gain_[group_[i]], least_gain * largest_) : 0;
 }
 
 }  // namespace desmo

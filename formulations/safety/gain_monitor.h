@@ -14,8 +14,9 @@ namespace desmo {
 /// instant before stand for them.
 class GainMonitor {
  public:
-  /// levels: as far as each coordinate is solved. The mechanism must outlive the monitor.
-  GainMonitor(const Mechanism& mechanism, std::span<const Level> levels);
+  /// levels: as far as each coordinate is solved. magnitudes: of each coordinate.
+  GainMonitor(const Mechanism& mechanism, std::span<const Level> levels,
+              std::span<const double> magnitudes);
 
   /// At least 1. Where no driver moves there is nothing to compare with: infinite at the first such
   /// instant, 1 at the others, which are the same. Instants in order of time.
@@ -24,6 +25,8 @@ class GainMonitor {
   void reset(const Instant& instant, ScaledSystem& system);
   /// Of each unknown, 1 over what its group moves when the drivers move by their magnitudes.
   const Eigen::ArrayXd& weights() const { return weight_; }
+  /// The largest of what any unknown moves then.
+  double largest() const { return largest_; }
 
  private:
   std::span<const double> rates(const Instant& instant) const;
@@ -39,6 +42,7 @@ class GainMonitor {
   Eigen::ArrayXd weight_;       // the same over the largest gain of the group
   Eigen::ArrayXd difference_, last_;
   std::vector<double> gain_;  // of each group
+  double largest_ = 0;        // of these
   double fastest_ = 0;        // of the drivers so far
   bool moves_ = false;        // one of them, at the last instant
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -41,7 +42,9 @@ struct Rounded {
   static Rounded of(double v, double r) { return {v, r + u * std::abs(v)}; }
   /// A sine or cosine, which a library rounds to two units at most, and its slope.
   static Rounded turned(const Rounded& a, double v, double slope) {
-    return {v, a.radius * (std::abs(slope) + a.radius / 2) + 2 * u * std::abs(v)};
+    constexpr double largest = 2;  // from -1 to 1: of an angle that nobody knows
+    return {v,
+            std::min(largest, a.radius * (std::abs(slope) + a.radius / 2) + 2 * u * std::abs(v))};
   }
 };
 

@@ -17,7 +17,9 @@ constexpr double least_gain = 0.01;
 struct Largest {
   double velocity = 0, acceleration = 0;
 
+  /// What is no number will end the motion before it.
   void take(double v, double a) {
+    if (!std::isfinite(v) || !std::isfinite(a)) return;
     velocity = std::max(velocity, std::abs(v));
     acceleration = std::max(acceleration, std::abs(a));
   }
@@ -42,10 +44,21 @@ RunningScales::RunningScales(const Mechanism& m, const TimeGrid& grid)
                   std::max(length.acceleration, least_gain * size * rotation.acceleration)};
   seen_.rotation = {1, std::max(rotation.velocity, least_gain * length.velocity / size),
                     std::max(rotation.acceleration, least_gain * length.acceleration / size)};
-  complete();
+  now_ = completed(seen_);
 }
 
 bool RunningScales::take(const Instant& instant) {
+  const bool grows = grow(seen_, instant);
+  if (grows) now_ = completed(seen_);
+  return grows;
+}
+
+Scales RunningScales::with(const Instant& instant) const {
+  Scales seen = seen_;
+  return grow(seen, instant) ? completed(seen) : now_;
+}
+
+bool RunningScales::grow(Scales& seen, const Instant& instant) const {
   const auto largest = [&](std::span<const double> values, double& length, double& rotation) {
     if (values.empty()) return false;
     const auto n = static_cast<Eigen::Index>(values.size());
@@ -57,18 +70,17 @@ bool RunningScales::take(const Instant& instant) {
     rotation = std::max(rotation, r);
     return grows;
   };
-  const bool v = largest(instant.qd, seen_.length.velocity, seen_.rotation.velocity);
-  const bool a = largest(instant.qdd, seen_.length.acceleration, seen_.rotation.acceleration);
-  if (v || a) complete();
+  const bool v = largest(instant.qd, seen.length.velocity, seen.rotation.velocity);
+  const bool a = largest(instant.qdd, seen.length.acceleration, seen.rotation.acceleration);
   return v || a;
 }
 
 /// What does not accelerate is judged by its speed.
-void RunningScales::complete() {
-  now_ = seen_;
-  for (PerLevel<double>* of : {&now_.length, &now_.rotation})
+Scales RunningScales::completed(Scales seen) {
+  for (PerLevel<double>* of : {&seen.length, &seen.rotation})
     of->acceleration =
         std::max(of->acceleration, least_gain * of->velocity * of->velocity / of->position);
+  return seen;
 }
 
 }  // namespace desmo

@@ -16,9 +16,12 @@ class RunningScales {
   /// True when one of them has grown.
   bool take(const Instant& instant);
   const Scales& now() const { return now_; }
+  /// What they would be with an instant that may turn out wrong.
+  Scales with(const Instant& instant) const;
 
  private:
-  void complete();
+  bool grow(Scales& seen, const Instant& instant) const;
+  static Scales completed(Scales seen);
 
   std::vector<double> is_length_;  // of each coordinate: 1 or 0
   Scales seen_, now_;

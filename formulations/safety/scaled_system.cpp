@@ -6,15 +6,19 @@
 
 #include "formulations/accuracy/scales.h"
 #include "formulations/algebra/klu_factors.h"
+#include "formulations/characteristic_lengths.h"
 
 namespace desmo {
 
 ScaledSystem::ScaledSystem(const Mechanism& m)
     : equations_(m),
-      magnitude_(natural_magnitudes(m)),
+      magnitude_(CharacteristicLengths(m).of_coordinates()),
+      of_whole_(natural_magnitudes(m)),
       driver_change_(m.state_size()),
       row_sums_(equations_.rows()),
-      by_drivers_(equations_.rows()) {
+      by_drivers_(equations_.rows()),
+      unknown_shares_(equations_.rows()),
+      row_shares_(equations_.rows()) {
   unsigned bits = 0;  // signs without a pattern, so that drivers hardly ever cancel
   for (const Driver& d : m.drivers) {
     const int i = m.entities[d.coordinate].first;
@@ -24,10 +28,16 @@ ScaledSystem::ScaledSystem(const Mechanism& m)
   for (const Constraint& c : m.constraints)
     row_groups_.insert(row_groups_.end(), kept_rows(c), c.group);
   lay_out();
+  for (int j = 0; j < size(); ++j)
+    unknown_shares_[j] = magnitude_[unknowns()[j]] / of_whole_[unknowns()[j]];
   if (size() == 0) return;
   factors_ = std::make_unique<KluFactors>(pattern_);
   orientation_.resize(factors_->block_start().size() - 1);
   counted_.resize(size());
+  block_size_.resize(size());
+  const auto start = factors_->block_start(), columns = factors_->block_columns();
+  for (std::size_t b = 0; b < orientation_.size(); ++b)
+    for (int i = start[b]; i < start[b + 1]; ++i) block_size_[columns[i]] = start[b + 1] - start[b];
   place_of_row_.resize(size());
   for (int i = 0; i < size(); ++i) place_of_row_[factors_->block_rows()[i]] = i;
 }
@@ -67,17 +77,20 @@ void ScaledSystem::lay_out() {
 
 bool ScaledSystem::factorise(std::span<const double> state) {
   row_sums_.setZero();
+  row_shares_.setZero();
   by_drivers_.setZero();
   auto slot = slots_.begin();
   equations_.jacobian<double>(state, [&](int row, int i, double value) {
     if (const int at = *slot++; at >= 0) {
       values_[at] = value * magnitude_[i];
       row_sums_[row] += std::abs(values_[at]);
+      row_shares_[row] += std::abs(value) * of_whole_[i];
     } else {
       by_drivers_[row] += value * driver_change_[i];
     }
   });
   row_sums_ = (row_sums_ > 0).select(row_sums_, 1.0);
+  row_shares_ /= row_sums_;
   by_drivers_ /= row_sums_;
   for (std::size_t k = 0; k < values_.size(); ++k) values_[k] /= row_sums_[pattern_.row[k]];
   if (factors_ && !factors_->factor(values_.data())) return false;

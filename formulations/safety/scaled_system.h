@@ -12,9 +12,9 @@ namespace desmo {
 
 class KluFactors;
 
-/// All equations of a mechanism, their unknowns in natural magnitudes and their rows over what they
-/// sum up to: A = R⁻¹ Φ_φ S, so that ‖A‖∞ = 1, with its factors. Analysed at construction; nothing
-/// is taken from the heap afterwards but by KLU.
+/// All equations of a mechanism, their unknowns in magnitudes of their own (CharacteristicLengths)
+/// and their rows over what they sum up to: A = R⁻¹ Φ_φ S, so that ‖A‖∞ = 1, with its factors.
+/// Analysed at construction; nothing is taken from the heap afterwards but by KLU.
 class ScaledSystem {
  public:
   using Array = Eigen::ArrayXd;
@@ -28,7 +28,12 @@ class ScaledSystem {
   const std::vector<int>& unknowns() const { return pattern_.unknowns; }
   GroupId group_of_row(int row) const { return row_groups_[row]; }
   double magnitude(int coordinate) const { return magnitude_[coordinate]; }
-  bool is_unknown(int state) const { return equations_.column(state) >= 0; }
+  std::span<const double> magnitudes() const { return magnitude_; }
+  bool is_unknown(int state) const { return column(state) >= 0; }
+  int column(int state) const { return equations_.column(state); }
+
+  /// How many unknowns the irreducible block of one has.
+  int block_size(int unknown) const { return block_size_[unknown]; }
 
   /// Factorises at a state; false when A is singular in double precision. state: q and the fixed
   /// components.
@@ -39,10 +44,14 @@ class ScaledSystem {
   // What follows is that of the last successful factorise().
 
   const Array& row_sums() const { return row_sums_; }
+  /// The same equations in the magnitudes of accuracy/condition.h, those of the whole mechanism,
+  /// are F⁻¹ A W⁻¹: W of each unknown, F of each row.
+  const Array& unknown_shares() const { return unknown_shares_; }
+  const Array& row_shares() const { return row_shares_; }
   /// x = A⁻¹ x, A⁻ᵀ x
   void solve(double* x);
   void solve_transposed(double* x);
-  /// x of each unknown, in natural magnitudes, when every driver moves by plus or minus its own.
+  /// x of each unknown, in its magnitude, when every driver moves by plus or minus its own.
   /// Once after each factorise().
   const Array& gains();
   /// The sign of det A of each irreducible block, up to one that never changes: a motion takes it
@@ -56,14 +65,16 @@ class ScaledSystem {
 
   WholeSystem equations_;
   std::vector<double> magnitude_;      // of each coordinate
+  std::vector<double> of_whole_;       // the same in accuracy/condition.h
   std::vector<double> driver_change_;  // of each component of the state: ± its magnitude, or 0
   std::vector<GroupId> row_groups_;
   Pattern pattern_;
   std::vector<int> slots_;  // of each entry that WholeSystem calls with; -1: of no unknown
   std::vector<double> values_;
-  Array row_sums_, by_drivers_;
+  Array row_sums_, by_drivers_, unknown_shares_, row_shares_;
   std::unique_ptr<KluFactors> factors_;  // none where there is nothing to solve
   std::vector<signed char> orientation_;
+  std::vector<int> block_size_;    // of each unknown
   std::vector<int> place_of_row_;  // in the order of the blocks
   std::vector<char> counted_;      // rows, by orient()
 };

@@ -2,175 +2,231 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
+#include "formulations/accuracy/condition.h"
 #include "formulations/safety/assessor.h"
 #include "formulations/safety/continuity.h"
+#include "formulations/safety/expectation.h"
 #include "formulations/safety/gain_monitor.h"
+#include "formulations/safety/limits.h"
 #include "formulations/safety/running_scales.h"
 
 namespace desmo {
 
 namespace {
 
-/// By how much a signal may move before an instant is assessed.
+/// By how much the gain may grow before an instant is assessed.
 constexpr double factor = 4;
 /// Instants from one look at the scales to the next: they grow slowly, and small ones are safe.
 constexpr int look_every = 16;
-/// Residuals below it are rounding.
-constexpr double least_residual = 1e-15;
-/// Rounding of an equation, relative to its terms.
-constexpr double rounding = 2 * std::numeric_limits<double>::epsilon();
-/// Limits of the bounds, over the tolerance: this, its square and its cube.
-constexpr double allowed = 100;
-
-PerLevel<double> limits(double tolerance) {
-  const double t = std::max(tolerance, std::numeric_limits<double>::epsilon());
-  return {allowed * t, allowed * allowed * t, allowed * allowed * allowed * t};
-}
-
-bool exceeds(const PerLevel<double>& bound, const PerLevel<double>& limit) {
-  return std::ranges::any_of(levels, [&](Level l) { return !(bound[l] <= limit[l]); });
-}
-
-/// Bounds relative to scales that have grown since.
-void rescale(PerLevel<double>& bound, const Scales& from, const Scales& to) {
-  for (const Level l : {Level::velocity, Level::acceleration}) {
-    const auto share = [&](double before, double now) { return now > 0 ? before / now : 1; };
-    bound[l] *=
-        std::max(share(from.length[l], to.length[l]), share(from.rotation[l], to.rotation[l]));
-  }
-}
-
-/// What bounds become when the condition number is `growth` times as large and the position is off
-/// by `position` (or as before, if that is more).
-PerLevel<double> extrapolated(const PerLevel<double>& bound, double growth, double position) {
-  const double q = std::max(bound.position, position) * growth;
-  const double share = bound.position > 0 ? q / bound.position : 1;
-  return {q, bound.velocity * share * growth, bound.acceleration * share * growth * growth};
-}
+/// Limits of the bounds, over the tolerance, and their square and cube at the other levels: above
+/// the first an instant is corrected, and above the second, after that, it is degraded.
+constexpr double worth_correcting = 10, allowed = 100;
+/// Bounds up to so many times what conditioning allows (accuracy_limit) are not corrected either.
+constexpr double over_floor = 10;
+constexpr double unit_roundoff = 0x1p-53;
+/// Blocks of so few unknowns have two solutions at most, mirror images with determinants of
+/// different sign: a point by two distances in the plane, with the angle of one; by three in space.
+constexpr int mirrored = 3;
+/// Bounds of rates above which it cannot be told whether they lead on.
+constexpr double noise = 1e-3;
+/// By how much a bound may rise above what correcting could reach.
+constexpr double worse = 2;
+/// Of the distance to another solution, how far an estimate may be off.
+constexpr double near = 0.4;
 
 }  // namespace
 
 struct Watch::State {
-  Options options;
-  PerLevel<double> limit;
+  const Mechanism& mechanism;
+  const Options options;
+  const PerLevel<double> limit, correctable;
   Assessor assessor;
   RunningScales scales;
   GainMonitor gain;
   Continuity continuity;
+  Expectation expectation{};
   std::vector<EntityId> entity;  // of each coordinate
-  const Mechanism& mechanism;
 
-  Assessment last{};  // that was made
+  Assessment last{};             // that was made
+  PerLevel<double> reachable{};  // bounds that correcting has led to, or might
   std::vector<signed char> orientation{};
   double last_time = 0;
   bool started = false, degraded = false;
   bool after_gap = false;
-  int since = 0;              // instants since the last assessment
-  double worst_residual = 0;  // of those assessed
-  double amplification = 0;   // of residuals, the largest seen
+  int since = 0;  // instants since the last assessment
   double condition = 0;
   PerLevel<double> worst{};
   long assessed = 0, corrected = 0;
 
   State(const Mechanism& m, const TimeGrid& grid, const Options& o)
-      : options(o),
-        limit(limits(o.tolerance)),
+      : mechanism(m),
+        options(o),
+        limit(powers(allowed, o.tolerance)),
+        correctable(powers(worth_correcting, o.tolerance)),
         assessor(m, o.levels),
         scales(m, grid),
-        gain(m, assessor.levels()),
-        continuity(m),
-        entity(entity_of_coordinate(m)),
-        mechanism(m) {}
+        gain(m, assessor.levels(), assessor.system().magnitudes()),
+        continuity(m, assessor.system().magnitudes()),
+        entity(entity_of_coordinate(m)) {}
 
   bool has(Monitor monitor) const { return !(options.without & static_cast<unsigned>(monitor)); }
 
-  bool is_due(double growth, double residual, const PerLevel<double>& expected) const {
-    return !started || degraded || after_gap || (has(Monitor::clock) && since >= options.every) ||
-           !(growth <= factor) || exceeds(expected, limit) ||
-           (has(Monitor::residual) && residual > least_residual &&
-            residual > factor * worst_residual);
-  }
-
   Judgement judge(const Instant& instant) {
+    Judgement j{instant};
     const double growth = has(Monitor::gain) ? gain.growth(instant) : 1;
     const double residual = has(Monitor::residual) ? instant.residual : 0;
-    Judgement j{instant, false, {}, last};
-    j.assessment.condition *= growth;
-    j.assessment.bound = extrapolated(last.bound, growth, amplification * residual);
-    find_jump(j);
-    const bool due = j.crossing || is_due(growth, residual, j.assessment.bound);
-    if (due || ++since % look_every == 0) look_at_scales(instant);
-    if (due)
-      assess(j);
+    const Assessment expected = expectation(growth, residual);
+    const std::optional<Crossing> jump = find_jump(instant);
+    const bool known_before = rates_are_known();
+    if (jump || is_due(growth, residual, expected))
+      assess(j, growth, residual);
     else
-      allow_for_the_unseen(j.assessment);
+      j.assessment = expectation.with_margin(expected);
+    // From rates that are noise nothing can be told; from signs of determinants it can.
+    if (jump && known_before && rates_are_known()) j.crossing = jump;
+    if (++since % look_every == 0) look_at_scales(instant);
     continuity.take(j.instant);
     condition = std::max(condition, j.assessment.condition);
     for (const Level l : levels) worst[l] = std::max(worst[l], j.assessment.bound[l]);
     return j;
   }
 
-  /// Signals that move by less than `factor`, and rounding where an assessment was lucky.
-  static void allow_for_the_unseen(Assessment& a) {
-    for (const Level l : levels) a.bound[l] *= factor;
-    a.bound.position = std::max(a.bound.position, rounding * a.condition);
+  bool is_due(double growth, double residual, const Assessment& expected) const {
+    return !started || degraded || after_gap || (has(Monitor::clock) && since >= options.every) ||
+           !(growth <= factor) || expectation.is_new(residual) || is_correctable(expected, growth);
   }
 
-  void find_jump(Judgement& j) {
-    if (!has(Monitor::continuity) || !continuity.in_doubt(j.instant, gain.weights())) return;
-    if (const auto jump = continuity.find_jump(j.instant, gain.weights(), assessor))
-      j.crossing = {jump->after, jump->before, mechanism.entities[entity[jump->coordinate]].group,
-                    true};
+  /// Whether bounds are so large that correcting would help.
+  bool is_correctable(const Assessment& a, double growth) const {
+    const PerLevel<double> least = worth_correcting_at(a.condition);
+    double powers_of_growth = worse;
+    return std::ranges::any_of(levels, [&](Level l) {
+      powers_of_growth *= growth;
+      return !(a.bound[l] <= std::max(least[l], powers_of_growth * reachable[l]));
+    });
+  }
+
+  /// The bounds above which an instant of that condition number is corrected.
+  PerLevel<double> worth_correcting_at(double kappa) const {
+    PerLevel<double> least = accuracy_limit(kappa, over_floor * unit_roundoff);
+    for (const Level l : levels) least[l] = std::max(least[l], correctable[l]);
+    return least;
+  }
+
+  /// Of the last assessment, well enough for Continuity.
+  bool rates_are_known() const { return !exceeds(last.bound, {noise, noise, noise}); }
+
+  std::optional<Crossing> find_jump(const Instant& instant) {
+    if (!has(Monitor::continuity) || !continuity.in_doubt(instant, gain.weights())) return {};
+    const auto jump = continuity.find_jump(instant, gain.weights(), assessor);
+    if (!jump) return {};
+    return Crossing{jump->after, jump->before, mechanism.entities[entity[jump->coordinate]].group,
+                    Crossing::Kind::jumped};
   }
 
   void look_at_scales(const Instant& instant) {
     const Scales before = scales.now();
-    if (scales.take(instant)) rescale(worst, before, scales.now());
+    if (!scales.take(instant)) return;
+    rescale(worst, before, scales.now());
+    rescale(reachable, before, scales.now());
+    expectation.rescale(before, scales.now());
   }
 
-  void assess(Judgement& j) {
-    last = assessor(j.instant, scales.now());
+  void assess(Judgement& j, double growth, double residual) {
+    if (!started && has(Monitor::orientation)) declare_branch(j.instant);
+    last = assessor(j.instant, scales.with(j.instant));
+    const Assessment given = last;
     ++assessed;
     since = 0;
-    after_gap = false;
-    worst_residual = std::max(worst_residual, j.instant.residual);
-    if (j.instant.residual > least_residual && !last.singular)
-      amplification = std::max(amplification, last.bound.position / j.instant.residual);
-    if (has(Monitor::bounds) && exceeds(last.bound, limit)) correct(j.instant);
+    const bool tries =
+        has(Monitor::bounds) && exceeds(given.bound, worth_correcting_at(given.condition));
+    const bool is_better = tries && correct(j.instant);
+    look_at_scales(j.instant);
+    reachable = tries ? last.bound : PerLevel<double>{};
+    expectation.learn(given, growth, residual);
+    if (is_better) expectation.learn(last, 1, 0);
     degraded = has(Monitor::bounds) && exceeds(last.bound, limit);
     if (!has(Monitor::bounds)) last.singular = false;
     j.degraded = degraded;
     j.assessment = last;
     if (last.condition < INFINITY) {
       gain.reset(j.instant, assessor.system());
-      const std::optional<Crossing> crossed = crossing(j.instant.time);
-      if (!j.crossing) j.crossing = crossed;
+      j.crossing = crossing(j.instant);
       started = true;
     }
+    after_gap = false;
     last_time = j.instant.time;
   }
 
-  void correct(Instant& instant) {
+  /// Whether it has become better.
+  bool correct(Instant& instant) {
     const Instant better = assessor.corrected(instant);
-    const Assessment then = assessor(better, scales.now());
-    if (last.singular || then.bound.position <= last.bound.position) {
-      instant = better;
-      last = then;
-      ++corrected;
-    }
+    const Assessment then = assessor(better, scales.with(better));
+    if (!(worst_share(then) < worst_share(last))) return false;
+    instant = better;
+    last = then;
+    ++corrected;
+    return true;
   }
 
-  std::optional<Crossing> crossing(double time) {
+  /// The largest bound over its limit.
+  double worst_share(const Assessment& a) const {
+    double share = 0;
+    for (const Level l : levels) share = std::max(share, a.bound[l] / limit[l]);
+    return share;
+  }
+
+  /// The estimate has the signs that the first instant should have.
+  void declare_branch(const Instant& instant) {
+    std::vector<double> state = mechanism.estimate;
+    state.insert(state.end(), mechanism.fixed_values.begin(), mechanism.fixed_values.end());
+    for (const Driver& d : mechanism.drivers) {
+      const int i = mechanism.entities[d.coordinate].first;
+      state[i] = instant.q[i];
+    }
+    if (!assessor.system().factorise(state)) return;
+    const auto declared = assessor.system().orientation();
+    orientation.assign(declared.begin(), declared.end());
+  }
+
+  std::optional<Crossing> crossing(const Instant& instant) {
+    if (!has(Monitor::orientation)) return {};
     const auto now = assessor.system().orientation();
+    const double time = instant.time;
+    const bool anew = !started || after_gap;
     std::optional<Crossing> found;
-    for (std::size_t b = 0; has(Monitor::orientation) && b < now.size() && started && !found; ++b)
+    if (!started && !is_near_estimate(instant))
+      found = {time, time, last.group, Crossing::Kind::not_declared};
+    for (std::size_t b = 0; b < orientation.size() && !found; ++b)
       if (now[b] != orientation[b])
-        found = {last_time, time, assessor.system().group_of_block(static_cast<int>(b)), false};
+        found = {anew ? time : last_time, time,
+                 assessor.system().group_of_block(static_cast<int>(b)),
+                 anew ? Crossing::Kind::not_declared : Crossing::Kind::passed};
     orientation.assign(now.begin(), now.end());
     return found;
+  }
+
+  /// Whether the way from the estimate is short, but for what the drivers have moved since: against
+  /// a link where two mirror images are all that there is, which signs tell apart, and else against
+  /// the distance of the next singular position, of the order of 1 / κ.
+  bool is_near_estimate(const Instant& instant) {
+    double by_drivers = 0;
+    for (const Driver& d : mechanism.drivers)
+      by_drivers = std::max(by_drivers, moved(instant, mechanism.entities[d.coordinate].first));
+    const ScaledSystem& system = assessor.system();
+    for (int j = 0; j < system.size(); ++j) {
+      const double nearest = system.block_size(j) <= mirrored ? 1 : 1 / last.condition;
+      if (moved(instant, system.unknowns()[j]) > near * nearest + 2 * gain.largest() * by_drivers)
+        return false;
+    }
+    return true;
+  }
+
+  /// Since the estimate, in its magnitude.
+  double moved(const Instant& instant, int i) {
+    return std::abs(instant.q[i] - mechanism.estimate[i]) / assessor.system().magnitude(i);
   }
 };
 

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <span>
+#include <string_view>
 
 #include "formulations/formulation.h"
 #include "formulations/safety/assessment.h"
@@ -19,28 +21,47 @@ enum class Monitor : unsigned {
   continuity = 32    ///< whether rates lead from each instant to the next (Continuity)
 };
 
-/// Between two instants the motion went through a singular position, beyond which the branch is not
-/// determined by continuity: a block's determinant has changed its sign. Or it jumped: the second
-/// is not what the motion from the first leads to.
+struct MonitorName {
+  Monitor monitor;
+  std::string_view name;
+};
+inline constexpr std::array monitor_names{
+    MonitorName{Monitor::gain, "gain"},
+    MonitorName{Monitor::residual, "residual"},
+    MonitorName{Monitor::clock, "clock"},
+    MonitorName{Monitor::bounds, "bounds"},
+    MonitorName{Monitor::orientation, "orientation"},
+    MonitorName{Monitor::continuity, "continuity"},
+};
+
+/// From here on the assembly branch is not the one that continuity and the estimate declare, or
+/// nobody knows.
 struct Crossing {
+  enum class Kind {
+    passed,        ///< a singular position: a block's determinant has changed its sign
+    jumped,        ///< the later instant is not what the motion from the earlier leads to
+    not_declared,  ///< assembled with other signs of determinants than the estimate has, or too far
+                   ///< from it for these to mean anything
+  };
   double after, before;  ///< s
   GroupId group;
-  bool jumped;
+  Kind kind;
 };
 
 /// How right the instants of a motion are, at little cost: one is assessed (Assessor) when it is
 /// the first or the clock has come round, and when a cheap signal has moved by a factor of four
-/// since the last assessment, or by less where that may take a bound over its limit:
+/// since the last assessment, or by less where what is expected of it (Expectation) is worth
+/// correcting:
 ///
 ///   gain       the largest rate of an unknown of a group over that of the drivers; it grows as
 ///              the condition number does, which is the inverse of the distance to a dead point
 ///   residual   ‖Φ‖, to which the error of position is proportional
 ///
-/// An instant whose bounds exceed their limits, 100 times the tolerance in position, 100² and 100³
-/// times in velocity and acceleration (as a condition number's powers go), is corrected with
-/// factors of its own position and assessed again. What is above its limit then is *degraded*:
-/// conditioning allows no better. The instant after it is assessed as well, until one is not
-/// degraded.
+/// An instant whose bounds exceed 10 times the tolerance in position, 10² and 10³ times in velocity
+/// and acceleration (as a condition number's powers go), and ten times what conditioning allows
+/// (accuracy_limit), is corrected with factors of its own position and assessed again. What is
+/// above 100, 100² and 100³ times the tolerance then is *degraded*: conditioning allows no better.
+/// The instant after it is assessed as well, until one is not degraded.
 class Watch {
  public:
   static constexpr int usual = 1000;
@@ -60,8 +81,8 @@ class Watch {
   struct Judgement {
     Instant instant;  ///< corrected, perhaps; valid until the next
     bool degraded = false;
-    std::optional<Crossing> crossing;
-    Assessment assessment;  ///< of this instant, or a guess after the last one assessed
+    std::optional<Crossing> crossing{};
+    Assessment assessment{};  ///< of this instant, or a guess after the last one assessed
   };
   /// Instants in order of time. Nothing is taken from the heap but by KLU.
   Judgement judge(const Instant& instant);

@@ -102,6 +102,22 @@ TEST_F(Judging, DegradedIsExcusedByConditioningAlone) {
   EXPECT_EQ(reason(), "degraded");
 }
 
+TEST_F(Judging, EstimatesAreJudgedThemselves) {
+  c.bound = Bound::estimates;
+  c.factor = 1000;
+  attempted(1e-12);
+  for (auto& stated : attempt.stated) stated->bound = {2e-12, 2e-12, 2e-12};
+  attempt.most = {problem.answers[0].condition, {2e-12, 2e-12, 2e-12}};
+  EXPECT_EQ(verdict(), Verdict::as_expected) << reason();
+  attempt.stated[2]->bound.velocity = 1e-13;
+  EXPECT_EQ(verdict(), Verdict::defect);
+  attempt.stated[2]->bound.velocity = 2e-12;
+  attempt.most.bound.position = 1e-6;
+  EXPECT_TRUE(reason().starts_with("position said to be wrong by up to 1.0e-06")) << reason();
+  attempt.most.condition *= 20;
+  EXPECT_TRUE(reason().starts_with("condition")) << reason();
+}
+
 TEST_F(Judging, NumbersWhereThereIsNoAnswerAreADefect) {
   c.ends_singular = true;
   attempted(0);
@@ -124,7 +140,7 @@ TEST_F(Judging, WhatIsToBeRefusedMayFailAtOnce) {
   EXPECT_EQ(verdict(), Verdict::missed);
 }
 
-TEST_F(Judging, WhatHasToBeSaidAndNamedIs) {
+TEST_F(Judging, WhatHasToBeReportedIs) {
   c.failing_body = "dyad1/rocker";
   c.may_fail = true;
   attempted(0);
@@ -133,8 +149,23 @@ TEST_F(Judging, WhatHasToBeSaidAndNamedIs) {
   attempt.failed_group =
       problem.model->mechanism.entities[problem.model->mechanism.find("dyad1/C")].group;
   EXPECT_EQ(verdict(), Verdict::as_expected);
-  c.to_be_said = "why";
-  EXPECT_EQ(reason(), "it does not say why");
+  c.idle_body = "dyad1/coupler";
+  EXPECT_EQ(reason(), "it does not report that dyad1/coupler may spin");
+  problem.model->idle.push_back({"dyad1/coupler", "itself"});
+  EXPECT_EQ(verdict(), Verdict::as_expected);
+  attempt.heap_growth = 100'000;
+  EXPECT_EQ(reason(), "the heap has grown by 100000 bytes");
+}
+
+TEST_F(Judging, EndsOfWhatCannotBeSolvedAreKnownToANanosecond) {
+  c.goes_on = true;
+  attempted(0);
+  problem.ends = {0.05, 0.15};
+  EXPECT_EQ(reason(), "it says 0 ends of answers of 2");
+  attempt.gaps.push_back({0.05, 0.15 + 9e-10, true, {}, {}});
+  EXPECT_EQ(verdict(), Verdict::as_expected) << reason();
+  attempt.gaps[0].to += 2e-10;
+  EXPECT_EQ(reason(), "it says 0.1500000011 s where the answer ends or begins at 0.15 s");
 }
 
 TEST_F(Judging, YardsticksAreOtherAttempts) {

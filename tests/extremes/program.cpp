@@ -25,12 +25,15 @@ class ExtremesProgram : public testing::Test {
 };
 
 TEST_F(ExtremesProgram, RecordsWhatTheReportReads) {
-  EXPECT_EQ(extremes("--row 10 --row 14 --formulation '^group_.*_eigen$'"), 0);
+  EXPECT_EQ(extremes("--row 10 --row 13 --formulation '^group_.*_eigen$'"), 0);
   EXPECT_EQ(run(DESMO_REPORT " tables " + record_), 0);
 }
 
 TEST_F(ExtremesProgram, EndsWithOneWhereAnythingIsWrongWithoutAFlag) {
-  EXPECT_EQ(extremes("--row 3 --formulation '^global_automatic_klu$'"), 1);
+  const std::string dead_points = "--row 3 --formulation '^global_automatic_klu$'";
+  EXPECT_EQ(extremes(dead_points), 0);
+  std::filesystem::remove(record_);
+  EXPECT_EQ(extremes(dead_points + " --without bounds"), 1);
   EXPECT_EQ(run(DESMO_REPORT " tables " + record_), 0);
 }
 
@@ -39,6 +42,7 @@ TEST_F(ExtremesProgram, ComplainsOfMistakes) {
   EXPECT_EQ(extremes("--row 14 --formulation ma27"), 64);
   EXPECT_EQ(extremes("--row 14 --formulation '('"), 64);
   EXPECT_EQ(extremes("--row 3 --case 'no such case'"), 64);
+  EXPECT_EQ(extremes("--row 3 --without luck"), 64);
   EXPECT_FALSE(std::filesystem::exists(record_));
 }
 

@@ -78,7 +78,7 @@ TEST(Assessment, IsNeverLessThanTheErrorOfLibraryMotions) {
 }
 
 TEST(Assessment, IsNeverLessThanTheErrorNearADeadPoint) {
-  for (double distance = 1e-2; distance > 0.9e-12; distance /= 10) {
+  for (double distance = 1e-2; distance > 0.9e-13; distance /= 10) {
     const Mechanism m = locking_four_bar(Polynomial{{dead_point - distance, -1}});
     const TimeGrid grid{0, distance / 64, 9};
     const Reference reference = make_reference(m, sampled(grid, 9));
@@ -97,7 +97,7 @@ TEST(Assessment, IsNeverLessThanTheErrorNearADeadPoint) {
 
 /// Coupler and rocker in line, where the pin's velocity is whatever one likes.
 TEST(Assessment, CallsADeadPointSingular) {
-  for (const double distance : {0.0, 1e-15, 1e-14, 1e-13}) {
+  for (const double distance : {0.0, 1e-15, 1e-14}) {
     const Mechanism m = locking_four_bar(Polynomial{{dead_point - distance, 1}});
     Assessor assessor(m);
     const std::vector<double> rates(m.coordinates(), 1);

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+#include "formulations/accuracy/per_level.h"
+#include "formulations/accuracy/scales.h"
+
+namespace desmo {
+
+/// What a tolerance of position asks for at each level, the next being worse by what a moderate
+/// condition number makes of it.
+inline PerLevel<double> powers(double factor, double tolerance) {
+  const double t = std::max(tolerance, std::numeric_limits<double>::epsilon());
+  return {factor * t, factor * factor * t, factor * factor * factor * t};
+}
+
+/// Whether a bound is above its limit at any level.
+inline bool exceeds(const PerLevel<double>& bound, const PerLevel<double>& limit) {
+  return std::ranges::any_of(levels, [&](Level l) { return !(bound[l] <= limit[l]); });
+}
+
+/// Bounds relative to scales that have grown since.
+inline void rescale(PerLevel<double>& bound, const Scales& from, const Scales& to) {
+  for (const Level l : {Level::velocity, Level::acceleration}) {
+    const auto share = [&](double before, double now) { return now > 0 ? before / now : 1; };
+    bound[l] *=
+        std::max(share(from.length[l], to.length[l]), share(from.rotation[l], to.rotation[l]));
+  }
+}
+
+}  // namespace desmo
