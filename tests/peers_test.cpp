@@ -1,6 +1,8 @@
 // Simbody and Ceres Solver agree with the quadruple reference over the motion, in all that they
 // find. Built with DESMO_PEERS only. What is written by hand is tested by tree_peer_test.cpp.
 
+#include "tests/peers.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,19 +11,12 @@
 #include <stdexcept>
 #include <string>
 
-#include "bench/peers/peer.h"
 #include "bench/suite/peer_cell.h"
 #include "cases/cases.h"
 #include "formulations/modelling/model.h"
 
 namespace desmo {
 namespace {
-
-const PeerDefinition& find_peer(std::string_view name) {
-  for (const PeerDefinition* peer : peers())
-    if (peer->name == name) return *peer;
-  throw std::invalid_argument("no peer " + std::string(name));
-}
 
 class Peers : public testing::TestWithParam<std::string> {
  protected:
@@ -88,13 +83,9 @@ TEST(PeersOfTheBench, AreInItsRecordAndInTheReport) {
 }
 
 TEST(SimbodyPeer, NeedsAsManyLoopEquationsAsFreeMobilities) {
-  const Scene scene = truck_suspension(3);
-  const Mechanism mechanism = make_mechanism(scene);
-  EXPECT_EQ(find_peer("simbody").make(scene, mechanism)->setup(),
+  EXPECT_EQ(setup_by("simbody", truck_suspension(3)),
             "24 bodies, 36 mobilities, 6 of them prescribed, 30 loop-constraint equations");
-  const Scene bars = four_bar(7);
-  const Mechanism chain = make_mechanism(bars);
-  EXPECT_EQ(find_peer("simbody").make(bars, chain)->setup(),
+  EXPECT_EQ(setup_by("simbody", four_bar(7)),
             "8 bodies, 8 mobilities, 1 of them prescribed, 7 loop-constraint equations");
 }
 
@@ -106,9 +97,7 @@ TEST(SimbodyPeer, KnowsTheCasesOfTheSuiteOnly) {
 }
 
 TEST(CeresPeer, SolvesForWhatMovesAndIsNotDriven) {
-  const Scene scene = truck_suspension(1);
-  const Mechanism mechanism = make_mechanism(scene);
-  EXPECT_EQ(find_peer("ceres").make(scene, mechanism)->setup(),
+  EXPECT_EQ(setup_by("ceres", truck_suspension(1)),
             "39 parameter blocks with 109 unknowns, 85 cost functions with 109 residuals");
 }
 

@@ -7,20 +7,14 @@
 #include <stdexcept>
 #include <string>
 
-#include "bench/peers/peer.h"
 #include "bench/suite/peer_cell.h"
 #include "cases/cases.h"
 #include "formulations/modelling/model.h"
 #include "formulations/variants.h"
+#include "tests/peers.h"
 
 namespace desmo {
 namespace {
-
-const PeerDefinition& find_peer(std::string_view name) {
-  for (const PeerDefinition* peer : peers())
-    if (peer->name == name) return *peer;
-  throw std::invalid_argument("no peer " + std::string(name));
-}
 
 constexpr const char* names[] = {"tree", "tree_hermite5"};
 
@@ -132,15 +126,10 @@ INSTANTIATE_TEST_SUITE_P(Build, TreePeers, testing::ValuesIn(names),
                          [](const auto& info) { return std::string(info.param); });
 
 TEST(TreePeer, SaysWhatItNeededToBeSetUp) {
-  const Scene scene = truck_suspension(3);
-  const Mechanism mechanism = make_mechanism(scene);
-  EXPECT_EQ(find_peer("tree").make(scene, mechanism)->setup(),
+  EXPECT_EQ(setup_by("tree", truck_suspension(3)),
             "3 axles one after the other: yaw and pitch of each by Newton's method from the "
             "lengths of its rods; roll, arm, levers and dampers in closed form");
-  const Scene bars = four_bar(7);
-  const Mechanism chain = make_mechanism(bars);
-  EXPECT_EQ(find_peer("tree").make(bars, chain)->setup(),
-            "7 dyads one after the other, in closed form");
+  EXPECT_EQ(setup_by("tree", four_bar(7)), "7 dyads one after the other, in closed form");
 }
 
 }  // namespace

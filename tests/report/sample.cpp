@@ -114,6 +114,11 @@ void set_samples(Json& record, int coordinates, const std::string& id,
   cell_of(record, "truck_suspension", coordinates, id)["cpu_seconds"] = std::move(samples);
 }
 
+void set_family(Json& json, const std::string& id, double seconds, double spread) {
+  for (const int size : {114, 225, 336, 447, 558})
+    set_samples(json, size, id, {seconds * (1 + spread), seconds, seconds * (1 - spread)});
+}
+
 Record record_from(const Json& json) { return parse_record(json.dump()); }
 
 std::string complaint(const std::string& text) {

@@ -43,6 +43,8 @@ void set_motion(Json& record, double duration, double step = 0.01);
 
 /// Replaces the samples of a truck cell.
 void set_samples(Json& record, int coordinates, const std::string& id, std::vector<double> samples);
+/// Three samples around `seconds` for every truck cell of that id, at every size of the paper.
+void set_family(Json& json, const std::string& id, double seconds, double spread = 0.01);
 
 Record record_from(const Json& json);
 

@@ -1,19 +1,16 @@
-// Structural groups of classical mechanisms, found by hand, and the irreducible blocks inside them.
-
-#include "formulations/modelling/structure.h"
+// Structural groups of classical mechanisms, found by hand.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <ctime>
 #include <map>
 #include <set>
 
 #include "cases/cases.h"
-#include "formulations/incidence.h"
-#include "formulations/partition.h"
+#include "formulations/modelling/structure.h"
 #include "tests/describing.h"
 #include "tests/mechanisms.h"
+#include "tests/structure/linkages.h"
 
 namespace desmo {
 namespace {
@@ -44,53 +41,6 @@ void expect_groups(const Mechanism& m, const std::vector<Expected>& expected) {
   }
 }
 
-const Motion still = Polynomial{{1}};
-
-Mechanism mechanism(const Description& d) {
-  const auto drivers = std::ranges::count(d.coordinates, true, &Description::Coordinate::driven);
-  return model(d, std::vector<Motion>(drivers, still)).mechanism;
-}
-
-/// Describes planar linkages of pinned links by the names of their points.
-class Linkage {
- public:
-  explicit Linkage(std::string name, std::map<std::string, Vec> pins) : d_(std::move(name), 2) {
-    for (const auto& [pin, at] : pins) point_[pin] = d_.point(pin, at);
-  }
-
-  /// Bodies that share a pin are joined there, one to the next in order.
-  void link(const std::string& body, const std::vector<std::string>& pins) {
-    std::vector<int> points;
-    for (const std::string& p : pins) points.push_back(point_.at(p));
-    const int b = d_.body(body, points);
-    body_[body] = b;
-    for (const std::string& p : pins) join(p, b);
-  }
-  void ground(const std::vector<std::string>& pins) {
-    for (const std::string& p : pins) {
-      d_.carry(Sketch::ground, {point_.at(p)});
-      join(p, Sketch::ground);
-    }
-  }
-  void drive(const std::string& a, const std::string& b) {
-    d_.angle("angle of " + a + b, segment(point_.at(a), point_.at(b))).driven = true;
-  }
-  Sketch& sketch() { return d_; }
-  int point(const std::string& pin) const { return point_.at(pin); }
-  int body(const std::string& name) const { return body_.at(name); }
-  Description take() { return d_.take(); }
-
- private:
-  void join(const std::string& pin, int body) {
-    if (const auto it = last_.find(pin); it != last_.end())
-      d_.revolute(it->second, body, point_.at(pin));
-    last_[pin] = body;
-  }
-
-  Sketch d_;
-  std::map<std::string, int> point_, body_, last_;
-};
-
 TEST(Groups, OfASliderCrankAreTheCrankAndTheRodWithItsSlider) {
   Linkage l("slider-crank", {{"O", {0, 0, 0}}, {"B", {0.5, 0.8, 0}}, {"P", {3, 0, 0}}});
   l.ground({"O"});
@@ -119,25 +69,6 @@ TEST(Groups, OfASliderCrankDrivenAtTheSliderStartThere) {
   expect_groups(mechanism(l.take()), {{{"slider"}, 1, {}}, {{"crank", "rod"}, 0, {0}}});
 }
 
-/// Watt's six-bar: the four-bar A0 A B B0 carries the dyad of link5 and link6 on coupler and
-/// rocker.
-Linkage watt() {
-  Linkage l("watt", {{"A0", {0, 0, 0}},
-                     {"B0", {4, 0, 0}},
-                     {"A", {0.6, 0.8, 0}},
-                     {"B", {3.6, 2.8, 0}},
-                     {"C", {2.5, 4.5, 0}},
-                     {"D", {6, 3, 0}},
-                     {"E", {5.5, 6, 0}}});
-  l.ground({"A0", "B0"});
-  l.link("crank", {"A0", "A"});
-  l.link("coupler", {"A", "B", "C"});
-  l.link("rocker", {"B0", "B", "D"});
-  l.link("link5", {"C", "E"});
-  l.link("link6", {"D", "E"});
-  return l;
-}
-
 TEST(Groups, OfWattsSixBarDependOnTheDrivenLink) {
   Linkage at_crank = watt();
   at_crank.drive("A0", "A");
@@ -156,24 +87,6 @@ TEST(Groups, OfWattsSixBarDependOnTheDrivenLink) {
   at_link.drive("C", "E");
   expect_groups(mechanism(at_link.take()),
                 {{{"crank", "coupler", "rocker", "link5", "link6"}, 1, {}}});
-}
-
-/// Stephenson's third six-bar: the four-bar A0 A B B0, and on its coupler a dyad to the ground.
-Linkage stephenson() {
-  Linkage l("stephenson", {{"A0", {0, 0, 0}},
-                           {"B0", {4, 0, 0}},
-                           {"A", {0.6, 0.8, 0}},
-                           {"B", {3.6, 2.8, 0}},
-                           {"C", {2.5, 4.5, 0}},
-                           {"E", {5.5, 6, 0}},
-                           {"E0", {8, 1, 0}}});
-  l.ground({"A0", "B0", "E0"});
-  l.link("crank", {"A0", "A"});
-  l.link("coupler", {"A", "B", "C"});
-  l.link("rocker", {"B0", "B"});
-  l.link("link5", {"C", "E"});
-  l.link("link6", {"E0", "E"});
-  return l;
 }
 
 TEST(Groups, OfStephensonsSixBarDependOnTheDrivenLink) {
@@ -207,33 +120,6 @@ TEST(Groups, OfATriadAreNotSplit) {
   l.drive("F", "A");
   expect_groups(mechanism(l.take()),
                 {{{"arm"}, 1, {}}, {{"leg a", "leg b", "leg c", "plate"}, 0, {0}}});
-}
-
-/// A Stewart platform; each leg is a cylinder and a piston.
-Sketch stewart() {
-  Sketch d("stewart", 3);
-  std::vector<int> feet, heads, platform_points;
-  for (int i = 0; i < 6; ++i) {
-    const std::string n = std::to_string(i + 1);
-    feet.push_back(d.ground_point("G" + n, polar(2, i * 1.05 + (i % 2 ? 0.35 : 0))));
-    heads.push_back(d.point("H" + n, polar(1, i * 1.05 + (i % 2 ? -0.2 : 0.3)) + Vec{0, 0, 2}));
-  }
-  const int platform = d.body("platform", heads);
-  for (int i = 0; i < 6; ++i) {
-    const std::string n = std::to_string(i + 1);
-    const Vec a = polar(2, i * 1.05 + (i % 2 ? 0.35 : 0)),
-              b = polar(1, i * 1.05 + (i % 2 ? -0.2 : 0.3)) + Vec{0, 0, 2};
-    const Vec axis = unit(b - a), across = unit(cross(axis, {1, 0.1, 0}));
-    const int g = d.ground_vector("g" + n, unit(cross(across, {0, 0, 1})));
-    const int e = d.vector("e" + n, axis), u = d.vector("u" + n, across);
-    const int cylinder = d.body("cylinder" + n, {feet[i]}, {e, u}),
-              piston = d.body("piston" + n, {heads[i]}, {e, u});
-    d.joint(JointType::universal, Sketch::ground, cylinder, {feet[i]}, {g, u});
-    d.joint(JointType::prismatic, cylinder, piston, {feet[i], heads[i]}, {e, u});
-    d.joint(JointType::spherical, piston, platform, {heads[i]});
-    d.along("s" + n, feet[i], heads[i], e);
-  }
-  return d;
 }
 
 TEST(Groups, OfAStewartPlatformDrivenAtItsLegsAreOne) {
@@ -341,105 +227,6 @@ TEST(Groups, HaveAsManyRestrictionsAsFreedomsUnlessSomeAreRedundant) {
   ASSERT_EQ(s.groups.size(), 1u);
   EXPECT_EQ(s.groups[0].freedoms, 18);
   EXPECT_EQ(s.groups[0].restrictions, 21);
-}
-
-// ---- irreducible blocks ----
-
-/// Blocks are square, cover unknowns and equations once each, and read only what is found before.
-void expect_solvable_in_order(const Mechanism& m) {
-  std::vector<bool> found(m.state_size(), false);
-  for (int i = m.coordinates(); i < m.state_size(); ++i) found[i] = true;
-  const std::vector<bool> driven = independent_coordinates(m);
-  int unknown_count = 0, equation_count = 0;
-  for (int i = 0; i < m.coordinates(); ++i) {
-    found[i] = driven[i];
-    unknown_count += !driven[i];
-  }
-  for (const Constraint& c : m.constraints) equation_count += kept_rows(c);
-  std::set<std::pair<int, int>> equations;
-  int unknowns_covered = 0;
-  for (const PartDefinition& b : make_partition(m, Partition::block)) {
-    EXPECT_EQ(b.unknowns.size(), b.equations.size());
-    for (const int i : b.unknowns) {
-      EXPECT_FALSE(found[i]) << "found twice";
-      found[i] = true;
-      ++unknowns_covered;
-    }
-    for (const Equation& e : b.equations) {
-      EXPECT_TRUE(equations.emplace(e.constraint, e.row).second) << "stated twice";
-      EXPECT_FALSE(m.constraints[e.constraint].left_out >> e.row & 1);
-      visit_incidence(m, m.constraints[e.constraint], [&](int row, int state) {
-        EXPECT_TRUE(row != e.row || found[state])
-            << m.constraints[e.constraint].name << " reads ahead";
-      });
-    }
-  }
-  EXPECT_EQ(unknowns_covered, unknown_count);
-  EXPECT_EQ(static_cast<int>(equations.size()), equation_count);
-}
-
-TEST(Blocks, AreSquareCoverEverythingAndReadOnlyWhatIsFoundBefore) {
-  expect_solvable_in_order(truck_mechanism(3));
-  expect_solvable_in_order(four_bar_mechanism(9));
-  Linkage at_crank = watt(), at_link = watt(), triad = stephenson();
-  at_crank.drive("A0", "A");
-  at_link.drive("C", "E");
-  triad.drive("E0", "E");
-  for (Linkage* l : {&at_crank, &at_link, &triad}) expect_solvable_in_order(mechanism(l->take()));
-  Description d = stewart().take();
-  for (Description::Coordinate& c : d.coordinates) c.driven = true;
-  expect_solvable_in_order(model(d, std::vector<Motion>(6, still)).mechanism);
-}
-
-TEST(Blocks, OfTheTrucksFirstGroupAreOneOfSixteenSixOfThreeAndFiveOfOne) {
-  // Sixteen: the axle's WL.x, WL.y, x2, y2, z2 with S, C4.. as far as its arms hold them.
-  const Mechanism m = truck_mechanism(1);
-  std::map<std::size_t, int> sizes;
-  for (const PartDefinition& b : make_partition(m, Partition::block))
-    if (b.groups.front() == 1) ++sizes[b.unknowns.size()];
-  EXPECT_EQ(sizes, (std::map<std::size_t, int>{{16, 1}, {3, 6}, {1, 5}}));
-}
-
-TEST(Blocks, OfAnOrderedChainAreItsSmallestSteps) {
-  // Crank: B.x and B.y from θ. Dyad: C and ψ together, from length and angle.
-  const Mechanism m = four_bar_mechanism(3);
-  std::vector<std::size_t> sizes;
-  for (const PartDefinition& b : make_partition(m, Partition::block))
-    sizes.push_back(b.unknowns.size());
-  EXPECT_EQ(sizes, (std::vector<std::size_t>{1, 1, 3, 3, 3}));
-}
-
-// ---- growth ----
-
-TEST(Growth, OfTheAnalysisIsNearlyLinear) {
-  // Ten times as many dyads take ten times as long; a quadratic step somewhere, a hundred times.
-  // The best of several runs each, in this process's own time: a busy machine does not decide.
-  const auto seconds = [](int dyads, int runs) {
-    double best = 1e9;
-    for (int i = 0; i < runs; ++i) {
-      const std::clock_t start = std::clock();
-      const Mechanism m = four_bar_mechanism(dyads);
-      EXPECT_EQ(m.structural_groups(), dyads + 1);
-      EXPECT_EQ(make_partition(m, Partition::block).size(), dyads + 2u);
-      best = std::min(best, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
-    }
-    return best;
-  };
-  const double small = seconds(50, 10), medium = seconds(500, 5), large = seconds(5000, 2);
-  EXPECT_LT(medium, 40 * small);
-  EXPECT_LT(large, 40 * medium);
-}
-
-TEST(Growth, OfEquationsAndOfWhatTheyReadIsLinear) {
-  const auto entries = [](int dyads) {
-    const Mechanism m = four_bar_mechanism(dyads);
-    long count = 0;
-    for (const Constraint& c : m.constraints) visit_incidence(m, c, [&](int, int) { ++count; });
-    return count;
-  };
-  const long first = entries(50);
-  EXPECT_EQ(entries(100) - first, 10 * (entries(55) - first));
-  EXPECT_EQ(entries(5000) - first, 990 * (entries(55) - first));
 }
 
 }  // namespace

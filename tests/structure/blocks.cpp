@@ -1,0 +1,117 @@
+// The irreducible blocks of the equations inside structural groups, and how the analysis grows.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <ctime>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "cases/cases.h"
+#include "formulations/incidence.h"
+#include "formulations/partition.h"
+#include "tests/mechanisms.h"
+#include "tests/structure/linkages.h"
+
+namespace desmo {
+namespace {
+
+/// Blocks are square, cover unknowns and equations once each, and read only what is found before.
+void expect_solvable_in_order(const Mechanism& m) {
+  std::vector<bool> found(m.state_size(), false);
+  for (int i = m.coordinates(); i < m.state_size(); ++i) found[i] = true;
+  const std::vector<bool> driven = independent_coordinates(m);
+  int unknown_count = 0, equation_count = 0;
+  for (int i = 0; i < m.coordinates(); ++i) {
+    found[i] = driven[i];
+    unknown_count += !driven[i];
+  }
+  for (const Constraint& c : m.constraints) equation_count += kept_rows(c);
+  std::set<std::pair<int, int>> equations;
+  int unknowns_covered = 0;
+  for (const PartDefinition& b : make_partition(m, Partition::block)) {
+    EXPECT_EQ(b.unknowns.size(), b.equations.size());
+    for (const int i : b.unknowns) {
+      EXPECT_FALSE(found[i]) << "found twice";
+      found[i] = true;
+      ++unknowns_covered;
+    }
+    for (const Equation& e : b.equations) {
+      EXPECT_TRUE(equations.emplace(e.constraint, e.row).second) << "stated twice";
+      EXPECT_FALSE(m.constraints[e.constraint].left_out >> e.row & 1);
+      visit_incidence(m, m.constraints[e.constraint], [&](int row, int state) {
+        EXPECT_TRUE(row != e.row || found[state])
+            << m.constraints[e.constraint].name << " reads ahead";
+      });
+    }
+  }
+  EXPECT_EQ(unknowns_covered, unknown_count);
+  EXPECT_EQ(static_cast<int>(equations.size()), equation_count);
+}
+
+TEST(Blocks, AreSquareCoverEverythingAndReadOnlyWhatIsFoundBefore) {
+  expect_solvable_in_order(truck_mechanism(3));
+  expect_solvable_in_order(four_bar_mechanism(9));
+  Linkage at_crank = watt(), at_link = watt(), triad = stephenson();
+  at_crank.drive("A0", "A");
+  at_link.drive("C", "E");
+  triad.drive("E0", "E");
+  for (Linkage* l : {&at_crank, &at_link, &triad}) expect_solvable_in_order(mechanism(l->take()));
+  Description d = stewart().take();
+  for (Description::Coordinate& c : d.coordinates) c.driven = true;
+  expect_solvable_in_order(model(d, std::vector<Motion>(6, still)).mechanism);
+}
+
+TEST(Blocks, OfTheTrucksFirstGroupAreOneOfSixteenSixOfThreeAndFiveOfOne) {
+  // Sixteen: the axle's WL.x, WL.y, x2, y2, z2 with S, C4.. as far as its arms hold them.
+  const Mechanism m = truck_mechanism(1);
+  std::map<std::size_t, int> sizes;
+  for (const PartDefinition& b : make_partition(m, Partition::block))
+    if (b.groups.front() == 1) ++sizes[b.unknowns.size()];
+  EXPECT_EQ(sizes, (std::map<std::size_t, int>{{16, 1}, {3, 6}, {1, 5}}));
+}
+
+TEST(Blocks, OfAnOrderedChainAreItsSmallestSteps) {
+  // Crank: B.x and B.y from θ. Dyad: C and ψ together, from length and angle.
+  const Mechanism m = four_bar_mechanism(3);
+  std::vector<std::size_t> sizes;
+  for (const PartDefinition& b : make_partition(m, Partition::block))
+    sizes.push_back(b.unknowns.size());
+  EXPECT_EQ(sizes, (std::vector<std::size_t>{1, 1, 3, 3, 3}));
+}
+
+TEST(Growth, OfTheAnalysisIsNearlyLinear) {
+  // Ten times as many dyads take ten times as long; a quadratic step somewhere, a hundred times.
+  // The best of several runs each, in this process's own time: a busy machine does not decide.
+  const auto seconds = [](int dyads, int runs) {
+    double best = 1e9;
+    for (int i = 0; i < runs; ++i) {
+      const std::clock_t start = std::clock();
+      const Mechanism m = four_bar_mechanism(dyads);
+      EXPECT_EQ(m.structural_groups(), dyads + 1);
+      EXPECT_EQ(make_partition(m, Partition::block).size(), dyads + 2u);
+      best = std::min(best, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+    }
+    return best;
+  };
+  const double small = seconds(50, 10), medium = seconds(500, 5), large = seconds(5000, 2);
+  EXPECT_LT(medium, 40 * small);
+  EXPECT_LT(large, 40 * medium);
+}
+
+TEST(Growth, OfEquationsAndOfWhatTheyReadIsLinear) {
+  const auto entries = [](int dyads) {
+    const Mechanism m = four_bar_mechanism(dyads);
+    long count = 0;
+    for (const Constraint& c : m.constraints) visit_incidence(m, c, [&](int, int) { ++count; });
+    return count;
+  };
+  const long first = entries(50);
+  EXPECT_EQ(entries(100) - first, 10 * (entries(55) - first));
+  EXPECT_EQ(entries(5000) - first, 990 * (entries(55) - first));
+}
+
+}  // namespace
+}  // namespace desmo

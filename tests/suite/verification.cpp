@@ -1,0 +1,55 @@
+// What is compared with the reference, and when it counts as agreeing.
+
+#include "bench/suite/verification.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace desmo::suite {
+namespace {
+
+struct Verification : testing::Test {
+  std::vector<ReferenceInstant> reference{{0, {1, 2}, {3, 4}, {5, 6}}, {1, {1, 2}, {3, 4}, {5, 6}}};
+  VerifyingSink sink{reference};
+
+  void accept(int index, double time, std::vector<double> q) {
+    const std::vector<double> qd{3, 4}, qdd{5, 6};
+    sink.accept({index, time, q, qd, qdd});
+  }
+};
+
+TEST_F(Verification, AcceptsWhatAgrees) {
+  accept(0, 0, {1, 2});
+  accept(1, 0.5, {7, 7});  // the reference has nothing to say here
+  accept(2, 1, {1, 2 + 1e-10});
+  EXPECT_EQ(complaint(sink.errors(), 2), "");
+  EXPECT_NEAR(sink.errors().position, 1e-10, 1e-15);
+}
+
+TEST_F(Verification, RefusesWhatDiffers) {
+  accept(0, 0, {1, 2});
+  accept(1, 1, {1, 2 + 1e-8});
+  EXPECT_NE(complaint(sink.errors(), 2), "");
+}
+
+TEST_F(Verification, RefusesWhatIsNotANumber) {
+  accept(0, 0, {1, NAN});
+  accept(1, 1, {1, 2});
+  EXPECT_NE(complaint(sink.errors(), 2), "");
+}
+
+TEST_F(Verification, RefusesWhatIsMissing) {
+  accept(0, 0, {});
+  accept(1, 1, {1, 2});
+  EXPECT_NE(complaint(sink.errors(), 2), "");
+}
+
+TEST_F(Verification, RefusesInstantsThatWereNeverSeen) {
+  accept(0, 0, {1, 2});
+  EXPECT_NE(complaint(sink.errors(), 2), "");
+}
+
+}  // namespace
+}  // namespace desmo::suite
