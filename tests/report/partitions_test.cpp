@@ -7,8 +7,6 @@
 namespace desmo::report {
 namespace {
 
-constexpr const char* truck = "truck_suspension";
-
 Section section_of(const Json& json) { return partitions(record_from(json)); }
 
 const Table& structure_of(const Section& section) { return section.tables.at(0); }

@@ -7,25 +7,25 @@ namespace {
 
 #define EXPECT_CONTAINS(text, part) EXPECT_NE((text).find(part), std::string::npos) << (text)
 
-const SeriesKey truck{"truck_suspension", 225, 0.01, 101};
+const SeriesKey truck_series{"truck_suspension", 225, 0.01, 101};
 
 TEST(PointsReader, ReadsWhatIsThere) {
   const Record record = record_from(points_record());
   EXPECT_EQ(record.points.size(), 24u);
   EXPECT_EQ(record.floors.size(), 4u);
-  const Floor& floor = record.floors.at(truck);
+  const Floor& floor = record.floors.at(truck_series);
   EXPECT_EQ(floor.compared, 21);
   EXPECT_EQ(floor.reference.velocity, 5e-33);
   EXPECT_EQ(floor.condition, 1000);
   EXPECT_EQ(floor.in_float->acceleration, 60);
-  const Point& point = record.points.at({truck, "global_automatic_klu/iterations:2"});
+  const Point& point = record.points.at({truck_series, "global_automatic_klu/iterations:2"});
   EXPECT_EQ(point.status, Point::Status::ok);
   EXPECT_EQ(point.configuration.iterations, "2");
   EXPECT_EQ(point.error.velocity->max, 4e-9);
   EXPECT_EQ(point.violation.position->rms, 1e-10);
   EXPECT_EQ(point.iterations_per_step, 2.02);
   EXPECT_EQ(point.seconds_per_step.size(), 3u);
-  const Point& refused = record.points.at({truck, "global_automatic_klu/scalar:float"});
+  const Point& refused = record.points.at({truck_series, "global_automatic_klu/scalar:float"});
   EXPECT_EQ(refused.status, Point::Status::not_applicable);
   EXPECT_CONTAINS(refused.message, "klu factorises in double");
 }
@@ -42,7 +42,7 @@ TEST(PointsReader, CellsAndPointsMayStandInOneRecord) {
 TEST(PointsReader, AnAnswerThatIsNoNumberIsAFailure) {
   Json json = points_record();
   point_of(json, "global_automatic_klu")["error"].erase("position");
-  const Point point = record_from(json).points.at({truck, "global_automatic_klu"});
+  const Point point = record_from(json).points.at({truck_series, "global_automatic_klu"});
   EXPECT_EQ(point.status, Point::Status::failed);
   EXPECT_EQ(point.message, "the positions found are beyond all measure");
   EXPECT_TRUE(point.seconds_per_step.empty());

@@ -13,6 +13,8 @@ namespace desmo::report {
 
 using Json = nlohmann::ordered_json;
 
+inline constexpr const char* truck = "truck_suspension";
+
 std::filesystem::path data_file(const std::string& name);
 std::string read_text(const std::filesystem::path& file);
 

@@ -10,8 +10,6 @@
 namespace desmo::report {
 namespace {
 
-constexpr const char* truck = "truck_suspension";
-
 TEST(Paper, HoldsThePublishedTables) {
   EXPECT_EQ(published_sizes(), (std::vector<std::int64_t>{114, 225, 336, 447, 558}));
   EXPECT_EQ(published_cpu_seconds().text("558", "TS-G_MA27"), "7.100");
