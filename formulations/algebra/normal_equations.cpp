@@ -7,25 +7,25 @@ namespace desmo {
 
 NormalEquations::NormalEquations(const Pattern& p, NormalForm form,
                                  const std::vector<int>& permutation)
-    : n_(p.n),
-      form_(form),
-      permutation_(permutation),
-      jacobian_start_(p.column_start),
-      jacobian_row_(p.row) {
+    : n_(p.n), form_(form), permutation_(permutation) {
+  using Pair = SumsOfProducts::Pair;
   std::vector<int> new_index(n_);
   for (int k = 0; k < n_; ++k) new_index[permutation_[k]] = k;
 
   // Entries that meet in products, being of one row (columns) or one column (rows) of Φ_φ:
   // (index in N, position of the value).
   std::vector<std::vector<std::pair<int, int>>> meeting(n_);
+  std::vector<std::vector<Pair>> transposed(n_);
   for (int j = 0; j < n_; ++j)
     for (int e = p.column_start[j]; e < p.column_start[j + 1]; ++e)
       if (form_ == NormalForm::columns) {
         meeting[p.row[e]].emplace_back(new_index[j], e);
+        transposed[new_index[j]].push_back({e, p.row[e]});
       } else {
-        jacobian_row_[e] = new_index[p.row[e]];
-        meeting[j].emplace_back(jacobian_row_[e], e);
+        meeting[j].emplace_back(new_index[p.row[e]], e);
+        transposed[j].push_back({e, new_index[p.row[e]]});
       }
+  transposed_ = SumsOfProducts(transposed);
 
   // N_ij = Σ_r Φ_ri Φ_rj or Σ_c Φ_ic Φ_jc, i ≤ j.
   std::vector<std::map<int, std::vector<Pair>>> columns(n_);
@@ -34,32 +34,26 @@ NormalEquations::NormalEquations(const Pattern& p, NormalForm form,
       for (const auto& [j, b] : entries)
         if (i <= j) columns[j][i].push_back({a, b});
 
+  std::vector<std::vector<Pair>> products;
   column_start_.push_back(0);
-  pair_start_.push_back(0);
-  for (const auto& column : columns) {
-    for (const auto& [i, products] : column) {
+  for (auto& column : columns) {
+    for (auto& [i, pairs] : column) {
       row_.push_back(i);
-      pairs_.insert(pairs_.end(), products.begin(), products.end());
-      pair_start_.push_back(static_cast<int>(pairs_.size()));
+      products.push_back(std::move(pairs));
     }
     column_start_.push_back(static_cast<int>(row_.size()));
   }
+  entries_ = SumsOfProducts(products);
   values_.resize(row_.size());
 }
 
 void NormalEquations::refill(const double* jacobian) {
-  const Pair* pair = pairs_.data();
-  for (std::size_t e = 0; e < values_.size(); ++e) {
-    double sum = 0;
-    for (const Pair* end = pairs_.data() + pair_start_[e + 1]; pair != end; ++pair)
-      sum += jacobian[pair->a] * jacobian[pair->b];
-    values_[e] = sum;
-  }
+  entries_(jacobian, jacobian, values_.data());
 }
 
 void NormalEquations::right_side(const double* jacobian, const double* b, double* right) const {
   if (form_ == NormalForm::columns)
-    for (int k = 0; k < n_; ++k) right[k] = column_product(permutation_[k], jacobian, b);
+    transposed_(jacobian, b, right);
   else
     for (int k = 0; k < n_; ++k) right[k] = b[permutation_[k]];
 }
@@ -68,7 +62,7 @@ void NormalEquations::solution(const double* jacobian, const double* y, double* 
   if (form_ == NormalForm::columns)
     for (int k = 0; k < n_; ++k) x[permutation_[k]] = y[k];
   else
-    for (int j = 0; j < n_; ++j) x[j] = column_product(j, jacobian, y);
+    transposed_(jacobian, y, x);
 }
 
 }  // namespace desmo

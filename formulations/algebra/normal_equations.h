@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "formulations/algebra/sums_of_products.h"
 #include "formulations/equations/pattern.h"
 
 namespace desmo {
@@ -13,7 +14,7 @@ enum class NormalForm {
 };
 
 /// The upper triangle of N = Φ_φᵀ Φ_φ or Φ_φ Φ_φᵀ with rows and columns permuted, refilled without
-/// searching: each entry is a sum of products of pairs of entries of Φ_φ, listed once.
+/// searching: each entry is a sum of products of entries of Φ_φ.
 class NormalEquations {
  public:
   /// permutation[k] is the column or row of Φ_φ that becomes column k of N.
@@ -32,25 +33,13 @@ class NormalEquations {
   void solution(const double* jacobian, const double* y, double* x) const;
 
  private:
-  double column_product(int j, const double* jacobian, const double* b) const {
-    double sum = 0;
-    for (int e = jacobian_start_[j]; e < jacobian_start_[j + 1]; ++e)
-      sum += jacobian[e] * b[jacobian_row_[e]];
-    return sum;
-  }
-
   int n_;
   NormalForm form_;
   std::vector<int> permutation_;
-  std::vector<int> jacobian_start_;
-  std::vector<int> jacobian_row_;  // as numbered in N, where N is made of rows
   std::vector<int> column_start_, row_;
   std::vector<double> values_;
-  struct Pair {
-    int a, b;  // positions in the values of Φ_φ
-  };
-  std::vector<Pair> pairs_;      // of all entries of N, in order
-  std::vector<int> pair_start_;  // of each entry of N, and the end
+  SumsOfProducts entries_;     // of N, products of entries of Φ_φ
+  SumsOfProducts transposed_;  // Φ_φᵀ times a vector, permuted as N where that is made of columns
 };
 
 }  // namespace desmo

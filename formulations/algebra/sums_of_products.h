@@ -1,0 +1,54 @@
+#pragma once
+
+#include <map>
+#include <vector>
+
+namespace desmo {
+
+/// Sums of products of elements of two arrays, c_i = Σ u_a v_b over pairs (a, b) listed once.
+/// Sums of equally many products are taken one after the other: loops then end where the processor
+/// expects it, and the time does not hang on where their code happens to begin.
+class SumsOfProducts {
+ public:
+  struct Pair {
+    int a, b;  ///< elements of u and v
+  };
+
+  SumsOfProducts() = default;
+  /// pairs[i] lists the products of c_i, added in that order.
+  explicit SumsOfProducts(const std::vector<std::vector<Pair>>& pairs) {
+    std::map<int, std::vector<int>> of_length;
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+      of_length[static_cast<int>(pairs[i].size())].push_back(static_cast<int>(i));
+    for (const auto& [length, sums] : of_length) {
+      runs_.push_back({length, static_cast<int>(sums.size())});
+      for (int i : sums) {
+        target_.push_back(i);
+        pairs_.insert(pairs_.end(), pairs[i].begin(), pairs[i].end());
+      }
+    }
+  }
+
+  /// Overwrites every c_i. c shares no element with u and v.
+  void operator()(const double* u, const double* v, double* c) const {
+    const int* target = target_.data();
+    const Pair* pair = pairs_.data();
+    for (const Run& run : runs_)
+      for (const int* end = target + run.sums; target != end; ++target) {
+        double sum = 0;
+        for (int k = 0; k < run.length; ++k, ++pair) sum += u[pair->a] * v[pair->b];
+        c[*target] = sum;
+      }
+  }
+
+ private:
+  struct Run {
+    int length;  // products of each
+    int sums;
+  };
+  std::vector<Run> runs_;
+  std::vector<int> target_;  // i of c_i, run after run
+  std::vector<Pair> pairs_;  // sum after sum
+};
+
+}  // namespace desmo
