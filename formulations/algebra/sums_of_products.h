@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <type_traits>
 #include <vector>
 
 namespace desmo {
@@ -33,12 +34,31 @@ class SumsOfProducts {
   void operator()(const double* u, const double* v, double* c) const {
     const int* target = target_.data();
     const Pair* pair = pairs_.data();
-    for (const Run& run : runs_)
-      for (const int* end = target + run.sums; target != end; ++target) {
-        double sum = 0;
-        for (int k = 0; k < run.length; ++k, ++pair) sum += u[pair->a] * v[pair->b];
-        c[*target] = sum;
+    for (const Run& run : runs_) {
+      const auto add = [&](auto length) {
+        for (int i = 0; i < run.sums; ++i, ++target, pair += length) {
+          double sum = 0;
+          for (int k = 0; k < length; ++k) sum += u[pair[k].a] * v[pair[k].b];
+          c[*target] = sum;
+        }
+      };
+      switch (run.length) {  // short ones without a loop
+        case 1:
+          add(std::integral_constant<int, 1>());
+          break;
+        case 2:
+          add(std::integral_constant<int, 2>());
+          break;
+        case 3:
+          add(std::integral_constant<int, 3>());
+          break;
+        case 4:
+          add(std::integral_constant<int, 4>());
+          break;
+        default:
+          add(run.length);
       }
+    }
   }
 
  private:
