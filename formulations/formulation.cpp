@@ -14,14 +14,24 @@
 
 namespace desmo {
 
+namespace {
+
+void set(State& state, int coordinate, const MotionSample<double>& z) {
+  state.q[coordinate] = z.position;
+  state.qd[coordinate] = z.velocity;
+  state.qdd[coordinate] = z.acceleration;
+}
+
+std::vector<const Motion*> motions_of(const std::vector<Driver>& drivers) {
+  std::vector<const Motion*> motions;
+  for (const Driver& d : drivers) motions.push_back(&d.motion);
+  return motions;
+}
+
+}  // namespace
+
 void drive(const Mechanism& m, double t, State& state) {
-  for (const Driver& d : m.drivers) {
-    const int i = m.entities[d.coordinate].first;
-    const MotionSample<double> z = sample(d.motion, t);
-    state.q[i] = z.position;
-    state.qd[i] = z.velocity;
-    state.qdd[i] = z.acceleration;
-  }
+  for (const Driver& d : m.drivers) set(state, m.entities[d.coordinate].first, sample(d.motion, t));
 }
 
 std::string describe(const Summary& s, const Mechanism& m) {
@@ -54,6 +64,7 @@ double sum_of_tolerances(const std::vector<Formulation::DefinedPart>& parts) {
 Formulation::Formulation(const Mechanism& mechanism, std::vector<DefinedPart> parts,
                          const Settings& settings, std::unique_ptr<WholeMotion> whole_motion)
     : mechanism_(mechanism),
+      motions_(motions_of(mechanism.drivers)),
       parts_(std::move(parts)),
       settings_(settings),
       tolerance_(std::max(settings.tolerance, sum_of_tolerances(parts_))),
@@ -120,6 +131,13 @@ void Formulation::guess(double t) {
   std::swap(state_.q, estimate_);
 }
 
+/// As the function of that name, all drivers at once.
+void Formulation::drive(double t) {
+  const std::span<const MotionSample<double>> z = motions_(t);
+  for (std::size_t d = 0; d < z.size(); ++d)
+    set(state_, mechanism_.entities[mechanism_.drivers[d].coordinate].first, z[d]);
+}
+
 Summary Formulation::solve(std::span<const Stage> stages, double t, Level level) {
   Summary summary;
   summary.time = t;
@@ -176,7 +194,7 @@ Summary Formulation::assemble(double t, Level level) {
 Summary Formulation::step(double t, Level level) {
   if (!assembled_) return assemble(t, level);
   guess(t);
-  drive(mechanism_, t, state_);
+  drive(t);
   const Summary summary = solve(moving_, t, level);
   if (!summary.ok()) std::ranges::copy(before_.q, state_.q.begin());
   then_ = summary.ok() ? now_ : Solved{};
@@ -199,7 +217,7 @@ bool Formulation::enter(std::span<const double> q, double t) {
   };
   assembled_ = go_straight(mechanism_, t, state_, solve_position);
   if (!assembled_) return false;
-  drive(mechanism_, t, state_);  // whole turns
+  drive(t);  // whole turns
   return assembled_ = solve_position(state_);
 }
 

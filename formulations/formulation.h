@@ -9,6 +9,7 @@
 #include "cases/mechanism.h"
 #include "cases/motion.h"
 #include "formulations/guess.h"
+#include "formulations/lane_motion.h"
 #include "formulations/part.h"
 #include "formulations/partition.h"
 
@@ -164,9 +165,11 @@ class Formulation {
   bool solve_next(int i, double t, const Request& request, Sink& sink, Summary& total);
   std::optional<Summary> run_at_once(const TimeGrid& grid, const Request& request, Sink& sink);
   void guess(double t);
+  void drive(double t);
   Summary solve(std::span<const Stage> stages, double t, Level level);
 
   const Mechanism& mechanism_;
+  MotionSampler motions_;  // of the drivers
   std::vector<DefinedPart> parts_;
   std::vector<Stage> constant_, moving_;  // those that depend on no driver, and the others
   /// Moving unknowns from which a solver starts, by the level to which they are solved.

@@ -193,6 +193,30 @@ TEST(Lanes, FollowTheMotionsOfDrivers) {
   }
 }
 
+TEST(MotionSampler, GivesEachMotionAlone) {
+  const Motion motions[] = {HarmonicSum{0.5, {{0.1, 6, 0.3}, {2, -11, 1}, {0.3, 0, 2}}},
+                            Polynomial{{1, -2, 0.5, 0.25}}, HarmonicSum{-3, {}},
+                            make_spline({0, 1, 3, 4, 7}, {0, 1, -1, 2, 0}, SplineEnds::natural),
+                            HarmonicSum{0, {{1, 1, 0}, {1, 3, 0}, {1, 5, 0}}}};
+  std::vector<const Motion*> addresses;
+  for (const Motion& motion : motions) addresses.push_back(&motion);
+  MotionSampler sampler(addresses);
+  for (const double t : {-1.0, 0.0, 0.7, 30.0, 1e6, 1e7}) {  // the last: angles beyond reduction
+    const std::span<const MotionSample<double>> samples = sampler(t);
+    ASSERT_EQ(samples.size(), addresses.size());
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      const MotionSample<double> expected = sample(motions[i], t);
+      const auto near = [](double a, double b) {
+        return std::abs(a - b) <= 1e-14 * (30 + std::abs(b));
+      };
+      EXPECT_TRUE(near(samples[i].position, expected.position)) << i << " at " << t;
+      EXPECT_TRUE(near(samples[i].velocity, expected.velocity)) << i << " at " << t;
+      EXPECT_TRUE(near(samples[i].acceleration, expected.acceleration)) << i << " at " << t;
+    }
+  }
+  EXPECT_TRUE(MotionSampler({})(1.0).empty());
+}
+
 /// Inline functions of others, compiled for processors that not everybody has, must not be what the
 /// linker takes for all.
 TEST(Lanes, OfWiderRegistersShareNoNames) {

@@ -10,6 +10,7 @@
 #include "bench/peers/tree/stabiliser.h"
 #include "bench/peers/tree/tree_peer.h"
 #include "formulations/guess.h"
+#include "formulations/lane_motion.h"
 
 namespace desmo::tree {
 
@@ -17,15 +18,11 @@ namespace {
 
 /// An axle with all that hangs on it, and where it was.
 struct Suspension {
-  Suspension(const Description& d, const std::string& prefix, double tolerance,
-             const Motion& left_height, const Motion& right_height)
-      : left(left_height),
-        right(right_height),
-        axle(d, prefix, tolerance),
+  Suspension(const Description& d, const std::string& prefix, double tolerance)
+      : axle(d, prefix, tolerance),
         stabilisers{Stabiliser(d, prefix, "6", "8"), Stabiliser(d, prefix, "7", "9")},
         dampers{Damper(d, prefix, "10", "11"), Damper(d, prefix, "12", "13")} {}
 
-  const Motion &left, &right;  // of the wheels
   Axle axle;
   std::array<Stabiliser, 2> stabilisers;
   std::array<Damper, 2> dampers;
@@ -34,7 +31,8 @@ struct Suspension {
 
 class Truck final : public TreePeer {
  public:
-  Truck(const Scene& scene, const Mechanism& mechanism, Guess guess) : guess_(guess) {
+  Truck(const Scene& scene, const Mechanism& mechanism, Guess guess)
+      : guess_(guess), heights_(addresses(scene.motions)) {
     const int axles = static_cast<int>(scene.motions.size()) / 2;
     // As ours: the whole mechanism meets the tolerance.
     const double tolerance = Settings{}.tolerance / std::sqrt(axles);
@@ -42,8 +40,7 @@ class Truck final : public TreePeer {
     will_deliver(mechanism, {"y1"});
     for (int a = 0; a < axles; ++a) {
       const std::string prefix = "axle" + std::to_string(a + 1) + "/";
-      suspensions_.emplace_back(scene.mechanism, prefix, tolerance, scene.motions[2 * a],
-                                scene.motions[2 * a + 1]);
+      suspensions_.emplace_back(scene.mechanism, prefix, tolerance);
       will_deliver(mechanism, Axle::delivered(prefix));
       will_deliver(mechanism, Stabiliser::delivered(prefix, "6", "8"));
       will_deliver(mechanism, Stabiliser::delivered(prefix, "7", "9"));
@@ -85,9 +82,10 @@ class Truck final : public TreePeer {
     Delivery out = delivery();
     out.put(Moving<Vec>{Vec::UnitY(), Vec::Zero(), Vec::Zero()});  // y1
     int iterations = 0;
-    for (Suspension& s : suspensions_) {
-      iterations =
-          std::max(iterations, s.axle.solve(sample(s.left, t), sample(s.right, t), s.last));
+    const std::span<const MotionSample<double>> heights = heights_(t);
+    for (std::size_t a = 0; a < suspensions_.size(); ++a) {
+      Suspension& s = suspensions_[a];
+      iterations = std::max(iterations, s.axle.solve(heights[2 * a], heights[2 * a + 1], s.last));
       s.axle.deliver(out);
       for (const Stabiliser& stabiliser : s.stabilisers) stabiliser.solve(s.axle.pose(), out);
       for (const Damper& damper : s.dampers) damper.solve(s.axle.pose(), out);
@@ -95,7 +93,14 @@ class Truck final : public TreePeer {
     iterations_ += iterations;
   }
 
+  static std::vector<const Motion*> addresses(const std::vector<Motion>& motions) {
+    std::vector<const Motion*> result;
+    for (const Motion& motion : motions) result.push_back(&motion);
+    return result;
+  }
+
   Guess guess_;
+  MotionSampler heights_;  // of the left and the right wheels, axle after axle
   std::vector<Suspension> suspensions_;
   double time_ = 0, h_ = 0;      // of the last instant, and from the one before it
   std::optional<Level> before_;  // nothing: there is none
