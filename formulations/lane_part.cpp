@@ -4,25 +4,50 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <numeric>
+#include <set>
 
 namespace desmo {
 
 namespace {
 
-/// One behind the other the elements of each array, side by side.
-LaneValues side_by_side(const std::vector<const double*>& arrays, std::size_t count) {
-  LaneValues result;
-  for (std::size_t k = 0; k < count; ++k)
-    for (const double* const array : arrays) result.push_back(array[k]);
-  return result;
+using Members = std::vector<const ExplicitPart*>;
+
+Members members_of(const LanePart::Copy& copy) {
+  Members members;
+  for (const auto& member : copy) members.push_back(member.get());
+  return members;
 }
 
-/// The widest: what rounding leaves is not the same for all.
-ExplicitLimits limits_of(const std::vector<ExplicitPart*>& members) {
-  const auto limits = [](const ExplicitPart* member) { return member->binding().limits; };
-  return limits(*std::ranges::max_element(
-      members, {}, [&](const ExplicitPart* member) { return limits(member).tolerance2; }));
+std::span<const int> inputs_of(const ExplicitPart& part) {
+  return {part.binding().in, part.inputs()};
+}
+
+/// Of all parts of a copy, ascending: components of an entity then follow each other.
+std::vector<int> states_of(std::span<const ExplicitPart* const> copy) {
+  std::set<int> states;
+  for (const ExplicitPart* const part : copy)
+    for (const int state : inputs_of(*part)) states.insert(state);
+  return {states.begin(), states.end()};
+}
+
+int position_in(std::span<const int> ascending, int value) {
+  return static_cast<int>(std::ranges::lower_bound(ascending, value) - ascending.begin());
+}
+
+/// For each state of the first copy that which stands in its place in another. Nothing where one
+/// stands in two places.
+std::optional<std::vector<int>> places_in(std::span<const ExplicitPart* const> other,
+                                          std::span<const ExplicitPart* const> first,
+                                          std::span<const int> states) {
+  std::vector<int> places(states.size(), -1);
+  for (std::size_t j = 0; j < first.size(); ++j)
+    for (std::size_t i = 0; i < first[j]->inputs(); ++i) {
+      int& place = places[position_in(states, inputs_of(*first[j])[i])];
+      const int state = inputs_of(*other[j])[i];
+      if (place >= 0 && place != state) return std::nullopt;
+      place = state;
+    }
+  return places;
 }
 
 void append(PartResult& all, const PartResult& one, double& residual2) {
@@ -33,55 +58,67 @@ void append(PartResult& all, const PartResult& one, double& residual2) {
 
 }  // namespace
 
-LanePart::LanePart(std::vector<const LaneKernel*> kernels,
-                   std::vector<std::unique_ptr<ExplicitPart>> members)
-    : kernels_(std::move(kernels)), members_(std::move(members)) {
-  const std::size_t inputs = members_.front()->inputs();
-  identity_.resize(inputs);
-  std::iota(identity_.begin(), identity_.end(), 0);
+bool are_copies(std::span<const ExplicitPart* const> a, std::span<const ExplicitPart* const> b) {
+  const auto type = [](const ExplicitPart* part) { return part->kernel().fingerprint; };
+  return std::ranges::equal(a, b, {}, type, type) && places_in(b, a, states_of(a)) &&
+         places_in(a, b, states_of(b));
+}
+
+LanePart::LanePart(std::vector<Kernels> kernels, std::vector<Copy> copies)
+    : kernels_(std::move(kernels)),
+      copies_(std::move(copies)),
+      states_(states_of(members_of(copies_.front()))) {
+  const auto most = static_cast<std::size_t>(kernels_.back().front()->lanes);
   for (LaneValues* values : {&local_.q, &local_.qd, &local_.qdd})
-    values->resize(inputs * kernels_.back()->lanes);
-  for (std::size_t first = 0; first < members_.size(); first += batches_.back().members.size())
-    batches_.push_back(make_batch(first));
-  for (Batch& b : batches_)
-    b.binding = {identity_.data(), b.c.data(), b.f.data(),
-                 b.branch.data(),  b.w.data(), limits_of(b.members)};
+    values->resize(states_.size() * most);
+  for (std::span<Copy> left = copies_; !left.empty();) {
+    const Kernels& chosen = kernels_for(left.size());
+    const std::size_t taken =
+        std::min(left.size(), static_cast<std::size_t>(chosen.front()->lanes));
+    batches_.push_back(make_batch(left.first(taken), chosen));
+    left = left.subspan(taken);
+  }
 }
 
 /// Lanes left empty cost as much as others: as few as may be.
-const LaneKernel& LanePart::kernel_for(std::size_t members) const {
-  const auto holds_all = [&](const LaneKernel* k) {
-    return static_cast<std::size_t>(k->lanes) >= members;
+const LanePart::Kernels& LanePart::kernels_for(std::size_t copies) const {
+  const auto hold_all = [&](const Kernels& k) {
+    return static_cast<std::size_t>(k.front()->lanes) >= copies;
   };
-  const auto narrowest = std::ranges::find_if(kernels_, holds_all);
-  return narrowest == kernels_.end() ? *kernels_.back() : **narrowest;
+  const auto narrowest = std::ranges::find_if(kernels_, hold_all);
+  return narrowest == kernels_.end() ? kernels_.back() : *narrowest;
 }
 
-LanePart::Batch LanePart::make_batch(std::size_t first) {
-  const LaneKernel& kernel = kernel_for(members_.size() - first);
-  std::vector<ExplicitPart*> members;
-  std::vector<const int*> in;
-  std::vector<const double*> c, f, w;
-  for (std::size_t l = 0; l < static_cast<std::size_t>(kernel.lanes); ++l) {
-    const bool own = first + l < members_.size();
-    ExplicitPart& member = *members_[own ? first + l : first];
-    if (own) members.push_back(&member);
-    in.push_back(member.binding().in);
-    c.push_back(member.binding().c);
-    f.push_back(member.binding().f);
-    w.push_back(member.binding().w);
+LanePart::Batch LanePart::make_batch(std::span<Copy> copies, const Kernels& kernels) {
+  const Members first = members_of(copies_.front());
+  const auto lanes = static_cast<std::size_t>(kernels.front()->lanes);
+  const auto copy_in = [&](std::size_t lane) -> Copy& {
+    return copies[lane < copies.size() ? lane : 0];
+  };
+  std::vector<std::vector<int>> places;
+  std::vector<const int*> place_of_lane;
+  for (std::size_t l = 0; l < lanes; ++l)
+    places.push_back(places_in(members_of(copy_in(l)), first, states_).value());
+  for (const std::vector<int>& of_lane : places) place_of_lane.push_back(of_lane.data());
+
+  std::vector<LaneStage> stages;
+  std::set<int> positions, rates, unknowns;  // read before any part has written them
+  for (std::size_t j = 0; j < kernels.size(); ++j) {
+    std::vector<ExplicitPart*> members;
+    for (std::size_t l = 0; l < lanes; ++l) members.push_back(copy_in(l)[j].get());
+    std::vector<int> in;
+    for (const int state : inputs_of(*first[j])) in.push_back(position_in(states_, state));
+    for (const int i : kernels[j]->positions)
+      if (!unknowns.contains(in[i])) positions.insert(in[i]);
+    for (const int i : kernels[j]->rates)
+      if (!unknowns.contains(in[i])) rates.insert(in[i]);
+    for (const int i : kernels[j]->unknowns) unknowns.insert(in[i]);
+    stages.emplace_back(*kernels[j], std::move(members), std::move(in));
   }
-  Batch batch{.kernel = kernel,
-              .members = std::move(members),
-              .positions = {kernel.positions, in},
-              .rates = {kernel.rates, in},
-              .unknowns = {kernel.unknowns, in}};
-  const ExplicitPart& any = *members_.front();
-  batch.c = side_by_side(c, any.constants());
-  batch.f = side_by_side(f, any.kernel().folded);
-  batch.w = side_by_side(w, any.equations());
-  batch.branch.resize(any.kernel().branches.size() * kernel.lanes);
-  return batch;
+  const auto transport = [&](const std::set<int>& inputs) {
+    return LanePlaces(std::vector<int>(inputs.begin(), inputs.end()), place_of_lane);
+  };
+  return {copies, std::move(stages), transport(positions), transport(rates), transport(unknowns)};
 }
 
 PartResult LanePart::solve(State& s, Level level) {
@@ -92,68 +129,88 @@ PartResult LanePart::solve(State& s, Level level) {
   return result;
 }
 
-void LanePart::solve(Batch& batch, State& s, Level level, PartResult& result, double& residual2) {
-  const bool ready =
-      batch.members.size() > 1 && std::ranges::all_of(batch.members, &ExplicitPart::assembled);
-  if (!ready) {
-    for (ExplicitPart* member : batch.members) append(result, member->solve(s, level), residual2);
-    if (batch.members.size() > 1) pack_branches(batch);
-    return;
+/// Copies of which every part is accepted, bit by bit. residual2: of each lane.
+unsigned LanePart::solve_in_lanes(Batch& batch, PartResult& result, double* residual2) {
+  alignas(64) std::array<double, most_lanes> of_stage;
+  const unsigned all = (1u << batch.copies.size()) - 1;
+  unsigned accepted = all;
+  for (const LaneStage& stage : batch.stages) {
+    const LaneResult r = stage.solve(local_, of_stage.data());
+    // What is refused goes on without meaning, and never converges.
+    if (accepted == all) result.iterations = std::max(result.iterations, r.iterations);
+    accepted &= r.accepted;
+    for (int l = 0; l < stage.kernel().lanes; ++l) residual2[l] += of_stage[l];
   }
-  auto& [q, qd, qdd] = local_;
-  batch.positions.gather(s.q.data(), q.data());
-  batch.rates.gather(s.qd.data(), qd.data());
-  batch.rates.gather(s.qdd.data(), qdd.data());
-
-  alignas(64) std::array<double, most_lanes> residual2s;
-  const LaneResult r =
-      batch.kernel.solve(q.data(), qd.data(), qdd.data(), batch.binding, residual2s.data());
-
-  // What fills the rest is written like the first.
-  const unsigned own = (1u << batch.members.size()) - 1,
-                 every_lane = (1u << batch.kernel.lanes) - 1;
-  const unsigned accepted = (r.accepted & own) | (r.accepted & 1 ? every_lane & ~own : 0u);
-  batch.unknowns.scatter(q.data(), accepted, s.q.data());
-  if (level >= Level::velocity) batch.unknowns.scatter(qd.data(), accepted, s.qd.data());
-  if (level >= Level::acceleration) batch.unknowns.scatter(qdd.data(), accepted, s.qdd.data());
-  result.iterations = std::max(result.iterations, r.iterations);
-  for (std::size_t l = 0; l < batch.members.size(); ++l)
-    if (accepted >> l & 1)
-      residual2 += residual2s[l];
-    else
-      append(result, batch.members[l]->solve(s, level), residual2);
-  if (accepted != every_lane) pack_branches(batch);
+  return accepted;
 }
 
-void LanePart::pack_branches(Batch& batch) const {
-  const std::size_t lanes = batch.kernel.lanes;
-  for (std::size_t l = 0; l < lanes; ++l) {
-    const auto branches = batch.members[l < batch.members.size() ? l : 0]->branches();
-    for (std::size_t k = 0; k < branches.size(); ++k) batch.branch[k * lanes + l] = branches[k];
+void LanePart::solve(Batch& batch, State& s, Level level, PartResult& result, double& residual2) {
+  const auto take_branches = [&] {
+    std::ranges::for_each(batch.stages, &LaneStage::take_branches);
+  };
+  if (!batch.assembled) {
+    for (Copy& copy : batch.copies) solve_alone(copy, s, level, result, residual2);
+    take_branches();
+    batch.assembled =
+        batch.copies.size() > 1 && std::ranges::all_of(batch.stages, &LaneStage::assembled);
+    return;
+  }
+  batch.positions.gather(s.q.data(), local_.q.data());
+  batch.rates.gather(s.qd.data(), local_.qd.data());
+  batch.rates.gather(s.qdd.data(), local_.qdd.data());
+  alignas(64) std::array<double, most_lanes> residual2s{};
+  const unsigned accepted = solve_in_lanes(batch, result, residual2s.data());
+  batch.unknowns.scatter(local_.q.data(), accepted, s.q.data());
+  if (level >= Level::velocity) batch.unknowns.scatter(local_.qd.data(), accepted, s.qd.data());
+  if (level >= Level::acceleration)
+    batch.unknowns.scatter(local_.qdd.data(), accepted, s.qdd.data());
+  bool refused = false;
+  for (std::size_t l = 0; l < batch.copies.size(); ++l)
+    if (accepted >> l & 1) {
+      residual2 += residual2s[l];
+    } else {
+      solve_alone(batch.copies[l], s, level, result, residual2);
+      refused = true;
+    }
+  if (refused) take_branches();
+}
+
+/// Up to the first part that cannot be solved: the next may need it.
+void LanePart::solve_alone(Copy& copy, State& s, Level level, PartResult& result,
+                           double& residual2) {
+  for (const auto& member : copy) {
+    const PartResult r = member->solve(s, level);
+    append(result, r, residual2);
+    if (r.status != Status::converged) return;
   }
 }
 
 std::vector<int> LanePart::starts_from(const std::vector<int>& unknowns) const {
   std::vector<int> all;
-  for (const auto& member : members_)
-    std::ranges::copy(member->starts_from(unknowns), std::back_inserter(all));
+  for (const Copy& copy : copies_)
+    for (const auto& member : copy)
+      std::ranges::copy(member->starts_from(unknowns), std::back_inserter(all));
   std::ranges::sort(all);
   return all;
 }
 
 void LanePart::forget() {
-  for (const auto& member : members_) member->forget();
+  for (Batch& batch : batches_) batch.assembled = false;
+  for (const Copy& copy : copies_)
+    for (const auto& member : copy) member->forget();
 }
 
 long LanePart::fallbacks() const {
   long sum = 0;
-  for (const auto& member : members_) sum += member->fallbacks();
+  for (const Copy& copy : copies_)
+    for (const auto& member : copy) sum += member->fallbacks();
   return sum;
 }
 
 long LanePart::branch_changes() const {
   long sum = 0;
-  for (const auto& member : members_) sum += member->branch_changes();
+  for (const Copy& copy : copies_)
+    for (const auto& member : copy) sum += member->branch_changes();
   return sum;
 }
 

@@ -1,25 +1,31 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <span>
 #include <vector>
 
-#include "formulations/equations/lane_kernel.h"
-#include "formulations/explicit_part.h"
 #include "formulations/guarded_part.h"
+#include "formulations/lane_stage.h"
 #include "formulations/lane_transport.h"
 #include "formulations/lane_values.h"
 
 namespace desmo {
 
-/// Parts of one type, none of which needs another, solved several at once by explicit code on wide
-/// registers. A part that has no position yet, or that the code refuses, is solved alone, by its
-/// own ExplicitPart.
+/// Copies of one and the same piece of a mechanism, none of which needs another, solved several at
+/// once by explicit code on wide registers: parts of one type, or each copy several parts, whose
+/// results then stay in lanes until all are found. A copy that has no position yet, or of which the
+/// code refuses a part, is solved alone, by its own parts.
 class LanePart final : public GuardedPart {
  public:
-  /// kernels: of one type, with more lanes each than the one before. members: two or more, bound to
-  /// the explicit kernel of that type.
-  LanePart(std::vector<const LaneKernel*> kernels,
-           std::vector<std::unique_ptr<ExplicitPart>> members);
+  /// The parts of a copy, in the order of solution.
+  using Copy = std::vector<std::unique_ptr<ExplicitPart>>;
+  /// For each part of a copy the kernel of its type, all of as many lanes.
+  using Kernels = std::vector<const LaneKernel*>;
+
+  /// kernels: one or more, each for more lanes than the one before. copies: two or more, as alike
+  /// as are_copies() says.
+  LanePart(std::vector<Kernels> kernels, std::vector<Copy> copies);
 
   PartResult solve(State& state, Level level) override;
   std::vector<int> starts_from(const std::vector<int>& unknowns) const override;
@@ -30,24 +36,28 @@ class LanePart final : public GuardedPart {
   long branch_changes() const override;
 
  private:
-  /// Members of one call of the kernel; where they are fewer than lanes, the first fills the rest.
+  /// Copies of one call of each kernel; where they are fewer than lanes, the first fills the rest.
   struct Batch {
-    const LaneKernel& kernel;
-    std::vector<ExplicitPart*> members;
-    LanePlaces positions, rates, unknowns;  // of the kernel's lists
-    LaneValues c{}, f{}, w{}, branch{};
-    ExplicitBinding<double> binding{};
+    std::span<Copy> copies;
+    std::vector<LaneStage> stages;
+    LanePlaces positions, rates, unknowns;  // what comes from the state, and what goes there
+    bool assembled = false;                 // every part, since forget()
   };
-  const LaneKernel& kernel_for(std::size_t members) const;
-  Batch make_batch(std::size_t first);
-  void pack_branches(Batch& batch) const;
+  const Kernels& kernels_for(std::size_t copies) const;
+  Batch make_batch(std::span<Copy> copies, const Kernels& kernels);
+  unsigned solve_in_lanes(Batch& batch, PartResult& result, double* residual2);
   void solve(Batch& batch, State& state, Level level, PartResult& result, double& residual2);
+  void solve_alone(Copy& copy, State& state, Level level, PartResult& result, double& residual2);
 
-  std::vector<const LaneKernel*> kernels_;
-  std::vector<std::unique_ptr<ExplicitPart>> members_;
+  std::vector<Kernels> kernels_;
+  std::vector<Copy> copies_;
+  std::vector<int> states_;  // that the first copy reads and writes, ascending: its local inputs
   std::vector<Batch> batches_;
-  std::vector<int> identity_;
   LaneState local_;
 };
+
+/// Whether both have parts of the same types, in the same order, that take the same from each
+/// other.
+bool are_copies(std::span<const ExplicitPart* const> a, std::span<const ExplicitPart* const> b);
 
 }  // namespace desmo

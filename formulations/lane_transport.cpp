@@ -12,11 +12,6 @@ using Places = std::array<int, quad>;
 
 constexpr unsigned all_of_quad = (1u << quad) - 1;
 
-void put(const double* from, int component, const Places& place, unsigned which, double* to) {
-  for (int l = 0; l < quad; ++l)
-    if (which >> l & 1) to[place[l] + component] = from[l];
-}
-
 #ifdef __AVX__
 /// One component of all lanes.
 void put_one(__m256d x, int component, const Places& place, double* to) {
@@ -27,9 +22,10 @@ void put_one(__m256d x, int component, const Places& place, double* to) {
   _mm_storeh_pd(to + place[3] + component, high);
 }
 
-/// The first two components of all lanes, side by side.
-void put_two(__m256d x, __m256d y, const Places& place, double* to) {
+/// Two components of all lanes, side by side.
+void put_two(__m256d x, __m256d y, int component, const Places& place, double* to) {
   const __m256d even = _mm256_unpacklo_pd(x, y), odd = _mm256_unpackhi_pd(x, y);
+  to += component;
   _mm_storeu_pd(to + place[0], _mm256_castpd256_pd128(even));
   _mm_storeu_pd(to + place[1], _mm256_castpd256_pd128(odd));
   _mm_storeu_pd(to + place[2], _mm256_extractf128_pd(even, 1));
@@ -80,7 +76,7 @@ LanePlaces::LanePlaces(std::span<const int> inputs, std::span<const int* const> 
     std::vector<Run>& runs = quads_[number];
     for (const int i : inputs) {
       const auto continues = [&](const Run& run) {
-        if (run.first + run.size != i || run.size == 3) return false;
+        if (run.first + run.size != i) return false;
         for (int l = 0; l < quad; ++l)
           if (of_quad[l][i] != run.place[l] + run.size) return false;
         return true;
@@ -116,23 +112,42 @@ void LanePlaces::gather_lanes(const double* __restrict state, double* __restrict
 }
 
 template <std::size_t lanes>
-void LanePlaces::scatter_lanes(const double* __restrict from, unsigned which,
-                               double* __restrict state) const {
-  for (const std::vector<Run>& runs : quads_) {
-    const unsigned of_quad = which & all_of_quad;
+void LanePlaces::scatter_quad(const std::vector<Run>& runs, const double* __restrict from,
+                              double* __restrict state) {
 #ifdef __AVX__
-    if (of_quad == all_of_quad) {
-      for (const Run& r : runs) {
-        const auto [first, size, place] = r;
-        const double* const x = from + first * lanes;
-        if (size >= 2) put_two(_mm256_load_pd(x), _mm256_load_pd(x + lanes), place, state);
-        if (size != 2) put_one(_mm256_load_pd(x + (size - 1) * lanes), size - 1, place, state);
-      }
-    } else
+  for (const Run& r : runs) {
+    const auto [first, size, place] = r;  // stores might change what they are read from
+    const auto [a, b, c, d] = place;
+    const double* x = from + first * lanes;
+    int k = 0;
+    for (; k + 4 <= size; k += 4, x += 4 * lanes)
+      unpack_four(x, lanes, {state + a, state + b, state + c, state + d}, k);
+    if (k + 2 <= size) {
+      put_two(_mm256_load_pd(x), _mm256_load_pd(x + lanes), k, place, state);
+      k += 2, x += 2 * lanes;
+    }
+    if (k < size) put_one(_mm256_load_pd(x), k, place, state);
+  }
+#else
+  for (int l = 0; l < quad; ++l) scatter_lane<lanes>(runs, l, from, state);
 #endif
-      for (const Run& r : runs)
-        for (int k = 0; k < r.size; ++k)
-          put(from + (r.first + k) * lanes, k, r.place, of_quad, state);
+}
+
+template <std::size_t lanes>
+void LanePlaces::scatter_lane(const std::vector<Run>& runs, int lane, const double* __restrict from,
+                              double* __restrict state) {
+  for (const Run& r : runs)
+    for (int k = 0; k < r.size; ++k) state[r.place[lane] + k] = from[(r.first + k) * lanes + lane];
+}
+
+template <std::size_t lanes>
+void LanePlaces::scatter_lanes(const double* from, unsigned which, double* state) const {
+  for (const std::vector<Run>& runs : quads_) {
+    if ((which & all_of_quad) == all_of_quad)
+      scatter_quad<lanes>(runs, from, state);
+    else
+      for (int l = 0; l < quad; ++l)
+        if (which >> l & 1) scatter_lane<lanes>(runs, l, from, state);
     from += quad;
     which >>= quad;
   }

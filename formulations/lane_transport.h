@@ -28,7 +28,8 @@ class LanePlaces {
   void scatter(const double* from, unsigned which, double* state) const;
 
  private:
-  /// Inputs whose places follow each other in every lane of a quad: the components of an entity.
+  /// Inputs whose places follow each other in every lane of a quad: the components of an entity, or
+  /// the entities of a copy.
   struct Run {
     int first, size;
     std::array<int, quad> place;  // of the first
@@ -38,6 +39,11 @@ class LanePlaces {
   void gather_lanes(const double* state, double* to) const;
   template <std::size_t lanes>
   void scatter_lanes(const double* from, unsigned which, double* state) const;
+  template <std::size_t lanes>
+  static void scatter_quad(const std::vector<Run>& runs, const double* from, double* state);
+  template <std::size_t lanes>
+  static void scatter_lane(const std::vector<Run>& runs, int lane, const double* from,
+                           double* state);
 
   std::vector<std::vector<Run>> quads_;
   std::size_t lanes_;

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -10,8 +9,8 @@
 #include "formulations/explicit_part.h"
 #include "formulations/id.h"
 #include "formulations/inlined_part.h"
-#include "formulations/lane_part.h"
 #include "formulations/magnitudes.h"
+#include "formulations/on_lanes.h"
 #include "formulations/parallel_motion.h"
 #include "formulations/schedule.h"
 #include "formulations/time_lanes.h"
@@ -97,61 +96,6 @@ std::vector<DefinedPart> make_parts(const Common& common, std::vector<PartDefini
   return parts;
 }
 
-/// What belongs to the parts of a run, as of one part.
-PartDefinition join(std::vector<DefinedPart>& run) {
-  PartDefinition all;
-  all.constant = run.front().definition.constant;
-  for (const DefinedPart& p : run) {
-    const PartDefinition& d = p.definition;
-    all.groups.insert(all.groups.end(), d.groups.begin(), d.groups.end());
-    all.unknowns.insert(all.unknowns.end(), d.unknowns.begin(), d.unknowns.end());
-    all.equations.insert(all.equations.end(), d.equations.begin(), d.equations.end());
-  }
-  std::ranges::sort(all.unknowns);
-  std::ranges::sort(all.equations, {}, [](const Equation& e) {
-    return std::pair{e.constraint, e.row};
-  });
-  return all;
-}
-
-/// The run as one part on lanes, where there is code for its type.
-std::vector<DefinedPart> on_lanes(std::vector<DefinedPart> run, int lanes,
-                                  const KernelTable& table) {
-  auto* first = dynamic_cast<ExplicitPart*>(run.front().solver.get());
-  if (run.size() < 2 || !first) return run;
-  std::vector<const LaneKernel*> kernels;
-  for (const int fewer : lane_counts)
-    if (fewer <= lanes)
-      if (const LaneKernel* kernel = table.find_lane_kernel(first->kernel().fingerprint, fewer))
-        kernels.push_back(kernel);
-  if (kernels.empty()) return run;
-  PartDefinition definition = join(run);
-  double tolerance = 0;
-  for (const DefinedPart& p : run) tolerance = std::hypot(tolerance, p.tolerance);
-  std::vector<std::unique_ptr<ExplicitPart>> members;
-  for (DefinedPart& p : run) members.emplace_back(static_cast<ExplicitPart*>(p.solver.release()));
-  std::vector<DefinedPart> one;
-  one.push_back({.definition = std::move(definition),
-                 .solver = std::make_unique<LanePart>(std::move(kernels), std::move(members)),
-                 .as_named = run.front().as_named,
-                 .tolerance = tolerance});
-  return one;
-}
-
-/// run_ends: behind the last of parts of one type that do not need each other.
-std::vector<DefinedPart> on_lanes(std::vector<DefinedPart> parts, const std::vector<int>& run_ends,
-                                  int lanes, const KernelTable& table) {
-  std::vector<DefinedPart> result;
-  auto first = parts.begin();
-  for (const int end : run_ends) {
-    const auto last = parts.begin() + end;
-    std::vector<DefinedPart> run(std::make_move_iterator(first), std::make_move_iterator(last));
-    std::ranges::move(on_lanes(std::move(run), lanes, table), std::back_inserter(result));
-    first = last;
-  }
-  return result;
-}
-
 /// Formulations that differ from what is to be made in that each has one thread alone.
 std::unique_ptr<WholeMotion> on_threads(const Variant& v, const Mechanism& m, Settings settings,
                                         const KernelTable& table) {
@@ -192,7 +136,7 @@ std::unique_ptr<Formulation> make_formulation(const Variant& v, const Mechanism&
     whole_motion = std::make_unique<TimeLanes>(m, std::move(lanes), settings, table);
   }
   std::vector<DefinedPart> parts = make_parts(common, std::move(definitions));
-  if (settings.lanes > 1) parts = on_lanes(std::move(parts), run_ends, settings.lanes, table);
+  if (settings.lanes > 1) parts = on_lanes(m, std::move(parts), run_ends, settings.lanes, table);
   return std::make_unique<Formulation>(m, std::move(parts), settings, std::move(whole_motion));
 }
 

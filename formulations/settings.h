@@ -50,9 +50,9 @@ struct Settings {
   JacobianUpdate jacobian = JacobianUpdate::newton;
   Factorisation factorisation = Factorisation::shared;
   Scalar scalar = Scalar::double_precision;
-  /// How many parts of one type that need not wait for each other may be solved at once, on wide
-  /// registers, by variants that have code for it: 4 or, where the processor has AVX-512, 8. 1:
-  /// none.
+  /// How many copies of a piece of the mechanism, or parts of one type, may be solved at once, on
+  /// wide registers, by variants that have code for it: 4 or, where the processor has AVX-512, 8.
+  /// 1: none.
   int lanes = 1;
   /// Into how many segments a motion known in advance is cut, to be solved at once on wide
   /// registers, by variants that have code for it: as many as lanes. 1: it is solved step by step.

@@ -13,18 +13,6 @@
 
 namespace desmo {
 
-namespace {
-
-/// Of each lane, as in all of them.
-template <class Values>
-LaneValues in_all_lanes(int lanes, const Values* values, std::size_t count) {
-  LaneValues result;
-  for (std::size_t k = 0; k < count; ++k) result.insert(result.end(), lanes, values[k]);
-  return result;
-}
-
-}  // namespace
-
 TimeLanes::TimeLanes(const Mechanism& mechanism, std::vector<Parts> parts, const Settings& settings,
                      const KernelTable& table)
     : mechanism_(mechanism),
@@ -49,18 +37,11 @@ TimeLanes::TimeLanes(const Mechanism& mechanism, std::vector<Parts> parts, const
     if (definition.constant) continue;
     stages_.push_back(make_stage(i, table));
     // What is solved lane by lane may start from any of its unknowns.
-    std::ranges::copy(stages_.back().kernel ? parts_[0][i].solver->starts_from(definition.unknowns)
-                                            : definition.unknowns,
+    std::ranges::copy(stages_.back().together
+                          ? parts_[0][i].solver->starts_from(definition.unknowns)
+                          : definition.unknowns,
                       std::back_inserter(started_from));
   }
-  for (Stage& s : stages_)  // where its numbers now stay
-    if (s.kernel)
-      s.binding = {static_cast<ExplicitPart*>(s.members[0])->binding().in,
-                   s.c.data(),
-                   s.f.data(),
-                   s.branch.data(),
-                   s.w.data(),
-                   static_cast<ExplicitPart*>(s.members[0])->binding().limits};
   std::ranges::sort(started_from);
   for (const CoordinateRun run : runs_of(started_from))
     started_from_.push_back({run.first * lanes_, run.end * lanes_});
@@ -69,16 +50,16 @@ TimeLanes::TimeLanes(const Mechanism& mechanism, std::vector<Parts> parts, const
 TimeLanes::Stage TimeLanes::make_stage(std::size_t part, const KernelTable& table) const {
   Stage stage;
   stage.unknowns = parts_[0][part].definition.unknowns;
-  for (const Parts& parts : parts_) stage.members.push_back(parts[part].solver.get());
-  const auto* explicit_part = dynamic_cast<const ExplicitPart*>(stage.members[0]);
-  if (!explicit_part) return stage;
-  stage.kernel = table.find_lane_kernel(explicit_part->kernel().fingerprint, lanes_);
-  if (!stage.kernel) return stage;
-  const auto& [in, c, f, branch, w, limits] = explicit_part->binding();
-  stage.c = in_all_lanes(lanes_, c, explicit_part->constants());
-  stage.f = in_all_lanes(lanes_, f, explicit_part->kernel().folded);
-  stage.w = in_all_lanes(lanes_, w, explicit_part->equations());
-  stage.branch.resize(explicit_part->branches().size() * lanes_);
+  std::vector<ExplicitPart*> members;
+  for (const Parts& parts : parts_) {
+    stage.members.push_back(parts[part].solver.get());
+    members.push_back(dynamic_cast<ExplicitPart*>(stage.members.back()));
+  }
+  if (const ExplicitPart* const any = members.front())
+    if (const LaneKernel* k = table.find_lane_kernel(any->kernel().fingerprint, lanes_))
+      stage.together.emplace(
+          *k, std::move(members),
+          std::vector<int>(any->binding().in, any->binding().in + any->inputs()));
   return stage;
 }
 
@@ -123,12 +104,9 @@ bool TimeLanes::enter(const TimeGrid& grid, int length, const State& first) {
     if (!go_straight(mechanism_, grid.time(l * length), alone_, solve)) return false;
     pack(l, alone_);
   }
-  pack_branches();
-  return std::ranges::all_of(stages_, [](const Stage& stage) {
-    return !stage.kernel || std::ranges::all_of(stage.members, [](const Part* member) {
-      return static_cast<const ExplicitPart*>(member)->assembled();
-    });
-  });
+  take_branches();
+  return std::ranges::all_of(
+      stages_, [](const Stage& stage) { return !stage.together || stage.together->assembled(); });
 }
 
 bool TimeLanes::solve_alone(int lane, State& state, Level level) {
@@ -142,16 +120,9 @@ void TimeLanes::pack(int lane, const State& from) {
     now_.q[k * lanes_ + lane] = before_.q[k * lanes_ + lane] = from.q[k];  // some never move
 }
 
-void TimeLanes::pack_branches() {
+void TimeLanes::take_branches() {
   for (Stage& stage : stages_)
-    if (stage.kernel) pack_branches(stage);
-}
-
-void TimeLanes::pack_branches(Stage& stage) const {
-  for (int l = 0; l < lanes_; ++l) {
-    const auto branches = static_cast<const ExplicitPart*>(stage.members[l])->branches();
-    for (std::size_t k = 0; k < branches.size(); ++k) stage.branch[k * lanes_ + l] = branches[k];
-  }
+    if (stage.together) stage.together->take_branches();
 }
 
 /// Leaves the last instant in before_ and in now_ what solvers start from; the rest of now_ is of
@@ -188,10 +159,9 @@ TimeLanes::Step TimeLanes::solve() {
   std::ranges::fill(residual2_, 0.0);
   for (Stage& stage : stages_) {
     unsigned accepted = 0;
-    if (stage.kernel) {
+    if (stage.together) {
       alignas(64) std::array<double, most_lanes> residual2;
-      const LaneResult r = stage.kernel->solve(now_.q.data(), now_.qd.data(), now_.qdd.data(),
-                                               stage.binding, residual2.data());
+      const LaneResult r = stage.together->solve(now_, residual2.data());
       accepted = r.accepted;
       step.iterations = std::max(step.iterations, r.iterations);
       step.updates += static_cast<long>(r.iterations) * std::ssize(stage.unknowns);
@@ -202,7 +172,7 @@ TimeLanes::Step TimeLanes::solve() {
     for (int l = 0; l < lanes_; ++l)
       if (!(accepted >> l & 1)) solve_lane(stage, l, step);
     if (!step.ok) break;
-    if (stage.kernel) pack_branches(stage);
+    if (stage.together) stage.together->take_branches();
   }
   return step;
 }
@@ -215,7 +185,7 @@ void TimeLanes::solve_lane(Stage& stage, int lane, Step& step) {
     alone_.qd[k] = now_.qd[in_lane];
     alone_.qdd[k] = now_.qdd[in_lane];
   }
-  if (stage.kernel)
+  if (stage.together)
     for (const int k : stage.unknowns) alone_.q[k] = before_.q[k * lanes_ + lane];
   const PartResult r = stage.members[lane]->solve(alone_, Level::acceleration);
   step.ok = step.ok && r.status == Status::converged;

@@ -8,6 +8,7 @@
 #include "formulations/equations/lane_kernel.h"
 #include "formulations/explicit_part.h"
 #include "formulations/formulation.h"
+#include "formulations/lane_stage.h"
 #include "formulations/lane_values.h"
 
 namespace desmo {
@@ -37,11 +38,9 @@ class TimeLanes final : public WholeMotion {
  private:
   /// A part, and the same part in every lane.
   struct Stage {
-    const LaneKernel* kernel = nullptr;  // null: lane by lane
     std::vector<Part*> members{};
     std::span<const int> unknowns;
-    LaneValues c{}, f{}, w{}, branch{};
-    ExplicitBinding<double> binding{};
+    std::optional<LaneStage> together{};  // nothing: lane by lane
   };
   /// What became of a step in all lanes.
   struct Step {
@@ -54,8 +53,7 @@ class TimeLanes final : public WholeMotion {
   bool enter(const TimeGrid& grid, int length, const State& first);
   bool solve_alone(int lane, State& state, Level level);
   void pack(int lane, const State& from);
-  void pack_branches();
-  void pack_branches(Stage& stage) const;
+  void take_branches();
   void guess(double h, int known);
   void drive(const TimeGrid& grid, int length, int i);
   Step solve();

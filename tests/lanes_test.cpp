@@ -10,20 +10,15 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <memory>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "cases/cases.h"
 #include "formulations/equations/turned_angle.h"
-#include "formulations/explicit_part.h"
 #include "formulations/id.h"
 #include "formulations/lane_motion.h"
-#include "formulations/lane_part.h"
-#include "formulations/magnitudes.h"
 #include "formulations/variants.h"
-#include "tests/borrowed_part.h"
 #include "tests/everything.h"
 #include "tests/lanes_here.h"
 #include "tests/mechanisms.h"
@@ -83,73 +78,29 @@ TEST(Lanes, StandInTheIdAndAreRefusedWhereThereIsNoCode) {
   }
 }
 
-/// Five axles, ten levers, ten dampers: no wider registers than what is left of them fills.
-TEST(Lanes, AreAsManyAsAreFilled) {
+/// Axles with all that hangs on them are copies of each other: one in each lane, where that takes
+/// no more calls than axles, levers and dampers each by themselves.
+TEST(Lanes, TakeWholeAxlesAsCopies) {
+  const auto parts = [](int axles, int lanes) {
+    const Mechanism m = truck_mechanism(axles);
+    return make_formulation(find_variant("group_symbolic_explicit"), m, {.lanes = lanes})
+        ->parts()
+        .size();
+  };
+  EXPECT_EQ(parts(4, 4), 2u);  // y1, and all
+  EXPECT_EQ(parts(5, 4), 5u);  // y1, four axles, and of the fifth itself, its levers, its dampers
+  EXPECT_EQ(parts(6, 4), 4u);  // two axles would leave lanes empty that twins fill
+  if (!has_lanes(8)) GTEST_SKIP() << not_here({.lanes = 8});
+  EXPECT_EQ(parts(5, 8), 2u);
+}
+
+TEST(Lanes, AreAsManyAsThereAre) {
   if (!has_lanes(8)) GTEST_SKIP() << not_here({.lanes = 8});
   const Mechanism m = truck_mechanism(5);
   const auto four = make_formulation(find_variant("group_symbolic_explicit"), m, {.lanes = 4}),
              eight = make_formulation(find_variant("group_symbolic_explicit"), m, {.lanes = 8});
-  EXPECT_EQ(eight->parts().size(), four->parts().size());
   ASSERT_TRUE(four->assemble(0).ok() && eight->assemble(0).ok());
   expect_to_step_on_alike(*eight, *four, 0);
-}
-
-/// Of four levers at once, the code refuses the third: only that one is solved by another part.
-TEST(Lanes, ThatAreRefusedFallBackAlone) {
-  const Mechanism m = truck_mechanism(2);
-  const auto reference = make_formulation(find_variant("group_automatic_eigen"), m);
-  const std::vector<PartDefinition> parts = make_partition(m, Partition::group);
-  std::vector<std::size_t> levers;
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    if (parts[i].unknowns.size() == 19) levers.push_back(i);
-  ASSERT_EQ(levers.size(), 4u);
-
-  static const LaneKernel* sound = nullptr;
-  const BoundKernel first = bind_kernel(m, parts[levers[0]]).value();
-  sound = find_lane_kernel(first.kernel->fingerprint, 4);
-  ASSERT_NE(sound, nullptr);
-  LaneKernel refusing = *sound;
-  refusing.solve = [](double* q, double* qd, double* qdd, const ExplicitBinding<double>& binding,
-                      double* residual2) {
-    LaneResult r = sound->solve(q, qd, qdd, binding, residual2);
-    r.accepted &= ~(1u << 2);
-    return r;
-  };
-  std::vector<std::unique_ptr<ExplicitPart>> members;
-  std::vector<const ExplicitPart*> seen;
-  std::vector<ExplicitKernel> kernels(4, *find_explicit_kernel(first.kernel->fingerprint));
-  kernels[2].solve[2] = [](double*, double*, double*, const ExplicitBinding<double>&) {
-    return ExplicitResult<double>{0, 0, false};
-  };
-  for (std::size_t l = 0; l < 4; ++l) {
-    members.push_back(std::make_unique<ExplicitPart>(
-        kernels[l], bind_kernel(m, parts[levers[l]]).value(),
-        Magnitudes(m).weights(parts[levers[l]]), Settings{.tolerance = 1e-11},
-        std::make_unique<Borrowed>(*reference->parts()[levers[l]].solver)));
-    seen.push_back(members.back().get());
-  }
-  LanePart together({&refusing}, std::move(members));
-
-  ASSERT_TRUE(reference->assemble(0).ok());
-  State s;
-  const auto put = [](std::span<const double> from, std::vector<double>& to, std::size_t size) {
-    to.assign(from.begin(), from.end());
-    to.resize(size, 0);
-  };
-  const std::size_t size = static_cast<std::size_t>(m.state_size());
-  put(reference->q(), s.q, size);
-  put(reference->qd(), s.qd, size);
-  put(reference->qdd(), s.qdd, size);
-  std::ranges::copy(m.fixed_values, s.q.begin() + m.coordinates());
-  const State expected = s;
-  for (int i = 0; i < 3; ++i)
-    ASSERT_EQ(together.solve(s, Level::acceleration).status, Status::converged);
-  for (std::size_t l = 0; l < 4; ++l) EXPECT_EQ(seen[l]->fallbacks(), l == 2 ? 2 : 0) << l;
-  EXPECT_EQ(together.fallbacks(), 2);
-  for (int i = 0; i < m.coordinates(); ++i) {
-    EXPECT_NEAR(s.q[i], expected.q[i], 1e-10) << i;
-    EXPECT_NEAR(s.qdd[i], expected.qdd[i], 1e-8) << i;
-  }
 }
 
 TEST(Elementary, LanesAgreeWithScalars) {

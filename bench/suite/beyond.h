@@ -7,7 +7,7 @@ namespace desmo::suite {
 
 /// What goes beyond the paper, as ids with settings, at the largest of the paper's sizes: the
 /// reference with its own best settings, and generated code with the same guess, one part after the
-/// other, parts of one type at once, segments of the motion at once, and those on two threads, on
+/// other, copies of an axle at once, segments of the motion at once, and those on two threads, on
 /// registers of 256 and of 512 bits; all with a tolerance that keeps errors below 1e-9.
 inline constexpr std::array<std::string_view, 9> beyond_the_paper{
     "global_automatic_klu/guess:hermite5/jacobian:step/tolerance:1e-10",
