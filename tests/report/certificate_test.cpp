@@ -115,5 +115,9 @@ TEST_F(CertificateOf, ALineThatIsCutOffIsNamed) {
   }
 }
 
+TEST(FiledCertificate, Holds) {
+  EXPECT_TRUE(read_certificate(DESMO_SOURCE_DIR "/results/certificate.jsonl").holds);
+}
+
 }  // namespace
 }  // namespace desmo::report
