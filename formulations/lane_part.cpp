@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <set>
 
 namespace desmo {
@@ -150,9 +151,9 @@ void LanePart::solve(Batch& batch, State& s, Level level, PartResult& result, do
   };
   if (!batch.assembled) {
     for (Copy& copy : batch.copies) solve_alone(copy, s, level, result, residual2);
+    if (batch.copies.size() == 1) return;  // alone, now and always
     take_branches();
-    batch.assembled =
-        batch.copies.size() > 1 && std::ranges::all_of(batch.stages, &LaneStage::assembled);
+    batch.assembled = std::ranges::all_of(batch.stages, &LaneStage::assembled);
     return;
   }
   batch.positions.gather(s.q.data(), local_.q.data());
