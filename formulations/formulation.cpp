@@ -59,6 +59,26 @@ double sum_of_tolerances(const std::vector<Formulation::DefinedPart>& parts) {
   return norm;
 }
 
+/// Goes from a time to another in pieces. One that cannot be gone is halved, down to the shortest;
+/// the next is twice as long again. go(to) goes there, and says whether it could.
+template <class Go>
+bool go_in_pieces(double from, double to, Go&& go) {
+  constexpr double shortest = 0x1p-10;  // of all
+  double reached = from, piece = (to - from) / 2;
+  while (true) {
+    const bool is_last = !(std::abs(to - reached) > std::abs(piece));
+    const double next = is_last ? to : reached + piece;
+    if (go(next)) {
+      if (is_last) return true;
+      reached = next;
+      piece *= 2;
+    } else {
+      piece = (next - reached) / 2;
+      if (!(std::abs(piece) >= shortest * std::abs(to - from))) return false;
+    }
+  }
+}
+
 }  // namespace
 
 Formulation::Formulation(const Mechanism& mechanism, std::vector<DefinedPart> parts,
@@ -193,13 +213,35 @@ Summary Formulation::assemble(double t, Level level) {
 
 Summary Formulation::step(double t, Level level) {
   if (!assembled_) return assemble(t, level);
-  guess(t);
-  drive(t);
-  const Summary summary = solve(moving_, t, level);
-  if (!summary.ok()) std::ranges::copy(before_.q, state_.q.begin());
-  then_ = summary.ok() ? now_ : Solved{};
-  now_ = summary.ok() ? Solved{t, level} : Solved{};
-  return summary;
+  const auto go = [&](double to, Level as_far_as) {
+    guess(to);
+    drive(to);
+    const Summary summary = solve(moving_, to, as_far_as);
+    if (!summary.ok()) std::ranges::copy(before_.q, state_.q.begin());
+    then_ = summary.ok() ? now_ : Solved{};
+    now_ = summary.ok() ? Solved{to, as_far_as} : Solved{};
+    return summary;
+  };
+  const Solved start = now_;
+  const Summary at_once = go(t, level);
+  if (at_once.ok() || !start.level || start.time == t) [[likely]]
+    return at_once;
+
+  const std::vector<double> position = state_.q;
+  Summary last, total = at_once;
+  const bool arrived = go_in_pieces(start.time, t, [&](double to) {
+    last = go(to, to == t ? level : Level::position);
+    total.iterations += last.iterations;
+    total.updates += last.updates;
+    return last.ok();
+  });
+  if (!arrived) {
+    std::ranges::copy(position, state_.q.begin());
+    return at_once;
+  }
+  last.iterations = total.iterations;
+  last.updates = total.updates;
+  return last;
 }
 
 bool Formulation::enter(std::span<const double> q, double t) {

@@ -100,10 +100,10 @@ class Formulation {
 
   /// Assembles the mechanism at time t from its initial estimate, whatever was solved before.
   Summary assemble(double t, Level level = Level::acceleration);
-  /// Solves at time t, starting from what the guess makes of the last instant solved; assembles
-  /// when there is none. After a failure the positions are those of that instant again, so that a
-  /// later step may go on from there; velocities and accelerations are unspecified. What a guess
-  /// needs and was not solved in the two instants before, it does without (see best_guess).
+  /// Solves at time t, starting from what the guess makes of the last instant solved or, where it
+  /// fails, by way of times between; assembles when there is none. After a failure positions are as
+  /// they were, for a later step to go on from there; rates are unspecified. What a guess needs
+  /// and was not solved in the two instants before, it does without (see best_guess).
   Summary step(double t, Level level = Level::acceleration);
   /// Assembles at the first instant of the grid and steps through the others, or takes several at
   /// once, or solves some and interpolates the others, where settings say so; hands each to the

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 #include "cases/cases.h"
@@ -103,6 +104,27 @@ TEST_P(EveryVariant, AssemblesWhenAStepComesFirst) {
   ASSERT_TRUE(a->step(0.2).ok());
   ASSERT_TRUE(b->assemble(0.2).ok());
   EXPECT_TRUE(std::ranges::equal(a->q(), b->q()));
+}
+
+/// Coupler and rocker are all but stretched, and Newton's method leads far away from there.
+TEST(Step, GoesByWayOfTimesBetweenWhereItIsTooLong) {
+  DyadChain chain{.crank = 2, .start = std::numbers::pi, .dyads = {}};
+  chain.dyads = {closed_dyad(crank_pin(chain), {6, 0, 0}, 5, 3 + 1e-12, 1)};
+  const Mechanism m = make_mechanism(extreme::case_of("", chain, 1, {0, 1, 2}).scene);
+  const auto f = make_formulation(find_variant("global_automatic_klu"), m);
+  ASSERT_TRUE(f->assemble(0).ok());
+  for (const double way : {0.01, 0.1, 0.3}) {
+    ASSERT_TRUE(f->assemble(0).ok());
+    const Summary s = f->step(way);
+    ASSERT_TRUE(s.ok()) << way << ": " << describe(s, m);
+    EXPECT_EQ(s.time, way);
+    // The joint stays above the line from pin to pivot, and where the circles meet.
+    const int b = m.entities[m.find("crank/B")].first, c = m.entities[m.find("dyad1/C")].first;
+    const double x = f->q()[c], y = f->q()[c + 1], bx = f->q()[b], by = f->q()[b + 1];
+    EXPECT_NEAR(std::hypot(x - bx, y - by), 5, 1e-11);
+    EXPECT_NEAR(std::hypot(x - 6, y), 3, 1e-11);
+    EXPECT_GT((6 - bx) * (y - by) + by * (x - bx), 0) << way;
+  }
 }
 
 TEST(Settings, ThatCannotEndAreRefused) {

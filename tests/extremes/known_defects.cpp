@@ -8,14 +8,11 @@ namespace desmo::extreme {
 std::span<const KnownDefect> known_defects() {
   using enum Verdict;
   static const std::array all{
-      // A step over the dead point is too long for Newton's method.
-      KnownDefect{2, "slack 1e-12, within 1e-01 rad", missed},
       // Nearly a dead point: wrong by 1.2e-11, between two assessments.
       KnownDefect{5, "folding rhombus, steps of 0.5 s", defect},
       // Closed forms hand over to Newton's method, which takes iterations.
       KnownDefect{7, "× 1e-150", missed},
       KnownDefect{7, "× 1e+150", missed},
-      KnownDefect{14, "slack 1e-12, within 1e-01 rad", missed},  // as in row 2
       // Between two assessments the bound of velocity is less than its error, by a third.
       KnownDefect{14, "approaching a dead point", defect},
   };
