@@ -11,6 +11,7 @@
 #include "formulations/inlined_part.h"
 #include "formulations/magnitudes.h"
 #include "formulations/on_lanes.h"
+#include "formulations/own_unit_part.h"
 #include "formulations/parallel_motion.h"
 #include "formulations/schedule.h"
 #include "formulations/time_lanes.h"
@@ -74,12 +75,19 @@ void make_inlined(Draft& d) {
       *d.bound, d.weights, d.settings, std::move(d.part.solver), d.part.definition.unknowns);
 }
 
-void make_explicit(const KernelTable& table, Draft& d) {
-  const ExplicitKernel* kernel = table.find_explicit_kernel(d.bound->kernel->fingerprint);
+void make_explicit(const Common& common, Draft& d) {
+  const PartDefinition& definition = d.part.definition;
+  const ExplicitKernel* kernel = common.table.find_explicit_kernel(d.bound->kernel->fingerprint);
   d.part.as_named = kernel != nullptr;
-  if (kernel)
+  if (!kernel) return;
+  std::unique_ptr<Part> fallback = std::move(d.part.solver);
+  if (const auto unit =
+          OwnUnitPart::find_unit(common.m, definition, common.magnitudes.of_unknowns(definition)))
+    d.part.solver = std::make_unique<OwnUnitPart>(common.m, definition, *unit, *kernel, *d.bound,
+                                                  d.weights, d.settings, std::move(fallback));
+  else
     d.part.solver = std::make_unique<ExplicitPart>(*kernel, *d.bound, d.weights, d.settings,
-                                                   std::move(d.part.solver));
+                                                   std::move(fallback));
 }
 
 /// One kind of part after the other: what is at work in every step then stands together in memory,
@@ -90,7 +98,7 @@ std::vector<DefinedPart> make_parts(const Common& common, std::vector<PartDefini
   for (Draft& d : drafts)
     if (d.bound) make_inlined(d);
   for (Draft& d : drafts)
-    if (d.bound && common.v.explicit_order) make_explicit(common.table, d);
+    if (d.bound && common.v.explicit_order) make_explicit(common, d);
   std::vector<DefinedPart> parts;
   for (Draft& d : drafts) parts.push_back(std::move(d.part));
   return parts;

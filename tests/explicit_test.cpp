@@ -14,8 +14,10 @@
 #include <string_view>
 
 #include "cases/cases.h"
+#include "cases/extremes/rows.h"
 #include "formulations/equations/turned_angle.h"
 #include "formulations/explicit_part.h"
+#include "formulations/id.h"
 #include "formulations/magnitudes.h"
 #include "formulations/variants.h"
 #include "tests/borrowed_part.h"
@@ -80,7 +82,7 @@ const ExplicitPart& part(const Formulation& f, std::size_t i) {
 
 long fallbacks(const Formulation& f) {
   long sum = 0;
-  for (std::size_t i = 0; i < f.parts().size(); ++i) sum += part(f, i).fallbacks();
+  for (const auto& p : f.parts()) sum += dynamic_cast<const GuardedPart&>(*p.solver).fallbacks();
   return sum;
 }
 
@@ -107,6 +109,32 @@ TEST(Explicit, IteratesOnCoresOnly) {
   EXPECT_LE(with.iterations, 4);
   EXPECT_LT(without.residual, 1e-10);
   EXPECT_LT(with.residual, 1e-10);
+}
+
+/// Products of lengths over- or underflow where these are no nearer to 1 than double precision is
+/// wide; in a unit of its own each part is solved as ever.
+TEST(Explicit, NeedsNoFallbackHoweverLargeOrSmallLengthsAre) {
+  const auto in_unit = [](double unit) {
+    return make_mechanism(
+        extreme::case_of("", extreme::usual_chain(3, 1, unit), 1, {0, 0.05, 61}).scene);
+  };
+  const Mechanism usual = in_unit(1);
+  for (const char* id : {"group_symbolic_explicit", "group_symbolic_explicit/lanes:4"})
+    for (const double unit : {0x1p-498, 0x1p498}) {
+      const Mechanism m = in_unit(unit);
+      const auto [variant, settings] = parse_id(id);
+      const auto f = make_formulation(*variant, m, settings),
+                 expected = make_formulation(*variant, usual, settings);
+      Discard sink;
+      ASSERT_TRUE(f->run({0, 0.05, 61}, {}, sink).ok() &&
+                  expected->run({0, 0.05, 61}, {}, sink).ok());
+      EXPECT_EQ(fallbacks(*f), 0);
+      for (const Entity& e : m.entities)
+        for (int i = e.first; i < e.first + e.size && !e.fixed; ++i)
+          EXPECT_NEAR(f->qdd()[i] / (e.kind == EntityKind::point ? unit : 1), expected->qdd()[i],
+                      1e-11)
+              << e.name;
+    }
 }
 
 /// A dyad whose coupler and rocker nearly align: roots and divisors vanish in the middle of the

@@ -10,9 +10,6 @@ std::span<const KnownDefect> known_defects() {
   static const std::array all{
       // Nearly a dead point: wrong by 1.2e-11, between two assessments.
       KnownDefect{5, "folding rhombus, steps of 0.5 s", defect},
-      // Closed forms hand over to Newton's method, which takes iterations.
-      KnownDefect{7, "× 1e-150", missed},
-      KnownDefect{7, "× 1e+150", missed},
       // Between two assessments the bound of velocity is less than its error, by a third.
       KnownDefect{14, "approaching a dead point", defect},
   };

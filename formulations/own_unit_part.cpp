@@ -1,0 +1,129 @@
+#include "formulations/own_unit_part.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "formulations/accuracy/scales.h"
+#include "formulations/part_type.h"
+
+namespace desmo {
+
+namespace {
+
+/// Products of fifteen lengths are numbers up to so many binary orders.
+constexpr int far = 64;
+
+/// The constraints of a part, each once.
+std::vector<int> constraints_of(const PartDefinition& part) {
+  std::vector<int> all;
+  for (const Equation& e : part.equations)
+    if (all.empty() || all.back() != e.constraint) all.push_back(e.constraint);
+  return all;
+}
+
+}  // namespace
+
+/// What the part falls back to, called with its own state.
+class OwnUnitPart::InUnitOfAll final : public Part {
+ public:
+  InUnitOfAll(OwnUnitPart& part, std::unique_ptr<Part> solver)
+      : part_(part), solver_(std::move(solver)) {}
+
+  PartResult solve(State&, Level level) override {
+    const PartResult result = solver_->solve(*part_.all_, level);
+    part_.take(*part_.all_);
+    return result;
+  }
+  void forget() override { solver_->forget(); }
+
+ private:
+  OwnUnitPart& part_;
+  std::unique_ptr<Part> solver_;
+};
+
+std::optional<OwnUnitPart::Unit> OwnUnitPart::find_unit(const Mechanism& m,
+                                                        const PartDefinition& part,
+                                                        std::span<const double> magnitudes) {
+  const std::vector<EntityId> entity = entity_of_coordinate(m);
+  double longest = 0;
+  for (std::size_t j = 0; j < part.unknowns.size(); ++j)
+    if (is_length(m.entities[entity[part.unknowns[j]]].kind))
+      longest = std::max(longest, magnitudes[j]);
+  if (!(longest > 0) || std::abs(std::ilogb(longest)) <= far) return {};
+  Unit unit{std::ilogb(longest), {}};
+  for (const int c : constraints_of(part)) {
+    std::optional<LengthPowers> powers = length_powers(m, m.constraints[c]);
+    if (!powers) return {};
+    unit.powers.push_back(std::move(*powers));
+  }
+  return unit;
+}
+
+OwnUnitPart::OwnUnitPart(const Mechanism& m, const PartDefinition& part, const Unit& unit,
+                         const ExplicitKernel& kernel, const BoundKernel& bound,
+                         std::span<const double> weights, const Settings& settings,
+                         std::unique_ptr<Part> fallback)
+    : inputs_(bound.inputs), share_(inputs_.size(), 1) {
+  const auto in_own = [&](double value, int power) {
+    return std::ldexp(value, -unit.exponent * power);
+  };
+  const PartType type = describe_type(m, part);
+  BoundKernel own = bound;
+  std::iota(own.inputs.begin(), own.inputs.end(), 0);
+  std::vector<double> own_weights;
+  for (std::size_t i = 0; i < type.constraints.size(); ++i) {
+    const PartType::Constraint& c = type.constraints[i];
+    const Constraint& named = m.constraints[constraints_of(part)[i]];
+    const LengthPowers& powers = unit.powers[i];
+    for (std::size_t k = 0; k < powers.constants.size(); ++k) {
+      double& constant = own.constants[c.first_constant + k];
+      constant = in_own(constant, powers.constants[k]);
+    }
+    for (const int row : c.rows)
+      own_weights.push_back(in_own(weights[own_weights.size()], -powers.rows[row]));
+    for (std::size_t k = 0; k < c.operands.size(); ++k) {
+      const Entity& e = m.entities[named.operands[k]];
+      if (is_length(e.kind)) std::fill_n(share_.begin() + c.operands[k], e.size, in_own(1, 1));
+    }
+  }
+  for (int i = 0; i < static_cast<int>(type.inputs.size()); ++i)
+    if (type.inputs[i].role == Role::unknown) unknowns_.push_back(i);
+  for (std::vector<double>* values : {&own_.q, &own_.qd, &own_.qdd}) values->resize(inputs_.size());
+  part_ = std::make_unique<ExplicitPart>(kernel, own, own_weights, settings,
+                                         std::make_unique<InUnitOfAll>(*this, std::move(fallback)));
+}
+
+PartResult OwnUnitPart::solve(State& all, Level level) {
+  all_ = &all;
+  take(all);
+  const PartResult result = part_->solve(own_, level);
+  give(all);
+  return result;
+}
+
+void OwnUnitPart::take(const State& all) {
+  for (std::size_t i = 0; i < inputs_.size(); ++i) {
+    own_.q[i] = share_[i] * all.q[inputs_[i]];
+    own_.qd[i] = share_[i] * all.qd[inputs_[i]];
+    own_.qdd[i] = share_[i] * all.qdd[inputs_[i]];
+  }
+}
+
+void OwnUnitPart::give(State& all) const {
+  for (const int i : unknowns_) {
+    all.q[inputs_[i]] = own_.q[i] / share_[i];
+    all.qd[inputs_[i]] = own_.qd[i] / share_[i];
+    all.qdd[inputs_[i]] = own_.qdd[i] / share_[i];
+  }
+}
+
+std::vector<int> OwnUnitPart::starts_from(const std::vector<int>& unknowns) const {
+  std::vector<int> result;
+  for (const int i : part_->starts_from(unknowns)) result.push_back(inputs_[i]);
+  std::ranges::sort(result);
+  return result;
+}
+
+}  // namespace desmo

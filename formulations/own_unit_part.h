@@ -1,0 +1,53 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "formulations/explicit_part.h"
+#include "formulations/length_powers.h"
+#include "formulations/partition.h"
+
+namespace desmo {
+
+/// A part in explicit order whose lengths are so far from 1 that products of many of them, which
+/// closed forms have, would over- or underflow. They are written in a unit of its own, a power of
+/// two, which rounds nothing; what is refused even so is left to `fallback` in the unit of all.
+class OwnUnitPart final : public GuardedPart {
+ public:
+  /// What is needed besides: the unit, and the powers of it in each constraint of the part.
+  struct Unit {
+    int exponent;  ///< a length is so many binary orders smaller in it
+    std::vector<LengthPowers> powers;
+  };
+  /// magnitudes: of the part's unknowns. Nothing where lengths are near enough to 1.
+  static std::optional<Unit> find_unit(const Mechanism& mechanism, const PartDefinition& part,
+                                       std::span<const double> magnitudes);
+
+  /// The others are those of ExplicitPart.
+  OwnUnitPart(const Mechanism& mechanism, const PartDefinition& part, const Unit& unit,
+              const ExplicitKernel& kernel, const BoundKernel& bound,
+              std::span<const double> weights, const Settings& settings,
+              std::unique_ptr<Part> fallback);
+
+  PartResult solve(State& state, Level level) override;
+  std::vector<int> starts_from(const std::vector<int>& unknowns) const override;
+  void forget() override { part_->forget(); }
+  long fallbacks() const override { return part_->fallbacks(); }
+  long branch_changes() const override { return part_->branch_changes(); }
+
+ private:
+  class InUnitOfAll;
+  void take(const State& all);
+  void give(State& all) const;
+
+  std::vector<int> inputs_;    // in the state of all, of each of its own
+  std::vector<double> share_;  // of each, own over that of all
+  std::vector<int> unknowns_;  // of its own inputs
+  State own_;
+  State* all_ = nullptr;  // while it is being solved
+  std::unique_ptr<ExplicitPart> part_;
+};
+
+}  // namespace desmo
