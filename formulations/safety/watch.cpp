@@ -6,6 +6,7 @@
 
 #include "formulations/accuracy/condition.h"
 #include "formulations/safety/assessor.h"
+#include "formulations/safety/condition_monitor.h"
 #include "formulations/safety/continuity.h"
 #include "formulations/safety/expectation.h"
 #include "formulations/safety/gain_monitor.h"
@@ -45,6 +46,7 @@ struct Watch::State {
   Assessor assessor;
   RunningScales scales;
   GainMonitor gain;
+  ConditionMonitor conditioning;
   Continuity continuity;
   Expectation expectation{};
   std::vector<EntityId> entity;  // of each coordinate
@@ -68,6 +70,7 @@ struct Watch::State {
         assessor(m, o.levels),
         scales(m, grid),
         gain(m, assessor.levels(), assessor.system().magnitudes()),
+        conditioning(m, assessor.system()),
         continuity(m, assessor.system().magnitudes()),
         entity(entity_of_coordinate(m)) {}
 
@@ -75,7 +78,7 @@ struct Watch::State {
 
   Judgement judge(const Instant& instant) {
     Judgement j{instant};
-    const double growth = has(Monitor::gain) ? gain.growth(instant) : 1;
+    const double growth = growth_at(instant);
     const double residual = has(Monitor::residual) ? instant.residual : 0;
     const Assessment expected = expectation(growth, residual);
     const std::optional<Crossing> jump = find_jump(instant);
@@ -91,6 +94,16 @@ struct Watch::State {
     condition = std::max(condition, j.assessment.condition);
     for (const Level l : levels) worst[l] = std::max(worst[l], j.assessment.bound[l]);
     return j;
+  }
+
+  /// Of the condition number since the last assessment, as far as it shows.
+  double growth_at(const Instant& instant) {
+    if (!has(Monitor::gain)) return 1;
+    const double of_rates = gain.growth(instant);
+    if (!has(Monitor::clock)) return of_rates;
+    conditioning.go_on(instant);
+    if (conditioning.is_due()) conditioning.look(instant, assessor.system());
+    return std::max(of_rates, conditioning.growth());
   }
 
   bool is_due(double growth, double residual, const Assessment& expected) const {
@@ -153,6 +166,7 @@ struct Watch::State {
     j.assessment = last;
     if (last.condition < INFINITY) {
       gain.reset(j.instant, assessor.system());
+      conditioning.reset(assessor.system());
       j.crossing = crossing(j.instant);
       started = true;
     }

@@ -13,9 +13,9 @@ namespace desmo {
 
 /// What makes a watch assess an instant, and what it looks at when it does.
 enum class Monitor : unsigned {
-  gain = 1,          ///< rates of unknowns, relative to those of the drivers
+  gain = 1,          ///< rates of unknowns over those of the drivers; at looks, of anything
   residual = 2,      ///< ‖Φ‖ at which positions were accepted
-  clock = 4,         ///< so many instants since the last
+  clock = 4,         ///< so many instants since the last; looks at what rates may not show
   bounds = 8,        ///< degraded and singular instants are told from others
   orientation = 16,  ///< signs of the determinants of irreducible blocks
   continuity = 32    ///< whether rates lead from each instant to the next (Continuity)
@@ -54,7 +54,8 @@ struct Crossing {
 /// correcting:
 ///
 ///   gain       the largest rate of an unknown of a group over that of the drivers; it grows as
-///              the condition number does, which is the inverse of the distance to a dead point
+///              the condition number does, which is the inverse of the distance to a dead point,
+///              unless the motion happens not to show it (ConditionMonitor)
 ///   residual   ‖Φ‖, to which the error of position is proportional
 ///
 /// An instant whose bounds exceed 10 times the tolerance in position, 10² and 10³ times in velocity
