@@ -42,25 +42,28 @@ ExplicitPart::ExplicitPart(const ExplicitKernel& kernel, const BoundKernel& boun
   binding_ = {inputs_.data(), c, f, branch_, w, limits};
 }
 
-PartResult ExplicitPart::solve(State& s, Level level) {
-  if (!assembled_) return fall_back(s, level);
+PartResult ExplicitPart::solve(State& s, std::span<const double> last, Level level) {
+  if (!assembled_) return fall_back(s, last, level);
   ExplicitKernel::Solve* const solve = kernel_.solve[static_cast<std::size_t>(level)];
   const ExplicitResult<double> r = solve(s.q.data(), s.qd.data(), s.qdd.data(), binding_);
-  if (!r.accepted) return solve_refused(s, level);
+  if (!r.accepted) return solve_refused(s, last, level);
   return {Status::converged, r.iterations, std::sqrt(r.residual2)};
 }
 
 /// Apart, for the registers that it needs would have to be saved in every step.
-[[gnu::noinline]] PartResult ExplicitPart::solve_refused(State& s, Level level) {
+[[gnu::noinline]] PartResult ExplicitPart::solve_refused(State& s, std::span<const double> last,
+                                                         Level level) {
   ++fallbacks_;
   std::ranges::copy(branches(), branch_before_);
-  const PartResult result = fall_back(s, level);
+  const PartResult result = fall_back(s, last, level);
   branch_changes_ += !std::ranges::equal(branches(), std::span(branch_before_, branches().size()));
   return result;
 }
 
-[[gnu::noinline]] PartResult ExplicitPart::fall_back(State& s, Level level) {
-  const PartResult result = fallback_->solve(s, level);
+[[gnu::noinline]] PartResult ExplicitPart::fall_back(State& s, std::span<const double> last,
+                                                     Level level) {
+  for (const int input : kernel_.unknowns) s.q[inputs_[input]] = last[inputs_[input]];
+  const PartResult result = fallback_->solve(s, last, level);
   // After a fixed number of iterations a position may still be on its way to a branch.
   if (result.status == Status::converged && result.residual < tolerance_) {
     kernel_.find_branches(s.q.data(), binding_.in, binding_.c, branch_);

@@ -14,7 +14,8 @@ namespace desmo {
 /// forget() is found from its estimate by `fallback`, iterating on the original equations; on which
 /// side of each square root it lies is the assembly branch, which later steps keep. A step that the
 /// code refuses, where a root or a divisor is too small or the original equations are not
-/// satisfied, is left to `fallback` as well, and the branches are those of its solution.
+/// satisfied, is left to `fallback` as well, from the last position, and the branches are those of
+/// its solution.
 class ExplicitPart final : public GuardedPart {
  public:
   /// bound: inputs and dimensions of the part, as for its other kernel. weights: 1/magnitude of
@@ -24,8 +25,8 @@ class ExplicitPart final : public GuardedPart {
                std::span<const double> weights, const Settings& settings,
                std::unique_ptr<Part> fallback);
 
-  PartResult solve(State& state, Level level) override;
-  /// Closed forms start from nothing.
+  PartResult solve(State& state, std::span<const double> last, Level level) override;
+  /// Closed forms start from nothing. Before any position, all start from the last.
   std::vector<int> starts_from(const std::vector<int>& unknowns) const override;
   void forget() override;
 
@@ -42,8 +43,8 @@ class ExplicitPart final : public GuardedPart {
   std::span<const double> branches() const { return {branch_, kernel_.branches.size()}; }
 
  private:
-  PartResult solve_refused(State& state, Level level);
-  PartResult fall_back(State& state, Level level);
+  PartResult solve_refused(State& state, std::span<const double> last, Level level);
+  PartResult fall_back(State& state, std::span<const double> last, Level level);
 
   const ExplicitKernel& kernel_;
   ExplicitBinding<double> binding_;

@@ -92,7 +92,6 @@ Formulation::Formulation(const Mechanism& mechanism, std::vector<DefinedPart> pa
   for (State* s : {&state_, &before_})
     for (std::vector<double>* values : {&s->q, &s->qd, &s->qdd})
       values->resize(mechanism_.state_size());
-  estimate_.resize(mechanism_.state_size());
   prepare();
 }
 
@@ -131,24 +130,19 @@ void Formulation::solve_only(std::span<const Level> needed) {
   prepare();
 }
 
-/// Leaves the last instant in before_ and the guess in state_, whose rates are of no meaning until
-/// they are solved.
+/// Leaves the last instant in before_ and in state_ what solvers start from; the rest of state_ is
+/// of the instant before, and of no meaning until it is solved.
 void Formulation::guess(double t) {
-  std::ranges::copy(state_.q, estimate_.begin());
-  if (settings_.guess != Guess::previous && now_.level) {
-    const Past past{t - now_.time, now_.time - then_.time, now_.level, then_.level};
-    const auto extrapolation = [&](Level level) {
-      const Past known = past.up_to(level);
-      return Extrapolation(best_guess(settings_.guess, known), known);
-    };
-    for (const Level level : {Level::position, Level::velocity, Level::acceleration}) {
-      const Extrapolation extrapolated = extrapolation(level);
-      for (const CoordinateRun run : started_from_[static_cast<std::size_t>(level)])
-        extrapolated(run, state_, before_, estimate_.data());
-    }
-  }
+  const Past past{t - now_.time, now_.time - then_.time, now_.level, then_.level};
   std::swap(state_, before_);
-  std::swap(state_.q, estimate_);
+  const State &last = before_, &one_before = state_;
+  for (const Level level : {Level::position, Level::velocity, Level::acceleration}) {
+    const std::vector<CoordinateRun>& runs = started_from_[static_cast<std::size_t>(level)];
+    if (runs.empty()) continue;
+    const Past known = past.up_to(level);
+    const Extrapolation extrapolated(best_guess(settings_.guess, known), known);
+    extrapolated(runs, last, one_before, state_.q.data());
+  }
 }
 
 /// As the function of that name, all drivers at once.
@@ -163,7 +157,7 @@ Summary Formulation::solve(std::span<const Stage> stages, double t, Level level)
   summary.time = t;
   double residual2 = 0;
   for (const Stage& stage : stages) {
-    const PartResult r = stage.solver->solve(state_, std::min(level, stage.level));
+    const PartResult r = stage.solver->solve(state_, before_.q, std::min(level, stage.level));
     residual2 += r.residual * r.residual;
     summary.iterations = std::max<long>(summary.iterations, r.iterations);
     summary.updates += static_cast<long>(r.iterations) * stage.unknowns;
@@ -195,6 +189,7 @@ Summary Formulation::assemble(double t, Level level) {
   now_ = then_ = {};  // nothing to extrapolate from
   Summary summary = solve(constant_, t, level);
   if (!summary.ok()) return summary;
+  before_ = state_;  // what is solved once is in both
   assembled_ = true;
   summary = step(t, level);
   // The estimate may be far off: a fixed number of iterations is for steps.
@@ -252,15 +247,20 @@ bool Formulation::enter(std::span<const double> q, double t) {
   }
   for (const DefinedPart& part : parts_) part.solver->forget();
   now_ = then_ = {};
-  const auto solve_position = [&](State& state) {
-    return std::ranges::all_of(moving_, [&](const Stage& stage) {
-      return stage.solver->solve(state, Level::position).status == Status::converged;
-    });
+  const auto solve = [&](State& state, std::span<const double> last) {
+    return solve_positions(state, last);
   };
-  assembled_ = go_straight(mechanism_, t, state_, solve_position);
+  assembled_ = go_straight(mechanism_, t, state_, solve);
   if (!assembled_) return false;
+  before_.q = state_.q;
   drive(t);  // whole turns
-  return assembled_ = solve_position(state_);
+  return assembled_ = solve_positions(state_, before_.q);
+}
+
+bool Formulation::solve_positions(State& state, std::span<const double> last) {
+  return std::ranges::all_of(moving_, [&](const Stage& stage) {
+    return stage.solver->solve(state, last, Level::position).status == Status::converged;
+  });
 }
 
 /// From the instant that was solved last, which is that of the grid's first or another from which

@@ -160,6 +160,7 @@ class Formulation {
   };
 
   void prepare();
+  bool solve_positions(State& state, std::span<const double> last);
   Summary solve_all(const TimeGrid& grid, const Request& request, Sink& sink);
   Summary take_steps(const TimeGrid& grid, const Request& request, Sink& sink);
   bool solve_next(int i, double t, const Request& request, Sink& sink, Summary& total);
@@ -177,8 +178,7 @@ class Formulation {
   Settings settings_;
   double tolerance_;
   State state_;
-  State before_;                  // the instant before that of state_
-  std::vector<double> estimate_;  // where a guess is made
+  State before_;  // the instant before that of state_
   bool assembled_ = false;
   Solved now_, then_;  // what state_ and before_ hold
   std::unique_ptr<WholeMotion> whole_motion_;

@@ -43,11 +43,12 @@ class Extrapolation {
   /// guess: one that the past allows.
   Extrapolation(Guess guess, const Past& past);
 
-  /// Writes where the guess expects the coordinates of a run into q, which may be that of `last`
-  /// or of `before`: states of numbers, or of several side by side. Of these two only what the
-  /// guess needs is read; q is left alone by `previous`.
+  /// Writes where the guess expects the coordinates of some runs into q, which may be that of
+  /// `last` or of `before`: states of numbers, or of several side by side. Of these two only what
+  /// the guess needs is read.
   template <class States, class T>
-  void operator()(CoordinateRun run, const States& last, const States& before, T* q) const;
+  void operator()(std::span<const CoordinateRun> runs, const States& last, const States& before,
+                  T* q) const;
 
  private:
   Guess guess_;
@@ -55,27 +56,32 @@ class Extrapolation {
 };
 
 template <class States, class T>
-void Extrapolation::operator()(CoordinateRun run, const States& last, const States& before,
-                               T* q) const {
+void Extrapolation::operator()(std::span<const CoordinateRun> runs, const States& last,
+                               const States& before, T* q) const {
   const T *q1 = last.q.data(), *v1 = last.qd.data(), *a1 = last.qdd.data();
   const T *q0 = before.q.data(), *v0 = before.qd.data(), *a0 = before.qdd.data();
+  const double w_q = w_q_, w_v1 = w_v1_, w_a1 = w_a1_, w_v0 = w_v0_, w_a0 = w_a0_;
+  // Runs may be single coordinates: what can be done once for all runs is not done for each.
+  const auto write = [&](auto expected) {
+    for (const CoordinateRun run : runs)
+#pragma GCC ivdep  // q is another array than those read, or the same at the same place
+      for (int i = run.first; i < run.end; ++i) q[i] = expected(i);
+  };
   switch (guess_) {
     case Guess::previous:
-      return;
+      return write([=](int i) { return q1[i]; });
     case Guess::linear:
-      for (int i = run.first; i < run.end; ++i) q[i] = q1[i] + w_v1_ * v1[i];
-      return;
+      return write([=](int i) { return q1[i] + w_v1 * v1[i]; });
     case Guess::quadratic:
-      for (int i = run.first; i < run.end; ++i) q[i] = q1[i] + w_v1_ * v1[i] + w_a1_ * a1[i];
-      return;
+      return write([=](int i) { return q1[i] + w_v1 * v1[i] + w_a1 * a1[i]; });
     case Guess::hermite3:
-      for (int i = run.first; i < run.end; ++i)
-        q[i] = q1[i] + w_q_ * (q0[i] - q1[i]) + w_v1_ * v1[i] + w_v0_ * v0[i];
-      return;
+      return write(
+          [=](int i) { return q1[i] + w_q * (q0[i] - q1[i]) + w_v1 * v1[i] + w_v0 * v0[i]; });
     case Guess::hermite5:
-      for (int i = run.first; i < run.end; ++i)
-        q[i] = q1[i] + w_q_ * (q0[i] - q1[i]) + w_v1_ * v1[i] + w_v0_ * v0[i] + w_a1_ * a1[i] +
-               w_a0_ * a0[i];
+      return write([=](int i) {
+        return q1[i] + w_q * (q0[i] - q1[i]) + w_v1 * v1[i] + w_v0 * v0[i] + w_a1 * a1[i] +
+               w_a0 * a0[i];
+      });
   }
 }
 

@@ -31,7 +31,7 @@ InlinedPart::InlinedPart(BoundKernel bound, std::vector<double> weights,
   return position;
 }
 
-PartResult InlinedPart::solve(State& s, Level level) {
+PartResult InlinedPart::solve(State& s, std::span<const double> last, Level level) {
   const int* in = bound_.inputs.data();
   const double* c = bound_.constants.data();
   for (std::size_t i = 0; i < unknowns_.size(); ++i) start_[i] = s.q[unknowns_[i]];
@@ -49,7 +49,7 @@ PartResult InlinedPart::solve(State& s, Level level) {
 
   ++fallbacks_;
   for (std::size_t i = 0; i < unknowns_.size(); ++i) s.q[unknowns_[i]] = start_[i];
-  return fallback_->solve(s, level);
+  return fallback_->solve(s, last, level);
 }
 
 }  // namespace desmo

@@ -18,7 +18,7 @@ class InlinedPart final : public GuardedPart {
   InlinedPart(BoundKernel bound, std::vector<double> weights, const PartSettings& settings,
               std::unique_ptr<Part> fallback, std::vector<int> unknowns);
 
-  PartResult solve(State& state, Level level) override;
+  PartResult solve(State& state, std::span<const double> last, Level level) override;
 
   void forget() override { fallback_->forget(); }
 

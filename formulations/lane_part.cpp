@@ -122,10 +122,10 @@ LanePart::Batch LanePart::make_batch(std::span<Copy> copies, const Kernels& kern
   return {copies, std::move(stages), transport(positions), transport(rates), transport(unknowns)};
 }
 
-PartResult LanePart::solve(State& s, Level level) {
+PartResult LanePart::solve(State& s, std::span<const double> last, Level level) {
   PartResult result;
   double residual2 = 0;
-  for (Batch& batch : batches_) solve(batch, s, level, result, residual2);
+  for (Batch& batch : batches_) solve(batch, s, last, level, result, residual2);
   result.residual = std::sqrt(residual2);
   return result;
 }
@@ -145,12 +145,13 @@ unsigned LanePart::solve_in_lanes(Batch& batch, PartResult& result, double* resi
   return accepted;
 }
 
-void LanePart::solve(Batch& batch, State& s, Level level, PartResult& result, double& residual2) {
+void LanePart::solve(Batch& batch, State& s, std::span<const double> last, Level level,
+                     PartResult& result, double& residual2) {
   const auto take_branches = [&] {
     std::ranges::for_each(batch.stages, &LaneStage::take_branches);
   };
   if (!batch.assembled) {
-    for (Copy& copy : batch.copies) solve_alone(copy, s, level, result, residual2);
+    for (Copy& copy : batch.copies) solve_alone(copy, s, last, level, result, residual2);
     if (batch.copies.size() == 1) return;  // alone, now and always
     take_branches();
     batch.assembled = std::ranges::all_of(batch.stages, &LaneStage::assembled);
@@ -170,17 +171,17 @@ void LanePart::solve(Batch& batch, State& s, Level level, PartResult& result, do
     if (accepted >> l & 1) {
       residual2 += residual2s[l];
     } else {
-      solve_alone(batch.copies[l], s, level, result, residual2);
+      solve_alone(batch.copies[l], s, last, level, result, residual2);
       refused = true;
     }
   if (refused) take_branches();
 }
 
 /// Up to the first part that cannot be solved: the next may need it.
-void LanePart::solve_alone(Copy& copy, State& s, Level level, PartResult& result,
-                           double& residual2) {
+void LanePart::solve_alone(Copy& copy, State& s, std::span<const double> last, Level level,
+                           PartResult& result, double& residual2) {
   for (const auto& member : copy) {
-    const PartResult r = member->solve(s, level);
+    const PartResult r = member->solve(s, last, level);
     append(result, r, residual2);
     if (r.status != Status::converged) return;
   }

@@ -26,7 +26,7 @@ class LanePart final : public GuardedPart {
   /// as are_copies() says.
   LanePart(std::vector<Kernels> kernels, std::vector<Copy> copies);
 
-  PartResult solve(State& state, Level level) override;
+  PartResult solve(State& state, std::span<const double> last, Level level) override;
   std::vector<int> starts_from(const std::vector<int>& unknowns) const override;
   void forget() override;
 
@@ -45,8 +45,10 @@ class LanePart final : public GuardedPart {
   const Kernels& kernels_for(std::size_t copies) const;
   Batch make_batch(std::span<Copy> copies, const Kernels& kernels);
   unsigned solve_in_lanes(Batch& batch, PartResult& result, double* residual2);
-  void solve(Batch& batch, State& state, Level level, PartResult& result, double& residual2);
-  void solve_alone(Copy& copy, State& state, Level level, PartResult& result, double& residual2);
+  void solve(Batch& batch, State& state, std::span<const double> last, Level level,
+             PartResult& result, double& residual2);
+  void solve_alone(Copy& copy, State& state, std::span<const double> last, Level level,
+                   PartResult& result, double& residual2);
 
   std::vector<Kernels> kernels_;
   std::vector<Copy> copies_;

@@ -18,7 +18,7 @@ class NewtonPart final : public Part {
              AlgebraArguments&&... arguments)
       : solver_(std::move(equations), weights, magnitudes, settings, arguments...) {}
 
-  PartResult solve(State& s, Level level) override {
+  PartResult solve(State& s, std::span<const double>, Level level) override {
     return solver_.solve(s.q.data(), s.qd.data(), s.qdd.data(), level);
   }
   long refactorisations() const override { return solver_.refactorisations(); }

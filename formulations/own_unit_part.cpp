@@ -31,8 +31,12 @@ class OwnUnitPart::InUnitOfAll final : public Part {
   InUnitOfAll(OwnUnitPart& part, std::unique_ptr<Part> solver)
       : part_(part), solver_(std::move(solver)) {}
 
-  PartResult solve(State&, Level level) override {
-    const PartResult result = solver_->solve(*part_.all_, level);
+  PartResult solve(State&, std::span<const double>, Level level) override {
+    for (const int i : part_.unknowns_) {
+      const int of_all = part_.inputs_[i];
+      part_.all_->q[of_all] = part_.last_[of_all];
+    }
+    const PartResult result = solver_->solve(*part_.all_, part_.last_, level);
     part_.take(*part_.all_);
     return result;
   }
@@ -90,15 +94,18 @@ OwnUnitPart::OwnUnitPart(const Mechanism& m, const PartDefinition& part, const U
   }
   for (int i = 0; i < static_cast<int>(type.inputs.size()); ++i)
     if (type.inputs[i].role == Role::unknown) unknowns_.push_back(i);
-  for (std::vector<double>* values : {&own_.q, &own_.qd, &own_.qdd}) values->resize(inputs_.size());
+  for (std::vector<double>* values : {&own_.q, &own_.qd, &own_.qdd, &own_last_})
+    values->resize(inputs_.size());
   part_ = std::make_unique<ExplicitPart>(kernel, own, own_weights, settings,
                                          std::make_unique<InUnitOfAll>(*this, std::move(fallback)));
 }
 
-PartResult OwnUnitPart::solve(State& all, Level level) {
+PartResult OwnUnitPart::solve(State& all, std::span<const double> last, Level level) {
   all_ = &all;
+  last_ = last;
   take(all);
-  const PartResult result = part_->solve(own_, level);
+  for (const int i : unknowns_) own_last_[i] = share_[i] * last[inputs_[i]];
+  const PartResult result = part_->solve(own_, own_last_, level);
   give(all);
   return result;
 }

@@ -31,7 +31,7 @@ class OwnUnitPart final : public GuardedPart {
               std::span<const double> weights, const Settings& settings,
               std::unique_ptr<Part> fallback);
 
-  PartResult solve(State& state, Level level) override;
+  PartResult solve(State& state, std::span<const double> last, Level level) override;
   std::vector<int> starts_from(const std::vector<int>& unknowns) const override;
   void forget() override { part_->forget(); }
   long fallbacks() const override { return part_->fallbacks(); }
@@ -46,7 +46,9 @@ class OwnUnitPart final : public GuardedPart {
   std::vector<double> share_;  // of each, own over that of all
   std::vector<int> unknowns_;  // of its own inputs
   State own_;
-  State* all_ = nullptr;  // while it is being solved
+  std::vector<double> own_last_;  // positions of its unknowns
+  State* all_ = nullptr;          // while it is being solved
+  std::span<const double> last_;  // the same
   std::unique_ptr<ExplicitPart> part_;
 };
 

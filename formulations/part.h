@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "cases/level.h"
@@ -33,12 +34,13 @@ class Part {
  public:
   virtual ~Part() = default;
 
-  /// Solves position (from the values in state.q, which are the initial guess), velocity and
-  /// acceleration of the part's unknowns, up to `level`. Overwrites these in `state`; on failure
-  /// they are unspecified.
-  virtual PartResult solve(State& state, Level level) = 0;
+  /// Solves position, velocity and acceleration of the part's unknowns, up to `level`. Overwrites
+  /// these in `state`; on failure they are unspecified. The initial guess is the positions in
+  /// state.q of those that starts_from() names; those of the others are not read. last: positions
+  /// as in state.q, of the instant before or of an estimate, for who has to start anew.
+  virtual PartResult solve(State& state, std::span<const double> last, Level level) = 0;
 
-  /// Those of its unknowns, ascending, of which solve() reads the position that it is given: what a
+  /// Those of its unknowns, ascending, of which solve() reads the position in the state: what a
   /// guess is needed for.
   virtual std::vector<int> starts_from(const std::vector<int>& unknowns) const { return unknowns; }
 

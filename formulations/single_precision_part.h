@@ -32,7 +32,7 @@ class SinglePrecisionPart final : public Part {
         state_(std::move(state)),
         read_(std::move(read)) {}
 
-  PartResult solve(State& s, Level level) override {
+  PartResult solve(State& s, std::span<const double>, Level level) override {
     for (const int i : read_) {
       state_->q[i] = static_cast<float>(s.q[i]);
       state_->qd[i] = static_cast<float>(s.qd[i]);

@@ -27,7 +27,7 @@ double shortest_way(const Mechanism& m, const Driver& d, double from, double to)
 }  // namespace
 
 bool go_straight(const Mechanism& m, double t, State& state,
-                 const std::function<bool(State&)>& solve) {
+                 const std::function<bool(State&, std::span<const double> last)>& solve) {
   const std::size_t drivers = m.drivers.size();
   std::vector<double> from(drivers), way(drivers);
   for (std::size_t d = 0; d < drivers; ++d) {
@@ -40,7 +40,7 @@ bool go_straight(const Mechanism& m, double t, State& state,
   while (true) {
     for (std::size_t d = 0; d < drivers; ++d)
       state.q[m.entities[m.drivers[d].coordinate].first] = from[d] + (done + piece) * way[d];
-    if (solve(state)) {
+    if (solve(state, reached.q)) {
       reached = state;
       done += piece;
       if (done >= 1) return true;

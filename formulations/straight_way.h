@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 
 #include "cases/mechanism.h"
 #include "formulations/part.h"
@@ -10,9 +11,10 @@ namespace desmo {
 /// Takes a state from where it is solved to where the drivers are at time t, give or take whole
 /// turns, along the way on which they go straight: how an instant in the middle of a motion is
 /// reached without all those before it. solve: solves the positions of a state for those of its
-/// drivers, and says whether it could; first where the state is, so that it may find its branches.
-/// False where the way cannot be gone; the state is then somewhere on it. Not for timed loops.
+/// drivers, given those reached before, and says whether it could; first where the state is, so
+/// that it may find its branches. False where the way cannot be gone; the state is then somewhere
+/// on it. Not for timed loops.
 bool go_straight(const Mechanism& mechanism, double t, State& state,
-                 const std::function<bool(State&)>& solve);
+                 const std::function<bool(State&, std::span<const double> last)>& solve);
 
 }  // namespace desmo

@@ -24,9 +24,9 @@ TimeLanes::TimeLanes(const Mechanism& mechanism, std::vector<Parts> parts, const
   const std::size_t size = mechanism_.state_size();
   for (LaneState* s : {&now_, &before_})
     for (LaneValues* values : {&s->q, &s->qd, &s->qdd}) values->resize(size * lanes_);
-  estimate_.resize(size * lanes_);
   entered_.resize(size * lanes_);
-  for (std::vector<double>* values : {&alone_.q, &alone_.qd, &alone_.qdd}) values->resize(size);
+  for (std::vector<double>* values : {&alone_.q, &alone_.qd, &alone_.qdd, &last_alone_})
+    values->resize(size);
   for (State& s : delivered_)
     for (std::vector<double>* values : {&s.q, &s.qd, &s.qdd})
       values->resize(mechanism_.coordinates());
@@ -100,7 +100,9 @@ bool TimeLanes::enter(const TimeGrid& grid, int length, const State& first) {
   for (int l = 0; l < lanes_; ++l) {
     for (const Formulation::DefinedPart& part : parts_[l]) part.solver->forget();
     alone_ = first;
-    const auto solve = [&](State& state) { return solve_alone(l, state, Level::position); };
+    const auto solve = [&](State& state, std::span<const double> last) {
+      return solve_alone(l, state, last);
+    };
     if (!go_straight(mechanism_, grid.time(l * length), alone_, solve)) return false;
     pack(l, alone_);
   }
@@ -109,9 +111,10 @@ bool TimeLanes::enter(const TimeGrid& grid, int length, const State& first) {
       stages_, [](const Stage& stage) { return !stage.together || stage.together->assembled(); });
 }
 
-bool TimeLanes::solve_alone(int lane, State& state, Level level) {
+bool TimeLanes::solve_alone(int lane, State& state, std::span<const double> last) {
   for (const Stage& stage : stages_)
-    if (stage.members[lane]->solve(state, level).status != Status::converged) return false;
+    if (stage.members[lane]->solve(state, last, Level::position).status != Status::converged)
+      return false;
   return true;
 }
 
@@ -133,12 +136,7 @@ void TimeLanes::guess(double h, int known) {
   const Past past{h, h, known > 0 ? std::optional(Level::acceleration) : std::nullopt,
                   known > 1 ? std::optional(Level::acceleration) : std::nullopt};
   const Guess best = known > 0 ? best_guess(settings_.guess, past) : Guess::previous;
-  const Extrapolation extrapolated(best, past);
-  for (const CoordinateRun run : started_from_) {
-    extrapolated(run, last, one_before, estimate_.data());
-    const LaneValues& from = best == Guess::previous ? last.q : estimate_;
-    std::copy(from.begin() + run.first, from.begin() + run.end, now_.q.begin() + run.first);
-  }
+  Extrapolation(best, past)(started_from_, last, one_before, now_.q.data());
 }
 
 void TimeLanes::drive(const TimeGrid& grid, int length, int i) {
@@ -185,9 +183,10 @@ void TimeLanes::solve_lane(Stage& stage, int lane, Step& step) {
     alone_.qd[k] = now_.qd[in_lane];
     alone_.qdd[k] = now_.qdd[in_lane];
   }
+  for (const int k : stage.unknowns) last_alone_[k] = before_.q[k * lanes_ + lane];
   if (stage.together)
-    for (const int k : stage.unknowns) alone_.q[k] = before_.q[k * lanes_ + lane];
-  const PartResult r = stage.members[lane]->solve(alone_, Level::acceleration);
+    for (const int k : stage.unknowns) alone_.q[k] = last_alone_[k];
+  const PartResult r = stage.members[lane]->solve(alone_, last_alone_, Level::acceleration);
   step.ok = step.ok && r.status == Status::converged;
   step.iterations = std::max(step.iterations, r.iterations);
   residual2_[lane] += r.residual * r.residual;

@@ -51,7 +51,7 @@ class TimeLanes final : public WholeMotion {
 
   Stage make_stage(std::size_t part, const KernelTable& table) const;
   bool enter(const TimeGrid& grid, int length, const State& first);
-  bool solve_alone(int lane, State& state, Level level);
+  bool solve_alone(int lane, State& state, std::span<const double> last);
   void pack(int lane, const State& from);
   void take_branches();
   void guess(double h, int known);
@@ -70,10 +70,10 @@ class TimeLanes final : public WholeMotion {
   /// Unknowns of which a part reads the position, as runs of values: lanes beside each other.
   std::vector<CoordinateRun> started_from_;
   LaneState now_, before_;
-  LaneValues estimate_;   // where a guess is made
-  LaneValues entered_;    // positions at the first instant of each segment
-  LaneValues residual2_;  // of the step, by lane
-  State alone_;           // of one lane
+  LaneValues entered_;              // positions at the first instant of each segment
+  LaneValues residual2_;            // of the step, by lane
+  State alone_;                     // of one lane …
+  std::vector<double> last_alone_;  // … and its last positions
   std::vector<State> delivered_;
 };
 

@@ -8,7 +8,9 @@ namespace desmo {
 class Borrowed final : public Part {
  public:
   explicit Borrowed(Part& part) : part_(part) {}
-  PartResult solve(State& s, Level level) override { return part_.solve(s, level); }
+  PartResult solve(State& s, std::span<const double> last, Level level) override {
+    return part_.solve(s, last, level);
+  }
 
  private:
   Part& part_;

@@ -44,6 +44,7 @@ State polynomial(double t, int degree) {
 }
 
 TEST(Guess, IsExactForPolynomialsOfItsDegreeWhateverTheSteps) {
+  constexpr CoordinateRun first[] = {{0, 1}};
   const std::pair<Guess, int> degrees[] = {
       {Guess::linear, 1}, {Guess::quadratic, 2}, {Guess::hermite3, 3}, {Guess::hermite5, 5}};
   for (const auto& [guess, degree] : degrees)
@@ -52,7 +53,7 @@ TEST(Guess, IsExactForPolynomialsOfItsDegreeWhateverTheSteps) {
         const Past past{h, before, Level::acceleration, Level::acceleration};
         const State last = polynomial(0.5, degree), earlier = polynomial(0.5 - before, degree);
         double q = NAN;
-        Extrapolation(guess, past)({0, 1}, last, earlier, &q);
+        Extrapolation(guess, past)(first, last, earlier, &q);
         EXPECT_NEAR(q, polynomial(0.5 + h, degree).q[0], 1e-12)
             << guess_name(guess) << ", " << h << " s after " << before << " s";
       }
@@ -61,11 +62,10 @@ TEST(Guess, IsExactForPolynomialsOfItsDegreeWhateverTheSteps) {
 TEST(Guess, MovesTheCoordinatesGivenAndNoOthers) {
   const State last{{1, 2, 3}, {10, 20, 30}, {100, 200, 300}};
   const Past past{0.1, 0, Level::acceleration};
-  std::vector<double> q = last.q;
-  Extrapolation(Guess::previous, past)({0, 3}, last, last, q.data());
+  std::vector<double> q = {7, 8, 9};
+  Extrapolation(Guess::previous, past)(runs_of(std::vector{0, 1, 2}), last, last, q.data());
   EXPECT_EQ(q, last.q);
-  for (const CoordinateRun run : runs_of(std::vector{0, 2}))
-    Extrapolation(Guess::quadratic, past)(run, last, last, q.data());
+  Extrapolation(Guess::quadratic, past)(runs_of(std::vector{0, 2}), last, last, q.data());
   EXPECT_DOUBLE_EQ(q[0], 1 + 1 + 0.5);
   EXPECT_EQ(q[1], 2);
   EXPECT_DOUBLE_EQ(q[2], 3 + 3 + 1.5);
@@ -118,11 +118,12 @@ TEST(Guess, HasTheOrderOfItsName) {
   const auto error = [&](Guess guess, double h, double stretch) {
     const State before = solved(0.4 - h), last = solved(0.4), sought = solved(0.4 + stretch * h);
     std::vector<double> q = last.q;
-    const CoordinateRun all{0, static_cast<int>(q.size())};
+    const CoordinateRun all[] = {{0, static_cast<int>(q.size())}};
     const Past past{stretch * h, h, Level::acceleration, Level::acceleration};
     Extrapolation(guess, past)(all, last, before, q.data());
     double largest = 0;
-    for (int i = 0; i < all.end; ++i) largest = std::max(largest, std::abs(q[i] - sought.q[i]));
+    for (std::size_t i = 0; i < q.size(); ++i)
+      largest = std::max(largest, std::abs(q[i] - sought.q[i]));
     return largest;
   };
   for (const double stretch : {1.0, 0.6, 1.7})

@@ -117,7 +117,7 @@ class Pieces : public ::testing::Test {
         for (const auto& parts : copies)
           for (const std::size_t p : parts)
             for (const int k : definitions_[p].unknowns) s.qd[k] = s.qdd[k] = 17;
-      ASSERT_EQ(together.solve(s, Level::acceleration).status, Status::converged);
+      ASSERT_EQ(together.solve(s, expected.q, Level::acceleration).status, Status::converged);
     }
     for (const ExplicitPart* const p : seen) EXPECT_EQ(p->fallbacks(), p == other ? 2 : 0);
     EXPECT_EQ(together.fallbacks(), 2);

@@ -37,7 +37,7 @@ TEST_P(EveryBackend, VelocityHasASmallBackwardError) {
     for (auto* v : {&s.q, &s.qd, &s.qdd}) v->resize(m.state_size(), 0.0);
     std::copy(m.fixed_values.begin(), m.fixed_values.end(), s.q.begin() + m.coordinates());
     const auto solver = GetParam()->make_part(context(m, part, {.tolerance = 1e-8}));
-    ASSERT_EQ(solver->solve(s, Level::velocity).status, Status::converged);
+    ASSERT_EQ(solver->solve(s, s.q, Level::velocity).status, Status::converged);
 
     std::vector<double> values(p.size());
     equations.constant_jacobian(values.data());
@@ -79,7 +79,7 @@ TEST_P(EveryBackend, NeverCallsASingularPositionSolved) {
   set(s.qd, "crank/B", 0, 2);
   const auto parts = make_partition(m, Partition::group);
   const auto solver = GetParam()->make_part(context(m, parts[1], {}));
-  const PartResult r = solver->solve(s, Level::velocity);
+  const PartResult r = solver->solve(s, s.q, Level::velocity);
   const double psi_rate = s.qd[m.entities[m.find("dyad1/psi")].first];
   if (GetParam()->name == "cholmod" && r.status == Status::converged)
     EXPECT_GT(std::abs(psi_rate), 1e6);

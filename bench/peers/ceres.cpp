@@ -141,8 +141,7 @@ class CeresPeer final : public Peer {
 
   void step(double t) override {
     const Past past{t - time_, 0, Level::acceleration};
-    const Extrapolation extrapolation(Guess::quadratic, past);
-    for (const CoordinateRun run : runs_) extrapolation(run, state_, state_, state_.q.data());
+    Extrapolation(Guess::quadratic, past)(runs_, state_, state_, state_.q.data());
     solve(t);
   }
 
@@ -195,7 +194,7 @@ class CeresPeer final : public Peer {
     int iterations = 0;
     for (const auto& part : rates_->parts()) {
       if (part.definition.constant != constant) continue;
-      const PartResult result = part.solver->solve(state_, Level::acceleration);
+      const PartResult result = part.solver->solve(state_, state_.q, Level::acceleration);
       if (result.status != Status::converged) throw std::runtime_error("singular Jacobian");
       iterations = std::max(iterations, result.iterations);
     }

@@ -60,8 +60,9 @@ struct ExplicitKernel {
   std::string_view name;                       ///< of the group it was first seen in
   std::string_view fingerprint;                ///< PartType::fingerprint
   std::span<const std::string_view> branches;  ///< what each square root determines
-  std::span<const int> starts;  ///< local inputs: unknowns whose last position is read
-  int folded;                   ///< values that depend on dimensions alone
+  std::span<const int> unknowns;               ///< local inputs that are written
+  std::span<const int> starts;                 ///< those of them whose last position is read
+  int folded;                                  ///< values that depend on dimensions alone
 
   /// f: those values, from the dimensions c.
   void (*fold)(const double* c, double* f);

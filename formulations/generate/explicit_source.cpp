@@ -102,10 +102,10 @@ void write_explicit_kernel(std::ostream& out, const std::string& name, const Par
 
 void write_explicit_table_row(std::ostream& out, const std::string& name, const PartType& type) {
   out << "    {\"" << name << "\", \"" << type.fingerprint << "\", " << name << "::branches, "
-      << name << "::starts,\n     " << name << "::folded, " << name << "::fold, " << name
-      << "::find_branches,\n     {" << name << "::solve<double, Level::position>, " << name
-      << "::solve<double, Level::velocity>,\n      " << name
-      << "::solve<double, Level::acceleration>}},\n";
+      << name << "::unknowns, " << name << "::starts,\n     " << name << "::folded, " << name
+      << "::fold, " << name << "::find_branches,\n     {" << name
+      << "::solve<double, Level::position>, " << name << "::solve<double, Level::velocity>,\n      "
+      << name << "::solve<double, Level::acceleration>}},\n";
 }
 
 void write_lane_table_row(std::ostream& out, const std::string& name, const PartType& type) {

@@ -117,7 +117,7 @@ TEST(Cells, SayWhyDenseGlobalSolvesAreNotRun) {
 }
 
 class Idle final : public Part {
-  PartResult solve(State&, Level) override { return {}; }
+  PartResult solve(State&, std::span<const double>, Level) override { return {}; }
 };
 
 TEST(Cells, AreNotTimedWithoutTheGeneratedCodeTheirIdPromises) {

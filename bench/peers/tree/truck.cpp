@@ -59,9 +59,10 @@ class Truck final : public TreePeer {
   void step(double t) override {
     const Past past{t - time_, h_, Level::acceleration, before_};
     const Extrapolation extrapolation(best_guess(guess_, past), past);
+    constexpr CoordinateRun all_angles[] = {{0, 2}};
     for (Suspension& s : suspensions_) {
-      Axle::Angles next = s.last;
-      extrapolation({0, static_cast<int>(next.q.size())}, s.last, s.before, next.q.data());
+      Axle::Angles next;
+      extrapolation(all_angles, s.last, s.before, next.q.data());
       s.before = s.last;
       s.last = next;
     }
