@@ -35,6 +35,7 @@ TEST_F(Expressions, FoldConstantsAndIdentities) {
   EXPECT_EQ((-(-x)).id(), x.id());
   EXPECT_TRUE((x * 0.0).is_zero());
   EXPECT_TRUE((x - x).is_zero());
+  EXPECT_TRUE(graph.is((x * (1.0 / x)).id(), 1));
   EXPECT_TRUE((Expr(0) / x).is_zero());
   EXPECT_TRUE(graph.is((Expr(2) * 3.0 + sin(Expr(0))).id(), 6));
 }
@@ -45,6 +46,7 @@ TEST_F(Expressions, ShareCommonSubexpressions) {
   EXPECT_EQ((x * (-y)).id(), (-(x * y)).id());
   EXPECT_EQ((x + (-y)).id(), (x - y).id());
   EXPECT_NE((x - y).id(), (y - x).id());
+  EXPECT_EQ((x * (x - y)).id(), (-(x * (y - x))).id());
 }
 
 TEST_F(Expressions, KeepTheirValueThroughEveryRule) {
@@ -87,6 +89,11 @@ TEST_F(Expressions, AreWrittenWithTheParenthesesTheyNeed) {
   EXPECT_EQ(written(sum * (x - y)), "(x + y) * (x - y)");
   EXPECT_EQ(written(sin(x + y) - x), "std::sin(x + y) - x");
   EXPECT_EQ(written(-(x * y)), "-(x * y)");
+  EXPECT_EQ(written(-(x - y)), "y - x");
+  const Expr xx = x * x, yy = y * y, squares = xx + yy;
+  EXPECT_EQ(written(squares - 1.0), "x * x - 1.0 + y * y");  // two fused instructions
+  EXPECT_EQ(written(squares - sum), "x * x + y * y - (x + y)");
+  EXPECT_EQ(written(-(x - y) / sum), "-((x - y) / (x + y))");
   EXPECT_EQ(written(x + -2.5), "x + (-2.5)");
 }
 

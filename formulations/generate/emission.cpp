@@ -95,16 +95,41 @@ void Emitter::declare(int id) {
   names_[id] = variable;
 }
 
+/// Of −(a − b) where a − b has no name.
+const Node* Emitter::turned_difference(int id) const {
+  const Node& n = Graph::current().node(id);
+  if (n.op != Op::negate || names_.contains(n.a)) return nullptr;
+  const Node& operand = Graph::current().node(n.a);
+  return operand.op == Op::subtract ? &operand : nullptr;
+}
+
+/// Of a sum without a name. A multiplication takes an addition with it.
+bool Emitter::begins_with_product(int id) const {
+  const Node& n = Graph::current().node(id);
+  if (names_.contains(id)) return false;
+  return n.op == Op::add ? begins_with_product(n.a) : n.op == Op::multiply;
+}
+
+/// A sum less what is subtracted from its first term.
+std::string Emitter::less(int sum, int subtracted) const {
+  const Node& n = Graph::current().node(sum);
+  return n.op == Op::add && !names_.contains(sum)
+             ? less(n.a, subtracted) + " + " + operand(n.b, 2)
+             : operand(sum, 2) + " - " + operand(subtracted, 2);
+}
+
+/// In parentheses if it binds less tightly than `least`.
+std::string Emitter::operand(int id, int least) const {
+  const Op op = turned_difference(id) ? Op::subtract : Graph::current().node(id).op;
+  const bool closed = names_.contains(id) || precedence(op) >= least;
+  return closed ? text(id) : "(" + text(id) + ")";
+}
+
 std::string Emitter::text(Expr e) const { return text(e.id()); }
 
 std::string Emitter::text(int id) const {
   const Node& n = Graph::current().node(id);
   if (const auto it = names_.find(id); it != names_.end()) return it->second;
-  // Operands that bind less tightly than `least` are put in parentheses.
-  const auto operand = [&](int i, int least) {
-    const bool closed = names_.contains(i) || precedence(Graph::current().node(i).op) >= least;
-    return closed ? text(i) : "(" + text(i) + ")";
-  };
   switch (n.op) {
     case Op::constant:
       return literal(n.value);
@@ -113,13 +138,17 @@ std::string Emitter::text(int id) const {
     case Op::add:
       return operand(n.a, 1) + " + " + operand(n.b, 2);
     case Op::subtract:
-      return operand(n.a, 1) + " - " + operand(n.b, 2);
+      return begins_with_product(n.a) && !Graph::current().node(n.b).moves
+                 ? less(n.a, n.b)
+                 : operand(n.a, 1) + " - " + operand(n.b, 2);
     case Op::multiply:
       return operand(n.a, 2) + " * " + operand(n.b, 3);
     case Op::divide:
       return operand(n.a, 2) + " / " + operand(n.b, 3);
-    case Op::negate:
-      return "-" + operand(n.a, 3);
+    case Op::negate: {
+      const Node* const d = turned_difference(id);
+      return d ? operand(d->b, 1) + " - " + operand(d->a, 2) : "-" + operand(n.a, 3);
+    }
     case Op::sine:
       return style_.angles + "sin(" + text(n.a) + ")";
     case Op::cosine:

@@ -50,6 +50,10 @@ class Emitter {
  private:
   void declare(int id);
   std::string text(int id) const;
+  std::string operand(int id, int least) const;
+  const Node* turned_difference(int id) const;
+  bool begins_with_product(int id) const;
+  std::string less(int sum, int subtracted) const;
 
   std::ostream* out_;
   std::string indent_;

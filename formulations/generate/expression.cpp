@@ -94,11 +94,15 @@ Graph::Scaled Graph::as_scaled(int id) const {
   return {-1, id};
 }
 
+bool Graph::is_reciprocal(int id, int of) const {
+  const Node& n = nodes_[id];
+  return n.op == Op::divide && is(n.a, 1) && n.b == of;
+}
+
 int Graph::unary(Op op, int a) {
   const Node n = nodes_[a];
   if (n.op == Op::constant) return constant(apply(op, n.value, 0));
   if (op == Op::negate && n.op == Op::negate) return n.a;
-  if (op == Op::negate && n.op == Op::subtract) return binary(Op::subtract, n.b, n.a);
   return find_or_add(op, a, -1);
 }
 
@@ -126,6 +130,8 @@ int Graph::binary(Op op, int a, int b) {
       if (common)
         return binary(Op::multiply, scaled_l.factor,
                       binary(Op::subtract, scaled_l.of, scaled_r.of));
+      if (const auto opposite = operations_.find({op, b, a}); opposite != operations_.end())
+        return unary(Op::negate, opposite->second);
       break;
     case Op::multiply:
       if (is(a, 0) || is(b, 0)) return constant(0);
@@ -133,6 +139,7 @@ int Graph::binary(Op op, int a, int b) {
       if (is(b, 1)) return a;
       if (is(a, -1)) return unary(Op::negate, b);
       if (is(b, -1)) return unary(Op::negate, a);
+      if (is_reciprocal(a, b) || is_reciprocal(b, a)) return constant(1);
       if (left_negated) return unary(Op::negate, binary(Op::multiply, l.a, b));
       if (right_negated) return unary(Op::negate, binary(Op::multiply, a, r.a));
       if (l.op == Op::constant && scaled_r.factor >= 0 && is_power_of_two(l.value))

@@ -61,6 +61,8 @@ class Graph {
     int factor, of;
   };
   Scaled as_scaled(int id) const;
+  /// Whether it is 1/of.
+  bool is_reciprocal(int id, int of) const;
   int add(Node node, std::vector<double> sample_values);
   int find_or_add(Op op, int a, int b);
 

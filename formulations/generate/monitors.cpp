@@ -15,7 +15,7 @@ std::vector<Expr> monitored(const std::vector<SizeMonitor>& monitors) {
   std::vector<Expr> result;
   for (const SizeMonitor& m : monitors) {
     result.push_back(m.value);
-    result.push_back(m.against);
+    result.push_back(m.bound * m.against);
   }
   return result;
 }
@@ -39,8 +39,7 @@ std::vector<std::string> conditions(const Emitter& emitter,
                                     const std::vector<SizeMonitor>& monitors) {
   std::vector<std::string> result;
   for (const SizeMonitor& m : monitors)
-    result.push_back("(" + emitter.text(m.value) + " > " + literal(m.bound) + " * (" +
-                     emitter.text(m.against) + "))");
+    result.push_back("(" + emitter.text(m.value) + " > " + emitter.text(m.bound * m.against) + ")");
   return result;
 }
 

@@ -13,8 +13,9 @@ std::optional<ClosedForm> solve_angle(const Task& task) {
   const auto& [a, b, rest] = *t;
   const Expr pivot = b * cos(theta) - a * sin(theta), branch = branch_of(pivot);
   const Expr radius2 = a * a + b * b;
-  ClosedForm form =
-      angle_by_bearing("angle modulo half a turn", {branch * b, -(branch * a)}, radius2);
+  // Half a turn changes no rate.
+  ClosedForm form = angle_by_bearing("angle modulo half a turn", {b, -a}, radius2);
+  form.bearing = {branch * b, -(branch * a)};
   const Expr ma = magnitude(a), mb = magnitude(b);
   form.sizes.push_back({radius2, 1e-12, ma * ma + mb * mb});
   form.roots.push_back({branch, pivot});
