@@ -9,6 +9,7 @@
 
 #include "formulations/generate/closed_form.h"
 #include "formulations/generate/inputs.h"
+#include "formulations/generate/opposite.h"
 #include "formulations/generate/tearing.h"
 
 namespace desmo::generate {
@@ -164,6 +165,59 @@ TEST_P(ClosedForms, AnglesModuloHalfATurn) {
     EXPECT_NEAR(std::atan2(form->bearing->y.samples()[s], form->bearing->x.samples()[s]),
                 theta.samples()[s], 1e-9);
   expect_solved(task, "angle modulo half a turn");
+}
+
+/// Unit vectors normal to the same two, on this side or that: known but for their sign.
+TEST_P(ClosedForms, AreWrittenByEarlierOnesOfWhichTheyAreOppositesOrEquals) {
+  const auto a = inputs(3), b = inputs(3), c = inputs(3);
+  const auto normal = [&](const std::vector<Expr>& to, double side) {
+    const Expr across[] = {a[1] * to[2] - a[2] * to[1], a[2] * to[0] - a[0] * to[2],
+                           a[0] * to[1] - a[1] * to[0]};
+    std::vector<Expr> n;
+    for (const Expr component : across) {
+      std::vector<double> values;
+      for (int s = 0; s < samples; ++s)
+        values.push_back(
+            side * component.samples()[s] /
+            std::hypot(across[0].samples()[s], across[1].samples()[s], across[2].samples()[s]));
+      n.push_back(Expr::node(graph.input("n", values)));
+    }
+    return n;
+  };
+  const auto solved = [&](const std::vector<Expr>& n, const std::vector<Expr>& to) {
+    return solve_closed({n, {dot(a, n), dot(to, n), dot(n, n) - 1}, facts}).value();
+  };
+  const auto n = normal(b, 1);
+  const ClosedForm first = solved(n, b);
+  for (const double side : {1.0, -1.0}) {
+    const auto m = normal(b, side);
+    const auto again = as_earlier_or_opposite(solved(m, b), first, n);
+    ASSERT_TRUE(again);
+    Rates rates;
+    for (const Expr x : n) {
+      rates.set_first(x, input());
+      rates.set_second(x, input());
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      expect_equal(again->values[i], m[i]);
+      expect_equal(again->first(rates)[i], side * rates.first(n[i]));
+      expect_equal(again->second(rates)[i], side * rates.second(n[i]));
+    }
+  }
+  EXPECT_FALSE(as_earlier_or_opposite(solved(normal(c, 1), c), first, n));
+}
+
+/// The other of two points on two circles is no opposite.
+TEST_P(ClosedForms, AreNotWrittenByTheOtherSolution) {
+  const auto x = inputs(2), y = inputs(2), p = inputs(2), q = inputs(2);
+  const Expr about_p = dimension(dot(minus(x, p), minus(x, p))),
+             about_q = dimension(dot(minus(x, q), minus(x, q)));
+  const auto on_both = [&](const std::vector<Expr>& point) {
+    const auto from_p = minus(point, p), from_q = minus(point, q);
+    const Task task{point, {dot(from_p, from_p) - about_p, dot(from_q, from_q) - about_q}, facts};
+    return solve_closed(task).value();
+  };
+  EXPECT_FALSE(as_earlier_or_opposite(on_both(y), on_both(x), x));
 }
 
 TEST_P(ClosedForms, NothingIsClaimedOfOtherEquations) {

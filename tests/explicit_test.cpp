@@ -64,6 +64,7 @@ TEST(ExplicitOrder, RecognisesWhatIsWorthKnowingAsOne) {
   EXPECT_TRUE(defines("truck_suspension_sg_ii", "B6.x, B6.y, B6.z: sphere and planes"));
   EXPECT_TRUE(defines("truck_suspension_sg_ii", "phi6: angle modulo half a turn"));
   EXPECT_TRUE(defines("truck_suspension_sg_iv", "s10: direction and length"));
+  EXPECT_TRUE(defines("truck_suspension_sg_iv", "n10.x, n10.y, n10.z: normal of two again"));
 }
 
 TEST(ExplicitOrder, TearsNoMoreThanTheFreedomsOfAPlatform) {

@@ -5,6 +5,7 @@
 
 #include "formulations/generate/angle_separation.h"
 #include "formulations/generate/inputs.h"
+#include "formulations/generate/opposite.h"
 #include "formulations/generate/tearing.h"
 #include "formulations/generate/type_blocks.h"
 
@@ -25,6 +26,11 @@ class Needs {
 
  private:
   std::set<int> inputs_;
+};
+
+struct Solved {
+  ClosedForm form;
+  std::vector<Expr> x;
 };
 
 class OrderMaker {
@@ -65,10 +71,18 @@ class OrderMaker {
       Task task{{}, {}, facts_};
       for (const int u : p.unknowns) task.x.push_back(part_.q[block.unknowns[u]]);
       for (const int e : p.equations) task.equations.push_back(block.equations[e].equation);
-      p.form = solve_closed(task).value();
+      p.form = by_earlier(solve_closed(task).value());
+      solved_.push_back({p.form, task.x});
       for (const Expr e : task.equations) facts_.learn(e);
       for (const auto& [e, value] : p.form.consequences) facts_.learn(e, value);
     }
+  }
+
+  /// What is known but for its sign is not solved for again.
+  ClosedForm by_earlier(ClosedForm form) const {
+    for (const Solved& earlier : solved_)
+      if (auto opposite = as_earlier_or_opposite(form, earlier.form, earlier.x)) return *opposite;
+    return form;
   }
 
   void add(const Block& block, Torn torn) {
@@ -91,8 +105,10 @@ class OrderMaker {
         needed = needed || needs.include(part_.q[d.unknowns.back()]);
       }
       for (const int e : p->equations) d.because.push_back(names(block.equations[e].rows));
-      if (needed)
+      if (needed) {
         for (const int e : p->equations) needs.add(block.equations[e].equation);
+        for (const Expr v : d.form.values) needs.add(v);
+      }
       (needed ? core.definitions : after).push_back(std::move(d));
     }
     std::ranges::reverse(core.definitions);
@@ -110,6 +126,7 @@ class OrderMaker {
   const PartType& type_;
   const RecordedPart& part_;
   Facts facts_;
+  std::vector<Solved> solved_;  // in closed form, in order
   std::vector<Stretch> order_;
 };
 
