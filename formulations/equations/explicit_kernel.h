@@ -69,8 +69,8 @@ struct ExplicitKernel {
   /// branch: those on which a solved position lies.
   void (*find_branches)(const double* q, const int* in, const double* c, double* branch);
 
-  /// Positions of the unknowns on those branches, and their rates up to a level. What is not
-  /// accepted leaves q as it was, and rates unspecified.
+  /// Positions of the unknowns on those branches, and their rates up to a level. Where it is not
+  /// accepted they are unspecified.
   using Solve = ExplicitResult<double>(double* q, double* qd, double* qdd,
                                        const ExplicitBinding<double>& part);
   std::array<Solve*, 3> solve;  ///< by Level

@@ -73,7 +73,7 @@ class SolveWriter {
     for (std::size_t s = 0; s < plan_.order.size(); ++s) {
       load(position(plan_, s));
       if (plan_.order[s].torn.empty())
-        define(plan_.order[s].definitions, out_, "  ");
+        define(plan_.order[s].definitions);
       else
         core(s);
       for (const int i : unknowns_of(plan_.order[s])) open_.erase(plan_.part.q[i].id());
@@ -83,11 +83,7 @@ class SolveWriter {
       rates(s, "qdd", "acceleration", plan_.part.qdd, plan_.motion[s].accelerations);
     }
     out_ << "\n  const Mask<T> accepted = sound & (norm2 < limits.tolerance2);\n"
-            "  if (!any(accepted)) return {norm2, iterations, accepted};\n";
-    for (const Stretch& s : plan_.order)
-      for (const int i : unknowns_of(s))
-        out_ << "  " << place(plan_.part.q[i]) << " = " << name("q", i) << ";\n";
-    out_ << "  return {norm2, iterations, accepted};\n}\n\n";
+            "  return {norm2, iterations, accepted};\n}\n\n";
     return emitter_.folded();
   }
 
@@ -100,16 +96,25 @@ class SolveWriter {
   /// Declares what is read of other parts.
   void load(const Expressions& expressions) { plan_.load(out_, expressions, "const T", declared_); }
 
-  void define(const std::vector<Definition>& definitions, std::ostream& out,
-              const std::string& indent) {
+  /// Each position goes where it belongs at once: kept for the end it would have to leave the
+  /// registers twice.
+  void define(const std::vector<Definition>& definitions) {
     for (const Definition& d : definitions) {
-      out << "\n"
-          << indent << "// " << names_of(plan_.type, d.unknowns) << ": " << d.form.rule << "\n";
-      for (std::size_t i = 0; i < d.form.values.size(); ++i)
-        emitter_.define(name("q", d.unknowns[i]), d.form.values[i]);
-      if (!d.form.bearing) continue;
-      define_angle(d.unknowns.front(), *d.form.bearing, out, indent);
+      define(d, out_, "  ");
+      for (const int i : d.unknowns) deliver(i);
     }
+  }
+
+  void define(const Definition& d, std::ostream& out, const std::string& indent) {
+    out << "\n"
+        << indent << "// " << names_of(plan_.type, d.unknowns) << ": " << d.form.rule << "\n";
+    for (std::size_t i = 0; i < d.form.values.size(); ++i)
+      emitter_.define(name("q", d.unknowns[i]), d.form.values[i]);
+    if (d.form.bearing) define_angle(d.unknowns.front(), *d.form.bearing, out, indent);
+  }
+
+  void deliver(int unknown) {
+    out_ << "  " << place(plan_.part.q[unknown]) << " = " << name("q", unknown) << ";\n";
   }
 
   /// With its sine and cosine, which the original equations read.
@@ -134,7 +139,7 @@ class SolveWriter {
     const std::string number = std::to_string(index), steps = "steps" + number;
     std::ostringstream body;
     emitter_.write_to(body, "    ", true);
-    define(s.definitions, body, "    ");
+    for (const Definition& d : s.definitions) define(d, body, "    ");
     for (const std::string& residual : s.residual_names)
       body << "    // " << residual << ": residual\n";
     emitter_.prepare({plan_.residual2[index]});
@@ -156,6 +161,7 @@ class SolveWriter {
       out_ << "    " << name("q", s.torn[k]) << " -= step" << number << "_" << k << ";\n";
     out_ << "  }\n";
     emitter_.write_to(out_, "  ");
+    for (const int i : unknowns_of(s)) deliver(i);
   }
 
   static std::string lines_of(const std::vector<std::string>& names) {
