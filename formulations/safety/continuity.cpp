@@ -22,11 +22,10 @@ Eigen::Map<const Eigen::ArrayXd> array(std::span<const double> values) {
 
 }  // namespace
 
-Continuity::Continuity(const Mechanism& m, std::span<const double> magnitude)
-    : mechanism_(m), driver_unit_(m.coordinates()) {
+Continuity::Continuity(const Mechanism& m, std::span<const double> magnitude) : mechanism_(m) {
   for (const Driver& d : m.drivers) {
     const int i = m.entities[d.coordinate].first;
-    driver_unit_[i] = 1 / magnitude[i];
+    driven_.push_back({i, 1 / magnitude[i]});
   }
   for (Node* node : {&last_, &reached_, &next_})
     for (std::vector<double>* values : {&node->state.q, &node->state.qd, &node->state.qdd})
@@ -44,10 +43,7 @@ void Continuity::take(const Instant& instant) {
 
 double Continuity::fastest_driver(const Instant& instant) const {
   double fastest = 0;
-  for (const Driver& d : mechanism_.drivers) {
-    const int i = mechanism_.entities[d.coordinate].first;
-    fastest = std::max(fastest, std::abs(instant.qd[i]) * driver_unit_[i]);
-  }
+  for (const auto& [i, unit] : driven_) fastest = std::max(fastest, std::abs(instant.qd[i]) * unit);
   return fastest;
 }
 

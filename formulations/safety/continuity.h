@@ -55,7 +55,11 @@ class Continuity {
   void lead_on(double t, const Instant& like, Assessor& assessor);
 
   const Mechanism& mechanism_;
-  std::vector<double> driver_unit_;  // of each coordinate: 1 over its magnitude if driven, or 0
+  struct Driven {
+    int coordinate;
+    double unit;  // 1 over its magnitude
+  };
+  std::vector<Driven> driven_;  // side by side, for they are looked at in every step
   bool known_ = false;
   double fastest_ = 0;  // of the drivers so far, magnitudes over s
   Node last_, reached_, next_;
