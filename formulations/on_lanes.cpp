@@ -51,14 +51,14 @@ class Lanes {
       if (parts_[i].definition.constant) left.push_back(i);
     std::vector<std::vector<Positions>> all_copies = sorted_by_kind(pieces());
     for (std::vector<Positions>& copies : all_copies) {
-      const auto whole = copies.size() / lanes_ * lanes_;
-      // A copy that would be alone is solved type by type.
-      const auto together = copies.size() - whole == 1 ? whole : copies.size();
-      if (gains(copies, together)) {
-        put(std::span(copies).first(together));
-        copies.erase(copies.begin(), copies.begin() + static_cast<std::ptrdiff_t>(together));
-      }
-      for (const Positions& copy : copies) left.insert(left.end(), copy.begin(), copy.end());
+      std::span<const Positions> rest = copies;
+      for (const std::size_t together : {copies.size(), copies.size() / lanes_ * lanes_})
+        if (gains(copies, together)) {
+          put(rest.first(together));
+          rest = rest.subspan(together);
+          break;
+        }
+      for (const Positions& copy : rest) left.insert(left.end(), copy.begin(), copy.end());
     }
     std::ranges::sort(left);
     return by_types(left);
@@ -131,8 +131,8 @@ class Lanes {
 
   std::size_t calls(std::size_t parts) const { return (parts + lanes_ - 1) / lanes_; }
 
-  /// Whether the first of these copies together take no more calls of kernels than all parts type
-  /// by type.
+  /// Whether the first of these copies together, and the rest type by type, take no more calls of
+  /// kernels than all of them type by type.
   bool gains(const std::vector<Positions>& copies, std::size_t together) const {
     if (together < 2 || kernels(copies.front()).empty()) return false;
     std::map<int, std::size_t> of_run;
@@ -140,7 +140,7 @@ class Lanes {
     std::size_t by_type = 0, by_copy = copies.front().size() * calls(together);
     for (const auto& [run, parts] : of_run) {
       by_type += calls(parts * copies.size());
-      if (together < copies.size()) by_copy += calls(parts);
+      by_copy += calls(parts * (copies.size() - together));
     }
     return by_copy <= by_type;
   }

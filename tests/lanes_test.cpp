@@ -89,7 +89,8 @@ TEST(Lanes, TakeWholeAxlesAsCopies) {
   };
   EXPECT_EQ(parts(4, 4), 2u);  // y1, and all
   EXPECT_EQ(parts(5, 4), 5u);  // y1, four axles, and of the fifth itself, its levers, its dampers
-  EXPECT_EQ(parts(6, 4), 4u);  // two axles would leave lanes empty that twins fill
+  EXPECT_EQ(parts(6, 4), 5u);  // four axles; the others would leave lanes empty that twins fill
+  EXPECT_EQ(parts(2, 4), 4u);
   if (!has_lanes(8)) GTEST_SKIP() << not_here({.lanes = 8});
   EXPECT_EQ(parts(5, 8), 2u);
 }
