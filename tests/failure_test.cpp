@@ -168,8 +168,8 @@ TEST(Inlined, FallsBackToPivotingWhereItsOrderFails) {
                    settings, eigen->make_part(context), parts[1].unknowns);
   InlinedPart bad(sabotaged, weights, settings, eigen->make_part(context), parts[1].unknowns);
   State expected = at_start(), actual = at_start();
-  ASSERT_EQ(good.solve(expected, Level::acceleration).status, Status::converged);
-  ASSERT_EQ(bad.solve(actual, Level::acceleration).status, Status::converged);
+  ASSERT_EQ(good.solve(expected, expected.q, Level::acceleration).status, Status::converged);
+  ASSERT_EQ(bad.solve(actual, actual.q, Level::acceleration).status, Status::converged);
   EXPECT_EQ(good.fallbacks(), 0);
   EXPECT_EQ(bad.fallbacks(), 1);
   EXPECT_EQ(bad.refactorisations(), 1);
