@@ -120,6 +120,21 @@ void Formulation::prepare() {
   }
 }
 
+/// asked: the coordinates of which rates are read by others than parts; none stands for all.
+void Formulation::write_only(std::span<const int> asked) {
+  if (std::ranges::equal(asked, written_)) return;
+  written_.assign(asked.begin(), asked.end());
+  std::vector<bool> read(mechanism_.state_size(), asked.empty());
+  for (const int i : asked) read[i] = true;
+  for (const DefinedPart& part : parts_) {
+    const auto& [groups, unknowns, equations, constant] = part.definition;
+    for (const int i : part.solver->starts_from(unknowns)) read[i] = true;
+    for (const int i : states_read(mechanism_, part.definition))
+      if (!std::ranges::binary_search(unknowns, i)) read[i] = true;
+  }
+  for (const DefinedPart& part : parts_) part.solver->write_only(read);
+}
+
 void Formulation::solve_only(std::span<const Level> needed) {
   if (settings_.stride > 1) return;
   if (whole_motion_) whole_motion_->solve_only(needed);
@@ -158,7 +173,7 @@ Summary Formulation::solve(std::span<const Stage> stages, double t, Level level)
   double residual2 = 0;
   for (const Stage& stage : stages) {
     const PartResult r = stage.solver->solve(state_, before_.q, std::min(level, stage.level));
-    residual2 += r.residual * r.residual;
+    residual2 += r.residual2;
     summary.iterations = std::max<long>(summary.iterations, r.iterations);
     summary.updates += static_cast<long>(r.iterations) * stage.unknowns;
     if (r.status != Status::converged) {
@@ -191,7 +206,7 @@ Summary Formulation::assemble(double t, Level level) {
   if (!summary.ok()) return summary;
   before_ = state_;  // what is solved once is in both
   assembled_ = true;
-  summary = step(t, level);
+  summary = advance(t, level);
   // The estimate may be far off: a fixed number of iterations is for steps.
   for (int i = 0; i < settings_.max_iterations && summary.ok() && settings_.fixed_iterations > 0 &&
                   summary.residual >= tolerance_;
@@ -207,6 +222,11 @@ Summary Formulation::assemble(double t, Level level) {
 }
 
 Summary Formulation::step(double t, Level level) {
+  write_only({});
+  return advance(t, level);
+}
+
+Summary Formulation::advance(double t, Level level) {
   if (!assembled_) return assemble(t, level);
   const auto go = [&](double to, Level as_far_as) {
     guess(to);
@@ -282,7 +302,7 @@ std::optional<Summary> Formulation::run_at_once(const TimeGrid& grid, const Requ
 /// Solves the instant after the last, or assembles where there is none, and adds it to the total.
 /// False: it failed.
 bool Formulation::solve_next(int i, double t, const Request& request, Sink& sink, Summary& total) {
-  const Summary s = step(t, request.level);
+  const Summary s = advance(t, request.level);
   total.time = t;
   total.iterations += s.iterations;
   total.updates += s.updates;
@@ -321,11 +341,13 @@ Summary Formulation::take_steps(const TimeGrid& grid, const Request& request, Si
 std::optional<Summary> Formulation::run_on(const TimeGrid& grid, const Request& request,
                                            Sink& sink) {
   if (whole_motion_) return run_at_once(grid, request, sink);
+  write_only(request.coordinates);
   const Summary total = take_steps(grid, request, sink);
   return total.ok() ? std::optional(total) : std::nullopt;
 }
 
 Summary Formulation::run(const TimeGrid& grid, const Request& request, Sink& sink) {
+  write_only(request.coordinates);
   if (settings_.stride == 1) return solve_all(grid, request, sink);
   const TimeGrid solved = grid.every(settings_.stride);
   const Request every_level{Level::acceleration, request.coordinates};

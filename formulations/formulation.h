@@ -160,6 +160,8 @@ class Formulation {
   };
 
   void prepare();
+  void write_only(std::span<const int> asked);
+  Summary advance(double t, Level level);
   bool solve_positions(State& state, std::span<const double> last);
   Summary solve_all(const TimeGrid& grid, const Request& request, Sink& sink);
   Summary take_steps(const TimeGrid& grid, const Request& request, Sink& sink);
@@ -173,6 +175,7 @@ class Formulation {
   MotionSampler motions_;  // of the drivers
   std::vector<DefinedPart> parts_;
   std::vector<Stage> constant_, moving_;  // those that depend on no driver, and the others
+  std::vector<int> written_;              // what was asked of write_only()
   /// Moving unknowns from which a solver starts, by the level to which they are solved.
   std::array<std::vector<CoordinateRun>, 3> started_from_;
   Settings settings_;

@@ -61,11 +61,16 @@ void Extrapolation::operator()(std::span<const CoordinateRun> runs, const States
   const T *q1 = last.q.data(), *v1 = last.qd.data(), *a1 = last.qdd.data();
   const T *q0 = before.q.data(), *v0 = before.qd.data(), *a0 = before.qdd.data();
   const double w_q = w_q_, w_v1 = w_v1_, w_a1 = w_a1_, w_v0 = w_v0_, w_a0 = w_a0_;
-  // Runs may be single coordinates: what can be done once for all runs is not done for each.
+  // Many runs are single coordinates, for which a loop on wide registers takes long to begin.
   const auto write = [&](auto expected) {
-    for (const CoordinateRun run : runs)
+    for (const CoordinateRun run : runs) {
+      if (run.end - run.first == 1) {
+        q[run.first] = expected(run.first);
+        continue;
+      }
 #pragma GCC ivdep  // q is another array than those read, or the same at the same place
       for (int i = run.first; i < run.end; ++i) q[i] = expected(i);
+    }
   };
   switch (guess_) {
     case Guess::previous:

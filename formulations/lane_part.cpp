@@ -52,7 +52,7 @@ std::optional<std::vector<int>> places_in(std::span<const ExplicitPart* const> o
 }
 
 void append(PartResult& all, const PartResult& one, double& residual2) {
-  residual2 += one.residual * one.residual;
+  residual2 += one.residual2;
   all.iterations = std::max(all.iterations, one.iterations);
   if (all.status == Status::converged) all.status = one.status;
 }
@@ -65,18 +65,16 @@ bool are_copies(std::span<const ExplicitPart* const> a, std::span<const Explicit
          places_in(a, b, states_of(b));
 }
 
-LanePart::LanePart(std::vector<Kernels> kernels, std::vector<Copy> copies)
+LanePart::LanePart(std::vector<Kernels> kernels, std::vector<Copy> copies,
+                   std::vector<bool> constant)
     : kernels_(std::move(kernels)),
       copies_(std::move(copies)),
       states_(states_of(members_of(copies_.front()))) {
-  const auto most = static_cast<std::size_t>(kernels_.back().front()->lanes);
-  for (LaneValues* values : {&local_.q, &local_.qd, &local_.qdd})
-    values->resize(states_.size() * most);
   for (std::span<Copy> left = copies_; !left.empty();) {
     const Kernels& chosen = kernels_for(left.size());
     const std::size_t taken =
         std::min(left.size(), static_cast<std::size_t>(chosen.front()->lanes));
-    batches_.push_back(make_batch(left.first(taken), chosen));
+    batches_.push_back(make_batch(left.first(taken), chosen, constant));
     left = left.subspan(taken);
   }
 }
@@ -90,7 +88,8 @@ const LanePart::Kernels& LanePart::kernels_for(std::size_t copies) const {
   return narrowest == kernels_.end() ? kernels_.back() : *narrowest;
 }
 
-LanePart::Batch LanePart::make_batch(std::span<Copy> copies, const Kernels& kernels) {
+LanePart::Batch LanePart::make_batch(std::span<Copy> copies, const Kernels& kernels,
+                                     const std::vector<bool>& constant) {
   const Members first = members_of(copies_.front());
   const auto lanes = static_cast<std::size_t>(kernels.front()->lanes);
   const auto copy_in = [&](std::size_t lane) -> Copy& {
@@ -116,17 +115,30 @@ LanePart::Batch LanePart::make_batch(std::span<Copy> copies, const Kernels& kern
     for (const int i : kernels[j]->unknowns) unknowns.insert(in[i]);
     stages.emplace_back(*kernels[j], std::move(members), std::move(in));
   }
-  const auto transport = [&](const std::set<int>& inputs) {
-    return LanePlaces(std::vector<int>(inputs.begin(), inputs.end()), place_of_lane);
+  const auto transport = [&](const std::set<int>& states) {
+    return LanePlaces(std::vector<int>(states.begin(), states.end()), place_of_lane);
   };
-  return {copies, std::move(stages), transport(positions), transport(rates), transport(unknowns)};
+  std::vector<bool> moving = constant;
+  moving.flip();
+  const LanePlaces all_positions = transport(positions), all_unknowns = transport(unknowns);
+  LaneState local;
+  for (LaneValues* values : {&local.q, &local.qd, &local.qdd})
+    values->resize(states_.size() * lanes);
+  return {copies,
+          std::move(stages),
+          all_positions.only(constant),
+          all_positions.only(moving),
+          transport(rates),
+          all_unknowns,
+          all_unknowns,
+          std::move(local)};
 }
 
 PartResult LanePart::solve(State& s, std::span<const double> last, Level level) {
   PartResult result;
   double residual2 = 0;
   for (Batch& batch : batches_) solve(batch, s, last, level, result, residual2);
-  result.residual = std::sqrt(residual2);
+  result.residual2 = residual2;
   return result;
 }
 
@@ -136,7 +148,7 @@ unsigned LanePart::solve_in_lanes(Batch& batch, PartResult& result, double* resi
   const unsigned all = (1u << batch.copies.size()) - 1;
   unsigned accepted = all;
   for (const LaneStage& stage : batch.stages) {
-    const LaneResult r = stage.solve(local_, of_stage.data());
+    const LaneResult r = stage.solve(batch.local, of_stage.data());
     // What is refused goes on without meaning, and never converges.
     if (accepted == all) result.iterations = std::max(result.iterations, r.iterations);
     accepted &= r.accepted;
@@ -155,17 +167,19 @@ void LanePart::solve(Batch& batch, State& s, std::span<const double> last, Level
     if (batch.copies.size() == 1) return;  // alone, now and always
     take_branches();
     batch.assembled = std::ranges::all_of(batch.stages, &LaneStage::assembled);
+    batch.constants.gather(s.q.data(), batch.local.q.data());
     return;
   }
-  batch.positions.gather(s.q.data(), local_.q.data());
-  batch.rates.gather(s.qd.data(), local_.qd.data());
-  batch.rates.gather(s.qdd.data(), local_.qdd.data());
+  LaneState& local = batch.local;
+  batch.positions.gather(s.q.data(), local.q.data());
+  batch.rates.gather(s.qd.data(), local.qd.data());
+  batch.rates.gather(s.qdd.data(), local.qdd.data());
   alignas(64) std::array<double, most_lanes> residual2s{};
   const unsigned accepted = solve_in_lanes(batch, result, residual2s.data());
-  batch.unknowns.scatter(local_.q.data(), accepted, s.q.data());
-  if (level >= Level::velocity) batch.unknowns.scatter(local_.qd.data(), accepted, s.qd.data());
+  batch.unknowns.scatter(local.q.data(), accepted, s.q.data());
+  if (level >= Level::velocity) batch.unknowns_read.scatter(local.qd.data(), accepted, s.qd.data());
   if (level >= Level::acceleration)
-    batch.unknowns.scatter(local_.qdd.data(), accepted, s.qdd.data());
+    batch.unknowns_read.scatter(local.qdd.data(), accepted, s.qdd.data());
   bool refused = false;
   for (std::size_t l = 0; l < batch.copies.size(); ++l)
     if (accepted >> l & 1) {
@@ -194,6 +208,10 @@ std::vector<int> LanePart::starts_from(const std::vector<int>& unknowns) const {
       std::ranges::copy(member->starts_from(unknowns), std::back_inserter(all));
   std::ranges::sort(all);
   return all;
+}
+
+void LanePart::write_only(const std::vector<bool>& read) {
+  for (Batch& batch : batches_) batch.unknowns_read = batch.unknowns.only(read);
 }
 
 void LanePart::forget() {

@@ -24,10 +24,12 @@ class LanePart final : public GuardedPart {
 
   /// kernels: one or more, each for more lanes than the one before. copies: two or more, as alike
   /// as are_copies() says.
-  LanePart(std::vector<Kernels> kernels, std::vector<Copy> copies);
+  /// constant: of each position in the state, whether it never moves.
+  LanePart(std::vector<Kernels> kernels, std::vector<Copy> copies, std::vector<bool> constant);
 
   PartResult solve(State& state, std::span<const double> last, Level level) override;
   std::vector<int> starts_from(const std::vector<int>& unknowns) const override;
+  void write_only(const std::vector<bool>& read) override;
   void forget() override;
 
   /// Of its members.
@@ -39,11 +41,14 @@ class LanePart final : public GuardedPart {
   struct Batch {
     std::span<Copy> copies;
     std::vector<LaneStage> stages;
-    LanePlaces positions, rates, unknowns;  // what comes from the state, and what goes there
-    bool assembled = false;                 // every part, since forget()
+    LanePlaces constants, positions, rates;  // what comes from the state: once, and in every step
+    LanePlaces unknowns, unknowns_read;      // what goes there: positions; velocities and so on
+    LaneState local;
+    bool assembled = false;  // every part, since forget()
   };
   const Kernels& kernels_for(std::size_t copies) const;
-  Batch make_batch(std::span<Copy> copies, const Kernels& kernels);
+  Batch make_batch(std::span<Copy> copies, const Kernels& kernels,
+                   const std::vector<bool>& constant);
   unsigned solve_in_lanes(Batch& batch, PartResult& result, double* residual2);
   void solve(Batch& batch, State& state, std::span<const double> last, Level level,
              PartResult& result, double& residual2);
@@ -54,7 +59,6 @@ class LanePart final : public GuardedPart {
   std::vector<Copy> copies_;
   std::vector<int> states_;  // that the first copy reads and writes, ascending: its local inputs
   std::vector<Batch> batches_;
-  LaneState local_;
 };
 
 /// Whether both have parts of the same types, in the same order, that take the same from each

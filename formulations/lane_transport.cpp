@@ -1,5 +1,8 @@
 #include "formulations/lane_transport.h"
 
+#include <algorithm>
+#include <utility>
+
 #ifdef __AVX__
 #include <immintrin.h>
 #endif
@@ -74,21 +77,35 @@ LanePlaces::LanePlaces(std::span<const int> inputs, std::span<const int* const> 
   for (std::size_t number = 0; number < quads_.size(); ++number) {
     const std::span<const int* const> of_quad = in.subspan(number * quad, quad);
     std::vector<Run>& runs = quads_[number];
-    for (const int i : inputs) {
-      const auto continues = [&](const Run& run) {
-        if (run.first + run.size != i) return false;
-        for (int l = 0; l < quad; ++l)
-          if (of_quad[l][i] != run.place[l] + run.size) return false;
-        return true;
-      };
-      if (!runs.empty() && continues(runs.back())) {
-        ++runs.back().size;
-        continue;
-      }
-      runs.push_back({i, 1, {}});
-      for (int l = 0; l < quad; ++l) runs.back().place[l] = of_quad[l][i];
-    }
+    for (const int i : inputs)
+      append(i, {of_quad[0][i], of_quad[1][i], of_quad[2][i], of_quad[3][i]}, runs);
   }
+}
+
+void LanePlaces::append(int input, const Places& place, std::vector<Run>& runs) {
+  const auto continues = [&](const Run& run) {
+    if (run.first + run.size != input) return false;
+    for (int l = 0; l < quad; ++l)
+      if (place[l] != run.place[l] + run.size) return false;
+    return true;
+  };
+  if (!runs.empty() && continues(runs.back()))
+    ++runs.back().size;
+  else
+    runs.push_back({input, 1, place});
+}
+
+LanePlaces LanePlaces::only(const std::vector<bool>& wanted) const {
+  LanePlaces result = *this;
+  for (std::vector<Run>& runs : result.quads_)
+    for (const Run& run : std::exchange(runs, {}))
+      for (int k = 0; k < run.size; ++k) {
+        Places place = run.place;
+        for (int& p : place) p += k;
+        if (std::ranges::any_of(place, [&](int p) { return wanted[p]; }))
+          append(run.first + k, place, runs);
+      }
+  return result;
 }
 
 template <std::size_t lanes>

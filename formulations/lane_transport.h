@@ -22,6 +22,9 @@ class LanePlaces {
   /// inputs: local inputs, ascending; in: by lane, the position of each local input in the state.
   LanePlaces(std::span<const int> inputs, std::span<const int* const> in);
 
+  /// Of these inputs those that stand, in any lane, where `wanted` says.
+  LanePlaces only(const std::vector<bool>& wanted) const;
+
   /// Number `input` of each lane, from the state, for the inputs given.
   void gather(const double* state, double* to) const;
   /// The other way; only lanes l of which bit l of `which` is set.
@@ -34,6 +37,7 @@ class LanePlaces {
     int first, size;
     std::array<int, quad> place;  // of the first
   };
+  static void append(int input, const std::array<int, quad>& place, std::vector<Run>& runs);
   // Compiled for each number of lanes: it is in every address.
   template <std::size_t lanes>
   void gather_lanes(const double* state, double* to) const;

@@ -131,28 +131,29 @@ class NewtonSolver {
     bool is_last = !at_rounding_;
     for (;; ++result.iterations) {
       equations_.residual(q, b_.data());  // Φ
-      result.residual = weights_.cwiseProduct(b_).norm();
-      const bool solved = result.residual < tolerance_;
+      const double residual = weights_.cwiseProduct(b_).norm();
+      result.residual2 = residual * residual;
+      const bool solved = residual < tolerance_;
       if (solved && result.iterations >= least_iterations_ &&
           (std::exchange(is_last, true) || result.iterations == most_iterations_))
         return result;
       const bool old_serve = update != JacobianUpdate::newton && has_factors_;
       if (result.iterations == most_iterations_) {
-        result.status = std::isfinite(result.residual) ? Status::not_converged : Status::not_finite;
-      } else if (by_old_factors && !solved && !(result.residual < before)) {
+        result.status = std::isfinite(residual) ? Status::not_converged : Status::not_finite;
+      } else if (by_old_factors && !solved && !(residual < before)) {
         each_unknown([&](int at, int i) { q[at] += correction_[i]; });
         has_factors_ = by_old_factors = false;
         continue;
-      } else if (!std::isfinite(result.residual)) {
+      } else if (!std::isfinite(residual)) {
         result.status = Status::not_finite;
-      } else if (old_serve && (result.iterations == 0 || fast_enough(result.residual, before))) {
+      } else if (old_serve && (result.iterations == 0 || fast_enough(residual, before))) {
         by_old_factors = true;
       } else {
         by_old_factors = false;
         if (!factor_at(q)) result.status = Status::singular;
       }
       if (result.status != Status::converged) return result;
-      before = result.residual;
+      before = residual;
       equilibrated_.solve(algebra_, b_.data());              // Φ_φ Δφ = Φ
       each_unknown([&](int at, int i) { q[at] -= b_[i]; });  // eq. (2)
       if (by_old_factors) b_.swap(correction_);

@@ -41,8 +41,16 @@ class Lanes {
  public:
   Lanes(const Mechanism& mechanism, std::vector<DefinedPart> parts,
         const std::vector<int>& run_ends, int lanes, const KernelTable& table)
-      : mechanism_(mechanism), parts_(std::move(parts)), lanes_(lanes), table_(table) {
+      : mechanism_(mechanism),
+        parts_(std::move(parts)),
+        lanes_(lanes),
+        table_(table),
+        constant_(mechanism.state_size(), true) {
     for (const int end : run_ends) run_of_.resize(end, static_cast<int>(runs_++));
+    std::fill_n(constant_.begin(), mechanism.coordinates(), false);
+    for (const DefinedPart& part : parts_)
+      if (part.definition.constant)
+        for (const int i : part.definition.unknowns) constant_[i] = true;
   }
 
   std::vector<DefinedPart> take() {
@@ -161,10 +169,11 @@ class Lanes {
         taken.push_back(std::move(parts_[i]));
       }
     }
-    result_.push_back({.definition = join(taken),
-                       .solver = std::make_unique<LanePart>(std::move(of_copy), std::move(members)),
-                       .as_named = as_named,
-                       .tolerance = tolerance});
+    result_.push_back(
+        {.definition = join(taken),
+         .solver = std::make_unique<LanePart>(std::move(of_copy), std::move(members), constant_),
+         .as_named = as_named,
+         .tolerance = tolerance});
   }
 
   /// Run by run, where there is code together, or one by one; behind what is put already.
@@ -196,6 +205,7 @@ class Lanes {
   const KernelTable& table_;
   std::vector<int> run_of_;  // by part
   std::size_t runs_ = 0;
+  std::vector<bool> constant_;  // of each position in the state: fixed, or found once
   std::vector<DefinedPart> result_;
 };
 

@@ -25,7 +25,7 @@ enum class Status {
 struct PartResult {
   Status status = Status::converged;
   int iterations = 0;
-  double residual = 0;  ///< ‖Φ‖₂ of the part's equations, each over its magnitude, where it stopped
+  double residual2 = 0;  ///< ‖Φ‖₂² of the part's equations, each over its magnitude, at the end
 };
 
 /// Solves its unknowns, given those of all earlier parts. Owns its workspace; never touches the
@@ -43,6 +43,11 @@ class Part {
   /// Those of its unknowns, ascending, of which solve() reads the position in the state: what a
   /// guess is needed for.
   virtual std::vector<int> starts_from(const std::vector<int>& unknowns) const { return unknowns; }
+
+  /// Of its unknowns only these are read by others between one instant and the next; of the rest
+  /// solve() may leave velocities and accelerations in the state as they were. read: of each
+  /// coordinate. Until then all are.
+  virtual void write_only(const std::vector<bool>& read) { static_cast<void>(read); }
 
   /// How often an order of pivots that is meant to last, of the factorisation before or of
   /// generated code, had gone bad, and pivots were chosen anew.

@@ -189,7 +189,7 @@ void TimeLanes::solve_lane(Stage& stage, int lane, Step& step) {
   const PartResult r = stage.members[lane]->solve(alone_, last_alone_, Level::acceleration);
   step.ok = step.ok && r.status == Status::converged;
   step.iterations = std::max(step.iterations, r.iterations);
-  residual2_[lane] += r.residual * r.residual;
+  residual2_[lane] += r.residual2;
   for (const int k : stage.unknowns) {
     const std::size_t in_lane = static_cast<std::size_t>(k) * lanes_ + lane;
     now_.q[in_lane] = alone_.q[k];

@@ -107,7 +107,9 @@ class Pieces : public ::testing::Test {
       for (const auto& member : members.back()) seen.push_back(member.get());
     }
     const ExplicitPart* const other = members[refused_lane].back().get();
-    LanePart together({kernels}, std::move(members));
+    std::vector<bool> constant(mechanism_.state_size(), true);
+    std::fill_n(constant.begin(), mechanism_.coordinates(), false);
+    LanePart together({kernels}, std::move(members), constant);
 
     ASSERT_TRUE(reference_->assemble(0).ok());
     State s = solved();

@@ -55,6 +55,28 @@ TEST(Lanes, SolveWhatSolvingOneByOneSolves) {
       }
 }
 
+TEST(Lanes, WriteWhatIsAskedForAndAllForThoseWhoTakeSteps) {
+  const Mechanism m = truck_mechanism(5);
+  const TimeGrid grid{0, 0.01, 20};
+  const std::vector<int> asked{m.coordinates() - 1, 40, 151};
+  for (const int lanes : lanes_here()) {
+    const Variant& v = find_variant("group_symbolic_explicit");
+    const auto all = make_formulation(v, m, {.guess = Guess::hermite5, .lanes = lanes}),
+               some = make_formulation(v, m, {.guess = Guess::hermite5, .lanes = lanes});
+    LastInstant expected, actual;
+    ASSERT_TRUE(all->run(grid, {}, expected).ok());
+    ASSERT_TRUE(some->run(grid, {Level::acceleration, asked}, actual).ok());
+    for (const int i : asked)
+      for (int level = 0; level < 3; ++level)
+        EXPECT_EQ(actual.values[level * m.coordinates() + i],
+                  expected.values[level * m.coordinates() + i]);
+    ASSERT_TRUE(all->step(grid.time(20)).ok() && some->step(grid.time(20)).ok());
+    EXPECT_TRUE(std::ranges::equal(all->q(), some->q()));
+    EXPECT_TRUE(std::ranges::equal(all->qd(), some->qd()));
+    EXPECT_TRUE(std::ranges::equal(all->qdd(), some->qdd()));
+  }
+}
+
 TEST(Lanes, TakeTwinsAndAxlesTogether) {
   const Mechanism m = truck_mechanism(2);
   const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, on_lanes);
