@@ -30,7 +30,10 @@ Assessor::Assessor(const Mechanism& m, std::span<const Level> levels)
       levels_(all_levels(m, levels)),
       system_(m),
       motion_(m, levels_),
-      norm_(system_.size()),
+      of_system_(system_.size()),
+      of_change_(of_system_),
+      to_outputs_{of_system_, of_system_, of_system_},
+      to_errors_(to_outputs_),
       weights_(system_.size()),
       off_(system_.size()),
       unknown_(system_.size()),
@@ -60,7 +63,7 @@ Assessment Assessor::operator()(const Instant& instant, const Scales& scales) {
     return undetermined(a, system_.singular_group());
   }
   if (system_.size() > 0) {
-    const WorstCase worst = norm_(system_, system_.unknown_shares(), system_.row_shares());
+    const WorstCase worst = of_system_(system_, system_.unknown_shares(), system_.row_shares());
     a.condition = worst.value;
     a.group = motion_.group(system_.unknowns()[worst.unknown]);
   }
@@ -68,7 +71,7 @@ Assessment Assessor::operator()(const Instant& instant, const Scales& scales) {
   equations_of(Level::position);
   const Bound position = of_outputs(Level::position, scales);
   a.rounding = position.rounding;
-  enclose();
+  enclose(Level::position);
   widen(Level::position, 2);
   const double closeness = contraction();  // η
   if (!(closeness < 0.5)) return undetermined(a, a.group);
@@ -79,7 +82,7 @@ Assessment Assessor::operator()(const Instant& instant, const Scales& scales) {
 
   equations_of(Level::velocity);
   a.bound.velocity = share * of_outputs(Level::velocity, scales).whole;
-  enclose();
+  enclose(Level::velocity);
   widen(Level::velocity, share);
   if (instant.qdd.empty()) return a;
 
@@ -120,14 +123,14 @@ Assessor::Bound Assessor::of_outputs(Level level, const Scales& scales) {
     }
     known = (weights_ * off_.abs()).maxCoeff<Eigen::PropagateNaN>();
   }
-  const double rounding = missed * norm_(system_, weights_, unknown_).value;
+  const double rounding = missed * to_outputs_[level](system_, weights_, unknown_).value;
   const double drivers = motion_.of_drivers(level, scales);
   return {std::max(known + rounding, drivers), std::max(rounding, drivers)};
 }
 
 /// error_ ≥ |off_| + |A⁻¹| unknown_, the same for all unknowns of a group: of the second, what
 /// signs without a pattern show of each, and as many times that as it takes.
-void Assessor::enclose() {
+void Assessor::enclose(Level level) {
   constexpr int probes = 2;
   std::ranges::fill(largest_, 0.0);
   unsigned bits = 0;
@@ -140,7 +143,7 @@ void Assessor::enclose() {
     at_least(change_);
   }
   for (int j = 0; j < system_.size(); ++j) error_[j] = largest_[group_[j]];
-  error_ *= missed * norm_(system_, inverse(error_), unknown_).value;
+  error_ *= missed * to_errors_[level](system_, inverse(error_), unknown_).value;
   std::ranges::fill(largest_, 0.0);
   at_least(off_);
   for (int j = 0; j < system_.size(); ++j) error_[j] += largest_[group_[j]];
@@ -167,7 +170,7 @@ double Assessor::contraction() {
           change_[row] += value.radius * system_.magnitude(i) * error_[system_.column(i)];
       });
   change_ /= system_.row_sums();
-  return norm_(system_, inverse(error_), change_).value;
+  return of_change_(system_, inverse(error_), change_).value;
 }
 
 /// Unknowns may be wrong by so many times their errors.

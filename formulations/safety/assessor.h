@@ -54,7 +54,7 @@ class Assessor {
   };
   void equations_of(Level level);
   Bound of_outputs(Level level, const Scales& scales);
-  void enclose();
+  void enclose(Level level);
   void at_least(const Eigen::ArrayXd& errors);
   const Eigen::ArrayXd& inverse(const Eigen::ArrayXd& errors);
   double contraction();
@@ -65,7 +65,8 @@ class Assessor {
   std::vector<Level> levels_, row_levels_;
   ScaledSystem system_;
   EnclosedMotion motion_;
-  InverseNorm norm_;
+  InverseNorm of_system_, of_change_;  // each is asked the same again and again
+  PerLevel<InverseNorm> to_outputs_, to_errors_;
   Eigen::ArrayXd weights_, off_, unknown_, change_;
   Eigen::ArrayXd error_;         // of each unknown at most, in its magnitude, as large in a group
   std::vector<GroupId> group_;   // of each unknown

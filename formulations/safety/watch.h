@@ -65,7 +65,7 @@ struct Crossing {
 /// The instant after it is assessed as well, until one is not degraded.
 class Watch {
  public:
-  static constexpr int usual = 1000;
+  static constexpr int usual = 2000;
 
   struct Options {
     double tolerance = 1e-12;         ///< that positions are solved to
