@@ -23,6 +23,22 @@ std::vector<int> constraints_of(const PartDefinition& part) {
   return all;
 }
 
+/// The longest of the part's unknowns that are lengths; 0: none is. They are found among what its
+/// equations read: to look through the whole mechanism for each part would take its square.
+double longest_length(const Mechanism& m, const PartDefinition& part,
+                      std::span<const double> magnitudes) {
+  double longest = 0;
+  for (const int c : constraints_of(part))
+    for (const EntityId id : m.constraints[c].operands) {
+      const Entity& e = m.entities[id];
+      if (e.fixed || !is_length(e.kind)) continue;
+      const auto found = std::ranges::lower_bound(part.unknowns, e.first);
+      if (found == part.unknowns.end() || *found >= e.first + e.size) continue;
+      longest = std::max(longest, magnitudes[found - part.unknowns.begin()]);
+    }
+  return longest;
+}
+
 }  // namespace
 
 /// What the part falls back to, called with its own state.
@@ -50,11 +66,7 @@ class OwnUnitPart::InUnitOfAll final : public Part {
 std::optional<OwnUnitPart::Unit> OwnUnitPart::find_unit(const Mechanism& m,
                                                         const PartDefinition& part,
                                                         std::span<const double> magnitudes) {
-  const std::vector<EntityId> entity = entity_of_coordinate(m);
-  double longest = 0;
-  for (std::size_t j = 0; j < part.unknowns.size(); ++j)
-    if (is_length(m.entities[entity[part.unknowns[j]]].kind))
-      longest = std::max(longest, magnitudes[j]);
+  const double longest = longest_length(m, part, magnitudes);
   if (!(longest > 0) || std::abs(std::ilogb(longest)) <= far) return {};
   Unit unit{std::ilogb(longest), {}};
   for (const int c : constraints_of(part)) {
