@@ -94,12 +94,14 @@ void make_explicit(const Common& common, Draft& d) {
 /// apart from the workspaces of what is fallen back to.
 std::vector<DefinedPart> make_parts(const Common& common, std::vector<PartDefinition> definitions) {
   std::vector<Draft> drafts;
+  drafts.reserve(definitions.size());
   for (PartDefinition& d : definitions) drafts.push_back(draft(common, std::move(d)));
   for (Draft& d : drafts)
     if (d.bound) make_inlined(d);
   for (Draft& d : drafts)
     if (d.bound && common.v.explicit_order) make_explicit(common, d);
   std::vector<DefinedPart> parts;
+  parts.reserve(drafts.size());
   for (Draft& d : drafts) parts.push_back(std::move(d.part));
   return parts;
 }

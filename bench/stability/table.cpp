@@ -27,13 +27,13 @@ std::vector<const Variant*> matching(const std::regex& formulations) {
 
 /// Of a row's cases those selected, and the first where they are measured by it.
 std::vector<ExtremeCase> selected(std::vector<ExtremeCase> all, const std::regex& names) {
-  const ExtremeCase* const first = all.empty() ? nullptr : &all.front();
-  std::vector<ExtremeCase> chosen;
-  for (const ExtremeCase& c : all)
-    if (std::regex_search(c.name, names)) chosen.push_back(c);
+  const auto is_chosen = [&](const ExtremeCase& c) { return std::regex_search(c.name, names); };
   const bool is_measured = std::ranges::any_of(
-      chosen, [](const ExtremeCase& c) { return c.bound == Bound::first_case; });
-  if (is_measured && chosen.front().name != first->name) chosen.insert(chosen.begin(), *first);
+      all, [&](const ExtremeCase& c) { return c.bound == Bound::first_case && is_chosen(c); });
+  const ExtremeCase* const yardstick = is_measured ? all.data() : nullptr;
+  std::vector<ExtremeCase> chosen;
+  for (ExtremeCase& c : all)
+    if (&c == yardstick || is_chosen(c)) chosen.push_back(std::move(c));
   return chosen;
 }
 
@@ -64,9 +64,10 @@ std::vector<Result> row_results(const Extreme& row, const Selection& selection) 
   std::vector<Result> results;
   const std::vector<const Variant*> chosen = matching(selection.formulations);
   std::map<const Variant*, Attempt> first;
-  for (const ExtremeCase& c : selected(row.cases(selection.extent), selection.cases)) {
+  for (ExtremeCase& c : selected(row.cases(selection.extent), selection.cases)) {
     if (selection.say) selection.say(c.name);
     const Problem problem = make_problem(c);
+    c.scene.mechanism = {};  // a million dyads take gigabytes, and the problem has its model
     std::map<const Variant*, Attempt> anew;
     for (const Variant* v : chosen) {
       const Variant& other = with_new_pivots(*v);
