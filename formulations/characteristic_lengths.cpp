@@ -10,21 +10,21 @@ namespace desmo {
 namespace {
 
 /// The largest distance between points of a constraint, or of its distance operands.
-double extent(const Mechanism& m, const Constraint& c) {
+double extent(const Mechanism& m, std::span<const double> q, const Constraint& c) {
   double largest = 0;
   const auto at_least = [&](double length) {
     if (length > largest && std::isfinite(length)) largest = length;
   };
-  const auto nominal = [&](EntityId e) {
-    return (m.entities[e].fixed ? m.fixed_values : m.estimate).data() + m.entities[e].first;
+  const auto position = [&](EntityId e) {
+    return (m.entities[e].fixed ? m.fixed_values.data() : q.data()) + m.entities[e].first;
   };
   for (const EntityId a : c.operands) {
-    const double* x = nominal(a);
+    const double* x = position(a);
     if (m.entities[a].kind == EntityKind::distance) at_least(std::abs(*x));
     if (m.entities[a].kind != EntityKind::point) continue;
     for (const EntityId b : c.operands) {
       if (m.entities[b].kind != EntityKind::point) continue;
-      const double* y = nominal(b);
+      const double* y = position(b);
       double distance = 0;
       for (int i = 0; i < m.entities[a].size; ++i) distance = std::hypot(distance, y[i] - x[i]);
       at_least(distance);
@@ -36,9 +36,12 @@ double extent(const Mechanism& m, const Constraint& c) {
 }  // namespace
 
 CharacteristicLengths::CharacteristicLengths(const Mechanism& m)
+    : CharacteristicLengths(m, m.estimate) {}
+
+CharacteristicLengths::CharacteristicLengths(const Mechanism& m, std::span<const double> q)
     : m_(m), about_(m.entities.size()), of_group_(m.groups.size()) {
   for (const Constraint& c : m.constraints) {
-    const double length = extent(m, c);
+    const double length = extent(m, q, c);
     for (const EntityId e : c.operands) about_[e] = std::max(about_[e], length);
     of_group_[c.group] = std::max(of_group_[c.group], length);
     of_all_ = std::max(of_all_, length);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "cases/mechanism.h"
@@ -7,11 +8,13 @@
 namespace desmo {
 
 /// The lengths that points and distances are judged by: those of the bodies about them, not of the
-/// whole mechanism, in which a small part may be beside a large one. They are taken at the nominal
-/// position (the estimate).
+/// whole mechanism, in which a small part may be beside a large one.
 class CharacteristicLengths {
  public:
+  /// At the nominal position (the estimate).
   explicit CharacteristicLengths(const Mechanism& mechanism);
+  /// At a position found, where the estimate may be far from any. q: its coordinates.
+  CharacteristicLengths(const Mechanism& mechanism, std::span<const double> q);
 
   /// Of a point or a distance: the largest distance between points that constraints join to it, or
   /// of the distances themselves. Where all these points coincide it is the largest such length of

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "formulations/accuracy/condition.h"
+#include "formulations/characteristic_lengths.h"
 #include "formulations/safety/assessor.h"
 #include "formulations/safety/condition_monitor.h"
 #include "formulations/safety/continuity.h"
@@ -224,23 +225,24 @@ struct Watch::State {
 
   /// Whether the way from the estimate is short, but for what the drivers have moved since: against
   /// a link where two mirror images are all that there is, which signs tell apart, and else against
-  /// the distance of the next singular position, of the order of 1 / κ.
+  /// the distance of the next singular position, of the order of 1 / κ. Links are as long as they
+  /// are where they have been assembled: an estimate that is far off stretches them.
   bool is_near_estimate(const Instant& instant) {
+    const std::vector<double> magnitude =
+        CharacteristicLengths(mechanism, instant.q).of_coordinates();
+    const auto moved = [&](int i) {
+      return std::abs(instant.q[i] - mechanism.estimate[i]) / magnitude[i];
+    };
     double by_drivers = 0;
     for (const Driver& d : mechanism.drivers)
-      by_drivers = std::max(by_drivers, moved(instant, mechanism.entities[d.coordinate].first));
+      by_drivers = std::max(by_drivers, moved(mechanism.entities[d.coordinate].first));
     const ScaledSystem& system = assessor.system();
     for (int j = 0; j < system.size(); ++j) {
       const double nearest = system.block_size(j) <= mirrored ? 1 : 1 / last.condition;
-      if (moved(instant, system.unknowns()[j]) > near * nearest + 2 * gain.largest() * by_drivers)
+      if (moved(system.unknowns()[j]) > near * nearest + 2 * gain.largest() * by_drivers)
         return false;
     }
     return true;
-  }
-
-  /// Since the estimate, in its magnitude.
-  double moved(const Instant& instant, int i) {
-    return std::abs(instant.q[i] - mechanism.estimate[i]) / assessor.system().magnitude(i);
   }
 };
 
