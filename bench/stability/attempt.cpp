@@ -80,8 +80,9 @@ class Record final : public Sink {
 
  private:
   void weigh(std::size_t instant) {
-    if (instant == early) early_heap_ = suite::heap_in_use();
-    if (instant > early && instant + 1 == problem_.solvable.size())
+    const bool is_first = instant >= early && early_heap_ == 0;
+    if (is_first) early_heap_ = suite::heap_in_use();
+    if (!is_first && early_heap_ > 0 && instant + 1 == problem_.solvable.size())
       attempt_.heap_growth =
           static_cast<std::int64_t>(suite::heap_in_use()) - static_cast<std::int64_t>(early_heap_);
   }
@@ -131,7 +132,10 @@ Attempt attempt(const Problem& problem, const Configuration& configuration, unsi
   if (std::string why = why_not_tried(configuration, problem); !why.empty())
     return stop(Attempt::Ending::not_applicable, std::move(why));
 
-  Mechanism m = problem.model->mechanism;  // its estimate changes from start to start
+  const ExtremeCase& c = *problem.definition;
+  std::optional<Mechanism> started;  // its estimate changes from start to start
+  if (c.starts) started = problem.model->mechanism;
+  const Mechanism& m = started ? *started : problem.model->mechanism;
   std::unique_ptr<Formulation> f;
   try {
     f = make_formulation(*configuration.variant, m, configuration.settings);
@@ -141,7 +145,6 @@ Attempt attempt(const Problem& problem, const Configuration& configuration, unsi
   if (std::string why = lacks_generated_code(*f); !why.empty())
     return stop(Attempt::Ending::not_applicable, std::move(why));
 
-  const ExtremeCase& c = *problem.definition;
   Record record(problem, *f, a);
   SafetyOptions options;
   options.tolerance = configuration.settings.tolerance;
@@ -152,7 +155,7 @@ Attempt attempt(const Problem& problem, const Configuration& configuration, unsi
   const TimeGrid grid =
       c.starts ? TimeGrid{c.scene.grid.start, c.scene.grid.step, 1} : c.scene.grid;
   for (std::size_t i = 0; i < runs; ++i) {
-    if (c.starts) m.estimate = problem.starts[i];
+    if (started) started->estimate = problem.starts[i];
     record.begin(i);
     record.end(run_safely(*f, grid, {}, record, options), grid, m);
   }

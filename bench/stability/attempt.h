@@ -45,8 +45,8 @@ struct Attempt {
   std::vector<Gap> gaps;                      ///< that it went on after
   GroupId failed_group = -1;                  ///< of the first flag
   long refactorisations = 0;                  ///< of pivots kept that had gone bad
-  /// Bytes by which the heap has grown from the 1000th instant, or start, to the last; 0 where the
-  /// last is not reached.
+  /// Bytes by which the heap has grown from the first that is solved after 1000 instants, or
+  /// starts, to the last; 0 where the last is not solved.
   std::int64_t heap_growth = 0;
 };
 
