@@ -34,9 +34,12 @@ Continuity::Continuity(const Mechanism& m, std::span<const double> magnitude) : 
 
 void Continuity::take(const Instant& instant) {
   last_.time = instant.time;
-  std::ranges::copy(instant.q, last_.state.q.begin());
-  std::ranges::copy(instant.qd, last_.state.qd.begin());
-  std::ranges::copy(instant.qdd, last_.state.qdd.begin());
+  const auto copy = [](std::span<const double> from, std::vector<double>& to) {
+    std::copy_n(from.data(), from.size(), to.data());
+  };
+  copy(instant.q, last_.state.q);
+  copy(instant.qd, last_.state.qd);
+  copy(instant.qdd, last_.state.qdd);
   known_ = true;
   if (!instant.qd.empty()) fastest_ = std::max(fastest_, fastest_driver(instant));
 }
