@@ -33,11 +33,12 @@ std::vector<std::string> numbers_of(const Json& place, const std::vector<std::st
   return shown;
 }
 
-// What is printed of a place, less what its note says.
+// What is printed of a place, less its note, which stands behind the numbers or before them.
 std::vector<std::string> printed_numbers(std::string shown, const Json& place) {
   const std::string note = plain(place.value("note", ""));
   for (const std::string& end : {note, "(" + note + ")"})
     if (shown.ends_with(end)) return numbers_in(shown.substr(0, shown.size() - end.size()));
+  if (shown.starts_with(note)) return numbers_in(shown.substr(note.size()));
   ADD_FAILURE() << shown << " does not say: " << note;
   return {};
 }
