@@ -116,7 +116,7 @@ void Formulation::prepare() {
   }
   for (std::size_t level = 0; level < unknowns.size(); ++level) {
     std::ranges::sort(unknowns[level]);
-    started_from_[level] = runs_of(unknowns[level]);
+    predictors_[level] = Predictor(settings_.guess, runs_of(unknowns[level]));
   }
 }
 
@@ -151,13 +151,9 @@ void Formulation::guess(double t) {
   const Past past{t - now_.time, now_.time - then_.time, now_.level, then_.level};
   std::swap(state_, before_);
   const State &last = before_, &one_before = state_;
-  for (const Level level : {Level::position, Level::velocity, Level::acceleration}) {
-    const std::vector<CoordinateRun>& runs = started_from_[static_cast<std::size_t>(level)];
-    if (runs.empty()) continue;
-    const Past known = past.up_to(level);
-    const Extrapolation extrapolated(best_guess(settings_.guess, known), known);
-    extrapolated(runs, last, one_before, state_.q.data());
-  }
+  for (std::size_t level = 0; level < predictors_.size(); ++level)
+    if (Predictor& predictor = predictors_[level]; !predictor.empty())
+      predictor(past.up_to(static_cast<Level>(level)), last, one_before, state_.q.data());
 }
 
 /// As the function of that name, all drivers at once.

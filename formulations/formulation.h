@@ -8,10 +8,10 @@
 
 #include "cases/mechanism.h"
 #include "cases/motion.h"
-#include "formulations/guess.h"
 #include "formulations/lane_motion.h"
 #include "formulations/part.h"
 #include "formulations/partition.h"
+#include "formulations/predictor.h"
 
 namespace desmo {
 
@@ -176,8 +176,8 @@ class Formulation {
   std::vector<DefinedPart> parts_;
   std::vector<Stage> constant_, moving_;  // those that depend on no driver, and the others
   std::vector<int> written_;              // what was asked of write_only()
-  /// Moving unknowns from which a solver starts, by the level to which they are solved.
-  std::array<std::vector<CoordinateRun>, 3> started_from_;
+  /// Of moving unknowns from which a solver starts, by the level to which they are solved.
+  std::array<Predictor, 3> predictors_;
   Settings settings_;
   double tolerance_;
   State state_;

@@ -7,10 +7,6 @@ namespace desmo {
 
 namespace {
 
-/// How many times longer than the step before it a step may be for two instants to predict it: at
-/// 4 the quintic magnifies the errors of their positions 10,000 times, and at 10 a million times.
-constexpr double longest_stretch = 4;
-
 /// The levels to which the last instant and the one before must have been solved.
 struct Needs {
   Level last;
@@ -28,6 +24,7 @@ Needs needs(Guess guess) {
     case Guess::hermite3:
       return {Level::velocity, Level::velocity};
     case Guess::hermite5:
+    case Guess::adams8:
       return {Level::acceleration, Level::acceleration};
   }
   return {};
@@ -47,17 +44,10 @@ std::string_view guess_name(Guess guess) {
       return "hermite3";
     case Guess::hermite5:
       return "hermite5";
+    case Guess::adams8:
+      return "adams8";
   }
   return {};
-}
-
-std::vector<CoordinateRun> runs_of(std::span<const int> coordinates) {
-  std::vector<CoordinateRun> runs;
-  for (const int i : coordinates) {
-    if (runs.empty() || runs.back().end != i) runs.push_back({i, i});
-    ++runs.back().end;
-  }
-  return runs;
 }
 
 Past Past::up_to(Level level) const {
@@ -80,6 +70,7 @@ Extrapolation::Extrapolation(Guess guess, const Past& past) : guess_(guess) {
   // Hermite's basis on [0, 1] at s, factored about its zeros at 1 so that nothing cancels there.
   switch (guess_) {
     case Guess::previous:
+    case Guess::adams8:
       return;
     case Guess::linear:
       w_v1_ = h;

@@ -20,8 +20,8 @@ namespace {
 constexpr std::array jacobian_names{"newton", "step", "chord"};
 constexpr std::array factorisation_names{"shared", "per_level"};
 constexpr std::array scalar_names{"double", "float", "mixed"};
-constexpr std::array guesses{Guess::previous, Guess::linear, Guess::quadratic, Guess::hermite3,
-                             Guess::hermite5};
+constexpr std::array guesses{Guess::previous, Guess::linear,   Guess::quadratic,
+                             Guess::hermite3, Guess::hermite5, Guess::adams8};
 
 std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
 

@@ -17,9 +17,9 @@ struct Configuration {
 /// The id of a variant with these settings: those that are not the paper's follow as suffixes, in
 /// this order:
 ///   <partition>_<equations>_<algebra>
-///     /guess:linear|quadratic|hermite3|hermite5  /jacobian:step|chord  /factorisation:per_level
-///     /scalar:float|mixed  /lanes:4  /segments:4  /stride:2…64  /iterations:1…
-///     /tolerance:1e-6
+///     /guess:linear|quadratic|hermite3|hermite5|adams8  /jacobian:step|chord
+///     /factorisation:per_level /scalar:float|mixed  /lanes:4  /segments:4  /stride:2…64
+///     /iterations:1… /tolerance:1e-6
 std::string id_with(const Variant& variant, const Settings& settings);
 
 /// What an id says, its suffixes in any order; of settings that it does not name, `base` holds.

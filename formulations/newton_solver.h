@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "formulations/coordinate_run.h"
 #include "formulations/equations/pattern.h"
 #include "formulations/equilibration.h"
-#include "formulations/guess.h"
 #include "formulations/part.h"
 #include "formulations/refinement.h"
 

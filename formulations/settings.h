@@ -9,6 +9,7 @@ enum class Guess {
   quadratic,  ///< Taylor, from q̇ and q̈
   hermite3,   ///< the cubic through q and q̇ of the last two instants
   hermite5,   ///< the quintic through their q, q̇ and q̈
+  adams8,     ///< from the last q, the polynomial through q̇ and q̈ of the last four
 };
 
 /// When Φ_φ is factorised (see formulations/newton_solver.h).

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
-#include "formulations/guess.h"
 #include "formulations/lane_motion.h"
 #include "formulations/lane_transport.h"
 #include "formulations/same_position.h"
@@ -43,8 +43,9 @@ TimeLanes::TimeLanes(const Mechanism& mechanism, std::vector<Parts> parts, const
                       std::back_inserter(started_from));
   }
   std::ranges::sort(started_from);
-  for (const CoordinateRun run : runs_of(started_from))
-    started_from_.push_back({run.first * lanes_, run.end * lanes_});
+  std::vector<CoordinateRun> runs = runs_of(started_from);
+  for (CoordinateRun& run : runs) run = {run.first * lanes_, run.end * lanes_};
+  predictor_ = Predictor(settings_.guess, std::move(runs));
 }
 
 TimeLanes::Stage TimeLanes::make_stage(std::size_t part, const KernelTable& table) const {
@@ -135,8 +136,7 @@ void TimeLanes::guess(double h, int known) {
   const LaneState &last = before_, &one_before = now_;
   const Past past{h, h, known > 0 ? std::optional(Level::acceleration) : std::nullopt,
                   known > 1 ? std::optional(Level::acceleration) : std::nullopt};
-  const Guess best = known > 0 ? best_guess(settings_.guess, past) : Guess::previous;
-  Extrapolation(best, past)(started_from_, last, one_before, now_.q.data());
+  predictor_(past, last, one_before, now_.q.data());
 }
 
 void TimeLanes::drive(const TimeGrid& grid, int length, int i) {

@@ -10,6 +10,7 @@
 #include "formulations/formulation.h"
 #include "formulations/lane_stage.h"
 #include "formulations/lane_values.h"
+#include "formulations/predictor.h"
 
 namespace desmo {
 
@@ -67,8 +68,7 @@ class TimeLanes final : public WholeMotion {
   const int lanes_;
   std::vector<Parts> parts_;
   std::vector<Stage> stages_;  // those that move
-  /// Unknowns of which a part reads the position, as runs of values: lanes beside each other.
-  std::vector<CoordinateRun> started_from_;
+  Predictor predictor_;  // of unknowns of which a part reads the position, lanes beside each other
   LaneState now_, before_;
   LaneValues entered_;              // positions at the first instant of each segment
   LaneValues residual2_;            // of the step, by lane

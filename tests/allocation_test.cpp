@@ -143,10 +143,11 @@ TEST_P(EveryVariant, AllocatesNothingInAStepWhateverTheSettings) {
   if (allocates_inside(v)) return;  // counted above
   const Mechanism m = make_mechanism(describe(find_case("truck_suspension"), 114));
   for (const char* suffixes :
-       {"/guess:linear", "/guess:quadratic", "/guess:hermite3", "/guess:hermite5", "/jacobian:step",
-        "/jacobian:chord", "/guess:hermite5/jacobian:step", "/guess:hermite5/jacobian:chord",
-        "/factorisation:per_level", "/scalar:mixed", "/jacobian:chord/scalar:mixed",
-        "/scalar:float/iterations:2", "/tolerance:1e-6", "/iterations:2"}) {
+       {"/guess:linear", "/guess:quadratic", "/guess:hermite3", "/guess:hermite5", "/guess:adams8",
+        "/jacobian:step", "/jacobian:chord", "/guess:hermite5/jacobian:step",
+        "/guess:hermite5/jacobian:chord", "/factorisation:per_level", "/scalar:mixed",
+        "/jacobian:chord/scalar:mixed", "/scalar:float/iterations:2", "/tolerance:1e-6",
+        "/iterations:2"}) {
     std::optional<Configuration> c;
     try {
       c = parse_id(v.id + suffixes);

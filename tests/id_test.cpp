@@ -35,12 +35,26 @@ TEST(Id, HasItsSuffixesInOneOrder) {
 }
 
 TEST(Id, ReadsBackEveryValueOfEverySuffix) {
-  for (const char* suffix :
-       {"", "/guess:linear", "/guess:quadratic", "/guess:hermite3", "/guess:hermite5",
-        "/jacobian:step", "/jacobian:chord", "/factorisation:per_level", "/scalar:mixed",
-        "/scalar:float/tolerance:1e-5", "/iterations:1", "/iterations:12", "/tolerance:1e-6",
-        "/stride:2", "/stride:64", "/stride:8/tolerance:1e-6", "/tolerance:1e-10",
-        "/tolerance:3e+0", "/guess:hermite5/jacobian:step/tolerance:1e-8"}) {
+  for (const char* suffix : {"",
+                             "/guess:linear",
+                             "/guess:quadratic",
+                             "/guess:hermite3",
+                             "/guess:hermite5",
+                             "/guess:adams8",
+                             "/jacobian:step",
+                             "/jacobian:chord",
+                             "/factorisation:per_level",
+                             "/scalar:mixed",
+                             "/scalar:float/tolerance:1e-5",
+                             "/iterations:1",
+                             "/iterations:12",
+                             "/tolerance:1e-6",
+                             "/stride:2",
+                             "/stride:64",
+                             "/stride:8/tolerance:1e-6",
+                             "/tolerance:1e-10",
+                             "/tolerance:3e+0",
+                             "/guess:hermite5/jacobian:step/tolerance:1e-8"}) {
     const std::string id = std::string("group_automatic_eigen") + suffix;
     const Configuration c = parse_id(id);
     EXPECT_EQ(c.variant, &find_variant("group_automatic_eigen"));
@@ -76,7 +90,7 @@ TEST(Id, SaysWhatIsWrong) {
       {"group_symbolic_explicit/lanes:5", "unknown value '5' of '/lanes:'; there are: 4, 8"},
       {"group_symbolic_klu/guess:cubic",
        "unknown value 'cubic' of '/guess:'; there are: previous, linear, quadratic, hermite3, "
-       "hermite5"},
+       "hermite5, adams8"},
       {"group_symbolic_klu/guess:", "unknown value '' of '/guess:'"},
       {"group_symbolic_klu/guess:linear/guess:linear", "'/guess:' is given twice"},
       {"group_symbolic_klu/iterations:0", "unknown value '0' of '/iterations:'"},

@@ -24,7 +24,7 @@ constexpr Settings at_once{.segments = 4};
 std::vector<Settings> every_kind() {
   std::vector<Settings> all;
   for (const int lanes : lanes_here())
-    for (const Guess guess : {Guess::previous, Guess::hermite5})
+    for (const Guess guess : {Guess::previous, Guess::hermite5, Guess::adams8})
       all.push_back({.guess = guess, .segments = lanes});
   return all;
 }

@@ -16,7 +16,7 @@
 namespace desmo {
 namespace {
 
-constexpr const char* names[] = {"tree", "tree_hermite5"};
+constexpr const char* names[] = {"tree", "tree_adams8"};
 
 /// Of all that is made by hand, of a case: its references take longest.
 class TreePeersOfCase : public testing::TestWithParam<std::string_view> {};

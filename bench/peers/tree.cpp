@@ -31,9 +31,9 @@ constexpr std::string_view library = "by hand with Eigen",
 
 }  // namespace
 
-extern const PeerDefinition tree_peer, tree_hermite5_peer;
+extern const PeerDefinition tree_peer, tree_adams8_peer;
 const PeerDefinition tree_peer{"tree", library, &version, method, &make<Guess::quadratic>};
-const PeerDefinition tree_hermite5_peer{"tree_hermite5",        library,        &version, method,
-                                        &make<Guess::hermite5>, Guess::hermite5};
+const PeerDefinition tree_adams8_peer{"tree_adams8",        library,      &version, method,
+                                      &make<Guess::adams8>, Guess::adams8};
 
 }  // namespace desmo

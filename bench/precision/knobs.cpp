@@ -9,8 +9,8 @@ namespace desmo::precision {
 
 namespace {
 
-constexpr std::array guesses{Guess::previous, Guess::linear, Guess::quadratic, Guess::hermite3,
-                             Guess::hermite5};
+constexpr std::array guesses{Guess::previous, Guess::linear,   Guess::quadratic,
+                             Guess::hermite3, Guess::hermite5, Guess::adams8};
 constexpr std::array updates{JacobianUpdate::newton, JacobianUpdate::step, JacobianUpdate::chord};
 constexpr std::array strides{2, 4, 8, 16, 32};
 constexpr std::array few_strides{8, 16, 32};  // errors of three sizes that no closed form has

@@ -24,7 +24,7 @@ constexpr std::size_t most_accurate = 100;  // on the begin, within a budget
 /// Settings that tell formulations apart: the paper's, and what usually costs least.
 std::vector<Settings> telling_settings() {
   return {Settings{},
-          {.tolerance = 1e-8, .guess = Guess::hermite5, .jacobian = JacobianUpdate::step}};
+          {.tolerance = 1e-8, .guess = Guess::adams8, .jacobian = JacobianUpdate::step}};
 }
 
 class Searcher {

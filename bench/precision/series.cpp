@@ -42,7 +42,8 @@ bool is_tuned(const Variant& v) { return std::ranges::find(tuned, v.id) != tuned
 std::vector<Settings> table_settings() {
   std::vector<Settings> all;
   for (const double tolerance : {1e-6, 1e-8, 1e-10, 1e-12}) all.push_back({.tolerance = tolerance});
-  for (const Guess guess : {Guess::linear, Guess::quadratic, Guess::hermite3, Guess::hermite5})
+  for (const Guess guess :
+       {Guess::linear, Guess::quadratic, Guess::hermite3, Guess::hermite5, Guess::adams8})
     all.push_back({.guess = guess});
   return all;
 }

@@ -10,15 +10,15 @@ namespace desmo::suite {
 /// other, copies of an axle at once, segments of the motion at once, and those on two threads, on
 /// registers of 256 and of 512 bits; all with a tolerance that keeps errors below 1e-9.
 inline constexpr std::array<std::string_view, 9> beyond_the_paper{
-    "global_automatic_klu/guess:hermite5/jacobian:step/tolerance:1e-10",
-    "group_symbolic_inlined/guess:hermite5/tolerance:1e-10",
-    "group_symbolic_explicit/guess:hermite5/tolerance:1e-10",
-    "group_symbolic_explicit/guess:hermite5/lanes:4/tolerance:1e-10",
-    "group_symbolic_explicit/guess:hermite5/lanes:8/tolerance:1e-10",
-    "group_symbolic_explicit/guess:hermite5/segments:4/tolerance:1e-10",
-    "group_symbolic_explicit/guess:hermite5/segments:8/tolerance:1e-10",
-    "group_symbolic_explicit/guess:hermite5/segments:4/threads:2/tolerance:1e-10",
-    "group_symbolic_explicit/guess:hermite5/segments:8/threads:2/tolerance:1e-10"};
+    "global_automatic_klu/guess:adams8/jacobian:step/tolerance:1e-10",
+    "group_symbolic_inlined/guess:adams8/tolerance:1e-10",
+    "group_symbolic_explicit/guess:adams8/tolerance:1e-10",
+    "group_symbolic_explicit/guess:adams8/lanes:4/tolerance:1e-10",
+    "group_symbolic_explicit/guess:adams8/lanes:8/tolerance:1e-10",
+    "group_symbolic_explicit/guess:adams8/segments:4/tolerance:1e-10",
+    "group_symbolic_explicit/guess:adams8/segments:8/tolerance:1e-10",
+    "group_symbolic_explicit/guess:adams8/segments:4/threads:2/tolerance:1e-10",
+    "group_symbolic_explicit/guess:adams8/segments:8/threads:2/tolerance:1e-10"};
 
 /// The request that they are timed with, too.
 inline constexpr std::string_view request_beyond_the_paper = "outputs";

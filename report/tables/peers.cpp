@@ -179,7 +179,8 @@ Section peers(const Record& record) {
       "What a user would pick instead, a library or code written by hand for the case, on the same "
       "motion, in the same run and random order, held to the same verification, and started from "
       "the same guess: each extrapolates in its own coordinates (quadratic: q + q' h + q'' h²/2 of "
-      "the last instant; hermite5: the quintic through q, q' and q'' of the last two). A ratio "
+      "the last instant; hermite5: the quintic through q, q' and q'' of the last two; adams8: from "
+      "the last q, the polynomial through q' and q'' of the last four). A ratio "
       "above 1 is a rival that takes longer.");
   for (const auto& [name, method] : methods) section.paragraphs.push_back(method);
   for (const std::string& name : cases) section.tables.push_back(times_of(record, name));

@@ -8,7 +8,7 @@ namespace desmo::report {
 namespace {
 
 constexpr double accuracy = 1e-9;
-constexpr std::array guesses{"previous", "linear", "quadratic", "hermite3", "hermite5"};
+constexpr std::array guesses{"previous", "linear", "quadratic", "hermite3", "hermite5", "adams8"};
 constexpr std::array updates{"newton", "step", "chord"};
 
 const NamedPoint* find(const Points& points, std::string_view id) {

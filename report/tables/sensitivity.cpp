@@ -16,7 +16,7 @@
 namespace desmo::report {
 namespace {
 
-constexpr std::array guesses{"previous", "linear", "quadratic", "hermite3", "hermite5"};
+constexpr std::array guesses{"previous", "linear", "quadratic", "hermite3", "hermite5", "adams8"};
 constexpr double least_tolerance = 1e-12, largest_tolerance = 1e-6;
 
 /// A speed-up of the paper: over which analysis, of which (by position in `variants`).

@@ -3,20 +3,21 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bench/peers/tree/axle.h"
 #include "bench/peers/tree/damper.h"
 #include "bench/peers/tree/stabiliser.h"
 #include "bench/peers/tree/tree_peer.h"
-#include "formulations/guess.h"
 #include "formulations/lane_motion.h"
+#include "formulations/predictor.h"
 
 namespace desmo::tree {
 
 namespace {
 
-/// An axle with all that hangs on it, and where it was.
+/// An axle with all that hangs on it.
 struct Suspension {
   Suspension(const Description& d, const std::string& prefix, double tolerance)
       : axle(d, prefix, tolerance),
@@ -26,14 +27,34 @@ struct Suspension {
   Axle axle;
   std::array<Stabiliser, 2> stabilisers;
   std::array<Damper, 2> dampers;
-  Axle::Angles last, before;
+};
+
+/// The angles of all axles at an instant, one axle after the other.
+struct AnglesOfAll {
+  explicit AnglesOfAll(int axles = 0) : q(2 * axles), qd(q), qdd(q) {}
+
+  Axle::Angles of(std::size_t axle) const {
+    const auto two = [&](const std::vector<double>& v) {
+      return std::array{v[2 * axle], v[2 * axle + 1]};
+    };
+    return {two(q), two(qd), two(qdd)};
+  }
+  void set(std::size_t axle, const Axle::Angles& a) {
+    std::ranges::copy(a.q, &q[2 * axle]);
+    std::ranges::copy(a.qd, &qd[2 * axle]);
+    std::ranges::copy(a.qdd, &qdd[2 * axle]);
+  }
+
+  std::vector<double> q, qd, qdd;
 };
 
 class Truck final : public TreePeer {
  public:
   Truck(const Scene& scene, const Mechanism& mechanism, Guess guess)
-      : guess_(guess), heights_(addresses(scene.motions)) {
+      : heights_(addresses(scene.motions)) {
     const int axles = static_cast<int>(scene.motions.size()) / 2;
+    last_ = one_before_ = AnglesOfAll(axles);
+    expected_ = Predictor(guess, {{0, 2 * axles}});
     // As ours: the whole mechanism meets the tolerance.
     const double tolerance = Settings{}.tolerance / std::sqrt(axles);
     suspensions_.reserve(axles);
@@ -52,20 +73,14 @@ class Truck final : public TreePeer {
   void assemble(double t) override {
     iterations_ = 0;
     before_.reset();
-    for (Suspension& s : suspensions_) s.last = {};
+    last_ = AnglesOfAll(static_cast<int>(suspensions_.size()));
     solve(t);
   }
 
   void step(double t) override {
     const Past past{t - time_, h_, Level::acceleration, before_};
-    const Extrapolation extrapolation(best_guess(guess_, past), past);
-    constexpr CoordinateRun all_angles[] = {{0, 2}};
-    for (Suspension& s : suspensions_) {
-      Axle::Angles next;
-      extrapolation(all_angles, s.last, s.before, next.q.data());
-      s.before = s.last;
-      s.last = next;
-    }
+    std::swap(last_, one_before_);
+    expected_(past, one_before_, last_, last_.q.data());
     h_ = past.h;
     before_ = Level::acceleration;
     solve(t);
@@ -86,7 +101,9 @@ class Truck final : public TreePeer {
     const std::span<const MotionSample<double>> heights = heights_(t);
     for (std::size_t a = 0; a < suspensions_.size(); ++a) {
       Suspension& s = suspensions_[a];
-      iterations = std::max(iterations, s.axle.solve(heights[2 * a], heights[2 * a + 1], s.last));
+      Axle::Angles angles = last_.of(a);
+      iterations = std::max(iterations, s.axle.solve(heights[2 * a], heights[2 * a + 1], angles));
+      last_.set(a, angles);
       s.axle.deliver(out);
       for (const Stabiliser& stabiliser : s.stabilisers) stabiliser.solve(s.axle.pose(), out);
       for (const Damper& damper : s.dampers) damper.solve(s.axle.pose(), out);
@@ -100,11 +117,12 @@ class Truck final : public TreePeer {
     return result;
   }
 
-  Guess guess_;
   MotionSampler heights_;  // of the left and the right wheels, axle after axle
+  Predictor expected_;
   std::vector<Suspension> suspensions_;
-  double time_ = 0, h_ = 0;      // of the last instant, and from the one before it
-  std::optional<Level> before_;  // nothing: there is none
+  AnglesOfAll last_, one_before_;  // solved; on the way to a solution what is expected
+  double time_ = 0, h_ = 0;        // of the last instant, and from the one before it
+  std::optional<Level> before_;    // nothing: there is none
 };
 
 }  // namespace

@@ -21,7 +21,7 @@ namespace {
 
 constexpr Settings quadratic{.guess = Guess::quadratic};
 constexpr Guess extrapolating[] = {Guess::linear, Guess::quadratic, Guess::hermite3,
-                                   Guess::hermite5};
+                                   Guess::hermite5, Guess::adams8};
 
 struct LastInstant final : Sink {
   void accept(const Instant& i) override {

@@ -1,0 +1,105 @@
+#include "formulations/rate_history.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "formulations/guess.h"
+
+namespace desmo {
+
+namespace {
+
+/// Intervals that differ by less are the same: the times of a grid are rounded.
+constexpr double same = 1e-11;
+
+/// Gauss's points and weights on [0, 1], exact up to degree 7: that of a polynomial through values
+/// and derivatives at four instants.
+constexpr int points = RateHistory::instants;
+constexpr std::array<double, points> point{0.069431844202973712388, 0.33000947820757186760,
+                                           0.66999052179242813240, 0.93056815579702628761};
+constexpr std::array<double, points> weight{0.17392742256872692869, 0.32607257743127307131,
+                                            0.32607257743127307131, 0.17392742256872692869};
+
+}  // namespace
+
+RateHistory::RateHistory(std::span<const CoordinateRun> runs) {
+  for (const CoordinateRun run : runs)
+    for (int i = run.first; i < run.end; ++i) coordinates_.push_back(i);
+  const std::size_t size = coordinates_.size();
+  rates_.resize(2 * size * instants);
+  change_.resize(size);
+  for (int j = 0; j < instants; ++j) at_[j] = 2 * size * j;
+}
+
+void RateHistory::remember(double interval, const double* qd, const double* qdd) {
+  std::rotate(at_.begin(), at_.end() - 1, at_.end());
+  std::rotate(intervals_.begin(), intervals_.end() - 1, intervals_.end());
+  known_ = std::min(known_ + 1, instants);
+  intervals_[0] = interval;
+  const std::size_t size = coordinates_.size();
+  double* __restrict const v = &rates_[at_[0]], * __restrict const a = v + size;
+  for (std::size_t n = 0; n < size; ++n) {
+    v[n] = qd[coordinates_[n]];
+    a[n] = qdd[coordinates_[n]];
+  }
+}
+
+bool RateHistory::extrapolate(double h, const double* last, double* q) {
+  if (known_ < instants || h == 0) return false;
+  Ratios ratios;
+  bool forward = true, backward = true, as_weighed = true;
+  for (std::size_t j = 0; j < ratios.size(); ++j) {
+    const double ratio = ratios[j] = intervals_[j] / h;
+    forward &= ratio * longest_stretch > 1;
+    backward &= ratio * longest_stretch < -1;
+    as_weighed &= std::abs(ratio - weighed_[j]) <= same;
+  }
+  if (!forward && !backward) return false;
+  if (!as_weighed) weigh(ratios);
+  add_changes(h);
+  for (std::size_t n = 0; n < coordinates_.size(); ++n)
+    q[coordinates_[n]] = last[coordinates_[n]] + change_[n];
+  return true;
+}
+
+/// The integrals over the step of Hermite's basis at the instants, with ℓ_j of Lagrange:
+///   β_j = ∫ (1 − 2 ℓ_j′(x_j) (x − x_j)) ℓ_j², γ_j = ∫ (x − x_j) ℓ_j².
+void RateHistory::weigh(const Ratios& ratios) {
+  std::array<double, instants> x{};  // the instants in units of h
+  for (int j = 1; j < instants; ++j) x[j] = x[j - 1] - ratios[j - 1];
+  for (int j = 0; j < instants; ++j) {
+    double slope = 0;
+    for (int m = 0; m < instants; ++m)
+      if (m != j) slope += 1 / (x[j] - x[m]);
+    beta_[j] = gamma_[j] = 0;
+    for (int p = 0; p < points; ++p) {
+      double lagrange = 1;
+      for (int m = 0; m < instants; ++m)
+        if (m != j) lagrange *= (point[p] - x[m]) / (x[j] - x[m]);
+      const double from = point[p] - x[j], share = weight[p] * lagrange * lagrange;
+      beta_[j] += (1 - 2 * slope * from) * share;
+      gamma_[j] += from * share;
+    }
+  }
+  weighed_ = ratios;
+}
+
+/// Σ_j (h β_j q̇_j + h² γ_j q̈_j), the smallest terms first.
+void RateHistory::add_changes(double h) {
+  const auto rates = [&](int j) { return &rates_[at_[j]]; };
+  const double *at_0 = rates(0), *at_1 = rates(1), *at_2 = rates(2), *at_3 = rates(3);
+  const auto w = [&](const std::array<double, instants>& weights, double unit) {
+    std::array<double, instants> result;
+    for (int j = 0; j < instants; ++j) result[j] = unit * weights[j];
+    return result;
+  };
+  const auto [v_0, v_1, v_2, v_3] = w(beta_, h);
+  const auto [a_0, a_1, a_2, a_3] = w(gamma_, h * h);
+  double* __restrict const change = change_.data();
+  const std::size_t n = coordinates_.size();
+  for (std::size_t i = 0; i < n; ++i)
+    change[i] = a_3 * at_3[n + i] + a_2 * at_2[n + i] + a_1 * at_1[n + i] + a_0 * at_0[n + i] +
+                v_3 * at_3[i] + v_2 * at_2[i] + v_1 * at_1[i] + v_0 * at_0[i];
+}
+
+}  // namespace desmo

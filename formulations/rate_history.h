@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "formulations/coordinate_run.h"
+
+namespace desmo {
+
+/// The rates of some coordinates at the last instants, and where they lead: the polynomial through
+/// q̇ and q̈ of all of them, integrated from the last position on, as Adams and Bashforth do with
+/// first derivatives. With the last instant as 0 and the step sought h long,
+///   q = q₀ + Σ_j (h β_j q̇_j + h² γ_j q̈_j).
+/// Of positions the last one alone counts: what an instant was solved short of the solution is not
+/// magnified, as it is where several are extrapolated.
+class RateHistory {
+ public:
+  static constexpr int instants = 4;
+  /// Of the polynomial that q is expected to be.
+  static constexpr int degree = 2 * instants;
+
+  /// runs: the coordinates.
+  explicit RateHistory(std::span<const CoordinateRun> runs);
+
+  void forget() { known_ = 0; }
+  /// The last instant, `interval` (s) after the one before, which is what was remembered last.
+  void remember(double interval, const double* qd, const double* qdd);
+  /// Writes where the coordinates of the runs are expected after a step of h (s) into q, which may
+  /// be `last`: the last positions. False, and nothing is written, where too little is known:
+  /// intervals must go one way, and none be short beside the step.
+  bool extrapolate(double h, const double* last, double* q);
+
+ private:
+  /// Intervals before the last instant, the one before it, and so on, beside the step sought.
+  using Ratios = std::array<double, instants - 1>;
+  void weigh(const Ratios& ratios);
+  void add_changes(double h);
+
+  std::vector<int> coordinates_;              // one by one: many runs are of one
+  std::vector<double> rates_;                 // q̇ and q̈, one instant behind the other
+  std::array<std::size_t, instants> at_;      // where in them; the last instant first
+  std::array<double, instants> intervals_{};  // s, before each instant; the last first
+  int known_ = 0;
+  Ratios weighed_{};  // those that the weights are for
+  std::array<double, instants> beta_{}, gamma_{};
+  std::vector<double> change_;
+};
+
+}  // namespace desmo
