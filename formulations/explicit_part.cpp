@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
+
+#include "formulations/explicit_run.h"
 
 namespace desmo {
 
@@ -44,8 +47,8 @@ ExplicitPart::ExplicitPart(const ExplicitKernel& kernel, const BoundKernel& boun
 PartResult ExplicitPart::solve(State& s, std::span<const double> last, Level level) {
   if (!assembled_) return fall_back(s, last, level);
   ExplicitKernel::Solve* const solve = kernel_.solve[static_cast<std::size_t>(level)];
-  const ExplicitResult<double> r = solve(s.q.data(), s.qd.data(), s.qdd.data(), binding_);
-  if (!r.accepted) return solve_refused(s, last, level);
+  const ExplicitRunResult r = solve(s.q.data(), s.qd.data(), s.qdd.data(), &binding_, 1);
+  if (r.accepted == 0) return solve_refused(s, last, level);
   return {Status::converged, r.iterations, r.residual2};
 }
 
@@ -76,6 +79,17 @@ std::vector<int> ExplicitPart::starts_from(const std::vector<int>&) const {
   for (const int input : kernel_.starts) result.push_back(inputs_[input]);
   std::ranges::sort(result);
   return result;
+}
+
+std::unique_ptr<PartRun> ExplicitPart::make_run(std::span<Part* const> parts) {
+  std::vector<const ExplicitPart*> members;
+  for (Part* const part : parts) {
+    const auto* const next = dynamic_cast<const ExplicitPart*>(part);
+    if (!next || &next->kernel_ != &kernel_) break;
+    members.push_back(next);
+  }
+  if (members.size() < 2) return nullptr;
+  return std::make_unique<ExplicitRun>(std::move(members));
 }
 
 void ExplicitPart::forget() {

@@ -28,6 +28,8 @@ class ExplicitPart final : public GuardedPart {
   PartResult solve(State& state, std::span<const double> last, Level level) override;
   /// Closed forms start from nothing. Before any position, all start from the last.
   std::vector<int> starts_from(const std::vector<int>& unknowns) const override;
+  /// Of those behind each other that have the same kernel.
+  std::unique_ptr<PartRun> make_run(std::span<Part* const> parts) override;
   void forget() override;
 
   long fallbacks() const override { return fallbacks_; }

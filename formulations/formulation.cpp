@@ -118,6 +118,31 @@ void Formulation::prepare() {
     std::ranges::sort(unknowns[level]);
     predictors_[level] = Predictor(settings_.guess, runs_of(unknowns[level]));
   }
+  make_runs();
+}
+
+/// Of moving parts behind each other that are solved to the same level.
+void Formulation::make_runs() {
+  runs_.clear();
+  std::vector<Part*> solvers;
+  for (std::size_t first = 0; first < moving_.size();) {
+    solvers.clear();
+    for (std::size_t i = first; i < moving_.size() && moving_[i].level == moving_[first].level; ++i)
+      solvers.push_back(moving_[i].solver);
+    std::unique_ptr<PartRun> run = solvers.front()->make_run(solvers);
+    const int members = run ? run->size() : 1;
+    for (int i = 0; run && i < members; ++i) {
+      moving_[first + i].run = run.get();
+      moving_[first + i].member = i;
+    }
+    if (run) runs_.push_back(std::move(run));
+    first += members;
+  }
+}
+
+void Formulation::forget() {
+  for (const DefinedPart& part : parts_) part.solver->forget();
+  for (const auto& run : runs_) run->forget();
 }
 
 /// asked: the coordinates of which rates are read by others than parts; none stands for all.
@@ -167,7 +192,17 @@ Summary Formulation::solve(std::span<const Stage> stages, double t, Level level)
   Summary summary;
   summary.time = t;
   double residual2 = 0;
-  for (const Stage& stage : stages) {
+  for (std::size_t i = 0; i < stages.size();) {
+    if (PartRun* const run = stages[i].run) {
+      const Stage& first = stages[i];
+      const PartRun::Result r = run->solve(state_, first.member, std::min(level, first.level));
+      residual2 += r.residual2;
+      summary.iterations = std::max<long>(summary.iterations, r.iterations);
+      summary.updates += r.all * first.unknowns;
+      i += r.solved;
+      if (first.member + r.solved == run->size()) continue;
+    }
+    const Stage& stage = stages[i++];
     const PartResult r = stage.solver->solve(state_, before_.q, std::min(level, stage.level));
     residual2 += r.residual2;
     summary.iterations = std::max<long>(summary.iterations, r.iterations);
@@ -195,7 +230,7 @@ Summary Formulation::assemble(double t, Level level) {
     std::ranges::fill(s->qdd, 0.0);
   }
   std::ranges::copy(state_.q, before_.q.begin());
-  for (const DefinedPart& part : parts_) part.solver->forget();
+  forget();
   assembled_ = false;
   now_ = then_ = {};  // nothing to extrapolate from
   Summary summary = solve(constant_, t, level);
@@ -261,7 +296,7 @@ bool Formulation::enter(std::span<const double> q, double t) {
     std::ranges::fill(s->qd, 0.0);
     std::ranges::fill(s->qdd, 0.0);
   }
-  for (const DefinedPart& part : parts_) part.solver->forget();
+  forget();
   now_ = then_ = {};
   const auto solve = [&](State& state, std::span<const double> last) {
     return solve_positions(state, last);
@@ -288,7 +323,7 @@ std::optional<Summary> Formulation::run_at_once(const TimeGrid& grid, const Requ
   const std::optional<Summary> total =
       whole_motion_->run(grid, request, state_, kept ? static_cast<Sink&>(*kept) : sink);
   if (!total) return {};
-  for (const DefinedPart& part : parts_) part.solver->forget();  // they have not come along
+  forget();  // they have not come along
   now_ = {grid.time(grid.instants - 1), request.level};
   then_ = {};
   if (kept) kept->hand_on(sink);

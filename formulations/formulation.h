@@ -157,9 +157,13 @@ class Formulation {
     Part* solver;
     Level level;  // as far as anyone asks for its unknowns
     int part, unknowns;
+    PartRun* run = nullptr;  // that it is a member of, if any …
+    int member = 0;          // … and which
   };
 
   void prepare();
+  void make_runs();
+  void forget();
   void write_only(std::span<const int> asked);
   Summary advance(double t, Level level);
   bool solve_positions(State& state, std::span<const double> last);
@@ -174,8 +178,9 @@ class Formulation {
   const Mechanism& mechanism_;
   MotionSampler motions_;  // of the drivers
   std::vector<DefinedPart> parts_;
-  std::vector<Stage> constant_, moving_;  // those that depend on no driver, and the others
-  std::vector<int> written_;              // what was asked of write_only()
+  std::vector<Stage> constant_, moving_;        // those that depend on no driver, and the others
+  std::vector<std::unique_ptr<PartRun>> runs_;  // of moving ones
+  std::vector<int> written_;                    // what was asked of write_only()
   /// Of moving unknowns from which a solver starts, by the level to which they are solved.
   std::array<Predictor, 3> predictors_;
   Settings settings_;

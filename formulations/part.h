@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -28,6 +29,25 @@ struct PartResult {
   double residual2 = 0;  ///< ‖Φ‖₂² of the part's equations, each over its magnitude, at the end
 };
 
+/// Parts of one formulation, one behind the other, of which many are solved in one call as long as
+/// each finds its solution at once.
+class PartRun {
+ public:
+  struct Result {
+    int solved = 0;      ///< how many, up to the first that has to be solved by itself
+    int iterations = 0;  ///< the most of any of them …
+    long all = 0;        ///< … and of all together
+    double residual2 = 0;
+  };
+
+  virtual ~PartRun() = default;
+  virtual int size() const = 0;
+  /// Solves members from `first` on, each as its own solve() would.
+  virtual Result solve(State& state, int first, Level level) = 0;
+  /// What members keep from earlier steps no longer holds: it was said to each of them, too.
+  virtual void forget() = 0;
+};
+
 /// Solves its unknowns, given those of all earlier parts. Owns its workspace; never touches the
 /// heap after its construction, apart from what a library does inside.
 class Part {
@@ -48,6 +68,13 @@ class Part {
   /// solve() may leave velocities and accelerations in the state as they were. read: of each
   /// coordinate. Until then all are.
   virtual void write_only(const std::vector<bool>& read) { static_cast<void>(read); }
+
+  /// A run of as many of these, which begin with this one, as can be solved in one call; null where
+  /// that is not worth while.
+  virtual std::unique_ptr<PartRun> make_run(std::span<Part* const> parts) {
+    static_cast<void>(parts);
+    return nullptr;
+  }
 
   /// How often an order of pivots that is meant to last, of the factorisation before or of
   /// generated code, had gone bad, and pivots were chosen anew.

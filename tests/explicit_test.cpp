@@ -179,8 +179,8 @@ TEST(Explicit, IsRightWhereItsCodeRefuses) {
   const std::vector<PartDefinition> parts = make_partition(m, Partition::group);
   const BoundKernel bound = bind_kernel(m, parts[1]).value();
   ExplicitKernel refusing = *find_explicit_kernel(bound.kernel->fingerprint);
-  refusing.solve[2] = [](double*, double*, double*, const ExplicitBinding<double>&) {
-    return ExplicitResult<double>{0, 0, false};
+  refusing.solve[2] = [](double*, double*, double*, const ExplicitBinding<double>*, int) {
+    return ExplicitRunResult{};
   };
   const auto reference = make_formulation(find_variant("group_automatic_eigen"), m);
   ExplicitPart bad(refusing, bound, Magnitudes(m).weights(parts[1]), {.tolerance = 1e-12},

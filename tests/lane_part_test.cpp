@@ -95,8 +95,8 @@ class Pieces : public ::testing::Test {
     };
     kernels.back() = &refusing;
     ExplicitKernel refused = kernel(copies[refused_lane].back());
-    refused.solve[2] = [](double*, double*, double*, const ExplicitBinding<double>&) {
-      return ExplicitResult<double>{0, 0, false};
+    refused.solve[2] = [](double*, double*, double*, const ExplicitBinding<double>*, int) {
+      return ExplicitRunResult{};
     };
 
     std::vector<LanePart::Copy> members;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <string_view>
@@ -53,6 +54,32 @@ struct ExplicitResult {
   Mask<T> accepted;  ///< residual2 is small enough, and no divisor or square root is too small
 };
 
+/// Where several of one type ended, solved one after the other.
+struct ExplicitRunResult {
+  int accepted;      ///< how many, up to the first that was not
+  int iterations;    ///< the most of any of them …
+  long all;          ///< … and of all together
+  double residual2;  ///< of these together
+};
+
+/// A kernel for one part, over and over: what is between two parts is nothing but a loop.
+template <ExplicitResult<double> (*solve)(double*, double*, double*,
+                                          const ExplicitBinding<double>&)>
+ExplicitRunResult solve_run(double* q, double* qd, double* qdd,
+                            const ExplicitBinding<double>* parts, int count) {
+  int accepted = 0, iterations = 0;  // in registers: stores to the state might change a result
+  long all = 0;
+  double residual2 = 0;
+  for (; accepted < count; ++accepted) {
+    const ExplicitResult<double> r = solve(q, qd, qdd, parts[accepted]);
+    if (!r.accepted) break;
+    iterations = std::max(iterations, r.iterations);
+    all += r.iterations;
+    residual2 += r.residual2;
+  }
+  return {accepted, iterations, all, residual2};
+}
+
 /// Generated code that solves one type of group or block (see PartType) in explicit order:
 /// unknowns in closed form one after the other, Newton–Raphson on what is left, velocities and
 /// accelerations by differentiation.
@@ -69,10 +96,10 @@ struct ExplicitKernel {
   /// branch: those on which a solved position lies.
   void (*find_branches)(const double* q, const int* in, const double* c, double* branch);
 
-  /// Positions of the unknowns on those branches, and their rates up to a level. Where it is not
-  /// accepted they are unspecified.
-  using Solve = ExplicitResult<double>(double* q, double* qd, double* qdd,
-                                       const ExplicitBinding<double>& part);
+  /// Positions of the unknowns on those branches, and their rates up to a level, of `count` parts
+  /// in their order, up to the first that is not accepted; of that one they are unspecified.
+  using Solve = ExplicitRunResult(double* q, double* qd, double* qdd,
+                                  const ExplicitBinding<double>* parts, int count);
   std::array<Solve*, 3> solve;  ///< by Level
 };
 

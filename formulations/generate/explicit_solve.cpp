@@ -50,7 +50,9 @@ class SolveWriter {
   SolveWriter(std::ostream& out, const ExplicitPlan& plan)
       : out_(out),
         plan_(plan),
-        emitter_(out, "  ", everything(plan), {"T", "", "elementary::", true}) {
+        emitter_(out, "  ", everything(plan), {"T", "", "elementary::", true}),
+        has_core_(
+            std::ranges::any_of(plan.order, [](const Stretch& s) { return !s.torn.empty(); })) {
     for (std::size_t k = 0; k < plan.roots.size(); ++k)
       emitter_.name(plan.roots[k].branch, "branch[" + std::to_string(k) + "]");
     for (const Stretch& s : plan.order)
@@ -63,31 +65,41 @@ class SolveWriter {
 
   Expressions write() {
     out_ << "template <class T, Level level>\n"
-            "ExplicitResult<T> solve(T* __restrict q, T* __restrict qd, T* __restrict qdd,\n"
-            "                        const ExplicitBinding<T>& part) {\n"
+            "[[gnu::always_inline]] inline ExplicitResult<T> solve(\n"
+            "    T* __restrict q, T* __restrict qd, T* __restrict qdd,\n"
+            "    const ExplicitBinding<T>& part) {\n"
             "  const int* const in = part.in;\n"
             "  const T *const c = part.c, *const f = part.f, *const w = part.w;\n"
             "  const T* const branch = part.branch;\n"
             "  const ExplicitLimits& limits = part.limits;\n"
             "  int iterations = 0;\n  T norm2 = 0;\n  Mask<T> sound(true);\n";
     for (std::size_t s = 0; s < plan_.order.size(); ++s) {
-      load(position(plan_, s));
-      if (plan_.order[s].torn.empty())
-        define(plan_.order[s].definitions);
-      else
-        core(s);
-      for (const int i : unknowns_of(plan_.order[s])) open_.erase(plan_.part.q[i].id());
-      verify();
-      watch(s);
-      rates(s, "qd", "velocity", plan_.part.qd, plan_.motion[s].velocities);
-      rates(s, "qdd", "acceleration", plan_.part.qdd, plan_.motion[s].accelerations);
+      positions(s);
+      if (has_core_) rates(s);
     }
+    for (std::size_t s = 0; s < plan_.order.size() && !has_core_; ++s) rates(s);
     out_ << "\n  const Mask<T> accepted = sound & (norm2 < limits.tolerance2);\n"
             "  return {norm2, iterations, accepted};\n}\n\n";
     return emitter_.folded();
   }
 
  private:
+  void positions(std::size_t s) {
+    load(position(plan_, s));
+    if (plan_.order[s].torn.empty())
+      define(plan_.order[s].definitions);
+    else
+      core(s);
+    for (const int i : unknowns_of(plan_.order[s])) open_.erase(plan_.part.q[i].id());
+    verify();
+    watch(s);
+  }
+
+  void rates(std::size_t s) {
+    rates(s, "qd", "velocity", plan_.part.qd, plan_.motion[s].velocities);
+    rates(s, "qdd", "acceleration", plan_.part.qdd, plan_.motion[s].accelerations);
+  }
+
   std::string name(const std::string& array, int input) const {
     return array + variable_name(plan_.type, input);
   }
@@ -232,6 +244,10 @@ class SolveWriter {
   std::set<int> declared_;          // inputs
   std::set<int> open_;              // nodes of unknowns that are not yet defined
   std::set<std::size_t> verified_;  // equations
+  /// What takes long to the end of a part, the angles, then begins early, and the next part's
+  /// positions need not wait behind rates. A part with a core is too long for that, and its rates
+  /// are cheaper while what they share with positions is in registers.
+  const bool has_core_;
 };
 
 }  // namespace

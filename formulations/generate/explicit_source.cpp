@@ -103,9 +103,10 @@ void write_explicit_kernel(std::ostream& out, const std::string& name, const Par
 void write_explicit_table_row(std::ostream& out, const std::string& name, const PartType& type) {
   out << "    {\"" << name << "\", \"" << type.fingerprint << "\", " << name << "::branches, "
       << name << "::unknowns, " << name << "::starts,\n     " << name << "::folded, " << name
-      << "::fold, " << name << "::find_branches,\n     {" << name
-      << "::solve<double, Level::position>, " << name << "::solve<double, Level::velocity>,\n      "
-      << name << "::solve<double, Level::acceleration>}},\n";
+      << "::fold, " << name << "::find_branches,\n     {";
+  for (const char* level : {"position", "velocity", "acceleration"})
+    out << "solve_run<" << name << "::solve<double, Level::" << level << ">>,\n      ";
+  out << "}},\n";
 }
 
 void write_lane_table_row(std::ostream& out, const std::string& name, const PartType& type) {

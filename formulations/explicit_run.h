@@ -1,0 +1,40 @@
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "formulations/explicit_part.h"
+
+namespace desmo {
+
+/// Parts in explicit order that share a kernel, solved in one call of it.
+class ExplicitRun final : public PartRun {
+ public:
+  /// members: of one kernel; they outlive the run.
+  explicit ExplicitRun(std::vector<const ExplicitPart*> members) : members_(std::move(members)) {
+    for (const ExplicitPart* const member : members_) bindings_.push_back(member->binding());
+  }
+
+  int size() const override { return static_cast<int>(members_.size()); }
+
+  Result solve(State& s, int first, Level level) override {
+    if (!assembled_) {
+      assembled_ = std::ranges::all_of(members_, &ExplicitPart::assembled);
+      if (!assembled_) return {};
+    }
+    ExplicitKernel::Solve* const solve =
+        members_.front()->kernel().solve[static_cast<std::size_t>(level)];
+    const auto [accepted, iterations, all, residual2] =
+        solve(s.q.data(), s.qd.data(), s.qdd.data(), bindings_.data() + first, size() - first);
+    return {accepted, iterations, all, residual2};
+  }
+
+  void forget() override { assembled_ = false; }
+
+ private:
+  std::vector<const ExplicitPart*> members_;
+  std::vector<ExplicitBinding<double>> bindings_;  // of the members, beside each other in memory
+  bool assembled_ = false;                         // every member, since forget()
+};
+
+}  // namespace desmo
