@@ -6,6 +6,7 @@
 #include <string>
 
 #include "formulations/algebra/backend.h"
+#include "formulations/algebra/mixed.h"
 #include "formulations/equations/lane_kernel.h"
 
 namespace desmo {
@@ -15,6 +16,8 @@ namespace {
 const char* generated_name(bool explicit_order) { return explicit_order ? "explicit" : "inlined"; }
 
 std::vector<Variant> make_variants() {
+  std::vector<const Backend*> algebras(backends().begin(), backends().end());
+  algebras.push_back(&mixed_backend);
   std::vector<Variant> table;
   for (const auto& [partition, partition_name] :
        {std::pair{Partition::global, std::string("global")},
@@ -22,7 +25,7 @@ std::vector<Variant> make_variants() {
         std::pair{Partition::block, std::string("block")}}) {
     for (const auto& [evaluation, evaluation_name] : {std::pair{Evaluation::automatic, "automatic"},
                                                       std::pair{Evaluation::symbolic, "symbolic"}})
-      for (const Backend* backend : backends())
+      for (const Backend* backend : algebras)
         table.push_back({partition_name + "_" + evaluation_name + "_" + std::string(backend->name),
                          partition, evaluation, backend});
     // All unknowns at once would be one type of part for every size of a mechanism.
@@ -59,6 +62,8 @@ bool is_dense_global(const Variant& v) {
 
 bool has_phases(const Variant& v) { return v.backend != nullptr; }
 
+bool chooses_solvers(const Variant& v) { return v.backend && v.backend->choose; }
+
 std::string why_not(const Variant& v, const Settings& s) {
   if (!(s.tolerance > 0) || s.max_iterations < 1 || s.fixed_iterations < 0)
     return "the tolerance must be positive, at least one iteration allowed, and the fixed number "
@@ -82,6 +87,8 @@ std::string why_not(const Variant& v, const Settings& s) {
     if (other_scalar) return "generated code is in double precision";
     return {};
   }
+  if (other_scalar && chooses_solvers(v))
+    return "solvers are chosen among dense and sparse ones, and these are in double precision";
   if (other_scalar && !v.backend->dense)
     return "the sparse library " + std::string(v.backend->name) + " factorises in double precision";
   if (s.scalar == Scalar::single_precision) {

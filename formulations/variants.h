@@ -33,7 +33,7 @@ std::span<const Variant> variants();
 /// The variant of that id. Throws std::invalid_argument, listing the ids, when there is none.
 const Variant& find_variant(std::string_view id);
 
-/// "lapack", "klu", …, "inlined", "explicit".
+/// "lapack", "klu", …, "mixed", "inlined", "explicit".
 std::string_view algebra_name(const Variant& variant);
 
 /// Whether it solves all unknowns at once with dense matrices, at O(n³) a step.
@@ -41,6 +41,10 @@ bool is_dense_global(const Variant& variant);
 
 /// Whether its phases can be measured apart (generated elimination has none).
 bool has_phases(const Variant& variant);
+
+/// Whether measurement chooses the library of each of its parts (algebra/mixed.h): another process
+/// may choose otherwise, and its results then differ in the last digits. See part_solvers.h.
+bool chooses_solvers(const Variant& variant);
 
 /// Why a variant does not offer these settings, in a sentence without a full stop; empty when it
 /// does. What it names is not applicable: it is refused, never silently replaced.

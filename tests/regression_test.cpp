@@ -31,6 +31,7 @@ TEST(CellNames, AreReadOrRefused) {
 
 TEST(CheckedCells, UseEveryPartitionEvaluationAndAlgebraOfThisBuild) {
   for (const Variant& v : variants()) {
+    if (chooses_solvers(v)) continue;  // see cells.h
     bool partition = false, evaluation = false, algebra = false;
     for (const char* cell : checked_cells) {
       const std::string id = parse_cell(cell).id;

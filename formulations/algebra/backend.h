@@ -38,9 +38,12 @@ struct Backend {
   /// settings.scalar: a dense one offers all, a sparse one double precision only.
   std::unique_ptr<Part> (*make_part)(const PartContext&);
   std::string (*version)();
+  /// Where measurement decides (see algebra/mixed.h), which of the others makes a part. Null: this
+  /// one does.
+  const Backend& (*choose)(const PartContext&) = nullptr;
 };
 
-/// The backends of this build, in the order of the design.
+/// The libraries of this build, in the order of the design.
 std::span<const Backend* const> backends();
 
 /// NewtonSolver's `patience` with a sparse factorisation, of which assembly is a good part.
