@@ -78,6 +78,13 @@ struct CellKey {
   auto operator<=>(const CellKey&) const = default;
 };
 
+/// So many parts that a library solves, of so many unknowns each.
+struct Solver {
+  std::string algebra;
+  std::int64_t parts = 0;
+  std::array<std::int64_t, 2> unknowns{};  ///< least, most
+};
+
 struct Cell {
   Status status = Status::not_run;
   std::string message;  ///< why it failed or was not run
@@ -88,6 +95,7 @@ struct Cell {
   std::optional<double> setup_seconds;
   std::optional<double> iterations_per_step;
   std::optional<double> residual;
+  std::vector<Solver> solvers;  ///< where they were chosen by measurement; since 1.10.0
 };
 
 /// Where the wall-clock time of a step went in an instrumented run.

@@ -96,6 +96,20 @@ Segments read_segments(const JsonNode& node, const Settings& settings,
   return segments;
 }
 
+std::vector<Solver> read_solvers(const JsonNode& node) {
+  std::vector<Solver> solvers;
+  if (const auto list = node.find("solvers"))
+    for (const JsonNode& solver : list->elements()) {
+      const JsonNode unknowns = solver["unknowns"];
+      const std::vector<JsonNode> range = unknowns.elements();
+      if (range.size() != 2) unknowns.complain("the least and the most were expected");
+      solvers.push_back({solver["algebra"].text(),
+                         solver["parts"].integer(1),
+                         {range[0].integer(1), range[1].integer(1)}});
+    }
+  return solvers;
+}
+
 Cell read_cell(const JsonNode& node, const Settings& settings) {
   Cell cell{.status = read_status(node["status"]),
             .message = {},
@@ -105,7 +119,8 @@ Cell read_cell(const JsonNode& node, const Settings& settings) {
             .verification = std::nullopt,
             .setup_seconds = read_optional(node, "setup_seconds"),
             .iterations_per_step = read_optional(node, "iterations_per_step"),
-            .residual = read_optional(node, "residual")};
+            .residual = read_optional(node, "residual"),
+            .solvers = read_solvers(node)};
   if (const auto message = node.find("message")) cell.message = message->text();
   if (const auto checked = node.find("verification"))
     cell.verification = read_verification(*checked);

@@ -85,7 +85,8 @@ void solve(const Options& options) {
                  options.quiet);
   const auto formulation = make_formulation(*variant, plan.mechanism, settings, nullptr, &kernels);
   formulation->solve_only(plan.levels);
-  if (!options.quiet) say(note_on_code(*formulation, named));
+  if (!options.quiet)
+    say(note_on_code(*formulation, named) + note_on_solvers(*formulation, *variant));
 
   const bool in_the_way = output.is_standard_output() && ::isatty(STDOUT_FILENO) == 1;
   Progress progress(input.scene.grid.instants, !options.quiet && !in_the_way);

@@ -61,6 +61,16 @@ Entry ratio_entry(const Record& record, const std::optional<CellKey>& reference,
   return entry;
 }
 
+/// "klu: 15 of 16 to 39 unknowns; eigen: 5 of 4 unknowns": by how many parts.
+std::string solvers_text(const std::vector<Solver>& solvers) {
+  std::string text;
+  for (const auto& [algebra, parts, unknowns] : solvers)
+    text += (text.empty() ? "" : "; ") + algebra + ": " + std::to_string(parts) + " of " +
+            (unknowns[0] < unknowns[1] ? std::to_string(unknowns[0]) + " to " : "") +
+            std::to_string(unknowns[1]) + " unknowns";
+  return text;
+}
+
 std::string failure(const CellKey& key, const std::string& request, const std::string& why) {
   return std::string(failed_mark) + ": " + key.case_name + "/" + std::to_string(key.coordinates) +
          "/" + key.id + request + ": " + why;
@@ -107,7 +117,9 @@ Table every_formulation(const Record& record, std::string_view case_name,
         {text_entry(key.id), range_entry(time), number_entry(step, 4),
          ratio_entry(record, reference, key), number_entry(cell.iterations_per_step, 3),
          number_entry(position, 2), number_entry(velocity, 2), number_entry(acceleration, 2),
-         number_entry(cell.setup_seconds, 2), text_entry(remark(cell.status, cell.message))});
+         number_entry(cell.setup_seconds, 2),
+         text_entry(cell.status == Status::ok ? solvers_text(cell.solvers)
+                                              : remark(cell.status, cell.message))});
   }
   return table;
 }

@@ -107,6 +107,17 @@ TEST_F(Cli, TakesSettingsAsSuffixesOfTheFormulation) {
   EXPECT_TRUE(says("factorises in double precision")) << err_;
 }
 
+/// Which one is for the machine to say.
+TEST_F(Cli, SaysWhichSolversMeasurementHasChosen) {
+  ASSERT_EQ(desmo("solve slider_crank --formulation global_automatic_mixed"), 0) << err_;
+  EXPECT_TRUE(says("note: chosen by measurement: ")) << err_;
+  EXPECT_TRUE(says(" for 1 part of 6 unknowns")) << err_;
+  ASSERT_EQ(desmo("solve slider_crank --formulation group_automatic_klu"), 0) << err_;
+  EXPECT_FALSE(says("chosen by measurement")) << err_;
+  EXPECT_EQ(desmo("solve slider_crank --formulation group_automatic_mixed/scalar:mixed"), 64);
+  EXPECT_TRUE(says("solvers are chosen among dense and sparse ones")) << err_;
+}
+
 TEST_F(Cli, DeliversOnlyWhatIsAskedFor) {
   const auto solve = [&](const std::string& request) {
     write("scene.json",

@@ -123,6 +123,8 @@ TEST(RecordReader, RefusesWrongTypesAndValues) {
   EXPECT_CONTAINS(with("/cells/0/case", "../escape"), "cells[0].case: \"../escape\" is not a name");
   EXPECT_CONTAINS(with("/cells/0/verification/position", -1), "cells[0].verification.position: -1");
   EXPECT_CONTAINS(with("/cells/0/residual", 1e200), "cells[0].residual: ");
+  EXPECT_CONTAINS(with("/cells/0/solvers", {{{"algebra", "klu"}, {"parts", 1}, {"unknowns", {4}}}}),
+                  "cells[0].solvers[0].unknowns: ");
   EXPECT_CONTAINS(with("/cells", Json::object()), "cells: an array was expected, not object");
   EXPECT_CONTAINS(with("/record/libraries/KLU", 2), "record.libraries.KLU: a string was expected");
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "bench/suite/cell.h"
 #include "bench/suite/cpu_clock.h"
 #include "bench/suite/options.h"
+#include "bench/suite/record.h"
 #include "bench/suite/segments.h"
 #include "bench/suite/structure.h"
 #include "bench/suite/verification.h"
@@ -115,6 +117,27 @@ TEST(Cells, SayWhyDenseGlobalSolvesAreNotRun) {
   const Cell cell(find_case("four_bar"), 558, find_variant("global_automatic_lapack"), o);
   EXPECT_EQ(cell.state, Cell::State::not_run);
   EXPECT_NE(cell.message.find("O(n^3)"), std::string::npos);
+}
+
+TEST(Cells, SayWhichSolversMeasurementHasChosen) {
+  Options o;
+  o.duration = 0.5;
+  ReferenceCache references;
+  const auto json = [&](const char* id) {
+    Cell cell(find_case("truck_suspension"), 114, find_variant(id), o);
+    cell.verify(references);
+    EXPECT_EQ(cell.state, Cell::State::verified) << cell.message;
+    return lists_of({&cell})["cells"][0];
+  };
+  const auto cell = json("group_automatic_mixed");
+  int parts = 0;
+  for (const auto& solver : cell["solvers"]) {
+    EXPECT_GE(solver["unknowns"][0], 16);
+    EXPECT_LE(solver["unknowns"][1], 39);
+    parts += solver["parts"].get<int>();
+  }
+  EXPECT_EQ(parts, 5);
+  EXPECT_FALSE(json("group_automatic_klu").contains("solvers"));
 }
 
 class Idle final : public Part {
