@@ -21,9 +21,10 @@ constexpr std::array<std::string_view, 6> growing{"group_symbolic_explicit",
                                                   "block_symbolic_klu",
                                                   "global_automatic_klu"};
 
-constexpr std::array<std::string_view, 5> crossing{
-    "global_automatic_lapack", "global_automatic_eigen", "global_automatic_klu",
-    "global_automatic_umfpack", "global_automatic_cholmod"};
+/// The last chooses for itself.
+constexpr std::array<std::string_view, 6> crossing{
+    "global_automatic_lapack",  "global_automatic_eigen",   "global_automatic_klu",
+    "global_automatic_umfpack", "global_automatic_cholmod", "global_automatic_mixed"};
 
 /// 3 + 111 k: both cases have them.
 constexpr std::array coordinates{114,  225,  336,  447,   558,   1002,
