@@ -15,9 +15,7 @@ namespace {
 
 const char* generated_name(bool explicit_order) { return explicit_order ? "explicit" : "inlined"; }
 
-std::vector<Variant> make_variants() {
-  std::vector<const Backend*> algebras(backends().begin(), backends().end());
-  algebras.push_back(&mixed_backend);
+std::vector<Variant> make_variants(std::span<const Backend* const> with) {
   std::vector<Variant> table;
   for (const auto& [partition, partition_name] :
        {std::pair{Partition::global, std::string("global")},
@@ -25,7 +23,7 @@ std::vector<Variant> make_variants() {
         std::pair{Partition::block, std::string("block")}}) {
     for (const auto& [evaluation, evaluation_name] : {std::pair{Evaluation::automatic, "automatic"},
                                                       std::pair{Evaluation::symbolic, "symbolic"}})
-      for (const Backend* backend : algebras)
+      for (const Backend* backend : with)
         table.push_back({partition_name + "_" + evaluation_name + "_" + std::string(backend->name),
                          partition, evaluation, backend});
     // All unknowns at once would be one type of part for every size of a mechanism.
@@ -40,13 +38,19 @@ std::vector<Variant> make_variants() {
 }  // namespace
 
 std::span<const Variant> variants() {
-  static const std::vector<Variant> table = make_variants();
+  static const std::vector<Variant> table = [] {
+    std::vector<const Backend*> algebras(backends().begin(), backends().end());
+    algebras.push_back(&mixed_backend);
+    return make_variants(algebras);
+  }();
   return table;
 }
 
 const Variant& find_variant(std::string_view id) {
   const auto it = std::ranges::find(variants(), id, &Variant::id);
   if (it != variants().end()) return *it;
+  if (const std::string reason = not_here(id); !reason.empty())
+    throw std::invalid_argument("formulation '" + std::string(id) + "': " + reason);
   std::string known;
   for (const Variant& v : variants()) known += "\n  " + v.id;
   throw std::invalid_argument("unknown formulation '" + std::string(id) + "'; there are:" + known);
@@ -108,6 +112,21 @@ std::string not_here(const Settings& s) {
       return std::to_string(at_once) +
              " lanes need a processor with AVX-512 (x86-64-v4), and a build that has code for it";
   return {};
+}
+
+std::string not_here(std::string_view id) {
+  for (const Backend* b : absent_backends())
+    for (const Variant& v : make_variants({&b, 1}))
+      if (v.backend && v.id == id) return b->absence().reason;
+  return {};
+}
+
+std::vector<std::string> faulty_libraries() {
+  std::vector<std::string> notes;
+  for (const Backend* b : absent_backends())
+    if (const Absence absence = b->absence(); absence.faulty)
+      notes.push_back("no formulation with " + std::string(b->name) + ": " + absence.reason);
+  return notes;
 }
 
 std::vector<std::pair<std::string, std::string>> library_versions() {

@@ -27,10 +27,12 @@ struct Variant {
   bool explicit_order = false;  ///< unknowns in closed form one after the other, as far as may be
 };
 
-/// Every variant of this build. Tests, benchmarks and documents iterate this table.
+/// Every variant of this build that this machine has the libraries for. Tests, benchmarks and
+/// documents iterate this table.
 std::span<const Variant> variants();
 
-/// The variant of that id. Throws std::invalid_argument, listing the ids, when there is none.
+/// The variant of that id. Throws std::invalid_argument, listing the ids, when there is none, and
+/// with the reason when it is not_here.
 const Variant& find_variant(std::string_view id);
 
 /// "lapack", "klu", …, "mixed", "inlined", "explicit".
@@ -53,6 +55,14 @@ std::string why_not(const Variant& variant, const Settings& settings);
 /// Why settings that a variant offers cannot be had on this machine, as why_not says it; empty when
 /// they can.
 std::string not_here(const Settings& settings);
+
+/// Why the variant of that id, which this build has, cannot be had on this machine; empty when it
+/// can, and when there is no such variant.
+std::string not_here(std::string_view id);
+
+/// What variants are missing because a library that was found, or named, does not serve, and why: a
+/// line each. A library that is simply not there is none.
+std::vector<std::string> faulty_libraries();
 
 /// Analyses the mechanism and allocates everything. Parts of types for which there is no generated
 /// code are evaluated automatically and are not `as_named`. `profile`, when given, receives the

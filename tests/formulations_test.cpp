@@ -187,7 +187,7 @@ TEST(Variants, TableHoldsEveryPointOfTheDesign) {
                          "group_symbolic_explicit", "block_automatic_klu", "block_symbolic_inlined",
                          "block_symbolic_explicit"})
     EXPECT_EQ(find_variant(id).id, id);
-  EXPECT_THROW(find_variant("group_symbolic_ma27"), std::invalid_argument);
+  EXPECT_THROW(find_variant("group_symbolic_ma57"), std::invalid_argument);
 }
 
 TEST(Reference, QuadrupleAndDoubleDifferByRoundingOnly) {

@@ -78,8 +78,8 @@ TEST(Id, LeavesTheBaseWhereItSaysNothing) {
 
 TEST(Id, SaysWhatIsWrong) {
   const std::pair<const char*, const char*> wrong[] = {
-      {"group_symbolic_ma27", "unknown formulation 'group_symbolic_ma27'; there are:"},
-      {"group_symbolic_ma27/guess:linear", "unknown formulation 'group_symbolic_ma27'"},
+      {"group_symbolic_ma57", "unknown formulation 'group_symbolic_ma57'; there are:"},
+      {"group_symbolic_ma57/guess:linear", "unknown formulation 'group_symbolic_ma57'"},
       {"", "unknown formulation ''"},
       {"/guess:linear", "unknown formulation ''"},
       {"group_symbolic_klu/", "unknown suffix '/'"},

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "formulations/algebra/absence.h"
 #include "formulations/equations/automatic.h"
 #include "formulations/equations/symbolic.h"
 #include "formulations/newton_part.h"
@@ -38,13 +39,18 @@ struct Backend {
   /// settings.scalar: a dense one offers all, a sparse one double precision only.
   std::unique_ptr<Part> (*make_part)(const PartContext&);
   std::string (*version)();
+  bool squares_condition = false;  ///< it solves normal equations: so much worse are its errors
+  Absence (*absence)() = nullptr;  ///< null: it is linked, and always there
   /// Where measurement decides (see algebra/mixed.h), which of the others makes a part. Null: this
   /// one does.
   const Backend& (*choose)(const PartContext&) = nullptr;
 };
 
-/// The libraries of this build, in the order of the design.
+/// The libraries of this build that are on this machine, in the order of the design.
 std::span<const Backend* const> backends();
+
+/// Those of this build that are not on this machine.
+std::span<const Backend* const> absent_backends();
 
 /// NewtonSolver's `patience` with a sparse factorisation, of which assembly is a good part.
 inline constexpr int sparse_patience = 3;

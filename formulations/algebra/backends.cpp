@@ -1,3 +1,5 @@
+#include <vector>
+
 #include "formulations/algebra/backend.h"
 
 namespace desmo {
@@ -7,13 +9,31 @@ namespace desmo {
 #include "backends.inc"
 #undef DESMO_BACKEND
 
-std::span<const Backend* const> backends() {
-  static constexpr const Backend* table[] = {
+namespace {
+
+constexpr const Backend* built[] = {
 #define DESMO_BACKEND(name) &name##_backend,
 #include "backends.inc"
 #undef DESMO_BACKEND
-  };
-  return table;
+};
+
+std::vector<const Backend*> built_and(bool there) {
+  std::vector<const Backend*> found;
+  for (const Backend* b : built)
+    if ((!b->absence || b->absence().reason.empty()) == there) found.push_back(b);
+  return found;
+}
+
+}  // namespace
+
+std::span<const Backend* const> backends() {
+  static const std::vector<const Backend*> there = built_and(true);
+  return there;
+}
+
+std::span<const Backend* const> absent_backends() {
+  static const std::vector<const Backend*> absent = built_and(false);
+  return absent;
 }
 
 }  // namespace desmo

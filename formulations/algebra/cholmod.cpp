@@ -121,10 +121,12 @@ class Cholmod {
 }  // namespace
 
 extern const Backend cholmod_backend;
-const Backend cholmod_backend{"cholmod", false, &make_newton_part<Cholmod>, [] {
+const Backend cholmod_backend{"cholmod", false, &make_newton_part<Cholmod>,
+                              [] {
                                 return std::to_string(CHOLMOD_MAIN_VERSION) + "." +
                                        std::to_string(CHOLMOD_SUB_VERSION) + "." +
                                        std::to_string(CHOLMOD_SUBSUB_VERSION);
-                              }};
+                              },
+                              true};
 
 }  // namespace desmo

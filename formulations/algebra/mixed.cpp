@@ -58,8 +58,11 @@ const Backend& BackendChoice::of(const PartContext& part) {
   return *(chosen_[type] = tried[fastest(measure_(part, tried))]);
 }
 
-const Backend mixed_backend{"mixed", false,
-                            [](const PartContext& part) { return choose(part).make_part(part); },
-                            [] { return std::string("of the others"); }, &choose};
+const Backend mixed_backend{
+    .name = "mixed",
+    .dense = false,
+    .make_part = [](const PartContext& part) { return choose(part).make_part(part); },
+    .version = [] { return std::string("of the others"); },
+    .choose = &choose};
 
 }  // namespace desmo

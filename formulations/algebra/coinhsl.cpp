@@ -1,0 +1,93 @@
+#include "formulations/algebra/coinhsl.h"
+
+#include <dlfcn.h>
+#include <link.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+namespace desmo {
+
+namespace {
+
+/// As COIN-OR's build of HSL names it, and as HSL's own distribution of binaries does.
+constexpr const char* usual_names[] = {"libcoinhsl.so", "libhsl.so"};
+
+std::string loader_message() {
+  const char* const message = ::dlerror();
+  return message ? message : "no reason given";
+}
+
+/// The symbol as a function; where there is none, its name is added to what is lacking.
+template <class Function>
+void resolve(void* library, const char* symbol, Function*& function, std::string& lacking) {
+  function = reinterpret_cast<Function*>(::dlsym(library, symbol));
+  if (!function) lacking += (lacking.empty() ? "" : ", ") + std::string(symbol);
+}
+
+/// Its file as links lead to it, libcoinhsl.so.2.2.5, which tells the version where the library
+/// does not: MA27 itself does not say which it is.
+std::string version_of(void* library) {
+  std::string version;
+  link_map* map = nullptr;
+  if (::dlinfo(library, RTLD_DI_LINKMAP, &map) == 0) {
+    std::error_code error;
+    const std::filesystem::path file = map->l_name, target = canonical(file, error);
+    version = (error ? file : target).filename().string();
+  }
+  if (const auto tell =
+          reinterpret_cast<void (*)(int*, int*, int*)>(::dlsym(library, "LIBHSL_version"))) {
+    int major = 0, minor = 0, patch = 0;
+    tell(&major, &minor, &patch);
+    version +=
+        " " + std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(patch);
+  }
+  return version;
+}
+
+CoinHsl absent(const std::string& reason, bool faulty) { return {{}, {}, {reason, faulty}}; }
+
+CoinHsl use(void* library, const std::string& name) {
+  CoinHsl result;
+  std::string lacking;
+  resolve(library, "ma27id_", result.ma27.set_defaults, lacking);
+  resolve(library, "ma27ad_", result.ma27.analyse, lacking);
+  resolve(library, "ma27bd_", result.ma27.factorise, lacking);
+  resolve(library, "ma27cd_", result.ma27.solve, lacking);
+  if (!lacking.empty())
+    return absent(
+        name + " is not a library with HSL's MA27 in double precision: it has no " + lacking, true);
+  result.version = version_of(library);
+  return result;
+}
+
+void* open(const char* name) { return ::dlopen(name, RTLD_NOW | RTLD_LOCAL); }
+
+}  // namespace
+
+CoinHsl load_coinhsl(const char* file) {
+  if (file && *file) {
+    if (void* const library = open(file)) return use(library, file);
+    return absent(
+        std::string(coinhsl_variable) + " names what cannot be loaded: " + loader_message(), true);
+  }
+  std::string tried;
+  for (const char* name : usual_names) {
+    if (void* const library = open(name)) return use(library, name);
+    // What is there and lacks a library of its own is not what nobody has installed.
+    const std::string message = loader_message();
+    if (!message.starts_with(std::string(name) + ": cannot open shared object file"))
+      return absent("what was found cannot be loaded: " + message, true);
+    tried += (tried.empty() ? "" : " nor ") + std::string(name);
+  }
+  return absent("HSL's MA27 may not come with desmo: the loader finds neither " + tried + ", and " +
+                    coinhsl_variable + " does not name a file that has it",
+                false);
+}
+
+const CoinHsl& coinhsl() {
+  static const CoinHsl loaded = load_coinhsl(std::getenv(coinhsl_variable));
+  return loaded;
+}
+
+}  // namespace desmo
