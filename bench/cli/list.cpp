@@ -1,4 +1,5 @@
 // desmo list: what the program brings.
+#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -109,14 +110,20 @@ std::string to_text(const Section& section, const Json& entries) {
 }
 
 void list(const Options& options) {
+  const auto is_wanted = [&](std::string_view what) {
+    return options.what.empty() || options.what == what;
+  };
   Json all = Json::object();
   std::string text;
   for (const Section& section : sections()) {
-    if (!options.what.empty() && options.what != section.key) continue;
+    if (!is_wanted(section.key)) continue;
     all[section.key] = section.collect();
     text += (text.empty() ? "" : "\n") + to_text(section, all[section.key]);
   }
   write_standard_output(options.json ? all.dump(1) + "\n" : text);
+  if (is_wanted("formulations"))
+    for (const std::string& note : faulty_libraries())
+      std::fprintf(stderr, "desmo: %s\n", printable(note, 500).c_str());
 }
 
 }  // namespace

@@ -43,6 +43,8 @@ Configuration choose_formulation(const Options& options, const Input& input) {
     throw InputError(input.source + ": /formulation: " + what);
   };
   const std::string variant = id.substr(0, id.find('/'));
+  if (const std::string reason = not_here(variant); !reason.empty())
+    refuse("formulation " + desmo::quoted(variant) + ": " + printable(reason, 500));
   std::vector<std::string_view> ids;
   for (const Variant& v : variants()) ids.push_back(v.id);
   if (std::ranges::find(ids, variant) == ids.end())

@@ -18,7 +18,8 @@ constexpr std::array<std::pair<std::string_view, std::int64_t>, 7> prototype{
      {"group_symbolic_klu", 930'000},
      {"group_symbolic_lapack", 5'900'000}}};
 
-constexpr std::array<std::string_view, 5> algebras{"klu", "lapack", "eigen", "umfpack", "cholmod"};
+constexpr std::array<std::string_view, 6> algebras{"klu",     "lapack",  "eigen",
+                                                   "umfpack", "cholmod", "ma27"};
 
 /// What was counted, and what contradicts a claim about it.
 class Claims {

@@ -19,7 +19,7 @@ struct Side {
 };
 
 /// A program in a fixed environment: one thread, every symbol resolved at the start, no language.
-/// LD_LIBRARY_PATH is passed on.
+/// What says where libraries are, LD_LIBRARY_PATH and DESMO_LIBCOINHSL, is passed on.
 Launch fixed_launch(std::vector<std::string> arguments);
 
 }  // namespace desmo::regression

@@ -22,9 +22,10 @@ constexpr std::array<std::string_view, 6> growing{"group_symbolic_explicit",
                                                   "global_automatic_klu"};
 
 /// The last chooses for itself.
-constexpr std::array<std::string_view, 6> crossing{
-    "global_automatic_lapack",  "global_automatic_eigen",   "global_automatic_klu",
-    "global_automatic_umfpack", "global_automatic_cholmod", "global_automatic_mixed"};
+constexpr std::array<std::string_view, 7> crossing{
+    "global_automatic_lapack", "global_automatic_eigen",   "global_automatic_klu",
+    "global_automatic_umfpack", "global_automatic_cholmod", "global_automatic_ma27",
+    "global_automatic_mixed"};
 
 /// 3 + 111 k: both cases have them.
 constexpr std::array coordinates{114,  225,  336,  447,   558,   1002,
@@ -49,7 +50,7 @@ TimeGrid begin_of(const Case& c, int instants) {
   return grid;
 }
 
-/// Of this build.
+/// Of this build, on this machine.
 bool exists(std::string_view id) {
   return std::ranges::find(variants(), id.substr(0, id.find('/')), &Variant::id) !=
          variants().end();

@@ -28,6 +28,7 @@
 #include "bench/suite/request.h"
 #include "bench/suite/run_progress.h"
 #include "formulations/algebra/blas.h"
+#include "formulations/variants.h"
 
 namespace desmo::suite {
 
@@ -144,6 +145,7 @@ int run(int argc, char** argv) {
   benchmark::Initialize(&count, arguments.data());
   if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 64;
   set_blas_threads(1);  // the clock is the thread's own
+  for (const std::string& note : faulty_libraries()) std::cerr << "desmo_bench: " << note << '\n';
 
   Run record{utc_now(), command_line(argc, argv), load_averages(), {}};
   const auto cells = make_cells(options);

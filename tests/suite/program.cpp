@@ -12,8 +12,10 @@
 namespace desmo::suite {
 namespace {
 
-int run_bench(const std::string& flags) {
-  const int status = std::system((DESMO_BENCH " " + flags + " >/dev/null 2>&1").c_str());
+/// environment: settings of variables, for the shell.
+int run_bench(const std::string& flags, const std::string& environment = "") {
+  const int status =
+      std::system((environment + " " DESMO_BENCH " " + flags + " >/dev/null 2>&1").c_str());
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
@@ -88,6 +90,28 @@ TEST(Bench, RecordsAreReadByTheReport) {
                               .c_str()),
               0);
   }
+  std::filesystem::remove(record);
+}
+
+TEST(Bench, TimesThePapersSolverWhereItsLibraryIs) {
+  const std::string record = testing::TempDir() + "desmo_ma27.json";
+  const std::string flags =
+      "--duration=0.02 --record=" + record +
+      " '--benchmark_filter=truck_suspension/114/(global_automatic|group_symbolic)_(ma27|klu)$'";
+  ASSERT_EQ(run_bench(flags, "DESMO_LIBCOINHSL=" DESMO_MA27_DOUBLE), 0);
+  std::ifstream in(record);
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  const std::string library = std::filesystem::path(DESMO_MA27_DOUBLE).filename().string();
+  for (const std::string& part :
+       {"\"" + library + " 1.2.3\"", std::string("\"id\":\"global_automatic_ma27\""),
+        std::string("\"id\":\"group_symbolic_ma27\"")})
+    EXPECT_NE(text.find(part), std::string::npos) << part;
+  EXPECT_EQ(text.find("\"status\":\"failed\""), std::string::npos);
+  EXPECT_EQ(std::system((DESMO_REPORT " tables " + record + " >/dev/null 2>&1").c_str()), 0);
+
+  EXPECT_EQ(run_bench("--formulation=group_automatic_ma27/guess:linear",
+                      "DESMO_LIBCOINHSL=" DESMO_MA27_INCOMPLETE),
+            64);
   std::filesystem::remove(record);
 }
 
