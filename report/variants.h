@@ -11,8 +11,12 @@
 
 namespace desmo::report {
 
-/// The stand-ins for MA27, which cannot be redistributed.
-inline constexpr std::array<std::string_view, 3> sparse_families{"cholmod", "umfpack", "klu"};
+/// MA27, which cannot be redistributed: only a user who has it can record it.
+inline constexpr std::string_view papers_own = "ma27";
+/// What stands in for it, and all, in the order of tables.
+inline constexpr std::array<std::string_view, 3> stand_ins{"cholmod", "umfpack", "klu"};
+inline constexpr std::array<std::string_view, 4> sparse_families{papers_own, "cholmod", "umfpack",
+                                                                 "klu"};
 
 struct Variant {
   std::string_view paper_name;  ///< "MA27" in it gives way to the family

@@ -135,6 +135,8 @@ Section conclusion(const Record& record) {
                 ".";
 
   for (const Family& family : families) section.paragraphs.push_back(family_sentence(family));
+  if (std::string own = papers_own_verdict(record, families); !own.empty())
+    section.paragraphs.push_back(std::move(own));
   std::string last = summary_sentence(agreement(record, families), families);
   if (const std::string best = best_sentence(families); !best.empty()) last += " " + best;
   last += claim_text;

@@ -41,6 +41,13 @@ Order order(const Record& record, const Family& family, std::size_t reference,
   return Order::within_spread;
 }
 
+/// On all claims.
+std::vector<std::string> verdicts(const Record& record, const Family& family) {
+  std::vector<std::string> all;
+  for (const Claim& claim : claims()) all.push_back(verdict(record, family, claim));
+  return all;
+}
+
 }  // namespace
 
 const std::vector<Claim>& claims() {
@@ -100,17 +107,28 @@ std::string ranking_verdict(const Record& record, const Family& family) {
 
 Agreement agreement(const Record& record, const std::vector<Family>& families) {
   std::set<std::vector<std::string>> found;
-  for (const Family& family : families) {
-    if (family.ranking.empty()) continue;
-    std::vector<std::string> verdicts;
-    for (const Claim& claim : claims()) verdicts.push_back(verdict(record, family, claim));
-    found.insert(verdicts);
-  }
+  for (const Family& family : families)
+    if (!family.ranking.empty()) found.insert(verdicts(record, family));
   if (found.empty()) return Agreement::nothing_judged;
   if (found.size() > 1) return Agreement::depends_on_solver;
   const bool all_hold = std::all_of(found.begin()->begin(), found.begin()->end(),
                                     [](const std::string& text) { return text == "holds"; });
   return all_hold ? Agreement::as_the_paper : Agreement::not_as_the_paper;
+}
+
+std::string papers_own_verdict(const Record& record, const std::vector<Family>& families) {
+  const auto own = std::ranges::find(families, papers_own, &Family::name);
+  if (own == families.end() || own->ranking.empty()) return {};
+  std::vector<std::string> same, other;
+  for (const Family& family : families)
+    if (family.name != papers_own && !family.ranking.empty())
+      (verdicts(record, family) == verdicts(record, *own) ? same : other).push_back(family.name);
+  const bool as_the_paper = agreement(record, {*own}) == Agreement::as_the_paper;
+  std::string text = "With MA27, the paper's own solver, the verdict is " +
+                     std::string(as_the_paper ? "the paper's" : "not the paper's in every point");
+  if (!same.empty()) text += "; it is the same with " + enumeration(same);
+  if (!other.empty()) text += "; it is another with " + enumeration(other);
+  return text + ".";
 }
 
 std::string enumeration(const std::vector<std::string>& items) {
@@ -126,7 +144,8 @@ std::string best_by_family(const std::vector<Family>& families, const std::strin
   for (const Family& family : families) {
     if (family.ranking.empty()) continue;
     const double ratio = family.over_global.at(best).value;
-    items.push_back(write(ratio, ratio_digits(ratio)) + unit + " with " + family.name);
+    items.push_back(write(ratio, ratio_digits(ratio)) + unit + " with " + family.name +
+                    (family.name == papers_own ? " (the paper's own)" : ""));
   }
   return enumeration(items);
 }

@@ -45,11 +45,16 @@ std::string ranking_verdict(const Record& record, const Family& family);
 enum class Agreement { nothing_judged, depends_on_solver, as_the_paper, not_as_the_paper };
 Agreement agreement(const Record& record, const std::vector<Family>& families);
 
+/// What the paper's own solver says of its conclusion, where it was recorded and can be judged, and
+/// which of its stand-ins say the same; else empty.
+std::string papers_own_verdict(const Record& record, const std::vector<Family>& families);
+
 /// "a, b and c"
 std::string enumeration(const std::vector<std::string>& items);
 
 /// The mean speed-up of the paper's fastest variant: "0.75 with cholmod and 2.37 with umfpack", or
-/// with `unit` after each number; empty when no family can be judged.
+/// with `unit` after each number; the paper's own solver is called that. Empty when no family can
+/// be judged.
 std::string best_by_family(const std::vector<Family>& families, const std::string& unit = "");
 
 }  // namespace desmo::report

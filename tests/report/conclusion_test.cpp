@@ -68,7 +68,7 @@ TEST(Conclusion, IsReversedThroughout) {
   set_family(json, "group_automatic_lapack", 4);
   set_family(json, "group_symbolic_lapack", 5);
   const Table table = conclusion(record_from(json)).tables.front();
-  for (const std::string_view family : sparse_families) {
+  for (const std::string_view family : stand_ins) {
     for (std::size_t row = 0; row < 3; ++row)
       EXPECT_EQ(entry_at(table, {table.rows[row][0].shown}, std::string(family)).shown,
                 "is reversed");

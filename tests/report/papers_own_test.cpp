@@ -1,0 +1,101 @@
+// A record of somebody who has MA27: the paper's own solver beside its stand-ins.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "report/figures/figures.h"
+#include "report/tables/tables.h"
+#include "report/tables/verdicts.h"
+#include "report/variants.h"
+#include "tests/report/sample.h"
+
+namespace desmo::report {
+namespace {
+
+/// Its cells are those of another family at first; times as in the paper when they are set.
+Json record_with_ma27() {
+  Json json = complete_record();
+  Json more = Json::array();
+  for (Json cell : json["cells"])
+    if (std::string id = cell["id"]; id.ends_with("_umfpack")) {
+      cell["id"] = id.replace(id.size() - 7, 7, papers_own);
+      more.push_back(std::move(cell));
+    }
+  for (Json& cell : more) json["cells"].push_back(std::move(cell));
+  json["record"]["libraries"]["ma27"] = "libcoinhsl.so.2.2.5";
+  return json;
+}
+
+Json with_times(Json json, const std::string& family, double global, double automatic,
+                double symbolic) {
+  set_family(json, "global_automatic_" + family, global);
+  set_family(json, "group_automatic_" + family, automatic);
+  set_family(json, "group_symbolic_" + family, symbolic);
+  return json;
+}
+
+/// MA27 and UMFPACK as in the paper, KLU faster than every LAPACK variant.
+Json like_the_paper() {
+  Json json = record_with_ma27();
+  set_family(json, "group_automatic_lapack", 2.7);
+  set_family(json, "group_symbolic_lapack", 1.9);
+  for (const char* family : {"ma27", "umfpack", "cholmod"})
+    json = with_times(std::move(json), family, 7.1, 5.7, 3.5);
+  return with_times(std::move(json), "klu", 0.5, 0.4, 0.3);
+}
+
+bool says(const std::vector<std::string>& texts, const std::string& part) {
+  return std::ranges::any_of(
+      texts, [&](const std::string& text) { return text.find(part) != std::string::npos; });
+}
+
+TEST(PapersOwn, StandsFirstAndIsComparedDirectly) {
+  const Record record = record_from(like_the_paper());
+  const Table times = cpu_times(record, papers_own);
+  EXPECT_EQ(times.name, "table1_ma27");
+  EXPECT_TRUE(says(times.notes, "The paper: MA27, too, MKL's LAPACK"));
+  EXPECT_FALSE(says(times.notes, "in place of"));
+  EXPECT_TRUE(says(cpu_times(record, "klu").notes, "The paper: MA27 in place of klu, "));
+  EXPECT_TRUE(entry_at(times, {"558", "ours"}, "TS-G_ma27").has_number());
+  const Table figure = figure_of_speed_ups(record);
+  ASSERT_EQ(figure.columns.size(), 6u);
+  EXPECT_EQ(figure.columns[1].name, paper_solver);
+  EXPECT_EQ(figure.columns[2].name, papers_own);
+  EXPECT_NE(figures(record)[1].content.find("\"ma27\""), std::string::npos);
+}
+
+TEST(PapersOwn, SaysWhatItSaysOfTheConclusion) {
+  const std::vector<std::string> texts = conclusion(record_from(like_the_paper())).paragraphs;
+  EXPECT_TRUE(says(texts,
+                   "With MA27, the paper's own solver, the verdict is the paper's; it is the same "
+                   "with cholmod and umfpack; it is another with klu."))
+      << texts[texts.size() - 2];
+  EXPECT_TRUE(says(texts, "here 3.74 times with ma27 (the paper's own), 3.74 times with cholmod"))
+      << texts.back();
+  EXPECT_TRUE(says(answer(record_from(like_the_paper())).paragraphs,
+                   "here that speed-up is 3.74 with ma27 (the paper's own), 3.74 with cholmod"));
+}
+
+TEST(PapersOwn, MayContradictThePaper) {
+  Json json = with_times(like_the_paper(), "ma27", 0.5, 0.4, 0.3);
+  EXPECT_TRUE(says(conclusion(record_from(json)).paragraphs,
+                   "the verdict is not the paper's in every point; it is the same with klu; it is "
+                   "another with cholmod and umfpack."));
+  for (const int size : {114, 225, 336, 447, 558})
+    fail_cell(json, truck, size, "global_automatic_ma27");
+  EXPECT_FALSE(says(conclusion(record_from(json)).paragraphs, "the paper's own solver"));
+}
+
+TEST(PapersOwn, IsNoStandIn) {
+  Json json = record_with_ma27();
+  const auto limits = [&] { return limitations(record_from(json)).paragraphs; };
+  EXPECT_TRUE(says(limits(), "a library of the user's, libcoinhsl.so.2.2.5, on normal equations"));
+  EXPECT_FALSE(says(limits(), "stand in this record"));
+  erase_family(json, "klu");
+  EXPECT_TRUE(says(limits(), "Only 2 of 3 sparse solvers stand in this record."));
+  EXPECT_TRUE(says(limitations(record_from(complete_record())).paragraphs,
+                   "MA27, cannot be redistributed; cholmod, umfpack and klu stand for it"));
+}
+
+}  // namespace
+}  // namespace desmo::report
