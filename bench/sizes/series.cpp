@@ -23,7 +23,7 @@ constexpr std::array<std::string_view, 6> growing{"group_symbolic_explicit",
 
 /// The last chooses for itself.
 constexpr std::array<std::string_view, 7> crossing{
-    "global_automatic_lapack", "global_automatic_eigen",   "global_automatic_klu",
+    "global_automatic_lapack",  "global_automatic_eigen",   "global_automatic_klu",
     "global_automatic_umfpack", "global_automatic_cholmod", "global_automatic_ma27",
     "global_automatic_mixed"};
 
