@@ -1,4 +1,6 @@
 // Initial guesses and Jacobian reuse, of the formulation that everything is compared with.
+#include <algorithm>
+
 #include "report/digits.h"
 #include "report/measurements.h"
 #include "report/precision/selection.h"
@@ -47,8 +49,13 @@ void add_rows(Table& table, const SeriesKey& series, const Points& points) {
          error_entry(best), iterations_entry(best), step_time_entry(best),
          step_ratio_entry(usual.paper, best), step_ratio_entry(usual.stopped, best)});
   };
-  for (const char* guess : guesses)
+  for (const char* guess : guesses) {
+    const auto is_tried = [&](const NamedPoint* p) {
+      return p->second.configuration.guess == guess;
+    };
+    if (std::ranges::none_of(points, is_tried)) continue;  // a record may be older than a guess
     for (const char* update : updates) add(guess, update, usual.best(guess, update));
+  }
   if (const NamedPoint* per_level = usual.best("previous", "newton", "per_level"))
     add("previous", "newton, factors for each level", per_level);
 }

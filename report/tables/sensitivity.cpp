@@ -57,6 +57,10 @@ std::vector<Choice> choices(const Record& record) {
       all.back().settings.tolerance = t->second;
     }
   for (const char* guess : guesses) {
+    const auto is_tried = [&](const NamedPoint& p) {
+      return p.second.configuration.guess == guess;
+    };
+    if (std::ranges::none_of(record.points, is_tried)) continue;  // as in a record older than it
     all.push_back({"guess", guess, usual_step, {}});
     all.back().settings.guess = guess;
   }
