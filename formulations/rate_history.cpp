@@ -37,7 +37,7 @@ void RateHistory::remember(double interval, const double* qd, const double* qdd)
   known_ = std::min(known_ + 1, instants);
   intervals_[0] = interval;
   const std::size_t size = coordinates_.size();
-  double* __restrict const v = &rates_[at_[0]], * __restrict const a = v + size;
+  double* __restrict const v = rates_.data() + at_[0], * __restrict const a = v + size;
   for (std::size_t n = 0; n < size; ++n) {
     v[n] = qd[coordinates_[n]];
     a[n] = qdd[coordinates_[n]];
@@ -86,7 +86,7 @@ void RateHistory::weigh(const Ratios& ratios) {
 
 /// Σ_j (h β_j q̇_j + h² γ_j q̈_j), the smallest terms first.
 void RateHistory::add_changes(double h) {
-  const auto rates = [&](int j) { return &rates_[at_[j]]; };
+  const auto rates = [&](int j) { return rates_.data() + at_[j]; };
   const double *at_0 = rates(0), *at_1 = rates(1), *at_2 = rates(2), *at_3 = rates(3);
   const auto w = [&](const std::array<double, instants>& weights, double unit) {
     std::array<double, instants> result;
