@@ -116,7 +116,11 @@ void Formulation::prepare() {
   }
   for (std::size_t level = 0; level < unknowns.size(); ++level) {
     std::ranges::sort(unknowns[level]);
-    predictors_[level] = Predictor(settings_.guess, runs_of(unknowns[level]));
+    // Rates of earlier instants are of use where there are accelerations.
+    const Guess guess = static_cast<Level>(level) == Level::acceleration
+                            ? settings_.guess
+                            : std::min(settings_.guess, Guess::hermite5);
+    predictors_[level] = Predictor(guess, runs_of(unknowns[level]));
   }
   make_runs();
 }
@@ -125,11 +129,14 @@ void Formulation::prepare() {
 void Formulation::make_runs() {
   runs_.clear();
   std::vector<Part*> solvers;
+  for (const Stage& stage : moving_) solvers.push_back(stage.solver);
+  std::size_t same_level = 0;  // the end of the parts that are solved to one level
   for (std::size_t first = 0; first < moving_.size();) {
-    solvers.clear();
-    for (std::size_t i = first; i < moving_.size() && moving_[i].level == moving_[first].level; ++i)
-      solvers.push_back(moving_[i].solver);
-    std::unique_ptr<PartRun> run = solvers.front()->make_run(solvers);
+    while (same_level < moving_.size() &&
+           (same_level <= first || moving_[same_level].level == moving_[first].level))
+      ++same_level;
+    std::unique_ptr<PartRun> run =
+        solvers[first]->make_run(std::span(solvers).subspan(first, same_level - first));
     const int members = run ? run->size() : 1;
     for (int i = 0; run && i < members; ++i) {
       moving_[first + i].run = run.get();

@@ -40,7 +40,7 @@ struct PartType {
   int rows() const { return static_cast<int>(row_names.size()); }
 };
 
-/// The canonical form of a part of one group.
+/// The canonical form of a part, of one group or more.
 PartType describe_type(const Mechanism& mechanism, const PartDefinition& part);
 
 }  // namespace desmo

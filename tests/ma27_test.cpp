@@ -77,6 +77,13 @@ TEST(CoinHsl, SaysWhichEntryIsLacking) {
   EXPECT_TRUE(lacking.absence.reason.ends_with("it has no ma27bd_")) << lacking.absence.reason;
 }
 
+TEST(CoinHsl, TakesNoLibraryThatSaysItSolvesNothing) {
+  const CoinHsl dummy = load_coinhsl(DESMO_MA27_DUMMY);
+  EXPECT_TRUE(dummy.absence.faulty);
+  EXPECT_TRUE(says(dummy.absence.reason, DESMO_MA27_DUMMY)) << dummy.absence.reason;
+  EXPECT_TRUE(says(dummy.absence.reason, "solves nothing")) << dummy.absence.reason;
+}
+
 TEST(CoinHsl, SaysWhatCannotBeLoaded) {
   const CoinHsl nothing = load_coinhsl("/nonexistent/libcoinhsl.so");
   EXPECT_TRUE(nothing.absence.faulty);

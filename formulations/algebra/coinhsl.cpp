@@ -57,6 +57,9 @@ CoinHsl use(void* library, const std::string& name) {
   if (!lacking.empty())
     return absent(
         name + " is not a library with HSL's MA27 in double precision: it has no " + lacking, true);
+  const auto functional = reinterpret_cast<bool (*)()>(::dlsym(library, "LIBHSL_isfunctional"));
+  if (functional && !functional())
+    return absent(name + " is the stand-in for HSL's library that solves nothing", true);
   result.version = version_of(library);
   return result;
 }
@@ -74,9 +77,10 @@ CoinHsl load_coinhsl(const char* file) {
   std::string tried;
   for (const char* name : usual_names) {
     if (void* const library = open(name)) return use(library, name);
-    // What is there and lacks a library of its own is not what nobody has installed.
+    // What nobody has installed is named as it was asked for; what is there and cannot be loaded,
+    // by its file or by the library that it lacks.
     const std::string message = loader_message();
-    if (!message.starts_with(std::string(name) + ": cannot open shared object file"))
+    if (!message.starts_with(std::string(name) + ":"))
       return absent("what was found cannot be loaded: " + message, true);
     tried += (tried.empty() ? "" : " nor ") + std::string(name);
   }

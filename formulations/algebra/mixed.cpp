@@ -3,6 +3,7 @@
 #include "formulations/algebra/mixed.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "formulations/algebra/step_seconds.h"
 #include "formulations/part_type.h"
@@ -32,6 +33,9 @@ std::string key(const PartContext& part) {
 std::vector<const Backend*> candidates(std::span<const Backend* const> backends, int unknowns) {
   std::vector<const Backend*> all(backends.begin(), backends.end());
   if (unknowns > largest_dense) std::erase_if(all, [](const Backend* b) { return b->dense; });
+  // Nor are normal equations: measured where they are well conditioned, they would be used where
+  // they are not.
+  std::erase_if(all, [](const Backend* b) { return b->squares_condition; });
   std::ranges::stable_partition(all, [](const Backend* b) { return !b->dense; });
   return all;
 }
@@ -55,7 +59,10 @@ const Backend& BackendChoice::of(const PartContext& part) {
   const std::string type = key(part);
   if (const auto known = chosen_.find(type); known != chosen_.end()) return *known->second;
   const auto tried = candidates(backends_, static_cast<int>(part.definition.unknowns.size()));
-  return *(chosen_[type] = tried[fastest(measure_(part, tried))]);
+  const std::vector<double> seconds = measure_(part, tried);
+  const std::size_t best = fastest(seconds);
+  if (!std::isfinite(seconds[best])) return *tried[best];  // of this part nothing can be learnt
+  return *(chosen_[type] = tried[best]);
 }
 
 const Backend mixed_backend{

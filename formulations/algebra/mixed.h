@@ -41,7 +41,7 @@ class BackendChoice {
  private:
   std::span<const Backend* const> backends_;
   Measure measure_;
-  std::mutex mutex_;  // one type is measured at a time, and nothing beside it
+  std::mutex mutex_;  // one type is measured at a time
   std::map<std::string, const Backend*> chosen_;
 };
 

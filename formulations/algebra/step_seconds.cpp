@@ -18,7 +18,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Between the three of the paper's guess and the one of a good guess.
 constexpr int iterations = 2;
 
-constexpr double sample = 20e-6;  // s, hundreds of times what reading the clock takes
+constexpr double most_steps = 1e6;  // of a sample, should the clock stand still
+constexpr double sample = 20e-6;    // s, hundreds of times what reading the clock takes
 constexpr int rounds = 15;
 constexpr int least_rounds = 3;  // one sample alone may have been disturbed
 constexpr double hopeless = 2;   // times the fastest
@@ -57,7 +58,8 @@ class Trial {
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
     least_ = solved ? std::min(least_, spent.count() / steps_) : infinity;
     if (!solved) part_.reset();
-    if (least_ * steps_ < sample) steps_ = static_cast<int>(std::ceil(sample / least_));
+    if (least_ * steps_ < sample)
+      steps_ = static_cast<int>(std::ceil(std::min(sample / least_, most_steps)));
   }
 
  private:

@@ -1,7 +1,7 @@
 // A library with the entries of HSL's MA27 and none of its code, which may not be distributed:
 // dense LDLᵀ without pivoting, at the same interface. It is strict about what it is handed,
 // allocates nothing, and asks for less memory at first than it then says it needs. Built without
-// one entry, it is a library that does not serve.
+// one entry, or as one that says that it does nothing, it is a library that does not serve.
 
 #include <algorithm>
 #include <cmath>
@@ -113,5 +113,9 @@ void ma27cd_(const int* order, const double* a, const int* la, const int* iw, co
     for (int i = k + 1; i < n; ++i) rhs[k] -= a[i + k * n] * rhs[i];
   }
 }
+
+#ifdef DESMO_MA27_DUMMY
+bool LIBHSL_isfunctional() { return false; }
+#endif
 
 }  // extern "C"
