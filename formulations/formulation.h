@@ -106,7 +106,7 @@ class Formulation {
   /// Solves at time t, starting from what the guess makes of the last instant solved or, where it
   /// fails, by way of times between; assembles when there is none. After a failure positions are as
   /// they were, for a later step to go on from there; rates are unspecified. What a guess needs
-  /// and was not solved in the two instants before, it does without (see best_guess).
+  /// and was not solved in the instants before, it does without (see Predictor).
   Summary step(double t, Level level = Level::acceleration);
   /// Assembles at the first instant of the grid and steps through the others, or takes several at
   /// once, or solves some and interpolates the others, where settings say so; hands each to the
