@@ -34,11 +34,26 @@ struct Instant {
   bool interpolated = false;  ///< between those solved (see Settings::stride)
 };
 
+/// Where the values of an instant are wanted: those of some requested coordinates, one behind the
+/// other. Null: not wanted.
+struct Room {
+  std::span<const int> coordinates;  ///< none standing for all, in their order
+  double *q, *qd, *qdd;
+};
+
 /// Receives the instants of a motion in order of time.
 class Sink {
  public:
   virtual ~Sink() = default;
+  /// The spans of an instant of which the values are in the sink's room are empty.
   virtual void accept(const Instant& instant) = 0;
+  /// Room for an instant that is to come, at a sink that has it for each, for the same coordinates
+  /// and levels, or for none. A solver may put the values there, which saves a copy, or hand them
+  /// to accept() all the same.
+  virtual std::optional<Room> room(int index) {
+    static_cast<void>(index);
+    return {};
+  }
   /// Whether they may come in any order, and again, the later then being the one that holds. Who
   /// solves several at once keeps all of them for a sink that needs their order.
   virtual bool takes_any_order() const { return false; }

@@ -35,11 +35,11 @@ void put_two(__m256d x, __m256d y, int component, const Places& place, double* t
   _mm_storeu_pd(to + place[3], _mm256_extractf128_pd(odd, 1));
 }
 
-/// Four numbers, `lanes` apart, of a quad to element k and the three behind it.
-void unpack_four(const double* from, std::size_t lanes, const std::array<double*, quad>& to,
+/// Four numbers of a quad to element k and the three behind it.
+void unpack_four(const std::array<const double*, 4>& from, const std::array<double*, quad>& to,
                  std::size_t k) {
-  const __m256d a = _mm256_load_pd(from), b = _mm256_load_pd(from + lanes),
-                c = _mm256_load_pd(from + 2 * lanes), d = _mm256_load_pd(from + 3 * lanes);
+  const __m256d a = _mm256_load_pd(from[0]), b = _mm256_load_pd(from[1]),
+                c = _mm256_load_pd(from[2]), d = _mm256_load_pd(from[3]);
   const __m256d even_ab = _mm256_unpacklo_pd(a, b), odd_ab = _mm256_unpackhi_pd(a, b);
   const __m256d even_cd = _mm256_unpacklo_pd(c, d), odd_cd = _mm256_unpackhi_pd(c, d);
   _mm256_storeu_pd(to[0] + k, _mm256_permute2f128_pd(even_ab, even_cd, 0x20));
@@ -51,25 +51,20 @@ void unpack_four(const double* from, std::size_t lanes, const std::array<double*
 
 }  // namespace
 
-void unpack(const double* from, std::size_t count, std::span<double* const> to) {
+void unpack(const double* from, std::span<const int> which, std::span<double* const> to) {
   const std::size_t lanes = to.size();
   std::size_t unpacked = 0;
 #ifdef __AVX__
-  unpacked = count / 4 * 4;
+  unpacked = which.size() / 4 * 4;
   for (std::size_t l = 0; l < lanes; l += quad) {
     const std::array<double*, quad> of_quad{to[l], to[l + 1], to[l + 2], to[l + 3]};
-    for (std::size_t k = 0; k < unpacked; k += 4)
-      unpack_four(from + k * lanes + l, lanes, of_quad, k);
+    const auto row = [&](std::size_t n) { return from + which[n] * lanes + l; };
+    for (std::size_t n = 0; n < unpacked; n += 4)
+      unpack_four({row(n), row(n + 1), row(n + 2), row(n + 3)}, of_quad, n);
   }
 #endif
-  for (std::size_t k = unpacked; k < count; ++k)
-    for (std::size_t l = 0; l < lanes; ++l) to[l][k] = from[k * lanes + l];
-}
-
-void unpack(const double* from, std::span<const int> which, std::span<double* const> to) {
-  const std::size_t lanes = to.size();
-  for (const int k : which)
-    for (std::size_t l = 0; l < lanes; ++l) to[l][k] = from[k * lanes + l];
+  for (std::size_t n = unpacked; n < which.size(); ++n)
+    for (std::size_t l = 0; l < lanes; ++l) to[l][n] = from[which[n] * lanes + l];
 }
 
 LanePlaces::LanePlaces(std::span<const int> inputs, std::span<const int* const> in)
@@ -138,7 +133,8 @@ void LanePlaces::scatter_quad(const std::vector<Run>& runs, const double* __rest
     const double* x = from + first * lanes;
     int k = 0;
     for (; k + 4 <= size; k += 4, x += 4 * lanes)
-      unpack_four(x, lanes, {state + a, state + b, state + c, state + d}, k);
+      unpack_four({x, x + lanes, x + 2 * lanes, x + 3 * lanes},
+                  {state + a, state + b, state + c, state + d}, k);
     if (k + 2 <= size) {
       put_two(_mm256_load_pd(x), _mm256_load_pd(x + lanes), k, place, state);
       k += 2, x += 2 * lanes;

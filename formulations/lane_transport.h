@@ -10,10 +10,7 @@ namespace desmo {
 /// Lanes are brought together and apart so many at a time: what registers of 256 bits hold.
 inline constexpr int quad = 4;
 
-/// to[l][k] = number k of lane l, for k < count; as many lanes as there are arrays, a multiple of
-/// four.
-void unpack(const double* from, std::size_t count, std::span<double* const> to);
-/// The same for these k alone.
+/// to[l][n] = number which[n] of lane l; as many lanes as there are arrays, a multiple of four.
 void unpack(const double* from, std::span<const int> which, std::span<double* const> to);
 
 /// Where values that lanes hold side by side stand in a state, a part in each lane.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <numeric>
 #include <utility>
 
 #include "formulations/lane_motion.h"
@@ -30,6 +31,8 @@ TimeLanes::TimeLanes(const Mechanism& mechanism, std::vector<Parts> parts, const
   for (State& s : delivered_)
     for (std::vector<double>* values : {&s.q, &s.qd, &s.qdd})
       values->resize(mechanism_.coordinates());
+  coordinates_.resize(mechanism_.coordinates());
+  std::iota(coordinates_.begin(), coordinates_.end(), 0);
 
   std::vector<int> started_from;
   for (std::size_t i = 0; i < parts_[0].size(); ++i) {
@@ -212,28 +215,42 @@ bool TimeLanes::meet() const {
   return true;
 }
 
+/// Into the room that the sink has for each instant, what it asks for; where it has none, all in
+/// coordinate order. What lies beyond the end of the motion goes nowhere.
 void TimeLanes::deliver(const TimeGrid& grid, int length, int i, const Request& request,
                         const Step& step, Sink& sink) {
-  const auto unpacked = [&](const LaneValues& from, std::vector<double> State::*to) {
+  std::array<Room, most_lanes> rooms;
+  bool in_room = true;
+  for (int l = 0; l < lanes_; ++l) {
+    State& own = delivered_[l];
+    rooms[l] = {{}, own.q.data(), own.qd.data(), own.qdd.data()};
+    const int index = l * length + i;
+    if (!in_room || index >= grid.instants) continue;
+    const std::optional<Room> offered = sink.room(index);
+    in_room = offered.has_value();
+    if (in_room) rooms[l] = *offered;
+  }
+  const std::span<const int> named = rooms[0].coordinates;
+  const auto unpacked = [&](Level level, const LaneValues& from, double* Room::*to) {
+    if (request.level < level || !(rooms[0].*to)) return;
     std::array<double*, most_lanes> lanes;
-    for (int l = 0; l < lanes_; ++l) lanes[l] = (delivered_[l].*to).data();
-    const std::span<double* const> arrays(lanes.data(), lanes_);
-    if (request.coordinates.empty())
-      unpack(from.data(), mechanism_.coordinates(), arrays);
-    else
-      unpack(from.data(), request.coordinates, arrays);
+    for (int l = 0; l < lanes_; ++l) lanes[l] = rooms[l].*to;
+    unpack(from.data(), named.empty() ? coordinates_ : named,
+           {lanes.data(), lanes.data() + lanes_});
   };
-  unpacked(now_.q, &State::q);
-  if (request.level >= Level::velocity) unpacked(now_.qd, &State::qd);
-  if (request.level >= Level::acceleration) unpacked(now_.qdd, &State::qdd);
+  unpacked(Level::position, now_.q, &Room::q);
+  unpacked(Level::velocity, now_.qd, &Room::qd);
+  unpacked(Level::acceleration, now_.qdd, &Room::qdd);
   for (int l = 0; l < lanes_; ++l) {
     const int index = l * length + i;
     if (index >= grid.instants) break;
-    const State& s = delivered_[l];
-    const std::span<const double> none;
-    sink.accept({index, grid.time(index), s.q, request.level >= Level::velocity ? s.qd : none,
-                 request.level >= Level::acceleration ? s.qdd : none, step.updates,
-                 std::sqrt(residual2_[l])});
+    Instant instant{index, grid.time(index), {}, {}, {}, step.updates, std::sqrt(residual2_[l])};
+    if (!in_room) {
+      instant.q = delivered_[l].q;
+      if (request.level >= Level::velocity) instant.qd = delivered_[l].qd;
+      if (request.level >= Level::acceleration) instant.qdd = delivered_[l].qdd;
+    }
+    sink.accept(instant);
   }
 }
 

@@ -74,7 +74,8 @@ class TimeLanes final : public WholeMotion {
   LaneValues residual2_;            // of the step, by lane
   State alone_;                     // of one lane …
   std::vector<double> last_alone_;  // … and its last positions
-  std::vector<State> delivered_;
+  std::vector<State> delivered_;    // to a sink that has no room
+  std::vector<int> coordinates_;    // all, one after the other
 };
 
 }  // namespace desmo

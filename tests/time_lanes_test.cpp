@@ -15,6 +15,7 @@
 #include "tests/everything.h"
 #include "tests/lanes_here.h"
 #include "tests/mechanisms.h"
+#include "tests/rooms.h"
 
 namespace desmo {
 namespace {
@@ -68,6 +69,21 @@ TEST_P(OnTheCases, SegmentsNeedNoSteps) {
       for (const int k : {1, m.coordinates() - 1, m.coordinates() + 1})
         EXPECT_EQ(some.all[i][k], whole.all[i][k]) << i;
   }
+}
+
+TEST_P(OnTheCases, RoomsAreFilledWithWhatTheyAreFor) {
+  const Mechanism m = truck_mechanism(2);
+  const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, GetParam());
+  const TimeGrid grid = time_grid(3, 0.01);  // the last segment is shorter
+  Everything whole(grid.instants, true);
+  ASSERT_TRUE(f->run(grid, {}, whole).ok());
+  for (const Level level : {Level::position, Level::velocity, Level::acceleration})
+    for (const std::vector<int>& some :
+         {std::vector{7}, std::vector{m.coordinates() - 1, 3, 4, 5, 20, 2, 50}}) {
+      Rooms rooms(grid.instants, some, level);
+      ASSERT_TRUE(f->run(grid, {Level::acceleration, some}, rooms).ok());
+      expect_in_rooms(rooms, some, level, whole.all);
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(TimeLanes, OnTheCases, testing::ValuesIn(every_kind()));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "formulations/formulation.h"
@@ -18,6 +19,7 @@ class Delivery final : public Sink {
     std::ranges::copy(instant.qd, qd_.begin());
     std::ranges::copy(instant.qdd, qdd_.begin());
   }
+  std::optional<Room> room(int) override { return Room{{}, q_.data(), qd_.data(), qdd_.data()}; }
   bool takes_any_order() const override { return true; }
 
  private:

@@ -119,14 +119,23 @@ RequestedDelivery::RequestedDelivery(std::span<const AskedComponent> asked) {
     if (a.level >= Level::velocity) qd_.from.push_back(a.kept);
     if (a.level >= Level::acceleration) qdd_.from.push_back(a.kept);
   }
-  for (Output* output : {&q_, &qd_, &qdd_}) output->values.resize(output->from.size());
+  for (Output* output : {&q_, &qd_, &qdd_}) {
+    output->values.resize(output->from.size());
+    alike_ = alike_ && (output->from.empty() || output->from.size() == q_.from.size());
+  }
 }
 
 void RequestedDelivery::Output::take(std::span<const double> coordinates) {
   for (std::size_t i = 0; i < from.size(); ++i) values[i] = coordinates[from[i]];
 }
 
+std::optional<Room> RequestedDelivery::room(int) {
+  if (!alike_) return {};
+  return Room{q_.from, q_.room(), qd_.room(), qdd_.room()};
+}
+
 void RequestedDelivery::accept(const Instant& instant) {
+  if (instant.q.empty()) return;  // in the room
   q_.take(instant.q);
   qd_.take(instant.qd);
   qdd_.take(instant.qdd);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -49,6 +50,8 @@ class RequestedDelivery final : public Sink {
  public:
   explicit RequestedDelivery(std::span<const AskedComponent> asked);
   void accept(const Instant& instant) override;
+  /// Where every level is asked of the same coordinates.
+  std::optional<Room> room(int index) override;
   bool takes_any_order() const override { return true; }
 
   std::span<const double> q() const { return q_.values; }
@@ -60,8 +63,10 @@ class RequestedDelivery final : public Sink {
     std::vector<int> from;  // coordinates of the mechanism solved
     std::vector<double> values;
     void take(std::span<const double> coordinates);
+    double* room() { return values.empty() ? nullptr : values.data(); }
   };
   Output q_, qd_, qdd_;
+  bool alike_ = true;  // the levels, where they are asked
 };
 
 /// Largest absolute differences of what is asked, at the levels asked, between two formulations

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -64,6 +65,7 @@ class SegmentedDelivery final : public Sink {
     inner_.accept(instant);
     segments_.passed(instant.updates);
   }
+  std::optional<Room> room(int index) override { return inner_.room(index); }
   bool takes_any_order() const override { return inner_.takes_any_order(); }
 
  private:
