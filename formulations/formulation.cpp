@@ -5,10 +5,12 @@
 #include <cmath>
 #include <cstdio>
 #include <iterator>
+#include <stdexcept>
 #include <utility>
 
 #include "formulations/dense_output.h"
 #include "formulations/diagnosis.h"
+#include "formulations/keeper.h"
 #include "formulations/straight_way.h"
 #include "formulations/trajectory.h"
 
@@ -104,15 +106,17 @@ long Formulation::refactorisations() const {
 void Formulation::prepare() {
   constant_.clear();
   moving_.clear();
+  keepers_.clear();
   std::array<std::vector<int>, 3> unknowns;
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     const DefinedPart& part = parts_[i];
     (part.definition.constant ? constant_ : moving_)
         .push_back({part.solver.get(), part.level, static_cast<int>(i),
                     static_cast<int>(part.definition.unknowns.size())});
-    if (!part.definition.constant)
-      std::ranges::copy(part.solver->starts_from(part.definition.unknowns),
-                        std::back_inserter(unknowns[static_cast<std::size_t>(part.level)]));
+    if (part.definition.constant) continue;
+    std::ranges::copy(part.solver->starts_from(part.definition.unknowns),
+                      std::back_inserter(unknowns[static_cast<std::size_t>(part.level)]));
+    if (Keeper* const keeper = part.solver->keeper()) keepers_.push_back({keeper, part.level});
   }
   for (std::size_t level = 0; level < unknowns.size(); ++level) {
     std::ranges::sort(unknowns[level]);
@@ -152,12 +156,13 @@ void Formulation::forget() {
   for (const auto& run : runs_) run->forget();
 }
 
-/// asked: the coordinates of which rates are read by others than parts; none stands for all.
-void Formulation::write_only(std::span<const int> asked) {
-  if (std::ranges::equal(asked, written_)) return;
-  written_.assign(asked.begin(), asked.end());
-  std::vector<bool> read(mechanism_.state_size(), asked.empty());
-  for (const int i : asked) read[i] = true;
+void Formulation::want(std::span<const int> coordinates, bool in_rooms) {
+  if (in_rooms == wanted_.in_rooms && std::ranges::equal(coordinates, wanted_.coordinates)) return;
+  wanted_.coordinates.assign(coordinates.begin(), coordinates.end());
+  wanted_.in_rooms = in_rooms;
+  std::vector<bool> read(mechanism_.state_size(), !in_rooms && coordinates.empty());
+  if (!in_rooms)
+    for (const int i : coordinates) read[i] = true;
   for (const DefinedPart& part : parts_) {
     const auto& [groups, unknowns, equations, constant] = part.definition;
     for (const int i : part.solver->starts_from(unknowns)) read[i] = true;
@@ -165,6 +170,42 @@ void Formulation::write_only(std::span<const int> asked) {
       if (!std::ranges::binary_search(unknowns, i)) read[i] = true;
   }
   for (const DefinedPart& part : parts_) part.solver->write_only(read);
+  if (in_rooms) prepare_rooms();
+}
+
+/// In the sink's rooms where that saves anything.
+void Formulation::want_as(const Request& request, Sink& sink) {
+  const std::optional<Room> room = keepers_.empty() ? std::nullopt : sink.room(0);
+  room ? want(room->coordinates, true) : want(request.coordinates);
+}
+
+void Formulation::prepare_rooms() {
+  std::vector<bool> kept(mechanism_.coordinates());
+  for (const auto& [keeper, level] : keepers_) {
+    keeper->prepare_rooms(wanted_.coordinates);
+    for (const int i : keeper->kept()) kept[i] = true;
+  }
+  not_kept_.clear();
+  const std::vector<int>& named = wanted_.coordinates;
+  const int size = named.empty() ? mechanism_.coordinates() : static_cast<int>(named.size());
+  std::vector<bool> has_room(mechanism_.coordinates());
+  for (int n = 0; n < size; ++n) {
+    const int i = named.empty() ? n : named[n];
+    if (has_room[i]) throw std::invalid_argument("a sink has room for a coordinate twice");
+    has_room[i] = true;
+    if (!kept[i]) not_kept_.push_back({i, n});
+  }
+}
+
+void Formulation::fill(const Room& room, Level level) const {
+  for (const auto& [keeper, as_far_as] : keepers_) keeper->fill(room, std::min(level, as_far_as));
+  const auto copy = [&](Level needed, const std::vector<double>& from, double* to) {
+    if (!to || level < needed) return;
+    for (const auto& [coordinate, slot] : not_kept_) to[slot] = from[coordinate];
+  };
+  copy(Level::position, state_.q, room.q);
+  copy(Level::velocity, state_.qd, room.qd);
+  copy(Level::acceleration, state_.qdd, room.qdd);
 }
 
 void Formulation::solve_only(std::span<const Level> needed) {
@@ -186,6 +227,7 @@ void Formulation::guess(double t) {
   for (std::size_t level = 0; level < predictors_.size(); ++level)
     if (Predictor& predictor = predictors_[level]; !predictor.empty())
       predictor(past.up_to(static_cast<Level>(level)), last, one_before, state_.q.data());
+  for (const auto& [keeper, level] : keepers_) keeper->begin_step(past.up_to(level));
 }
 
 /// As the function of that name, all drivers at once.
@@ -217,6 +259,7 @@ Summary Formulation::solve(std::span<const Stage> stages, double t, Level level)
     if (r.status != Status::converged) {
       const PartDefinition& definition = parts_[stage.part].definition;
       summary.status = r.status;
+      for (const auto& [keeper, as_far_as] : keepers_) keeper->write_last(before_.q);
       for (const int i : definition.unknowns) state_.q[i] = before_.q[i];
       const Culprit c = find_culprit(mechanism_, definition.groups, state_.q, settings_);
       summary.group = c.group;
@@ -230,6 +273,11 @@ Summary Formulation::solve(std::span<const Stage> stages, double t, Level level)
 }
 
 Summary Formulation::assemble(double t, Level level) {
+  want({});
+  return assemble_alone(t, level);
+}
+
+Summary Formulation::assemble_alone(double t, Level level) {
   std::ranges::copy(mechanism_.estimate, state_.q.begin());
   std::ranges::copy(mechanism_.fixed_values, state_.q.begin() + mechanism_.coordinates());
   for (State* s : {&state_, &before_}) {
@@ -251,7 +299,7 @@ Summary Formulation::assemble(double t, Level level) {
        ++i) {
     const Summary before = summary;
     now_ = then_ = {};
-    summary = step(t, level);
+    summary = advance(t, level);
     summary.iterations += before.iterations;
     summary.updates += before.updates;
   }
@@ -260,12 +308,12 @@ Summary Formulation::assemble(double t, Level level) {
 }
 
 Summary Formulation::step(double t, Level level) {
-  write_only({});
+  want({});
   return advance(t, level);
 }
 
 Summary Formulation::advance(double t, Level level) {
-  if (!assembled_) return assemble(t, level);
+  if (!assembled_) return assemble_alone(t, level);
   const auto go = [&](double to, Level as_far_as) {
     guess(to);
     drive(to);
@@ -298,6 +346,7 @@ Summary Formulation::advance(double t, Level level) {
 }
 
 bool Formulation::enter(std::span<const double> q, double t) {
+  want({});
   for (State* s : {&state_, &before_}) {
     std::ranges::copy(q, s->q.begin());
     std::ranges::fill(s->qd, 0.0);
@@ -353,6 +402,11 @@ bool Formulation::solve_next(int i, double t, const Request& request, Sink& sink
   }
   ++total.instants;
   total.residual = std::max(total.residual, s.residual);
+  if (wanted_.in_rooms) {
+    fill(*sink.room(i), request.level);
+    sink.accept({i, t, {}, {}, {}, s.updates, s.residual});
+    return true;
+  }
   sink.accept({i, t, q(), request.level >= Level::velocity ? qd() : std::span<const double>{},
                request.level >= Level::acceleration ? qdd() : std::span<const double>{}, s.updates,
                s.residual});
@@ -371,28 +425,37 @@ Summary Formulation::solve_all(const TimeGrid& grid, const Request& request, Sin
 
 Summary Formulation::take_steps(const TimeGrid& grid, const Request& request, Sink& sink) {
   Summary total;
+  want_as(request, sink);
   for (int i = 0; i < grid.instants; ++i)
     if (!solve_next(i, grid.time(i), request, sink, total)) break;
+  write_kept(total);
   return total;
+}
+
+/// All of the instant solved last, whatever was wanted of it.
+void Formulation::write_kept(const Summary& total) {
+  if (total.ok() && total.instants > 0)
+    for (const auto& [keeper, level] : keepers_) keeper->write(state_);
 }
 
 std::optional<Summary> Formulation::run_on(const TimeGrid& grid, const Request& request,
                                            Sink& sink) {
   if (whole_motion_) return run_at_once(grid, request, sink);
-  write_only(request.coordinates);
   const Summary total = take_steps(grid, request, sink);
   return total.ok() ? std::optional(total) : std::nullopt;
 }
 
 Summary Formulation::run(const TimeGrid& grid, const Request& request, Sink& sink) {
-  write_only(request.coordinates);
   if (settings_.stride == 1) return solve_all(grid, request, sink);
   const TimeGrid solved = grid.every(settings_.stride);
   const Request every_level{Level::acceleration, request.coordinates};
   DenseOutput all(grid, settings_.stride, request, mechanism_.coordinates(), sink);
   Summary total = solve_all(solved, every_level, all);
-  if (total.ok() && all.delivered() < grid.instants)  // the rest, shorter than the stride
+  if (total.ok() && all.delivered() < grid.instants) {  // the rest, shorter than the stride
+    want_as(every_level, all);
     solve_next(solved.instants, grid.time(grid.instants - 1), every_level, all, total);
+    write_kept(total);
+  }
   total.instants = all.delivered();
   return total;
 }

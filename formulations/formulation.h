@@ -13,6 +13,7 @@
 #include "formulations/part.h"
 #include "formulations/partition.h"
 #include "formulations/predictor.h"
+#include "formulations/room.h"
 
 namespace desmo {
 
@@ -32,13 +33,6 @@ struct Instant {
   long updates = 0;           ///< that it took: see Summary
   double residual = 0;        ///< ‖Φ‖₂ where it was accepted, as in Summary
   bool interpolated = false;  ///< between those solved (see Settings::stride)
-};
-
-/// Where the values of an instant are wanted: those of some requested coordinates, one behind the
-/// other. Null: not wanted.
-struct Room {
-  std::span<const int> coordinates;  ///< none standing for all, in their order
-  double *q, *qd, *qdd;
 };
 
 /// Receives the instants of a motion in order of time.
@@ -155,7 +149,8 @@ class Formulation {
   /// long chains and far from the origin (Magnitudes::rounding).
   double tolerance() const { return tolerance_; }
 
-  /// The instant solved last, in coordinate order.
+  /// The instant solved last, in coordinate order. While a run goes on that is asked for some
+  /// coordinates, the others are unspecified.
   std::span<const double> q() const { return coordinates(state_.q); }
   std::span<const double> qd() const { return coordinates(state_.qd); }
   std::span<const double> qdd() const { return coordinates(state_.qdd); }
@@ -179,10 +174,29 @@ class Formulation {
     int member = 0;          // … and which
   };
 
+  /// What others than parts read of each instant.
+  struct Wanted {
+    std::vector<int> coordinates{};  // none standing for all …
+    bool in_rooms = false;           // … in rooms that are for them, or in the state
+  };
+  struct CoordinateInRoom {
+    int coordinate, slot;
+  };
+  /// A part that keeps its results, and as far as anyone asks for them.
+  struct Kept {
+    Keeper* keeper;
+    Level level;
+  };
+
   void prepare();
   void make_runs();
   void forget();
-  void write_only(std::span<const int> asked);
+  void want(std::span<const int> coordinates, bool in_rooms = false);
+  void want_as(const Request& request, Sink& sink);
+  void prepare_rooms();
+  void fill(const Room& room, Level level) const;
+  void write_kept(const Summary& total);
+  Summary assemble_alone(double t, Level level);
   Summary advance(double t, Level level);
   bool solve_positions(State& state, std::span<const double> last);
   Summary solve_all(const TimeGrid& grid, const Request& request, Sink& sink);
@@ -198,7 +212,9 @@ class Formulation {
   std::vector<DefinedPart> parts_;
   std::vector<Stage> constant_, moving_;        // those that depend on no driver, and the others
   std::vector<std::unique_ptr<PartRun>> runs_;  // of moving ones
-  std::vector<int> written_;                    // what was asked of write_only()
+  std::vector<Kept> keepers_;                   // of moving parts
+  Wanted wanted_;
+  std::vector<CoordinateInRoom> not_kept_;  // what rooms get from the state
   /// Of moving unknowns from which a solver starts, by the level to which they are solved.
   std::array<Predictor, 3> predictors_;
   Settings settings_;

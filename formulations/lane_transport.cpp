@@ -1,7 +1,6 @@
 #include "formulations/lane_transport.h"
 
 #include <algorithm>
-#include <utility>
 
 #ifdef __AVX__
 #include <immintrin.h>
@@ -13,7 +12,18 @@ namespace {
 
 using Places = std::array<int, quad>;
 
-constexpr unsigned all_of_quad = (1u << quad) - 1;
+Places places_of(int number, const LanePlaces& places, std::size_t first_lane) {
+  Places result;
+  for (int l = 0; l < quad; ++l) result[l] = places[first_lane + l][number];
+  return result;
+}
+
+/// Whether these follow `size` numbers that begin at others.
+bool follow(const Places& places, const Places& begin, int size) {
+  for (int l = 0; l < quad; ++l)
+    if (places[l] != begin[l] + size) return false;
+  return true;
+}
 
 #ifdef __AVX__
 /// One component of all lanes.
@@ -67,44 +77,23 @@ void unpack(const double* from, std::span<const int> which, std::span<double* co
     for (std::size_t l = 0; l < lanes; ++l) to[l][n] = from[which[n] * lanes + l];
 }
 
-LanePlaces::LanePlaces(std::span<const int> inputs, std::span<const int* const> in)
-    : quads_(in.size() / quad), lanes_(in.size()) {
+LaneSources::LaneSources(std::span<const int> which, const LanePlaces& places)
+    : quads_(places.size() / quad) {
   for (std::size_t number = 0; number < quads_.size(); ++number) {
-    const std::span<const int* const> of_quad = in.subspan(number * quad, quad);
     std::vector<Run>& runs = quads_[number];
-    for (const int i : inputs)
-      append(i, {of_quad[0][i], of_quad[1][i], of_quad[2][i], of_quad[3][i]}, runs);
+    for (const int n : which) {
+      const Places place = places_of(n, places, number * quad);
+      if (!runs.empty() && runs.back().first + runs.back().size == n &&
+          follow(place, runs.back().place, runs.back().size))
+        ++runs.back().size;
+      else
+        runs.push_back({n, 1, place});
+    }
   }
 }
 
-void LanePlaces::append(int input, const Places& place, std::vector<Run>& runs) {
-  const auto continues = [&](const Run& run) {
-    if (run.first + run.size != input) return false;
-    for (int l = 0; l < quad; ++l)
-      if (place[l] != run.place[l] + run.size) return false;
-    return true;
-  };
-  if (!runs.empty() && continues(runs.back()))
-    ++runs.back().size;
-  else
-    runs.push_back({input, 1, place});
-}
-
-LanePlaces LanePlaces::only(const std::vector<bool>& wanted) const {
-  LanePlaces result = *this;
-  for (std::vector<Run>& runs : result.quads_)
-    for (const Run& run : std::exchange(runs, {}))
-      for (int k = 0; k < run.size; ++k) {
-        Places place = run.place;
-        for (int& p : place) p += k;
-        if (std::ranges::any_of(place, [&](int p) { return wanted[p]; }))
-          append(run.first + k, place, runs);
-      }
-  return result;
-}
-
 template <std::size_t lanes>
-void LanePlaces::gather_lanes(const double* __restrict state, double* __restrict to) const {
+void LaneSources::gather_lanes(const double* __restrict from, double* __restrict to) const {
   for (const std::vector<Run>& runs : quads_) {
     for (const Run& r : runs) {
       const auto [first, size, place] = r;  // stores might change what they are read from
@@ -112,10 +101,9 @@ void LanePlaces::gather_lanes(const double* __restrict state, double* __restrict
       double* values = to + first * lanes;
       for (int k = 0; k < size; ++k, values += lanes) {
 #ifdef __AVX__
-        _mm256_store_pd(values,
-                        _mm256_set_pd(state[d + k], state[c + k], state[b + k], state[a + k]));
+        _mm256_store_pd(values, _mm256_set_pd(from[d + k], from[c + k], from[b + k], from[a + k]));
 #else
-        for (int l = 0; l < quad; ++l) values[l] = state[place[l] + k];
+        for (int l = 0; l < quad; ++l) values[l] = from[place[l] + k];
 #endif
       }
     }
@@ -123,55 +111,83 @@ void LanePlaces::gather_lanes(const double* __restrict state, double* __restrict
   }
 }
 
+void LaneSources::gather(const double* from, double* to) const {
+  quads_.size() == 1 ? gather_lanes<4>(from, to) : gather_lanes<8>(from, to);
+}
+
+LaneTargets::LaneTargets(std::span<const int> which, const LanePlaces& places, std::size_t used)
+    : lanes_(places.size()) {
+  const auto index = [&](int number, std::size_t lane) {
+    return static_cast<int>(number * lanes_ + lane);
+  };
+  const int stride = static_cast<int>(lanes_);
+  const auto put = [&](int number, std::size_t lane) {
+    const int from = index(number, lane), place = places[lane][number];
+    if (place < 0) return;
+    if (!singles_.empty()) {
+      LaneRun& last = singles_.back();
+      if (from == last.from + last.size * stride && place == last.place + last.size) {
+        ++last.size;
+        return;
+      }
+    }
+    singles_.push_back({from, 1, place});
+  };
+  for (std::size_t first = 0; first < used; first += quad) {
+    std::vector<int> apart;  // not all lanes of the quad have a place for them
+    for (const int n : which) {
+      const Places place = places_of(n, places, first);
+      if (first + quad > used || std::ranges::any_of(place, [](int p) { return p < 0; })) {
+        apart.push_back(n);
+        continue;
+      }
+      const int from = index(n, first);
+      if (!quads_.empty() && from == quads_.back().from + quads_.back().size * stride &&
+          follow(place, quads_.back().place, quads_.back().size))
+        ++quads_.back().size;
+      else
+        quads_.push_back({from, 1, place});
+    }
+    for (std::size_t l = first; l < std::min(first + quad, used); ++l)
+      for (const int n : apart) put(n, l);
+  }
+}
+
 template <std::size_t lanes>
-void LanePlaces::scatter_quad(const std::vector<Run>& runs, const double* __restrict from,
-                              double* __restrict state) {
-#ifdef __AVX__
-  for (const Run& r : runs) {
+void LaneTargets::scatter_lanes(const double* __restrict from, double* __restrict to) const {
+  for (const QuadRun& r : quads_) {
     const auto [first, size, place] = r;  // stores might change what they are read from
     const auto [a, b, c, d] = place;
-    const double* x = from + first * lanes;
+    const double* x = from + first;
     int k = 0;
+#ifdef __AVX__
     for (; k + 4 <= size; k += 4, x += 4 * lanes)
-      unpack_four({x, x + lanes, x + 2 * lanes, x + 3 * lanes},
-                  {state + a, state + b, state + c, state + d}, k);
+      unpack_four({x, x + lanes, x + 2 * lanes, x + 3 * lanes}, {to + a, to + b, to + c, to + d},
+                  k);
     if (k + 2 <= size) {
-      put_two(_mm256_load_pd(x), _mm256_load_pd(x + lanes), k, place, state);
+      put_two(_mm256_load_pd(x), _mm256_load_pd(x + lanes), k, place, to);
       k += 2, x += 2 * lanes;
     }
-    if (k < size) put_one(_mm256_load_pd(x), k, place, state);
-  }
+    if (k < size) put_one(_mm256_load_pd(x), k, place, to);
 #else
-  for (int l = 0; l < quad; ++l) scatter_lane<lanes>(runs, l, from, state);
+    for (; k < size; ++k, x += lanes)
+      for (int l = 0; l < quad; ++l) to[place[l] + k] = x[l];
 #endif
-}
-
-template <std::size_t lanes>
-void LanePlaces::scatter_lane(const std::vector<Run>& runs, int lane, const double* __restrict from,
-                              double* __restrict state) {
-  for (const Run& r : runs)
-    for (int k = 0; k < r.size; ++k) state[r.place[lane] + k] = from[(r.first + k) * lanes + lane];
-}
-
-template <std::size_t lanes>
-void LanePlaces::scatter_lanes(const double* from, unsigned which, double* state) const {
-  for (const std::vector<Run>& runs : quads_) {
-    if ((which & all_of_quad) == all_of_quad)
-      scatter_quad<lanes>(runs, from, state);
-    else
-      for (int l = 0; l < quad; ++l)
-        if (which >> l & 1) scatter_lane<lanes>(runs, l, from, state);
-    from += quad;
-    which >>= quad;
+  }
+  for (const LaneRun& r : singles_) {
+    const auto [first, size, place] = r;
+    const double* x = from + first;
+    int k = 0;
+#ifdef __AVX__
+    for (; k + 4 <= size; k += 4, x += 4 * lanes)
+      _mm256_storeu_pd(to + place + k, _mm256_set_pd(x[3 * lanes], x[2 * lanes], x[lanes], x[0]));
+#endif
+    for (; k < size; ++k, x += lanes) to[place + k] = x[0];
   }
 }
 
-void LanePlaces::gather(const double* state, double* to) const {
-  lanes_ == 4 ? gather_lanes<4>(state, to) : gather_lanes<8>(state, to);
-}
-
-void LanePlaces::scatter(const double* from, unsigned which, double* state) const {
-  lanes_ == 4 ? scatter_lanes<4>(from, which, state) : scatter_lanes<8>(from, which, state);
+void LaneTargets::scatter(const double* from, double* to) const {
+  lanes_ == 4 ? scatter_lanes<4>(from, to) : scatter_lanes<8>(from, to);
 }
 
 }  // namespace desmo

@@ -13,41 +13,58 @@ inline constexpr int quad = 4;
 /// to[l][n] = number which[n] of lane l; as many lanes as there are arrays, a multiple of four.
 void unpack(const double* from, std::span<const int> which, std::span<double* const> to);
 
-/// Where values that lanes hold side by side stand in a state, a part in each lane.
-class LanePlaces {
+/// By lane, where each of the numbers that it holds stands in an array; negative: nowhere.
+using LanePlaces = std::vector<std::vector<int>>;
+
+/// Numbers of an array that lanes hold side by side, one in each.
+class LaneSources {
  public:
-  /// inputs: local inputs, ascending; in: by lane, the position of each local input in the state.
-  LanePlaces(std::span<const int> inputs, std::span<const int* const> in);
+  LaneSources() = default;
+  /// which: numbers, ascending, that have a place for every lane.
+  LaneSources(std::span<const int> which, const LanePlaces& places);
 
-  /// Of these inputs those that stand, in any lane, where `wanted` says.
-  LanePlaces only(const std::vector<bool>& wanted) const;
-
-  /// Number `input` of each lane, from the state, for the inputs given.
-  void gather(const double* state, double* to) const;
-  /// The other way; only lanes l of which bit l of `which` is set.
-  void scatter(const double* from, unsigned which, double* state) const;
+  /// Number n of each lane, from its place, for those n.
+  void gather(const double* from, double* to) const;
 
  private:
-  /// Inputs whose places follow each other in every lane of a quad: the components of an entity, or
-  /// the entities of a copy.
+  /// Numbers whose places follow each other in every lane of a quad: the components of an entity,
+  /// or the entities of a copy.
   struct Run {
     int first, size;
     std::array<int, quad> place;  // of the first
   };
-  static void append(int input, const std::array<int, quad>& place, std::vector<Run>& runs);
   // Compiled for each number of lanes: it is in every address.
   template <std::size_t lanes>
-  void gather_lanes(const double* state, double* to) const;
-  template <std::size_t lanes>
-  void scatter_lanes(const double* from, unsigned which, double* state) const;
-  template <std::size_t lanes>
-  static void scatter_quad(const std::vector<Run>& runs, const double* from, double* state);
-  template <std::size_t lanes>
-  static void scatter_lane(const std::vector<Run>& runs, int lane, const double* from,
-                           double* state);
+  void gather_lanes(const double* from, double* to) const;
 
   std::vector<std::vector<Run>> quads_;
-  std::size_t lanes_;
+};
+
+/// The other way.
+class LaneTargets {
+ public:
+  LaneTargets() = default;
+  /// which: numbers, ascending; of lanes from `used` on none goes anywhere.
+  LaneTargets(std::span<const int> which, const LanePlaces& places, std::size_t used);
+
+  /// Those numbers of each lane to where they have a place.
+  void scatter(const double* from, double* to) const;
+
+ private:
+  template <std::size_t lanes>
+  void scatter_lanes(const double* from, double* to) const;
+
+  struct QuadRun {
+    int from, size;  // of the first lane and the first number
+    std::array<int, quad> place;
+  };
+  /// Of one lane, beside which not all of its quad have a place.
+  struct LaneRun {
+    int from, size, place;
+  };
+  std::vector<QuadRun> quads_;
+  std::vector<LaneRun> singles_;
+  std::size_t lanes_ = quad;
 };
 
 }  // namespace desmo

@@ -148,7 +148,7 @@ std::unique_ptr<Formulation> make_formulation(const Variant& v, const Mechanism&
     whole_motion = std::make_unique<TimeLanes>(m, std::move(lanes), settings, table);
   }
   std::vector<DefinedPart> parts = make_parts(common, std::move(definitions));
-  if (settings.lanes > 1) parts = on_lanes(m, std::move(parts), run_ends, settings.lanes, table);
+  if (settings.lanes > 1) parts = on_lanes(m, std::move(parts), run_ends, settings, table);
   return std::make_unique<Formulation>(m, std::move(parts), settings, std::move(whole_motion));
 }
 

@@ -40,10 +40,11 @@ PartDefinition join(const std::vector<DefinedPart>& parts) {
 class Lanes {
  public:
   Lanes(const Mechanism& mechanism, std::vector<DefinedPart> parts,
-        const std::vector<int>& run_ends, int lanes, const KernelTable& table)
+        const std::vector<int>& run_ends, const Settings& settings, const KernelTable& table)
       : mechanism_(mechanism),
         parts_(std::move(parts)),
-        lanes_(lanes),
+        lanes_(settings.lanes),
+        guess_(settings.guess),
         table_(table),
         constant_(mechanism.state_size(), true) {
     for (const int end : run_ends) run_of_.resize(end, static_cast<int>(runs_++));
@@ -124,10 +125,10 @@ class Lanes {
   }
 
   /// The kernels for each part of a piece, by numbers of lanes for which there are all.
-  std::vector<LanePart::Kernels> kernels(const Positions& piece) const {
-    std::vector<LanePart::Kernels> result;
+  std::vector<CopyKernels> kernels(const Positions& piece) const {
+    std::vector<CopyKernels> result;
     for (const int lanes : lane_counts) {
-      LanePart::Kernels of_all;
+      CopyKernels of_all;
       for (const int i : piece)
         if (const ExplicitPart* const part = explicit_part(i))
           if (const LaneKernel* k = table_.find_lane_kernel(part->kernel().fingerprint, lanes))
@@ -156,8 +157,8 @@ class Lanes {
   /// The copies as one part.
   void put(std::span<const Positions> copies) {
     std::vector<DefinedPart> taken;
-    std::vector<LanePart::Copy> members;
-    std::vector<LanePart::Kernels> of_copy = kernels(copies.front());
+    std::vector<Copy> members;
+    std::vector<CopyKernels> of_copy = kernels(copies.front());
     double tolerance = 0;
     bool as_named = true;
     for (const Positions& copy : copies) {
@@ -169,11 +170,11 @@ class Lanes {
         taken.push_back(std::move(parts_[i]));
       }
     }
-    result_.push_back(
-        {.definition = join(taken),
-         .solver = std::make_unique<LanePart>(std::move(of_copy), std::move(members), constant_),
-         .as_named = as_named,
-         .tolerance = tolerance});
+    result_.push_back({.definition = join(taken),
+                       .solver = std::make_unique<LanePart>(std::move(of_copy), std::move(members),
+                                                            constant_, guess_),
+                       .as_named = as_named,
+                       .tolerance = tolerance});
   }
 
   /// Run by run, where there is code together, or one by one; behind what is put already.
@@ -202,6 +203,7 @@ class Lanes {
   const Mechanism& mechanism_;
   std::vector<DefinedPart> parts_;
   const int lanes_;
+  const Guess guess_;
   const KernelTable& table_;
   std::vector<int> run_of_;  // by part
   std::size_t runs_ = 0;
@@ -212,9 +214,9 @@ class Lanes {
 }  // namespace
 
 std::vector<DefinedPart> on_lanes(const Mechanism& mechanism, std::vector<DefinedPart> parts,
-                                  const std::vector<int>& run_ends, int lanes,
+                                  const std::vector<int>& run_ends, const Settings& settings,
                                   const KernelTable& table) {
-  return Lanes(mechanism, std::move(parts), run_ends, lanes, table).take();
+  return Lanes(mechanism, std::move(parts), run_ends, settings, table).take();
 }
 
 }  // namespace desmo

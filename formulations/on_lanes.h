@@ -13,7 +13,7 @@ namespace desmo {
 /// behind the last of such parts (see gather_types). Parts without code for lanes stay alone.
 std::vector<Formulation::DefinedPart> on_lanes(const Mechanism& mechanism,
                                                std::vector<Formulation::DefinedPart> parts,
-                                               const std::vector<int>& run_ends, int lanes,
-                                               const KernelTable& table);
+                                               const std::vector<int>& run_ends,
+                                               const Settings& settings, const KernelTable& table);
 
 }  // namespace desmo

@@ -48,6 +48,8 @@ class PartRun {
   virtual void forget() = 0;
 };
 
+class Keeper;
+
 /// Solves its unknowns, given those of all earlier parts. Owns its workspace; never touches the
 /// heap after its construction, apart from what a library does inside.
 class Part {
@@ -65,9 +67,12 @@ class Part {
   virtual std::vector<int> starts_from(const std::vector<int>& unknowns) const { return unknowns; }
 
   /// Of its unknowns only these are read by others between one instant and the next; of the rest
-  /// solve() may leave velocities and accelerations in the state as they were. read: of each
-  /// coordinate. Until then all are.
+  /// solve() may leave velocities and accelerations in the state as they were, and positions where
+  /// a keeper has predicted them. read: of each coordinate. Until then all are.
   virtual void write_only(const std::vector<bool>& read) { static_cast<void>(read); }
+
+  /// This part where it keeps what it finds (see keeper.h), or null.
+  virtual Keeper* keeper() { return nullptr; }
 
   /// A run of as many of these, which begin with this one, as can be solved in one call; null where
   /// that is not worth while.

@@ -50,13 +50,13 @@ class Pieces : public ::testing::Test {
     return *find_explicit_kernel(bind_kernel(mechanism_, definitions_[i])->kernel->fingerprint);
   }
 
-  LanePart::Copy copy(const std::vector<std::size_t>& parts) {
-    LanePart::Copy result;
+  Copy copy(const std::vector<std::size_t>& parts) {
+    Copy result;
     for (const std::size_t i : parts) result.push_back(part(i, kernel(i)));
     return result;
   }
 
-  bool alike(const LanePart::Copy& a, const LanePart::Copy& b) const {
+  bool alike(const Copy& a, const Copy& b) const {
     std::vector<const ExplicitPart*> of_a, of_b;
     for (const auto& p : a) of_a.push_back(p.get());
     for (const auto& p : b) of_b.push_back(p.get());
@@ -81,7 +81,7 @@ class Pieces : public ::testing::Test {
   /// parts, and rightly.
   void refuse_last_part(const std::vector<std::vector<std::size_t>>& copies) {
     static const LaneKernel* sound = nullptr;
-    LanePart::Kernels kernels;
+    CopyKernels kernels;
     for (const std::size_t i : copies.front())
       kernels.push_back(find_lane_kernel(kernel(i).fingerprint, 4));
     sound = kernels.back();
@@ -99,7 +99,7 @@ class Pieces : public ::testing::Test {
       return ExplicitRunResult{};
     };
 
-    std::vector<LanePart::Copy> members;
+    std::vector<Copy> members;
     std::vector<const ExplicitPart*> seen;
     for (const auto& parts : copies) {
       members.push_back(copy(parts));
@@ -109,7 +109,7 @@ class Pieces : public ::testing::Test {
     const ExplicitPart* const other = members[refused_lane].back().get();
     std::vector<bool> constant(mechanism_.state_size(), true);
     std::fill_n(constant.begin(), mechanism_.coordinates(), false);
-    LanePart together({kernels}, std::move(members), constant);
+    LanePart together({kernels}, std::move(members), constant, Guess::previous);
 
     ASSERT_TRUE(reference_->assemble(0).ok());
     State s = solved();
@@ -155,8 +155,8 @@ TEST_F(Pieces, OfSeveralPartsThatAreRefusedFallBackAlone) {
 TEST_F(Pieces, AreCopiesWhereTheyTakeTheSameFromEachOther) {
   make(2);
   const auto axles = of_size(axle_size), levers = of_size(lever_size);
-  const LanePart::Copy first = copy({axles[0], levers[0], levers[1]}),
-                       second = copy({axles[1], levers[2], levers[3]});
+  const Copy first = copy({axles[0], levers[0], levers[1]}),
+             second = copy({axles[1], levers[2], levers[3]});
   EXPECT_TRUE(alike(first, first));
   EXPECT_TRUE(alike(first, second));
   EXPECT_FALSE(alike(first, copy({axles[1], levers[2], levers[1]})));  // a lever of the other axle

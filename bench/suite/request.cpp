@@ -121,8 +121,11 @@ RequestedDelivery::RequestedDelivery(std::span<const AskedComponent> asked) {
   }
   for (Output* output : {&q_, &qd_, &qdd_}) {
     output->values.resize(output->from.size());
-    alike_ = alike_ && (output->from.empty() || output->from.size() == q_.from.size());
+    has_room_ = has_room_ && (output->from.empty() || output->from.size() == q_.from.size());
   }
+  std::vector<int> ascending = q_.from;
+  std::ranges::sort(ascending);
+  has_room_ = has_room_ && std::ranges::adjacent_find(ascending) == ascending.end();
 }
 
 void RequestedDelivery::Output::take(std::span<const double> coordinates) {
@@ -130,7 +133,7 @@ void RequestedDelivery::Output::take(std::span<const double> coordinates) {
 }
 
 std::optional<Room> RequestedDelivery::room(int) {
-  if (!alike_) return {};
+  if (!has_room_) return {};
   return Room{q_.from, q_.room(), qd_.room(), qdd_.room()};
 }
 

@@ -50,7 +50,7 @@ class RequestedDelivery final : public Sink {
  public:
   explicit RequestedDelivery(std::span<const AskedComponent> asked);
   void accept(const Instant& instant) override;
-  /// Where every level is asked of the same coordinates.
+  /// Where every level is asked of the same coordinates, each once.
   std::optional<Room> room(int index) override;
   bool takes_any_order() const override { return true; }
 
@@ -66,7 +66,7 @@ class RequestedDelivery final : public Sink {
     double* room() { return values.empty() ? nullptr : values.data(); }
   };
   Output q_, qd_, qdd_;
-  bool alike_ = true;  // the levels, where they are asked
+  bool has_room_ = true;
 };
 
 /// Largest absolute differences of what is asked, at the levels asked, between two formulations

@@ -1,0 +1,201 @@
+#include "formulations/lane_batch.h"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <utility>
+
+namespace desmo {
+
+namespace {
+
+using Members = std::vector<const ExplicitPart*>;
+
+Members members_of(const Copy& copy) {
+  Members members;
+  for (const auto& member : copy) members.push_back(member.get());
+  return members;
+}
+
+std::span<const int> inputs_of(const ExplicitPart& part) {
+  return {part.binding().in, part.inputs()};
+}
+
+/// Of all parts of a copy, ascending: components of an entity then follow each other.
+std::vector<int> states_of(std::span<const ExplicitPart* const> copy) {
+  std::set<int> states;
+  for (const ExplicitPart* const part : copy)
+    for (const int state : inputs_of(*part)) states.insert(state);
+  return {states.begin(), states.end()};
+}
+
+int position_in(std::span<const int> ascending, int value) {
+  return static_cast<int>(std::ranges::lower_bound(ascending, value) - ascending.begin());
+}
+
+/// For each state of the first copy that which stands in its place in another. Nothing where one
+/// stands in two places.
+std::optional<std::vector<int>> places_in(std::span<const ExplicitPart* const> other,
+                                          std::span<const ExplicitPart* const> first,
+                                          std::span<const int> states) {
+  std::vector<int> places(states.size(), -1);
+  for (std::size_t j = 0; j < first.size(); ++j)
+    for (std::size_t i = 0; i < first[j]->inputs(); ++i) {
+      int& place = places[position_in(states, inputs_of(*first[j])[i])];
+      const int state = inputs_of(*other[j])[i];
+      if (place >= 0 && place != state) return std::nullopt;
+      place = state;
+    }
+  return places;
+}
+
+}  // namespace
+
+bool are_copies(std::span<const ExplicitPart* const> a, std::span<const ExplicitPart* const> b) {
+  const auto type = [](const ExplicitPart* part) { return part->kernel().fingerprint; };
+  return std::ranges::equal(a, b, {}, type, type) && places_in(b, a, states_of(a)) &&
+         places_in(a, b, states_of(b));
+}
+
+LaneBatch::LaneBatch(std::span<Copy> copies, const CopyKernels& kernels,
+                     const std::vector<bool>& constant, Guess guess)
+    : copies_(copies), lanes_(static_cast<std::size_t>(kernels.front()->lanes)) {
+  const Members first = members_of(copies.front());
+  const std::vector<int> states = states_of(first);
+  const auto copy_in = [&](std::size_t lane) -> Copy& {
+    return copies[lane < copies.size() ? lane : 0];
+  };
+  for (std::size_t l = 0; l < lanes_; ++l)
+    places_.push_back(places_in(members_of(copy_in(l)), first, states).value());
+
+  std::set<int> positions, rates, unknowns;  // read before any part has written them; written
+  for (std::size_t j = 0; j < kernels.size(); ++j) {
+    std::vector<ExplicitPart*> members;
+    for (std::size_t l = 0; l < lanes_; ++l) members.push_back(copy_in(l)[j].get());
+    std::vector<int> in;
+    for (const int state : inputs_of(*first[j])) in.push_back(position_in(states, state));
+    for (const int i : kernels[j]->positions)
+      if (!unknowns.contains(in[i])) positions.insert(in[i]);
+    for (const int i : kernels[j]->rates)
+      if (!unknowns.contains(in[i])) rates.insert(in[i]);
+    for (const int i : kernels[j]->unknowns) unknowns.insert(in[i]);
+    stages_.emplace_back(*kernels[j], std::move(members), std::move(in));
+  }
+  unknowns_.assign(unknowns.begin(), unknowns.end());
+
+  std::vector<int> once, moving, starts;
+  for (const int n : positions) {
+    const auto never_moves = [&](const std::vector<int>& of_lane) { return constant[of_lane[n]]; };
+    (unknowns.contains(n)                        ? starts
+     : std::ranges::all_of(places_, never_moves) ? once
+                                                 : moving)
+        .push_back(n);
+  }
+  constants_ = LaneSources(once, places_);
+  positions_ = LaneSources(moving, places_);
+  rates_ = LaneSources(std::vector<int>(rates.begin(), rates.end()), places_);
+  starts_ = LaneSources(starts, places_);
+  std::vector<CoordinateRun> runs = runs_of(starts);
+  for (CoordinateRun& run : runs)
+    run = {run.first * static_cast<int>(lanes_), run.end * static_cast<int>(lanes_)};
+  predictor_ = Predictor(guess, std::move(runs));
+
+  for (LaneState* s : {&now_, &before_})
+    for (LaneValues* values : {&s->q, &s->qd, &s->qdd}) values->resize(states.size() * lanes_);
+  write_only(std::vector<bool>(constant.size(), true));
+}
+
+std::vector<int> LaneBatch::unknowns() const {
+  std::vector<int> all;
+  for (std::size_t l = 0; l < copies_.size(); ++l)
+    for (const int n : unknowns_) all.push_back(places_[l][n]);
+  return all;
+}
+
+void LaneBatch::begin_step(const Past& past) {
+  predicted_ = kept_ && past.last;
+  if (!predicted_) return;
+  std::swap(now_, before_);
+  predictor_(past, before_, now_, now_.q.data());
+}
+
+LaneBatch::Step LaneBatch::solve(const State& s) {
+  positions_.gather(s.q.data(), now_.q.data());
+  rates_.gather(s.qd.data(), now_.qd.data());
+  rates_.gather(s.qdd.data(), now_.qdd.data());
+  if (!predicted_) starts_.gather(s.q.data(), now_.q.data());
+  Step step;
+  step.accepted = all();
+  alignas(64) std::array<double, most_lanes> of_stage;
+  for (const LaneStage& stage : stages_) {
+    const LaneResult r = stage.solve(now_, of_stage.data());
+    // What is refused goes on without meaning, and never converges.
+    if (step.accepted == all()) step.iterations = std::max(step.iterations, r.iterations);
+    step.accepted &= r.accepted;
+    for (std::size_t l = 0; l < lanes_; ++l) step.residual2[l] += of_stage[l];
+  }
+  kept_ = true;
+  return step;
+}
+
+void LaneBatch::take(const State& s) {
+  for (LaneState* values : {&now_, &before_}) constants_.gather(s.q.data(), values->q.data());
+  for (std::size_t l = 0; l < lanes_; ++l)
+    for (const int n : unknowns_) {
+      const std::size_t in_lane = n * lanes_ + l;
+      const int place = places_[l][n];
+      now_.q[in_lane] = s.q[place];
+      now_.qd[in_lane] = s.qd[place];
+      now_.qdd[in_lane] = s.qdd[place];
+    }
+  std::ranges::for_each(stages_, &LaneStage::take_branches);
+  assembled_ = std::ranges::all_of(stages_, &LaneStage::assembled);
+  kept_ = true;
+}
+
+void LaneBatch::write_read(State& s, Level level) const {
+  if (predicted_)
+    read_.scatter(now_.q.data(), s.q.data());
+  else
+    for (std::size_t l = 0; l < copies_.size(); ++l)
+      for (const int n : unknowns_) s.q[places_[l][n]] = now_.q[n * lanes_ + l];
+  if (level >= Level::velocity) read_.scatter(now_.qd.data(), s.qd.data());
+  if (level >= Level::acceleration) read_.scatter(now_.qdd.data(), s.qdd.data());
+}
+
+void LaneBatch::write(std::size_t copy, State& s) const {
+  for (const int n : unknowns_) {
+    const std::size_t in_lane = n * lanes_ + copy;
+    const int place = places_[copy][n];
+    s.q[place] = now_.q[in_lane];
+    s.qd[place] = now_.qd[in_lane];
+    s.qdd[place] = now_.qdd[in_lane];
+  }
+}
+
+void LaneBatch::write_last(std::size_t copy, std::span<double> q) const {
+  for (const int n : unknowns_) q[places_[copy][n]] = before_.q[n * lanes_ + copy];
+}
+
+void LaneBatch::write_only(const std::vector<bool>& read) {
+  std::vector<int> slots(read.size());
+  for (std::size_t i = 0; i < read.size(); ++i) slots[i] = read[i] ? static_cast<int>(i) : -1;
+  read_ = targets(slots);
+}
+
+void LaneBatch::prepare_rooms(std::span<const int> slots) { asked_ = targets(slots); }
+
+LaneTargets LaneBatch::targets(std::span<const int> slots) const {
+  LanePlaces to = places_;
+  for (std::vector<int>& of_lane : to)
+    for (int& place : of_lane) place = slots[place];
+  return {unknowns_, to, copies_.size()};
+}
+
+void LaneBatch::fill(const Room& room, Level level) const {
+  if (room.q) asked_.scatter(now_.q.data(), room.q);
+  if (room.qd && level >= Level::velocity) asked_.scatter(now_.qd.data(), room.qd);
+  if (room.qdd && level >= Level::acceleration) asked_.scatter(now_.qdd.data(), room.qdd);
+}
+
+}  // namespace desmo

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "formulations/guess.h"
+#include "formulations/lane_stage.h"
+#include "formulations/lane_transport.h"
+#include "formulations/lane_values.h"
+#include "formulations/predictor.h"
+#include "formulations/room.h"
+
+namespace desmo {
+
+/// The parts of a copy of a piece of a mechanism, in the order of solution.
+using Copy = std::vector<std::unique_ptr<ExplicitPart>>;
+/// For each part of a copy the kernel of its type, all of as many lanes.
+using CopyKernels = std::vector<const LaneKernel*>;
+
+/// Copies of one call of each kernel, and what was found of them, which stays in lanes from one
+/// instant to the next. Where copies are fewer than lanes, the first fills the rest.
+class LaneBatch {
+ public:
+  /// What became of a step.
+  struct Step {
+    unsigned accepted = 0;  ///< bit by bit, copies of which every part is
+    int iterations = 0;     ///< the most of any part
+    alignas(64) std::array<double, most_lanes> residual2{};  ///< ‖Φ‖₂² of each
+  };
+
+  /// copies: alike, as are_copies() says; they outlive the batch. constant: of each position in the
+  /// state, whether it never moves. guess: from which a step starts.
+  LaneBatch(std::span<Copy> copies, const CopyKernels& kernels, const std::vector<bool>& constant,
+            Guess guess);
+
+  std::span<Copy> copies() const { return copies_; }
+  unsigned all() const { return (1u << copies_.size()) - 1; }
+  std::vector<int> unknowns() const;
+
+  /// See Keeper.
+  void begin_step(const Past& past);
+  /// Whether the step starts from the instant before, which is kept, and not from the state.
+  bool predicted() const { return predicted_; }
+  /// Whether the kernels may go on: every part has found a position since forget().
+  bool assembled() const { return assembled_; }
+  void forget() { assembled_ = kept_ = predicted_ = false; }
+
+  /// Solves positions, velocities and accelerations. What is not accepted is of no meaning.
+  Step solve(const State& state);
+  /// Takes what the copies have found by themselves.
+  void take(const State& state);
+
+  /// What others read in the state, as far as `level`; without prediction all positions.
+  void write_read(State& state, Level level) const;
+  void write_only(const std::vector<bool>& read);
+  /// All of one copy.
+  void write(std::size_t copy, State& state) const;
+  /// Positions of the instant before.
+  void write_last(std::size_t copy, std::span<double> q) const;
+
+  /// slots: of each position in the state, its place in a room, or −1.
+  void prepare_rooms(std::span<const int> slots);
+  void fill(const Room& room, Level level) const;
+
+ private:
+  LaneTargets targets(std::span<const int> slots) const;
+
+  std::span<Copy> copies_;
+  std::vector<LaneStage> stages_;
+  std::size_t lanes_;
+  LanePlaces places_;          // in the state, of all that a copy reads and writes: local inputs
+  std::vector<int> unknowns_;  // local, ascending
+  LaneSources constants_, positions_, rates_;  // of others: once, and in every step
+  LaneSources starts_;                         // of its own
+  LaneTargets read_, asked_;
+  LaneState now_, before_;
+  Predictor predictor_;
+  bool assembled_ = false, kept_ = false, predicted_ = false;
+};
+
+/// Whether both have parts of the same types, in the same order, that take the same from each
+/// other.
+bool are_copies(std::span<const ExplicitPart* const> a, std::span<const ExplicitPart* const> b);
+
+}  // namespace desmo
