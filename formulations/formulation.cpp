@@ -24,10 +24,14 @@ void set(State& state, int coordinate, const MotionSample<double>& z) {
   state.qdd[coordinate] = z.acceleration;
 }
 
-std::vector<const Motion*> motions_of(const std::vector<Driver>& drivers) {
+MotionSampler sampler_of(const Mechanism& m) {
   std::vector<const Motion*> motions;
-  for (const Driver& d : drivers) motions.push_back(&d.motion);
-  return motions;
+  std::vector<int> places;
+  for (const Driver& d : m.drivers) {
+    motions.push_back(&d.motion);
+    places.push_back(m.entities[d.coordinate].first);
+  }
+  return {std::move(motions), std::move(places)};
 }
 
 }  // namespace
@@ -86,7 +90,7 @@ bool go_in_pieces(double from, double to, Go&& go) {
 Formulation::Formulation(const Mechanism& mechanism, std::vector<DefinedPart> parts,
                          const Settings& settings, std::unique_ptr<WholeMotion> whole_motion)
     : mechanism_(mechanism),
-      motions_(motions_of(mechanism.drivers)),
+      motions_(sampler_of(mechanism)),
       parts_(std::move(parts)),
       settings_(settings),
       tolerance_(std::max(settings.tolerance, sum_of_tolerances(parts_))),
@@ -232,9 +236,7 @@ void Formulation::guess(double t) {
 
 /// As the function of that name, all drivers at once.
 void Formulation::drive(double t) {
-  const std::span<const MotionSample<double>> z = motions_(t);
-  for (std::size_t d = 0; d < z.size(); ++d)
-    set(state_, mechanism_.entities[mechanism_.drivers[d].coordinate].first, z[d]);
+  motions_(t, state_.q.data(), state_.qd.data(), state_.qdd.data());
 }
 
 Summary Formulation::solve(std::span<const Stage> stages, double t, Level level) {

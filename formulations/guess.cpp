@@ -50,11 +50,6 @@ std::string_view guess_name(Guess guess) {
   return {};
 }
 
-Past Past::up_to(Level level) const {
-  const auto cut = [&](std::optional<Level> l) { return l ? std::min(*l, level) : l; };
-  return {h, h_before, cut(last), cut(before)};
-}
-
 Guess best_guess(Guess wanted, const Past& past) {
   const bool apart = std::abs(past.h) < longest_stretch * std::abs(past.h_before);
   for (const Guess guess : {Guess::hermite5, Guess::hermite3, Guess::quadratic, Guess::linear}) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -25,7 +26,10 @@ struct Past {
   std::optional<Level> last, before{};  ///< how far they were solved; nothing: they are unknown
 
   /// The same of coordinates that are solved up to this level only.
-  Past up_to(Level level) const;
+  Past up_to(Level level) const {
+    const auto cut = [&](std::optional<Level> l) { return l ? std::min(*l, level) : l; };
+    return {h, h_before, cut(last), cut(before)};
+  }
 };
 
 /// The best guess that two instants allow, up to the one wanted: previous, linear, quadratic,

@@ -126,13 +126,13 @@ LaneBatch::Step LaneBatch::solve(const State& s) {
   if (!predicted_) starts_.gather(s.q.data(), now_.q.data());
   Step step;
   step.accepted = all();
-  alignas(64) std::array<double, most_lanes> of_stage;
+  alignas(64) std::array<double, most_lanes> of_stage{};
   for (const LaneStage& stage : stages_) {
     const LaneResult r = stage.solve(now_, of_stage.data());
     // What is refused goes on without meaning, and never converges.
     if (step.accepted == all()) step.iterations = std::max(step.iterations, r.iterations);
     step.accepted &= r.accepted;
-    for (std::size_t l = 0; l < lanes_; ++l) step.residual2[l] += of_stage[l];
+    for (int l = 0; l < most_lanes; ++l) step.residual2[l] += of_stage[l];
   }
   kept_ = true;
   return step;

@@ -1,7 +1,9 @@
 #include "formulations/lane_motion.h"
 
+#include <algorithm>
 #include <cmath>
 #include <experimental/simd>
+#include <utility>
 
 #include "formulations/equations/elementary.h"
 
@@ -12,6 +14,10 @@ namespace {
 namespace simd = std::experimental;
 /// What registers of 256 bits hold.
 using Quad = simd::simd<double, simd::simd_abi::deduce_t<double, 4>>;
+
+const std::vector<HarmonicSum::Term>& terms_of(const Motion& motion) {
+  return std::get<HarmonicSum>(motion).terms;
+}
 
 Quad load(const std::array<double, 4>& x) { return Quad(x.data(), simd::element_aligned); }
 
@@ -62,43 +68,61 @@ void sample_lanes(const Motion& motion, std::span<const double> times, double* p
   }
 }
 
-MotionSampler::MotionSampler(std::vector<const Motion*> motions)
-    : motions_(std::move(motions)), samples_(motions_.size()) {
-  std::size_t terms = 0;
-  for (int i = 0; i < static_cast<int>(motions_.size()); ++i) {
-    const auto* const sum = std::get_if<HarmonicSum>(motions_[i]);
-    if (!sum) {
-      others_.push_back(i);
-      continue;
-    }
-    means_.push_back({i, sum->mean});
-    for (const HarmonicSum::Term& term : sum->terms) {
-      const std::size_t l = terms++ % Quad::size();
-      if (l == 0) terms_.emplace_back();
-      Terms& last = terms_.back();
-      last.amplitude[l] = term.amplitude;
-      last.angular_frequency[l] = term.angular_frequency;
-      last.phase[l] = term.phase;
-      last.motion[l] = i;
-    }
+MotionSampler::MotionSampler(std::vector<const Motion*> motions, std::vector<int> places)
+    : motions_(std::move(motions)), places_(std::move(places)) {
+  std::vector<int> harmonic;
+  for (int i = 0; i < static_cast<int>(motions_.size()); ++i)
+    (std::holds_alternative<HarmonicSum>(*motions_[i]) ? harmonic : others_).push_back(i);
+  // Those of as many terms beside each other.
+  std::ranges::stable_sort(harmonic, {}, [&](int i) { return terms_of(*motions_[i]).size(); });
+  for (std::span<const int> left = harmonic; !left.empty();) {
+    const std::size_t taken = std::min(left.size(), Quad::size());
+    sums_.push_back(sums(left.first(taken)));
+    left = left.subspan(taken);
   }
 }
 
-std::span<const MotionSample<double>> MotionSampler::operator()(double t) {
-  for (const int i : others_) samples_[i] = sample(*motions_[i], t);
-  for (const auto& [i, mean] : means_) samples_[i] = {mean, 0.0, 0.0};
-  for (const Terms& terms : terms_) {
-    const Quad a = load(terms.amplitude), w = load(terms.angular_frequency);
-    const auto [sine, cosine] = sine_cosine(w * t + load(terms.phase));
-    const Quad z = a * sine, zd = a * w * cosine, zdd = a * w * w * sine;
-    for (std::size_t l = 0; l < Quad::size(); ++l) {
-      MotionSample<double>& sum = samples_[terms.motion[l]];
-      sum.position += z[l];
-      sum.velocity += zd[l];
-      sum.acceleration -= zdd[l];
+MotionSampler::Sums MotionSampler::sums(std::span<const int> motions) const {
+  Sums result;
+  result.size = static_cast<int>(motions.size());
+  for (std::size_t l = 0; l < motions.size(); ++l) {
+    result.place[l] = places_[motions[l]];
+    result.mean[l] = std::get<HarmonicSum>(*motions_[motions[l]]).mean;
+    const std::vector<HarmonicSum::Term>& terms = terms_of(*motions_[motions[l]]);
+    result.terms.resize(std::max(result.terms.size(), terms.size()));
+    for (std::size_t k = 0; k < terms.size(); ++k) {
+      result.terms[k].amplitude[l] = terms[k].amplitude;
+      result.terms[k].angular_frequency[l] = terms[k].angular_frequency;
+      result.terms[k].phase[l] = terms[k].phase;
     }
   }
-  return samples_;
+  return result;
+}
+
+void MotionSampler::operator()(double t, double* z, double* zd, double* zdd) const {
+  for (const int i : others_) {
+    const int place = places_[i];
+    const MotionSample<double> one = sample(*motions_[i], t);
+    z[place] = one.position;
+    zd[place] = one.velocity;
+    zdd[place] = one.acceleration;
+  }
+  for (const Sums& four : sums_) {
+    Quad position = load(four.mean), velocity = 0.0, acceleration = 0.0;
+    for (const Terms& terms : four.terms) {
+      const Quad a = load(terms.amplitude), w = load(terms.angular_frequency);
+      const auto [sine, cosine] = sine_cosine(w * t + load(terms.phase));
+      position += a * sine;
+      velocity += a * w * cosine;
+      acceleration -= a * w * w * sine;
+    }
+    for (int l = 0; l < four.size; ++l) {
+      const int place = four.place[l];
+      z[place] = position[l];
+      zd[place] = velocity[l];
+      zdd[place] = acceleration[l];
+    }
+  }
 }
 
 }  // namespace desmo

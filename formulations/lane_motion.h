@@ -13,33 +13,34 @@ namespace desmo {
 void sample_lanes(const Motion& motion, std::span<const double> times, double* position,
                   double* velocity, double* acceleration);
 
-/// Several motions at one time, as all drivers of a mechanism are wanted at each instant: the sines
-/// and cosines of harmonic sums are taken four at a time.
+/// Several motions at one time, as all drivers of a mechanism are wanted at each instant: harmonic
+/// sums are taken four at a time.
 class MotionSampler {
  public:
-  /// The motions outlive the sampler, unchanged.
-  explicit MotionSampler(std::vector<const Motion*> motions);
+  /// places: of each motion, where it belongs in the arrays that are written. The motions outlive
+  /// the sampler, unchanged.
+  MotionSampler(std::vector<const Motion*> motions, std::vector<int> places);
 
-  /// z, ż and z̈ of each motion at time t (s), what sample() gives but for rounding. Until the next
-  /// call.
-  std::span<const MotionSample<double>> operator()(double t);
+  /// Writes z, ż and z̈ of each motion at time t (s), what sample() gives but for rounding.
+  void operator()(double t, double* z, double* zd, double* zdd) const;
 
  private:
-  /// Terms of harmonic sums, of one or of several. Where there are fewer, amplitudes are zero.
+  /// One of each of four sums. Where a sum has fewer, the amplitude is zero.
   struct Terms {
     std::array<double, 4> amplitude{}, angular_frequency{}, phase{};
-    std::array<int, 4> motion{};
   };
-  struct Mean {
-    int motion;
-    double value;
+  struct Sums {
+    std::array<double, 4> mean{};
+    std::array<int, 4> place{};
+    int size = 0;  // four, or what is left
+    std::vector<Terms> terms;
   };
+  Sums sums(std::span<const int> motions) const;
 
   std::vector<const Motion*> motions_;
+  std::vector<int> places_;
   std::vector<int> others_;  // motions that are no harmonic sum
-  std::vector<Mean> means_;  // of those that are
-  std::vector<Terms> terms_;
-  std::vector<MotionSample<double>> samples_;
+  std::vector<Sums> sums_;
 };
 
 }  // namespace desmo

@@ -12,15 +12,17 @@ namespace {
 
 using Places = std::array<int, quad>;
 
-Places places_of(int number, const LanePlaces& places, std::size_t first_lane) {
-  Places result;
-  for (int l = 0; l < quad; ++l) result[l] = places[first_lane + l][number];
+template <std::size_t lanes>
+std::array<int, lanes> places_of(int number, const LanePlaces& places, std::size_t first_lane) {
+  std::array<int, lanes> result;
+  for (std::size_t l = 0; l < lanes; ++l) result[l] = places[first_lane + l][number];
   return result;
 }
 
-/// Whether these follow `size` numbers that begin at others.
-bool follow(const Places& places, const Places& begin, int size) {
-  for (int l = 0; l < quad; ++l)
+/// Whether these follow so many places that begin at others.
+template <std::size_t lanes>
+bool follow(const std::array<int, lanes>& places, const std::array<int, lanes>& begin, int size) {
+  for (std::size_t l = 0; l < lanes; ++l)
     if (places[l] != begin[l] + size) return false;
   return true;
 }
@@ -82,7 +84,7 @@ LaneSources::LaneSources(std::span<const int> which, const LanePlaces& places)
   for (std::size_t number = 0; number < quads_.size(); ++number) {
     std::vector<Run>& runs = quads_[number];
     for (const int n : which) {
-      const Places place = places_of(n, places, number * quad);
+      const Places place = places_of<quad>(n, places, number * quad);
       if (!runs.empty() && runs.back().first + runs.back().size == n &&
           follow(place, runs.back().place, runs.back().size))
         ++runs.back().size;
@@ -115,79 +117,75 @@ void LaneSources::gather(const double* from, double* to) const {
   quads_.size() == 1 ? gather_lanes<4>(from, to) : gather_lanes<8>(from, to);
 }
 
+template <std::size_t lanes>
+void LaneTargets::add(std::vector<int> numbers, const LanePlaces& places, std::size_t first_lane,
+                      std::vector<Run<lanes>>& runs) {
+  std::ranges::sort(numbers, {}, [&](int n) { return places[first_lane][n]; });
+  const std::size_t before = runs.size();
+  for (const int n : numbers) {
+    const auto place = places_of<lanes>(n, places, first_lane);
+    if (runs.size() > before && follow(place, runs.back().places, runs.back().size))
+      ++runs.back().size;
+    else
+      runs.push_back({1, offsets_.size(), place});
+    offsets_.push_back(static_cast<int>(n * lanes_ + first_lane));
+  }
+}
+
 LaneTargets::LaneTargets(std::span<const int> which, const LanePlaces& places, std::size_t used)
     : lanes_(places.size()) {
-  const auto index = [&](int number, std::size_t lane) {
-    return static_cast<int>(number * lanes_ + lane);
-  };
-  const int stride = static_cast<int>(lanes_);
-  const auto put = [&](int number, std::size_t lane) {
-    const int from = index(number, lane), place = places[lane][number];
-    if (place < 0) return;
-    if (!singles_.empty()) {
-      LaneRun& last = singles_.back();
-      if (from == last.from + last.size * stride && place == last.place + last.size) {
-        ++last.size;
-        return;
-      }
-    }
-    singles_.push_back({from, 1, place});
-  };
   for (std::size_t first = 0; first < used; first += quad) {
-    std::vector<int> apart;  // not all lanes of the quad have a place for them
+    const std::size_t end = std::min(first + quad, used);
+    const auto has_place = [&](std::size_t lane, int n) { return places[lane][n] >= 0; };
+    std::vector<int> together;
+    std::array<std::vector<int>, quad> alone;
     for (const int n : which) {
-      const Places place = places_of(n, places, first);
-      if (first + quad > used || std::ranges::any_of(place, [](int p) { return p < 0; })) {
-        apart.push_back(n);
-        continue;
-      }
-      const int from = index(n, first);
-      if (!quads_.empty() && from == quads_.back().from + quads_.back().size * stride &&
-          follow(place, quads_.back().place, quads_.back().size))
-        ++quads_.back().size;
-      else
-        quads_.push_back({from, 1, place});
+      bool all = end == first + quad;
+      for (std::size_t l = first; l < end; ++l) all = all && has_place(l, n);
+      if (all) together.push_back(n);
+      for (std::size_t l = first; l < end; ++l)
+        if (!all && has_place(l, n)) alone[l - first].push_back(n);
     }
-    for (std::size_t l = first; l < std::min(first + quad, used); ++l)
-      for (const int n : apart) put(n, l);
+    add(std::move(together), places, first, quads_);
+    for (std::size_t l = first; l < end; ++l) add(std::move(alone[l - first]), places, l, singles_);
   }
 }
 
-template <std::size_t lanes>
-void LaneTargets::scatter_lanes(const double* __restrict from, double* __restrict to) const {
-  for (const QuadRun& r : quads_) {
-    const auto [first, size, place] = r;  // stores might change what they are read from
-    const auto [a, b, c, d] = place;
-    const double* x = from + first;
+void LaneTargets::scatter(const double* __restrict from, double* __restrict to) const {
+  for (const Run<quad>& run : quads_) {
+    const auto [a, b, c, d] = run.places;
+    const int* const offset = offsets_.data() + run.first;
+    const int size = run.size;
     int k = 0;
 #ifdef __AVX__
-    for (; k + 4 <= size; k += 4, x += 4 * lanes)
-      unpack_four({x, x + lanes, x + 2 * lanes, x + 3 * lanes}, {to + a, to + b, to + c, to + d},
+    const auto row = [&](int number) { return from + offset[number]; };
+    for (; k + 4 <= size; k += 4)
+      unpack_four({row(k), row(k + 1), row(k + 2), row(k + 3)}, {to + a, to + b, to + c, to + d},
                   k);
     if (k + 2 <= size) {
-      put_two(_mm256_load_pd(x), _mm256_load_pd(x + lanes), k, place, to);
-      k += 2, x += 2 * lanes;
+      put_two(_mm256_load_pd(row(k)), _mm256_load_pd(row(k + 1)), k, run.places, to);
+      k += 2;
     }
-    if (k < size) put_one(_mm256_load_pd(x), k, place, to);
+    if (k < size) put_one(_mm256_load_pd(row(k)), k, run.places, to);
 #else
-    for (; k < size; ++k, x += lanes)
-      for (int l = 0; l < quad; ++l) to[place[l] + k] = x[l];
+    for (; k < size; ++k) {
+      const double* const x = from + offset[k];
+      to[a + k] = x[0], to[b + k] = x[1], to[c + k] = x[2], to[d + k] = x[3];
+    }
 #endif
   }
-  for (const LaneRun& r : singles_) {
-    const auto [first, size, place] = r;
-    const double* x = from + first;
+  for (const Run<1>& run : singles_) {
+    const int* const offset = offsets_.data() + run.first;
+    double* const values = to + run.places[0];
+    const int size = run.size;
     int k = 0;
 #ifdef __AVX__
-    for (; k + 4 <= size; k += 4, x += 4 * lanes)
-      _mm256_storeu_pd(to + place + k, _mm256_set_pd(x[3 * lanes], x[2 * lanes], x[lanes], x[0]));
+    for (; k + 4 <= size; k += 4)
+      _mm256_storeu_pd(values + k, _mm256_set_pd(from[offset[k + 3]], from[offset[k + 2]],
+                                                 from[offset[k + 1]], from[offset[k]]));
 #endif
-    for (; k < size; ++k, x += lanes) to[place + k] = x[0];
+    for (; k < size; ++k) values[k] = from[offset[k]];
   }
-}
-
-void LaneTargets::scatter(const double* from, double* to) const {
-  lanes_ == 4 ? scatter_lanes<4>(from, to) : scatter_lanes<8>(from, to);
 }
 
 }  // namespace desmo

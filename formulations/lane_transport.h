@@ -40,31 +40,33 @@ class LaneSources {
   std::vector<std::vector<Run>> quads_;
 };
 
-/// The other way.
+/// The other way: numbers in lanes to places of their own, where those that follow each other in an
+/// array are put together.
 class LaneTargets {
  public:
   LaneTargets() = default;
-  /// which: numbers, ascending; of lanes from `used` on none goes anywhere.
+  /// which: numbers; of lanes from `used` on none goes anywhere.
   LaneTargets(std::span<const int> which, const LanePlaces& places, std::size_t used);
 
   /// Those numbers of each lane to where they have a place.
   void scatter(const double* from, double* to) const;
 
  private:
+  /// Numbers whose places follow each other in so many lanes.
   template <std::size_t lanes>
-  void scatter_lanes(const double* from, double* to) const;
+  struct Run {
+    int size;
+    std::size_t first;              // in offsets_
+    std::array<int, lanes> places;  // of the first number
+  };
+  template <std::size_t lanes>
+  void add(std::vector<int> numbers, const LanePlaces& places, std::size_t first_lane,
+           std::vector<Run<lanes>>& runs);
 
-  struct QuadRun {
-    int from, size;  // of the first lane and the first number
-    std::array<int, quad> place;
-  };
-  /// Of one lane, beside which not all of its quad have a place.
-  struct LaneRun {
-    int from, size, place;
-  };
-  std::vector<QuadRun> quads_;
-  std::vector<LaneRun> singles_;
-  std::size_t lanes_ = quad;
+  std::vector<Run<quad>> quads_;
+  std::vector<Run<1>> singles_;  // where not all lanes of a quad have a place for a number
+  std::vector<int> offsets_;     // of numbers in the first lane of their run
+  std::size_t lanes_ = 0;
 };
 
 }  // namespace desmo

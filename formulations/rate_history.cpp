@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "formulations/guess.h"
 
@@ -11,6 +12,9 @@ namespace {
 
 /// Intervals that differ by less are the same: the times of a grid are rounded.
 constexpr double same = 1e-11;
+
+/// Lanes come in blocks; whatever else is predicted, many runs are of one.
+constexpr std::array block_sizes{8, 4, 1};
 
 /// Gauss's points and weights on [0, 1], exact up to degree 7: that of a polynomial through values
 /// and derivatives at four instants.
@@ -23,12 +27,34 @@ constexpr std::array<double, points> weight{0.17392742256872692869, 0.3260725774
 }  // namespace
 
 RateHistory::RateHistory(std::span<const CoordinateRun> runs) {
+  const auto cut_by = [&](int block) {
+    return std::ranges::all_of(runs, [=](const CoordinateRun& run) {
+      return run.first % block == 0 && run.end % block == 0;
+    });
+  };
+  block_ = *std::ranges::find_if(block_sizes, cut_by);
   for (const CoordinateRun run : runs)
-    for (int i = run.first; i < run.end; ++i) coordinates_.push_back(i);
-  const std::size_t size = coordinates_.size();
+    for (int i = run.first; i < run.end; i += block_) blocks_.push_back(i);
+  const std::size_t size = blocks_.size() * block_;
   rates_.resize(2 * size * instants);
   change_.resize(size);
   for (int j = 0; j < instants; ++j) at_[j] = 2 * size * j;
+}
+
+/// write(n, i): for number n among the coordinates, which is coordinate i.
+template <class Write>
+void RateHistory::for_blocks(Write&& write) const {
+  const auto in_blocks = [&]<int block>(std::integral_constant<int, block>) {
+    std::size_t n = 0;
+    for (const int first : blocks_)
+      for (int k = 0; k < block; ++k) write(n++, first + k);
+  };
+  if (block_ == 8)
+    in_blocks(std::integral_constant<int, 8>());
+  else if (block_ == 4)
+    in_blocks(std::integral_constant<int, 4>());
+  else
+    in_blocks(std::integral_constant<int, 1>());
 }
 
 void RateHistory::remember(double interval, const double* qd, const double* qdd) {
@@ -36,35 +62,38 @@ void RateHistory::remember(double interval, const double* qd, const double* qdd)
   std::rotate(intervals_.begin(), intervals_.end() - 1, intervals_.end());
   known_ = std::min(known_ + 1, instants);
   intervals_[0] = interval;
-  const std::size_t size = coordinates_.size();
-  double* __restrict const v = rates_.data() + at_[0], * __restrict const a = v + size;
-  for (std::size_t n = 0; n < size; ++n) {
-    v[n] = qd[coordinates_[n]];
-    a[n] = qdd[coordinates_[n]];
-  }
+  double* __restrict const v = rates_.data() + at_[0];
+  double* __restrict const a = v + change_.size();
+  for_blocks([=](std::size_t n, int i) {
+    v[n] = qd[i];
+    a[n] = qdd[i];
+  });
 }
 
 bool RateHistory::extrapolate(double h, const double* last, double* q) {
   if (known_ < instants || h == 0) return false;
-  Ratios ratios;
-  bool forward = true, backward = true, as_weighed = true;
-  for (std::size_t j = 0; j < ratios.size(); ++j) {
-    const double ratio = ratios[j] = intervals_[j] / h;
-    forward &= ratio * longest_stretch > 1;
-    backward &= ratio * longest_stretch < -1;
-    as_weighed &= std::abs(ratio - weighed_[j]) <= same;
-  }
-  if (!forward && !backward) return false;
-  if (!as_weighed) weigh(ratios);
+  if (!weighed_for(h) && !weigh(h)) return false;
   add_changes(h);
-  for (std::size_t n = 0; n < coordinates_.size(); ++n)
-    q[coordinates_[n]] = last[coordinates_[n]] + change_[n];
+  for_blocks([=, change = change_.data()](std::size_t n, int i) { q[i] = last[i] + change[n]; });
   return true;
+}
+
+bool RateHistory::weighed_for(double h) const {
+  bool all = true;
+  for (std::size_t j = 0; j < weighed_.size(); ++j)
+    all &= std::abs(intervals_[j] - weighed_[j] * h) <= same * std::abs(intervals_[j]);
+  return all;
 }
 
 /// The integrals over the step of Hermite's basis at the instants, with ℓ_j of Lagrange:
 ///   β_j = ∫ (1 − 2 ℓ_j′(x_j) (x − x_j)) ℓ_j², γ_j = ∫ (x − x_j) ℓ_j².
-void RateHistory::weigh(const Ratios& ratios) {
+/// False where intervals do not go one way or one is short.
+bool RateHistory::weigh(double h) {
+  Ratios ratios;
+  for (std::size_t j = 0; j < ratios.size(); ++j) ratios[j] = intervals_[j] / h;
+  const auto forward = [](double ratio) { return ratio * longest_stretch > 1; };
+  const auto backward = [](double ratio) { return ratio * longest_stretch < -1; };
+  if (!std::ranges::all_of(ratios, forward) && !std::ranges::all_of(ratios, backward)) return false;
   std::array<double, instants> x{};  // the instants in units of h
   for (int j = 1; j < instants; ++j) x[j] = x[j - 1] - ratios[j - 1];
   for (int j = 0; j < instants; ++j) {
@@ -82,6 +111,7 @@ void RateHistory::weigh(const Ratios& ratios) {
     }
   }
   weighed_ = ratios;
+  return true;
 }
 
 /// Σ_j (h β_j q̇_j + h² γ_j q̈_j), the smallest terms first.
@@ -96,7 +126,7 @@ void RateHistory::add_changes(double h) {
   const auto [v_0, v_1, v_2, v_3] = w(beta_, h);
   const auto [a_0, a_1, a_2, a_3] = w(gamma_, h * h);
   double* __restrict const change = change_.data();
-  const std::size_t n = coordinates_.size();
+  const std::size_t n = change_.size();
   for (std::size_t i = 0; i < n; ++i)
     change[i] = a_3 * at_3[n + i] + a_2 * at_2[n + i] + a_1 * at_1[n + i] + a_0 * at_0[n + i] +
                 v_3 * at_3[i] + v_2 * at_2[i] + v_1 * at_1[i] + v_0 * at_0[i];

@@ -34,15 +34,19 @@ class RateHistory {
  private:
   /// Intervals before the last instant, the one before it, and so on, beside the step sought.
   using Ratios = std::array<double, instants - 1>;
-  void weigh(const Ratios& ratios);
+  bool weighed_for(double h) const;
+  bool weigh(double h);
   void add_changes(double h);
+  template <class Write>
+  void for_blocks(Write&& write) const;
 
-  std::vector<int> coordinates_;              // one by one: many runs are of one
-  std::vector<double> rates_;                 // q̇ and q̈, one instant behind the other
-  std::array<std::size_t, instants> at_;      // where in them; the last instant first
+  int block_;                             // so many coordinates at a time: 1, or as many as lanes
+  std::vector<int> blocks_;               // the first of each
+  std::vector<double> rates_;             // q̇ and q̈, one instant behind the other
+  std::array<std::size_t, instants> at_;  // where in them; the last instant first
   std::array<double, instants> intervals_{};  // s, before each instant; the last first
   int known_ = 0;
-  Ratios weighed_{};  // those that the weights are for
+  Ratios weighed_{};  // those that the weights are for; zero: none
   std::array<double, instants> beta_{}, gamma_{};
   std::vector<double> change_;
 };

@@ -120,12 +120,11 @@ RequestedDelivery::RequestedDelivery(std::span<const AskedComponent> asked) {
     if (a.level >= Level::acceleration) qdd_.from.push_back(a.kept);
   }
   for (Output* output : {&q_, &qd_, &qdd_}) {
+    std::ranges::sort(output->from);
     output->values.resize(output->from.size());
     has_room_ = has_room_ && (output->from.empty() || output->from.size() == q_.from.size());
   }
-  std::vector<int> ascending = q_.from;
-  std::ranges::sort(ascending);
-  has_room_ = has_room_ && std::ranges::adjacent_find(ascending) == ascending.end();
+  has_room_ = has_room_ && std::ranges::adjacent_find(q_.from) == q_.from.end();
 }
 
 void RequestedDelivery::Output::take(std::span<const double> coordinates) {

@@ -45,7 +45,8 @@ struct PlannedRequest {
   int unknowns, all_unknowns;         ///< solved for at every instant, of how many
 };
 
-/// Delivers, of each instant, what is asked and nothing else into plain vectors.
+/// Delivers, of each instant, what is asked and nothing else into plain vectors, in coordinate
+/// order.
 class RequestedDelivery final : public Sink {
  public:
   explicit RequestedDelivery(std::span<const AskedComponent> asked);

@@ -2,8 +2,8 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <optional>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,6 +13,7 @@
 #include "bench/peers/tree/stabiliser.h"
 #include "bench/peers/tree/tree_peer.h"
 #include "formulations/lane_motion.h"
+#include "formulations/part.h"
 #include "formulations/predictor.h"
 
 namespace desmo::tree {
@@ -53,7 +54,9 @@ struct AnglesOfAll {
 class Truck final : public TreePeer {
  public:
   Truck(const Scene& scene, const Mechanism& mechanism, Guess guess)
-      : heights_(addresses(scene.motions)) {
+      : sampler_(addresses(scene.motions), one_by_one(scene.motions.size())),
+        heights_{std::vector<double>(scene.motions.size()), {}, {}} {
+    heights_.qd = heights_.qdd = heights_.q;
     const int axles = static_cast<int>(scene.motions.size()) / 2;
     last_ = one_before_ = AnglesOfAll(axles);
     expected_ = Predictor(guess, {{0, 2 * axles}});
@@ -100,11 +103,14 @@ class Truck final : public TreePeer {
     Delivery out = delivery();
     out.put(Moving<Vec>{Vec::UnitY(), Vec::Zero(), Vec::Zero()});  // y1
     int iterations = 0;
-    const std::span<const MotionSample<double>> heights = heights_(t);
+    sampler_(t, heights_.q.data(), heights_.qd.data(), heights_.qdd.data());
+    const auto height = [&](std::size_t wheel) {
+      return MotionSample<double>{heights_.q[wheel], heights_.qd[wheel], heights_.qdd[wheel]};
+    };
     for (std::size_t a = 0; a < suspensions_.size(); ++a) {
       Suspension& s = suspensions_[a];
       Axle::Angles angles = last_.of(a);
-      iterations = std::max(iterations, s.axle.solve(heights[2 * a], heights[2 * a + 1], angles));
+      iterations = std::max(iterations, s.axle.solve(height(2 * a), height(2 * a + 1), angles));
       last_.set(a, angles);
       s.axle.deliver(out);
       for (const Stabiliser& stabiliser : s.stabilisers) stabiliser.solve(s.axle.pose(), out);
@@ -119,7 +125,14 @@ class Truck final : public TreePeer {
     return result;
   }
 
-  MotionSampler heights_;  // of the left and the right wheels, axle after axle
+  static std::vector<int> one_by_one(std::size_t size) {
+    std::vector<int> result(size);
+    std::iota(result.begin(), result.end(), 0);
+    return result;
+  }
+
+  const MotionSampler sampler_;
+  State heights_;  // of the left and the right wheels, axle after axle
   Predictor expected_;
   std::vector<Suspension> suspensions_;
   AnglesOfAll last_, one_before_;  // solved; on the way to a solution what is expected
