@@ -27,6 +27,7 @@ struct Past {
 
   /// The same of coordinates that are solved up to this level only.
   Past up_to(Level level) const {
+    if (level == Level::acceleration) return *this;
     const auto cut = [&](std::optional<Level> l) { return l ? std::min(*l, level) : l; };
     return {h, h_before, cut(last), cut(before)};
   }

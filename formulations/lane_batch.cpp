@@ -119,23 +119,26 @@ void LaneBatch::begin_step(const Past& past) {
   predictor_(past, before_, now_, now_.q.data());
 }
 
-LaneBatch::Step LaneBatch::solve(const State& s) {
+const LaneBatch::Step& LaneBatch::solve(const State& s) {
+  step_.accepted = assembled_ ? all() : 0;
+  step_.iterations = 0;
+  step_.residual2.fill(0);
+  if (!assembled_) return step_;
   positions_.gather(s.q.data(), now_.q.data());
   rates_.gather(s.qd.data(), now_.qd.data());
   rates_.gather(s.qdd.data(), now_.qdd.data());
   if (!predicted_) starts_.gather(s.q.data(), now_.q.data());
-  Step step;
-  step.accepted = all();
-  alignas(64) std::array<double, most_lanes> of_stage{};
+  alignas(64) std::array<double, most_lanes> of_stage;
+  of_stage.fill(0);  // where lanes are fewer
   for (const LaneStage& stage : stages_) {
     const LaneResult r = stage.solve(now_, of_stage.data());
     // What is refused goes on without meaning, and never converges.
-    if (step.accepted == all()) step.iterations = std::max(step.iterations, r.iterations);
-    step.accepted &= r.accepted;
-    for (int l = 0; l < most_lanes; ++l) step.residual2[l] += of_stage[l];
+    if (step_.accepted == all()) step_.iterations = std::max(step_.iterations, r.iterations);
+    step_.accepted &= r.accepted;
+    for (int l = 0; l < most_lanes; ++l) step_.residual2[l] += of_stage[l];
   }
   kept_ = true;
-  return step;
+  return step_;
 }
 
 void LaneBatch::take(const State& s) {

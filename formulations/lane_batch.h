@@ -43,12 +43,11 @@ class LaneBatch {
   void begin_step(const Past& past);
   /// Whether the step starts from the instant before, which is kept, and not from the state.
   bool predicted() const { return predicted_; }
-  /// Whether the kernels may go on: every part has found a position since forget().
-  bool assembled() const { return assembled_; }
   void forget() { assembled_ = kept_ = predicted_ = false; }
 
-  /// Solves positions, velocities and accelerations. What is not accepted is of no meaning.
-  Step solve(const State& state);
+  /// Solves positions, velocities and accelerations of all copies, where the kernels may go on;
+  /// otherwise none is accepted. What is not accepted is of no meaning.
+  const Step& solve(const State& state);
   /// Takes what the copies have found by themselves.
   void take(const State& state);
 
@@ -77,7 +76,9 @@ class LaneBatch {
   LaneTargets read_, asked_;
   LaneState now_, before_;
   Predictor predictor_;
-  bool assembled_ = false, kept_ = false, predicted_ = false;
+  Step step_;
+  bool assembled_ = false;  // every part has found a position since forget()
+  bool kept_ = false, predicted_ = false;
 };
 
 /// Whether both have parts of the same types, in the same order, that take the same from each

@@ -116,12 +116,14 @@ void MotionSampler::operator()(double t, double* z, double* zd, double* zdd) con
       velocity += a * w * cosine;
       acceleration -= a * w * w * sine;
     }
-    for (int l = 0; l < four.size; ++l) {
-      const int place = four.place[l];
-      z[place] = position[l];
-      zd[place] = velocity[l];
-      zdd[place] = acceleration[l];
-    }
+    const auto put = [&](const Quad& values, double* to) {
+      std::array<double, Quad::size()> each;
+      values.copy_to(each.data(), simd::element_aligned);
+      for (int l = 0; l < four.size; ++l) to[four.place[l]] = each[l];
+    };
+    put(position, z);
+    put(velocity, zd);
+    put(acceleration, zdd);
   }
 }
 

@@ -50,8 +50,7 @@ PartResult LanePart::solve(State& s, std::span<const double> last, Level level) 
 
 void LanePart::solve(LaneBatch& batch, State& s, std::span<const double> last, Level level,
                      Result& result) {
-  LaneBatch::Step step;
-  if (batch.assembled()) step = batch.solve(s);
+  const LaneBatch::Step& step = batch.solve(s);
   for (std::size_t l = 0; l < batch.copies().size(); ++l)
     if (step.accepted >> l & 1) result.all.residual2 += step.residual2[l];
   result.all.iterations = std::max(result.all.iterations, step.iterations);
