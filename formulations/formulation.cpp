@@ -322,7 +322,8 @@ Summary Formulation::advance(double t, Level level) {
     const Summary summary = solve(moving_, to, as_far_as);
     if (!summary.ok()) std::ranges::copy(before_.q, state_.q.begin());
     then_ = summary.ok() ? now_ : Solved{};
-    now_ = summary.ok() ? Solved{to, as_far_as} : Solved{};
+    now_.time = to;
+    now_.level = summary.ok() ? std::optional(as_far_as) : std::nullopt;
     return summary;
   };
   const Solved start = now_;

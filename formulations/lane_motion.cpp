@@ -21,7 +21,7 @@ const std::vector<HarmonicSum::Term>& terms_of(const Motion& motion) {
 
 Quad load(const std::array<double, 4>& x) { return Quad(x.data(), simd::element_aligned); }
 
-elementary::SineCosine<Quad> sine_cosine(const Quad& angle) {
+[[gnu::always_inline]] inline elementary::SineCosine<Quad> sine_cosine(const Quad& angle) {
   if (all_of(abs(angle) < elementary::largest_reduced)) return elementary::sine_cosine(angle);
   return {Quad([&](auto l) { return std::sin(angle[l]); }),
           Quad([&](auto l) { return std::cos(angle[l]); })};

@@ -51,8 +51,10 @@ PartResult LanePart::solve(State& s, std::span<const double> last, Level level) 
 void LanePart::solve(LaneBatch& batch, State& s, std::span<const double> last, Level level,
                      Result& result) {
   const LaneBatch::Step& step = batch.solve(s);
+  double residual2 = 0;
   for (std::size_t l = 0; l < batch.copies().size(); ++l)
-    if (step.accepted >> l & 1) result.all.residual2 += step.residual2[l];
+    if (step.accepted >> l & 1) residual2 += step.residual2[l];
+  result.all.residual2 += residual2;
   result.all.iterations = std::max(result.all.iterations, step.iterations);
   if (step.accepted == batch.all()) [[likely]]
     return batch.write_read(s, level);

@@ -41,20 +41,18 @@ RateHistory::RateHistory(std::span<const CoordinateRun> runs) {
   for (int j = 0; j < instants; ++j) at_[j] = 2 * size * j;
 }
 
-/// write(n, i): for number n among the coordinates, which is coordinate i.
-template <class Write>
-void RateHistory::for_blocks(Write&& write) const {
-  const auto in_blocks = [&]<int block>(std::integral_constant<int, block>) {
-    std::size_t n = 0;
-    for (const int first : blocks_)
-      for (int k = 0; k < block; ++k) write(n++, first + k);
+/// visit(n, i, block): numbers n … n + block − 1 among the coordinates are coordinates i and so on.
+template <class Visit>
+void RateHistory::for_blocks(Visit&& visit) const {
+  const auto of_size = [&](auto block) {
+    for (std::size_t b = 0; b < blocks_.size(); ++b) visit(b * block, blocks_[b], block);
   };
   if (block_ == 8)
-    in_blocks(std::integral_constant<int, 8>());
+    of_size(std::integral_constant<std::size_t, 8>());
   else if (block_ == 4)
-    in_blocks(std::integral_constant<int, 4>());
+    of_size(std::integral_constant<std::size_t, 4>());
   else
-    in_blocks(std::integral_constant<int, 1>());
+    of_size(std::integral_constant<std::size_t, 1>());
 }
 
 void RateHistory::remember(double interval, const double* qd, const double* qdd) {
@@ -62,11 +60,11 @@ void RateHistory::remember(double interval, const double* qd, const double* qdd)
   std::rotate(intervals_.begin(), intervals_.end() - 1, intervals_.end());
   known_ = std::min(known_ + 1, instants);
   intervals_[0] = interval;
-  double* __restrict const v = rates_.data() + at_[0];
-  double* __restrict const a = v + change_.size();
-  for_blocks([=](std::size_t n, int i) {
-    v[n] = qd[i];
-    a[n] = qdd[i];
+  double* const v = rates_.data() + at_[0];
+  double* const a = v + change_.size();
+  for_blocks([=](std::size_t n, int i, auto block) {
+    std::copy_n(qd + i, block(), v + n);
+    std::copy_n(qdd + i, block(), a + n);
   });
 }
 
@@ -74,7 +72,11 @@ bool RateHistory::extrapolate(double h, const double* last, double* q) {
   if (known_ < instants || h == 0) return false;
   if (!weighed_for(h) && !weigh(h)) return false;
   add_changes(h);
-  for_blocks([=, change = change_.data()](std::size_t n, int i) { q[i] = last[i] + change[n]; });
+  for_blocks([=, change = change_.data()](std::size_t n, int i, auto block) {
+    std::array<double, block()> expected;  // in registers: q may be last
+    for (std::size_t k = 0; k < block(); ++k) expected[k] = last[i + k] + change[n + k];
+    std::ranges::copy(expected, q + i);
+  });
   return true;
 }
 
@@ -114,7 +116,7 @@ bool RateHistory::weigh(double h) {
   return true;
 }
 
-/// Σ_j (h β_j q̇_j + h² γ_j q̈_j), the smallest terms first.
+/// Σ_j (h β_j q̇_j + h² γ_j q̈_j).
 void RateHistory::add_changes(double h) {
   const auto rates = [&](int j) { return rates_.data() + at_[j]; };
   const double *at_0 = rates(0), *at_1 = rates(1), *at_2 = rates(2), *at_3 = rates(3);
@@ -127,9 +129,12 @@ void RateHistory::add_changes(double h) {
   const auto [a_0, a_1, a_2, a_3] = w(gamma_, h * h);
   double* __restrict const change = change_.data();
   const std::size_t n = change_.size();
-  for (std::size_t i = 0; i < n; ++i)
-    change[i] = a_3 * at_3[n + i] + a_2 * at_2[n + i] + a_1 * at_1[n + i] + a_0 * at_0[n + i] +
-                v_3 * at_3[i] + v_2 * at_2[i] + v_1 * at_1[i] + v_0 * at_0[i];
+  for (std::size_t i = 0; i < n; ++i) {  // two sums: neither waits for the other
+    const double of_v = v_3 * at_3[i] + v_2 * at_2[i] + v_1 * at_1[i] + v_0 * at_0[i];
+    const double of_a =
+        a_3 * at_3[n + i] + a_2 * at_2[n + i] + a_1 * at_1[n + i] + a_0 * at_0[n + i];
+    change[i] = of_a + of_v;
+  }
 }
 
 }  // namespace desmo

@@ -37,8 +37,8 @@ class RateHistory {
   bool weighed_for(double h) const;
   bool weigh(double h);
   void add_changes(double h);
-  template <class Write>
-  void for_blocks(Write&& write) const;
+  template <class Visit>
+  void for_blocks(Visit&& visit) const;
 
   int block_;                             // so many coordinates at a time: 1, or as many as lanes
   std::vector<int> blocks_;               // the first of each
