@@ -24,6 +24,12 @@ constexpr std::array<double, points> point{0.069431844202973712388, 0.3300094782
 constexpr std::array<double, points> weight{0.17392742256872692869, 0.32607257743127307131,
                                             0.32607257743127307131, 0.17392742256872692869};
 
+/// In registers: so few numbers are not worth a call.
+template <std::size_t size>
+void copy(const double* __restrict from, double* __restrict to) {
+  for (std::size_t k = 0; k < size; ++k) to[k] = from[k];
+}
+
 }  // namespace
 
 RateHistory::RateHistory(std::span<const CoordinateRun> runs) {
@@ -63,8 +69,8 @@ void RateHistory::remember(double interval, const double* qd, const double* qdd)
   double* const v = rates_.data() + at_[0];
   double* const a = v + change_.size();
   for_blocks([=](std::size_t n, int i, auto block) {
-    std::copy_n(qd + i, block(), v + n);
-    std::copy_n(qdd + i, block(), a + n);
+    copy<block()>(qd + i, v + n);
+    copy<block()>(qdd + i, a + n);
   });
 }
 
@@ -73,9 +79,9 @@ bool RateHistory::extrapolate(double h, const double* last, double* q) {
   if (!weighed_for(h) && !weigh(h)) return false;
   add_changes(h);
   for_blocks([=, change = change_.data()](std::size_t n, int i, auto block) {
-    std::array<double, block()> expected;  // in registers: q may be last
+    std::array<double, block()> expected;  // q may be last
     for (std::size_t k = 0; k < block(); ++k) expected[k] = last[i + k] + change[n + k];
-    std::ranges::copy(expected, q + i);
+    copy<block()>(expected.data(), q + i);
   });
   return true;
 }
