@@ -179,8 +179,8 @@ void Formulation::want(std::span<const int> coordinates, bool in_rooms) {
 
 /// In the sink's rooms where that saves anything.
 void Formulation::want_as(const Request& request, Sink& sink) {
-  const std::optional<Room> room = keepers_.empty() ? std::nullopt : sink.room(0);
-  room ? want(room->coordinates, true) : want(request.coordinates);
+  const auto rooms = keepers_.empty() ? std::nullopt : sink.rooms();
+  rooms ? want(rooms->coordinates, true) : want(request.coordinates);
 }
 
 void Formulation::prepare_rooms() {
@@ -406,7 +406,7 @@ bool Formulation::solve_next(int i, double t, const Request& request, Sink& sink
   ++total.instants;
   total.residual = std::max(total.residual, s.residual);
   if (wanted_.in_rooms) {
-    fill(*sink.room(i), request.level);
+    fill(sink.room(i), request.level);
     sink.accept({i, t, {}, {}, {}, s.updates, s.residual});
     return true;
   }

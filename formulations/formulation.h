@@ -41,10 +41,12 @@ class Sink {
   virtual ~Sink() = default;
   /// The spans of an instant of which the values are in the sink's room are empty.
   virtual void accept(const Instant& instant) = 0;
-  /// Room for an instant that is to come, at a sink that has it for each, for the same coordinates
-  /// and levels, or for none. A solver may put the values there, which saves a copy, or hand them
-  /// to accept() all the same.
-  virtual std::optional<Room> room(int index) {
+  /// What rooms are for, at a sink that has one for every instant. A solver may put the values
+  /// there, which saves a copy, or hand them to accept() all the same.
+  virtual std::optional<RoomShape> rooms() const { return {}; }
+  /// The room of an instant that is to come, at such a sink. Up to most_rooms are asked for in a
+  /// row; the instants then come in that order.
+  virtual Room room(int index) {
     static_cast<void>(index);
     return {};
   }

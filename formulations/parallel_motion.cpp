@@ -32,16 +32,31 @@ TimeGrid cut(const TimeGrid& grid, int begin, int end) {
 /// Hands instants of a stretch on as those of the whole motion, one thread after the other.
 class ParallelMotion::SharedSink final : public Sink {
  public:
-  SharedSink(Sink& sink, std::mutex& mutex, const TimeGrid& grid, int begin)
-      : sink_(sink), mutex_(mutex), grid_(grid), begin_(begin) {}
+  /// coordinates: of the mechanism.
+  SharedSink(Sink& sink, std::mutex& mutex, const TimeGrid& grid, int begin, int coordinates)
+      : sink_(sink), mutex_(mutex), grid_(grid), begin_(begin) {
+    if (const std::optional<RoomShape> shape = sink_.rooms())
+      rooms_.emplace(*shape, shape->coordinates.empty() ? static_cast<std::size_t>(coordinates)
+                                                        : shape->coordinates.size());
+  }
 
   void accept(const Instant& of_stretch) override {
     Instant instant = of_stretch;
     instant.index += begin_;
     instant.time = grid_.time(instant.index);
     const std::scoped_lock lock(mutex_);
+    if (instant.q.empty()) {
+      const Room from = rooms_->give_back();
+      const Room to = sink_.room(instant.index);
+      for (const auto values : {&Room::q, &Room::qd, &Room::qdd})
+        if (to.*values) std::copy_n(from.*values, rooms_->size(), to.*values);
+    }
     sink_.accept(instant);
   }
+  std::optional<RoomShape> rooms() const override {
+    return rooms_ ? std::optional(rooms_->shape()) : std::nullopt;
+  }
+  Room room(int) override { return rooms_->take(); }
   bool takes_any_order() const override { return true; }
 
  private:
@@ -49,6 +64,7 @@ class ParallelMotion::SharedSink final : public Sink {
   std::mutex& mutex_;
   const TimeGrid& grid_;
   const int begin_;
+  std::optional<RoomRing> rooms_;  // of its own: the sink's are for one thread at a time
 };
 
 ParallelMotion::ParallelMotion(std::vector<std::unique_ptr<Formulation>> workers,
@@ -78,7 +94,8 @@ std::optional<Summary> ParallelMotion::run(const TimeGrid& grid, const Request& 
   }
 #pragma omp parallel for num_threads(count) schedule(static, 1)
   for (int k = 0; k < count; ++k) {
-    SharedSink shared(sink, mutex, grid, stretches_[k].begin);
+    SharedSink shared(sink, mutex, grid, stretches_[k].begin,
+                      workers_[k]->mechanism().coordinates());
     try {
       solve(k, grid, request, state, shared);
     } catch (...) {  // must not leave its thread

@@ -14,6 +14,8 @@
 
 namespace desmo {
 
+static_assert(most_lanes <= most_rooms);
+
 TimeLanes::TimeLanes(const Mechanism& mechanism, std::vector<Parts> parts, const Settings& settings,
                      const KernelTable& table)
     : mechanism_(mechanism),
@@ -219,24 +221,22 @@ bool TimeLanes::meet() const {
 /// coordinate order. What lies beyond the end of the motion goes nowhere.
 void TimeLanes::deliver(const TimeGrid& grid, int length, int i, const Request& request,
                         const Step& step, Sink& sink) {
+  const std::optional<RoomShape> shape = sink.rooms();
   std::array<Room, most_lanes> rooms;
-  bool in_room = true;
   for (int l = 0; l < lanes_; ++l) {
     State& own = delivered_[l];
-    rooms[l] = {{}, own.q.data(), own.qd.data(), own.qdd.data()};
     const int index = l * length + i;
-    if (!in_room || index >= grid.instants) continue;
-    const std::optional<Room> offered = sink.room(index);
-    in_room = offered.has_value();
-    if (in_room) rooms[l] = *offered;
+    rooms[l] = shape && index < grid.instants ? sink.room(index)
+                                              : Room{own.q.data(), own.qd.data(), own.qdd.data()};
   }
-  const std::span<const int> named = rooms[0].coordinates;
+  const std::span<const int> wanted =
+      shape && !shape->coordinates.empty() ? shape->coordinates : coordinates_;
+  const Level as_far_as = shape ? std::min(shape->level, request.level) : request.level;
   const auto unpacked = [&](Level level, const LaneValues& from, double* Room::*to) {
-    if (request.level < level || !(rooms[0].*to)) return;
+    if (as_far_as < level) return;
     std::array<double*, most_lanes> lanes;
     for (int l = 0; l < lanes_; ++l) lanes[l] = rooms[l].*to;
-    unpack(from.data(), named.empty() ? coordinates_ : named,
-           {lanes.data(), lanes.data() + lanes_});
+    unpack(from.data(), wanted, {lanes.data(), lanes.data() + lanes_});
   };
   unpacked(Level::position, now_.q, &Room::q);
   unpacked(Level::velocity, now_.qd, &Room::qd);
@@ -245,7 +245,7 @@ void TimeLanes::deliver(const TimeGrid& grid, int length, int i, const Request& 
     const int index = l * length + i;
     if (index >= grid.instants) break;
     Instant instant{index, grid.time(index), {}, {}, {}, step.updates, std::sqrt(residual2_[l])};
-    if (!in_room) {
+    if (!shape) {
       instant.q = delivered_[l].q;
       if (request.level >= Level::velocity) instant.qd = delivered_[l].qd;
       if (request.level >= Level::acceleration) instant.qdd = delivered_[l].qdd;

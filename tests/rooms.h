@@ -18,15 +18,15 @@ class Rooms : public Sink {
       : coordinates_(std::move(coordinates)), level_(level), values_(instants) {}
 
   void accept(const Instant& instant) override { handed_over += !instant.q.empty(); }
-  std::optional<Room> room(int instant) override {
+  std::optional<RoomShape> rooms() const override { return RoomShape{coordinates_, level_}; }
+  Room room(int instant) override {
     const std::size_t size = coordinates_.size();
     std::vector<double>& values = values_.at(instant);
-    values.resize(3 * size, untouched);
+    values.assign(3 * size, untouched);
     const auto up_to = [&](Level level, std::size_t first) {
       return level <= level_ ? values.data() + first : nullptr;
     };
-    return Room{coordinates_, values.data(), up_to(Level::velocity, size),
-                up_to(Level::acceleration, 2 * size)};
+    return {values.data(), up_to(Level::velocity, size), up_to(Level::acceleration, 2 * size)};
   }
   bool takes_any_order() const override { return true; }
 

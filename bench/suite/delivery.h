@@ -12,18 +12,24 @@ namespace desmo::suite {
 /// in coordinate order.
 class Delivery final : public Sink {
  public:
-  explicit Delivery(int coordinates) : q_(coordinates), qd_(coordinates), qdd_(coordinates) {}
+  explicit Delivery(int coordinates)
+      : rooms_({{}, Level::acceleration}, static_cast<std::size_t>(coordinates)) {}
 
   void accept(const Instant& instant) override {
-    std::ranges::copy(instant.q, q_.begin());
-    std::ranges::copy(instant.qd, qd_.begin());
-    std::ranges::copy(instant.qdd, qdd_.begin());
+    if (!instant.q.empty()) {
+      const Room to = rooms_.take();
+      std::ranges::copy(instant.q, to.q);
+      std::ranges::copy(instant.qd, to.qd);
+      std::ranges::copy(instant.qdd, to.qdd);
+    }
+    rooms_.give_back();
   }
-  std::optional<Room> room(int) override { return Room{{}, q_.data(), qd_.data(), qdd_.data()}; }
+  std::optional<RoomShape> rooms() const override { return rooms_.shape(); }
+  Room room(int) override { return rooms_.take(); }
   bool takes_any_order() const override { return true; }
 
  private:
-  std::vector<double> q_, qd_, qdd_;
+  RoomRing rooms_;
 };
 
 }  // namespace desmo::suite

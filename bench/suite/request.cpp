@@ -86,6 +86,19 @@ class VerifyingRequest final : public Sink {
   std::span<const AskedComponent> asked_;
 };
 
+/// Coordinates of the mechanism solved that are asked as far as `level`, ascending.
+std::vector<int> asked_at(Level level, std::span<const AskedComponent> asked) {
+  std::vector<int> result;
+  for (const AskedComponent& a : asked)
+    if (a.level >= level) result.push_back(a.kept);
+  std::ranges::sort(result);
+  return result;
+}
+
+Level highest_level(std::span<const AskedComponent> asked) {
+  return std::ranges::max_element(asked, {}, &AskedComponent::level)->level;
+}
+
 std::string difference_complaint(double difference) {
   char text[120];
   std::snprintf(text, sizeof text,
@@ -113,34 +126,30 @@ PlannedRequest::PlannedRequest(std::string_view short_name, const Scene& scene,
   all_unknowns = moving_unknowns(whole);
 }
 
-RequestedDelivery::RequestedDelivery(std::span<const AskedComponent> asked) {
-  for (const AskedComponent& a : asked) {
-    q_.from.push_back(a.kept);
-    if (a.level >= Level::velocity) qd_.from.push_back(a.kept);
-    if (a.level >= Level::acceleration) qdd_.from.push_back(a.kept);
-  }
-  for (Output* output : {&q_, &qd_, &qdd_}) {
-    std::ranges::sort(output->from);
-    output->values.resize(output->from.size());
-    has_room_ = has_room_ && (output->from.empty() || output->from.size() == q_.from.size());
-  }
-  has_room_ = has_room_ && std::ranges::adjacent_find(q_.from) == q_.from.end();
-}
+RequestedDelivery::RequestedDelivery(std::span<const AskedComponent> asked)
+    : q_(asked_at(Level::position, asked)),
+      qd_(asked_at(Level::velocity, asked)),
+      qdd_(asked_at(Level::acceleration, asked)),
+      has_room_(!q_.empty() && (qd_.empty() || qd_ == q_) && (qdd_.empty() || qdd_ == q_) &&
+                std::ranges::adjacent_find(q_) == q_.end()),
+      rooms_({q_, has_room_ ? highest_level(asked) : Level::acceleration}, q_.size()) {}
 
-void RequestedDelivery::Output::take(std::span<const double> coordinates) {
-  for (std::size_t i = 0; i < from.size(); ++i) values[i] = coordinates[from[i]];
-}
-
-std::optional<Room> RequestedDelivery::room(int) {
-  if (!has_room_) return {};
-  return Room{q_.from, q_.room(), qd_.room(), qdd_.room()};
+std::optional<RoomShape> RequestedDelivery::rooms() const {
+  return has_room_ ? std::optional(rooms_.shape()) : std::nullopt;
 }
 
 void RequestedDelivery::accept(const Instant& instant) {
-  if (instant.q.empty()) return;  // in the room
-  q_.take(instant.q);
-  qd_.take(instant.qd);
-  qdd_.take(instant.qdd);
+  if (!instant.q.empty()) {
+    const Room to = rooms_.take();
+    const auto pick = [](const std::vector<int>& asked, std::span<const double> from,
+                         double* values) {
+      for (const int i : asked) *values++ = from[i];
+    };
+    pick(q_, instant.q, to.q);
+    pick(qd_, instant.qd, to.qd);
+    pick(qdd_, instant.qdd, to.qdd);
+  }
+  last_ = rooms_.give_back();
 }
 
 Errors largest_differences(Formulation& whole, Formulation& kept,

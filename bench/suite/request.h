@@ -52,22 +52,20 @@ class RequestedDelivery final : public Sink {
   explicit RequestedDelivery(std::span<const AskedComponent> asked);
   void accept(const Instant& instant) override;
   /// Where every level is asked of the same coordinates, each once.
-  std::optional<Room> room(int index) override;
+  std::optional<RoomShape> rooms() const override;
+  Room room(int) override { return rooms_.take(); }
   bool takes_any_order() const override { return true; }
 
-  std::span<const double> q() const { return q_.values; }
-  std::span<const double> qd() const { return qd_.values; }
-  std::span<const double> qdd() const { return qdd_.values; }
+  /// What came last.
+  std::span<const double> q() const { return {last_.q, q_.size()}; }
+  std::span<const double> qd() const { return {last_.qd, qd_.size()}; }
+  std::span<const double> qdd() const { return {last_.qdd, qdd_.size()}; }
 
  private:
-  struct Output {
-    std::vector<int> from;  // coordinates of the mechanism solved
-    std::vector<double> values;
-    void take(std::span<const double> coordinates);
-    double* room() { return values.empty() ? nullptr : values.data(); }
-  };
-  Output q_, qd_, qdd_;
-  bool has_room_ = true;
+  std::vector<int> q_, qd_, qdd_;  // coordinates of the mechanism solved
+  bool has_room_;
+  RoomRing rooms_;
+  Room last_{};
 };
 
 /// Largest absolute differences of what is asked, at the levels asked, between two formulations

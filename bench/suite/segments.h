@@ -65,7 +65,8 @@ class SegmentedDelivery final : public Sink {
     inner_.accept(instant);
     segments_.passed(instant.updates);
   }
-  std::optional<Room> room(int index) override { return inner_.room(index); }
+  std::optional<RoomShape> rooms() const override { return inner_.rooms(); }
+  Room room(int index) override { return inner_.room(index); }
   bool takes_any_order() const override { return inner_.takes_any_order(); }
 
  private:
