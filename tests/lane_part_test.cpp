@@ -123,6 +123,22 @@ class Pieces : public ::testing::Test {
     }
     for (const ExplicitPart* const p : seen) EXPECT_EQ(p->fallbacks(), p == other ? 2 : 0);
     EXPECT_EQ(together.fallbacks(), 2);
+
+    // Predicted, with nobody who reads anything: the state knows nothing of the unknowns.
+    together.write_only(std::vector<bool>(mechanism_.state_size(), false));
+    for (int i = 0; i < 2; ++i) {
+      for (const auto& parts : copies)
+        for (const std::size_t p : parts)
+          for (const int k : definitions_[p].unknowns) s.q[k] = s.qd[k] = s.qdd[k] = 17;
+      const std::vector<double> last = s.q;
+      together.begin_step({0.01, 0.01, Level::acceleration, Level::acceleration});
+      ASSERT_EQ(together.solve(s, last, Level::acceleration).status, Status::converged);
+    }
+    EXPECT_EQ(together.fallbacks(), 4);
+    std::vector<double> last = s.q;
+    together.write_last(last);
+    together.write(s);
+    for (int i = 0; i < mechanism_.coordinates(); ++i) EXPECT_NEAR(last[i], s.q[i], 1e-10) << i;
     for (int i = 0; i < mechanism_.coordinates(); ++i) {
       EXPECT_NEAR(s.q[i], expected.q[i], 1e-10) << i;
       EXPECT_NEAR(s.qd[i], expected.qd[i], 1e-9) << i;
