@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -106,6 +108,10 @@ class Pieces : public ::testing::Test {
       if (members.size() == refused_lane + 1) members.back().back() = part(parts.back(), refused);
       for (const auto& member : members.back()) seen.push_back(member.get());
     }
+    std::vector<int> starts;
+    for (const ExplicitPart* const p : seen)
+      std::ranges::copy(p->starts_from({}), std::back_inserter(starts));
+    std::ranges::sort(starts);
     const ExplicitPart* const other = members[refused_lane].back().get();
     std::vector<bool> constant(mechanism_.state_size(), true);
     std::fill_n(constant.begin(), mechanism_.coordinates(), false);
@@ -139,6 +145,14 @@ class Pieces : public ::testing::Test {
     together.write_last(last);
     together.write(s);
     for (int i = 0; i < mechanism_.coordinates(); ++i) EXPECT_NEAR(last[i], s.q[i], 1e-10) << i;
+
+    // From the state, where positions are then complete whoever reads them.
+    for (const auto& parts : copies)
+      for (const std::size_t p : parts)
+        for (const int k : definitions_[p].unknowns)
+          if (!std::ranges::binary_search(starts, k)) s.q[k] = 17;
+    together.begin_step({0.01, 0.01, std::nullopt});
+    ASSERT_EQ(together.solve(s, last, Level::acceleration).status, Status::converged);
     for (int i = 0; i < mechanism_.coordinates(); ++i) {
       EXPECT_NEAR(s.q[i], expected.q[i], 1e-10) << i;
       EXPECT_NEAR(s.qd[i], expected.qd[i], 1e-9) << i;
