@@ -5,12 +5,10 @@
 #include <cmath>
 #include <cstdio>
 #include <iterator>
-#include <stdexcept>
 #include <utility>
 
 #include "formulations/dense_output.h"
 #include "formulations/diagnosis.h"
-#include "formulations/keeper.h"
 #include "formulations/straight_way.h"
 #include "formulations/trajectory.h"
 
@@ -120,7 +118,7 @@ void Formulation::prepare() {
     if (part.definition.constant) continue;
     std::ranges::copy(part.solver->starts_from(part.definition.unknowns),
                       std::back_inserter(unknowns[static_cast<std::size_t>(part.level)]));
-    if (Keeper* const keeper = part.solver->keeper()) keepers_.push_back({keeper, part.level});
+    if (Keeper* const keeper = part.solver->keeper()) keepers_.add(*keeper, part.level);
   }
   for (std::size_t level = 0; level < unknowns.size(); ++level) {
     std::ranges::sort(unknowns[level]);
@@ -162,6 +160,7 @@ void Formulation::forget() {
 
 void Formulation::want(std::span<const int> coordinates, bool in_rooms) {
   if (in_rooms == wanted_.in_rooms && std::ranges::equal(coordinates, wanted_.coordinates)) return;
+  if (in_rooms) keepers_.prepare_rooms(coordinates, mechanism_.coordinates());
   wanted_.coordinates.assign(coordinates.begin(), coordinates.end());
   wanted_.in_rooms = in_rooms;
   std::vector<bool> read(mechanism_.state_size(), !in_rooms && coordinates.empty());
@@ -174,42 +173,12 @@ void Formulation::want(std::span<const int> coordinates, bool in_rooms) {
       if (!std::ranges::binary_search(unknowns, i)) read[i] = true;
   }
   for (const DefinedPart& part : parts_) part.solver->write_only(read);
-  if (in_rooms) prepare_rooms();
 }
 
 /// In the sink's rooms where that saves anything.
 void Formulation::want_as(const Request& request, Sink& sink) {
   const auto rooms = keepers_.empty() ? std::nullopt : sink.rooms();
   rooms ? want(rooms->coordinates, true) : want(request.coordinates);
-}
-
-void Formulation::prepare_rooms() {
-  std::vector<bool> kept(mechanism_.coordinates());
-  for (const auto& [keeper, level] : keepers_) {
-    keeper->prepare_rooms(wanted_.coordinates);
-    for (const int i : keeper->kept()) kept[i] = true;
-  }
-  not_kept_.clear();
-  const std::vector<int>& named = wanted_.coordinates;
-  const int size = named.empty() ? mechanism_.coordinates() : static_cast<int>(named.size());
-  std::vector<bool> has_room(mechanism_.coordinates());
-  for (int n = 0; n < size; ++n) {
-    const int i = named.empty() ? n : named[n];
-    if (has_room[i]) throw std::invalid_argument("a sink has room for a coordinate twice");
-    has_room[i] = true;
-    if (!kept[i]) not_kept_.push_back({i, n});
-  }
-}
-
-void Formulation::fill(const Room& room, Level level) const {
-  for (const auto& [keeper, as_far_as] : keepers_) keeper->fill(room, std::min(level, as_far_as));
-  const auto copy = [&](Level needed, const std::vector<double>& from, double* to) {
-    if (!to || level < needed) return;
-    for (const auto& [coordinate, slot] : not_kept_) to[slot] = from[coordinate];
-  };
-  copy(Level::position, state_.q, room.q);
-  copy(Level::velocity, state_.qd, room.qd);
-  copy(Level::acceleration, state_.qdd, room.qdd);
 }
 
 void Formulation::solve_only(std::span<const Level> needed) {
@@ -231,7 +200,7 @@ void Formulation::guess(double t) {
   for (std::size_t level = 0; level < predictors_.size(); ++level)
     if (Predictor& predictor = predictors_[level]; !predictor.empty())
       predictor(past.up_to(static_cast<Level>(level)), last, one_before, state_.q.data());
-  for (const auto& [keeper, level] : keepers_) keeper->begin_step(past.up_to(level));
+  keepers_.begin_step(past);
 }
 
 /// As the function of that name, all drivers at once.
@@ -261,7 +230,7 @@ Summary Formulation::solve(std::span<const Stage> stages, double t, Level level)
     if (r.status != Status::converged) {
       const PartDefinition& definition = parts_[stage.part].definition;
       summary.status = r.status;
-      for (const auto& [keeper, as_far_as] : keepers_) keeper->write_last(before_.q);
+      keepers_.write_last(before_.q);
       for (const int i : definition.unknowns) state_.q[i] = before_.q[i];
       const Culprit c = find_culprit(mechanism_, definition.groups, state_.q, settings_);
       summary.group = c.group;
@@ -406,8 +375,8 @@ bool Formulation::solve_next(int i, double t, const Request& request, Sink& sink
   ++total.instants;
   total.residual = std::max(total.residual, s.residual);
   if (wanted_.in_rooms) {
-    fill(sink.room(i), request.level);
-    sink.accept({i, t, {}, {}, {}, s.updates, s.residual});
+    keepers_.fill(sink.room(i), request.level, state_);
+    sink.accept({i, t, {}, {}, {}, s.updates, s.residual, false, true});
     return true;
   }
   sink.accept({i, t, q(), request.level >= Level::velocity ? qd() : std::span<const double>{},
@@ -437,8 +406,7 @@ Summary Formulation::take_steps(const TimeGrid& grid, const Request& request, Si
 
 /// All of the instant solved last, whatever was wanted of it.
 void Formulation::write_kept(const Summary& total) {
-  if (total.ok() && total.instants > 0)
-    for (const auto& [keeper, level] : keepers_) keeper->write(state_);
+  if (total.ok() && total.instants > 0) keepers_.write(state_);
 }
 
 std::optional<Summary> Formulation::run_on(const TimeGrid& grid, const Request& request,

@@ -9,6 +9,7 @@
 
 #include "cases/mechanism.h"
 #include "cases/motion.h"
+#include "formulations/keepers.h"
 #include "formulations/lane_motion.h"
 #include "formulations/part.h"
 #include "formulations/partition.h"
@@ -33,13 +34,13 @@ struct Instant {
   long updates = 0;           ///< that it took: see Summary
   double residual = 0;        ///< ‖Φ‖₂ where it was accepted, as in Summary
   bool interpolated = false;  ///< between those solved (see Settings::stride)
+  bool in_room = false;       ///< the values are in the sink's room, the spans empty
 };
 
 /// Receives the instants of a motion in order of time.
 class Sink {
  public:
   virtual ~Sink() = default;
-  /// The spans of an instant of which the values are in the sink's room are empty.
   virtual void accept(const Instant& instant) = 0;
   /// What rooms are for, at a sink that has one for every instant. A solver may put the values
   /// there, which saves a copy, or hand them to accept() all the same.
@@ -181,22 +182,12 @@ class Formulation {
     std::vector<int> coordinates{};  // none standing for all …
     bool in_rooms = false;           // … in rooms that are for them, or in the state
   };
-  struct CoordinateInRoom {
-    int coordinate, slot;
-  };
-  /// A part that keeps its results, and as far as anyone asks for them.
-  struct Kept {
-    Keeper* keeper;
-    Level level;
-  };
 
   void prepare();
   void make_runs();
   void forget();
   void want(std::span<const int> coordinates, bool in_rooms = false);
   void want_as(const Request& request, Sink& sink);
-  void prepare_rooms();
-  void fill(const Room& room, Level level) const;
   void write_kept(const Summary& total);
   Summary assemble_alone(double t, Level level);
   Summary advance(double t, Level level);
@@ -214,9 +205,8 @@ class Formulation {
   std::vector<DefinedPart> parts_;
   std::vector<Stage> constant_, moving_;        // those that depend on no driver, and the others
   std::vector<std::unique_ptr<PartRun>> runs_;  // of moving ones
-  std::vector<Kept> keepers_;                   // of moving parts
+  Keepers keepers_;                             // of moving parts
   Wanted wanted_;
-  std::vector<CoordinateInRoom> not_kept_;  // what rooms get from the state
   /// Of moving unknowns from which a solver starts, by the level to which they are solved.
   std::array<Predictor, 3> predictors_;
   Settings settings_;

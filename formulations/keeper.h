@@ -29,7 +29,7 @@ class Keeper {
   /// Writes the instant solved last.
   virtual void write(State& state) const = 0;
 
-  /// From now on rooms are for these coordinates; none stands for all.
+  /// From now on rooms are for these coordinates, each once.
   virtual void prepare_rooms(std::span<const int> coordinates) = 0;
   /// Puts the instant solved last into such a room, as far as `level`.
   virtual void fill(const Room& room, Level level) const = 0;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <numeric>
 #include <utility>
 
 namespace desmo {
@@ -126,7 +125,6 @@ void LanePart::write(State& s) const {
 
 void LanePart::prepare_rooms(std::span<const int> coordinates) {
   std::vector<int> slots(last_.size(), -1);
-  if (coordinates.empty()) std::iota(slots.begin(), slots.end(), 0);
   for (std::size_t n = 0; n < coordinates.size(); ++n) slots[coordinates[n]] = static_cast<int>(n);
   for (LaneBatch& batch : batches_) batch.prepare_rooms(slots);
 }

@@ -45,7 +45,7 @@ class ParallelMotion::SharedSink final : public Sink {
     instant.index += begin_;
     instant.time = grid_.time(instant.index);
     const std::scoped_lock lock(mutex_);
-    if (instant.q.empty()) {
+    if (instant.in_room) {
       const Room from = rooms_->give_back();
       const Room to = sink_.room(instant.index);
       for (const auto values : {&Room::q, &Room::qd, &Room::qdd})

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -31,7 +32,7 @@ class RoomRing {
       : coordinates_(shape.coordinates.begin(), shape.coordinates.end()),
         level_(shape.level),
         size_(size),
-        values_(3 * size * most_rooms) {}
+        values_(3 * size * most_rooms, std::numeric_limits<double>::quiet_NaN()) {}
 
   RoomShape shape() const { return {coordinates_, level_}; }
   std::size_t size() const { return size_; }

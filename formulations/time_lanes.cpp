@@ -245,7 +245,8 @@ void TimeLanes::deliver(const TimeGrid& grid, int length, int i, const Request& 
     const int index = l * length + i;
     if (index >= grid.instants) break;
     Instant instant{index, grid.time(index), {}, {}, {}, step.updates, std::sqrt(residual2_[l])};
-    if (!shape) {
+    instant.in_room = shape.has_value();
+    if (!instant.in_room) {
       instant.q = delivered_[l].q;
       if (request.level >= Level::velocity) instant.qd = delivered_[l].qd;
       if (request.level >= Level::acceleration) instant.qdd = delivered_[l].qdd;

@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <span>
@@ -65,6 +64,20 @@ class Pieces : public ::testing::Test {
     return are_copies(of_a, of_b);
   }
 
+  /// Of each position in the state, whether it never moves.
+  std::vector<bool> constant() const {
+    std::vector<bool> result(mechanism_.state_size(), true);
+    std::fill_n(result.begin(), mechanism_.coordinates(), false);
+    return result;
+  }
+
+  /// Unknowns of these parts.
+  void spoil(const std::vector<std::vector<std::size_t>>& copies, State& s) const {
+    for (const auto& parts : copies)
+      for (const std::size_t p : parts)
+        for (const int k : definitions_[p].unknowns) s.q[k] = s.qd[k] = s.qdd[k] = 17;
+  }
+
   State solved() const {
     State s;
     const auto size = static_cast<std::size_t>(mechanism_.state_size());
@@ -108,14 +121,8 @@ class Pieces : public ::testing::Test {
       if (members.size() == refused_lane + 1) members.back().back() = part(parts.back(), refused);
       for (const auto& member : members.back()) seen.push_back(member.get());
     }
-    std::vector<int> starts;
-    for (const ExplicitPart* const p : seen)
-      std::ranges::copy(p->starts_from({}), std::back_inserter(starts));
-    std::ranges::sort(starts);
     const ExplicitPart* const other = members[refused_lane].back().get();
-    std::vector<bool> constant(mechanism_.state_size(), true);
-    std::fill_n(constant.begin(), mechanism_.coordinates(), false);
-    LanePart together({kernels}, std::move(members), constant, Guess::previous);
+    LanePart together({kernels}, std::move(members), constant(), Guess::previous);
 
     ASSERT_TRUE(reference_->assemble(0).ok());
     State s = solved();
@@ -133,9 +140,7 @@ class Pieces : public ::testing::Test {
     // Predicted, with nobody who reads anything: the state knows nothing of the unknowns.
     together.write_only(std::vector<bool>(mechanism_.state_size(), false));
     for (int i = 0; i < 2; ++i) {
-      for (const auto& parts : copies)
-        for (const std::size_t p : parts)
-          for (const int k : definitions_[p].unknowns) s.q[k] = s.qd[k] = s.qdd[k] = 17;
+      spoil(copies, s);
       const std::vector<double> last = s.q;
       together.begin_step({0.01, 0.01, Level::acceleration, Level::acceleration});
       ASSERT_EQ(together.solve(s, last, Level::acceleration).status, Status::converged);
@@ -145,14 +150,6 @@ class Pieces : public ::testing::Test {
     together.write_last(last);
     together.write(s);
     for (int i = 0; i < mechanism_.coordinates(); ++i) EXPECT_NEAR(last[i], s.q[i], 1e-10) << i;
-
-    // From the state, where positions are then complete whoever reads them.
-    for (const auto& parts : copies)
-      for (const std::size_t p : parts)
-        for (const int k : definitions_[p].unknowns)
-          if (!std::ranges::binary_search(starts, k)) s.q[k] = 17;
-    together.begin_step({0.01, 0.01, std::nullopt});
-    ASSERT_EQ(together.solve(s, last, Level::acceleration).status, Status::converged);
     for (int i = 0; i < mechanism_.coordinates(); ++i) {
       EXPECT_NEAR(s.q[i], expected.q[i], 1e-10) << i;
       EXPECT_NEAR(s.qd[i], expected.qd[i], 1e-9) << i;
@@ -180,6 +177,46 @@ TEST_F(Pieces, OfSeveralPartsThatAreRefusedFallBackAlone) {
   for (std::size_t a = 0; a < 4; ++a)
     copies.push_back({axles[a], levers[2 * a], levers[2 * a + 1]});
   refuse_last_part(copies);
+}
+
+/// Predicted, what nobody reads stays in lanes. From the state, it is left complete.
+TEST_F(Pieces, LeaveInTheStateWhatIsReadThere) {
+  make(2);
+  std::vector<std::vector<std::size_t>> copies;
+  std::vector<Copy> members;
+  CopyKernels kernels;
+  for (const std::size_t lever : of_size(lever_size)) {
+    copies.push_back({lever});
+    members.push_back(copy({lever}));
+    kernels = {find_lane_kernel(kernel(lever).fingerprint, 4)};
+  }
+  LanePart together({kernels}, std::move(members), constant(), Guess::previous);
+  std::vector<bool> read(mechanism_.state_size(), false);
+  const int there = definitions_[copies[1][0]].unknowns[3];
+  read[there] = true;
+  together.write_only(read);
+  ASSERT_TRUE(reference_->assemble(0).ok());
+  State s = solved();
+  const State expected = s;
+  for (int i = 0; i < 2; ++i)
+    ASSERT_EQ(together.solve(s, s.q, Level::acceleration).status, Status::converged);
+  EXPECT_EQ(together.fallbacks(), 0);
+
+  spoil(copies, s);
+  together.begin_step({0.01, 0.01, Level::acceleration});
+  ASSERT_EQ(together.solve(s, s.q, Level::acceleration).status, Status::converged);
+  for (const int k : together.kept()) {
+    EXPECT_NEAR(s.q[k], k == there ? expected.q[k] : 17, 1e-10) << k;
+    EXPECT_NEAR(s.qdd[k], k == there ? expected.qdd[k] : 17, 1e-7) << k;
+  }
+  together.write(s);
+  for (const int k : together.kept()) EXPECT_NEAR(s.q[k], expected.q[k], 1e-10) << k;
+
+  for (const int k : together.kept())
+    if (k != there) s.q[k] += 1e-7;
+  together.begin_step({0.01, 0.01, std::nullopt});
+  ASSERT_EQ(together.solve(s, s.q, Level::acceleration).status, Status::converged);
+  for (const int k : together.kept()) EXPECT_NEAR(s.q[k], expected.q[k], 1e-10) << k;
 }
 
 TEST_F(Pieces, AreCopiesWhereTheyTakeTheSameFromEachOther) {

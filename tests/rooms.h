@@ -17,7 +17,7 @@ class Rooms : public Sink {
   Rooms(int instants, std::vector<int> coordinates, Level level)
       : coordinates_(std::move(coordinates)), level_(level), values_(instants) {}
 
-  void accept(const Instant& instant) override { handed_over += !instant.q.empty(); }
+  void accept(const Instant& instant) override { handed_over += !instant.in_room; }
   std::optional<RoomShape> rooms() const override { return RoomShape{coordinates_, level_}; }
   Room room(int instant) override {
     const std::size_t size = coordinates_.size();

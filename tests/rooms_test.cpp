@@ -109,9 +109,12 @@ TEST_P(OnLanes, PositionsAreAsTheyWereBehindARunThatFails) {
     EXPECT_NEAR(f->qdd()[i], one_by_one->qdd()[i], 1e-7) << i;
 }
 
-TEST_P(OnLanes, ARoomThatNamesACoordinateTwiceIsRefused) {
-  Rooms rooms(grid.instants, {7, 8, 7}, Level::position);
-  EXPECT_THROW(make()->run(grid, {}, rooms), std::invalid_argument);
+TEST_P(OnLanes, RoomsNameEveryCoordinateOnceOrAreRefused) {
+  for (const std::vector<int>& wrong : {std::vector{7, 8, 7}, {truck().coordinates()}, {3, -1}}) {
+    const auto f = make();
+    Rooms rooms(grid.instants, wrong, Level::position);
+    for (int i = 0; i < 2; ++i) EXPECT_THROW(f->run(grid, {}, rooms), std::invalid_argument);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Rooms, OnLanes, testing::ValuesIn(lanes_here()));

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <optional>
-#include <vector>
+#include <span>
 
 #include "formulations/formulation.h"
 
@@ -16,20 +16,26 @@ class Delivery final : public Sink {
       : rooms_({{}, Level::acceleration}, static_cast<std::size_t>(coordinates)) {}
 
   void accept(const Instant& instant) override {
-    if (!instant.q.empty()) {
+    if (!instant.in_room) {
       const Room to = rooms_.take();
       std::ranges::copy(instant.q, to.q);
       std::ranges::copy(instant.qd, to.qd);
       std::ranges::copy(instant.qdd, to.qdd);
     }
-    rooms_.give_back();
+    last_ = rooms_.give_back();
   }
   std::optional<RoomShape> rooms() const override { return rooms_.shape(); }
   Room room(int) override { return rooms_.take(); }
   bool takes_any_order() const override { return true; }
 
+  /// What came last.
+  std::span<const double> q() const { return {last_.q, rooms_.size()}; }
+  std::span<const double> qd() const { return {last_.qd, rooms_.size()}; }
+  std::span<const double> qdd() const { return {last_.qdd, rooms_.size()}; }
+
  private:
   RoomRing rooms_;
+  Room last_{};
 };
 
 }  // namespace desmo::suite

@@ -57,32 +57,35 @@ void compare(Errors& largest, std::span<const AskedComponent> asked, const Insta
 
 Instant instant_of(const Formulation& f, double t) { return {0, t, f.q(), f.qd(), f.qdd()}; }
 
-/// Compares what is asked with a reference of the whole mechanism, where the reference has it.
-class VerifyingRequest final : public Sink {
+/// What came of a request beside a reference of the whole mechanism.
+class VerifyingRequest final : public DeliveryAtReference<RequestedDelivery> {
  public:
   VerifyingRequest(std::span<const ReferenceInstant> reference,
                    std::span<const AskedComponent> asked)
-      : reference_(reference), asked_(asked) {}
+      : DeliveryAtReference(RequestedDelivery(asked), reference), asked_(asked) {}
 
-  void accept(const Instant& instant) override {
-    if (static_cast<std::size_t>(errors.instants) == reference_.size()) return;
-    const ReferenceInstant& r = reference_[errors.instants];
-    if (instant.time != r.time) return;
-    compare(errors, asked_, {0, r.time, r.q, r.qd, r.qdd}, instant);
-    for (const AskedComponent& a : asked_) {
-      results.add(instant.q[a.kept], r.q[a.whole], allowed.position);
-      if (a.level >= Level::velocity)
-        results.add(instant.qd[a.kept], r.qd[a.whole], allowed.velocity);
-      if (a.level >= Level::acceleration)
-        results.add(instant.qdd[a.kept], r.qdd[a.whole], allowed.acceleration);
-    }
+  Comparison compare() const {
+    Errors errors;
+    ResultDigest results;
+    for_each([&](const ReferenceInstant& r, const State& came) {
+      ++errors.instants;
+      for (const AskedComponent& a : asked_) {
+        const auto compare = [&](Level level, double& largest, const std::vector<double>& found,
+                                 const std::vector<double>& reference, double unit) {
+          if (a.level < level) return;
+          const double value = found[inner().place(a.kept, level)];
+          widen(largest, value, reference[a.whole]);
+          results.add(value, reference[a.whole], unit);
+        };
+        compare(Level::position, errors.position, came.q, r.q, allowed.position);
+        compare(Level::velocity, errors.velocity, came.qd, r.qd, allowed.velocity);
+        compare(Level::acceleration, errors.acceleration, came.qdd, r.qdd, allowed.acceleration);
+      }
+    });
+    return {errors, results.hex()};
   }
 
-  Errors errors;
-  ResultDigest results;
-
  private:
-  std::span<const ReferenceInstant> reference_;
   std::span<const AskedComponent> asked_;
 };
 
@@ -138,8 +141,15 @@ std::optional<RoomShape> RequestedDelivery::rooms() const {
   return has_room_ ? std::optional(rooms_.shape()) : std::nullopt;
 }
 
+std::size_t RequestedDelivery::place(int coordinate, Level level) const {
+  const std::vector<int>& asked = level == Level::position   ? q_
+                                  : level == Level::velocity ? qd_
+                                                             : qdd_;
+  return std::ranges::lower_bound(asked, coordinate) - asked.begin();
+}
+
 void RequestedDelivery::accept(const Instant& instant) {
-  if (!instant.q.empty()) {
+  if (!instant.in_room) {
     const Room to = rooms_.take();
     const auto pick = [](const std::vector<int>& asked, std::span<const double> from,
                          double* values) {
@@ -206,8 +216,9 @@ void RequestCell::verify(ReferenceCache& references) {
     const double start = now(clock);
     const Summary summary = run(sink);
     analysis_seconds = now(clock) - start;
-    errors = sink.errors;
-    results = sink.results.hex();
+    const Comparison found = sink.compare();
+    errors = found.errors;
+    results = found.results;
     conclude(summary, request_->plan.mechanism, reference.size());
   } catch (const std::exception& e) {
     fail(e.what());

@@ -56,6 +56,8 @@ class RequestedDelivery final : public Sink {
   Room room(int) override { return rooms_.take(); }
   bool takes_any_order() const override { return true; }
 
+  /// Where a coordinate that is asked for stands in the values of a level.
+  std::size_t place(int coordinate, Level level) const;
   /// What came last.
   std::span<const double> q() const { return {last_.q, q_.size()}; }
   std::span<const double> qd() const { return {last_.qd, qd_.size()}; }

@@ -1,12 +1,15 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "bench/suite/delivery.h"
 #include "bench/suite/result_digest.h"
 #include "formulations/formulation.h"
 #include "formulations/reference.h"
@@ -26,19 +29,54 @@ void widen(double& largest, double a, double b);
 /// wrong, in units of the case.
 inline constexpr Errors allowed{0, 1e-9, 1e-8, 1e-7};
 
-/// Compares the instants it is handed with a reference, where the reference has them, and takes the
-/// digest of what it compares, in units of what is allowed.
-class VerifyingSink final : public Sink {
+/// What was compared, and its digest, in units of what is allowed.
+struct Comparison {
+  Errors errors;
+  std::string results;
+};
+
+/// Delivers as `Inner` does when it is timed, and keeps what came at the instants of a reference.
+template <class Inner>
+class DeliveryAtReference : public Sink {
  public:
-  explicit VerifyingSink(std::span<const ReferenceInstant> reference) : reference_(reference) {}
-  void accept(const Instant& instant) override;
-  const Errors& errors() const { return errors_; }
-  std::string results() { return results_.hex(); }  ///< digest; ends it
+  DeliveryAtReference(Inner inner, std::span<const ReferenceInstant> reference)
+      : reference_(reference), came_(reference.size()), inner_(std::move(inner)) {}
+
+  void accept(const Instant& i) override {
+    inner_.accept(i);
+    const auto r = std::ranges::lower_bound(reference_, i.time, {}, &ReferenceInstant::time);
+    if (r == reference_.end() || r->time != i.time) return;
+    const auto copy = [](std::span<const double> v) { return std::vector(v.begin(), v.end()); };
+    came_[r - reference_.begin()] = {copy(inner_.q()), copy(inner_.qd()), copy(inner_.qdd())};
+  }
+  std::optional<RoomShape> rooms() const override { return inner_.rooms(); }
+  Room room(int index) override { return inner_.room(index); }
+  bool takes_any_order() const override { return inner_.takes_any_order(); }
+
+ protected:
+  /// compare(reference, came), of each instant that came.
+  template <class Compare>
+  void for_each(Compare&& compare) const {
+    for (std::size_t r = 0; r < came_.size(); ++r)
+      if (!came_[r].q.empty()) compare(reference_[r], came_[r]);
+  }
+  const Inner& inner() const { return inner_; }
 
  private:
   std::span<const ReferenceInstant> reference_;
-  Errors errors_;
-  ResultDigest results_;
+  std::vector<State> came_;  // empty: not yet
+  Inner inner_;
+};
+
+/// What came of a whole mechanism beside a reference.
+class VerifyingSink final : public DeliveryAtReference<Delivery> {
+ public:
+  explicit VerifyingSink(std::span<const ReferenceInstant> reference);
+  Errors errors() const { return compare().errors; }
+  std::string results() const { return compare().results; }
+
+ private:
+  Comparison compare() const;
 };
 
 /// Empty when within so many times what is allowed; otherwise what is wrong, in words.
