@@ -19,6 +19,7 @@ namespace {
 
 constexpr std::array jacobian_names{"newton", "step", "chord"};
 constexpr std::array factorisation_names{"shared", "per_level"};
+constexpr std::array btf_names{"on", "off"};
 constexpr std::array scalar_names{"double", "float", "mixed"};
 constexpr std::array guesses{Guess::previous, Guess::linear,   Guess::quadratic,
                              Guess::hermite3, Guess::hermite5, Guess::adams8};
@@ -121,6 +122,7 @@ const std::vector<Suffix>& suffixes() {
         choice("guess", &Settings::guess, guess_names),
         choice("jacobian", &Settings::jacobian, names(jacobian_names)),
         choice("factorisation", &Settings::factorisation, names(factorisation_names)),
+        choice("btf", &Settings::btf, names(btf_names)),
         choice("scalar", &Settings::scalar, names(scalar_names)),
         at_once("lanes", &Settings::lanes),
         at_once("segments", &Settings::segments),

@@ -32,6 +32,9 @@ enum class Factorisation {
   per_level,  ///< one of them: each level makes its own
 };
 
+/// Whether KLU brings a matrix into block triangular form before it factorises the blocks.
+enum class BlockTriangularForm { on, off };
+
 inline constexpr int largest_stride = 64;
 inline constexpr int most_threads = 64;
 
@@ -50,6 +53,7 @@ struct Settings {
   int fixed_iterations = 0;
   JacobianUpdate jacobian = JacobianUpdate::newton;
   Factorisation factorisation = Factorisation::shared;
+  BlockTriangularForm btf = BlockTriangularForm::on;  ///< of KLU alone
   Scalar scalar = Scalar::double_precision;
   /// How many copies of a piece of the mechanism, or parts of one type, may be solved at once, on
   /// wide registers, by variants that have code for it: 4 or, where the processor has AVX-512, 8.

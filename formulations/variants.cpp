@@ -82,6 +82,8 @@ std::string why_not(const Variant& v, const Settings& s) {
       return "there is code for four lanes or eight, in explicit order";
   if (s.lanes != 1 && s.segments != 1)
     return "lanes hold parts of one type or segments of the motion, not both";
+  if (s.btf != BlockTriangularForm::on && algebra_name(v) != "klu")
+    return "block triangular form is KLU's, and there is none to leave out";
   const bool other_scalar = s.scalar != Scalar::double_precision;
   if (!v.backend) {
     if (s.jacobian != JacobianUpdate::newton)

@@ -74,7 +74,7 @@ namespace {
 /// Whether a library that solves a part of it allocates in every factorisation.
 bool allocates_inside(const Formulation& f) {
   return std::ranges::any_of(f.parts(), [](const Formulation::DefinedPart& part) {
-    return part.algebra == "umfpack" || part.algebra == "spqr";
+    return part.algebra == "umfpack" || part.algebra == "spqr" || part.algebra == "sparselu";
   });
 }
 

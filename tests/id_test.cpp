@@ -61,6 +61,9 @@ TEST(Id, ReadsBackEveryValueOfEverySuffix) {
     EXPECT_EQ(id_with(*c.variant, c.settings), id);
   }
   EXPECT_EQ(parse_id("group_symbolic_explicit/lanes:4").settings.lanes, 4);
+  const Configuration one_block = parse_id("global_automatic_klu/btf:off");
+  EXPECT_EQ(one_block.settings.btf, BlockTriangularForm::off);
+  EXPECT_EQ(id_with(*one_block.variant, one_block.settings), "global_automatic_klu/btf:off");
   EXPECT_EQ(
       id_with(find_variant("group_automatic_eigen"),
               parse_id("group_automatic_eigen/guess:previous/stride:1/tolerance:1e-12").settings),
@@ -86,7 +89,8 @@ TEST(Id, SaysWhatIsWrong) {
       {"group_symbolic_klu/guess", "unknown suffix '/guess'"},
       {"group_symbolic_klu/gess:linear",
        "unknown suffix '/gess:linear'; there are, each followed by ':' and a value: guess, "
-       "jacobian, factorisation, scalar, lanes, segments, threads, stride, iterations, tolerance"},
+       "jacobian, factorisation, btf, scalar, lanes, segments, threads, stride, iterations, "
+       "tolerance"},
       {"group_symbolic_explicit/lanes:5", "unknown value '5' of '/lanes:'; there are: 4, 8"},
       {"group_symbolic_klu/guess:cubic",
        "unknown value 'cubic' of '/guess:'; there are: previous, linear, quadratic, hermite3, "
@@ -102,6 +106,8 @@ TEST(Id, SaysWhatIsWrong) {
       {"group_symbolic_klu/tolerance:1e999", "a number above 0"},
       {"group_symbolic_klu/tolerance:nan", "a number above 0"},
       {"group_symbolic_klu/tolerance:1e-6x", "a number above 0"},
+      {"global_automatic_umfpack/btf:off", "block triangular form is KLU's"},
+      {"group_symbolic_inlined/btf:off", "block triangular form is KLU's"},
       {"group_symbolic_klu/scalar:mixed", "klu factorises in double precision"},
       {"group_symbolic_eigen/scalar:float", "generated code is in double precision"},
       {"group_automatic_eigen/scalar:float", "single precision cannot meet this tolerance"},

@@ -10,8 +10,10 @@
 
 #include "cases/cases.h"
 #include "formulations/algebra/backend.h"
+#include "formulations/algebra/klu_factors.h"
 #include "formulations/magnitudes.h"
 #include "formulations/reference.h"
+#include "formulations/variants.h"
 #include "tests/mechanisms.h"
 
 namespace desmo {
@@ -91,6 +93,35 @@ std::vector<const Backend*> all_backends() { return {backends().begin(), backend
 
 INSTANTIATE_TEST_SUITE_P(Table, EveryBackend, testing::ValuesIn(all_backends()),
                          [](const auto& info) { return std::string(info.param->name); });
+
+/// As many blocks as KLU finds, or one; and the same solution.
+TEST(Klu, LeavesOutTheBlocksOfAMatrix) {
+  const Pattern triangle{3, {0, 1, 2}, {0, 2, 4, 5}, {0, 1, 1, 2, 2}, {}};
+  const double values[] = {2, 1, 4, 3, 5};
+  for (const BlockTriangularForm btf : {BlockTriangularForm::on, BlockTriangularForm::off}) {
+    KluFactors klu(triangle, btf);
+    const std::size_t blocks = btf == BlockTriangularForm::on ? 3 : 1;
+    EXPECT_EQ(klu.block_start().size(), blocks + 1);
+    ASSERT_TRUE(klu.factor(values));
+    double x[] = {2, 9, 21};
+    klu.solve(x);
+    EXPECT_NEAR(x[0], 1, 1e-15);
+    EXPECT_NEAR(x[1], 2, 1e-15);
+    EXPECT_NEAR(x[2], 3, 1e-15);
+  }
+}
+
+TEST(Klu, SolvesAMechanismAsOneBlock) {
+  const Mechanism m = truck_mechanism(2);
+  const auto f = make_formulation(find_variant("global_automatic_klu"), m),
+             one = make_formulation(find_variant("global_automatic_klu"), m,
+                                    {.btf = BlockTriangularForm::off});
+  ASSERT_TRUE(f->assemble(0.3).ok() && one->assemble(0.3).ok());
+  for (int i = 0; i < m.coordinates(); ++i) {
+    EXPECT_NEAR(one->q()[i], f->q()[i], 1e-11);
+    EXPECT_NEAR(one->qdd()[i], f->qdd()[i], 1e-9);
+  }
+}
 
 TEST(Backends, HaveNamesAndVersions) {
   std::set<std::string_view> names;

@@ -18,6 +18,7 @@ inline constexpr std::array checked_cells{
     "truck_suspension/114/global_symbolic_cholmod",
     "truck_suspension/114/group_automatic_cholmod",
     "truck_suspension/114/group_automatic_spqr",
+    "truck_suspension/114/group_automatic_sparselu",
     "truck_suspension/114/group_symbolic_klu",
     "truck_suspension/114/group_symbolic_eigen",
     "truck_suspension/114/group_symbolic_lapack",

@@ -53,11 +53,11 @@ PhaseTimes one_pass(Formulation& formulation, Profile& profile, const TimeGrid& 
 
 double PhaseTimes::total() const { return std::accumulate(seconds.begin(), seconds.end(), rest); }
 
-PhaseTimes measure_phases(const Variant& variant, const Mechanism& mechanism,
-                          const TimeGrid& grid) {
+PhaseTimes measure_phases(const Variant& variant, const Settings& settings,
+                          const Mechanism& mechanism, const TimeGrid& grid) {
   constexpr int passes = 5;
   Profile profile;
-  const auto formulation = make_formulation(variant, mechanism, {}, &profile);
+  const auto formulation = make_formulation(variant, mechanism, settings, &profile);
   const double clock = clock_seconds();
   std::vector<PhaseTimes> times;
   for (int i = 0; i < passes; ++i) times.push_back(one_pass(*formulation, profile, grid, clock));

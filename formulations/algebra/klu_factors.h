@@ -13,7 +13,7 @@
 
 namespace desmo {
 
-/// Sparse LU by SuiteSparse's KLU: block triangular form and ordering once, then numeric
+/// Sparse LU by SuiteSparse's KLU: block triangular form (or none) and ordering once, then numeric
 /// refactorisation in the pivot order of the last full factorisation. An algebra of NewtonSolver,
 /// and what solved instants are assessed with.
 class KluFactors {
@@ -21,9 +21,10 @@ class KluFactors {
   static constexpr bool rounds_factors = false;
   static constexpr bool keeps_pivots = true;
 
-  explicit KluFactors(const Pattern& pattern)
+  explicit KluFactors(const Pattern& pattern, BlockTriangularForm btf = BlockTriangularForm::on)
       : n_(pattern.n), start_(pattern.column_start), row_(pattern.row) {
     klu_defaults(&common_);
+    common_.btf = btf == BlockTriangularForm::on;
     common_.scale = -1;  // row scaling costs a tenth and these matrices need none
     // The pivot order has to last: with the default, 0.001, a pivot may be so small that the
     // mechanism's motion takes it through zero.

@@ -1,0 +1,58 @@
+// Sparse LU by Eigen (supernodal, with partial pivoting): ordering and column elimination tree
+// once; every factorisation pivots anew, and it and every solution allocate inside.
+
+#include <Eigen/SparseLU>
+#include <algorithm>
+#include <string>
+
+#include "formulations/algebra/backend.h"
+
+namespace desmo {
+
+namespace {
+
+class SparseLu {
+ public:
+  static constexpr bool rounds_factors = false;
+  static constexpr bool keeps_pivots = false;
+
+  explicit SparseLu(const Pattern& pattern) : matrix_(pattern.n, pattern.n), x_(pattern.n) {
+    matrix_.resizeNonZeros(static_cast<Eigen::Index>(pattern.row.size()));
+    std::ranges::copy(pattern.column_start, matrix_.outerIndexPtr());
+    std::ranges::copy(pattern.row, matrix_.innerIndexPtr());
+    matrix_.coeffs().setOnes();
+    lu_.analyzePattern(matrix_);
+  }
+
+  bool factor(const double* values) {
+    std::copy_n(values, matrix_.nonZeros(), matrix_.valuePtr());
+    lu_.factorize(matrix_);
+    return lu_.info() == Eigen::Success;
+  }
+
+  void solve(double* b) {
+    Eigen::Map<Eigen::VectorXd> right(b, x_.size());
+    x_ = lu_.solve(right);
+    right = x_;
+  }
+
+  int patience() const { return sparse_patience; }
+
+ private:
+  using Matrix = Eigen::SparseMatrix<double>;
+
+  Matrix matrix_;
+  Eigen::SparseLU<Matrix, Eigen::COLAMDOrdering<int>> lu_;
+  Eigen::VectorXd x_;
+};
+
+}  // namespace
+
+extern const Backend sparselu_backend;
+const Backend sparselu_backend{"sparselu", false, &make_newton_part<SparseLu>, [] {
+                                 return std::to_string(EIGEN_WORLD_VERSION) + "." +
+                                        std::to_string(EIGEN_MAJOR_VERSION) + "." +
+                                        std::to_string(EIGEN_MINOR_VERSION);
+                               }};
+
+}  // namespace desmo
