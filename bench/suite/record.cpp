@@ -147,7 +147,7 @@ Json profile_json(const Cell& cell) {
   seconds["rest"] = cell.phases->rest;
   return {{"case", cell.definition.name},
           {"coordinates", cell.coordinates},
-          {"id", cell.variant.id},
+          {"id", cell.id()},
           {"seconds_per_step", seconds},
           {"total_range", {cell.phases->least_total, cell.phases->most_total}}};
 }
