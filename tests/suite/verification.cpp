@@ -46,6 +46,32 @@ TEST_F(Verification, RefusesWhatIsMissing) {
   EXPECT_NE(complaint(sink.errors(), 2), "");
 }
 
+/// Two under way at once, as when several instants are solved together.
+TEST_F(Verification, ComparesWhatStandsInRooms) {
+  const auto fill = [&](int index, double second) {
+    const Room room = sink.room(index);
+    for (int k = 0; k < 2; ++k) {
+      room.q[k] = k == 0 ? 1 : second;
+      room.qd[k] = 3 + k;
+      room.qdd[k] = 5 + k;
+    }
+  };
+  const auto accept_both = [&] {
+    sink.accept({0, 0, {}, {}, {}, 0, 0, false, true});
+    sink.accept({1, 1, {}, {}, {}, 0, 0, false, true});
+  };
+  fill(0, 2);
+  fill(1, 2 + 1e-10);
+  accept_both();
+  EXPECT_EQ(complaint(sink.errors(), 2), "");
+  EXPECT_NEAR(sink.errors().position, 1e-10, 1e-15);
+  fill(0, 2);
+  fill(1, 2.5);  // once more: what comes later holds
+  accept_both();
+  EXPECT_EQ(sink.errors().instants, 2);
+  EXPECT_NEAR(sink.errors().position, 0.5, 1e-15);
+}
+
 TEST_F(Verification, RefusesInstantsThatWereNeverSeen) {
   accept(0, 0, {1, 2});
   EXPECT_NE(complaint(sink.errors(), 2), "");
