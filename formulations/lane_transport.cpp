@@ -99,11 +99,11 @@ void LaneSources::gather_lanes(const double* __restrict from, double* __restrict
   for (const std::vector<Run>& runs : quads_) {
     for (const Run& r : runs) {
       const auto [first, size, place] = r;  // stores might change what they are read from
-      const auto [a, b, c, d] = place;
       double* values = to + first * lanes;
       for (int k = 0; k < size; ++k, values += lanes) {
 #ifdef __AVX__
-        _mm256_store_pd(values, _mm256_set_pd(from[d + k], from[c + k], from[b + k], from[a + k]));
+        _mm256_store_pd(values, _mm256_set_pd(from[place[3] + k], from[place[2] + k],
+                                              from[place[1] + k], from[place[0] + k]));
 #else
         for (int l = 0; l < quad; ++l) values[l] = from[place[l] + k];
 #endif
