@@ -1,20 +1,15 @@
 // Sparse LU by SuiteSparse's KLU.
 
 #include "formulations/algebra/klu_factors.h"
+#include "formulations/algebra/klu_of_one_block.h"
 
 namespace desmo {
 
 namespace {
 
-/// All unknowns as one block, whatever structure they have.
-class KluOfOneBlock : public KluFactors {
- public:
-  explicit KluOfOneBlock(const Pattern& pattern) : KluFactors(pattern, BlockTriangularForm::off) {}
-};
-
 std::unique_ptr<Part> make_klu_part(const PartContext& c) {
   return c.settings.btf == BlockTriangularForm::on ? make_newton_part<KluFactors>(c)
-                                                   : make_newton_part<KluOfOneBlock>(c);
+                                                   : make_klu_of_one_block(c);
 }
 
 }  // namespace
