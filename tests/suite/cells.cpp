@@ -12,6 +12,7 @@
 #include "bench/suite/cell.h"
 #include "bench/suite/cpu_clock.h"
 #include "bench/suite/options.h"
+#include "bench/suite/phases.h"
 #include "bench/suite/record.h"
 #include "bench/suite/segments.h"
 #include "bench/suite/structure.h"
@@ -138,6 +139,34 @@ TEST(Cells, SayWhichSolversMeasurementHasChosen) {
   }
   EXPECT_EQ(parts, 5);
   EXPECT_FALSE(json("group_automatic_klu").contains("solvers"));
+}
+
+TEST(Cells, ShowWhereTheTimeOfKluAsOneBlockGoes) {
+  Options o;
+  o.duration = 0.5;
+  o.step = 0.1;
+  auto cells = make_cells(o);
+  for (const Case& c : cases()) {
+    const std::string name = std::string(c.name) + "/558/global_automatic_klu/btf:off";
+    const auto found = std::ranges::find(cells, name, &Cell::name);
+    ASSERT_NE(found, cells.end()) << name;
+    Cell& cell = **found;
+    EXPECT_EQ(cell.settings.btf, BlockTriangularForm::off);
+    ReferenceCache references;
+    cell.verify(references);
+    ASSERT_EQ(cell.state, Cell::State::verified) << cell.message;
+    cell.profile();
+    ASSERT_TRUE(cell.phases) << name;
+    EXPECT_GT(cell.phases->total(), 0);
+  }
+}
+
+TEST(Phases, AreThoseOfTheSettings) {
+  const Case& c = find_case("truck_suspension");
+  const Mechanism m = make_mechanism(describe(c, 114));
+  EXPECT_THROW(measure_phases(find_variant("global_automatic_umfpack"),
+                              {.btf = BlockTriangularForm::off}, m, {.step = 0.01, .instants = 2}),
+               std::invalid_argument);
 }
 
 class Idle final : public Part {
