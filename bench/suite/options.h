@@ -12,7 +12,7 @@ struct Options {
   double step = 0;         ///< s; 0: the case's own
   double duration = 0;     ///< s; 0: the case's own
   int dense_limit = 114;   ///< coordinates up to which dense global solves run
-  int slow_limit = 114;    ///< coordinates up to which SPQR, and UMFPACK in blocks, run
+  int slow_limit = 114;    ///< likewise of SPQR, and of UMFPACK and SparseLU in blocks
   double peer_limit = 60;  ///< s of CPU time a rival may take for the motion
   std::string record;      ///< file for the results record; empty: none
   std::vector<std::string> formulations;  ///< ids with settings, to be run beside the table's
