@@ -112,6 +112,12 @@ std::vector<int> LaneBatch::unknowns() const {
   return all;
 }
 
+/// visit(in_lane, place): where each unknown of a lane stands in lanes and in the state.
+template <class Visit>
+void LaneBatch::for_unknowns(std::size_t lane, Visit&& visit) const {
+  for (const int n : unknowns_) visit(n * lanes_ + lane, places_[lane][n]);
+}
+
 void LaneBatch::begin_step(const Past& past) {
   predicted_ = kept_ && past.last;
   if (!predicted_) return;
@@ -144,13 +150,11 @@ const LaneBatch::Step& LaneBatch::solve(const State& s) {
 void LaneBatch::take(const State& s) {
   for (LaneState* values : {&now_, &before_}) constants_.gather(s.q.data(), values->q.data());
   for (std::size_t l = 0; l < lanes_; ++l)
-    for (const int n : unknowns_) {
-      const std::size_t in_lane = n * lanes_ + l;
-      const int place = places_[l][n];
+    for_unknowns(l, [&](std::size_t in_lane, int place) {
       now_.q[in_lane] = s.q[place];
       now_.qd[in_lane] = s.qd[place];
       now_.qdd[in_lane] = s.qdd[place];
-    }
+    });
   std::ranges::for_each(stages_, &LaneStage::take_branches);
   assembled_ = std::ranges::all_of(stages_, &LaneStage::assembled);
   kept_ = true;
@@ -161,23 +165,21 @@ void LaneBatch::write_read(State& s, Level level) const {
     read_.scatter(now_.q.data(), s.q.data());
   else
     for (std::size_t l = 0; l < copies_.size(); ++l)
-      for (const int n : unknowns_) s.q[places_[l][n]] = now_.q[n * lanes_ + l];
+      for_unknowns(l, [&](std::size_t in_lane, int place) { s.q[place] = now_.q[in_lane]; });
   if (level >= Level::velocity) read_.scatter(now_.qd.data(), s.qd.data());
   if (level >= Level::acceleration) read_.scatter(now_.qdd.data(), s.qdd.data());
 }
 
 void LaneBatch::write(std::size_t copy, State& s) const {
-  for (const int n : unknowns_) {
-    const std::size_t in_lane = n * lanes_ + copy;
-    const int place = places_[copy][n];
+  for_unknowns(copy, [&](std::size_t in_lane, int place) {
     s.q[place] = now_.q[in_lane];
     s.qd[place] = now_.qd[in_lane];
     s.qdd[place] = now_.qdd[in_lane];
-  }
+  });
 }
 
 void LaneBatch::write_last(std::size_t copy, std::span<double> q) const {
-  for (const int n : unknowns_) q[places_[copy][n]] = before_.q[n * lanes_ + copy];
+  for_unknowns(copy, [&](std::size_t in_lane, int place) { q[place] = before_.q[in_lane]; });
 }
 
 void LaneBatch::write_only(const std::vector<bool>& read) {

@@ -65,6 +65,8 @@ class LaneBatch {
 
  private:
   LaneTargets targets(std::span<const int> slots) const;
+  template <class Visit>
+  void for_unknowns(std::size_t lane, Visit&& visit) const;
 
   std::span<Copy> copies_;
   std::vector<LaneStage> stages_;

@@ -89,7 +89,7 @@ bool RateHistory::extrapolate(double h, const double* last, double* q) {
 bool RateHistory::weighed_for(double h) const {
   bool all = true;
   for (std::size_t j = 0; j < weighed_.size(); ++j)
-    all &= std::abs(intervals_[j] - weighed_[j] * h) <= same * std::abs(intervals_[j]);
+    all &= std::abs(intervals_[j] - weighed_[j] * h) < same * std::abs(intervals_[j]);
   return all;
 }
 

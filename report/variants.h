@@ -18,6 +18,10 @@ inline constexpr std::array<std::string_view, 3> stand_ins{"cholmod", "umfpack",
 inline constexpr std::array<std::string_view, 4> sparse_families{papers_own, "cholmod", "umfpack",
                                                                  "klu"};
 
+/// The same reference as global_automatic_klu, without a structure that KLU finds by itself: on
+/// some mechanisms the faster one.
+inline constexpr std::string_view reference_of_one_block = "global_automatic_klu/btf:off";
+
 struct Variant {
   std::string_view paper_name;  ///< "MA27" in it gives way to the family
   std::string_view case_name;

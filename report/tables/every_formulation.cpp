@@ -28,11 +28,16 @@ std::vector<CellKey> ordered_keys(const Record& record, std::string_view case_na
   return keys;
 }
 
+bool is_reference(const std::string& id) {
+  return id == reference_of_one_block ||
+         std::ranges::any_of(sparse_families, [&](std::string_view family) {
+           return id == "global_automatic_" + std::string(family);
+         });
+}
+
 std::optional<CellKey> fastest_reference(const Record& record, const std::vector<CellKey>& keys) {
   for (const CellKey& key : keys)
-    for (const std::string_view family : sparse_families)
-      if (key.id == "global_automatic_" + std::string(family) && measured(record, key).seconds)
-        return key;
+    if (is_reference(key.id) && measured(record, key).seconds) return key;
   return std::nullopt;
 }
 

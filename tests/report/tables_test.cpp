@@ -267,6 +267,23 @@ TEST(EveryFormulation, OrdersAndReferencesTheFastestGlobal) {
             std::string::npos);
 }
 
+/// Where KLU does better without block triangular form, that is the reference.
+TEST(EveryFormulation, ReferencesKluAsOneBlockWhereThatIsFaster) {
+  for (const double of_one_block : {0.2, 0.4}) {
+    Json json = complete_record();
+    set_samples(json, 558, "global_automatic_klu", {0.3, 0.3, 0.3});
+    set_samples(json, 558, "group_symbolic_inlined", {0.1, 0.1, 0.1});
+    Json other = cell_of(json, truck, 558, "global_automatic_klu");
+    other["id"] = "global_automatic_klu/btf:off";
+    json["cells"].push_back(other);
+    set_samples(json, 558, "global_automatic_klu/btf:off",
+                {of_one_block, of_one_block, of_one_block});
+    const Table table = every_formulation(record_from(json), truck, 558);
+    EXPECT_EQ(entry_at(table, {"group_symbolic_inlined"}, "speed-up").shown,
+              of_one_block < 0.3 ? "2.00" : "3.00");
+  }
+}
+
 TEST(EveryFormulation, SaysWhichSolversWereChosen) {
   Json json = complete_record();
   Json& cell = cell_of(json, truck, 558, "group_symbolic_lapack");
