@@ -34,7 +34,9 @@ struct Instant {
   long updates = 0;           ///< that it took: see Summary
   double residual = 0;        ///< ‖Φ‖₂ where it was accepted, as in Summary
   bool interpolated = false;  ///< between those solved (see Settings::stride)
-  bool in_room = false;       ///< the values are in the sink's room, the spans empty
+  Room room{};                ///< the sink's own, if the values are there; the spans are then empty
+
+  bool in_room() const { return room.q; }
 };
 
 /// Receives the instants of a motion in order of time.
@@ -45,11 +47,11 @@ class Sink {
   /// What rooms are for, at a sink that has one for every instant. A solver may put the values
   /// there, which saves a copy, or hand them to accept() all the same.
   virtual std::optional<RoomShape> rooms() const { return {}; }
-  /// The room of an instant that is to come, at such a sink. Up to most_rooms are asked for in a
-  /// row; the instants then come in that order.
-  virtual Room room(int index) {
-    static_cast<void>(index);
-    return {};
+  /// At such a sink, a room for each of these instants, which are to come. It is the solver's until
+  /// it comes back with its instant. Many may be under way, and come back in any order; those of a
+  /// run that is given up do not.
+  virtual void take_rooms(std::span<const int> indices, std::span<Room> rooms) {
+    static_cast<void>(indices), static_cast<void>(rooms);
   }
   /// Whether they may come in any order, and again, the later then being the one that holds. Who
   /// solves several at once keeps all of them for a sink that needs their order.

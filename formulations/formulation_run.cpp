@@ -42,8 +42,10 @@ bool Formulation::solve_next(int i, double t, const Request& request, Sink& sink
   ++total.instants;
   total.residual = std::max(total.residual, s.residual);
   if (wanted_.in_rooms) {
-    keepers_.fill(sink.room(i), request.level, state_);
-    sink.accept({i, t, {}, {}, {}, s.updates, s.residual, false, true});
+    Room room;
+    sink.take_rooms({&i, 1}, {&room, 1});
+    keepers_.fill(room, request.level, state_);
+    sink.accept({i, t, {}, {}, {}, s.updates, s.residual, false, room});
     return true;
   }
   sink.accept({i, t, q(), request.level >= Level::velocity ? qd() : std::span<const double>{},

@@ -1,19 +1,8 @@
 #include "formulations/keepers.h"
 
 #include <algorithm>
-#include <numeric>
-#include <stdexcept>
-#include <string>
 
 namespace desmo {
-
-namespace {
-
-void refuse(int coordinate, const char* why) {
-  throw std::invalid_argument("a sink has room for coordinate " + std::to_string(coordinate) + why);
-}
-
-}  // namespace
 
 void Keepers::begin_step(const Past& past) {
   for (const auto& [keeper, level] : keepers_) keeper->begin_step(past.up_to(level));
@@ -28,17 +17,8 @@ void Keepers::write(State& state) const {
 }
 
 void Keepers::prepare_rooms(std::span<const int> coordinates, int of_mechanism) {
-  std::vector<int> named(coordinates.begin(), coordinates.end());
-  if (named.empty()) {
-    named.resize(of_mechanism);
-    std::iota(named.begin(), named.end(), 0);
-  }
-  std::vector<bool> has_room(of_mechanism), kept(of_mechanism);
-  for (const int i : named) {
-    if (i < 0 || i >= of_mechanism) refuse(i, ", which the mechanism does not have");
-    if (has_room[i]) refuse(i, " twice");
-    has_room[i] = true;
-  }
+  const std::vector<int> named = coordinates_in_room(coordinates, of_mechanism);
+  std::vector<bool> kept(of_mechanism);
   for (const auto& [keeper, level] : keepers_) {
     keeper->prepare_rooms(named);
     for (const int i : keeper->kept()) kept[i] = true;

@@ -10,14 +10,16 @@ namespace desmo {
 template <class T>
 struct LaneAllocator {
   using value_type = T;
-  static constexpr std::align_val_t alignment{64};
+  static constexpr std::size_t alignment = 64;
 
   LaneAllocator() = default;
   template <class Other>
   explicit LaneAllocator(const LaneAllocator<Other>&) {}
 
-  T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), alignment)); }
-  void deallocate(T* p, std::size_t) { ::operator delete(p, alignment); }
+  T* allocate(std::size_t n) {
+    return static_cast<T*>(::operator new(n * sizeof(T), std::align_val_t(alignment)));
+  }
+  void deallocate(T* p, std::size_t) { ::operator delete(p, std::align_val_t(alignment)); }
   bool operator==(const LaneAllocator&) const = default;
 };
 

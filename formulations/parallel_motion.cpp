@@ -32,39 +32,50 @@ TimeGrid cut(const TimeGrid& grid, int begin, int end) {
 /// Hands instants of a stretch on as those of the whole motion, one thread after the other.
 class ParallelMotion::SharedSink final : public Sink {
  public:
-  /// coordinates: of the mechanism.
-  SharedSink(Sink& sink, std::mutex& mutex, const TimeGrid& grid, int begin, int coordinates)
-      : sink_(sink), mutex_(mutex), grid_(grid), begin_(begin) {
-    if (const std::optional<RoomShape> shape = sink_.rooms())
-      rooms_.emplace(*shape, shape->coordinates.empty() ? static_cast<std::size_t>(coordinates)
-                                                        : shape->coordinates.size());
+  SharedSink(Sink& sink, std::mutex& mutex, const TimeGrid& grid, int begin)
+      : sink_(sink), mutex_(mutex), grid_(grid), begin_(begin), rooms_(sink.rooms()) {
+    if (rooms_) rooms_->at_once = handed_on_together;
   }
 
   void accept(const Instant& of_stretch) override {
-    Instant instant = of_stretch;
-    instant.index += begin_;
-    instant.time = grid_.time(instant.index);
+    waiting_.push_back(of_stretch);
+    waiting_.back().index += begin_;
+    waiting_.back().time = grid_.time(waiting_.back().index);
+    if (!of_stretch.in_room()) hand_on();  // it holds until the next
+  }
+  /// Those that are left, too.
+  void hand_on() {
     const std::scoped_lock lock(mutex_);
-    if (instant.in_room) {
-      const Room from = rooms_->give_back();
-      const Room to = sink_.room(instant.index);
-      for (const auto values : {&Room::q, &Room::qd, &Room::qdd})
-        if (to.*values) std::copy_n(from.*values, rooms_->size(), to.*values);
-    }
-    sink_.accept(instant);
+    hand_on_alone();
   }
-  std::optional<RoomShape> rooms() const override {
-    return rooms_ ? std::optional(rooms_->shape()) : std::nullopt;
+  std::optional<RoomShape> rooms() const override { return rooms_; }
+  /// Hands on as well: threads wait less often, and a sink may give the same rooms again, whose
+  /// memory this thread has at hand.
+  void take_rooms(std::span<const int> indices, std::span<Room> rooms) override {
+    indices_.assign(indices.begin(), indices.end());
+    for (int& index : indices_) index += begin_;
+    const std::scoped_lock lock(mutex_);
+    hand_on_alone();
+    sink_.take_rooms(indices_, rooms);
   }
-  Room room(int) override { return rooms_->take(); }
   bool takes_any_order() const override { return true; }
 
  private:
+  void hand_on_alone() {
+    for (const Instant& instant : waiting_) sink_.accept(instant);
+    waiting_.clear();
+  }
+
+  /// Waiting for another thread takes as long as solving some instants.
+  static constexpr int handed_on_together = 32;
+
   Sink& sink_;
   std::mutex& mutex_;
   const TimeGrid& grid_;
   const int begin_;
-  std::optional<RoomRing> rooms_;  // of its own: the sink's are for one thread at a time
+  std::optional<RoomShape> rooms_;
+  std::vector<Instant> waiting_;  // in rooms
+  std::vector<int> indices_;      // of rooms that are taken
 };
 
 ParallelMotion::ParallelMotion(std::vector<std::unique_ptr<Formulation>> workers,
@@ -94,10 +105,10 @@ std::optional<Summary> ParallelMotion::run(const TimeGrid& grid, const Request& 
   }
 #pragma omp parallel for num_threads(count) schedule(static, 1)
   for (int k = 0; k < count; ++k) {
-    SharedSink shared(sink, mutex, grid, stretches_[k].begin,
-                      workers_[k]->mechanism().coordinates());
     try {
+      SharedSink shared(sink, mutex, grid, stretches_[k].begin);
       solve(k, grid, request, state, shared);
+      shared.hand_on();
     } catch (...) {  // must not leave its thread
       stretches_[k].error = std::current_exception();
     }

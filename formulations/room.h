@@ -1,11 +1,11 @@
 #pragma once
 
 #include <cstddef>
-#include <limits>
 #include <span>
 #include <vector>
 
 #include "cases/level.h"
+#include "formulations/lane_values.h"
 
 namespace desmo {
 
@@ -14,50 +14,50 @@ namespace desmo {
 struct RoomShape {
   std::span<const int> coordinates;  ///< each once; none standing for all, in their order
   Level level;
+  int at_once = 1;  ///< asking for rooms of so many instants costs no more than for one
 };
+
+/// Those that stand in a room, as RoomShape names them, of a mechanism with so many. Throws
+/// std::invalid_argument where one is named twice or does not exist.
+std::vector<int> coordinates_in_room(std::span<const int> named, int of_mechanism);
 
 /// Where they are wanted. Null beyond the level.
 struct Room {
-  double *q, *qd, *qdd;
+  double *q = nullptr, *qd = nullptr, *qdd = nullptr;
 };
 
-/// So many instants may be under way at once, with a room each.
-inline constexpr std::size_t most_rooms = 8;
-
-/// As many rooms of one shape.
-class RoomRing {
+/// Rooms of one shape, as many as are wanted at once. Each begins on cache lines of its own:
+/// threads fill several.
+class RoomPool {
  public:
   /// size: how many coordinates the shape stands for.
-  RoomRing(RoomShape shape, std::size_t size)
+  RoomPool(RoomShape shape, std::size_t size)
       : coordinates_(shape.coordinates.begin(), shape.coordinates.end()),
         level_(shape.level),
-        size_(size),
-        values_(3 * size * most_rooms, std::numeric_limits<double>::quiet_NaN()) {}
+        size_(size) {}
+  RoomPool(RoomPool&&) = default;  // rooms stay where they are
 
   RoomShape shape() const { return {coordinates_, level_}; }
   std::size_t size() const { return size_; }
 
-  /// The room of the next instant; most_rooms in a row at most.
-  Room take() { return room(taken_++); }
-  /// That of the instant taken first, which has come. It holds its values until the next take().
-  Room give_back() {
-    const Room first = room(given_back_++);
-    if (given_back_ == taken_) taken_ = given_back_ = 0;
-    return first;
+  /// The one given back last, if there is one.
+  Room take() {
+    if (free_.empty()) add();
+    const Room taken = free_.back();
+    free_.pop_back();
+    return taken;
   }
+  /// It holds its values until it is taken again.
+  void give_back(const Room& room) { free_.push_back(room); }
 
  private:
-  Room room(std::size_t number) {
-    double* const values = values_.data() + 3 * size_ * (number % most_rooms);
-    return {values, level_ >= Level::velocity ? values + size_ : nullptr,
-            level_ >= Level::acceleration ? values + 2 * size_ : nullptr};
-  }
+  void add();
 
   std::vector<int> coordinates_;
   Level level_;
   std::size_t size_;
-  std::vector<double> values_;
-  std::size_t taken_ = 0, given_back_ = 0;
+  std::vector<std::vector<double, LaneAllocator<double>>> memory_;  // of each
+  std::vector<Room> free_;
 };
 
 }  // namespace desmo

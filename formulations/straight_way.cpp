@@ -12,11 +12,9 @@ namespace desmo {
 
 namespace {
 
-/// The way is cut into so many pieces; a piece that cannot be solved is halved, down to the
-/// shortest.
-constexpr double longest_piece = 1.0 / 8, shortest_piece = 1.0 / 128;
+/// A piece that cannot be solved is halved, down to the shortest.
+constexpr double longest_piece = 1.0 / pieces_of_a_way, shortest_piece = longest_piece / 16;
 
-/// Whole turns more do not make another way.
 double shortest_way(const Mechanism& m, const Driver& d, double from, double to) {
   const double way = to - from;
   return m.entities[d.coordinate].kind == EntityKind::angle
@@ -26,20 +24,25 @@ double shortest_way(const Mechanism& m, const Driver& d, double from, double to)
 
 }  // namespace
 
+std::vector<double> straight_way(const Mechanism& m, const State& from, double t) {
+  std::vector<double> way;
+  for (const Driver& d : m.drivers)
+    way.push_back(
+        shortest_way(m, d, from.q[m.entities[d.coordinate].first], sample(d.motion, t).position));
+  return way;
+}
+
 bool go_straight(const Mechanism& m, double t, State& state,
                  const std::function<bool(State&, std::span<const double> last)>& solve) {
-  const std::size_t drivers = m.drivers.size();
-  std::vector<double> from(drivers), way(drivers);
-  for (std::size_t d = 0; d < drivers; ++d) {
-    const Driver& driver = m.drivers[d];
-    from[d] = state.q[m.entities[driver.coordinate].first];
-    way[d] = shortest_way(m, driver, from[d], sample(driver.motion, t).position);
-  }
+  const std::vector<double> way = straight_way(m, state, t);
+  const State start = state;
   State reached = state;
   double done = 0, piece = 0;  // first where it is
   while (true) {
-    for (std::size_t d = 0; d < drivers; ++d)
-      state.q[m.entities[m.drivers[d].coordinate].first] = from[d] + (done + piece) * way[d];
+    for (std::size_t d = 0; d < way.size(); ++d) {
+      const int driven = m.entities[m.drivers[d].coordinate].first;
+      state.q[driven] = start.q[driven] + (done + piece) * way[d];
+    }
     if (solve(state, reached.q)) {
       reached = state;
       done += piece;

@@ -2,11 +2,19 @@
 
 #include <functional>
 #include <span>
+#include <vector>
 
 #include "cases/mechanism.h"
 #include "formulations/part.h"
 
 namespace desmo {
+
+/// How far each driver has to go, straight, from a state to where it is at time t: whole turns more
+/// do not make another way.
+std::vector<double> straight_way(const Mechanism& mechanism, const State& from, double t);
+
+/// A way is cut into so many pieces.
+inline constexpr int pieces_of_a_way = 8;
 
 /// Takes a state from where it is solved to where the drivers are at time t, give or take whole
 /// turns, along the way on which they go straight: how an instant in the middle of a motion is

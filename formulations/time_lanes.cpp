@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <numeric>
 #include <utility>
 
 #include "formulations/lane_motion.h"
@@ -14,8 +13,6 @@
 
 namespace desmo {
 
-static_assert(most_lanes <= most_rooms);
-
 TimeLanes::TimeLanes(const Mechanism& mechanism, std::vector<Parts> parts, const Settings& settings,
                      const KernelTable& table)
     : mechanism_(mechanism),
@@ -23,7 +20,8 @@ TimeLanes::TimeLanes(const Mechanism& mechanism, std::vector<Parts> parts, const
       lanes_(static_cast<int>(parts.size())),
       parts_(std::move(parts)),
       residual2_(lanes_),
-      delivered_(lanes_) {
+      delivered_(lanes_),
+      ways_(lanes_) {
   const std::size_t size = mechanism_.state_size();
   for (LaneState* s : {&now_, &before_})
     for (LaneValues* values : {&s->q, &s->qd, &s->qdd}) values->resize(size * lanes_);
@@ -33,8 +31,6 @@ TimeLanes::TimeLanes(const Mechanism& mechanism, std::vector<Parts> parts, const
   for (State& s : delivered_)
     for (std::vector<double>* values : {&s.q, &s.qd, &s.qdd})
       values->resize(mechanism_.coordinates());
-  coordinates_.resize(mechanism_.coordinates());
-  std::iota(coordinates_.begin(), coordinates_.end(), 0);
 
   std::vector<int> started_from;
   for (std::size_t i = 0; i < parts_[0].size(); ++i) {
@@ -73,11 +69,16 @@ std::optional<Summary> TimeLanes::run(const TimeGrid& grid, const Request& reque
                                       Sink& sink) {
   const int length = (grid.instants + lanes_ - 1) / lanes_;
   if (length < shortest_segment || !enter(grid, length, state)) return {};
+  const auto rooms = sink.rooms();
+  wanted_ = coordinates_in_room(rooms ? rooms->coordinates : std::span<const int>(),
+                                mechanism_.coordinates());
+  rooms_.clear();
+  used_ = 0;
 
   Summary total;
   double largest_residual2 = 0;
   for (int i = 0; i <= length; ++i) {  // up to the first instant of the next segment
-    guess(grid.interval(), std::min(i, 2));
+    guess(grid.interval(), i);
     drive(grid, length, i);
     const Step step = solve();
     if (!step.ok) return {};
@@ -103,6 +104,7 @@ std::optional<Summary> TimeLanes::run(const TimeGrid& grid, const Request& reque
 
 /// Each lane at the position from which the first instant of its segment is solved.
 bool TimeLanes::enter(const TimeGrid& grid, int length, const State& first) {
+  if (enter_together(grid, length, first)) return true;
   for (int l = 0; l < lanes_; ++l) {
     for (const Formulation::DefinedPart& part : parts_[l]) part.solver->forget();
     alone_ = first;
@@ -113,6 +115,39 @@ bool TimeLanes::enter(const TimeGrid& grid, int length, const State& first) {
     pack(l, alone_);
   }
   take_branches();
+  return are_assembled();
+}
+
+/// The ways to all segments at once, as a motion that takes a unit of time. False where one has to
+/// be gone in shorter pieces.
+bool TimeLanes::enter_together(const TimeGrid& grid, int length, const State& first) {
+  for (int l = 0; l < lanes_; ++l) {
+    for (const Formulation::DefinedPart& part : parts_[l]) part.solver->forget();
+    alone_ = first;
+    if (!solve_alone(l, alone_, first.q)) return false;  // finds the branches
+    pack(l, alone_);
+    ways_[l] = straight_way(mechanism_, first, grid.time(l * length));
+  }
+  take_branches();
+  if (!are_assembled()) return false;
+  constexpr double piece = 1.0 / pieces_of_a_way;
+  for (int i = 0; i <= pieces_of_a_way; ++i) {
+    guess(piece, i);
+    for (std::size_t d = 0; d < mechanism_.drivers.size(); ++d) {
+      const int driven = mechanism_.entities[mechanism_.drivers[d].coordinate].first;
+      for (int l = 0; l < lanes_; ++l) {
+        const std::size_t k = static_cast<std::size_t>(driven) * lanes_ + l;
+        now_.q[k] = first.q[driven] + i * piece * ways_[l][d];
+        now_.qd[k] = ways_[l][d];
+        now_.qdd[k] = 0;
+      }
+    }
+    if (!solve().ok) return false;
+  }
+  return true;
+}
+
+bool TimeLanes::are_assembled() const {
   return std::ranges::all_of(
       stages_, [](const Stage& stage) { return !stage.together || stage.together->assembled(); });
 }
@@ -217,26 +252,44 @@ bool TimeLanes::meet() const {
   return true;
 }
 
+/// A room for the instant of each lane that lies within the motion.
+std::span<const Room> TimeLanes::take_rooms(const TimeGrid& grid, int length, int i, int at_once,
+                                            Sink& sink) {
+  const auto count = [&](int step) {
+    return std::min<std::size_t>(lanes_, (grid.instants - step + length - 1) / length);
+  };
+  if (used_ == rooms_.size()) {
+    const int last = std::min(length, i + std::max(1, at_once / lanes_));
+    indices_.clear();
+    for (int step = i; step < last; ++step)
+      for (std::size_t l = 0; l < count(step); ++l)
+        indices_.push_back(static_cast<int>(l) * length + step);
+    rooms_.resize(indices_.size());
+    sink.take_rooms(indices_, rooms_);
+    used_ = 0;
+  }
+  const std::size_t first = used_;
+  used_ += count(i);
+  return {&rooms_[first], count(i)};
+}
+
 /// Into the room that the sink has for each instant, what it asks for; where it has none, all in
 /// coordinate order. What lies beyond the end of the motion goes nowhere.
 void TimeLanes::deliver(const TimeGrid& grid, int length, int i, const Request& request,
                         const Step& step, Sink& sink) {
-  const std::optional<RoomShape> shape = sink.rooms();
   std::array<Room, most_lanes> rooms;
   for (int l = 0; l < lanes_; ++l) {
     State& own = delivered_[l];
-    const int index = l * length + i;
-    rooms[l] = shape && index < grid.instants ? sink.room(index)
-                                              : Room{own.q.data(), own.qd.data(), own.qdd.data()};
+    rooms[l] = {own.q.data(), own.qd.data(), own.qdd.data()};
   }
-  const std::span<const int> wanted =
-      shape && !shape->coordinates.empty() ? shape->coordinates : coordinates_;
+  const std::optional<RoomShape> shape = sink.rooms();
+  if (shape) std::ranges::copy(take_rooms(grid, length, i, shape->at_once, sink), rooms.begin());
   const Level as_far_as = shape ? std::min(shape->level, request.level) : request.level;
   const auto unpacked = [&](Level level, const LaneValues& from, double* Room::*to) {
     if (as_far_as < level) return;
     std::array<double*, most_lanes> lanes;
     for (int l = 0; l < lanes_; ++l) lanes[l] = rooms[l].*to;
-    unpack(from.data(), wanted, {lanes.data(), lanes.data() + lanes_});
+    unpack(from.data(), wanted_, {lanes.data(), lanes.data() + lanes_});
   };
   unpacked(Level::position, now_.q, &Room::q);
   unpacked(Level::velocity, now_.qd, &Room::qd);
@@ -245,8 +298,8 @@ void TimeLanes::deliver(const TimeGrid& grid, int length, int i, const Request& 
     const int index = l * length + i;
     if (index >= grid.instants) break;
     Instant instant{index, grid.time(index), {}, {}, {}, step.updates, std::sqrt(residual2_[l])};
-    instant.in_room = shape.has_value();
-    if (!instant.in_room) {
+    if (shape) instant.room = rooms[l];
+    if (!shape) {
       instant.q = delivered_[l].q;
       if (request.level >= Level::velocity) instant.qd = delivered_[l].qd;
       if (request.level >= Level::acceleration) instant.qdd = delivered_[l].qdd;

@@ -52,7 +52,9 @@ class TimeLanes final : public WholeMotion {
 
   Stage make_stage(std::size_t part, const KernelTable& table) const;
   bool enter(const TimeGrid& grid, int length, const State& first);
+  bool enter_together(const TimeGrid& grid, int length, const State& first);
   bool solve_alone(int lane, State& state, std::span<const double> last);
+  bool are_assembled() const;
   void pack(int lane, const State& from);
   void take_branches();
   void guess(double h, int known);
@@ -60,6 +62,8 @@ class TimeLanes final : public WholeMotion {
   Step solve();
   void solve_lane(Stage& stage, int lane, Step& step);
   bool meet() const;
+  std::span<const Room> take_rooms(const TimeGrid& grid, int length, int i, int at_once,
+                                   Sink& sink);
   void deliver(const TimeGrid& grid, int length, int i, const Request& request, const Step& step,
                Sink& sink);
 
@@ -70,12 +74,16 @@ class TimeLanes final : public WholeMotion {
   std::vector<Stage> stages_;  // those that move
   Predictor predictor_;  // of unknowns of which a part reads the position, lanes beside each other
   LaneState now_, before_;
-  LaneValues entered_;              // positions at the first instant of each segment
-  LaneValues residual2_;            // of the step, by lane
-  State alone_;                     // of one lane …
-  std::vector<double> last_alone_;  // … and its last positions
-  std::vector<State> delivered_;    // to a sink that has no room
-  std::vector<int> coordinates_;    // all, one after the other
+  LaneValues entered_;                     // positions at the first instant of each segment
+  LaneValues residual2_;                   // of the step, by lane
+  State alone_;                            // of one lane …
+  std::vector<double> last_alone_;         // … and its last positions
+  std::vector<State> delivered_;           // to a sink that has no room
+  std::vector<std::vector<double>> ways_;  // of the drivers to each segment
+  std::vector<int> wanted_;                // coordinates in a room
+  std::vector<int> indices_;               // of instants for which rooms were taken …
+  std::vector<Room> rooms_;                // … and these …
+  std::size_t used_ = 0;                   // … so many of them already
 };
 
 }  // namespace desmo

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <cstdlib>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -110,7 +112,7 @@ TEST_P(OnLanes, PositionsAreAsTheyWereBehindARunThatFails) {
 }
 
 TEST_P(OnLanes, RoomsNameEveryCoordinateOnceOrAreRefused) {
-  for (const std::vector<int>& wrong : {std::vector{7, 8, 7}, {truck().coordinates()}, {3, -1}}) {
+  for (const std::vector<int>& wrong : without_room(truck().coordinates())) {
     const auto f = make();
     Rooms rooms(grid.instants, wrong, Level::position);
     for (int i = 0; i < 2; ++i) EXPECT_THROW(f->run(grid, {}, rooms), std::invalid_argument);
@@ -125,6 +127,23 @@ TEST(Rooms, AreNotNeededByWhoKeepsNothing) {
   Rooms rooms(grid.instants, {7}, Level::position);
   ASSERT_TRUE(f->run(grid, {}, rooms).ok());
   EXPECT_EQ(rooms.handed_over, grid.instants);
+}
+
+TEST(Rooms, OfAPoolAreTakenAgain) {
+  RoomPool pool({{}, Level::velocity}, 5);
+  const Room a = pool.take(), b = pool.take();
+  for (const Room& room : {a, b}) {
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(room.q) % 64, 0u);
+    EXPECT_GE(std::abs(room.qd - room.q), 5);
+    EXPECT_EQ(room.qdd, nullptr);
+  }
+  EXPECT_GE(std::abs(a.q - b.q), 10);
+  a.q[4] = 1;
+  pool.give_back(a);
+  const Room again = pool.take();
+  EXPECT_EQ(again.q, a.q);
+  EXPECT_EQ(again.q[4], 1);
+  EXPECT_NE(pool.take().q, b.q);
 }
 
 TEST(Rooms, AreFilledByThreads) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -84,6 +85,33 @@ TEST_P(OnTheCases, RoomsAreFilledWithWhatTheyAreFor) {
       ASSERT_TRUE(f->run(grid, {Level::acceleration, some}, rooms).ok());
       expect_in_rooms(rooms, some, level, whole.all);
     }
+}
+
+/// As many as may be, up to the end of the segments, the last of which is shorter.
+TEST_P(OnTheCases, RoomsOfSeveralInstantsAreAskedForAtOnce) {
+  const Mechanism m = truck_mechanism(1);
+  const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, GetParam());
+  const TimeGrid grid = time_grid(3, 0.01);
+  const std::vector<int> some{7, 3};
+  const int lanes = GetParam().segments, length = (grid.instants + lanes - 1) / lanes;
+  Everything whole(grid.instants, true);
+  ASSERT_TRUE(f->run(grid, {}, whole).ok());
+  for (const int steps : {1, 3, length, 2 * length}) {
+    Rooms rooms(grid.instants, some, Level::velocity, lanes * steps);
+    ASSERT_TRUE(f->run(grid, {Level::acceleration, some}, rooms).ok());
+    expect_in_rooms(rooms, some, Level::velocity, whole.all);
+    EXPECT_EQ(rooms.asked, (length + steps - 1) / steps);
+  }
+}
+
+TEST_P(OnTheCases, RoomsNameEveryCoordinateOnceOrAreRefused) {
+  const Mechanism m = truck_mechanism(1);
+  const TimeGrid grid = time_grid(3, 0.01);
+  const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, GetParam());
+  for (const std::vector<int>& wrong : without_room(m.coordinates())) {
+    Rooms rooms(grid.instants, wrong, Level::position);
+    for (int i = 0; i < 2; ++i) EXPECT_THROW(f->run(grid, {}, rooms), std::invalid_argument);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(TimeLanes, OnTheCases, testing::ValuesIn(every_kind()));

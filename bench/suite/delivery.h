@@ -16,16 +16,19 @@ class Delivery final : public Sink {
       : rooms_({{}, Level::acceleration}, static_cast<std::size_t>(coordinates)) {}
 
   void accept(const Instant& instant) override {
-    if (!instant.in_room) {
-      const Room to = rooms_.take();
-      std::ranges::copy(instant.q, to.q);
-      std::ranges::copy(instant.qd, to.qd);
-      std::ranges::copy(instant.qdd, to.qdd);
+    last_ = instant.room;
+    if (!instant.in_room()) {
+      last_ = rooms_.take();
+      std::ranges::copy(instant.q, last_.q);
+      std::ranges::copy(instant.qd, last_.qd);
+      std::ranges::copy(instant.qdd, last_.qdd);
     }
-    last_ = rooms_.give_back();
+    rooms_.give_back(last_);
   }
   std::optional<RoomShape> rooms() const override { return rooms_.shape(); }
-  Room room(int) override { return rooms_.take(); }
+  void take_rooms(std::span<const int>, std::span<Room> rooms) override {
+    for (Room& room : rooms) room = rooms_.take();
+  }
   bool takes_any_order() const override { return true; }
 
   /// What came last.
@@ -34,7 +37,7 @@ class Delivery final : public Sink {
   std::span<const double> qdd() const { return {last_.qdd, rooms_.size()}; }
 
  private:
-  RoomRing rooms_;
+  RoomPool rooms_;
   Room last_{};
 };
 

@@ -149,17 +149,18 @@ std::size_t RequestedDelivery::place(int coordinate, Level level) const {
 }
 
 void RequestedDelivery::accept(const Instant& instant) {
-  if (!instant.in_room) {
-    const Room to = rooms_.take();
+  last_ = instant.room;
+  if (!instant.in_room()) {
+    last_ = rooms_.take();
     const auto pick = [](const std::vector<int>& asked, std::span<const double> from,
                          double* values) {
       for (const int i : asked) *values++ = from[i];
     };
-    pick(q_, instant.q, to.q);
-    pick(qd_, instant.qd, to.qd);
-    pick(qdd_, instant.qdd, to.qdd);
+    pick(q_, instant.q, last_.q);
+    pick(qd_, instant.qd, last_.qd);
+    pick(qdd_, instant.qdd, last_.qdd);
   }
-  last_ = rooms_.give_back();
+  rooms_.give_back(last_);
 }
 
 Errors largest_differences(Formulation& whole, Formulation& kept,

@@ -53,7 +53,9 @@ class RequestedDelivery final : public Sink {
   void accept(const Instant& instant) override;
   /// Where every level is asked of the same coordinates, each once.
   std::optional<RoomShape> rooms() const override;
-  Room room(int) override { return rooms_.take(); }
+  void take_rooms(std::span<const int>, std::span<Room> rooms) override {
+    for (Room& room : rooms) room = rooms_.take();
+  }
   bool takes_any_order() const override { return true; }
 
   /// Where a coordinate that is asked for stands in the values of a level.
@@ -66,7 +68,7 @@ class RequestedDelivery final : public Sink {
  private:
   std::vector<int> q_, qd_, qdd_;  // coordinates of the mechanism solved
   bool has_room_;
-  RoomRing rooms_;
+  RoomPool rooms_;
   Room last_{};
 };
 

@@ -66,7 +66,9 @@ class SegmentedDelivery final : public Sink {
     segments_.passed(instant.updates);
   }
   std::optional<RoomShape> rooms() const override { return inner_.rooms(); }
-  Room room(int index) override { return inner_.room(index); }
+  void take_rooms(std::span<const int> indices, std::span<Room> rooms) override {
+    inner_.take_rooms(indices, rooms);
+  }
   bool takes_any_order() const override { return inner_.takes_any_order(); }
 
  private:

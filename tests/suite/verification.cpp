@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -46,28 +47,25 @@ TEST_F(Verification, RefusesWhatIsMissing) {
   EXPECT_NE(complaint(sink.errors(), 2), "");
 }
 
-/// Two under way at once, as when several instants are solved together.
+/// Two under way at once, as when several instants are solved together; the later may come first.
 TEST_F(Verification, ComparesWhatStandsInRooms) {
-  const auto fill = [&](int index, double second) {
-    const Room room = sink.room(index);
-    for (int k = 0; k < 2; ++k) {
-      room.q[k] = k == 0 ? 1 : second;
-      room.qd[k] = 3 + k;
-      room.qdd[k] = 5 + k;
-    }
+  const auto come = [&](std::array<double, 2> second, std::array<int, 2> order) {
+    const std::array indices{0, 1};
+    std::array<Room, 2> rooms;
+    sink.take_rooms(indices, rooms);
+    for (int i = 0; i < 2; ++i)
+      for (int k = 0; k < 2; ++k) {
+        rooms[i].q[k] = k == 0 ? 1 : second[i];
+        rooms[i].qd[k] = 3 + k;
+        rooms[i].qdd[k] = 5 + k;
+      }
+    for (const int i : order)
+      sink.accept({i, static_cast<double>(i), {}, {}, {}, 0, 0, false, rooms[i]});
   };
-  const auto accept_both = [&] {
-    sink.accept({0, 0, {}, {}, {}, 0, 0, false, true});
-    sink.accept({1, 1, {}, {}, {}, 0, 0, false, true});
-  };
-  fill(0, 2);
-  fill(1, 2 + 1e-10);
-  accept_both();
+  come({2, 2 + 1e-10}, {0, 1});
   EXPECT_EQ(complaint(sink.errors(), 2), "");
   EXPECT_NEAR(sink.errors().position, 1e-10, 1e-15);
-  fill(0, 2);
-  fill(1, 2.5);  // once more: what comes later holds
-  accept_both();
+  come({2, 2.5}, {1, 0});  // once more: what comes later holds
   EXPECT_EQ(sink.errors().instants, 2);
   EXPECT_NEAR(sink.errors().position, 0.5, 1e-15);
 }
