@@ -20,16 +20,6 @@ void set(State& state, int coordinate, const MotionSample<double>& z) {
   state.qdd[coordinate] = z.acceleration;
 }
 
-MotionSampler sampler_of(const Mechanism& m) {
-  std::vector<const Motion*> motions;
-  std::vector<int> places;
-  for (const Driver& d : m.drivers) {
-    motions.push_back(&d.motion);
-    places.push_back(m.entities[d.coordinate].first);
-  }
-  return {std::move(motions), std::move(places)};
-}
-
 }  // namespace
 
 void drive(const Mechanism& m, double t, State& state) {
@@ -86,7 +76,7 @@ bool go_in_pieces(double from, double to, Go&& go) {
 Formulation::Formulation(const Mechanism& mechanism, std::vector<DefinedPart> parts,
                          const Settings& settings, std::unique_ptr<WholeMotion> whole_motion)
     : mechanism_(mechanism),
-      motions_(sampler_of(mechanism)),
+      motions_(sampler_of_drivers(mechanism)),
       parts_(std::move(parts)),
       settings_(settings),
       tolerance_(std::max(settings.tolerance, sum_of_tolerances(parts_))),
@@ -189,11 +179,13 @@ void Formulation::solve_only(std::span<const Level> needed) {
   prepare();
 }
 
-/// Leaves the last instant in before_ and in state_ what solvers start from; the rest of state_ is
-/// of the instant before, and of no meaning until it is solved.
-void Formulation::guess(double t) {
+/// Leaves the last instant in before_ and in state_ the drivers and what solvers start from; the
+/// rest of state_ is of the instant before, and of no meaning until it is solved. Sines of drivers
+/// take longest and wait for nothing: they come first.
+void Formulation::begin_step(double t) {
   const Past past{t - now_.time, now_.time - then_.time, now_.level, then_.level};
   std::swap(state_, before_);
+  drive(t);
   const State &last = before_, &one_before = state_;
   for (std::size_t level = 0; level < predictors_.size(); ++level)
     if (Predictor& predictor = predictors_[level]; !predictor.empty())
@@ -203,7 +195,7 @@ void Formulation::guess(double t) {
 
 /// As the function of that name, all drivers at once.
 void Formulation::drive(double t) {
-  motions_(t, state_.q.data(), state_.qd.data(), state_.qdd.data());
+  motions_({&t, 1}, state_.q.data(), state_.qd.data(), state_.qdd.data());
 }
 
 Summary Formulation::solve(std::span<const Stage> stages, double t, Level level) {
@@ -282,10 +274,8 @@ Summary Formulation::step(double t, Level level) {
 }
 
 Summary Formulation::advance(double t, Level level) {
-  if (!assembled_) return assemble_alone(t, level);
   const auto go = [&](double to, Level as_far_as) {
-    guess(to);
-    drive(to);
+    begin_step(to);
     const Summary summary = solve(moving_, to, as_far_as);
     if (!summary.ok()) std::ranges::copy(before_.q, state_.q.begin());
     then_ = summary.ok() ? now_ : Solved{};
@@ -294,25 +284,28 @@ Summary Formulation::advance(double t, Level level) {
     return summary;
   };
   const Solved start = now_;
-  const Summary at_once = go(t, level);
-  if (at_once.ok() || !start.level || start.time == t) [[likely]]
-    return at_once;
+  const bool was_assembled = assembled_;
+  Summary summary = was_assembled ? go(t, level) : assemble_alone(t, level);
+  if (summary.ok() || !was_assembled || !start.level || start.time == t) [[likely]]
+    return summary;
 
   const std::vector<double> position = state_.q;
-  Summary last, total = at_once;
+  const Summary at_once = summary;
+  long iterations = at_once.iterations, updates = at_once.updates;
   const bool arrived = go_in_pieces(start.time, t, [&](double to) {
-    last = go(to, to == t ? level : Level::position);
-    total.iterations += last.iterations;
-    total.updates += last.updates;
-    return last.ok();
+    summary = go(to, to == t ? level : Level::position);
+    iterations += summary.iterations;
+    updates += summary.updates;
+    return summary.ok();
   });
-  if (!arrived) {
+  if (arrived) {
+    summary.iterations = iterations;
+    summary.updates = updates;
+  } else {
     std::ranges::copy(position, state_.q.begin());
-    return at_once;
+    summary = at_once;
   }
-  last.iterations = total.iterations;
-  last.updates = total.updates;
-  return last;
+  return summary;
 }
 
 bool Formulation::enter(std::span<const double> q, double t) {

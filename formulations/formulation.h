@@ -198,7 +198,7 @@ class Formulation {
   Summary take_steps(const TimeGrid& grid, const Request& request, Sink& sink);
   bool solve_next(int i, double t, const Request& request, Sink& sink, Summary& total);
   std::optional<Summary> run_at_once(const TimeGrid& grid, const Request& request, Sink& sink);
-  void guess(double t);
+  void begin_step(double t);
   void drive(double t);
   Summary solve(std::span<const Stage> stages, double t, Level level);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <experimental/simd>
+#include <map>
 #include <utility>
 
 #include "formulations/equations/elementary.h"
@@ -15,116 +16,162 @@ namespace simd = std::experimental;
 /// What registers of 256 bits hold.
 using Quad = simd::simd<double, simd::simd_abi::deduce_t<double, 4>>;
 
-const std::vector<HarmonicSum::Term>& terms_of(const Motion& motion) {
-  return std::get<HarmonicSum>(motion).terms;
-}
-
-Quad load(const std::array<double, 4>& x) { return Quad(x.data(), simd::element_aligned); }
-
 [[gnu::always_inline]] inline elementary::SineCosine<Quad> sine_cosine(const Quad& angle) {
   if (all_of(abs(angle) < elementary::largest_reduced)) return elementary::sine_cosine(angle);
   return {Quad([&](auto l) { return std::sin(angle[l]); }),
           Quad([&](auto l) { return std::cos(angle[l]); })};
 }
 
-/// As the template for one time. False: it cannot be done for four at once.
-bool sample_quad(const HarmonicSum& m, const Quad& t, MotionSample<Quad>& z) {
-  z = {m.mean, 0.0, 0.0};
-  for (const HarmonicSum::Term& term : m.terms) {
-    const double w = term.angular_frequency, a = term.amplitude;
-    const auto [sine, cosine] = sine_cosine(w * t + term.phase);
-    z.position += a * sine;
-    z.velocity += a * w * cosine;
-    z.acceleration -= a * w * w * sine;
+Quad load(const double* x) { return Quad(x, simd::element_aligned); }
+void store(const Quad& value, double* x) { value.copy_to(x, simd::element_aligned); }
+
+/// What has no sines, at several times.
+void sample_other(const Motion& motion, std::span<const double> times, double* z, double* zd,
+                  double* zdd) {
+  std::size_t done = 0;
+  if (const auto* const polynomial = std::get_if<Polynomial>(&motion))
+    for (; done + Quad::size() <= times.size(); done += Quad::size()) {
+      const MotionSample<Quad> four = sample(*polynomial, load(&times[done]));
+      store(four.position, z + done);
+      store(four.velocity, zd + done);
+      store(four.acceleration, zdd + done);
+    }
+  for (; done < times.size(); ++done) {
+    const MotionSample<double> one = sample(motion, times[done]);
+    z[done] = one.position;
+    zd[done] = one.velocity;
+    zdd[done] = one.acceleration;
   }
-  return true;
 }
-
-bool sample_quad(const Polynomial& m, const Quad& t, MotionSample<Quad>& z) {
-  z = sample(m, t);
-  return true;
-}
-
-/// Each time may be in another interval.
-bool sample_quad(const Spline&, const Quad&, MotionSample<Quad>&) { return false; }
 
 }  // namespace
 
-void sample_lanes(const Motion& motion, std::span<const double> times, double* position,
-                  double* velocity, double* acceleration) {
-  for (std::size_t first = 0; first < times.size(); first += Quad::size()) {
-    const Quad t(&times[first], simd::element_aligned);
-    MotionSample<Quad> z{0.0, 0.0, 0.0};
-    const bool done = std::visit([&](const auto& m) { return sample_quad(m, t, z); }, motion);
-    z.position.copy_to(position + first, simd::element_aligned);
-    z.velocity.copy_to(velocity + first, simd::element_aligned);
-    z.acceleration.copy_to(acceleration + first, simd::element_aligned);
-    for (std::size_t l = first; !done && l < first + Quad::size(); ++l) {
-      const MotionSample<double> one = sample(motion, times[l]);
-      position[l] = one.position;
-      velocity[l] = one.velocity;
-      acceleration[l] = one.acceleration;
-    }
-  }
-}
-
-MotionSampler::MotionSampler(std::vector<const Motion*> motions, std::vector<int> places)
-    : motions_(std::move(motions)), places_(std::move(places)) {
-  std::vector<int> harmonic;
+MotionSampler::MotionSampler(std::vector<const Motion*> motions, std::vector<int> places, int times)
+    : motions_(std::move(motions)), places_(std::move(places)), times_(times) {
+  using WithFrequencies = std::pair<std::vector<double>, int>;
+  std::vector<WithFrequencies> harmonic;
   for (int i = 0; i < static_cast<int>(motions_.size()); ++i)
-    (std::holds_alternative<HarmonicSum>(*motions_[i]) ? harmonic : others_).push_back(i);
-  // Those of as many terms beside each other.
-  std::ranges::stable_sort(harmonic, {}, [&](int i) { return terms_of(*motions_[i]).size(); });
-  for (std::span<const int> left = harmonic; !left.empty();) {
+    if (const auto* const sum = std::get_if<HarmonicSum>(motions_[i])) {
+      std::vector<double> frequencies;
+      for (const HarmonicSum::Term& term : sum->terms)
+        frequencies.push_back(term.angular_frequency);
+      std::ranges::sort(frequencies);
+      harmonic.emplace_back(std::move(frequencies), i);
+    } else {
+      others_.push_back(i);
+    }
+  std::ranges::sort(harmonic);
+  std::vector<int> in_order;
+  for (const WithFrequencies& motion : harmonic) in_order.push_back(motion.second);
+  for (std::span<const int> left = in_order; !left.empty();) {
     const std::size_t taken = std::min(left.size(), Quad::size());
     sums_.push_back(sums(left.first(taken)));
     left = left.subspan(taken);
   }
+  while (frequencies_.size() % Quad::size() != 0) frequencies_.push_back(0);
+  sines_.resize(frequencies_.size() * times_);
+  cosines_.resize(frequencies_.size() * times_);
 }
 
-MotionSampler::Sums MotionSampler::sums(std::span<const int> motions) const {
-  Sums result;
-  result.size = static_cast<int>(motions.size());
-  for (std::size_t l = 0; l < motions.size(); ++l) {
-    result.place[l] = places_[motions[l]];
-    result.mean[l] = std::get<HarmonicSum>(*motions_[motions[l]]).mean;
-    const std::vector<HarmonicSum::Term>& terms = terms_of(*motions_[motions[l]]);
-    result.terms.resize(std::max(result.terms.size(), terms.size()));
-    for (std::size_t k = 0; k < terms.size(); ++k) {
-      result.terms[k].amplitude[l] = terms[k].amplitude;
-      result.terms[k].angular_frequency[l] = terms[k].angular_frequency;
-      result.terms[k].phase[l] = terms[k].phase;
+MotionSampler::Sums MotionSampler::sums(std::span<const int> motions) {
+  Sums result{static_cast<int>(motions.size()), {}, {}, {}};
+  std::map<double, Term> terms;
+  for (std::size_t l = 0; l < Quad::size(); ++l) {
+    const int i = motions[std::min(l, motions.size() - 1)];
+    const auto& sum = std::get<HarmonicSum>(*motions_[i]);
+    result.place[l] = places_[i];
+    result.mean[l] = sum.mean;
+    for (const auto& [amplitude, w, phase] : sum.terms) {
+      Term& term = terms.try_emplace(w, Term{frequency(w), -w * w}).first->second;
+      term.of_sine[l] += amplitude * std::cos(phase);
+      term.of_cosine[l] += amplitude * std::sin(phase);
+      term.w_of_sine[l] = w * term.of_sine[l];
+      term.w_of_cosine[l] = w * term.of_cosine[l];
     }
   }
+  for (const auto& [w, term] : terms) result.terms.push_back(term);
   return result;
 }
 
-void MotionSampler::operator()(double t, double* z, double* zd, double* zdd) const {
-  for (const int i : others_) {
-    const int place = places_[i];
-    const MotionSample<double> one = sample(*motions_[i], t);
-    z[place] = one.position;
-    zd[place] = one.velocity;
-    zdd[place] = one.acceleration;
-  }
+/// Motions come sorted: one that was met before was met last, but for those of several terms.
+int MotionSampler::frequency(double w) {
+  const auto found = std::find(frequencies_.rbegin(), frequencies_.rend(), w);
+  if (found != frequencies_.rend()) return static_cast<int>(frequencies_.rend() - found) - 1;
+  frequencies_.push_back(w);
+  return static_cast<int>(frequencies_.size()) - 1;
+}
+
+void MotionSampler::find_waves(std::span<const double> times) {
+  const auto put = [&](const Quad& angle, std::size_t first) {
+    const auto [sine, cosine] = sine_cosine(angle);
+    store(sine, &sines_[first]);
+    store(cosine, &cosines_[first]);
+  };
+  if (times_ == 1)
+    for (std::size_t f = 0; f < frequencies_.size(); f += Quad::size())
+      put(load(&frequencies_[f]) * times[0], f);
+  else
+    for (std::size_t f = 0; f < frequencies_.size(); ++f)
+      for (std::size_t l = 0; l < times.size(); l += Quad::size())
+        put(frequencies_[f] * load(&times[l]), f * times.size() + l);
+}
+
+void MotionSampler::add_up_at_one_time(double* z, double* zd, double* zdd) const {
   for (const Sums& four : sums_) {
-    Quad position = load(four.mean), velocity = 0.0, acceleration = 0.0;
-    for (const Terms& terms : four.terms) {
-      const Quad a = load(terms.amplitude), w = load(terms.angular_frequency);
-      const auto [sine, cosine] = sine_cosine(w * t + load(terms.phase));
-      position += a * sine;
-      velocity += a * w * cosine;
-      acceleration -= a * w * w * sine;
+    Quad position = load(four.mean.data()), velocity = 0.0, acceleration = 0.0;
+    for (const Term& term : four.terms) {
+      const double s = sines_[term.frequency], c = cosines_[term.frequency];
+      const Quad wave = load(term.of_sine.data()) * s + load(term.of_cosine.data()) * c;
+      position += wave;
+      velocity += load(term.w_of_sine.data()) * c - load(term.w_of_cosine.data()) * s;
+      acceleration += term.minus_w2 * wave;
     }
-    const auto put = [&](const Quad& values, double* to) {
-      std::array<double, Quad::size()> each;
-      values.copy_to(each.data(), simd::element_aligned);
-      for (int l = 0; l < four.size; ++l) to[four.place[l]] = each[l];
-    };
-    put(position, z);
-    put(velocity, zd);
-    put(acceleration, zdd);
+    for (std::size_t l = 0; l < Quad::size(); ++l) {
+      const int place = four.place[l];
+      z[place] = position[l];
+      zd[place] = velocity[l];
+      zdd[place] = acceleration[l];
+    }
   }
+}
+
+void MotionSampler::add_up(double* z, double* zd, double* zdd) const {
+  for (const Sums& sums : sums_)
+    for (int m = 0; m < sums.size; ++m)
+      for (int l = 0; l < times_; l += static_cast<int>(Quad::size())) {
+        Quad position = sums.mean[m], velocity = 0.0, acceleration = 0.0;
+        for (const Term& term : sums.terms) {
+          const int wave_at = term.frequency * times_ + l;
+          const Quad s = load(&sines_[wave_at]), c = load(&cosines_[wave_at]);
+          const Quad wave = term.of_sine[m] * s + term.of_cosine[m] * c;
+          position += wave;
+          velocity += term.w_of_sine[m] * c - term.w_of_cosine[m] * s;
+          acceleration += term.minus_w2 * wave;
+        }
+        const int place = sums.place[m] * times_ + l;
+        store(position, z + place);
+        store(velocity, zd + place);
+        store(acceleration, zdd + place);
+      }
+}
+
+void MotionSampler::operator()(std::span<const double> times, double* z, double* zd, double* zdd) {
+  for (const int i : others_) {
+    const int place = places_[i] * times_;
+    sample_other(*motions_[i], times, z + place, zd + place, zdd + place);
+  }
+  find_waves(times);
+  times_ == 1 ? add_up_at_one_time(z, zd, zdd) : add_up(z, zd, zdd);
+}
+
+MotionSampler sampler_of_drivers(const Mechanism& m, int times) {
+  std::vector<const Motion*> motions;
+  std::vector<int> places;
+  for (const Driver& d : m.drivers) {
+    motions.push_back(&d.motion);
+    places.push_back(m.entities[d.coordinate].first);
+  }
+  return {std::move(motions), std::move(places), times};
 }
 
 }  // namespace desmo

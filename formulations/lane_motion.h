@@ -4,43 +4,56 @@
 #include <span>
 #include <vector>
 
+#include "cases/mechanism.h"
 #include "cases/motion.h"
 
 namespace desmo {
 
-/// z, ż and z̈ of a motion at several times (s), a multiple of four: at each what sample() gives,
-/// but for rounding.
-void sample_lanes(const Motion& motion, std::span<const double> times, double* position,
-                  double* velocity, double* acceleration);
-
-/// Several motions at one time, as all drivers of a mechanism are wanted at each instant: harmonic
-/// sums are taken four at a time.
+/// Several motions at one time or at several, as all drivers of a mechanism are wanted at each
+/// instant. Of harmonic sums a sin(ωt + φ) is taken apart into a cos φ sin ωt + a sin φ cos ωt:
+/// motions of one frequency share sine and cosine.
 class MotionSampler {
  public:
-  /// places: of each motion, where it belongs in the arrays that are written. The motions outlive
-  /// the sampler, unchanged.
-  MotionSampler(std::vector<const Motion*> motions, std::vector<int> places);
+  /// places: of each motion, where it belongs in the arrays that are written. times: how many at
+  /// once, one or a multiple of four. The motions outlive the sampler, unchanged.
+  MotionSampler(std::vector<const Motion*> motions, std::vector<int> places, int times = 1);
 
-  /// Writes z, ż and z̈ of each motion at time t (s), what sample() gives but for rounding.
-  void operator()(double t, double* z, double* zd, double* zdd) const;
+  /// Writes z, ż and z̈ of each motion, what sample() gives but for rounding; those of several
+  /// times (s) side by side: of time l at place · times + l.
+  void operator()(std::span<const double> times, double* z, double* zd, double* zdd);
 
  private:
-  /// One of each of four sums. Where a sum has fewer, the amplitude is zero.
-  struct Terms {
-    std::array<double, 4> amplitude{}, angular_frequency{}, phase{};
+  /// Of each of four motions a sin(ωt + φ) = of_sine sin ωt + of_cosine cos ωt, and these times ω;
+  /// zeros where it has no term of this frequency.
+  struct Term {
+    int frequency;
+    double minus_w2;
+    std::array<double, 4> of_sine{}, of_cosine{}, w_of_sine{}, w_of_cosine{};
   };
+  /// Four motions that go with much the same frequencies. Where fewer are left the last fills up.
   struct Sums {
-    std::array<double, 4> mean{};
-    std::array<int, 4> place{};
-    int size = 0;  // four, or what is left
-    std::vector<Terms> terms;
+    int size;
+    std::array<int, 4> place;
+    std::array<double, 4> mean;
+    std::vector<Term> terms;
   };
-  Sums sums(std::span<const int> motions) const;
+
+  Sums sums(std::span<const int> motions);
+  int frequency(double w);
+  void find_waves(std::span<const double> times);
+  void add_up_at_one_time(double* z, double* zd, double* zdd) const;
+  void add_up(double* z, double* zd, double* zdd) const;
 
   std::vector<const Motion*> motions_;
   std::vector<int> places_;
+  int times_;
   std::vector<int> others_;  // motions that are no harmonic sum
   std::vector<Sums> sums_;
+  std::vector<double> frequencies_;      // each once
+  std::vector<double> sines_, cosines_;  // of each at each time
 };
+
+/// Of the drivers of a mechanism, into arrays in the order of the state.
+MotionSampler sampler_of_drivers(const Mechanism& mechanism, int times = 1);
 
 }  // namespace desmo

@@ -1,8 +1,16 @@
 #include "formulations/parallel_motion.h"
 
+#include <omp.h>
+
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <mutex>
 #include <utility>
+
+#ifdef __linux__
+#include <sched.h>
+#endif
 
 #include "formulations/same_position.h"
 
@@ -19,6 +27,36 @@ long moving_unknowns(const Formulation& f) {
   for (const Formulation::DefinedPart& part : f.parts())
     if (!part.definition.constant) sum += static_cast<long>(part.definition.unknowns.size());
   return sum;
+}
+
+/// On which the calling thread is, from 1; where nobody knows, another for each.
+int processor() {
+#ifdef __linux__
+  if (const int known = sched_getcpu(); known >= 0) return known + 1;
+#endif
+  return omp_get_thread_num() + 1;
+}
+
+bool all_differ(const std::vector<std::atomic<int>>& numbers) {
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (numbers[i] == numbers[j]) return false;
+  return true;
+}
+
+/// Makes the threads on which motions will be solved. New ones may share a processor while another
+/// has nothing to do, for longer than a motion takes: they are kept busy until the system has
+/// spread them, or until that takes too long.
+void start_threads(int count) {
+  constexpr std::chrono::milliseconds too_long{30};
+  const auto begin = std::chrono::steady_clock::now();
+  std::vector<std::atomic<int>> on(count);
+#pragma omp parallel num_threads(count)
+  {
+    const bool may_spread = omp_get_num_threads() == count && count <= omp_get_num_procs();
+    do on[omp_get_thread_num()] = processor();
+    while (may_spread && !all_differ(on) && std::chrono::steady_clock::now() - begin < too_long);
+  }
 }
 
 /// Instants of a grid from `begin` on, up to `end`, which is not among them: at their times but for
@@ -83,7 +121,9 @@ ParallelMotion::ParallelMotion(std::vector<std::unique_ptr<Formulation>> workers
     : workers_(std::move(workers)),
       stretches_(workers_.size()),
       least_instants_(least_instants),
-      moving_unknowns_(moving_unknowns(*workers_.front())) {}
+      moving_unknowns_(moving_unknowns(*workers_.front())) {
+  start_threads(static_cast<int>(workers_.size()));
+}
 
 void ParallelMotion::solve_only(std::span<const Level> needed) {
   for (const auto& worker : workers_) worker->solve_only(needed);

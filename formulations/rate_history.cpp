@@ -74,15 +74,44 @@ void RateHistory::remember(double interval, const double* qd, const double* qdd)
   });
 }
 
+/// Σ_j (h β_j q̇_j + h² γ_j q̈_j) of one of the coordinates.
+struct RateHistory::Change {
+  std::array<const double*, instants> qd, qdd;
+  std::array<double, instants> b, c;
+
+  double operator()(std::size_t n) const {  // two sums: neither waits for the other
+    const double of_qd = b[3] * qd[3][n] + b[2] * qd[2][n] + b[1] * qd[1][n] + b[0] * qd[0][n];
+    const double of_qdd = c[3] * qdd[3][n] + c[2] * qdd[2][n] + c[1] * qdd[1][n] + c[0] * qdd[0][n];
+    return of_qdd + of_qd;
+  }
+};
+
+RateHistory::Change RateHistory::change_over(double h) const {
+  Change change;
+  for (int j = 0; j < instants; ++j) {
+    change.qd[j] = rates_.data() + at_[j];
+    change.qdd[j] = change.qd[j] + change_.size();
+    change.b[j] = h * beta_[j];
+    change.c[j] = h * h * gamma_[j];
+  }
+  return change;
+}
+
 bool RateHistory::extrapolate(double h, const double* last, double* q) {
   if (known_ < instants || h == 0) return false;
   if (!weighed_for(h) && !weigh(h)) return false;
-  add_changes(h);
-  for_blocks([=, change = change_.data()](std::size_t n, int i, auto block) {
-    std::array<double, block()> expected;  // q may be last
-    for (std::size_t k = 0; k < block(); ++k) expected[k] = last[i + k] + change[n + k];
-    copy<block()>(expected.data(), q + i);
-  });
+  const Change change = change_over(h);
+  if (block_ > 1) {
+    for_blocks([=](std::size_t n, int i, auto block) {
+      std::array<double, block()> expected;  // q may be last
+      for (std::size_t k = 0; k < block(); ++k) expected[k] = last[i + k] + change(n + k);
+      copy<block()>(expected.data(), q + i);
+    });
+    return true;
+  }
+  double* __restrict const changes = change_.data();
+  for (std::size_t n = 0; n < change_.size(); ++n) changes[n] = change(n);
+  for (std::size_t n = 0; n < blocks_.size(); ++n) q[blocks_[n]] = last[blocks_[n]] + change_[n];
   return true;
 }
 
@@ -120,27 +149,6 @@ bool RateHistory::weigh(double h) {
   }
   weighed_ = ratios;
   return true;
-}
-
-/// Σ_j (h β_j q̇_j + h² γ_j q̈_j).
-void RateHistory::add_changes(double h) {
-  const auto rates = [&](int j) { return rates_.data() + at_[j]; };
-  const double *at_0 = rates(0), *at_1 = rates(1), *at_2 = rates(2), *at_3 = rates(3);
-  const auto w = [&](const std::array<double, instants>& weights, double unit) {
-    std::array<double, instants> result;
-    for (int j = 0; j < instants; ++j) result[j] = unit * weights[j];
-    return result;
-  };
-  const auto [v_0, v_1, v_2, v_3] = w(beta_, h);
-  const auto [a_0, a_1, a_2, a_3] = w(gamma_, h * h);
-  double* __restrict const change = change_.data();
-  const std::size_t n = change_.size();
-  for (std::size_t i = 0; i < n; ++i) {  // two sums: neither waits for the other
-    const double of_v = v_3 * at_3[i] + v_2 * at_2[i] + v_1 * at_1[i] + v_0 * at_0[i];
-    const double of_a =
-        a_3 * at_3[n + i] + a_2 * at_2[n + i] + a_1 * at_1[n + i] + a_0 * at_0[n + i];
-    change[i] = of_a + of_v;
-  }
 }
 
 }  // namespace desmo

@@ -36,7 +36,8 @@ class RateHistory {
   using Ratios = std::array<double, instants - 1>;
   bool weighed_for(double h) const;
   bool weigh(double h);
-  void add_changes(double h);
+  struct Change;
+  Change change_over(double h) const;
   template <class Visit>
   void for_blocks(Visit&& visit) const;
 

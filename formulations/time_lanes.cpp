@@ -6,7 +6,6 @@
 #include <iterator>
 #include <utility>
 
-#include "formulations/lane_motion.h"
 #include "formulations/lane_transport.h"
 #include "formulations/same_position.h"
 #include "formulations/straight_way.h"
@@ -18,6 +17,7 @@ TimeLanes::TimeLanes(const Mechanism& mechanism, std::vector<Parts> parts, const
     : mechanism_(mechanism),
       settings_(settings),
       lanes_(static_cast<int>(parts.size())),
+      motions_(sampler_of_drivers(mechanism, lanes_)),
       parts_(std::move(parts)),
       residual2_(lanes_),
       delivered_(lanes_),
@@ -183,12 +183,8 @@ void TimeLanes::drive(const TimeGrid& grid, int length, int i) {
   std::array<double, most_lanes> of_lanes;
   for (int l = 0; l < lanes_; ++l)
     of_lanes[l] = grid.time(std::min(l * length + i, grid.instants - 1));
-  const std::span<const double> times(of_lanes.data(), lanes_);
-  for (const Driver& d : mechanism_.drivers) {
-    const std::size_t k =
-        static_cast<std::size_t>(mechanism_.entities[d.coordinate].first) * lanes_;
-    sample_lanes(d.motion, times, &now_.q[k], &now_.qd[k], &now_.qdd[k]);
-  }
+  motions_({of_lanes.data(), of_lanes.data() + lanes_}, now_.q.data(), now_.qd.data(),
+           now_.qdd.data());
 }
 
 TimeLanes::Step TimeLanes::solve() {

@@ -8,6 +8,7 @@
 #include "formulations/equations/lane_kernel.h"
 #include "formulations/explicit_part.h"
 #include "formulations/formulation.h"
+#include "formulations/lane_motion.h"
 #include "formulations/lane_stage.h"
 #include "formulations/lane_values.h"
 #include "formulations/predictor.h"
@@ -70,6 +71,7 @@ class TimeLanes final : public WholeMotion {
   const Mechanism& mechanism_;
   const Settings settings_;
   const int lanes_;
+  MotionSampler motions_;  // of the drivers, in lanes
   std::vector<Parts> parts_;
   std::vector<Stage> stages_;  // those that move
   Predictor predictor_;  // of unknowns of which a part reads the position, lanes beside each other

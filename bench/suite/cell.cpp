@@ -101,6 +101,8 @@ void Cell::profile() {
 void Cell::make() {
   formulation_ = make_formulation(variant, *mechanism_, settings);
   formulation_->assemble(grid.time(0));
+  Delivery elsewhere(coordinates);
+  wake_threads([&] { formulation_->run(grid, {}, elsewhere); });
 }
 
 Summary Cell::analyse() {

@@ -248,6 +248,8 @@ Summary RequestCell::run(Sink& sink) {
 void RequestCell::make() {
   formulation_ = made_with_tolerance(settings.tolerance);
   formulation_->assemble(grid.time(0), request_->plan.level());
+  RequestedDelivery elsewhere(request_->asked);
+  wake_threads([&] { run(elsewhere); });
 }
 
 Summary RequestCell::analyse() {

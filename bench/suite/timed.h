@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -72,6 +73,11 @@ class Timed {
   /// Makes what analyse() runs and assembles it once.
   virtual void make() = 0;
   virtual void discard() = 0;
+
+  /// Where there are several threads, solves until they are awake, on processors that are: from
+  /// asleep that may take as long as a motion, and longer where the processors are not the
+  /// system's own.
+  void wake_threads(const std::function<void()>& solve) const;
 
   void fail(std::string why) { stop(State::failed, std::move(why)); }
   void leave_out(std::string why) { stop(State::not_run, std::move(why)); }

@@ -103,7 +103,7 @@ class Truck final : public TreePeer {
     Delivery out = delivery();
     out.put(Moving<Vec>{Vec::UnitY(), Vec::Zero(), Vec::Zero()});  // y1
     int iterations = 0;
-    sampler_(t, heights_.q.data(), heights_.qd.data(), heights_.qdd.data());
+    sampler_({&t, 1}, heights_.q.data(), heights_.qd.data(), heights_.qdd.data());
     const auto height = [&](std::size_t wheel) {
       return MotionSample<double>{heights_.q[wheel], heights_.qd[wheel], heights_.qdd[wheel]};
     };
@@ -131,7 +131,7 @@ class Truck final : public TreePeer {
     return result;
   }
 
-  const MotionSampler sampler_;
+  MotionSampler sampler_;
   State heights_;  // of the left and the right wheels, axle after axle
   Predictor expected_;
   std::vector<Suspension> suspensions_;
