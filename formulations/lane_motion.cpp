@@ -68,7 +68,7 @@ MotionSampler::MotionSampler(std::vector<const Motion*> motions, std::vector<int
     sums_.push_back(sums(left.first(taken)));
     left = left.subspan(taken);
   }
-  while (frequencies_.size() % Quad::size() != 0) frequencies_.push_back(0);
+  while (times_ == 1 && frequencies_.size() % Quad::size() != 0) frequencies_.push_back(0);
   sines_.resize(frequencies_.size() * times_);
   cosines_.resize(frequencies_.size() * times_);
 }
