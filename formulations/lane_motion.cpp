@@ -82,11 +82,13 @@ MotionSampler::Sums MotionSampler::sums(std::span<const int> motions) {
     result.place[l] = places_[i];
     result.mean[l] = sum.mean;
     for (const auto& [amplitude, w, phase] : sum.terms) {
-      Term& term = terms.try_emplace(w, Term{frequency(w), -w * w}).first->second;
+      Term& term = terms.try_emplace(w, Term{frequency(w)}).first->second;
       term.of_sine[l] += amplitude * std::cos(phase);
       term.of_cosine[l] += amplitude * std::sin(phase);
       term.w_of_sine[l] = w * term.of_sine[l];
       term.w_of_cosine[l] = w * term.of_cosine[l];
+      term.w2_of_sine[l] = w * term.w_of_sine[l];  // nothing of nothing, where ω² overflows
+      term.w2_of_cosine[l] = w * term.w_of_cosine[l];
     }
   }
   for (const auto& [w, term] : terms) result.terms.push_back(term);
@@ -121,10 +123,9 @@ void MotionSampler::add_up_at_one_time(double* z, double* zd, double* zdd) const
     Quad position = load(four.mean.data()), velocity = 0.0, acceleration = 0.0;
     for (const Term& term : four.terms) {
       const double s = sines_[term.frequency], c = cosines_[term.frequency];
-      const Quad wave = load(term.of_sine.data()) * s + load(term.of_cosine.data()) * c;
-      position += wave;
+      position += load(term.of_sine.data()) * s + load(term.of_cosine.data()) * c;
       velocity += load(term.w_of_sine.data()) * c - load(term.w_of_cosine.data()) * s;
-      acceleration += term.minus_w2 * wave;
+      acceleration -= load(term.w2_of_sine.data()) * s + load(term.w2_of_cosine.data()) * c;
     }
     for (std::size_t l = 0; l < Quad::size(); ++l) {
       const int place = four.place[l];
@@ -143,10 +144,9 @@ void MotionSampler::add_up(double* z, double* zd, double* zdd) const {
         for (const Term& term : sums.terms) {
           const int wave_at = term.frequency * times_ + l;
           const Quad s = load(&sines_[wave_at]), c = load(&cosines_[wave_at]);
-          const Quad wave = term.of_sine[m] * s + term.of_cosine[m] * c;
-          position += wave;
+          position += term.of_sine[m] * s + term.of_cosine[m] * c;
           velocity += term.w_of_sine[m] * c - term.w_of_cosine[m] * s;
-          acceleration += term.minus_w2 * wave;
+          acceleration -= term.w2_of_sine[m] * s + term.w2_of_cosine[m] * c;
         }
         const int place = sums.place[m] * times_ + l;
         store(position, z + place);

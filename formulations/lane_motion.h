@@ -23,12 +23,12 @@ class MotionSampler {
   void operator()(std::span<const double> times, double* z, double* zd, double* zdd);
 
  private:
-  /// Of each of four motions a sin(ωt + φ) = of_sine sin ωt + of_cosine cos ωt, and these times ω;
-  /// zeros where it has no term of this frequency.
+  /// Of each of four motions a sin(ωt + φ) = of_sine sin ωt + of_cosine cos ωt, and these times ω
+  /// and ω²; zeros where it has no term of this frequency.
   struct Term {
     int frequency;
-    double minus_w2;
-    std::array<double, 4> of_sine{}, of_cosine{}, w_of_sine{}, w_of_cosine{};
+    std::array<double, 4> of_sine{}, of_cosine{}, w_of_sine{}, w_of_cosine{}, w2_of_sine{},
+        w2_of_cosine{};
   };
   /// Four motions that go with much the same frequencies. Where fewer are left the last fills up.
   struct Sums {

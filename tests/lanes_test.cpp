@@ -187,6 +187,12 @@ TEST(MotionSampler, GivesWhatEachMotionIs) {
     }
   }
   constexpr double t = 1;
+  const Motion silent = HarmonicSum{2, {{0, 1e300, 0}}};  // ω² overflows
+  double z, zd, zdd;
+  MotionSampler({&silent}, {0})({&t, 1}, &z, &zd, &zdd);
+  EXPECT_EQ(z, 2);
+  EXPECT_EQ(zd, 0);
+  EXPECT_EQ(zdd, 0);
   MotionSampler({}, {})({&t, 1}, nullptr, nullptr, nullptr);  // nothing to write
 }
 
