@@ -76,7 +76,7 @@ bool go_in_pieces(double from, double to, Go&& go) {
 Formulation::Formulation(const Mechanism& mechanism, std::vector<DefinedPart> parts,
                          const Settings& settings, std::unique_ptr<WholeMotion> whole_motion)
     : mechanism_(mechanism),
-      motions_(sampler_of_drivers(mechanism)),
+      motions_(DriverMotions(mechanism).motions, DriverMotions(mechanism).places),
       parts_(std::move(parts)),
       settings_(settings),
       tolerance_(std::max(settings.tolerance, sum_of_tolerances(parts_))),
@@ -195,7 +195,7 @@ void Formulation::begin_step(double t) {
 
 /// As the function of that name, all drivers at once.
 void Formulation::drive(double t) {
-  motions_({&t, 1}, state_.q.data(), state_.qd.data(), state_.qdd.data());
+  motions_(t, state_.q.data(), state_.qd.data(), state_.qdd.data());
 }
 
 Summary Formulation::solve(std::span<const Stage> stages, double t, Level level) {

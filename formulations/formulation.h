@@ -10,7 +10,7 @@
 #include "cases/mechanism.h"
 #include "cases/motion.h"
 #include "formulations/keepers.h"
-#include "formulations/lane_motion.h"
+#include "formulations/motions_ahead.h"
 #include "formulations/part.h"
 #include "formulations/partition.h"
 #include "formulations/predictor.h"
@@ -203,7 +203,7 @@ class Formulation {
   Summary solve(std::span<const Stage> stages, double t, Level level);
 
   const Mechanism& mechanism_;
-  MotionSampler motions_;  // of the drivers
+  MotionsAhead motions_;  // of the drivers
   std::vector<DefinedPart> parts_;
   std::vector<Stage> constant_, moving_;        // those that depend on no driver, and the others
   std::vector<std::unique_ptr<PartRun>> runs_;  // of moving ones

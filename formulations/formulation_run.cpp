@@ -67,6 +67,7 @@ Summary Formulation::solve_all(const TimeGrid& grid, const Request& request, Sin
 Summary Formulation::take_steps(const TimeGrid& grid, const Request& request, Sink& sink) {
   Summary total;
   want_as(request, sink);
+  motions_.expect(grid);
   for (int i = 0; i < grid.instants; ++i)
     if (!solve_next(i, grid.time(i), request, sink, total)) break;
   write_kept(total);

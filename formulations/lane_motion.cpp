@@ -164,14 +164,11 @@ void MotionSampler::operator()(std::span<const double> times, double* z, double*
   times_ == 1 ? add_up_at_one_time(z, zd, zdd) : add_up(z, zd, zdd);
 }
 
-MotionSampler sampler_of_drivers(const Mechanism& m, int times) {
-  std::vector<const Motion*> motions;
-  std::vector<int> places;
+DriverMotions::DriverMotions(const Mechanism& m) {
   for (const Driver& d : m.drivers) {
     motions.push_back(&d.motion);
     places.push_back(m.entities[d.coordinate].first);
   }
-  return {std::move(motions), std::move(places), times};
 }
 
 }  // namespace desmo

@@ -53,7 +53,12 @@ class MotionSampler {
   std::vector<double> sines_, cosines_;  // of each at each time
 };
 
-/// Of the drivers of a mechanism, into arrays in the order of the state.
-MotionSampler sampler_of_drivers(const Mechanism& mechanism, int times = 1);
+/// The motions of the drivers of a mechanism, which must outlive it, and where they belong in the
+/// state.
+struct DriverMotions {
+  explicit DriverMotions(const Mechanism& mechanism);
+  std::vector<const Motion*> motions;
+  std::vector<int> places;
+};
 
 }  // namespace desmo

@@ -18,6 +18,7 @@
 #include "formulations/equations/turned_angle.h"
 #include "formulations/id.h"
 #include "formulations/lane_motion.h"
+#include "formulations/motions_ahead.h"
 #include "formulations/variants.h"
 #include "tests/everything.h"
 #include "tests/lanes_here.h"
@@ -194,6 +195,35 @@ TEST(MotionSampler, GivesWhatEachMotionIs) {
   EXPECT_EQ(zd, 0);
   EXPECT_EQ(zdd, 0);
   MotionSampler({}, {})({&t, 1}, nullptr, nullptr, nullptr);  // nothing to write
+}
+
+/// Whatever times it is told to expect: those of the grid, others between them, after one was left
+/// out, behind the last, and from the first again.
+TEST(MotionsAhead, GiveWhatEachMotionIsAtAnyTime) {
+  const Motion motions[] = {HarmonicSum{0.5, {{0.1, 6, 0.3}, {2, -11, 1}}},
+                            Polynomial{{1, -2, 0.5}},
+                            make_spline({0, 1, 3}, {0, 1, -1}, SplineEnds::natural)};
+  const TimeGrid grid{-0.3, 0.1, 21};
+  MotionsAhead sampler({&motions[0], &motions[1], &motions[2]}, {2, 0, 3});
+  const auto expect_at = [&](double t) {
+    std::vector<double> z(4, -77), zd = z, zdd = z;
+    sampler(t, z.data(), zd.data(), zdd.data());
+    EXPECT_EQ(z[1], -77);
+    int motion = 0;
+    for (const int place : {2, 0, 3})
+      expect_sampled(motions[motion++], t, z[place], zd[place], zdd[place]);
+  };
+  expect_at(0.7);
+  for (int run = 0; run < 2; ++run) {
+    sampler.expect(grid);
+    for (int i = 0; i < grid.instants; ++i) {
+      expect_at(grid.time(i));
+      if (i % 5 == 0) expect_at(grid.time(i));
+      if (i % 7 == 0) expect_at(grid.time(i) + 0.03);
+      if (run == 1 && i == 9) ++i;
+    }
+    for (const double t : {grid.time(20), grid.time(21), -1.0}) expect_at(t);
+  }
 }
 
 /// Inline functions of others, compiled for processors that not everybody has, must not be what the

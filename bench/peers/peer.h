@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cases/mechanism.h"
+#include "cases/motion.h"
 #include "cases/scene.h"
 #include "formulations/settings.h"
 
@@ -27,6 +28,9 @@ class Peer {
   virtual ~Peer() = default;
   Peer(const Peer&) = delete;
   Peer& operator=(const Peer&) = delete;
+
+  /// From now on it is asked for the instants of this grid, in order from the first.
+  virtual void expect(const TimeGrid& grid) { static_cast<void>(grid); }
 
   /// Assembles the mechanism at time t (s) from its nominal position, whatever was solved before.
   /// Throws std::exception, as step() does, when that fails.

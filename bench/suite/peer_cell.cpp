@@ -23,10 +23,9 @@ constexpr std::array<std::string_view, 3> formulations{
 constexpr int instants_of_estimate = 50;
 
 void solve(Peer& peer, const TimeGrid& grid, int i) {
-  if (i == 0)
-    peer.assemble(grid.time(i));
-  else
-    peer.step(grid.time(i));
+  if (i > 0) return peer.step(grid.time(i));
+  peer.expect(grid);
+  peer.assemble(grid.time(0));
 }
 
 void compare(Errors& errors, const Peer::Answer& answer, const ReferenceInstant& reference) {

@@ -12,7 +12,7 @@
 #include "bench/peers/tree/damper.h"
 #include "bench/peers/tree/stabiliser.h"
 #include "bench/peers/tree/tree_peer.h"
-#include "formulations/lane_motion.h"
+#include "formulations/motions_ahead.h"
 #include "formulations/part.h"
 #include "formulations/predictor.h"
 
@@ -54,7 +54,7 @@ struct AnglesOfAll {
 class Truck final : public TreePeer {
  public:
   Truck(const Scene& scene, const Mechanism& mechanism, Guess guess)
-      : sampler_(addresses(scene.motions), one_by_one(scene.motions.size())),
+      : motions_(addresses(scene.motions), one_by_one(scene.motions.size())),
         heights_{std::vector<double>(scene.motions.size()), {}, {}} {
     heights_.qd = heights_.qdd = heights_.q;
     const int axles = static_cast<int>(scene.motions.size()) / 2;
@@ -74,6 +74,8 @@ class Truck final : public TreePeer {
       will_deliver(mechanism, Damper::delivered(prefix, "12", "13"));
     }
   }
+
+  void expect(const TimeGrid& grid) override { motions_.expect(grid); }
 
   void assemble(double t) override {
     iterations_ = 0;
@@ -103,7 +105,7 @@ class Truck final : public TreePeer {
     Delivery out = delivery();
     out.put(Moving<Vec>{Vec::UnitY(), Vec::Zero(), Vec::Zero()});  // y1
     int iterations = 0;
-    sampler_({&t, 1}, heights_.q.data(), heights_.qd.data(), heights_.qdd.data());
+    motions_(t, heights_.q.data(), heights_.qd.data(), heights_.qdd.data());
     const auto height = [&](std::size_t wheel) {
       return MotionSample<double>{heights_.q[wheel], heights_.qd[wheel], heights_.qdd[wheel]};
     };
@@ -131,7 +133,7 @@ class Truck final : public TreePeer {
     return result;
   }
 
-  MotionSampler sampler_;
+  MotionsAhead motions_;
   State heights_;  // of the left and the right wheels, axle after axle
   Predictor expected_;
   std::vector<Suspension> suspensions_;

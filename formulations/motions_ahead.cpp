@@ -1,0 +1,53 @@
+#include "formulations/motions_ahead.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace desmo {
+
+namespace {
+
+std::vector<int> one_by_one(std::size_t count) {
+  std::vector<int> result(count);
+  std::iota(result.begin(), result.end(), 0);
+  return result;
+}
+
+}  // namespace
+
+MotionsAhead::MotionsAhead(const std::vector<const Motion*>& motions, std::vector<int> places)
+    : places_(std::move(places)),
+      alone_(motions, places_),
+      ahead_(motions, one_by_one(motions.size()), together) {
+  for (std::vector<double>* values : {&z_, &zd_, &zdd_}) values->resize(motions.size() * together);
+}
+
+void MotionsAhead::expect(const TimeGrid& grid) {
+  grid_ = grid;
+  sampled_ = 0;
+  next_ = together;
+}
+
+/// Behind the last instant of the grid, that one again.
+void MotionsAhead::sample_next() {
+  for (int k = 0; k < together; ++k)
+    times_[k] = grid_.time(std::min(sampled_ + k, grid_.instants - 1));
+  ahead_(times_, z_.data(), zd_.data(), zdd_.data());
+  sampled_ += together;
+  next_ = 0;
+}
+
+void MotionsAhead::operator()(double t, double* z, double* zd, double* zdd) {
+  if (next_ == together && sampled_ < grid_.instants) sample_next();
+  if (next_ == together || times_[next_] != t) return alone_({&t, 1}, z, zd, zdd);
+  for (std::size_t m = 0; m < places_.size(); ++m) {
+    const std::size_t at = m * together + next_, place = places_[m];
+    z[place] = z_[at];
+    zd[place] = zd_[at];
+    zdd[place] = zdd_[at];
+  }
+  ++next_;
+}
+
+}  // namespace desmo
