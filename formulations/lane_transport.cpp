@@ -6,6 +6,9 @@
 #include <immintrin.h>
 #endif
 
+#include "formulations/equations/lane_kernel.h"
+#include "formulations/wide_lanes.h"
+
 namespace desmo {
 
 namespace {
@@ -63,20 +66,24 @@ void unpack_four(const std::array<const double*, 4>& from, const std::array<doub
 
 }  // namespace
 
-void unpack(const double* from, std::span<const int> which, std::span<double* const> to) {
-  const std::size_t lanes = to.size();
+void unpack(const double* from, std::span<const int> offsets, std::span<double* const> to) {
+  if (to.size() == wide && has_lanes(wide)) {
+    std::array<double*, wide> lanes;
+    std::ranges::copy(to, lanes.begin());
+    return unpack_wide(from, offsets, lanes);
+  }
   std::size_t unpacked = 0;
 #ifdef __AVX__
-  unpacked = which.size() / 4 * 4;
-  for (std::size_t l = 0; l < lanes; l += quad) {
+  unpacked = offsets.size() / 4 * 4;
+  for (std::size_t l = 0; l < to.size(); l += quad) {
     const std::array<double*, quad> of_quad{to[l], to[l + 1], to[l + 2], to[l + 3]};
-    const auto row = [&](std::size_t n) { return from + which[n] * lanes + l; };
+    const auto row = [&](std::size_t n) { return from + offsets[n] + l; };
     for (std::size_t n = 0; n < unpacked; n += 4)
       unpack_four({row(n), row(n + 1), row(n + 2), row(n + 3)}, of_quad, n);
   }
 #endif
-  for (std::size_t n = unpacked; n < which.size(); ++n)
-    for (std::size_t l = 0; l < lanes; ++l) to[l][n] = from[which[n] * lanes + l];
+  for (std::size_t n = unpacked; n < offsets.size(); ++n)
+    for (std::size_t l = 0; l < to.size(); ++l) to[l][n] = from[offsets[n] + l];
 }
 
 LaneSources::LaneSources(std::span<const int> which, const LanePlaces& places)

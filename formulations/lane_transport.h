@@ -7,11 +7,13 @@
 
 namespace desmo {
 
-/// Lanes are brought together and apart so many at a time: what registers of 256 bits hold.
+/// Lanes are brought together and apart so many at a time, what registers of 256 bits hold,
+/// wherever wider ones gain nothing.
 inline constexpr int quad = 4;
 
-/// to[l][n] = number which[n] of lane l; as many lanes as there are arrays, a multiple of four.
-void unpack(const double* from, std::span<const int> which, std::span<double* const> to);
+/// to[l][n] = from[offsets[n] + l]: numbers of as many lanes as there are arrays, four or eight.
+/// from: begins a cache line; offsets: where numbers begin, multiples of that.
+void unpack(const double* from, std::span<const int> offsets, std::span<double* const> to);
 
 /// By lane, where each of the numbers that it holds stands in an array; negative: nowhere.
 using LanePlaces = std::vector<std::vector<int>>;

@@ -72,6 +72,7 @@ std::optional<Summary> TimeLanes::run(const TimeGrid& grid, const Request& reque
   const auto rooms = sink.rooms();
   wanted_ = coordinates_in_room(rooms ? rooms->coordinates : std::span<const int>(),
                                 mechanism_.coordinates());
+  for (int& coordinate : wanted_) coordinate *= lanes_;
   rooms_.clear();
   used_ = 0;
 

@@ -82,7 +82,7 @@ class TimeLanes final : public WholeMotion {
   std::vector<double> last_alone_;         // … and its last positions
   std::vector<State> delivered_;           // to a sink that has no room
   std::vector<std::vector<double>> ways_;  // of the drivers to each segment
-  std::vector<int> wanted_;                // coordinates in a room
+  std::vector<int> wanted_;                // where the coordinates in a room begin in lanes
   std::vector<int> indices_;               // of instants for which rooms were taken …
   std::vector<Room> rooms_;                // … and these …
   std::size_t used_ = 0;                   // … so many of them already

@@ -18,6 +18,8 @@
 #include "formulations/equations/turned_angle.h"
 #include "formulations/id.h"
 #include "formulations/lane_motion.h"
+#include "formulations/lane_transport.h"
+#include "formulations/lane_values.h"
 #include "formulations/motions_ahead.h"
 #include "formulations/variants.h"
 #include "tests/everything.h"
@@ -223,6 +225,31 @@ TEST(MotionsAhead, GiveWhatEachMotionIsAtAnyTime) {
       if (run == 1 && i == 9) ++i;
     }
     for (const double t : {grid.time(20), grid.time(21), -1.0}) expect_at(t);
+  }
+}
+
+/// Any number of them, in any order, to arrays that begin anywhere and end behind the last.
+TEST(Lanes, AreTakenApart) {
+  constexpr std::size_t most = 37;
+  for (const int lanes : lanes_here()) {
+    LaneValues from(most * lanes);
+    for (std::size_t i = 0; i < from.size(); ++i) from[i] = static_cast<double>(i);
+    for (std::size_t size = 0; size <= most; ++size) {
+      std::vector<int> offsets;
+      for (std::size_t n = 0; n < size; ++n)
+        offsets.push_back(static_cast<int>(n * 5 % most) * lanes);
+      std::vector<std::vector<double>> to(lanes);
+      std::vector<double*> begins;
+      for (int l = 0; l < lanes; ++l) {
+        to[l].assign(size + l + 1, -1.0);
+        begins.push_back(to[l].data() + l);
+      }
+      unpack(from.data(), offsets, begins);
+      for (int l = 0; l < lanes; ++l) {
+        for (std::size_t n = 0; n < size; ++n) ASSERT_EQ(to[l][l + n], offsets[n] + l) << size;
+        EXPECT_EQ(to[l].back(), -1.0) << size;
+      }
+    }
   }
 }
 
