@@ -76,7 +76,7 @@ bool go_in_pieces(double from, double to, Go&& go) {
 Formulation::Formulation(const Mechanism& mechanism, std::vector<DefinedPart> parts,
                          const Settings& settings, std::unique_ptr<WholeMotion> whole_motion)
     : mechanism_(mechanism),
-      motions_(DriverMotions(mechanism).motions, DriverMotions(mechanism).places),
+      motions_(driver_motions(mechanism)),
       parts_(std::move(parts)),
       settings_(settings),
       tolerance_(std::max(settings.tolerance, sum_of_tolerances(parts_))),

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <experimental/simd>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "formulations/equations/elementary.h"
@@ -46,12 +47,27 @@ void sample_other(const Motion& motion, std::span<const double> times, double* z
 
 }  // namespace
 
-MotionSampler::MotionSampler(std::vector<const Motion*> motions, std::vector<int> places, int times)
-    : motions_(std::move(motions)), places_(std::move(places)), times_(times) {
+PlacedMotions driver_motions(const Mechanism& m) {
+  PlacedMotions result;
+  for (const Driver& d : m.drivers) {
+    result.motions.push_back(&d.motion);
+    result.places.push_back(m.entities[d.coordinate].first);
+  }
+  return result;
+}
+
+PlacedMotions in_order(std::vector<const Motion*> motions) {
+  std::vector<int> places(motions.size());
+  std::iota(places.begin(), places.end(), 0);
+  return {std::move(motions), std::move(places)};
+}
+
+MotionSampler::MotionSampler(PlacedMotions placed, int times)
+    : placed_(std::move(placed)), times_(times) {
   using WithFrequencies = std::pair<std::vector<double>, int>;
   std::vector<WithFrequencies> harmonic;
-  for (int i = 0; i < static_cast<int>(motions_.size()); ++i)
-    if (const auto* const sum = std::get_if<HarmonicSum>(motions_[i])) {
+  for (int i = 0; i < static_cast<int>(placed_.motions.size()); ++i)
+    if (const auto* const sum = std::get_if<HarmonicSum>(placed_.motions[i])) {
       std::vector<double> frequencies;
       for (const HarmonicSum::Term& term : sum->terms)
         frequencies.push_back(term.angular_frequency);
@@ -61,9 +77,9 @@ MotionSampler::MotionSampler(std::vector<const Motion*> motions, std::vector<int
       others_.push_back(i);
     }
   std::ranges::sort(harmonic);
-  std::vector<int> in_order;
-  for (const WithFrequencies& motion : harmonic) in_order.push_back(motion.second);
-  for (std::span<const int> left = in_order; !left.empty();) {
+  std::vector<int> ordered;
+  for (const WithFrequencies& motion : harmonic) ordered.push_back(motion.second);
+  for (std::span<const int> left = ordered; !left.empty();) {
     const std::size_t taken = std::min(left.size(), Quad::size());
     sums_.push_back(sums(left.first(taken)));
     left = left.subspan(taken);
@@ -78,8 +94,8 @@ MotionSampler::Sums MotionSampler::sums(std::span<const int> motions) {
   std::map<double, Term> terms;
   for (std::size_t l = 0; l < Quad::size(); ++l) {
     const int i = motions[std::min(l, motions.size() - 1)];
-    const auto& sum = std::get<HarmonicSum>(*motions_[i]);
-    result.place[l] = places_[i];
+    const auto& sum = std::get<HarmonicSum>(*placed_.motions[i]);
+    result.place[l] = placed_.places[i];
     result.mean[l] = sum.mean;
     for (const auto& [amplitude, w, phase] : sum.terms) {
       Term& term = terms.try_emplace(w, Term{frequency(w)}).first->second;
@@ -157,18 +173,11 @@ void MotionSampler::add_up(double* z, double* zd, double* zdd) const {
 
 void MotionSampler::operator()(std::span<const double> times, double* z, double* zd, double* zdd) {
   for (const int i : others_) {
-    const int place = places_[i] * times_;
-    sample_other(*motions_[i], times, z + place, zd + place, zdd + place);
+    const int place = placed_.places[i] * times_;
+    sample_other(*placed_.motions[i], times, z + place, zd + place, zdd + place);
   }
   find_waves(times);
   times_ == 1 ? add_up_at_one_time(z, zd, zdd) : add_up(z, zd, zdd);
-}
-
-DriverMotions::DriverMotions(const Mechanism& m) {
-  for (const Driver& d : m.drivers) {
-    motions.push_back(&d.motion);
-    places.push_back(m.entities[d.coordinate].first);
-  }
 }
 
 }  // namespace desmo

@@ -9,14 +9,24 @@
 
 namespace desmo {
 
+/// Motions, and where each belongs in arrays of what they give.
+struct PlacedMotions {
+  std::vector<const Motion*> motions;
+  std::vector<int> places;
+};
+/// Of the drivers of a mechanism, which outlives them, in its state.
+PlacedMotions driver_motions(const Mechanism& mechanism);
+/// One behind the other.
+PlacedMotions in_order(std::vector<const Motion*> motions);
+
 /// Several motions at one time or at several, as all drivers of a mechanism are wanted at each
 /// instant. Of harmonic sums a sin(ωt + φ) is taken apart into a cos φ sin ωt + a sin φ cos ωt:
 /// motions of one frequency share sine and cosine.
 class MotionSampler {
  public:
-  /// places: of each motion, where it belongs in the arrays that are written. times: how many at
-  /// once, one or a multiple of four. The motions outlive the sampler, unchanged.
-  MotionSampler(std::vector<const Motion*> motions, std::vector<int> places, int times = 1);
+  /// times: how many at once, one or a multiple of four. The motions outlive the sampler,
+  /// unchanged.
+  explicit MotionSampler(PlacedMotions placed, int times = 1);
 
   /// Writes z, ż and z̈ of each motion, what sample() gives but for rounding; those of several
   /// times (s) side by side: of time l at place · times + l.
@@ -44,21 +54,12 @@ class MotionSampler {
   void add_up_at_one_time(double* z, double* zd, double* zdd) const;
   void add_up(double* z, double* zd, double* zdd) const;
 
-  std::vector<const Motion*> motions_;
-  std::vector<int> places_;
+  PlacedMotions placed_;
   int times_;
   std::vector<int> others_;  // motions that are no harmonic sum
   std::vector<Sums> sums_;
   std::vector<double> frequencies_;      // each once
   std::vector<double> sines_, cosines_;  // of each at each time
-};
-
-/// The motions of the drivers of a mechanism, which must outlive it, and where they belong in the
-/// state.
-struct DriverMotions {
-  explicit DriverMotions(const Mechanism& mechanism);
-  std::vector<const Motion*> motions;
-  std::vector<int> places;
 };
 
 }  // namespace desmo

@@ -1,26 +1,13 @@
 #include "formulations/motions_ahead.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 namespace desmo {
 
-namespace {
-
-std::vector<int> one_by_one(std::size_t count) {
-  std::vector<int> result(count);
-  std::iota(result.begin(), result.end(), 0);
-  return result;
-}
-
-}  // namespace
-
-MotionsAhead::MotionsAhead(const std::vector<const Motion*>& motions, std::vector<int> places)
-    : places_(std::move(places)),
-      alone_(motions, places_),
-      ahead_(motions, one_by_one(motions.size()), together) {
-  for (std::vector<double>* values : {&z_, &zd_, &zdd_}) values->resize(motions.size() * together);
+MotionsAhead::MotionsAhead(const PlacedMotions& placed)
+    : places_(placed.places), alone_(placed), ahead_(in_order(placed.motions), together) {
+  for (std::vector<double>* values : {&z_, &zd_, &zdd_}) values->resize(places_.size() * together);
 }
 
 void MotionsAhead::expect(const TimeGrid& grid) {

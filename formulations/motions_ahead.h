@@ -15,7 +15,7 @@ namespace desmo {
 class MotionsAhead {
  public:
   /// As those of MotionSampler.
-  MotionsAhead(const std::vector<const Motion*>& motions, std::vector<int> places);
+  explicit MotionsAhead(const PlacedMotions& placed);
 
   /// From now on times are those of this grid, in order from the first. What comes between them is
   /// sampled alone, and once they are left out, all that follow.

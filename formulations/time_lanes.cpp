@@ -17,7 +17,7 @@ TimeLanes::TimeLanes(const Mechanism& mechanism, std::vector<Parts> parts, const
     : mechanism_(mechanism),
       settings_(settings),
       lanes_(static_cast<int>(parts.size())),
-      motions_(DriverMotions(mechanism).motions, DriverMotions(mechanism).places, lanes_),
+      motions_(driver_motions(mechanism), lanes_),
       parts_(std::move(parts)),
       residual2_(lanes_),
       delivered_(lanes_),

@@ -176,7 +176,7 @@ TEST(MotionSampler, GivesWhatEachMotionIs) {
   // In one interval of the spline and in several, before and behind; angles beyond reduction.
   const std::array times{0.1, 0.2, 0.3, 0.4, -1.0, 2.5, 8.0, 0.0, 30.0, 1e6, 1e7, 0.7};
   for (const std::size_t at_once : {1, 4, 12}) {
-    MotionSampler sampler(addresses, places, static_cast<int>(at_once));
+    MotionSampler sampler({addresses, places}, static_cast<int>(at_once));
     for (std::size_t first = 0; first < times.size(); first += at_once) {
       std::vector<double> z(7 * at_once, untouched), zd = z, zdd = z;
       sampler(std::span(times).subspan(first, at_once), z.data(), zd.data(), zdd.data());
@@ -192,11 +192,11 @@ TEST(MotionSampler, GivesWhatEachMotionIs) {
   constexpr double t = 1;
   const Motion silent = HarmonicSum{2, {{0, 1e300, 0}}};  // ω² overflows
   double z, zd, zdd;
-  MotionSampler({&silent}, {0})({&t, 1}, &z, &zd, &zdd);
+  MotionSampler({{&silent}, {0}})({&t, 1}, &z, &zd, &zdd);
   EXPECT_EQ(z, 2);
   EXPECT_EQ(zd, 0);
   EXPECT_EQ(zdd, 0);
-  MotionSampler({}, {})({&t, 1}, nullptr, nullptr, nullptr);  // nothing to write
+  MotionSampler(PlacedMotions{})({&t, 1}, nullptr, nullptr, nullptr);  // nothing to write
 }
 
 /// Whatever times it is told to expect: those of the grid, others between them, after one was left
@@ -206,7 +206,7 @@ TEST(MotionsAhead, GiveWhatEachMotionIsAtAnyTime) {
                             Polynomial{{1, -2, 0.5}},
                             make_spline({0, 1, 3}, {0, 1, -1}, SplineEnds::natural)};
   const TimeGrid grid{-0.3, 0.1, 21};
-  MotionsAhead sampler({&motions[0], &motions[1], &motions[2]}, {2, 0, 3});
+  MotionsAhead sampler({{&motions[0], &motions[1], &motions[2]}, {2, 0, 3}});
   const auto expect_at = [&](double t) {
     std::vector<double> z(4, -77), zd = z, zdd = z;
     sampler(t, z.data(), zd.data(), zdd.data());

@@ -2,7 +2,6 @@
 #include <array>
 #include <cmath>
 #include <memory>
-#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -54,7 +53,7 @@ struct AnglesOfAll {
 class Truck final : public TreePeer {
  public:
   Truck(const Scene& scene, const Mechanism& mechanism, Guess guess)
-      : motions_(addresses(scene.motions), one_by_one(scene.motions.size())),
+      : motions_(in_order(addresses(scene.motions))),
         heights_{std::vector<double>(scene.motions.size()), {}, {}} {
     heights_.qd = heights_.qdd = heights_.q;
     const int axles = static_cast<int>(scene.motions.size()) / 2;
@@ -124,12 +123,6 @@ class Truck final : public TreePeer {
   static std::vector<const Motion*> addresses(const std::vector<Motion>& motions) {
     std::vector<const Motion*> result;
     for (const Motion& motion : motions) result.push_back(&motion);
-    return result;
-  }
-
-  static std::vector<int> one_by_one(std::size_t size) {
-    std::vector<int> result(size);
-    std::iota(result.begin(), result.end(), 0);
     return result;
   }
 
