@@ -76,14 +76,15 @@ TEST_F(Expressions, KeepTheirValueThroughEveryRule) {
   }
 }
 
+std::string written(Expr e) {
+  std::ostringstream out;
+  Emitter emitter(out, "", {e});
+  emitter.prepare({e});
+  return out.str() + emitter.text(e);
+}
+
 TEST_F(Expressions, AreWrittenWithTheParenthesesTheyNeed) {
-  const auto written = [&](Expr e) {
-    std::ostringstream out;
-    Emitter emitter(out, "", {e});
-    emitter.prepare({e});
-    return out.str() + emitter.text(e);
-  };
-  EXPECT_EQ(written(x - (y - 1.0)), "x - (y - 1.0)");
+  EXPECT_EQ(written(x - (y - 1.0)), "x - y + 1.0");
   EXPECT_EQ(written(x / (y * 2.0)), "x / (y * 2.0)");
   const Expr sum = x + y;
   EXPECT_EQ(written(sum * (x - y)), "(x + y) * (x - y)");
@@ -92,9 +93,31 @@ TEST_F(Expressions, AreWrittenWithTheParenthesesTheyNeed) {
   EXPECT_EQ(written(-(x - y)), "y - x");
   const Expr xx = x * x, yy = y * y, squares = xx + yy;
   EXPECT_EQ(written(squares - 1.0), "x * x - 1.0 + y * y");  // two fused instructions
-  EXPECT_EQ(written(squares - sum), "x * x + y * y - (x + y)");
+  EXPECT_EQ(written(squares - sum), "-x - y + x * x + y * y");
   EXPECT_EQ(written(-(x - y) / sum), "-((x - y) / (x + y))");
   EXPECT_EQ(written(x + -2.5), "x + (-2.5)");
+}
+
+/// So that only one operation waits for it.
+TEST_F(Expressions, TakeLastWhatIsKnownLate) {
+  EXPECT_EQ(written(sqrt(x) * y + (x - y * 2.0)), "x - y * 2.0 + y * std::sqrt(x)");
+  EXPECT_EQ(written(sqrt(x) * (y * (x + 1.0))), "y * (x + 1.0) * std::sqrt(x)");
+  EXPECT_EQ(written(1.0 / y - sqrt(x) - x * y), "1.0 / y - x * y - std::sqrt(x)");
+  std::ostringstream out;
+  Emitter emitter(out, "", {x + y * 2.0});
+  emitter.assign("x", "late()", 30);
+  EXPECT_EQ(emitter.text(x + y * 2.0), "y * 2.0 + x");
+}
+
+/// What has a name is computed once, wherever its terms stand.
+TEST_F(Expressions, AreNotTakenApartWhereTheyAreShared) {
+  const Expr sum = x + y;
+  std::ostringstream out;
+  Emitter emitter(out, "", {sum * x, sum - 1.0});
+  emitter.prepare({sum * x, sum - 1.0});
+  const std::string name = emitter.text(sum);
+  EXPECT_NE(out.str().find(name + " = x + y"), std::string::npos);
+  EXPECT_EQ(emitter.text(sum - 1.0), name + " - 1.0");
 }
 
 TEST(Literals, ReadBackToTheSameValue) {

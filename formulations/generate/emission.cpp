@@ -65,7 +65,8 @@ void Emitter::prepare(const std::vector<Expr>& expressions) {
   for (const Expr e : expressions) declare(e.id());
 }
 
-void Emitter::assign(const std::string& variable, const std::string& value) {
+void Emitter::assign(const std::string& variable, const std::string& value, int known) {
+  readiness_.define(variable, known);
   if (declarations_apart_) names_apart_.push_back(variable);
   *out_ << indent_ << (declarations_apart_ ? "" : "const " + style_.type + " ") << variable << " = "
         << value << ";\n";
@@ -73,7 +74,7 @@ void Emitter::assign(const std::string& variable, const std::string& value) {
 
 void Emitter::define(const std::string& variable, Expr e) {
   prepare({e});
-  assign(variable, text(e));
+  assign(variable, text(e), known(e));
 }
 
 void Emitter::name(Expr e, std::string text) { names_[e.id()] = std::move(text); }
@@ -91,38 +92,34 @@ void Emitter::declare(int id) {
   const std::string expression = text(id);
   if (uses_[id] < 2 && expression.size() <= longest_inline) return;
   const std::string variable = "t" + std::to_string(id);
-  assign(variable, expression);
+  assign(variable, expression, known(Expr::node(id)));
   names_[id] = variable;
 }
 
-/// Of −(a − b) where a − b has no name.
-const Node* Emitter::turned_difference(int id) const {
-  const Node& n = Graph::current().node(id);
-  if (n.op != Op::negate || names_.contains(n.a)) return nullptr;
-  const Node& operand = Graph::current().node(n.a);
-  return operand.op == Op::subtract ? &operand : nullptr;
+/// Terms in the order in which they are known: a − b · c + d.
+std::string Emitter::sum(int id) const {
+  std::string result;
+  for (const auto& [term, subtracted] : terms_of(id, readiness_, has_name())) {
+    if (!result.empty()) result += subtracted ? " - " : " + ";
+    result += result.empty() && subtracted ? "-" + operand(term, 3) : operand(term, 2);
+  }
+  return result;
 }
 
-/// Of a sum without a name. A multiplication takes an addition with it.
-bool Emitter::begins_with_product(int id) const {
-  const Node& n = Graph::current().node(id);
-  if (names_.contains(id)) return false;
-  return n.op == Op::add ? begins_with_product(n.a) : n.op == Op::multiply;
-}
-
-/// A sum less what is subtracted from its first term.
-std::string Emitter::less(int sum, int subtracted) const {
-  const Node& n = Graph::current().node(sum);
-  return n.op == Op::add && !names_.contains(sum)
-             ? less(n.a, subtracted) + " + " + operand(n.b, 2)
-             : operand(sum, 2) + " - " + operand(subtracted, 2);
+/// In the same way.
+std::string Emitter::product(int id) const {
+  std::string result;
+  for (const int factor : factors_of(id, readiness_, has_name()))
+    result += result.empty() ? operand(factor, 2) : " * " + operand(factor, 3);
+  return result;
 }
 
 /// In parentheses if it binds less tightly than `least`.
 std::string Emitter::operand(int id, int least) const {
-  const Op op = turned_difference(id) ? Op::subtract : Graph::current().node(id).op;
-  const bool closed = names_.contains(id) || precedence(op) >= least;
-  return closed ? text(id) : "(" + text(id) + ")";
+  const std::string result = text(id);
+  const bool closed = names_.contains(id) ||
+                      (precedence(Graph::current().node(id).op) >= least && result.front() != '-');
+  return closed ? result : "(" + result + ")";
 }
 
 std::string Emitter::text(Expr e) const { return text(e.id()); }
@@ -136,19 +133,13 @@ std::string Emitter::text(int id) const {
     case Op::input:
       return n.name;
     case Op::add:
-      return operand(n.a, 1) + " + " + operand(n.b, 2);
     case Op::subtract:
-      return begins_with_product(n.a) && !Graph::current().node(n.b).moves
-                 ? less(n.a, n.b)
-                 : operand(n.a, 1) + " - " + operand(n.b, 2);
+    case Op::negate:
+      return sum(id);
     case Op::multiply:
-      return operand(n.a, 2) + " * " + operand(n.b, 3);
+      return product(id);
     case Op::divide:
       return operand(n.a, 2) + " / " + operand(n.b, 3);
-    case Op::negate: {
-      const Node* const d = turned_difference(id);
-      return d ? operand(d->b, 1) + " - " + operand(d->a, 2) : "-" + operand(n.a, 3);
-    }
     case Op::sine:
       return style_.angles + "sin(" + text(n.a) + ")";
     case Op::cosine:

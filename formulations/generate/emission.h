@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "formulations/generate/expression.h"
+#include "formulations/generate/sums.h"
 
 namespace desmo::generate {
 
@@ -32,11 +33,13 @@ class Emitter {
   const std::vector<std::string>& declared() const { return names_apart_; }
   /// A named variable with this value; from now on, the expression is written as its name.
   void define(const std::string& name, Expr e);
-  /// A named variable with the value that this text has.
-  void assign(const std::string& name, const std::string& text);
+  /// A named variable with the value that this text has, known as late as that (see Readiness).
+  void assign(const std::string& name, const std::string& text, int known);
   /// From now on the expression, an input most of all, is written so.
   void name(Expr e, std::string text);
   const EmissionStyle& style() const { return style_; }
+  /// When the expression is known, as it is written here.
+  int known(Expr e) const { return readiness_.of(e.id()); }
   /// Expressions of dimensions that were written as elements of `f`, in order.
   const std::vector<Expr>& folded() const { return folded_; }
 
@@ -51,9 +54,11 @@ class Emitter {
   void declare(int id);
   std::string text(int id) const;
   std::string operand(int id, int least) const;
-  const Node* turned_difference(int id) const;
-  bool begins_with_product(int id) const;
-  std::string less(int sum, int subtracted) const;
+  std::string sum(int id) const;
+  std::string product(int id) const;
+  IsWhole has_name() const {
+    return [this](int id) { return names_.contains(id); };
+  }
 
   std::ostream* out_;
   std::string indent_;
@@ -63,6 +68,7 @@ class Emitter {
   std::map<int, std::string> names_;  // of what has been declared
   std::vector<std::string> names_apart_;
   std::vector<Expr> folded_;
+  mutable Readiness readiness_;  // remembers what it has found
 };
 
 /// A double as C++ source that reads back to the same value.

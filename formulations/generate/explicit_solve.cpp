@@ -15,6 +15,8 @@ namespace {
 
 using Expressions = std::vector<Expr>;
 
+constexpr int turning = 60;  // cycles of turned_angle()
+
 void append(Expressions& all, const Expressions& more) {
   all.insert(all.end(), more.begin(), more.end());
 }
@@ -138,9 +140,10 @@ class SolveWriter {
     const std::string turned = name("turned", angle);
     out << indent << "const auto " << turned << " = elementary::turned_angle<T>("
         << emitter_.text(y) << ", " << emitter_.text(x) << ", " << place(q) << ");\n";
-    emitter_.assign(name("q", angle), turned + ".angle");
-    emitter_.assign(name("sine", angle), turned + ".sine");
-    emitter_.assign(name("cosine", angle), turned + ".cosine");
+    const int known = std::max(emitter_.known(x), emitter_.known(y)) + turning;
+    emitter_.assign(name("q", angle), turned + ".angle", known);
+    emitter_.assign(name("sine", angle), turned + ".sine", known);
+    emitter_.assign(name("cosine", angle), turned + ".cosine", known);
     emitter_.name(sin(q), name("sine", angle));
     emitter_.name(cos(q), name("cosine", angle));
   }
