@@ -26,11 +26,13 @@ ExplicitPart::ExplicitPart(const ExplicitKernel& kernel, const BoundKernel& boun
       constants_(bound.constants.size()),
       equations_(weights.size()) {
   const std::size_t branches = kernel.branches.size(),
-                    folded = static_cast<std::size_t>(kernel.folded);
-  numbers_.resize(constants_ + folded + equations_ + 2 * branches);
+                    folded = static_cast<std::size_t>(kernel.folded),
+                    anchors = kernel.angles.size() * anchor_size;
+  numbers_.resize(constants_ + folded + equations_ + 2 * branches + anchors);
   double *const c = numbers_.data(), *const f = c + constants_, *const w = f + folded;
   branch_ = w + equations_;
   branch_before_ = branch_ + branches;
+  anchors_ = {branch_before_ + branches, anchors};
   std::ranges::copy(bound.constants, c);
   std::ranges::copy(weights, w);
   kernel_.fold(c, f);
@@ -41,7 +43,7 @@ ExplicitPart::ExplicitPart(const ExplicitKernel& kernel, const BoundKernel& boun
           ? ExplicitLimits{std::numeric_limits<double>::infinity(), 0, settings.fixed_iterations}
           : ExplicitLimits{tolerance2, core_share * core_share * tolerance2,
                            settings.max_iterations};
-  binding_ = {inputs_.data(), c, f, branch_, w, limits};
+  binding_ = {inputs_.data(), c, f, branch_, w, anchors_.data(), limits};
 }
 
 PartResult ExplicitPart::solve(State& s, std::span<const double> last, Level level) {
@@ -69,17 +71,25 @@ PartResult ExplicitPart::solve(State& s, std::span<const double> last, Level lev
   // After a fixed number of iterations a position may still be on its way to a branch.
   if (result.status == Status::converged && result.residual2 < tolerance_ * tolerance_) {
     kernel_.find_branches(s.q.data(), binding_.in, binding_.c, branch_);
+    std::ranges::fill(anchors_, 0.0);
     assembled_ = true;
   }
   return result;
 }
 
-std::vector<int> ExplicitPart::starts_from(const std::vector<int>&) const {
+/// Ascending.
+std::vector<int> ExplicitPart::places_of(std::span<const int> inputs) const {
   std::vector<int> result;
-  for (const int input : kernel_.starts) result.push_back(inputs_[input]);
+  for (const int input : inputs) result.push_back(inputs_[input]);
   std::ranges::sort(result);
   return result;
 }
+
+std::vector<int> ExplicitPart::starts_from(const std::vector<int>&) const {
+  return places_of(kernel_.torn);
+}
+
+std::vector<int> ExplicitPart::stays_near() const { return places_of(kernel_.angles); }
 
 std::unique_ptr<PartRun> ExplicitPart::make_run(std::span<Part* const> parts) {
   std::vector<const ExplicitPart*> members;

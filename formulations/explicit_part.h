@@ -28,6 +28,7 @@ class ExplicitPart final : public GuardedPart {
   PartResult solve(State& state, std::span<const double> last, Level level) override;
   /// Closed forms start from nothing. Before any position, all start from the last.
   std::vector<int> starts_from(const std::vector<int>& unknowns) const override;
+  std::vector<int> stays_near() const override;
   /// Of those behind each other that have the same kernel.
   std::unique_ptr<PartRun> make_run(std::span<Part* const> parts) override;
   void forget() override;
@@ -45,6 +46,7 @@ class ExplicitPart final : public GuardedPart {
   std::span<const double> branches() const { return {branch_, kernel_.branches.size()}; }
 
  private:
+  std::vector<int> places_of(std::span<const int> inputs) const;
   PartResult solve_refused(State& state, std::span<const double> last, Level level);
   PartResult fall_back(State& state, std::span<const double> last, Level level);
 
@@ -58,6 +60,7 @@ class ExplicitPart final : public GuardedPart {
   std::size_t constants_, equations_;
   std::vector<double> numbers_;  // what binding_ points to, side by side, and branches before
   double *branch_, *branch_before_;
+  std::span<double> anchors_;
 };
 
 }  // namespace desmo

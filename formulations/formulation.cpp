@@ -97,6 +97,7 @@ void Formulation::prepare() {
   constant_.clear();
   moving_.clear();
   keepers_.clear();
+  near_.clear();
   std::array<std::vector<int>, 3> unknowns;
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     const DefinedPart& part = parts_[i];
@@ -106,6 +107,7 @@ void Formulation::prepare() {
     if (part.definition.constant) continue;
     std::ranges::copy(part.solver->starts_from(part.definition.unknowns),
                       std::back_inserter(unknowns[static_cast<std::size_t>(part.level)]));
+    std::ranges::copy(part.solver->stays_near(), std::back_inserter(near_));
     if (Keeper* const keeper = part.solver->keeper()) keepers_.add(*keeper, part.level);
   }
   for (std::size_t level = 0; level < unknowns.size(); ++level) {
@@ -157,6 +159,7 @@ void Formulation::want(std::span<const int> coordinates, bool in_rooms) {
   for (const DefinedPart& part : parts_) {
     const auto& [groups, unknowns, equations, constant] = part.definition;
     for (const int i : part.solver->starts_from(unknowns)) read[i] = true;
+    for (const int i : part.solver->stays_near()) read[i] = true;
     for (const int i : states_read(mechanism_, part.definition))
       if (!std::ranges::binary_search(unknowns, i)) read[i] = true;
   }
@@ -190,6 +193,7 @@ void Formulation::begin_step(double t) {
   for (std::size_t level = 0; level < predictors_.size(); ++level)
     if (Predictor& predictor = predictors_[level]; !predictor.empty())
       predictor(past.up_to(static_cast<Level>(level)), last, one_before, state_.q.data());
+  for (const int i : near_) state_.q[i] = before_.q[i];
   keepers_.begin_step(past);
 }
 

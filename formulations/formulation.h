@@ -211,6 +211,7 @@ class Formulation {
   Wanted wanted_;
   /// Of moving unknowns from which a solver starts, by the level to which they are solved.
   std::array<Predictor, 3> predictors_;
+  std::vector<int> near_;  // coordinates that stay near the last ones
   Settings settings_;
   double tolerance_;
   State state_;

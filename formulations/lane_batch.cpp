@@ -68,23 +68,22 @@ LaneBatch::LaneBatch(std::span<Copy> copies, const CopyKernels& kernels,
   for (std::size_t l = 0; l < lanes_; ++l)
     places_.push_back(places_in(members_of(copy_in(l)), first, states).value());
 
-  std::set<int> positions, rates, unknowns;  // read before any part has written them; written
+  std::set<int> read, unknowns, near;  // before any part has written them; written
   for (std::size_t j = 0; j < kernels.size(); ++j) {
     std::vector<ExplicitPart*> members;
     for (std::size_t l = 0; l < lanes_; ++l) members.push_back(copy_in(l)[j].get());
     std::vector<int> in;
     for (const int state : inputs_of(*first[j])) in.push_back(position_in(states, state));
-    for (const int i : kernels[j]->positions)
-      if (!unknowns.contains(in[i])) positions.insert(in[i]);
-    for (const int i : kernels[j]->rates)
-      if (!unknowns.contains(in[i])) rates.insert(in[i]);
+    for (const int i : kernels[j]->read)
+      if (!unknowns.contains(in[i])) read.insert(in[i]);
     for (const int i : kernels[j]->unknowns) unknowns.insert(in[i]);
+    for (const int i : first[j]->kernel().angles) near.insert(in[i]);
     stages_.emplace_back(*kernels[j], std::move(members), std::move(in));
   }
   unknowns_.assign(unknowns.begin(), unknowns.end());
 
   std::vector<int> once, moving, starts;
-  for (const int n : positions) {
+  for (const int n : read) {
     const auto never_moves = [&](const std::vector<int>& of_lane) { return constant[of_lane[n]]; };
     (unknowns.contains(n)                        ? starts
      : std::ranges::all_of(places_, never_moves) ? once
@@ -92,9 +91,10 @@ LaneBatch::LaneBatch(std::span<Copy> copies, const CopyKernels& kernels,
         .push_back(n);
   }
   constants_ = LaneSources(once, places_);
-  positions_ = LaneSources(moving, places_);
-  rates_ = LaneSources(std::vector<int>(rates.begin(), rates.end()), places_);
+  moving_ = LaneSources(moving, places_);
   starts_ = LaneSources(starts, places_);
+  near_.assign(near.begin(), near.end());
+  std::erase_if(starts, [&](int n) { return near.contains(n); });
   std::vector<CoordinateRun> runs = runs_of(starts);
   for (CoordinateRun& run : runs)
     run = {run.first * static_cast<int>(lanes_), run.end * static_cast<int>(lanes_)};
@@ -122,7 +122,8 @@ void LaneBatch::begin_step(const Past& past) {
   predicted_ = kept_ && past.last;
   if (!predicted_) return;
   std::swap(now_, before_);
-  predictor_(past, before_, now_, now_.q.data());
+  if (!predictor_.empty()) predictor_(past, before_, now_, now_.q.data());
+  for (const int n : near_) std::copy_n(&before_.q[n * lanes_], lanes_, &now_.q[n * lanes_]);
 }
 
 const LaneBatch::Step& LaneBatch::solve(const State& s) {
@@ -130,10 +131,9 @@ const LaneBatch::Step& LaneBatch::solve(const State& s) {
   step_.iterations = 0;
   step_.residual2.fill(0);
   if (!assembled_) return step_;
-  positions_.gather(s.q.data(), now_.q.data());
-  rates_.gather(s.qd.data(), now_.qd.data());
-  rates_.gather(s.qdd.data(), now_.qdd.data());
-  if (!predicted_) starts_.gather(s.q.data(), now_.q.data());
+  moving_.gather<3>({s.q.data(), s.qd.data(), s.qdd.data()},
+                    {now_.q.data(), now_.qd.data(), now_.qdd.data()});
+  if (!predicted_) starts_.gather<1>({s.q.data()}, {now_.q.data()});
   alignas(64) std::array<double, most_lanes> of_stage;
   of_stage.fill(0);  // where lanes are fewer
   for (const LaneStage& stage : stages_) {
@@ -148,7 +148,8 @@ const LaneBatch::Step& LaneBatch::solve(const State& s) {
 }
 
 void LaneBatch::take(const State& s) {
-  for (LaneState* values : {&now_, &before_}) constants_.gather(s.q.data(), values->q.data());
+  for (LaneState* values : {&now_, &before_})
+    constants_.gather<1>({s.q.data()}, {values->q.data()});
   for (std::size_t l = 0; l < lanes_; ++l)
     for_unknowns(l, [&](std::size_t in_lane, int place) {
       now_.q[in_lane] = s.q[place];

@@ -73,8 +73,9 @@ class LaneBatch {
   std::size_t lanes_;
   LanePlaces places_;          // in the state, of all that a copy reads and writes: local inputs
   std::vector<int> unknowns_;  // local, ascending
-  LaneSources constants_, positions_, rates_;  // of others: once, and in every step
-  LaneSources starts_;                         // of its own
+  LaneSources constants_, moving_;  // of others: once, and in every step
+  LaneSources starts_;              // of its own
+  std::vector<int> near_;           // of these, angles that stay near the last
   LaneTargets read_, asked_;
   LaneState now_, before_;
   Predictor predictor_;

@@ -91,6 +91,15 @@ std::vector<int> LanePart::starts_from(const std::vector<int>& unknowns) const {
   return all;
 }
 
+std::vector<int> LanePart::stays_near() const {
+  std::vector<int> all;
+  if (left_over_)
+    for (const auto& member : *left_over_)
+      std::ranges::copy(member->stays_near(), std::back_inserter(all));
+  std::ranges::sort(all);
+  return all;
+}
+
 void LanePart::write_only(const std::vector<bool>& read) {
   for (LaneBatch& batch : batches_) batch.write_only(read);
 }

@@ -24,6 +24,7 @@ class LanePart final : public GuardedPart, public Keeper {
   PartResult solve(State& state, std::span<const double> last, Level level) override;
   /// Of the copy that is left over, if one is: what is kept starts from there.
   std::vector<int> starts_from(const std::vector<int>& unknowns) const override;
+  std::vector<int> stays_near() const override;
   void write_only(const std::vector<bool>& read) override;
   void forget() override;
   Keeper* keeper() override { return this; }

@@ -34,7 +34,9 @@ LaneStage::LaneStage(const LaneKernel& kernel, std::vector<ExplicitPart*> lanes,
   f_ = side_by_side(lanes_, static_cast<std::size_t>(any.kernel().folded), &Binding::f);
   w_ = side_by_side(lanes_, any.equations(), &Binding::w);
   branch_.resize(any.branches().size() * lanes_.size());
-  binding_ = {in_.data(), c_.data(), f_.data(), branch_.data(), w_.data(), limits_of(lanes_)};
+  anchors_.resize(any.kernel().angles.size() * anchor_size * lanes_.size());
+  binding_ = {in_.data(), c_.data(),       f_.data(),        branch_.data(),
+              w_.data(),  anchors_.data(), limits_of(lanes_)};
 }
 
 void LaneStage::take_branches() {  // in place: in the midst of a motion nothing is allocated
@@ -42,6 +44,7 @@ void LaneStage::take_branches() {  // in place: in the midst of a motion nothing
     const std::span<const double> branches = lanes_[l]->branches();
     for (std::size_t k = 0; k < branches.size(); ++k) branch_[k * lanes_.size() + l] = branches[k];
   }
+  std::ranges::fill(anchors_, 0.0);
 }
 
 bool LaneStage::assembled() const { return std::ranges::all_of(lanes_, &ExplicitPart::assembled); }

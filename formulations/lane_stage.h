@@ -24,7 +24,7 @@ class LaneStage {
     return kernel_.solve(state.q.data(), state.qd.data(), state.qdd.data(), binding_, residual2);
   }
 
-  /// The branches are those that the parts have now.
+  /// The branches are those that the parts have now, and angles have no anchors.
   void take_branches();
 
   bool assembled() const;
@@ -34,7 +34,7 @@ class LaneStage {
   const LaneKernel& kernel_;
   std::vector<ExplicitPart*> lanes_;
   std::vector<int> in_;
-  LaneValues c_, f_, w_, branch_;
+  LaneValues c_, f_, w_, branch_, anchors_;
   ExplicitBinding<double> binding_;
 };
 

@@ -67,11 +67,7 @@ void unpack_four(const std::array<const double*, 4>& from, const std::array<doub
 }  // namespace
 
 void unpack(const double* from, std::span<const int> offsets, std::span<double* const> to) {
-  if (to.size() == wide && has_lanes(wide)) {
-    std::array<double*, wide> lanes;
-    std::ranges::copy(to, lanes.begin());
-    return unpack_wide(from, offsets, lanes);
-  }
+  if (to.size() == wide && has_lanes(wide)) return unpack_wide(from, offsets, to);
   std::size_t unpacked = 0;
 #ifdef __AVX__
   unpacked = offsets.size() / 4 * 4;
@@ -101,28 +97,43 @@ LaneSources::LaneSources(std::span<const int> which, const LanePlaces& places)
   }
 }
 
-template <std::size_t lanes>
-void LaneSources::gather_lanes(const double* __restrict from, double* __restrict to) const {
+namespace {
+
+void gather_quad(const double* from, const Places& place, double* to) {
+#ifdef __AVX__
+  _mm256_store_pd(to,
+                  _mm256_set_pd(from[place[3]], from[place[2]], from[place[1]], from[place[0]]));
+#else
+  for (int l = 0; l < quad; ++l) to[l] = from[place[l]];
+#endif
+}
+
+}  // namespace
+
+template <std::size_t lanes, std::size_t arrays>
+void LaneSources::gather_lanes(const std::array<const double*, arrays>& from,
+                               std::array<double*, arrays> to) const {
   for (const std::vector<Run>& runs : quads_) {
     for (const Run& r : runs) {
       const auto [first, size, place] = r;  // stores might change what they are read from
-      double* values = to + first * lanes;
-      for (int k = 0; k < size; ++k, values += lanes) {
-#ifdef __AVX__
-        _mm256_store_pd(values, _mm256_set_pd(from[place[3] + k], from[place[2] + k],
-                                              from[place[1] + k], from[place[0] + k]));
-#else
-        for (int l = 0; l < quad; ++l) values[l] = from[place[l] + k];
-#endif
-      }
+      for (int k = 0; k < size; ++k)
+        for (std::size_t a = 0; a < arrays; ++a)
+          gather_quad(from[a] + k, place, to[a] + (first + k) * lanes);
     }
-    to += quad;
+    for (double*& array : to) array += quad;
   }
 }
 
-void LaneSources::gather(const double* from, double* to) const {
+template <std::size_t arrays>
+void LaneSources::gather(const std::array<const double*, arrays>& from,
+                         const std::array<double*, arrays>& to) const {
   quads_.size() == 1 ? gather_lanes<4>(from, to) : gather_lanes<8>(from, to);
 }
+
+template void LaneSources::gather(const std::array<const double*, 1>&,
+                                  const std::array<double*, 1>&) const;
+template void LaneSources::gather(const std::array<const double*, 3>&,
+                                  const std::array<double*, 3>&) const;
 
 template <std::size_t lanes>
 void LaneTargets::add(std::vector<int> numbers, const LanePlaces& places, std::size_t first_lane,
@@ -140,25 +151,31 @@ void LaneTargets::add(std::vector<int> numbers, const LanePlaces& places, std::s
 }
 
 LaneTargets::LaneTargets(std::span<const int> which, const LanePlaces& places, std::size_t used)
-    : lanes_(places.size()) {
-  for (std::size_t first = 0; first < used; first += quad) {
-    const std::size_t end = std::min(first + quad, used);
+    : lanes_(places.size()), used_(used) {
+  const bool is_wide = lanes_ == wide && has_lanes(wide);
+  const std::size_t together = is_wide ? used : quad;
+  for (std::size_t first = 0; first < used; first += together) {
+    const std::size_t end = std::min(first + together, used);
     const auto has_place = [&](std::size_t lane, int n) { return places[lane][n] >= 0; };
-    std::vector<int> together;
-    std::array<std::vector<int>, quad> alone;
+    std::vector<int> of_all;
+    std::vector<std::vector<int>> alone(together);
     for (const int n : which) {
-      bool all = end == first + quad;
+      bool all = end == first + together;
       for (std::size_t l = first; l < end; ++l) all = all && has_place(l, n);
-      if (all) together.push_back(n);
+      if (all) of_all.push_back(n);
       for (std::size_t l = first; l < end; ++l)
         if (!all && has_place(l, n)) alone[l - first].push_back(n);
     }
-    add(std::move(together), places, first, quads_);
+    is_wide ? add(std::move(of_all), places, first, wides_)
+            : add(std::move(of_all), places, first, quads_);
     for (std::size_t l = first; l < end; ++l) add(std::move(alone[l - first]), places, l, singles_);
   }
 }
 
 void LaneTargets::scatter(const double* __restrict from, double* __restrict to) const {
+  for (const Run<wide>& run : wides_)
+    unpack_wide(from, {&offsets_[run.first], static_cast<std::size_t>(run.size)}, to,
+                {run.places.data(), used_});
   for (const Run<quad>& run : quads_) {
     const auto [a, b, c, d] = run.places;
     const int* const offset = offsets_.data() + run.first;

@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "formulations/wide_lanes.h"
+
 namespace desmo {
 
 /// Lanes are brought together and apart so many at a time, what registers of 256 bits hold,
@@ -25,8 +27,10 @@ class LaneSources {
   /// which: numbers, ascending, that have a place for every lane.
   LaneSources(std::span<const int> which, const LanePlaces& places);
 
-  /// Number n of each lane, from its place, for those n.
-  void gather(const double* from, double* to) const;
+  /// Number n of each lane, from its place, for those n: of several arrays at once.
+  template <std::size_t arrays>
+  void gather(const std::array<const double*, arrays>& from,
+              const std::array<double*, arrays>& to) const;
 
  private:
   /// Numbers whose places follow each other in every lane of a quad: the components of an entity,
@@ -36,8 +40,9 @@ class LaneSources {
     std::array<int, quad> place;  // of the first
   };
   // Compiled for each number of lanes: it is in every address.
-  template <std::size_t lanes>
-  void gather_lanes(const double* from, double* to) const;
+  template <std::size_t lanes, std::size_t arrays>
+  void gather_lanes(const std::array<const double*, arrays>& from,
+                    std::array<double*, arrays> to) const;
 
   std::vector<std::vector<Run>> quads_;
 };
@@ -65,10 +70,11 @@ class LaneTargets {
   void add(std::vector<int> numbers, const LanePlaces& places, std::size_t first_lane,
            std::vector<Run<lanes>>& runs);
 
+  std::vector<Run<wide>> wides_;  // of all lanes used, where registers hold them
   std::vector<Run<quad>> quads_;
-  std::vector<Run<1>> singles_;  // where not all lanes of a quad have a place for a number
+  std::vector<Run<1>> singles_;  // where not all of these lanes have a place for a number
   std::vector<int> offsets_;     // of numbers in the first lane of their run
-  std::size_t lanes_ = 0;
+  std::size_t lanes_ = 0, used_ = 0;
 };
 
 }  // namespace desmo

@@ -138,11 +138,16 @@ void OwnUnitPart::give(State& all) const {
   }
 }
 
-std::vector<int> OwnUnitPart::starts_from(const std::vector<int>& unknowns) const {
-  std::vector<int> result;
-  for (const int i : part_->starts_from(unknowns)) result.push_back(inputs_[i]);
-  std::ranges::sort(result);
-  return result;
+std::vector<int> OwnUnitPart::places_of(std::vector<int> own) const {
+  for (int& i : own) i = inputs_[i];
+  std::ranges::sort(own);
+  return own;
 }
+
+std::vector<int> OwnUnitPart::starts_from(const std::vector<int>& unknowns) const {
+  return places_of(part_->starts_from(unknowns));
+}
+
+std::vector<int> OwnUnitPart::stays_near() const { return places_of(part_->stays_near()); }
 
 }  // namespace desmo

@@ -33,12 +33,14 @@ class OwnUnitPart final : public GuardedPart {
 
   PartResult solve(State& state, std::span<const double> last, Level level) override;
   std::vector<int> starts_from(const std::vector<int>& unknowns) const override;
+  std::vector<int> stays_near() const override;
   void forget() override { part_->forget(); }
   long fallbacks() const override { return part_->fallbacks(); }
   long branch_changes() const override { return part_->branch_changes(); }
 
  private:
   class InUnitOfAll;
+  std::vector<int> places_of(std::vector<int> own) const;
   void take(const State& all);
   void give(State& all) const;
 

@@ -58,13 +58,18 @@ class Part {
 
   /// Solves position, velocity and acceleration of the part's unknowns, up to `level`. Overwrites
   /// these in `state`; on failure they are unspecified. The initial guess is the positions in
-  /// state.q of those that starts_from() names; those of the others are not read. last: positions
-  /// as in state.q, of the instant before or of an estimate, for who has to start anew.
+  /// state.q of those that starts_from() names, and there are the last ones of those that
+  /// stays_near() names; those of the others are not read. last: positions as in state.q, of the
+  /// instant before or of an estimate, for who has to start anew.
   virtual PartResult solve(State& state, std::span<const double> last, Level level) = 0;
 
   /// Those of its unknowns, ascending, of which solve() reads the position in the state: what a
   /// guess is needed for.
   virtual std::vector<int> starts_from(const std::vector<int>& unknowns) const { return unknowns; }
+
+  /// Others of its unknowns, ascending: angles in closed form, which lie within half a turn of the
+  /// last ones.
+  virtual std::vector<int> stays_near() const { return {}; }
 
   /// Of its unknowns only these are read by others between one instant and the next; of the rest
   /// solve() may leave velocities and accelerations in the state as they were, and positions where

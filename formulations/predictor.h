@@ -26,10 +26,10 @@ class Predictor {
   void operator()(const Past& past, const States& last, const States& before, double* q) {
     if (history_) {
       if (past.before != Level::acceleration) history_->forget();
-      if (past.last == Level::acceleration) {
-        history_->remember(past.h_before, last.qd.data(), last.qdd.data());
-        if (history_->extrapolate(past.h, last.q.data(), q)) return;
-      }
+      if (past.last == Level::acceleration &&
+          history_->lead_on(past.h_before, past.h, last.q.data(), last.qd.data(), last.qdd.data(),
+                            q))
+        return;
     }
     Extrapolation(best_guess(wanted_, past), past)(runs_, last, before, q);
   }

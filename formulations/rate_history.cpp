@@ -30,6 +30,13 @@ void copy(const double* __restrict from, double* __restrict to) {
   for (std::size_t k = 0; k < size; ++k) to[k] = from[k];
 }
 
+/// The others move up, and the last is gone.
+template <class T, std::size_t size>
+void put_first(T first, std::array<T, size>& values) {
+  for (std::size_t k = size - 1; k > 0; --k) values[k] = values[k - 1];
+  values[0] = first;
+}
+
 }  // namespace
 
 RateHistory::RateHistory(std::span<const CoordinateRun> runs) {
@@ -61,27 +68,15 @@ void RateHistory::for_blocks(Visit&& visit) const {
     of_size(std::integral_constant<std::size_t, 1>());
 }
 
-void RateHistory::remember(double interval, const double* qd, const double* qdd) {
-  std::rotate(at_.begin(), at_.end() - 1, at_.end());
-  std::rotate(intervals_.begin(), intervals_.end() - 1, intervals_.end());
-  known_ = std::min(known_ + 1, instants);
-  intervals_[0] = interval;
-  double* const v = rates_.data() + at_[0];
-  double* const a = v + change_.size();
-  for_blocks([=](std::size_t n, int i, auto block) {
-    copy<block()>(qd + i, v + n);
-    copy<block()>(qdd + i, a + n);
-  });
-}
-
 /// Σ_j (h β_j q̇_j + h² γ_j q̈_j) of one of the coordinates.
 struct RateHistory::Change {
-  std::array<const double*, instants> qd, qdd;
+  std::array<const double*, instants> qd, qdd;  // of the last instant not read
   std::array<double, instants> b, c;
 
-  double operator()(std::size_t n) const {  // two sums: neither waits for the other
-    const double of_qd = b[3] * qd[3][n] + b[2] * qd[2][n] + b[1] * qd[1][n] + b[0] * qd[0][n];
-    const double of_qdd = c[3] * qdd[3][n] + c[2] * qdd[2][n] + c[1] * qdd[1][n] + c[0] * qdd[0][n];
+  /// now_qd, now_qdd: of the last instant. Two sums: neither waits for the other.
+  double operator()(std::size_t n, double now_qd, double now_qdd) const {
+    const double of_qd = b[3] * qd[3][n] + b[2] * qd[2][n] + b[1] * qd[1][n] + b[0] * now_qd;
+    const double of_qdd = c[3] * qdd[3][n] + c[2] * qdd[2][n] + c[1] * qdd[1][n] + c[0] * now_qdd;
     return of_qdd + of_qd;
   }
 };
@@ -97,20 +92,35 @@ RateHistory::Change RateHistory::change_over(double h) const {
   return change;
 }
 
-bool RateHistory::extrapolate(double h, const double* last, double* q) {
-  if (known_ < instants || h == 0) return false;
-  if (!weighed_for(h) && !weigh(h)) return false;
+bool RateHistory::lead_on(double interval, double h, const double* last, const double* qd,
+                          const double* qdd, double* q) {
+  known_ = std::min(known_ + 1, instants);
+  put_first(at_.back(), at_);  // in the place of the oldest
+  put_first(interval, intervals_);
+  double* const v = rates_.data() + at_[0];
+  double* const a = v + change_.size();
+  const bool leads = known_ == instants && h != 0 && (weighed_for(h) || weigh(h));
   const Change change = change_over(h);
-  if (block_ > 1) {
+  if (leads && block_ > 1) {
     for_blocks([=](std::size_t n, int i, auto block) {
-      std::array<double, block()> expected;  // q may be last
-      for (std::size_t k = 0; k < block(); ++k) expected[k] = last[i + k] + change(n + k);
+      std::array<double, block()> now_v, now_a, expected;  // q may be last
+      copy<block()>(qd + i, now_v.data());
+      copy<block()>(qdd + i, now_a.data());
+      for (std::size_t k = 0; k < block(); ++k)
+        expected[k] = last[i + k] + change(n + k, now_v[k], now_a[k]);
+      copy<block()>(now_v.data(), v + n);
+      copy<block()>(now_a.data(), a + n);
       copy<block()>(expected.data(), q + i);
     });
     return true;
   }
+  for_blocks([=](std::size_t n, int i, auto block) {
+    copy<block()>(qd + i, v + n);
+    copy<block()>(qdd + i, a + n);
+  });
+  if (!leads) return false;
   double* __restrict const changes = change_.data();
-  for (std::size_t n = 0; n < change_.size(); ++n) changes[n] = change(n);
+  for (std::size_t n = 0; n < change_.size(); ++n) changes[n] = change(n, v[n], a[n]);
   for (std::size_t n = 0; n < blocks_.size(); ++n) q[blocks_[n]] = last[blocks_[n]] + change_[n];
   return true;
 }

@@ -24,12 +24,12 @@ class RateHistory {
   explicit RateHistory(std::span<const CoordinateRun> runs);
 
   void forget() { known_ = 0; }
-  /// The last instant, `interval` (s) after the one before, which is what was remembered last.
-  void remember(double interval, const double* qd, const double* qdd);
-  /// Writes where the coordinates of the runs are expected after a step of h (s) into q, which may
-  /// be `last`: the last positions. False, and nothing is written, where too little is known:
-  /// intervals must go one way, and none be short beside the step.
-  bool extrapolate(double h, const double* last, double* q);
+  /// Remembers the rates of the last instant, `interval` (s) after the one before, which is what
+  /// was remembered last, and writes where the coordinates of the runs are expected after a step of
+  /// h (s) into q, which may be `last`: the last positions. False, and nothing is written, where
+  /// too little is known: intervals must go one way, and none be short beside the step.
+  bool lead_on(double interval, double h, const double* last, const double* qd, const double* qdd,
+               double* q);
 
  private:
   /// Intervals before the last instant, the one before it, and so on, beside the step sought.

@@ -42,6 +42,8 @@ TimeLanes::TimeLanes(const Mechanism& mechanism, std::vector<Parts> parts, const
                           ? parts_[0][i].solver->starts_from(definition.unknowns)
                           : definition.unknowns,
                       std::back_inserter(started_from));
+    if (stages_.back().together)
+      std::ranges::copy(parts_[0][i].solver->stays_near(), std::back_inserter(near_));
   }
   std::ranges::sort(started_from);
   std::vector<CoordinateRun> runs = runs_of(started_from);
@@ -177,7 +179,11 @@ void TimeLanes::guess(double h, int known) {
   const LaneState &last = before_, &one_before = now_;
   const Past past{h, h, known > 0 ? std::optional(Level::acceleration) : std::nullopt,
                   known > 1 ? std::optional(Level::acceleration) : std::nullopt};
-  predictor_(past, last, one_before, now_.q.data());
+  if (!predictor_.empty()) predictor_(past, last, one_before, now_.q.data());
+  for (const int i : near_) {
+    const std::size_t first = static_cast<std::size_t>(i) * lanes_;
+    std::copy_n(&before_.q[first], lanes_, &now_.q[first]);
+  }
 }
 
 void TimeLanes::drive(const TimeGrid& grid, int length, int i) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -270,21 +271,57 @@ TEST(Explicit, LeavesAnglesFarAwayToOthers) {
   EXPECT_GT(fallbacks(*f), 0);
 }
 
+/// Whatever the anchor is: none, the last angle, that of a while ago, or one turns away.
 TEST(Elementary, AnglesStayNearTheirLastValue) {
+  using Anchor = std::array<double, anchor_size>;
+  const auto found = [](double y, double x, double before, Anchor& anchor) {
+    return elementary::turned_angle<double>(y, x, before, anchor.data());
+  };
   std::mt19937 generator(7);
-  std::uniform_real_distribution<double> uniform(-40, 40), small(-0.15, 0.15), large(-3.1, 3.1),
+  std::uniform_real_distribution<double> uniform(-40, 40), small(-0.2, 0.2), large(-3.1, 3.1),
       length(0.01, 100);
+  Anchor kept{};
+  int moved = 0;
   for (int i = 0; i < 20000; ++i) {
     const double angle = uniform(generator), r = length(generator),
-                 before = angle + (i % 2 == 0 ? small(generator) : large(generator));
-    const auto found =
-        elementary::turned_angle<double>(r * std::sin(angle), r * std::cos(angle), before);
-    EXPECT_NEAR(found.angle, angle, 2e-14);
-    EXPECT_NEAR(found.sine, std::sin(found.angle), 1e-15);
-    EXPECT_NEAR(found.cosine, std::cos(found.angle), 1e-15);
+                 before = angle + (i % 2 == 0 ? small(generator) : large(generator)),
+                 at = angle + small(generator);
+    Anchor none{}, near{at, std::sin(at), std::cos(at)};
+    for (Anchor* const anchor : {&none, &near, &kept}) {
+      const Anchor was = *anchor;
+      const auto [q, sine, cosine] =
+          found(r * std::sin(angle), r * std::cos(angle), before, *anchor);
+      EXPECT_NEAR(q, angle, 2e-14);
+      EXPECT_NEAR(sine, std::sin(q), 1e-15);
+      EXPECT_NEAR(cosine, std::cos(q), 1e-15);
+      if (*anchor != was) EXPECT_EQ((*anchor)[0], q);
+      moved += anchor == &near && *anchor != was;
+    }
   }
-  EXPECT_TRUE(std::isnan(elementary::turned_angle<double>(0, 0, 1).angle));
-  EXPECT_TRUE(std::isnan(elementary::turned_angle<double>(1, 0, 1e8).angle));
+  EXPECT_GT(moved, 5000);   // where `before` was far from it,
+  EXPECT_LT(moved, 15000);  // and nowhere else
+  Anchor none{};
+  EXPECT_TRUE(std::isnan(found(0, 0, 1, none).angle));
+  EXPECT_TRUE(std::isnan(found(1, 0, 1e8, none).angle));
+  EXPECT_NEAR(found(1, 0, 1, none).angle, std::numbers::pi / 2, 1e-15);  // after no number
+}
+
+/// An angle that goes on turning is evaluated anew now and then only, and stays as exact.
+TEST(Elementary, AnchorsFollowTheirAngles) {
+  std::array<double, anchor_size> anchor{};
+  double last = 0;
+  int moved = 0;
+  for (int i = 1; i <= 10000; ++i) {
+    const double angle = 0.01 * i, was = anchor[0];
+    const auto [q, sine, cosine] =
+        elementary::turned_angle<double>(std::sin(angle), std::cos(angle), last, anchor.data());
+    EXPECT_NEAR(q, angle, 4e-14);
+    EXPECT_NEAR(sine, std::sin(q), 4e-16);
+    EXPECT_NEAR(cosine, std::cos(q), 4e-16);
+    last = q;
+    moved += anchor[0] != was;
+  }
+  EXPECT_LT(moved, 450);
 }
 
 }  // namespace

@@ -136,11 +136,16 @@ TEST(Elementary, LanesAgreeWithScalars) {
   for (int i = 0; i < 1000; ++i) {
     const Lanes x([&](auto lane) { return i % 10 == 0 && lane == 1 ? 1e7 : uniform(generator); });
     const Lanes y([&](auto) { return uniform(generator); });
+    std::array<Lanes, anchor_size> anchors{};
     const Lanes sine = elementary::sin(x), cosine = elementary::cos(x),
-                angle = elementary::turned_angle<Lanes>(y, x, 30.0).angle;
+                angle = elementary::turned_angle<Lanes>(y, x, 30.0, anchors.data()).angle,
+                again = elementary::turned_angle<Lanes>(y, x, angle, anchors.data()).angle;
     for (int l = 0; l < lanes; ++l) {
       const double xl = x[l], yl = y[l];
-      EXPECT_NEAR(angle[l], elementary::turned_angle<double>(yl, xl, 30.0).angle, 32 * ulps);
+      std::array<double, anchor_size> anchor{};
+      const double alone = elementary::turned_angle<double>(yl, xl, 30.0, anchor.data()).angle;
+      EXPECT_NEAR(angle[l], alone, 32 * ulps);
+      EXPECT_NEAR(again[l], alone, 32 * ulps);
       EXPECT_EQ(std::isnan(sine[l]), xl == 1e7);
       if (xl == 1e7) continue;
       EXPECT_NEAR(sine[l], std::sin(xl), ulps);

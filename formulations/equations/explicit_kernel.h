@@ -35,6 +35,9 @@ bool any(const M& mask) {
     return any_of(mask);
 }
 
+/// Numbers of an anchor: an angle, its sine and its cosine.
+inline constexpr int anchor_size = 3;
+
 /// A part that a kernel is bound to, or one in each lane. What it points to outlives it.
 template <class T>
 struct ExplicitBinding {
@@ -43,6 +46,8 @@ struct ExplicitBinding {
   const T* f;       ///< what ExplicitKernel::fold makes of them
   const T* branch;  ///< ±1: the side of each square root
   const T* w;       ///< 1/magnitude of each equation
+  T* anchors;       ///< for each angle one not far from it, which the kernel moves with it so that
+                    ///< sines need not be evaluated anew; zeros: none yet
   ExplicitLimits limits;
 };
 
@@ -88,7 +93,8 @@ struct ExplicitKernel {
   std::string_view fingerprint;                ///< PartType::fingerprint
   std::span<const std::string_view> branches;  ///< what each square root determines
   std::span<const int> unknowns;               ///< local inputs that are written
-  std::span<const int> starts;                 ///< those of them whose last position is read
+  std::span<const int> torn;                   ///< those of them that Newton–Raphson starts from
+  std::span<const int> angles;                 ///< those that stay near the last, with an anchor
   int folded;                                  ///< values that depend on dimensions alone
 
   /// f: those values, from the dimensions c.

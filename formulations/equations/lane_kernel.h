@@ -23,10 +23,9 @@ struct LaneResult {
 /// may be compiled for another processor than what calls it. Rates are solved to accelerations.
 struct LaneKernel {
   int lanes;
-  std::string_view fingerprint;    ///< PartType::fingerprint
-  std::span<const int> positions;  ///< local inputs of which the position is read
-  std::span<const int> rates;      ///< of which velocity and acceleration are
-  std::span<const int> unknowns;   ///< those that are written
+  std::string_view fingerprint;   ///< PartType::fingerprint
+  std::span<const int> read;      ///< local inputs: of its own unknowns the last position alone
+  std::span<const int> unknowns;  ///< those that are written
   /// residual2: as many as lanes, ExplicitResult::residual2 of each.
   LaneResult (*solve)(double* q, double* qd, double* qdd, const ExplicitBinding<double>& parts,
                       double* residual2);

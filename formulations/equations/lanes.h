@@ -28,10 +28,10 @@ inline const Lanes* in_lanes(const double* values) {
 template <ExplicitResult<Lanes> (*solve)(Lanes*, Lanes*, Lanes*, const ExplicitBinding<Lanes>&)>
 LaneResult solve_lanes(double* q, double* qd, double* qdd, const ExplicitBinding<double>& parts,
                        double* residual2) {
-  const auto& [in, c, f, branch, w, limits] = parts;
-  const ExplicitResult<Lanes> r =
-      solve(in_lanes(q), in_lanes(qd), in_lanes(qdd),
-            {in, in_lanes(c), in_lanes(f), in_lanes(branch), in_lanes(w), limits});
+  const auto& [in, c, f, branch, w, anchors, limits] = parts;
+  const ExplicitResult<Lanes> r = solve(
+      in_lanes(q), in_lanes(qd), in_lanes(qdd),
+      {in, in_lanes(c), in_lanes(f), in_lanes(branch), in_lanes(w), in_lanes(anchors), limits});
   *in_lanes(residual2) = r.residual2;
   if (all(r.accepted)) return {(1u << lanes) - 1, r.iterations};
   unsigned accepted = 0;

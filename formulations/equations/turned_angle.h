@@ -11,30 +11,39 @@ struct TurnedAngle {
 };
 
 /// The largest tangent of a small turn.
-inline constexpr double small_turn = 1.0 / 8;
+inline constexpr double small_turn = 1.0 / 4;
+/// How far the angle before may be from an anchor (rad): nearest to the one, nearest to the other.
+inline constexpr double near_anchor = 1.0 / 2;
 
-/// The angle of (x, y) from the x axis that is nearest to `before`, by the turn from there: sine
-/// and cosine of `before` do not wait for x and y, and those of a small turn are short. All
-/// interpolated at zeros of Chebyshev polynomials, errors below 1e-17. Not a number at the origin,
-/// and where `before` is beyond ±largest_reduced.
+/// The angle of (x, y) from the x axis that is nearest to `before`. anchor: see ExplicitBinding.
+/// Where `before` is near it and the turn from there is small, sines are short; elsewhere
+/// everything is evaluated, and the angle found is the new anchor. All interpolated at zeros of
+/// Chebyshev polynomials, errors below 1e-17. Not a number at the origin, and where `before` is
+/// beyond ±largest_reduced.
 template <class T>
-DESMO_INLINE TurnedAngle<T> turned_angle(const T& y, const T& x, const T& before) {
+DESMO_INLINE TurnedAngle<T> turned_angle(const T& y, const T& x, const T& before, T* anchor) {
   using std::abs;
-  const auto [s, c] = sine_cosine(before);
+  const T from = anchor[0], s = anchor[1], c = anchor[2];
   const T across = y * c - x * s, along = x * c + y * s;
-  if (!all(abs(across) < small_turn * along)) [[unlikely]] {
-    const T angle = before + arctan(across, along);
+  const Mask<T> is_near = (abs(across) < small_turn * along) & (abs(before - from) < near_anchor);
+  if (!all(is_near)) [[unlikely]] {
+    const auto [sine_before, cosine_before] = sine_cosine(before);
+    const T angle = before + arctan<T>(y * cosine_before - x * sine_before,
+                                       x * cosine_before + y * sine_before);
     const auto [sine, cosine] = sine_cosine(angle);
+    anchor[0] = angle, anchor[1] = sine, anchor[2] = cosine;
     return {angle, sine, cosine};
   }
-  constexpr std::array arctangent{-0.33333333333333287, 0.19999999999790477,  -0.14285714129116034,
-                                  0.1111106826170422,   -0.09085599506798686, 0.07387718384425714};
+  constexpr std::array arctangent{-0.33333333333333304, 0.19999999999938586,  -0.14285714265033303,
+                                  0.11111108452369065,  -0.09090740742952762, 0.07686491336172022,
+                                  -0.06554306272128751, 0.047262582468376946};
   const T z = across / along, zz = z * z;
-  const T angle = before + (z + (z * zz) * polynomial(arctangent, zz));
-  constexpr std::array sine{-1.0 / 6, 0.008333333333310013, -0.0001984126908903399,
-                            2.754955400606849e-06};
-  constexpr std::array cosine{0.0416666666666346, -0.0013888888516528704, 2.4795180967871062e-05};
-  const T turn = angle - before, tt = turn * turn;  // as rounding left it
+  const T angle = from + (z + (z * zz) * polynomial(arctangent, zz));
+  constexpr std::array sine{-1.0 / 6, 0.008333333333333129, -0.00019841269838548155,
+                            2.7557306543077704e-06, -2.5027990890027887e-08};
+  constexpr std::array cosine{0.041666666666666456, -0.0013888888887756633, 2.4801577881306293e-05,
+                              -2.7532236752638345e-07};
+  const T turn = angle - from, tt = turn * turn;  // as rounding left it
   const T st = turn + (turn * tt) * polynomial(sine, tt);
   const T ct = (1.0 - 0.5 * tt) + (tt * tt) * polynomial(cosine, tt);
   return {angle, s * ct + c * st, c * ct - s * st};

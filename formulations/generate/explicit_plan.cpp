@@ -53,6 +53,20 @@ ExplicitPlan::ExplicitPlan(const PartType& its_type, const RecordedPart& its_par
   }
 }
 
+std::vector<int> ExplicitPlan::torn() const {
+  std::vector<int> result;
+  for (const Stretch& s : order) result.insert(result.end(), s.torn.begin(), s.torn.end());
+  return result;
+}
+
+std::vector<int> ExplicitPlan::angles() const {
+  std::vector<int> result;
+  for (const Stretch& s : order)
+    for (const Definition& d : s.definitions)
+      if (d.form.bearing) result.push_back(d.unknowns.front());
+  return result;
+}
+
 void ExplicitPlan::load(std::ostream& out, const std::vector<Expr>& expressions,
                         const std::string& declaration, std::set<int>& declared) const {
   for (const int id : Emitter::inputs_of(expressions)) {

@@ -26,6 +26,11 @@ struct ExplicitPlan {
   std::map<int, std::string>
       places;  ///< where a position or rate is read from, by node: "q[in[3]]"
 
+  /// The unknowns that are torn, and those that are angles of a bearing, in the order in which they
+  /// are defined: their last positions are read.
+  std::vector<int> torn() const;
+  std::vector<int> angles() const;
+
   /// Declares the inputs that expressions read and that are not in `declared`, and adds them there.
   void load(std::ostream& out, const std::vector<Expr>& expressions, const std::string& declaration,
             std::set<int>& declared) const;

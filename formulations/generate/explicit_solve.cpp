@@ -139,7 +139,8 @@ class SolveWriter {
     emitter_.prepare({x, y});
     const std::string turned = name("turned", angle);
     out << indent << "const auto " << turned << " = elementary::turned_angle<T>("
-        << emitter_.text(y) << ", " << emitter_.text(x) << ", " << place(q) << ");\n";
+        << emitter_.text(y) << ", " << emitter_.text(x) << ", " << place(q) << ", part.anchors + "
+        << defined_angles_++ << " * anchor_size);\n";
     const int known = std::max(emitter_.known(x), emitter_.known(y)) + turning;
     emitter_.assign(name("q", angle), turned + ".angle", known);
     emitter_.assign(name("sine", angle), turned + ".sine", known);
@@ -247,6 +248,7 @@ class SolveWriter {
   std::set<int> declared_;          // inputs
   std::set<int> open_;              // nodes of unknowns that are not yet defined
   std::set<std::size_t> verified_;  // equations
+  int defined_angles_ = 0;
   /// What takes long to the end of a part, the angles, then begins early, and the next part's
   /// positions need not wait behind rates. A part with a core is too long for that, and its rates
   /// are cheaper while what they share with positions is in registers.

@@ -56,32 +56,22 @@ void write_list(std::ostream& out, const char* name, const std::vector<int>& inp
   out << "};\n";
 }
 
-/// Unknowns whose last position is read: torn ones start from it, angles stay near it.
-std::vector<int> starts(const ExplicitPlan& plan) {
-  std::set<int> result;
-  for (const Stretch& s : plan.order) {
-    result.insert(s.torn.begin(), s.torn.end());
-    for (const Definition& d : s.definitions)
-      if (d.form.bearing) result.insert(d.unknowns.front());
-  }
-  return {result.begin(), result.end()};
-}
-
 /// What a caller who brings inputs together has to bring, and what it gets.
 void write_lists(std::ostream& out, const ExplicitPlan& plan) {
-  const std::vector<int> started = starts(plan);
-  std::vector<int> positions, rates, unknowns;
+  const std::vector<int> torn = plan.torn(), angles = plan.angles();
+  const auto has = [](const std::vector<int>& inputs, int input) {
+    return std::ranges::find(inputs, input) != inputs.end();
+  };
+  std::vector<int> read, unknowns;
   for (std::size_t i = 0; i < plan.type.inputs.size(); ++i) {
     const int input = static_cast<int>(i);
     const Role role = plan.type.inputs[i].role;
-    if (role != Role::unknown || std::ranges::binary_search(started, input))
-      positions.push_back(input);
-    if (role == Role::known) rates.push_back(input);
+    if (role != Role::unknown || has(torn, input) || has(angles, input)) read.push_back(input);
     if (role == Role::unknown) unknowns.push_back(input);
   }
-  write_list(out, "starts", started);
-  write_list(out, "positions", positions);
-  write_list(out, "rates", rates);
+  write_list(out, "torn", torn);
+  write_list(out, "angles", angles);
+  write_list(out, "read", read);
   write_list(out, "unknowns", unknowns);
 }
 
@@ -102,17 +92,16 @@ void write_explicit_kernel(std::ostream& out, const std::string& name, const Par
 
 void write_explicit_table_row(std::ostream& out, const std::string& name, const PartType& type) {
   out << "    {\"" << name << "\", \"" << type.fingerprint << "\", " << name << "::branches, "
-      << name << "::unknowns, " << name << "::starts,\n     " << name << "::folded, " << name
-      << "::fold, " << name << "::find_branches,\n     {";
+      << name << "::unknowns, " << name << "::torn, " << name << "::angles,\n     " << name
+      << "::folded, " << name << "::fold, " << name << "::find_branches,\n     {";
   for (const char* level : {"position", "velocity", "acceleration"})
     out << "solve_run<" << name << "::solve<double, Level::" << level << ">>,\n      ";
   out << "}},\n";
 }
 
 void write_lane_table_row(std::ostream& out, const std::string& name, const PartType& type) {
-  out << "    {lanes, \"" << type.fingerprint << "\", " << name << "::positions, " << name
-      << "::rates,\n     " << name << "::unknowns, solve_lanes<" << name
-      << "::solve<Lanes, Level::acceleration>>},\n";
+  out << "    {lanes, \"" << type.fingerprint << "\", " << name << "::read, " << name
+      << "::unknowns,\n     solve_lanes<" << name << "::solve<Lanes, Level::acceleration>>},\n";
 }
 
 }  // namespace desmo::generate

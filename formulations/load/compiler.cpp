@@ -22,7 +22,7 @@ namespace {
 /// As those of the kernels that desmo is built with (formulations/CMakeLists.txt).
 constexpr const char* all_flags = DESMO_KERNEL_FLAGS " -w -pipe -fPIC -shared -fvisibility=hidden";
 /// Of several options that name a processor the last one counts.
-constexpr const char* more_for_eight_lanes = " -march=x86-64-v4";
+constexpr const char* more_for_eight_lanes = " -march=x86-64-v4 -mno-red-zone";
 
 constexpr std::chrono::seconds time_for_version{10};
 constexpr std::size_t most_shown = 300;  // characters of a compiler's complaint
