@@ -136,15 +136,9 @@ std::optional<ClosedForm> solve_sphere(const Task& task) {
   form.roots.push_back({branch, pivot});
 
   const Expr discriminant = radius2 * g.w2 - g.foot2;  // ‖x − p‖² W
-  RateSystem rates{g, {}, {}, {}};
-  if (g.through_centre) {
-    rates.inverse = Expr(1) / g.w2;
-    rates.inverse_off_foot2 = Expr(1) / radius2;
-  } else {  // one division for both
-    const Expr both = Expr(1) / (g.w2 * discriminant);
-    rates.inverse = discriminant * both;
-    rates.inverse_off_foot2 = g.w2 * g.w2 * both;
-  }
+  // Two divisions: W is known early, and what follows the position would wait for one of both.
+  RateSystem rates{g, Expr(1) / g.w2, {}, {}};
+  rates.inverse_off_foot2 = g.through_centre ? Expr(1) / radius2 : g.w2 / discriminant;
   const Expr height = branch * (sqrt(discriminant) * rates.inverse);  // times w: x − p
   for (std::size_t i = 0; i < g.y.size(); ++i) {
     Expr foot = centre[i];
