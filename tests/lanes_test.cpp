@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <numeric>
 #include <random>
 #include <string>
 #include <vector>
@@ -255,6 +256,32 @@ TEST(Lanes, AreTakenApart) {
         EXPECT_EQ(to[l].back(), -1.0) << size;
       }
     }
+  }
+}
+
+/// However many lanes are used, and wherever runs of numbers are interrupted: by one without a
+/// place, or with a place in some lanes only.
+TEST(Lanes, GoToPlacesOfTheirOwn) {
+  constexpr int numbers = 23, apart = 40, untouched = -1;
+  for (const int lanes : lanes_here()) {
+    LaneValues from(numbers * lanes);
+    for (std::size_t i = 0; i < from.size(); ++i) from[i] = static_cast<double>(i);
+    std::vector<int> which(numbers);
+    std::iota(which.begin(), which.end(), 0);
+    for (int used = 1; used <= lanes; ++used)
+      for (int interrupted = 0; interrupted <= numbers; ++interrupted)
+        for (const bool in_all : {true, false}) {
+          LanePlaces places(lanes, std::vector<int>(numbers));
+          for (int l = 0; l < lanes; ++l)
+            for (int n = 0; n < numbers; ++n)
+              places[l][n] = n == interrupted && (in_all || l % 2 == 0) ? -1 : l * apart + n;
+          std::vector<double> to(lanes * apart, untouched), expected = to;
+          for (int l = 0; l < used; ++l)
+            for (int n = 0; n < numbers; ++n)
+              if (places[l][n] >= 0) expected[places[l][n]] = from[n * lanes + l];
+          LaneTargets(which, places, used).scatter(from.data(), to.data());
+          ASSERT_EQ(to, expected) << used << " of " << lanes << " lanes, " << interrupted;
+        }
   }
 }
 
