@@ -39,7 +39,8 @@ class ExplicitPart final : public GuardedPart {
   bool assembled() const { return assembled_; }
   const ExplicitKernel& kernel() const { return kernel_; }
   const ExplicitBinding<double>& binding() const { return binding_; }
-  std::size_t inputs() const { return inputs_.size(); }
+  /// Positions in the state of all that the kernel reads or writes there.
+  std::span<const int> inputs() const { return inputs_; }
   std::size_t constants() const { return constants_; }
   std::size_t equations() const { return equations_; }
   /// The branches kept, ±1 each, in the order of ExplicitKernel::branches; 0 before any position.

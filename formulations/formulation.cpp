@@ -76,7 +76,7 @@ bool go_in_pieces(double from, double to, Go&& go) {
 Formulation::Formulation(const Mechanism& mechanism, std::vector<DefinedPart> parts,
                          const Settings& settings, std::unique_ptr<WholeMotion> whole_motion)
     : mechanism_(mechanism),
-      motions_(driver_motions(mechanism)),
+      motions_({}),
       parts_(std::move(parts)),
       settings_(settings),
       tolerance_(std::max(settings.tolerance, sum_of_tolerances(parts_))),
@@ -119,6 +119,27 @@ void Formulation::prepare() {
     predictors_[level] = Predictor(guess, runs_of(unknowns[level]));
   }
   make_runs();
+  sample_drivers();
+}
+
+/// All drivers are given to the state, until want() says who reads them there.
+void Formulation::sample_drivers() {
+  const PlacedMotions all = driver_motions(mechanism_);
+  std::vector<const Motion*> of_coordinate(mechanism_.state_size()), sampled;
+  for (std::size_t i = 0; i < all.places.size(); ++i) of_coordinate[all.places[i]] = all.motions[i];
+  std::vector<int> in_row(mechanism_.state_size(), -1);
+  const auto add = [&](int coordinate) {
+    in_row[coordinate] = static_cast<int>(sampled.size());
+    sampled.push_back(of_coordinate[coordinate]);
+  };
+  std::ranges::for_each(keepers_.drivers(), add);
+  drivers_.clear();
+  for (const int coordinate : all.places) {
+    if (in_row[coordinate] < 0) add(coordinate);
+    drivers_.push_back({coordinate, in_row[coordinate]});
+  }
+  drive_state_ = drivers_;
+  motions_ = MotionsAhead(std::move(sampled));
 }
 
 /// Of moving parts behind each other that are solved to the same level.
@@ -150,20 +171,28 @@ void Formulation::forget() {
 
 void Formulation::want(std::span<const int> coordinates, bool in_rooms) {
   if (in_rooms == wanted_.in_rooms && std::ranges::equal(coordinates, wanted_.coordinates)) return;
-  if (in_rooms) keepers_.prepare_rooms(coordinates, mechanism_.coordinates());
+  if (in_rooms) keepers_.prepare_rooms(coordinates, mechanism_);
   wanted_.coordinates.assign(coordinates.begin(), coordinates.end());
   wanted_.in_rooms = in_rooms;
   std::vector<bool> read(mechanism_.state_size(), !in_rooms && coordinates.empty());
-  if (!in_rooms)
-    for (const int i : coordinates) read[i] = true;
+  const auto are_read = [&](std::span<const int> all) {
+    for (const int i : all) read[i] = true;
+  };
+  are_read(in_rooms ? keepers_.not_kept() : wanted_.coordinates);
   for (const DefinedPart& part : parts_) {
     const auto& [groups, unknowns, equations, constant] = part.definition;
-    for (const int i : part.solver->starts_from(unknowns)) read[i] = true;
-    for (const int i : part.solver->stays_near()) read[i] = true;
+    are_read(part.solver->starts_from(unknowns));
+    are_read(part.solver->stays_near());
+    const Keeper* const keeper = part.solver->keeper();
+    const std::vector<int> driven = keeper ? keeper->drivers() : std::vector<int>();
     for (const int i : states_read(mechanism_, part.definition))
-      if (!std::ranges::binary_search(unknowns, i)) read[i] = true;
+      if (!std::ranges::binary_search(unknowns, i) && std::ranges::find(driven, i) == driven.end())
+        read[i] = true;
   }
   for (const DefinedPart& part : parts_) part.solver->write_only(read);
+  drive_state_.clear();
+  std::ranges::copy_if(drivers_, std::back_inserter(drive_state_),
+                       [&](const Driven& driver) { return read[driver.coordinate]; });
 }
 
 /// In the sink's rooms where that saves anything.
@@ -182,24 +211,27 @@ void Formulation::solve_only(std::span<const Level> needed) {
   prepare();
 }
 
-/// Leaves the last instant in before_ and in state_ the drivers and what solvers start from; the
-/// rest of state_ is of the instant before, and of no meaning until it is solved. Sines of drivers
-/// take longest and wait for nothing: they come first.
+/// Leaves the last instant in before_ and in state_ the drivers that are read there and what
+/// solvers start from; the rest of state_ is of the instant before, and of no meaning until it is
+/// solved. Sines of drivers take longest and wait for nothing: they come first.
 void Formulation::begin_step(double t) {
   const Past past{t - now_.time, now_.time - then_.time, now_.level, then_.level};
   std::swap(state_, before_);
-  drive(t);
+  const MotionRow row = drive(t);
   const State &last = before_, &one_before = state_;
   for (std::size_t level = 0; level < predictors_.size(); ++level)
     if (Predictor& predictor = predictors_[level]; !predictor.empty())
       predictor(past.up_to(static_cast<Level>(level)), last, one_before, state_.q.data());
   for (const int i : near_) state_.q[i] = before_.q[i];
-  keepers_.begin_step(past);
+  keepers_.begin_step(past, row);
 }
 
-/// As the function of that name, all drivers at once.
-void Formulation::drive(double t) {
-  motions_(t, state_.q.data(), state_.qd.data(), state_.qdd.data());
+/// As the function of that name, all drivers at once, as far as they are read in the state.
+MotionRow Formulation::drive(double t) {
+  const MotionRow row = motions_(t);
+  for (const auto& [coordinate, in_row] : drive_state_)
+    set(state_, coordinate, {row.z[in_row], row.zd[in_row], row.zdd[in_row]});
+  return row;
 }
 
 Summary Formulation::solve(std::span<const Stage> stages, double t, Level level) {

@@ -185,8 +185,14 @@ class Formulation {
     bool in_rooms = false;           // … in rooms that are for them, or in the state
   };
 
+  /// A driven coordinate, and where it stands among what motions_ samples.
+  struct Driven {
+    int coordinate, in_row;
+  };
+
   void prepare();
   void make_runs();
+  void sample_drivers();
   void forget();
   void want(std::span<const int> coordinates, bool in_rooms = false);
   void want_as(const Request& request, Sink& sink);
@@ -199,11 +205,13 @@ class Formulation {
   bool solve_next(int i, double t, const Request& request, Sink& sink, Summary& total);
   std::optional<Summary> run_at_once(const TimeGrid& grid, const Request& request, Sink& sink);
   void begin_step(double t);
-  void drive(double t);
+  MotionRow drive(double t);
   Summary solve(std::span<const Stage> stages, double t, Level level);
 
   const Mechanism& mechanism_;
-  MotionsAhead motions_;  // of the drivers
+  MotionsAhead motions_;             // of the drivers, those that keepers want first
+  std::vector<Driven> drivers_;      // of the mechanism …
+  std::vector<Driven> drive_state_;  // … and those that are read in the state
   std::vector<DefinedPart> parts_;
   std::vector<Stage> constant_, moving_;        // those that depend on no driver, and the others
   std::vector<std::unique_ptr<PartRun>> runs_;  // of moving ones

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "formulations/guess.h"
+#include "formulations/motions_ahead.h"
 #include "formulations/part.h"
 #include "formulations/room.h"
 
@@ -15,13 +16,15 @@ class Keeper {
  public:
   virtual ~Keeper() = default;
 
-  /// Which unknowns are kept: the others are solved as those of any part.
-  virtual std::vector<int> kept() const = 0;
+  /// Driven coordinates that it reads in a row at the beginning of a step, in the order of the row,
+  /// as often as they stand there. What is said below of its unknowns is true of these, too. Where
+  /// no step was begun, solve() reads them in the state.
+  virtual std::vector<int> drivers() const = 0;
 
   /// Before a step. past: of the instants solved, of which the last is kept; where it is unknown,
   /// as after a failure, solve() starts from the positions in the state, which are then complete,
-  /// and leaves all of them there.
-  virtual void begin_step(const Past& past) = 0;
+  /// and leaves all of them there. row: begins with what drivers() do at the instant to come.
+  virtual void begin_step(const Past& past, const MotionRow& row) = 0;
 
   /// Writes positions of the instant before the one solved last, or tried: those from which it was
   /// predicted, and nothing where it was not.
@@ -29,8 +32,9 @@ class Keeper {
   /// Writes the instant solved last.
   virtual void write(State& state) const = 0;
 
-  /// From now on rooms are for these coordinates, each once.
-  virtual void prepare_rooms(std::span<const int> coordinates) = 0;
+  /// slots: for each position in the state, its place in rooms to come, or −1; becomes −1 where it
+  /// is this that fills it.
+  virtual void prepare_rooms(std::span<int> slots) = 0;
   /// Puts the instant solved last into such a room, as far as `level`.
   virtual void fill(const Room& room, Level level) const = 0;
 };

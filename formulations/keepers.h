@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
+#include "cases/mechanism.h"
 #include "formulations/keeper.h"
 
 namespace desmo {
@@ -11,19 +13,23 @@ namespace desmo {
 /// others come together in rooms.
 class Keepers {
  public:
-  void clear() { keepers_.clear(); }
+  void clear();
   /// level: as far as anyone asks for its unknowns.
-  void add(Keeper& keeper, Level level) { keepers_.push_back({&keeper, level}); }
+  void add(Keeper& keeper, Level level);
   bool empty() const { return keepers_.empty(); }
 
-  /// See Keeper, of all.
-  void begin_step(const Past& past);
+  /// Driven coordinates, as Keeper::drivers(), one keeper behind the other.
+  std::span<const int> drivers() const { return drivers_; }
+  /// See Keeper, of all. row: begins with these drivers.
+  void begin_step(const Past& past, const MotionRow& row);
   void write_last(std::span<double> q) const;
   void write(State& state) const;
 
-  /// From now on rooms are for these of a mechanism's coordinates; none stands for all. Throws
+  /// From now on rooms are for these coordinates of a mechanism; none stands for all. Throws
   /// std::invalid_argument where one is named twice or does not exist.
-  void prepare_rooms(std::span<const int> coordinates, int of_mechanism);
+  void prepare_rooms(std::span<const int> coordinates, const Mechanism& mechanism);
+  /// Coordinates that rooms are given from the state.
+  std::vector<int> not_kept() const;
   /// Puts the instant solved last into a room, as far as `level`: what is not kept from the state.
   void fill(const Room& room, Level level, const State& state) const;
 
@@ -31,11 +37,13 @@ class Keepers {
   struct Kept {
     Keeper* keeper;
     Level level;
+    std::size_t first_driver;
   };
   struct CoordinateInRoom {
     int coordinate, slot;
   };
   std::vector<Kept> keepers_;
+  std::vector<int> drivers_;
   std::vector<CoordinateInRoom> not_kept_;
 };
 

@@ -1,6 +1,7 @@
 #include "formulations/lane_batch.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <utility>
@@ -17,15 +18,11 @@ Members members_of(const Copy& copy) {
   return members;
 }
 
-std::span<const int> inputs_of(const ExplicitPart& part) {
-  return {part.binding().in, part.inputs()};
-}
-
 /// Of all parts of a copy, ascending: components of an entity then follow each other.
 std::vector<int> states_of(std::span<const ExplicitPart* const> copy) {
   std::set<int> states;
   for (const ExplicitPart* const part : copy)
-    for (const int state : inputs_of(*part)) states.insert(state);
+    states.insert(part->inputs().begin(), part->inputs().end());
   return {states.begin(), states.end()};
 }
 
@@ -40,9 +37,9 @@ std::optional<std::vector<int>> places_in(std::span<const ExplicitPart* const> o
                                           std::span<const int> states) {
   std::vector<int> places(states.size(), -1);
   for (std::size_t j = 0; j < first.size(); ++j)
-    for (std::size_t i = 0; i < first[j]->inputs(); ++i) {
-      int& place = places[position_in(states, inputs_of(*first[j])[i])];
-      const int state = inputs_of(*other[j])[i];
+    for (std::size_t i = 0; i < first[j]->inputs().size(); ++i) {
+      int& place = places[position_in(states, first[j]->inputs()[i])];
+      const int state = other[j]->inputs()[i];
       if (place >= 0 && place != state) return std::nullopt;
       place = state;
     }
@@ -58,8 +55,12 @@ bool are_copies(std::span<const ExplicitPart* const> a, std::span<const Explicit
 }
 
 LaneBatch::LaneBatch(std::span<Copy> copies, const CopyKernels& kernels,
-                     const std::vector<bool>& constant, Guess guess)
-    : copies_(copies), lanes_(static_cast<std::size_t>(kernels.front()->lanes)) {
+                     const std::vector<StateKind>& kinds, Guess guess)
+    : copies_(copies),
+      lanes_(static_cast<std::size_t>(kernels.front()->lanes)),
+      states_(std::make_unique<std::array<LaneState, 2>>()),
+      now_(&states_->front()),
+      before_(&states_->back()) {
   const Members first = members_of(copies.front());
   const std::vector<int> states = states_of(first);
   const auto copy_in = [&](std::size_t lane) -> Copy& {
@@ -73,26 +74,31 @@ LaneBatch::LaneBatch(std::span<Copy> copies, const CopyKernels& kernels,
     std::vector<ExplicitPart*> members;
     for (std::size_t l = 0; l < lanes_; ++l) members.push_back(copy_in(l)[j].get());
     std::vector<int> in;
-    for (const int state : inputs_of(*first[j])) in.push_back(position_in(states, state));
+    for (const int state : first[j]->inputs()) in.push_back(position_in(states, state));
     for (const int i : kernels[j]->read)
       if (!unknowns.contains(in[i])) read.insert(in[i]);
     for (const int i : kernels[j]->unknowns) unknowns.insert(in[i]);
     for (const int i : first[j]->kernel().angles) near.insert(in[i]);
     stages_.emplace_back(*kernels[j], std::move(members), std::move(in));
   }
-  unknowns_.assign(unknowns.begin(), unknowns.end());
-
   std::vector<int> once, moving, starts;
   for (const int n : read) {
-    const auto never_moves = [&](const std::vector<int>& of_lane) { return constant[of_lane[n]]; };
-    (unknowns.contains(n)                        ? starts
-     : std::ranges::all_of(places_, never_moves) ? once
-                                                 : moving)
+    const auto all_are = [&](StateKind kind) {
+      return std::ranges::all_of(
+          places_, [&](const std::vector<int>& of_lane) { return kinds[of_lane[n]] == kind; });
+    };
+    (unknowns.contains(n)           ? starts
+     : all_are(StateKind::constant) ? once
+     : all_are(StateKind::driven)   ? driven_
+                                    : moving)
         .push_back(n);
   }
   constants_ = LaneSources(once, places_);
   moving_ = LaneSources(moving, places_);
+  undriven_ = LaneSources(driven_, places_);
   starts_ = LaneSources(starts, places_);
+  unknowns_.assign(unknowns.begin(), unknowns.end());
+  std::ranges::set_union(unknowns_, driven_, std::back_inserter(kept_numbers_));
   near_.assign(near.begin(), near.end());
   std::erase_if(starts, [&](int n) { return near.contains(n); });
   std::vector<CoordinateRun> runs = runs_of(starts);
@@ -100,61 +106,80 @@ LaneBatch::LaneBatch(std::span<Copy> copies, const CopyKernels& kernels,
     run = {run.first * static_cast<int>(lanes_), run.end * static_cast<int>(lanes_)};
   predictor_ = Predictor(guess, std::move(runs));
 
-  for (LaneState* s : {&now_, &before_})
+  for (LaneState* s : {now_, before_})
     for (LaneValues* values : {&s->q, &s->qd, &s->qdd}) values->resize(states.size() * lanes_);
-  write_only(std::vector<bool>(constant.size(), true));
+  residuals2_.resize(stages_.size() * most_lanes);
+  write_only(std::vector<bool>(kinds.size(), true));
 }
 
-std::vector<int> LaneBatch::unknowns() const {
+std::vector<int> LaneBatch::drivers() const {
   std::vector<int> all;
-  for (std::size_t l = 0; l < copies_.size(); ++l)
-    for (const int n : unknowns_) all.push_back(places_[l][n]);
+  for (const int n : driven_)
+    for (const std::vector<int>& of_lane : places_) all.push_back(of_lane[n]);
   return all;
 }
 
-/// visit(in_lane, place): where each unknown of a lane stands in lanes and in the state.
+/// visit(in_lane, place): where each of these numbers of a lane stands in lanes and in the state.
 template <class Visit>
-void LaneBatch::for_unknowns(std::size_t lane, Visit&& visit) const {
-  for (const int n : unknowns_) visit(n * lanes_ + lane, places_[lane][n]);
+void LaneBatch::for_numbers(std::span<const int> numbers, std::size_t lane, Visit&& visit) const {
+  for (const int n : numbers) visit(n * lanes_ + lane, places_[lane][n]);
 }
 
-void LaneBatch::begin_step(const Past& past) {
+void LaneBatch::begin_step(const Past& past, const MotionRow& row) {
   predicted_ = kept_ && past.last;
-  if (!predicted_) return;
-  std::swap(now_, before_);
-  if (!predictor_.empty()) predictor_(past, before_, now_, now_.q.data());
-  for (const int n : near_) std::copy_n(&before_.q[n * lanes_], lanes_, &now_.q[n * lanes_]);
+  if (predicted_) {
+    std::swap(now_, before_);
+    if (!predictor_.empty()) predictor_(past, *before_, *now_, now_->q.data());
+    for (const int n : near_) std::copy_n(&before_->q[n * lanes_], lanes_, &now_->q[n * lanes_]);
+  }
+  lanes_ == 8 ? drive<8>(row) : drive<4>(row);
+  is_driven_ = true;
+}
+
+template <std::size_t lanes>
+void LaneBatch::drive(MotionRow row) {
+  for (const int n : driven_) {
+    copy_in_registers<lanes>(row.z, &now_->q[n * lanes]);
+    copy_in_registers<lanes>(row.zd, &now_->qd[n * lanes]);
+    copy_in_registers<lanes>(row.zdd, &now_->qdd[n * lanes]);
+    row = row.from(lanes);
+  }
 }
 
 const LaneBatch::Step& LaneBatch::solve(const State& s) {
   step_.accepted = assembled_ ? all() : 0;
   step_.iterations = 0;
-  step_.residual2.fill(0);
+  if (!std::exchange(is_driven_, false))
+    undriven_.gather<3>({s.q.data(), s.qd.data(), s.qdd.data()},
+                        {now_->q.data(), now_->qd.data(), now_->qdd.data()});
   if (!assembled_) return step_;
-  moving_.gather<3>({s.q.data(), s.qd.data(), s.qdd.data()},
-                    {now_.q.data(), now_.qd.data(), now_.qdd.data()});
-  if (!predicted_) starts_.gather<1>({s.q.data()}, {now_.q.data()});
-  alignas(64) std::array<double, most_lanes> of_stage;
-  of_stage.fill(0);  // where lanes are fewer
+  if (!moving_.empty())
+    moving_.gather<3>({s.q.data(), s.qd.data(), s.qdd.data()},
+                      {now_->q.data(), now_->qd.data(), now_->qdd.data()});
+  if (!predicted_) starts_.gather<1>({s.q.data()}, {now_->q.data()});
+  double* of_stage = residuals2_.data();
   for (const LaneStage& stage : stages_) {
-    const LaneResult r = stage.solve(now_, of_stage.data());
+    const LaneResult r = stage.solve(*now_, of_stage);
+    of_stage += most_lanes;
     // What is refused goes on without meaning, and never converges.
     if (step_.accepted == all()) step_.iterations = std::max(step_.iterations, r.iterations);
     step_.accepted &= r.accepted;
-    for (int l = 0; l < most_lanes; ++l) step_.residual2[l] += of_stage[l];
   }
+  std::array<double, most_lanes> sums{};
+  for (const double* r = residuals2_.data(); r != of_stage; r += most_lanes)
+    for (int l = 0; l < most_lanes; ++l) sums[l] += r[l];
+  step_.residual2 = sums;
   kept_ = true;
   return step_;
 }
 
 void LaneBatch::take(const State& s) {
-  for (LaneState* values : {&now_, &before_})
-    constants_.gather<1>({s.q.data()}, {values->q.data()});
+  for (LaneState* values : {now_, before_}) constants_.gather<1>({s.q.data()}, {values->q.data()});
   for (std::size_t l = 0; l < lanes_; ++l)
-    for_unknowns(l, [&](std::size_t in_lane, int place) {
-      now_.q[in_lane] = s.q[place];
-      now_.qd[in_lane] = s.qd[place];
-      now_.qdd[in_lane] = s.qdd[place];
+    for_numbers(kept_numbers_, l, [&](std::size_t in_lane, int place) {
+      now_->q[in_lane] = s.q[place];
+      now_->qd[in_lane] = s.qd[place];
+      now_->qdd[in_lane] = s.qdd[place];
     });
   std::ranges::for_each(stages_, &LaneStage::take_branches);
   assembled_ = std::ranges::all_of(stages_, &LaneStage::assembled);
@@ -162,46 +187,54 @@ void LaneBatch::take(const State& s) {
 }
 
 void LaneBatch::write_read(State& s, Level level) const {
-  if (predicted_)
-    read_.scatter(now_.q.data(), s.q.data());
-  else
+  if (!predicted_)
     for (std::size_t l = 0; l < copies_.size(); ++l)
-      for_unknowns(l, [&](std::size_t in_lane, int place) { s.q[place] = now_.q[in_lane]; });
-  if (level >= Level::velocity) read_.scatter(now_.qd.data(), s.qd.data());
-  if (level >= Level::acceleration) read_.scatter(now_.qdd.data(), s.qdd.data());
+      for_numbers(kept_numbers_, l,
+                  [&](std::size_t in_lane, int place) { s.q[place] = now_->q[in_lane]; });
+  scatter(read_, level, {predicted_ ? s.q.data() : nullptr, s.qd.data(), s.qdd.data()});
 }
 
-void LaneBatch::write(std::size_t copy, State& s) const {
-  for_unknowns(copy, [&](std::size_t in_lane, int place) {
-    s.q[place] = now_.q[in_lane];
-    s.qd[place] = now_.qd[in_lane];
-    s.qdd[place] = now_.qdd[in_lane];
+void LaneBatch::write(std::span<const int> numbers, std::size_t copy, State& s) const {
+  for_numbers(numbers, copy, [&](std::size_t in_lane, int place) {
+    s.q[place] = now_->q[in_lane];
+    s.qd[place] = now_->qd[in_lane];
+    s.qdd[place] = now_->qdd[in_lane];
   });
 }
 
 void LaneBatch::write_last(std::size_t copy, std::span<double> q) const {
-  for_unknowns(copy, [&](std::size_t in_lane, int place) { q[place] = before_.q[in_lane]; });
+  for_numbers(kept_numbers_, copy,
+              [&](std::size_t in_lane, int place) { q[place] = before_->q[in_lane]; });
 }
 
 void LaneBatch::write_only(const std::vector<bool>& read) {
   std::vector<int> slots(read.size());
   for (std::size_t i = 0; i < read.size(); ++i) slots[i] = read[i] ? static_cast<int>(i) : -1;
-  read_ = targets(slots);
+  read_ = targets(unknowns_, slots);
 }
 
-void LaneBatch::prepare_rooms(std::span<const int> slots) { asked_ = targets(slots); }
+void LaneBatch::prepare_rooms(std::span<int> slots) { asked_ = targets(kept_numbers_, slots); }
 
-LaneTargets LaneBatch::targets(std::span<const int> slots) const {
-  LanePlaces to = places_;
-  for (std::vector<int>& of_lane : to)
-    for (int& place : of_lane) place = slots[place];
-  return {unknowns_, to, copies_.size()};
+/// Each slot once: it becomes −1.
+LaneTargets LaneBatch::targets(std::span<const int> numbers, std::span<int> slots) const {
+  LanePlaces to(lanes_, std::vector<int>(places_.front().size(), -1));
+  for (std::size_t l = 0; l < copies_.size(); ++l)
+    for (const int n : numbers) to[l][n] = std::exchange(slots[places_[l][n]], -1);
+  return {numbers, to, copies_.size()};
 }
 
-void LaneBatch::fill(const Room& room, Level level) const {
-  if (room.q) asked_.scatter(now_.q.data(), room.q);
-  if (room.qd && level >= Level::velocity) asked_.scatter(now_.qd.data(), room.qd);
-  if (room.qdd && level >= Level::acceleration) asked_.scatter(now_.qdd.data(), room.qdd);
+void LaneBatch::fill(const Room& room, Level level) const { scatter(asked_, level, room); }
+
+void LaneBatch::scatter(const LaneTargets& targets, Level level, const Room& to) const {
+  std::array<LaneCopy, 3> copies;
+  std::size_t count = 0;
+  const auto add = [&](Level least, const LaneValues& values, double* array) {
+    if (array && level >= least) copies[count++] = {values.data(), array};
+  };
+  add(Level::position, now_->q, to.q);
+  add(Level::velocity, now_->qd, to.qd);
+  add(Level::acceleration, now_->qdd, to.qdd);
+  targets.scatter({copies.data(), count});
 }
 
 }  // namespace desmo

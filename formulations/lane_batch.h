@@ -9,6 +9,7 @@
 #include "formulations/lane_stage.h"
 #include "formulations/lane_transport.h"
 #include "formulations/lane_values.h"
+#include "formulations/motions_ahead.h"
 #include "formulations/predictor.h"
 #include "formulations/room.h"
 
@@ -19,28 +20,33 @@ using Copy = std::vector<std::unique_ptr<ExplicitPart>>;
 /// For each part of a copy the kernel of its type, all of as many lanes.
 using CopyKernels = std::vector<const LaneKernel*>;
 
+/// What becomes of a number in the state: it never moves, a driver gives it, a part finds it.
+enum class StateKind : char { constant, driven, solved };
+
 /// Copies of one call of each kernel, and what was found of them, which stays in lanes from one
 /// instant to the next. Where copies are fewer than lanes, the first fills the rest.
 class LaneBatch {
  public:
   /// What became of a step.
   struct Step {
-    unsigned accepted = 0;  ///< bit by bit, copies of which every part is
-    int iterations = 0;     ///< the most of any part
-    alignas(64) std::array<double, most_lanes> residual2{};  ///< ‖Φ‖₂² of each
+    unsigned accepted = 0;                       ///< bit by bit, copies of which every part is
+    int iterations = 0;                          ///< the most of any part
+    std::array<double, most_lanes> residual2{};  ///< ‖Φ‖₂² of each; of meaning where accepted
   };
 
-  /// copies: alike, as are_copies() says; they outlive the batch. constant: of each position in the
-  /// state, whether it never moves. guess: from which a step starts.
-  LaneBatch(std::span<Copy> copies, const CopyKernels& kernels, const std::vector<bool>& constant,
+  /// copies: alike, as are_copies() says; they outlive the batch. kinds: of each position in the
+  /// state. guess: from which a step starts.
+  LaneBatch(std::span<Copy> copies, const CopyKernels& kernels, const std::vector<StateKind>& kinds,
             Guess guess);
 
   std::span<Copy> copies() const { return copies_; }
   unsigned all() const { return (1u << copies_.size()) - 1; }
-  std::vector<int> unknowns() const;
 
   /// See Keeper.
-  void begin_step(const Past& past);
+  std::vector<int> drivers() const;
+  void begin_step(const Past& past, const MotionRow& row);
+  /// So many numbers of the row are those of its drivers.
+  std::size_t in_row() const { return driven_.size() * lanes_; }
   /// Whether the step starts from the instant before, which is kept, and not from the state.
   bool predicted() const { return predicted_; }
   void forget() { assembled_ = kept_ = predicted_ = false; }
@@ -55,33 +61,43 @@ class LaneBatch {
   void write_read(State& state, Level level) const;
   void write_only(const std::vector<bool>& read);
   /// All of one copy.
-  void write(std::size_t copy, State& state) const;
+  void write(std::size_t copy, State& state) const { write(kept_numbers_, copy, state); }
+  /// Its drivers.
+  void write_driven(std::size_t copy, State& state) const { write(driven_, copy, state); }
   /// Positions of the instant before.
   void write_last(std::size_t copy, std::span<double> q) const;
 
-  /// slots: of each position in the state, its place in a room, or −1.
-  void prepare_rooms(std::span<const int> slots);
+  /// See Keeper.
+  void prepare_rooms(std::span<int> slots);
   void fill(const Room& room, Level level) const;
 
  private:
-  LaneTargets targets(std::span<const int> slots) const;
+  LaneTargets targets(std::span<const int> numbers, std::span<int> slots) const;
+  template <std::size_t lanes>
+  void drive(MotionRow row);
+  void write(std::span<const int> numbers, std::size_t copy, State& state) const;
+  void scatter(const LaneTargets& targets, Level level, const Room& to) const;
   template <class Visit>
-  void for_unknowns(std::size_t lane, Visit&& visit) const;
+  void for_numbers(std::span<const int> numbers, std::size_t lane, Visit&& visit) const;
 
   std::span<Copy> copies_;
   std::vector<LaneStage> stages_;
   std::size_t lanes_;
-  LanePlaces places_;          // in the state, of all that a copy reads and writes: local inputs
-  std::vector<int> unknowns_;  // local, ascending
-  LaneSources constants_, moving_;  // of others: once, and in every step
-  LaneSources starts_;              // of its own
-  std::vector<int> near_;           // of these, angles that stay near the last
+  LanePlaces places_;  // in the state, of all that a copy reads and writes: local inputs
+  std::vector<int> unknowns_, driven_;  // local, ascending …
+  std::vector<int> kept_numbers_;       // … and both
+  LaneSources constants_, moving_;      // of others: once, and in every step
+  LaneSources undriven_;                // of drivers, where drive() has not said what they do
+  LaneSources starts_;                  // of its own
+  std::vector<int> near_;               // of these, angles that stay near the last
   LaneTargets read_, asked_;
-  LaneState now_, before_;
+  std::unique_ptr<std::array<LaneState, 2>> states_;  // these two, in turn
+  LaneState *now_, *before_;
   Predictor predictor_;
+  LaneValues residuals2_;  // of each stage, for the most lanes
   Step step_;
   bool assembled_ = false;  // every part has found a position since forget()
-  bool kept_ = false, predicted_ = false;
+  bool kept_ = false, predicted_ = false, is_driven_ = false;
 };
 
 /// Whether both have parts of the same types, in the same order, that take the same from each

@@ -26,25 +26,6 @@ using Quad = simd::simd<double, simd::simd_abi::deduce_t<double, 4>>;
 Quad load(const double* x) { return Quad(x, simd::element_aligned); }
 void store(const Quad& value, double* x) { value.copy_to(x, simd::element_aligned); }
 
-/// What has no sines, at several times.
-void sample_other(const Motion& motion, std::span<const double> times, double* z, double* zd,
-                  double* zdd) {
-  std::size_t done = 0;
-  if (const auto* const polynomial = std::get_if<Polynomial>(&motion))
-    for (; done + Quad::size() <= times.size(); done += Quad::size()) {
-      const MotionSample<Quad> four = sample(*polynomial, load(&times[done]));
-      store(four.position, z + done);
-      store(four.velocity, zd + done);
-      store(four.acceleration, zdd + done);
-    }
-  for (; done < times.size(); ++done) {
-    const MotionSample<double> one = sample(motion, times[done]);
-    z[done] = one.position;
-    zd[done] = one.velocity;
-    zdd[done] = one.acceleration;
-  }
-}
-
 }  // namespace
 
 PlacedMotions driver_motions(const Mechanism& m) {
@@ -62,8 +43,8 @@ PlacedMotions in_order(std::vector<const Motion*> motions) {
   return {std::move(motions), std::move(places)};
 }
 
-MotionSampler::MotionSampler(PlacedMotions placed, int times)
-    : placed_(std::move(placed)), times_(times) {
+MotionSampler::MotionSampler(PlacedMotions placed, int times, SampleStrides strides)
+    : placed_(std::move(placed)), times_(times), strides_(strides) {
   using WithFrequencies = std::pair<std::vector<double>, int>;
   std::vector<WithFrequencies> harmonic;
   for (int i = 0; i < static_cast<int>(placed_.motions.size()); ++i)
@@ -90,12 +71,13 @@ MotionSampler::MotionSampler(PlacedMotions placed, int times)
 }
 
 MotionSampler::Sums MotionSampler::sums(std::span<const int> motions) {
-  Sums result{static_cast<int>(motions.size()), {}, {}, {}};
+  Sums result{static_cast<int>(motions.size()), {}, true, {}, {}};
   std::map<double, Term> terms;
   for (std::size_t l = 0; l < Quad::size(); ++l) {
     const int i = motions[std::min(l, motions.size() - 1)];
     const auto& sum = std::get<HarmonicSum>(*placed_.motions[i]);
     result.place[l] = placed_.places[i];
+    result.in_order = result.in_order && result.place[l] == result.place[0] + static_cast<int>(l);
     result.mean[l] = sum.mean;
     for (const auto& [amplitude, w, phase] : sum.terms) {
       Term& term = terms.try_emplace(w, Term{frequency(w)}).first->second;
@@ -134,25 +116,36 @@ void MotionSampler::find_waves(std::span<const double> times) {
         put(frequencies_[f] * load(&times[l]), f * times.size() + l);
 }
 
-void MotionSampler::add_up_at_one_time(double* z, double* zd, double* zdd) const {
+void MotionSampler::add_up_by_four_motions(double* __restrict z, double* __restrict zd,
+                                           double* __restrict zdd) const {
   for (const Sums& four : sums_) {
-    Quad position = load(four.mean.data()), velocity = 0.0, acceleration = 0.0;
-    for (const Term& term : four.terms) {
-      const double s = sines_[term.frequency], c = cosines_[term.frequency];
-      position += load(term.of_sine.data()) * s + load(term.of_cosine.data()) * c;
-      velocity += load(term.w_of_sine.data()) * c - load(term.w_of_cosine.data()) * s;
-      acceleration -= load(term.w2_of_sine.data()) * s + load(term.w2_of_cosine.data()) * c;
-    }
-    for (std::size_t l = 0; l < Quad::size(); ++l) {
-      const int place = four.place[l];
-      z[place] = position[l];
-      zd[place] = velocity[l];
-      zdd[place] = acceleration[l];
+    for (int l = 0; l < times_; ++l) {
+      Quad position = load(four.mean.data()), velocity = 0.0, acceleration = 0.0;
+      for (const Term& term : four.terms) {
+        const double s = sines_[term.frequency * times_ + l],
+                     c = cosines_[term.frequency * times_ + l];
+        position += load(term.of_sine.data()) * s + load(term.of_cosine.data()) * c;
+        velocity += load(term.w_of_sine.data()) * c - load(term.w_of_cosine.data()) * s;
+        acceleration -= load(term.w2_of_sine.data()) * s + load(term.w2_of_cosine.data()) * c;
+      }
+      const int row = l * strides_.of_time;
+      if (four.in_order) {
+        store(position, z + row + four.place[0]);
+        store(velocity, zd + row + four.place[0]);
+        store(acceleration, zdd + row + four.place[0]);
+        continue;
+      }
+      for (std::size_t m = 0; m < Quad::size(); ++m) {
+        const int place = row + four.place[m];
+        z[place] = position[m];
+        zd[place] = velocity[m];
+        zdd[place] = acceleration[m];
+      }
     }
   }
 }
 
-void MotionSampler::add_up(double* z, double* zd, double* zdd) const {
+void MotionSampler::add_up_by_four_times(double* z, double* zd, double* zdd) const {
   for (const Sums& sums : sums_)
     for (int m = 0; m < sums.size; ++m)
       for (int l = 0; l < times_; l += static_cast<int>(Quad::size())) {
@@ -164,20 +157,42 @@ void MotionSampler::add_up(double* z, double* zd, double* zdd) const {
           velocity += term.w_of_sine[m] * c - term.w_of_cosine[m] * s;
           acceleration -= term.w2_of_sine[m] * s + term.w2_of_cosine[m] * c;
         }
-        const int place = sums.place[m] * times_ + l;
+        const int place = sums.place[m] * strides_.of_place + l;
         store(position, z + place);
         store(velocity, zd + place);
         store(acceleration, zdd + place);
       }
 }
 
-void MotionSampler::operator()(std::span<const double> times, double* z, double* zd, double* zdd) {
+/// What has no sines.
+void MotionSampler::sample_others(std::span<const double> times, double* z, double* zd,
+                                  double* zdd) const {
   for (const int i : others_) {
-    const int place = placed_.places[i] * times_;
-    sample_other(*placed_.motions[i], times, z + place, zd + place, zdd + place);
+    const Motion& motion = *placed_.motions[i];
+    const int place = placed_.places[i] * strides_.of_place;
+    std::size_t l = 0;
+    const auto* const polynomial = std::get_if<Polynomial>(&motion);
+    if (polynomial && strides_.of_time == 1)
+      for (; l + Quad::size() <= times.size(); l += Quad::size()) {
+        const MotionSample<Quad> four = sample(*polynomial, load(&times[l]));
+        store(four.position, z + place + l);
+        store(four.velocity, zd + place + l);
+        store(four.acceleration, zdd + place + l);
+      }
+    for (; l < times.size(); ++l) {
+      const MotionSample<double> one = sample(motion, times[l]);
+      const std::size_t at = place + l * strides_.of_time;
+      z[at] = one.position;
+      zd[at] = one.velocity;
+      zdd[at] = one.acceleration;
+    }
   }
+}
+
+void MotionSampler::operator()(std::span<const double> times, double* z, double* zd, double* zdd) {
+  sample_others(times, z, zd, zdd);
   find_waves(times);
-  times_ == 1 ? add_up_at_one_time(z, zd, zdd) : add_up(z, zd, zdd);
+  strides_.of_place == 1 ? add_up_by_four_motions(z, zd, zdd) : add_up_by_four_times(z, zd, zdd);
 }
 
 }  // namespace desmo

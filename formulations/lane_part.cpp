@@ -20,17 +20,22 @@ const CopyKernels& kernels_for(std::size_t copies, const std::vector<CopyKernels
 }  // namespace
 
 LanePart::LanePart(std::vector<CopyKernels> kernels, std::vector<Copy> copies,
-                   std::vector<bool> constant, Guess guess)
-    : copies_(std::move(copies)), last_(constant.size()) {
-  for (std::span<Copy> left = copies_; !left.empty();) {
-    const CopyKernels& chosen = kernels_for(left.size(), kernels);
+                   std::vector<StateKind> kinds, Guess guess)
+    : copies_(std::move(copies)), last_(kinds.size()) {
+  std::span<Copy> in_lanes = copies_;
+  if (copies_.size() % static_cast<std::size_t>(kernels.back().front()->lanes) == 1) {
+    left_over_ = &copies_.back();
+    in_lanes = in_lanes.first(copies_.size() - 1);
+    for (const auto& member : *left_over_)
+      for (const int i : member->inputs())  // in the state, drivers too
+        if (kinds[i] == StateKind::driven) kinds[i] = StateKind::solved;
+  }
+  while (!in_lanes.empty()) {
+    const CopyKernels& chosen = kernels_for(in_lanes.size(), kernels);
     const std::size_t taken =
-        std::min(left.size(), static_cast<std::size_t>(chosen.front()->lanes));
-    if (taken == 1)
-      left_over_ = &left.front();
-    else
-      batches_.emplace_back(left.first(taken), chosen, constant, guess);
-    left = left.subspan(taken);
+        std::min(in_lanes.size(), static_cast<std::size_t>(chosen.front()->lanes));
+    batches_.emplace_back(in_lanes.first(taken), chosen, kinds, guess);
+    in_lanes = in_lanes.subspan(taken);
   }
 }
 
@@ -64,6 +69,7 @@ void LanePart::solve(LaneBatch& batch, State& s, std::span<const double> last, L
       batch.write_last(l, last_);
       batch.write_last(l, s.q);
     }
+    batch.write_driven(l, s);
     if (step.accepted >> l & 1)
       batch.write(l, s);
     else
@@ -110,15 +116,19 @@ void LanePart::forget() {
     for (const auto& member : copy) member->forget();
 }
 
-std::vector<int> LanePart::kept() const {
+std::vector<int> LanePart::drivers() const {
   std::vector<int> all;
   for (const LaneBatch& batch : batches_)
-    std::ranges::copy(batch.unknowns(), std::back_inserter(all));
+    std::ranges::copy(batch.drivers(), std::back_inserter(all));
   return all;
 }
 
-void LanePart::begin_step(const Past& past) {
-  for (LaneBatch& batch : batches_) batch.begin_step(past);
+void LanePart::begin_step(const Past& past, const MotionRow& row) {
+  std::size_t first = 0;
+  for (LaneBatch& batch : batches_) {
+    batch.begin_step(past, row.from(first));
+    first += batch.in_row();
+  }
 }
 
 void LanePart::write_last(std::span<double> q) const {
@@ -132,9 +142,7 @@ void LanePart::write(State& s) const {
     for (std::size_t l = 0; l < batch.copies().size(); ++l) batch.write(l, s);
 }
 
-void LanePart::prepare_rooms(std::span<const int> coordinates) {
-  std::vector<int> slots(last_.size(), -1);
-  for (std::size_t n = 0; n < coordinates.size(); ++n) slots[coordinates[n]] = static_cast<int>(n);
+void LanePart::prepare_rooms(std::span<int> slots) {
   for (LaneBatch& batch : batches_) batch.prepare_rooms(slots);
 }
 

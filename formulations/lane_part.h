@@ -16,9 +16,8 @@ namespace desmo {
 class LanePart final : public GuardedPart, public Keeper {
  public:
   /// kernels: one or more, each for more lanes than the one before. copies: two or more, as alike
-  /// as are_copies() says. constant: of each position in the state, whether it never moves. guess:
-  /// from which a step starts.
-  LanePart(std::vector<CopyKernels> kernels, std::vector<Copy> copies, std::vector<bool> constant,
+  /// as are_copies() says. kinds: of each position in the state. guess: from which a step starts.
+  LanePart(std::vector<CopyKernels> kernels, std::vector<Copy> copies, std::vector<StateKind> kinds,
            Guess guess);
 
   PartResult solve(State& state, std::span<const double> last, Level level) override;
@@ -29,11 +28,11 @@ class LanePart final : public GuardedPart, public Keeper {
   void forget() override;
   Keeper* keeper() override { return this; }
 
-  std::vector<int> kept() const override;
-  void begin_step(const Past& past) override;
+  std::vector<int> drivers() const override;
+  void begin_step(const Past& past, const MotionRow& row) override;
   void write_last(std::span<double> q) const override;
   void write(State& state) const override;
-  void prepare_rooms(std::span<const int> coordinates) override;
+  void prepare_rooms(std::span<int> slots) override;
   void fill(const Room& room, Level level) const override;
 
   /// Of its members.

@@ -15,10 +15,13 @@ namespace {
 
 using Places = std::array<int, quad>;
 
+/// used: the others stand with the last of these.
 template <std::size_t lanes>
-std::array<int, lanes> places_of(int number, const LanePlaces& places, std::size_t first_lane) {
+std::array<int, lanes> places_of(int number, const LanePlaces& places, std::size_t first_lane,
+                                 std::size_t used) {
   std::array<int, lanes> result;
-  for (std::size_t l = 0; l < lanes; ++l) result[l] = places[first_lane + l][number];
+  for (std::size_t l = 0; l < lanes; ++l)
+    result[l] = places[std::min(first_lane + l, used - 1)][number];
   return result;
 }
 
@@ -87,7 +90,7 @@ LaneSources::LaneSources(std::span<const int> which, const LanePlaces& places)
   for (std::size_t number = 0; number < quads_.size(); ++number) {
     std::vector<Run>& runs = quads_[number];
     for (const int n : which) {
-      const Places place = places_of<quad>(n, places, number * quad);
+      const Places place = places_of<quad>(n, places, number * quad, places.size());
       if (!runs.empty() && runs.back().first + runs.back().size == n &&
           follow(place, runs.back().place, runs.back().size))
         ++runs.back().size;
@@ -141,7 +144,7 @@ void LaneTargets::add(std::vector<int> numbers, const LanePlaces& places, std::s
   std::ranges::sort(numbers, {}, [&](int n) { return places[first_lane][n]; });
   const std::size_t before = runs.size();
   for (const int n : numbers) {
-    const auto place = places_of<lanes>(n, places, first_lane);
+    const auto place = places_of<lanes>(n, places, first_lane, used_);
     if (runs.size() > before && follow(place, runs.back().places, runs.back().size))
       ++runs.back().size;
     else
@@ -172,44 +175,51 @@ LaneTargets::LaneTargets(std::span<const int> which, const LanePlaces& places, s
   }
 }
 
-void LaneTargets::scatter(const double* __restrict from, double* __restrict to) const {
+void LaneTargets::scatter(std::span<const LaneCopy> copies) const {
   for (const Run<wide>& run : wides_)
-    unpack_wide(from, {&offsets_[run.first], static_cast<std::size_t>(run.size)}, to,
+    unpack_wide(copies, {&offsets_[run.first], static_cast<std::size_t>(run.size)},
                 {run.places.data(), used_});
-  for (const Run<quad>& run : quads_) {
-    const auto [a, b, c, d] = run.places;
-    const int* const offset = offsets_.data() + run.first;
-    const int size = run.size;
-    int k = 0;
+  for (const auto& [from, to] : copies) {
+    for (const Run<quad>& run : quads_) scatter_run(run, from, to);
+    for (const Run<1>& run : singles_) scatter_run(run, from, to);
+  }
+}
+
+void LaneTargets::scatter_run(const Run<quad>& run, const double* __restrict from,
+                              double* __restrict to) const {
+  const auto [a, b, c, d] = run.places;
+  const int* const offset = offsets_.data() + run.first;
+  const int size = run.size;
+  int k = 0;
 #ifdef __AVX__
-    const auto row = [&](int number) { return from + offset[number]; };
-    for (; k + 4 <= size; k += 4)
-      unpack_four({row(k), row(k + 1), row(k + 2), row(k + 3)}, {to + a, to + b, to + c, to + d},
-                  k);
-    if (k + 2 <= size) {
-      put_two(_mm256_load_pd(row(k)), _mm256_load_pd(row(k + 1)), k, run.places, to);
-      k += 2;
-    }
-    if (k < size) put_one(_mm256_load_pd(row(k)), k, run.places, to);
+  const auto row = [&](int number) { return from + offset[number]; };
+  for (; k + 4 <= size; k += 4)
+    unpack_four({row(k), row(k + 1), row(k + 2), row(k + 3)}, {to + a, to + b, to + c, to + d}, k);
+  if (k + 2 <= size) {
+    put_two(_mm256_load_pd(row(k)), _mm256_load_pd(row(k + 1)), k, run.places, to);
+    k += 2;
+  }
+  if (k < size) put_one(_mm256_load_pd(row(k)), k, run.places, to);
 #else
-    for (; k < size; ++k) {
-      const double* const x = from + offset[k];
-      to[a + k] = x[0], to[b + k] = x[1], to[c + k] = x[2], to[d + k] = x[3];
-    }
-#endif
+  for (; k < size; ++k) {
+    const double* const x = from + offset[k];
+    to[a + k] = x[0], to[b + k] = x[1], to[c + k] = x[2], to[d + k] = x[3];
   }
-  for (const Run<1>& run : singles_) {
-    const int* const offset = offsets_.data() + run.first;
-    double* const values = to + run.places[0];
-    const int size = run.size;
-    int k = 0;
+#endif
+}
+
+void LaneTargets::scatter_run(const Run<1>& run, const double* __restrict from,
+                              double* __restrict to) const {
+  const int* const offset = offsets_.data() + run.first;
+  double* const values = to + run.places[0];
+  const int size = run.size;
+  int k = 0;
 #ifdef __AVX__
-    for (; k + 4 <= size; k += 4)
-      _mm256_storeu_pd(values + k, _mm256_set_pd(from[offset[k + 3]], from[offset[k + 2]],
-                                                 from[offset[k + 1]], from[offset[k]]));
+  for (; k + 4 <= size; k += 4)
+    _mm256_storeu_pd(values + k, _mm256_set_pd(from[offset[k + 3]], from[offset[k + 2]],
+                                               from[offset[k + 1]], from[offset[k]]));
 #endif
-    for (; k < size; ++k) values[k] = from[offset[k]];
-  }
+  for (; k < size; ++k) values[k] = from[offset[k]];
 }
 
 }  // namespace desmo

@@ -27,6 +27,8 @@ class LaneSources {
   /// which: numbers, ascending, that have a place for every lane.
   LaneSources(std::span<const int> which, const LanePlaces& places);
 
+  bool empty() const { return quads_.empty() || quads_.front().empty(); }
+
   /// Number n of each lane, from its place, for those n: of several arrays at once.
   template <std::size_t arrays>
   void gather(const std::array<const double*, arrays>& from,
@@ -55,8 +57,8 @@ class LaneTargets {
   /// which: numbers; of lanes from `used` on none goes anywhere.
   LaneTargets(std::span<const int> which, const LanePlaces& places, std::size_t used);
 
-  /// Those numbers of each lane to where they have a place.
-  void scatter(const double* from, double* to) const;
+  /// Those numbers of each lane to where they have a place: the same of several copies.
+  void scatter(std::span<const LaneCopy> copies) const;
 
  private:
   /// Numbers whose places follow each other in so many lanes.
@@ -69,6 +71,9 @@ class LaneTargets {
   template <std::size_t lanes>
   void add(std::vector<int> numbers, const LanePlaces& places, std::size_t first_lane,
            std::vector<Run<lanes>>& runs);
+
+  void scatter_run(const Run<quad>& run, const double* from, double* to) const;
+  void scatter_run(const Run<1>& run, const double* from, double* to) const;
 
   std::vector<Run<wide>> wides_;  // of all lanes used, where registers hold them
   std::vector<Run<quad>> quads_;

@@ -26,6 +26,12 @@ struct LaneAllocator {
 /// Numbers of several lanes, those of one number side by side: number k of lane l at k · lanes + l.
 using LaneValues = std::vector<double, LaneAllocator<double>>;
 
+/// So few numbers are not worth the call that std::copy_n makes of them.
+template <std::size_t size>
+void copy_in_registers(const double* __restrict from, double* __restrict to) {
+  for (std::size_t k = 0; k < size; ++k) to[k] = from[k];
+}
+
 /// A state in each lane.
 struct LaneState {
   LaneValues q, qd, qdd;

@@ -5,9 +5,21 @@
 
 namespace desmo {
 
-MotionsAhead::MotionsAhead(const PlacedMotions& placed)
-    : places_(placed.places), alone_(placed), ahead_(in_order(placed.motions), together) {
-  for (std::vector<double>* values : {&z_, &zd_, &zdd_}) values->resize(places_.size() * together);
+namespace {
+
+int whole_lines(std::size_t numbers) {
+  constexpr std::size_t line = LaneAllocator<double>::alignment / sizeof(double);
+  return static_cast<int>((numbers / line + 1) * line);
+}
+
+}  // namespace
+
+MotionsAhead::MotionsAhead(std::vector<const Motion*> motions)
+    : of_row_(whole_lines(motions.size())),
+      alone_(in_order(motions)),
+      ahead_(in_order(std::move(motions)), together, in_rows(of_row_)) {
+  for (LaneValues* values : {&samples_.q, &samples_.qd, &samples_.qdd})
+    values->resize((together + 1) * of_row_);
 }
 
 void MotionsAhead::expect(const TimeGrid& grid) {
@@ -20,21 +32,17 @@ void MotionsAhead::expect(const TimeGrid& grid) {
 void MotionsAhead::sample_next() {
   for (int k = 0; k < together; ++k)
     times_[k] = grid_.time(std::min(sampled_ + k, grid_.instants - 1));
-  ahead_(times_, z_.data(), zd_.data(), zdd_.data());
+  ahead_(times_, samples_.q.data(), samples_.qd.data(), samples_.qdd.data());
   sampled_ += together;
   next_ = 0;
 }
 
-void MotionsAhead::operator()(double t, double* z, double* zd, double* zdd) {
+MotionRow MotionsAhead::operator()(double t) {
   if (next_ == together && sampled_ < grid_.instants) sample_next();
-  if (next_ == together || times_[next_] != t) return alone_({&t, 1}, z, zd, zdd);
-  for (std::size_t m = 0; m < places_.size(); ++m) {
-    const std::size_t at = m * together + next_, place = places_[m];
-    z[place] = z_[at];
-    zd[place] = zd_[at];
-    zdd[place] = zdd_[at];
-  }
-  ++next_;
+  if (next_ < together && times_[next_] == t) return row(next_++);
+  const std::size_t at = together * of_row_;
+  alone_({&t, 1}, &samples_.q[at], &samples_.qd[at], &samples_.qdd[at]);
+  return row(together);
 }
 
 }  // namespace desmo

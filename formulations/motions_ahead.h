@@ -6,35 +6,47 @@
 
 #include "cases/motion.h"
 #include "formulations/lane_motion.h"
+#include "formulations/lane_values.h"
 
 namespace desmo {
+
+/// z, ż and z̈ of several motions at one time, in their order.
+struct MotionRow {
+  const double *z, *zd, *zdd;
+
+  /// Those from number `first` on.
+  MotionRow from(std::size_t first) const { return {z + first, zd + first, zdd + first}; }
+};
 
 /// Several motions at one time after the other. Where these times are known, as those of a grid
 /// are, a few instants are sampled at once, before the first of them: sines cost hardly more of
 /// eight times than of one, and a step need not wait for them.
 class MotionsAhead {
  public:
-  /// As those of MotionSampler.
-  explicit MotionsAhead(const PlacedMotions& placed);
+  /// motions: each as often as it is wanted; unchanged, they outlive this.
+  explicit MotionsAhead(std::vector<const Motion*> motions);
 
   /// From now on times are those of this grid, in order from the first. What comes between them is
   /// sampled alone, and once they are left out, all that follow.
   void expect(const TimeGrid& grid);
 
-  /// As MotionSampler, at time t (s).
-  void operator()(double t, double* z, double* zd, double* zdd);
+  /// At time t (s), until the next call.
+  MotionRow operator()(double t);
 
  private:
   static constexpr int together = 8;
   void sample_next();
+  MotionRow row(std::size_t k) const {
+    return {&samples_.q[k * of_row_], &samples_.qd[k * of_row_], &samples_.qdd[k * of_row_]};
+  }
 
-  std::vector<int> places_;
+  int of_row_;  // whole cache lines
   MotionSampler alone_, ahead_;
   TimeGrid grid_{};
   int sampled_ = 0;                       // instants of the grid
   std::size_t next_ = together;           // of those sampled last
   std::array<double, together> times_{};  // theirs, s
-  std::vector<double> z_, zd_, zdd_;      // of each motion at each
+  LaneState samples_;                     // rows of these, and of a time that was sampled alone
 };
 
 }  // namespace desmo

@@ -46,12 +46,14 @@ class Lanes {
         lanes_(settings.lanes),
         guess_(settings.guess),
         table_(table),
-        constant_(mechanism.state_size(), true) {
+        kinds_(mechanism.state_size(), StateKind::constant) {
     for (const int end : run_ends) run_of_.resize(end, static_cast<int>(runs_++));
-    std::fill_n(constant_.begin(), mechanism.coordinates(), false);
+    std::fill_n(kinds_.begin(), mechanism.coordinates(), StateKind::solved);
     for (const DefinedPart& part : parts_)
       if (part.definition.constant)
-        for (const int i : part.definition.unknowns) constant_[i] = true;
+        for (const int i : part.definition.unknowns) kinds_[i] = StateKind::constant;
+    for (const Driver& d : mechanism.drivers)
+      kinds_[mechanism.entities[d.coordinate].first] = StateKind::driven;
   }
 
   std::vector<DefinedPart> take() {
@@ -172,7 +174,7 @@ class Lanes {
     }
     result_.push_back({.definition = join(taken),
                        .solver = std::make_unique<LanePart>(std::move(of_copy), std::move(members),
-                                                            constant_, guess_),
+                                                            kinds_, guess_),
                        .as_named = as_named,
                        .tolerance = tolerance});
   }
@@ -207,7 +209,7 @@ class Lanes {
   const KernelTable& table_;
   std::vector<int> run_of_;  // by part
   std::size_t runs_ = 0;
-  std::vector<bool> constant_;  // of each position in the state: fixed, or found once
+  std::vector<StateKind> kinds_;  // of each position in the state
   std::vector<DefinedPart> result_;
 };
 

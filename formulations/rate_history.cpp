@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "formulations/guess.h"
+#include "formulations/lane_values.h"
 
 namespace desmo {
 
@@ -24,19 +25,6 @@ constexpr std::array<double, points> point{0.069431844202973712388, 0.3300094782
 constexpr std::array<double, points> weight{0.17392742256872692869, 0.32607257743127307131,
                                             0.32607257743127307131, 0.17392742256872692869};
 
-/// In registers: so few numbers are not worth a call.
-template <std::size_t size>
-void copy(const double* __restrict from, double* __restrict to) {
-  for (std::size_t k = 0; k < size; ++k) to[k] = from[k];
-}
-
-/// The others move up, and the last is gone.
-template <class T, std::size_t size>
-void put_first(T first, std::array<T, size>& values) {
-  for (std::size_t k = size - 1; k > 0; --k) values[k] = values[k - 1];
-  values[0] = first;
-}
-
 }  // namespace
 
 RateHistory::RateHistory(std::span<const CoordinateRun> runs) {
@@ -48,95 +36,95 @@ RateHistory::RateHistory(std::span<const CoordinateRun> runs) {
   block_ = *std::ranges::find_if(block_sizes, cut_by);
   for (const CoordinateRun run : runs)
     for (int i = run.first; i < run.end; i += block_) blocks_.push_back(i);
-  const std::size_t size = blocks_.size() * block_;
-  rates_.resize(2 * size * instants);
-  change_.resize(size);
-  for (int j = 0; j < instants; ++j) at_[j] = 2 * size * j;
+  changes_.resize(blocks_.size() * block_);
+  rates_.resize(2 * changes_.size() * instants);
 }
 
-/// visit(n, i, block): numbers n … n + block − 1 among the coordinates are coordinates i and so on.
-template <class Visit>
-void RateHistory::for_blocks(Visit&& visit) const {
-  const auto of_size = [&](auto block) {
-    for (std::size_t b = 0; b < blocks_.size(); ++b) visit(b * block, blocks_[b], block);
-  };
-  if (block_ == 8)
-    of_size(std::integral_constant<std::size_t, 8>());
-  else if (block_ == 4)
-    of_size(std::integral_constant<std::size_t, 4>());
-  else
-    of_size(std::integral_constant<std::size_t, 1>());
-}
-
-/// Σ_j (h β_j q̇_j + h² γ_j q̈_j) of one of the coordinates.
+/// Σ_j (h β_j q̇_j + h² γ_j q̈_j), the instants in the order in which they stand.
 struct RateHistory::Change {
-  std::array<const double*, instants> qd, qdd;  // of the last instant not read
-  std::array<double, instants> b, c;
-
-  /// now_qd, now_qdd: of the last instant. Two sums: neither waits for the other.
-  double operator()(std::size_t n, double now_qd, double now_qdd) const {
-    const double of_qd = b[3] * qd[3][n] + b[2] * qd[2][n] + b[1] * qd[1][n] + b[0] * now_qd;
-    const double of_qdd = c[3] * qdd[3][n] + c[2] * qdd[2][n] + c[1] * qdd[1][n] + c[0] * now_qdd;
-    return of_qdd + of_qd;
+  Change(const RateHistory& of, double h) : rates(of.rates_.data()), size(of.changes_.size()) {
+    for (std::size_t k = 0; k < instants; ++k) {
+      b[k] = h * of.beta_[instants - 1 - of.newest_ + k];
+      c[k] = h * h * of.gamma_[instants - 1 - of.newest_ + k];
+    }
   }
+
+  /// Of number n. Two sums: neither waits for the other.
+  double operator()(std::size_t n) const {
+    double of_qd = 0, of_qdd = 0;
+    for (std::size_t k = 0; k < instants; ++k) {
+      of_qd += b[k] * rates[2 * k * size + n];
+      of_qdd += c[k] * rates[(2 * k + 1) * size + n];
+    }
+    return of_qd + of_qdd;
+  }
+
+  const double* rates;
+  std::size_t size;
+  std::array<double, instants> b, c;
 };
 
-RateHistory::Change RateHistory::change_over(double h) const {
-  Change change;
-  for (int j = 0; j < instants; ++j) {
-    change.qd[j] = rates_.data() + at_[j];
-    change.qdd[j] = change.qd[j] + change_.size();
-    change.b[j] = h * beta_[j];
-    change.c[j] = h * h * gamma_[j];
+template <std::size_t block>
+void RateHistory::remember(const double* qd, const double* qdd) {
+  double *v = rates_.data() + 2 * newest_ * changes_.size(), *a = v + changes_.size();
+  for (const int i : blocks_) {
+    copy_in_registers<block>(qd + i, v);
+    copy_in_registers<block>(qdd + i, a);
+    v += block, a += block;
   }
-  return change;
 }
 
-bool RateHistory::lead_on(double interval, double h, const double* last, const double* qd,
-                          const double* qdd, double* q) {
-  known_ = std::min(known_ + 1, instants);
-  put_first(at_.back(), at_);  // in the place of the oldest
-  put_first(interval, intervals_);
-  double* const v = rates_.data() + at_[0];
-  double* const a = v + change_.size();
-  const bool leads = known_ == instants && h != 0 && (weighed_for(h) || weigh(h));
-  const Change change = change_over(h);
-  if (leads && block_ > 1) {
-    for_blocks([=](std::size_t n, int i, auto block) {
-      std::array<double, block()> now_v, now_a, expected;  // q may be last
-      copy<block()>(qd + i, now_v.data());
-      copy<block()>(qdd + i, now_a.data());
-      for (std::size_t k = 0; k < block(); ++k)
-        expected[k] = last[i + k] + change(n + k, now_v[k], now_a[k]);
-      copy<block()>(now_v.data(), v + n);
-      copy<block()>(now_a.data(), a + n);
-      copy<block()>(expected.data(), q + i);
-    });
-    return true;
+/// q may be last: a block is written when all of it is known.
+template <std::size_t block>
+void RateHistory::lead(const Change& change, const double* last, double* q) {
+  for (std::size_t m = 0; m < blocks_.size(); ++m) {
+    const int i = blocks_[m];
+    std::array<double, block> expected;
+    for (std::size_t k = 0; k < block; ++k) expected[k] = last[i + k] + change(m * block + k);
+    copy_in_registers<block>(expected.data(), q + i);
   }
-  for_blocks([=](std::size_t n, int i, auto block) {
-    copy<block()>(qd + i, v + n);
-    copy<block()>(qdd + i, a + n);
-  });
-  if (!leads) return false;
-  double* __restrict const changes = change_.data();
-  for (std::size_t n = 0; n < change_.size(); ++n) changes[n] = change(n, v[n], a[n]);
-  for (std::size_t n = 0; n < blocks_.size(); ++n) q[blocks_[n]] = last[blocks_[n]] + change_[n];
-  return true;
 }
 
-bool RateHistory::weighed_for(double h) const {
+/// Changes are worked out several at a time.
+template <>
+void RateHistory::lead<1>(const Change& change, const double* last, double* q) {
+#pragma GCC ivdep  // they are another array than the rates
+  for (std::size_t n = 0; n < changes_.size(); ++n) changes_[n] = change(n);
+  for (std::size_t n = 0; n < blocks_.size(); ++n) q[blocks_[n]] = last[blocks_[n]] + changes_[n];
+}
+
+inline bool RateHistory::weighed_for(double h) const {
   bool all = true;
   for (std::size_t j = 0; j < weighed_.size(); ++j)
     all &= std::abs(intervals_[j] - weighed_[j] * h) < same * std::abs(intervals_[j]);
   return all;
 }
 
+bool RateHistory::lead_on(double interval, double h, const double* last, const double* qd,
+                          const double* qdd, double* q) {
+  known_ = std::min(known_ + 1, instants);
+  newest_ = (newest_ + 1) % instants;  // in the place of the oldest
+  for (std::size_t j = intervals_.size() - 1; j > 0; --j) intervals_[j] = intervals_[j - 1];
+  intervals_[0] = interval;
+  const bool leads = known_ == instants && h != 0 && (weighed_for(h) || weigh(h));
+  const auto go = [&](auto block) {
+    remember<block()>(qd, qdd);
+    if (leads) lead<block()>(Change(*this, h), last, q);
+  };
+  if (block_ == 8)
+    go(std::integral_constant<std::size_t, 8>());
+  else if (block_ == 4)
+    go(std::integral_constant<std::size_t, 4>());
+  else
+    go(std::integral_constant<std::size_t, 1>());
+  return leads;
+}
+
 /// The integrals over the step of Hermite's basis at the instants, with ℓ_j of Lagrange:
 ///   β_j = ∫ (1 − 2 ℓ_j′(x_j) (x − x_j)) ℓ_j², γ_j = ∫ (x − x_j) ℓ_j².
 /// False where intervals do not go one way or one is short.
 bool RateHistory::weigh(double h) {
-  Ratios ratios;
+  Intervals ratios;
   for (std::size_t j = 0; j < ratios.size(); ++j) ratios[j] = intervals_[j] / h;
   const auto forward = [](double ratio) { return ratio * longest_stretch > 1; };
   const auto backward = [](double ratio) { return ratio * longest_stretch < -1; };
@@ -147,14 +135,18 @@ bool RateHistory::weigh(double h) {
     double slope = 0;
     for (int m = 0; m < instants; ++m)
       if (m != j) slope += 1 / (x[j] - x[m]);
-    beta_[j] = gamma_[j] = 0;
+    double beta = 0, gamma = 0;
     for (int p = 0; p < points; ++p) {
       double lagrange = 1;
       for (int m = 0; m < instants; ++m)
         if (m != j) lagrange *= (point[p] - x[m]) / (x[j] - x[m]);
       const double from = point[p] - x[j], share = weight[p] * lagrange * lagrange;
-      beta_[j] += (1 - 2 * slope * from) * share;
-      gamma_[j] += from * share;
+      beta += (1 - 2 * slope * from) * share;
+      gamma += from * share;
+    }
+    for (int at = instants - 1 - j; at < 2 * instants - 1; at += instants) {
+      beta_[at] = beta;
+      gamma_[at] = gamma;
     }
   }
   weighed_ = ratios;

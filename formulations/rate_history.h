@@ -23,7 +23,7 @@ class RateHistory {
   /// runs: the coordinates.
   explicit RateHistory(std::span<const CoordinateRun> runs);
 
-  void forget() { known_ = 0; }
+  void forget() { known_ = 0, newest_ = 0; }
   /// Remembers the rates of the last instant, `interval` (s) after the one before, which is what
   /// was remembered last, and writes where the coordinates of the runs are expected after a step of
   /// h (s) into q, which may be `last`: the last positions. False, and nothing is written, where
@@ -32,24 +32,28 @@ class RateHistory {
                double* q);
 
  private:
-  /// Intervals before the last instant, the one before it, and so on, beside the step sought.
-  using Ratios = std::array<double, instants - 1>;
+  /// Before the last instant, the one before it, and so on.
+  using Intervals = std::array<double, instants - 1>;
+  /// By age: of the last instant at instants − 1, of the one before it a place before, and so on
+  /// around, so that from any place on stand those of all.
+  using Weights = std::array<double, 2 * instants - 1>;
   bool weighed_for(double h) const;
   bool weigh(double h);
   struct Change;
-  Change change_over(double h) const;
-  template <class Visit>
-  void for_blocks(Visit&& visit) const;
+  template <std::size_t block>
+  void remember(const double* qd, const double* qdd);
+  template <std::size_t block>
+  void lead(const Change& change, const double* last, double* q);
 
-  int block_;                             // so many coordinates at a time: 1, or as many as lanes
-  std::vector<int> blocks_;               // the first of each
-  std::vector<double> rates_;             // q̇ and q̈, one instant behind the other
-  std::array<std::size_t, instants> at_;  // where in them; the last instant first
-  std::array<double, instants> intervals_{};  // s, before each instant; the last first
+  int block_;                  // so many coordinates at a time: 1, or as many as lanes
+  std::vector<int> blocks_;    // the first of each
+  std::vector<double> rates_;  // q̇ and q̈, one instant behind the other, around
+  std::size_t newest_ = 0;     // which of them is the last
+  Intervals intervals_{};      // s
   int known_ = 0;
-  Ratios weighed_{};  // those that the weights are for; zero: none
-  std::array<double, instants> beta_{}, gamma_{};
-  std::vector<double> change_;
+  Intervals weighed_{};  // beside the step sought, those that the weights are for; zero: none
+  Weights beta_{}, gamma_{};
+  std::vector<double> changes_;  // over the step sought, of all
 };
 
 }  // namespace desmo

@@ -17,7 +17,7 @@ TimeLanes::TimeLanes(const Mechanism& mechanism, std::vector<Parts> parts, const
     : mechanism_(mechanism),
       settings_(settings),
       lanes_(static_cast<int>(parts.size())),
-      motions_(driver_motions(mechanism), lanes_),
+      motions_(driver_motions(mechanism), lanes_, side_by_side(lanes_)),
       parts_(std::move(parts)),
       residual2_(lanes_),
       delivered_(lanes_),
@@ -61,9 +61,8 @@ TimeLanes::Stage TimeLanes::make_stage(std::size_t part, const KernelTable& tabl
   }
   if (const ExplicitPart* const any = members.front())
     if (const LaneKernel* k = table.find_lane_kernel(any->kernel().fingerprint, lanes_))
-      stage.together.emplace(
-          *k, std::move(members),
-          std::vector<int>(any->binding().in, any->binding().in + any->inputs()));
+      stage.together.emplace(*k, std::move(members),
+                             std::vector<int>(any->inputs().begin(), any->inputs().end()));
   return stage;
 }
 

@@ -85,36 +85,26 @@ DESMO_WIDE void unpack_lanes(const double* from, std::span<const int> offsets, T
     for (std::size_t l = 0; l < used; ++l) to[l][k] = from[offsets[k] + l];
 }
 
-struct ToArrays {
-  double* const* begins;
-  double* operator()(std::size_t lane) const { return begins[lane]; }
-};
-struct IntoOneArray {
-  double* begin;
-  const int* places;
-  double* operator()(std::size_t lane) const { return begin + places[lane]; }
-};
-
-template <class Target>
-void unpack_used(std::size_t used, const double* from, std::span<const int> offsets,
-                 Target target) {
-  using Unpack = void(const double*, std::span<const int>, Target);
-  static constexpr std::array<Unpack*, wide> by_lanes{
-      unpack_lanes<1, Target>, unpack_lanes<2, Target>, unpack_lanes<3, Target>,
-      unpack_lanes<4, Target>, unpack_lanes<5, Target>, unpack_lanes<6, Target>,
-      unpack_lanes<7, Target>, unpack_lanes<8, Target>};
-  by_lanes[used - 1](from, offsets, target);
+template <std::size_t used>
+DESMO_WIDE void unpack_copies(std::span<const LaneCopy> copies, std::span<const int> offsets,
+                              const int* places) {
+  for (const auto& [from, to] : copies)
+    unpack_lanes<used>(from, offsets, [to = to, places](std::size_t l) { return to + places[l]; });
 }
 
 }  // namespace
 
 void unpack_wide(const double* from, std::span<const int> offsets, std::span<double* const> to) {
-  unpack_used(to.size(), from, offsets, ToArrays{to.data()});
+  unpack_lanes<wide>(from, offsets, [to](std::size_t l) { return to[l]; });
 }
 
-void unpack_wide(const double* from, std::span<const int> offsets, double* to,
+void unpack_wide(std::span<const LaneCopy> copies, std::span<const int> offsets,
                  std::span<const int> places) {
-  unpack_used(places.size(), from, offsets, IntoOneArray{to, places.data()});
+  using Unpack = void(std::span<const LaneCopy>, std::span<const int>, const int*);
+  static constexpr std::array<Unpack*, wide> by_lanes{
+      unpack_copies<1>, unpack_copies<2>, unpack_copies<3>, unpack_copies<4>,
+      unpack_copies<5>, unpack_copies<6>, unpack_copies<7>, unpack_copies<8>};
+  by_lanes[places.size() - 1](copies, offsets, places.data());
 }
 
 }  // namespace desmo
@@ -124,7 +114,7 @@ void unpack_wide(const double* from, std::span<const int> offsets, double* to,
 namespace desmo {
 
 void unpack_wide(const double*, std::span<const int>, std::span<double* const>) {}
-void unpack_wide(const double*, std::span<const int>, double*, std::span<const int>) {}
+void unpack_wide(std::span<const LaneCopy>, std::span<const int>, std::span<const int>) {}
 
 }  // namespace desmo
 

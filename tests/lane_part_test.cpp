@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <span>
@@ -64,19 +65,42 @@ class Pieces : public ::testing::Test {
     return are_copies(of_a, of_b);
   }
 
-  /// Of each position in the state, whether it never moves.
-  std::vector<bool> constant() const {
-    std::vector<bool> result(mechanism_.state_size(), true);
-    std::fill_n(result.begin(), mechanism_.coordinates(), false);
+  /// Of each position in the state.
+  std::vector<StateKind> kinds() const {
+    std::vector<StateKind> result(mechanism_.state_size(), StateKind::constant);
+    std::fill_n(result.begin(), mechanism_.coordinates(), StateKind::solved);
+    for (const Driver& d : mechanism_.drivers)
+      result[mechanism_.entities[d.coordinate].first] = StateKind::driven;
     return result;
   }
 
-  /// Unknowns of these parts.
-  void spoil(const std::vector<std::vector<std::size_t>>& copies, State& s) const {
+  std::vector<int> unknowns(const std::vector<std::vector<std::size_t>>& copies) const {
+    std::vector<int> result;
     for (const auto& parts : copies)
       for (const std::size_t p : parts)
-        for (const int k : definitions_[p].unknowns) s.q[k] = s.qd[k] = s.qdd[k] = 17;
+        std::ranges::copy(definitions_[p].unknowns, std::back_inserter(result));
+    return result;
   }
+
+  /// Unknowns of these parts, and the drivers that `together` does not read in the state.
+  void spoil(const std::vector<std::vector<std::size_t>>& copies, const LanePart& together,
+             State& s) const {
+    for (const int k : unknowns(copies)) s.q[k] = s.qd[k] = s.qdd[k] = 17;
+    for (const int k : together.drivers()) s.q[k] = s.qd[k] = s.qdd[k] = 17;
+  }
+
+  /// Drivers as they are in a state.
+  struct Driven {
+    Driven(const LanePart& part, const State& s) {
+      for (const int k : part.drivers()) {
+        z.push_back(s.q[k]);
+        zd.push_back(s.qd[k]);
+        zdd.push_back(s.qdd[k]);
+      }
+    }
+    MotionRow row() const { return {z.data(), zd.data(), zdd.data()}; }
+    std::vector<double> z, zd, zdd;
+  };
 
   State solved() const {
     State s;
@@ -122,7 +146,7 @@ class Pieces : public ::testing::Test {
       for (const auto& member : members.back()) seen.push_back(member.get());
     }
     const ExplicitPart* const other = members[refused_lane].back().get();
-    LanePart together({kernels}, std::move(members), constant(), Guess::previous);
+    LanePart together({kernels}, std::move(members), kinds(), Guess::previous);
 
     ASSERT_TRUE(reference_->assemble(0).ok());
     State s = solved();
@@ -137,12 +161,14 @@ class Pieces : public ::testing::Test {
     for (const ExplicitPart* const p : seen) EXPECT_EQ(p->fallbacks(), p == other ? 2 : 0);
     EXPECT_EQ(together.fallbacks(), 2);
 
-    // Predicted, with nobody who reads anything: the state knows nothing of the unknowns.
+    // Predicted, with nobody who reads anything: the state knows nothing of unknowns and drivers.
     together.write_only(std::vector<bool>(mechanism_.state_size(), false));
+    const Driven drivers(together, expected);
+    EXPECT_EQ(drivers.z.empty(), copies.front().size() == 1);  // levers have none
     for (int i = 0; i < 2; ++i) {
-      spoil(copies, s);
+      spoil(copies, together, s);
       const std::vector<double> last = s.q;
-      together.begin_step({0.01, 0.01, Level::acceleration, Level::acceleration});
+      together.begin_step({0.01, 0.01, Level::acceleration, Level::acceleration}, drivers.row());
       ASSERT_EQ(together.solve(s, last, Level::acceleration).status, Status::converged);
     }
     EXPECT_EQ(together.fallbacks(), 4);
@@ -190,7 +216,7 @@ TEST_F(Pieces, LeaveInTheStateWhatIsReadThere) {
     members.push_back(copy({lever}));
     kernels = {find_lane_kernel(kernel(lever).fingerprint, 4)};
   }
-  LanePart together({kernels}, std::move(members), constant(), Guess::previous);
+  LanePart together({kernels}, std::move(members), kinds(), Guess::previous);
   std::vector<bool> read(mechanism_.state_size(), false);
   const int there = definitions_[copies[1][0]].unknowns[3];
   read[there] = true;
@@ -202,21 +228,22 @@ TEST_F(Pieces, LeaveInTheStateWhatIsReadThere) {
     ASSERT_EQ(together.solve(s, s.q, Level::acceleration).status, Status::converged);
   EXPECT_EQ(together.fallbacks(), 0);
 
-  spoil(copies, s);
-  together.begin_step({0.01, 0.01, Level::acceleration});
+  spoil(copies, together, s);
+  const Driven drivers(together, expected);
+  together.begin_step({0.01, 0.01, Level::acceleration}, drivers.row());
   ASSERT_EQ(together.solve(s, s.q, Level::acceleration).status, Status::converged);
-  for (const int k : together.kept()) {
+  for (const int k : unknowns(copies)) {
     EXPECT_NEAR(s.q[k], k == there ? expected.q[k] : 17, 1e-10) << k;
     EXPECT_NEAR(s.qdd[k], k == there ? expected.qdd[k] : 17, 1e-7) << k;
   }
   together.write(s);
-  for (const int k : together.kept()) EXPECT_NEAR(s.q[k], expected.q[k], 1e-10) << k;
+  for (const int k : unknowns(copies)) EXPECT_NEAR(s.q[k], expected.q[k], 1e-10) << k;
 
-  for (const int k : together.kept())
+  for (const int k : unknowns(copies))
     if (k != there) s.q[k] += 1e-7;
-  together.begin_step({0.01, 0.01, std::nullopt});
+  together.begin_step({0.01, 0.01, std::nullopt}, drivers.row());
   ASSERT_EQ(together.solve(s, s.q, Level::acceleration).status, Status::converged);
-  for (const int k : together.kept()) EXPECT_NEAR(s.q[k], expected.q[k], 1e-10) << k;
+  for (const int k : unknowns(copies)) EXPECT_NEAR(s.q[k], expected.q[k], 1e-10) << k;
 }
 
 TEST_F(Pieces, AreCopiesWhereTheyTakeTheSameFromEachOther) {

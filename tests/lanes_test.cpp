@@ -167,7 +167,8 @@ void expect_sampled(const Motion& motion, double t, double z, double zd, double 
   expect_near(zdd, expected.acceleration, 3 * 11 * 11);
 }
 
-/// Each alone: of the terms, some share a frequency, in one motion and in several.
+/// Each alone, at one time, at several side by side, and at several one behind the other: of the
+/// terms, some share a frequency, in one motion and in several.
 TEST(MotionSampler, GivesWhatEachMotionIs) {
   const Motion motions[] = {HarmonicSum{0.5, {{0.1, 6, 0.3}, {2, -11, 1}, {0.3, 0, 2}}},
                             Polynomial{{1, -2, 0.5, 0.25}},
@@ -178,23 +179,37 @@ TEST(MotionSampler, GivesWhatEachMotionIs) {
   std::vector<const Motion*> addresses;
   for (const Motion& motion : motions) addresses.push_back(&motion);
   const std::vector<int> places{1, 5, 0, 2, 6, 3};
+  constexpr int size = 7, nowhere = 4;
   constexpr double untouched = -77;
   // In one interval of the spline and in several, before and behind; angles beyond reduction.
   const std::array times{0.1, 0.2, 0.3, 0.4, -1.0, 2.5, 8.0, 0.0, 30.0, 1e6, 1e7, 0.7};
-  for (const std::size_t at_once : {1, 4, 12}) {
-    MotionSampler sampler({addresses, places}, static_cast<int>(at_once));
+  const auto expect_right = [&](int at_once, SampleStrides strides) {
+    MotionSampler sampler({addresses, places}, at_once, strides);
     for (std::size_t first = 0; first < times.size(); first += at_once) {
-      std::vector<double> z(7 * at_once, untouched), zd = z, zdd = z;
+      std::vector<double> z(size * at_once, untouched), zd = z, zdd = z;
       sampler(std::span(times).subspan(first, at_once), z.data(), zd.data(), zdd.data());
-      for (std::size_t l = 0; l < at_once; ++l) {
-        for (const auto& values : {z, zd, zdd}) EXPECT_EQ(values[4 * at_once + l], untouched);
+      for (int l = 0; l < at_once; ++l) {
+        const auto at = [&](int place) { return place * strides.of_place + l * strides.of_time; };
+        for (const auto& values : {z, zd, zdd}) EXPECT_EQ(values[at(nowhere)], untouched);
         for (std::size_t i = 0; i < places.size(); ++i) {
-          const std::size_t k = places[i] * at_once + l;
+          const int k = at(places[i]);
           expect_sampled(motions[i], times[first + l], z[k], zd[k], zdd[k]);
         }
       }
     }
+  };
+  expect_right(1, {});
+  for (const int at_once : {4, 12}) {
+    expect_right(at_once, side_by_side(at_once));
+    expect_right(at_once, in_rows(size));
   }
+  std::vector<const Motion*> alike(8, &motions[0]);  // whole registers of a row
+  alike[5] = &motions[5];
+  MotionSampler rows(in_order(alike), 4, in_rows(8));
+  std::vector<double> z4(4 * 8), zd4 = z4, zdd4 = z4;
+  rows(std::span(times).first(4), z4.data(), zd4.data(), zdd4.data());
+  for (std::size_t k = 0; k < z4.size(); ++k)
+    expect_sampled(*alike[k % 8], times[k / 8], z4[k], zd4[k], zdd4[k]);
   constexpr double t = 1;
   const Motion silent = HarmonicSum{2, {{0, 1e300, 0}}};  // ω² overflows
   double z, zd, zdd;
@@ -212,14 +227,17 @@ TEST(MotionsAhead, GiveWhatEachMotionIsAtAnyTime) {
                             Polynomial{{1, -2, 0.5}},
                             make_spline({0, 1, 3}, {0, 1, -1}, SplineEnds::natural)};
   const TimeGrid grid{-0.3, 0.1, 21};
-  MotionsAhead sampler({{&motions[0], &motions[1], &motions[2]}, {2, 0, 3}});
+  const std::vector<const Motion*> wanted{&motions[0], &motions[0], &motions[2],
+                                          &motions[1], &motions[0], &motions[0],
+                                          &motions[0], &motions[0], &motions[2]};
+  MotionsAhead sampler(wanted);
   const auto expect_at = [&](double t) {
-    std::vector<double> z(4, -77), zd = z, zdd = z;
-    sampler(t, z.data(), zd.data(), zdd.data());
-    EXPECT_EQ(z[1], -77);
-    int motion = 0;
-    for (const int place : {2, 0, 3})
-      expect_sampled(motions[motion++], t, z[place], zd[place], zdd[place]);
+    const MotionRow all = sampler(t);
+    for (const std::size_t first : {0, 3}) {
+      const MotionRow row = all.from(first);
+      for (std::size_t i = first; i < wanted.size(); ++i)
+        expect_sampled(*wanted[i], t, row.z[i - first], row.zd[i - first], row.zdd[i - first]);
+    }
   };
   expect_at(0.7);
   for (int run = 0; run < 2; ++run) {
@@ -266,6 +284,8 @@ TEST(Lanes, GoToPlacesOfTheirOwn) {
   for (const int lanes : lanes_here()) {
     LaneValues from(numbers * lanes);
     for (std::size_t i = 0; i < from.size(); ++i) from[i] = static_cast<double>(i);
+    LaneValues negative = from;
+    for (double& value : negative) value = -value;
     std::vector<int> which(numbers);
     std::iota(which.begin(), which.end(), 0);
     for (int used = 1; used <= lanes; ++used)
@@ -275,12 +295,18 @@ TEST(Lanes, GoToPlacesOfTheirOwn) {
           for (int l = 0; l < lanes; ++l)
             for (int n = 0; n < numbers; ++n)
               places[l][n] = n == interrupted && (in_all || l % 2 == 0) ? -1 : l * apart + n;
-          std::vector<double> to(lanes * apart, untouched), expected = to;
+          std::vector<double> to(lanes * apart, untouched), opposite = to, expected = to,
+                                                            expected_opposite = to;
           for (int l = 0; l < used; ++l)
             for (int n = 0; n < numbers; ++n)
-              if (places[l][n] >= 0) expected[places[l][n]] = from[n * lanes + l];
-          LaneTargets(which, places, used).scatter(from.data(), to.data());
+              if (const int place = places[l][n]; place >= 0) {
+                expected[place] = from[n * lanes + l];
+                expected_opposite[place] = -from[n * lanes + l];
+              }
+          const LaneCopy copies[] = {{from.data(), to.data()}, {negative.data(), opposite.data()}};
+          LaneTargets(which, places, used).scatter(copies);
           ASSERT_EQ(to, expected) << used << " of " << lanes << " lanes, " << interrupted;
+          ASSERT_EQ(opposite, expected_opposite);
         }
   }
 }

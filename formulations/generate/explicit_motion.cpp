@@ -1,5 +1,6 @@
 #include "formulations/generate/explicit_motion.h"
 
+#include <algorithm>
 #include <map>
 
 #include "formulations/generate/core_system.h"
@@ -9,6 +10,23 @@ namespace desmo::generate {
 namespace {
 
 using Vector = std::vector<Expr>;
+
+/// Where all entries of a row are twice something, halves them; what rows were multiplied by.
+Vector take_factors(std::vector<std::map<int, Expr>>& matrix) {
+  Vector scales;
+  for (std::map<int, Expr>& row : matrix) {
+    const bool is_double =
+        std::ranges::all_of(row, [](const auto& entry) { return entry.second.factor() == 2; });
+    scales.push_back(is_double ? 0.5 : 1);
+    for (auto& [column, entry] : row) entry = scales.back() * entry;
+  }
+  return scales;
+}
+
+Vector scaled(Vector rows, const Vector& scales) {
+  for (std::size_t r = 0; r < rows.size(); ++r) rows[r] = scales[r] * rows[r];
+  return rows;
+}
 
 class Differentiator {
  public:
@@ -41,15 +59,17 @@ class Differentiator {
         if (const Expr slope = along.first(s.residuals[r]); !slope.is_zero())
           matrix[r].emplace(static_cast<int>(k), slope);
     }
+    // Lengths have rows of twice something: what waits for them does not wait for the doubling.
+    const Vector scales = take_factors(matrix);
     const CoreSystem core(matrix);
-    motion.increments = core.solve(s.residuals);
+    motion.increments = core.solve(scaled(s.residuals, scales));
     motion.pivots = core.pivots();
     motion.sizes = core.sizes();
 
     const std::vector<int> unknowns = unknowns_of(s);
     const auto complete = [&](const Vector& held, Vector residual_rates, const Vector& named) {
       for (Expr& r : residual_rates) r = -r;
-      Vector rates = core.solve(residual_rates);
+      Vector rates = core.solve(scaled(residual_rates, scales));
       for (std::size_t i = 0; i < held.size(); ++i) {
         Expr sum = held[i];
         for (std::size_t k = 0; k < torn; ++k) sum = sum + slopes[k][i] * named[s.torn[k]];

@@ -94,6 +94,12 @@ Graph::Scaled Graph::as_scaled(int id) const {
   return {-1, id};
 }
 
+double Graph::factor(int id) const {
+  if (nodes_[id].op == Op::negate) return factor(nodes_[id].a);
+  const int factor = as_scaled(id).factor;
+  return factor < 0 ? 1 : nodes_[factor].value;
+}
+
 bool Graph::is_reciprocal(int id, int of) const {
   const Node& n = nodes_[id];
   return n.op == Op::divide && is(n.a, 1) && n.b == of;

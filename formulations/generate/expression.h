@@ -54,6 +54,8 @@ class Graph {
   const std::vector<double>& samples(int id) const { return samples_[id]; }
   /// Whether the expression is this number.
   bool is(int id, double value) const;
+  /// The constant that the expression is a multiple of, as it stands; 1 where it is of none.
+  double factor(int id) const;
 
  private:
   /// A constant multiple: the constant's node (-1: it is none), and what it multiplies.
@@ -85,6 +87,7 @@ class Expr {
   bool is_constant() const { return Graph::current().node(id_).op == Op::constant; }
   bool moves() const { return Graph::current().node(id_).moves; }
   const std::vector<double>& samples() const { return Graph::current().samples(id_); }
+  double factor() const { return Graph::current().factor(id_); }
 
   friend Expr operator+(Expr a, Expr b) { return binary(Op::add, a, b); }
   friend Expr operator-(Expr a, Expr b) { return binary(Op::subtract, a, b); }

@@ -53,9 +53,7 @@ struct AnglesOfAll {
 class Truck final : public TreePeer {
  public:
   Truck(const Scene& scene, const Mechanism& mechanism, Guess guess)
-      : motions_(in_order(addresses(scene.motions))),
-        heights_{std::vector<double>(scene.motions.size()), {}, {}} {
-    heights_.qd = heights_.qdd = heights_.q;
+      : motions_(addresses(scene.motions)) {
     const int axles = static_cast<int>(scene.motions.size()) / 2;
     last_ = one_before_ = AnglesOfAll(axles);
     expected_ = Predictor(guess, {{0, 2 * axles}});
@@ -104,9 +102,9 @@ class Truck final : public TreePeer {
     Delivery out = delivery();
     out.put(Moving<Vec>{Vec::UnitY(), Vec::Zero(), Vec::Zero()});  // y1
     int iterations = 0;
-    motions_(t, heights_.q.data(), heights_.qd.data(), heights_.qdd.data());
+    const MotionRow heights = motions_(t);
     const auto height = [&](std::size_t wheel) {
-      return MotionSample<double>{heights_.q[wheel], heights_.qd[wheel], heights_.qdd[wheel]};
+      return MotionSample<double>{heights.z[wheel], heights.zd[wheel], heights.zdd[wheel]};
     };
     for (std::size_t a = 0; a < suspensions_.size(); ++a) {
       Suspension& s = suspensions_[a];
@@ -126,8 +124,7 @@ class Truck final : public TreePeer {
     return result;
   }
 
-  MotionsAhead motions_;
-  State heights_;  // of the left and the right wheels, axle after axle
+  MotionsAhead motions_;  // of the left and the right wheels, axle after axle
   Predictor expected_;
   std::vector<Suspension> suspensions_;
   AnglesOfAll last_, one_before_;  // solved; on the way to a solution what is expected
