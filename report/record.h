@@ -90,7 +90,7 @@ struct Cell {
   std::string message;  ///< why it failed or was not run
   Origin origin;
   std::vector<double> cpu_seconds;  ///< one per repetition; never empty when ok, always when not
-  Segments segments;                ///< Settings::segments when ok
+  Segments segments;  ///< Settings::segments when ok; one where several threads solved it
   std::optional<Verification> verification;  ///< always when ok
   std::optional<double> setup_seconds;
   std::optional<double> iterations_per_step;

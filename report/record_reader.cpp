@@ -66,7 +66,18 @@ std::vector<double> instants_of_segments(std::int64_t instants, std::size_t coun
   return of_each;
 }
 
-// None in a record without segments. They are all that a repetition consists of, so that their
+// What several threads deliver comes now from one of them and now from another: what passes until so
+// many instants are there is no piece of the motion, and the least of such times belong to none.
+Segments one_segment(const Settings& settings, const std::vector<double>& seconds) {
+  Segments whole{.least = {std::ranges::min(seconds)},
+                 .instants = {static_cast<double>(settings.instants)},
+                 .updates = {0},
+                 .samples = {}};
+  for (const double sample : seconds) whole.samples.push_back({sample});
+  return whole;
+}
+
+// None in a record without segments, and of several threads one alone. They are all that a repetition consists of, so that their
 // least times cannot add up to more than the least repetition; a thousandth is left to the clock.
 Segments read_segments(const JsonNode& node, const Settings& settings,
                        const std::vector<double>& cpu_seconds) {
@@ -79,6 +90,7 @@ Segments read_segments(const JsonNode& node, const Settings& settings,
   const double sum = std::accumulate(segments.least.begin(), segments.least.end(), 0.0);
   if (sum > 1.001 * *std::ranges::min_element(cpu_seconds))
     least.complain("together they are longer than a whole repetition");
+  if (node.find("threads")) return one_segment(settings, cpu_seconds);
   const auto samples = node.find("segment_samples");
   if (!samples) return segments;
   for (const JsonNode& sample : samples->elements())

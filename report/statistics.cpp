@@ -87,10 +87,10 @@ Summary summarise(std::span<const double> samples, const Segments& segments) {
 }
 
 SpeedUp speed_up(const Summary& reference, const Summary& variant) {
+  const bool sampled = reference.without_best && variant.without_best;
   const bool paired =
       reference.segments.size() > 1 && reference.segments.size() == variant.segments.size();
   // S = t_global / t_topological
-  const bool sampled = paired && reference.without_best && variant.without_best;
   const double ratio = sampled  ? reference.value / variant.value
                        : paired ? sum(reference.segments) / sum(variant.segments)
                                 : reference.median / variant.median;
@@ -99,12 +99,12 @@ SpeedUp speed_up(const Summary& reference, const Summary& variant) {
             .high = reference.median_high / variant.median_low,
             .percent = 100 * (1 - 1 / ratio),
             .spread = reference.count > 1 && variant.count > 1};
-  if (!paired) return s;
   if (sampled) {
     s.low = reference.value / *variant.without_best;
     s.high = *reference.without_best / variant.value;
     return s;
   }
+  if (!paired) return s;
   const double half = half_width_of_ratio(reference.segments, variant.segments);
   s.low = std::max(0.0, ratio - half);
   s.high = ratio + half;

@@ -60,8 +60,8 @@ struct SpeedUp {
   bool inconclusive() const { return spread && half_width() > widest_conclusive; }
 };
 
-/// Of undisturbed times, where segments are known of both as well and as many; otherwise of the
-/// medians.
+/// Of undisturbed times, where samples of segments are known of both, or their least times and of
+/// as many; otherwise of the medians.
 SpeedUp speed_up(const Summary& reference, const Summary& variant);
 
 /// Each member the arithmetic mean over the sizes, as in the last row of the paper's table 2; the

@@ -36,7 +36,8 @@ class Timed {
   virtual Summary analyse() = 0;
 
   /// Makes what is timed anew, analyses once and discards it, on a fresh heap (see on_fresh_heap);
-  /// seconds of the analysis. Needs State::verified.
+  /// seconds of the analysis. On several threads, which wait for each other while the system gives a
+  /// processor to somebody else, the least of several analyses. Needs State::verified.
   double time_afresh();
 
   /// Grows with the time of an analysis, before anything is known of it.
@@ -56,7 +57,7 @@ class Timed {
   std::string message;              ///< why it failed or was not run
   std::string model;                ///< digest of the model it solves; empty: there is none
   std::string results;              ///< digest of what was compared with the reference, or empty
-  std::vector<double> cpu_seconds;  ///< one for each repetition, of `clock`
+  std::vector<double> cpu_seconds;  ///< one for each repetition, of `clock`: time_afresh()
   Segments segments;                ///< of all analyses
   double analysis_seconds = 0;      ///< of the one that was verified
   Errors errors;                    ///< from the reference
