@@ -66,8 +66,8 @@ std::vector<double> instants_of_segments(std::int64_t instants, std::size_t coun
   return of_each;
 }
 
-// What several threads deliver comes now from one of them and now from another: what passes until so
-// many instants are there is no piece of the motion, and the least of such times belong to none.
+// What several threads deliver comes now from one of them and now from another: what passes until
+// so many instants are there is no piece of the motion, and the least of such times belong to none.
 Segments one_segment(const Settings& settings, const std::vector<double>& seconds) {
   Segments whole{.least = {std::ranges::min(seconds)},
                  .instants = {static_cast<double>(settings.instants)},
@@ -77,8 +77,9 @@ Segments one_segment(const Settings& settings, const std::vector<double>& second
   return whole;
 }
 
-// None in a record without segments, and of several threads one alone. They are all that a repetition consists of, so that their
-// least times cannot add up to more than the least repetition; a thousandth is left to the clock.
+// None in a record without segments, and of several threads one alone. They are all that a
+// repetition consists of, so that their least times cannot add up to more than the least
+// repetition; a thousandth is left to the clock.
 Segments read_segments(const JsonNode& node, const Settings& settings,
                        const std::vector<double>& cpu_seconds) {
   Segments segments;

@@ -40,6 +40,15 @@ TEST_F(Expressions, FoldConstantsAndIdentities) {
   EXPECT_TRUE(graph.is((Expr(2) * 3.0 + sin(Expr(0))).id(), 6));
 }
 
+TEST_F(Expressions, TellWhatTheyAreMultiplesOf) {
+  EXPECT_EQ((2 * x).factor(), 2);
+  EXPECT_EQ((x * 2).factor(), 2);
+  EXPECT_EQ((-(2 * (x + y))).factor(), 2);
+  EXPECT_EQ((2 * x - 2 * y).factor(), 2);
+  for (const Expr e : {x, -x, x * y, x + 2.0, 2 * x + y, Expr(2)}) EXPECT_EQ(e.factor(), 1);
+  EXPECT_EQ((0.5 * -(2 * x)).id(), (-x).id());
+}
+
 TEST_F(Expressions, ShareCommonSubexpressions) {
   EXPECT_EQ((x + y).id(), (y + x).id());
   EXPECT_EQ((x * y).id(), (y * x).id());

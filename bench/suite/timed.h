@@ -36,8 +36,8 @@ class Timed {
   virtual Summary analyse() = 0;
 
   /// Makes what is timed anew, analyses once and discards it, on a fresh heap (see on_fresh_heap);
-  /// seconds of the analysis. On several threads, which wait for each other while the system gives a
-  /// processor to somebody else, the least of several analyses. Needs State::verified.
+  /// seconds of the analysis. On several threads, which wait for each other while the system gives
+  /// a processor to somebody else, the least of several analyses. Needs State::verified.
   double time_afresh();
 
   /// Grows with the time of an analysis, before anything is known of it.

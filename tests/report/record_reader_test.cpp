@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <vector>
+
 #include "tests/report/sample.h"
 
 namespace desmo::report {
@@ -209,6 +212,27 @@ TEST(RecordReader, ReadsTheSegmentsOfEverythingTimed) {
   for (const Request& request : record.requests)
     EXPECT_EQ(request.segments.least.size(), request.status == Status::ok ? 25u : 0u);
   EXPECT_TRUE(record_from(structured_record()).cells.begin()->second.segments.least.empty());
+}
+
+/// And leaves alone what they say of segments, if that is no more than a repetition.
+TEST(RecordReader, TakesAsAWholeWhatSeveralThreadsSolve) {
+  Json json = with_segments(complete_record());
+  json["cells"][3]["threads"] = 2;
+  const std::vector<double> seconds = json["cells"][3]["cpu_seconds"];
+  const Record record = record_from(json);
+  int of_threads = 0;
+  for (const auto& [key, cell] : record.cells)
+    if (cell.segments.samples.size() == seconds.size()) {
+      ++of_threads;
+      EXPECT_EQ(key.id, json["cells"][3]["id"]);
+      EXPECT_EQ(cell.cpu_seconds, seconds);
+      for (std::size_t r = 0; r < seconds.size(); ++r)
+        EXPECT_EQ(cell.segments.samples[r], std::vector{seconds[r]});
+      EXPECT_DOUBLE_EQ(undisturbed(cell.segments), std::ranges::min(seconds));
+    }
+  EXPECT_EQ(of_threads, 1);
+  json["cells"][3]["segment_seconds"][7] = 100;
+  EXPECT_CONTAINS(complaint(json), "together they are longer than");
 }
 
 TEST(RecordReader, RefusesSegmentsThatAreNotAll) {

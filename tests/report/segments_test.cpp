@@ -116,6 +116,20 @@ TEST(UndisturbedTime, AgreesFromRunToRun) {
   EXPECT_GT(conclusive, runs * 9 / 10);
 }
 
+/// Of several threads there is one segment, the whole: beside others its samples count as theirs.
+TEST(UndisturbedTime, OfOneSegmentIsTheLeastAnalysis) {
+  const Segments many = segments_of(varied_updates(), 3);
+  Segments one{
+      .least = {0.5}, .instants = {3000}, .updates = {0}, .samples = {{0.6}, {0.5}, {0.52}}};
+  EXPECT_DOUBLE_EQ(undisturbed(one), 0.5);
+  EXPECT_DOUBLE_EQ(undisturbed_without_best(one), 0.52);
+  const Summary reference = summarise(std::vector{9.0, 8.0}, many),
+                threads = summarise(std::vector{0.6, 0.5, 0.52}, one);
+  const SpeedUp s = speed_up(reference, threads);
+  EXPECT_DOUBLE_EQ(s.value, reference.value / 0.5);
+  EXPECT_DOUBLE_EQ(s.low, reference.value / 0.52);
+}
+
 TEST(UndisturbedTime, WithoutUpdatesOnEitherSideSpeedUpsAreRatiosOfSums) {
   const Segments samples = segments_of(varied_updates(), 3);
   Segments least_only;
