@@ -138,8 +138,9 @@ void Formulation::sample_drivers() {
     if (in_row[coordinate] < 0) add(coordinate);
     drivers_.push_back({coordinate, in_row[coordinate]});
   }
-  drive_state_ = drivers_;
+  driven_in_state_ = drivers_;
   motions_ = MotionsAhead(std::move(sampled));
+  sampled_ = {};
 }
 
 /// Of moving parts behind each other that are solved to the same level.
@@ -183,15 +184,19 @@ void Formulation::want(std::span<const int> coordinates, bool in_rooms) {
     const auto& [groups, unknowns, equations, constant] = part.definition;
     are_read(part.solver->starts_from(unknowns));
     are_read(part.solver->stays_near());
-    const Keeper* const keeper = part.solver->keeper();
-    const std::vector<int> driven = keeper ? keeper->drivers() : std::vector<int>();
+    if (const Keeper* const keeper = part.solver->keeper()) {
+      are_read(keeper->reads());
+      continue;
+    }
     for (const int i : states_read(mechanism_, part.definition))
-      if (!std::ranges::binary_search(unknowns, i) && std::ranges::find(driven, i) == driven.end())
-        read[i] = true;
+      if (!std::ranges::binary_search(unknowns, i)) read[i] = true;
   }
   for (const DefinedPart& part : parts_) part.solver->write_only(read);
-  drive_state_.clear();
-  std::ranges::copy_if(drivers_, std::back_inserter(drive_state_),
+  for (const Driven& driver : drivers_)
+    if (std::ranges::find(keepers_.drivers(), driver.coordinate) == keepers_.drivers().end())
+      read[driver.coordinate] = true;  // nobody else keeps it
+  driven_in_state_.clear();
+  std::ranges::copy_if(drivers_, std::back_inserter(driven_in_state_),
                        [&](const Driven& driver) { return read[driver.coordinate]; });
 }
 
@@ -217,21 +222,25 @@ void Formulation::solve_only(std::span<const Level> needed) {
 void Formulation::begin_step(double t) {
   const Past past{t - now_.time, now_.time - then_.time, now_.level, then_.level};
   std::swap(state_, before_);
-  const MotionRow row = drive(t);
+  drive(t);
   const State &last = before_, &one_before = state_;
   for (std::size_t level = 0; level < predictors_.size(); ++level)
     if (Predictor& predictor = predictors_[level]; !predictor.empty())
       predictor(past.up_to(static_cast<Level>(level)), last, one_before, state_.q.data());
   for (const int i : near_) state_.q[i] = before_.q[i];
-  keepers_.begin_step(past, row);
+  keepers_.begin_step(past, sampled_);
 }
 
 /// As the function of that name, all drivers at once, as far as they are read in the state.
-MotionRow Formulation::drive(double t) {
-  const MotionRow row = motions_(t);
-  for (const auto& [coordinate, in_row] : drive_state_)
-    set(state_, coordinate, {row.z[in_row], row.zd[in_row], row.zdd[in_row]});
-  return row;
+void Formulation::drive(double t) {
+  sampled_ = motions_(t);
+  write(driven_in_state_);
+}
+
+/// As they were sampled last, to the state.
+void Formulation::write(std::span<const Driven> drivers) {
+  for (const auto& [coordinate, in_row] : drivers)
+    set(state_, coordinate, {sampled_.z[in_row], sampled_.zd[in_row], sampled_.zdd[in_row]});
 }
 
 Summary Formulation::solve(std::span<const Stage> stages, double t, Level level) {
@@ -257,6 +266,7 @@ Summary Formulation::solve(std::span<const Stage> stages, double t, Level level)
       const PartDefinition& definition = parts_[stage.part].definition;
       summary.status = r.status;
       keepers_.write_last(before_.q);
+      if (sampled_.z) write(drivers_);  // which the search needs
       for (const int i : definition.unknowns) state_.q[i] = before_.q[i];
       const Culprit c = find_culprit(mechanism_, definition.groups, state_.q, settings_);
       summary.group = c.group;

@@ -205,13 +205,15 @@ class Formulation {
   bool solve_next(int i, double t, const Request& request, Sink& sink, Summary& total);
   std::optional<Summary> run_at_once(const TimeGrid& grid, const Request& request, Sink& sink);
   void begin_step(double t);
-  MotionRow drive(double t);
+  void drive(double t);
+  void write(std::span<const Driven> drivers);
   Summary solve(std::span<const Stage> stages, double t, Level level);
 
   const Mechanism& mechanism_;
-  MotionsAhead motions_;             // of the drivers, those that keepers want first
-  std::vector<Driven> drivers_;      // of the mechanism …
-  std::vector<Driven> drive_state_;  // … and those that are read in the state
+  MotionsAhead motions_;                 // of the drivers, those that keepers want first
+  MotionRow sampled_{};                  // what they do at the instant driven to last
+  std::vector<Driven> drivers_;          // of the mechanism …
+  std::vector<Driven> driven_in_state_;  // … and those that are read in the state
   std::vector<DefinedPart> parts_;
   std::vector<Stage> constant_, moving_;        // those that depend on no driver, and the others
   std::vector<std::unique_ptr<PartRun>> runs_;  // of moving ones

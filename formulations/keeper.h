@@ -20,6 +20,8 @@ class Keeper {
   /// as often as they stand there. What is said below of its unknowns is true of these, too. Where
   /// no step was begun, solve() reads them in the state.
   virtual std::vector<int> drivers() const = 0;
+  /// What it reads in the state in every step.
+  virtual std::vector<int> reads() const = 0;
 
   /// Before a step. past: of the instants solved, of which the last is kept; where it is unknown,
   /// as after a failure, solve() starts from the positions in the state, which are then complete,
@@ -33,8 +35,8 @@ class Keeper {
   virtual void write(State& state) const = 0;
 
   /// slots: for each position in the state, its place in rooms to come, or −1; becomes −1 where it
-  /// is this that fills it.
-  virtual void prepare_rooms(std::span<int> slots) = 0;
+  /// is this that fills it. drivers_too: or its unknowns alone.
+  virtual void prepare_rooms(std::span<int> slots, bool drivers_too) = 0;
   /// Puts the instant solved last into such a room, as far as `level`.
   virtual void fill(const Room& room, Level level) const = 0;
 };

@@ -32,7 +32,8 @@ void Keepers::prepare_rooms(std::span<const int> coordinates, const Mechanism& m
   const std::vector<int> named = coordinates_in_room(coordinates, mechanism.coordinates());
   std::vector<int> slots(mechanism.state_size(), -1);
   for (std::size_t n = 0; n < named.size(); ++n) slots[named[n]] = static_cast<int>(n);
-  for (const Kept& kept : keepers_) kept.keeper->prepare_rooms(slots);
+  for (const Kept& kept : keepers_)  // what is filled to a lower level has drivers up to that only
+    kept.keeper->prepare_rooms(slots, kept.level == Level::acceleration);
   not_kept_.clear();
   for (const int i : named)
     if (slots[i] >= 0) not_kept_.push_back({i, slots[i]});

@@ -98,7 +98,7 @@ LaneBatch::LaneBatch(std::span<Copy> copies, const CopyKernels& kernels,
   undriven_ = LaneSources(driven_, places_);
   starts_ = LaneSources(starts, places_);
   unknowns_.assign(unknowns.begin(), unknowns.end());
-  std::ranges::set_union(unknowns_, driven_, std::back_inserter(kept_numbers_));
+  std::ranges::set_union(unknowns_, driven_, std::back_inserter(own_));
   near_.assign(near.begin(), near.end());
   std::erase_if(starts, [&](int n) { return near.contains(n); });
   std::vector<CoordinateRun> runs = runs_of(starts);
@@ -116,6 +116,15 @@ std::vector<int> LaneBatch::drivers() const {
   std::vector<int> all;
   for (const int n : driven_)
     for (const std::vector<int>& of_lane : places_) all.push_back(of_lane[n]);
+  return all;
+}
+
+/// Copies that are solved alone read more than kernels do.
+std::vector<int> LaneBatch::reads() const {
+  std::vector<int> all;
+  for (const std::vector<int>& of_lane : places_)
+    for (int n = 0; n < static_cast<int>(of_lane.size()); ++n)
+      if (!std::ranges::binary_search(own_, n)) all.push_back(of_lane[n]);
   return all;
 }
 
@@ -176,7 +185,7 @@ const LaneBatch::Step& LaneBatch::solve(const State& s) {
 void LaneBatch::take(const State& s) {
   for (LaneState* values : {now_, before_}) constants_.gather<1>({s.q.data()}, {values->q.data()});
   for (std::size_t l = 0; l < lanes_; ++l)
-    for_numbers(kept_numbers_, l, [&](std::size_t in_lane, int place) {
+    for_numbers(own_, l, [&](std::size_t in_lane, int place) {
       now_->q[in_lane] = s.q[place];
       now_->qd[in_lane] = s.qd[place];
       now_->qdd[in_lane] = s.qdd[place];
@@ -189,8 +198,7 @@ void LaneBatch::take(const State& s) {
 void LaneBatch::write_read(State& s, Level level) const {
   if (!predicted_)
     for (std::size_t l = 0; l < copies_.size(); ++l)
-      for_numbers(kept_numbers_, l,
-                  [&](std::size_t in_lane, int place) { s.q[place] = now_->q[in_lane]; });
+      for_numbers(own_, l, [&](std::size_t in_lane, int place) { s.q[place] = now_->q[in_lane]; });
   scatter(read_, level, {predicted_ ? s.q.data() : nullptr, s.qd.data(), s.qdd.data()});
 }
 
@@ -203,8 +211,7 @@ void LaneBatch::write(std::span<const int> numbers, std::size_t copy, State& s) 
 }
 
 void LaneBatch::write_last(std::size_t copy, std::span<double> q) const {
-  for_numbers(kept_numbers_, copy,
-              [&](std::size_t in_lane, int place) { q[place] = before_->q[in_lane]; });
+  for_numbers(own_, copy, [&](std::size_t in_lane, int place) { q[place] = before_->q[in_lane]; });
 }
 
 void LaneBatch::write_only(const std::vector<bool>& read) {
@@ -213,7 +220,9 @@ void LaneBatch::write_only(const std::vector<bool>& read) {
   read_ = targets(unknowns_, slots);
 }
 
-void LaneBatch::prepare_rooms(std::span<int> slots) { asked_ = targets(kept_numbers_, slots); }
+void LaneBatch::prepare_rooms(std::span<int> slots, bool drivers_too) {
+  asked_ = targets(drivers_too ? own_ : unknowns_, slots);
+}
 
 /// Each slot once: it becomes −1.
 LaneTargets LaneBatch::targets(std::span<const int> numbers, std::span<int> slots) const {

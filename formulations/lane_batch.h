@@ -44,12 +44,13 @@ class LaneBatch {
 
   /// See Keeper.
   std::vector<int> drivers() const;
+  std::vector<int> reads() const;
   void begin_step(const Past& past, const MotionRow& row);
   /// So many numbers of the row are those of its drivers.
   std::size_t in_row() const { return driven_.size() * lanes_; }
   /// Whether the step starts from the instant before, which is kept, and not from the state.
   bool predicted() const { return predicted_; }
-  void forget() { assembled_ = kept_ = predicted_ = false; }
+  void forget() { assembled_ = kept_ = predicted_ = is_driven_ = false; }
 
   /// Solves positions, velocities and accelerations of all copies, where the kernels may go on;
   /// otherwise none is accepted. What is not accepted is of no meaning.
@@ -61,14 +62,14 @@ class LaneBatch {
   void write_read(State& state, Level level) const;
   void write_only(const std::vector<bool>& read);
   /// All of one copy.
-  void write(std::size_t copy, State& state) const { write(kept_numbers_, copy, state); }
-  /// Its drivers.
+  void write(std::size_t copy, State& state) const { write(own_, copy, state); }
+  /// Its drivers, which it reads in the state when it is solved alone.
   void write_driven(std::size_t copy, State& state) const { write(driven_, copy, state); }
   /// Positions of the instant before.
   void write_last(std::size_t copy, std::span<double> q) const;
 
   /// See Keeper.
-  void prepare_rooms(std::span<int> slots);
+  void prepare_rooms(std::span<int> slots, bool drivers_too);
   void fill(const Room& room, Level level) const;
 
  private:
@@ -85,9 +86,9 @@ class LaneBatch {
   std::size_t lanes_;
   LanePlaces places_;  // in the state, of all that a copy reads and writes: local inputs
   std::vector<int> unknowns_, driven_;  // local, ascending …
-  std::vector<int> kept_numbers_;       // … and both
+  std::vector<int> own_;                // … and both
   LaneSources constants_, moving_;      // of others: once, and in every step
-  LaneSources undriven_;                // of drivers, where drive() has not said what they do
+  LaneSources undriven_;                // of drivers, where no step was begun
   LaneSources starts_;                  // of its own
   std::vector<int> near_;               // of these, angles that stay near the last
   LaneTargets read_, asked_;

@@ -20,22 +20,17 @@ const CopyKernels& kernels_for(std::size_t copies, const std::vector<CopyKernels
 }  // namespace
 
 LanePart::LanePart(std::vector<CopyKernels> kernels, std::vector<Copy> copies,
-                   std::vector<StateKind> kinds, Guess guess)
+                   const std::vector<StateKind>& kinds, Guess guess)
     : copies_(std::move(copies)), last_(kinds.size()) {
-  std::span<Copy> in_lanes = copies_;
-  if (copies_.size() % static_cast<std::size_t>(kernels.back().front()->lanes) == 1) {
-    left_over_ = &copies_.back();
-    in_lanes = in_lanes.first(copies_.size() - 1);
-    for (const auto& member : *left_over_)
-      for (const int i : member->inputs())  // in the state, drivers too
-        if (kinds[i] == StateKind::driven) kinds[i] = StateKind::solved;
-  }
-  while (!in_lanes.empty()) {
-    const CopyKernels& chosen = kernels_for(in_lanes.size(), kernels);
+  for (std::span<Copy> left = copies_; !left.empty();) {
+    const CopyKernels& chosen = kernels_for(left.size(), kernels);
     const std::size_t taken =
-        std::min(in_lanes.size(), static_cast<std::size_t>(chosen.front()->lanes));
-    batches_.emplace_back(in_lanes.first(taken), chosen, kinds, guess);
-    in_lanes = in_lanes.subspan(taken);
+        std::min(left.size(), static_cast<std::size_t>(chosen.front()->lanes));
+    if (taken == 1)
+      left_over_ = &left.front();
+    else
+      batches_.emplace_back(left.first(taken), chosen, kinds, guess);
+    left = left.subspan(taken);
   }
 }
 
@@ -123,6 +118,15 @@ std::vector<int> LanePart::drivers() const {
   return all;
 }
 
+std::vector<int> LanePart::reads() const {
+  std::vector<int> all;
+  for (const LaneBatch& batch : batches_) std::ranges::copy(batch.reads(), std::back_inserter(all));
+  if (left_over_)
+    for (const auto& member : *left_over_)
+      std::ranges::copy(member->inputs(), std::back_inserter(all));
+  return all;
+}
+
 void LanePart::begin_step(const Past& past, const MotionRow& row) {
   std::size_t first = 0;
   for (LaneBatch& batch : batches_) {
@@ -142,8 +146,8 @@ void LanePart::write(State& s) const {
     for (std::size_t l = 0; l < batch.copies().size(); ++l) batch.write(l, s);
 }
 
-void LanePart::prepare_rooms(std::span<int> slots) {
-  for (LaneBatch& batch : batches_) batch.prepare_rooms(slots);
+void LanePart::prepare_rooms(std::span<int> slots, bool drivers_too) {
+  for (LaneBatch& batch : batches_) batch.prepare_rooms(slots, drivers_too);
 }
 
 void LanePart::fill(const Room& room, Level level) const {

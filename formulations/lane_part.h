@@ -17,8 +17,8 @@ class LanePart final : public GuardedPart, public Keeper {
  public:
   /// kernels: one or more, each for more lanes than the one before. copies: two or more, as alike
   /// as are_copies() says. kinds: of each position in the state. guess: from which a step starts.
-  LanePart(std::vector<CopyKernels> kernels, std::vector<Copy> copies, std::vector<StateKind> kinds,
-           Guess guess);
+  LanePart(std::vector<CopyKernels> kernels, std::vector<Copy> copies,
+           const std::vector<StateKind>& kinds, Guess guess);
 
   PartResult solve(State& state, std::span<const double> last, Level level) override;
   /// Of the copy that is left over, if one is: what is kept starts from there.
@@ -29,10 +29,11 @@ class LanePart final : public GuardedPart, public Keeper {
   Keeper* keeper() override { return this; }
 
   std::vector<int> drivers() const override;
+  std::vector<int> reads() const override;
   void begin_step(const Past& past, const MotionRow& row) override;
   void write_last(std::span<double> q) const override;
   void write(State& state) const override;
-  void prepare_rooms(std::span<int> slots) override;
+  void prepare_rooms(std::span<int> slots, bool drivers_too) override;
   void fill(const Room& room, Level level) const override;
 
   /// Of its members.

@@ -9,7 +9,7 @@ namespace {
 
 int whole_lines(std::size_t numbers) {
   constexpr std::size_t line = LaneAllocator<double>::alignment / sizeof(double);
-  return static_cast<int>((numbers / line + 1) * line);
+  return static_cast<int>(std::max<std::size_t>(1, (numbers + line - 1) / line) * line);
 }
 
 }  // namespace

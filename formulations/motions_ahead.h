@@ -12,7 +12,7 @@ namespace desmo {
 
 /// z, ż and z̈ of several motions at one time, in their order.
 struct MotionRow {
-  const double *z, *zd, *zdd;
+  const double *z = nullptr, *zd = nullptr, *zdd = nullptr;
 
   /// Those from number `first` on.
   MotionRow from(std::size_t first) const { return {z + first, zd + first, zdd + first}; }

@@ -25,6 +25,16 @@ constexpr std::array<double, points> point{0.069431844202973712388, 0.3300094782
 constexpr std::array<double, points> weight{0.17392742256872692869, 0.32607257743127307131,
                                             0.32607257743127307131, 0.17392742256872692869};
 
+/// Whether the intervals are so many times h.
+template <std::size_t size>
+bool are_ratios(const std::array<double, size>& intervals, const std::array<double, size>& ratios,
+                double h) {
+  bool all = true;
+  for (std::size_t j = 0; j < size; ++j)
+    all &= std::abs(intervals[j] - ratios[j] * h) < same * std::abs(intervals[j]);
+  return all;
+}
+
 }  // namespace
 
 RateHistory::RateHistory(std::span<const CoordinateRun> runs) {
@@ -93,20 +103,14 @@ void RateHistory::lead<1>(const Change& change, const double* last, double* q) {
   for (std::size_t n = 0; n < blocks_.size(); ++n) q[blocks_[n]] = last[blocks_[n]] + changes_[n];
 }
 
-inline bool RateHistory::weighed_for(double h) const {
-  bool all = true;
-  for (std::size_t j = 0; j < weighed_.size(); ++j)
-    all &= std::abs(intervals_[j] - weighed_[j] * h) < same * std::abs(intervals_[j]);
-  return all;
-}
-
 bool RateHistory::lead_on(double interval, double h, const double* last, const double* qd,
                           const double* qdd, double* q) {
   known_ = std::min(known_ + 1, instants);
   newest_ = (newest_ + 1) % instants;  // in the place of the oldest
   for (std::size_t j = intervals_.size() - 1; j > 0; --j) intervals_[j] = intervals_[j - 1];
   intervals_[0] = interval;
-  const bool leads = known_ == instants && h != 0 && (weighed_for(h) || weigh(h));
+  const bool leads =
+      known_ == instants && h != 0 && (are_ratios(intervals_, weighed_, h) || weigh(h));
   const auto go = [&](auto block) {
     remember<block()>(qd, qdd);
     if (leads) lead<block()>(Change(*this, h), last, q);

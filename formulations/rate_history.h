@@ -37,7 +37,6 @@ class RateHistory {
   /// By age: of the last instant at instants − 1, of the one before it a place before, and so on
   /// around, so that from any place on stand those of all.
   using Weights = std::array<double, 2 * instants - 1>;
-  bool weighed_for(double h) const;
   bool weigh(double h);
   struct Change;
   template <std::size_t block>

@@ -121,6 +121,20 @@ bool has_samples_of_segments(const Record& record) {
       record.cells, [](const auto& cell) { return !cell.second.segments.samples.empty(); });
 }
 
+namespace {
+
+bool is_whole(const Segments& segments) { return segments.least.size() == 1; }
+
+/// Whether something was solved on several threads.
+bool has_threads(const Record& record) {
+  return std::ranges::any_of(record.cells,
+                             [](const auto& cell) { return is_whole(cell.second.segments); }) ||
+         std::ranges::any_of(record.requests,
+                             [](const Request& request) { return is_whole(request.segments); });
+}
+
+}  // namespace
+
 TimeWords time_words(const Record& record) {
   if (!record.settings.segments) return {"median", "medians", "[its interval]", {}};
   const std::string segments =
@@ -129,7 +143,10 @@ TimeWords time_words(const Record& record) {
           has_samples_of_segments(record)
               ? "Undisturbed time: of " + segments +
                     " in all repetitions, the lower convex envelope of CPU time over Newton "
-                    "updates, both an instant, at the updates of the whole motion. Interval of a "
+                    "updates, both an instant, at the updates of the whole motion" +
+                    (has_threads(record) ? "; on several threads the least repetition, by the wall "
+                                           "clock. Interval of a "
+                                         : ". Interval of a ") +
                     "ratio: without the best repetition of either side."
               : "Undisturbed time: of each of " + segments +
                     " the least CPU time that any repetition took, summed. Interval of a ratio: "

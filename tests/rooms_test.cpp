@@ -66,6 +66,19 @@ TEST_P(OnLanes, RoomsHoldWhatSinksAreHanded) {
   }
 }
 
+/// Whatever is left out of the axles that they drive.
+TEST_P(OnLanes, RoomsHoldDriversAtEveryLevel) {
+  const auto f = make(), g = make();
+  std::vector<int> drivers;
+  for (const Driver& d : truck().drivers) drivers.push_back(truck().entities[d.coordinate].first);
+  f->solve_only(std::vector<Level>(truck().coordinates(), Level::position));
+  Everything whole(grid.instants, false);
+  Rooms rooms(grid.instants, drivers, Level::acceleration);
+  ASSERT_TRUE(g->run(grid, {}, whole).ok());
+  ASSERT_TRUE(f->run(grid, {Level::acceleration, drivers}, rooms).ok());
+  expect_in_rooms(rooms, drivers, Level::acceleration, whole.all);
+}
+
 TEST_P(OnLanes, NothingIsMissingBehindARunThatWasAskedForLittle) {
   const auto f = make(), g = make();
   Everything whole(grid.instants, false);

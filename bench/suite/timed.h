@@ -35,9 +35,10 @@ class Timed {
   /// The whole analysis, as timed. Needs State::verified; a failure turns it into State::failed.
   virtual Summary analyse() = 0;
 
-  /// Makes what is timed anew, analyses once and discards it, on a fresh heap (see on_fresh_heap);
-  /// seconds of the analysis. On several threads, which wait for each other while the system gives
-  /// a processor to somebody else, the least of several analyses. Needs State::verified.
+  /// Makes what is timed anew, analyses and discards it, on a fresh heap (see on_fresh_heap);
+  /// seconds of the analysis. It is the only one; on several threads, which wait for each other
+  /// while the system gives a processor to somebody else, the least of some. Needs
+  /// State::verified.
   double time_afresh();
 
   /// Grows with the time of an analysis, before anything is known of it.
