@@ -192,12 +192,12 @@ void Formulation::want(std::span<const int> coordinates, bool in_rooms) {
       if (!std::ranges::binary_search(unknowns, i)) read[i] = true;
   }
   for (const DefinedPart& part : parts_) part.solver->write_only(read);
-  for (const Driven& driver : drivers_)
-    if (std::ranges::find(keepers_.drivers(), driver.coordinate) == keepers_.drivers().end())
-      read[driver.coordinate] = true;  // nobody else keeps it
+  std::vector<bool> kept(read.size());
+  for (const int i : keepers_.drivers()) kept[i] = true;
   driven_in_state_.clear();
-  std::ranges::copy_if(drivers_, std::back_inserter(driven_in_state_),
-                       [&](const Driven& driver) { return read[driver.coordinate]; });
+  std::ranges::copy_if(drivers_, std::back_inserter(driven_in_state_), [&](const Driven& driver) {
+    return read[driver.coordinate] || !kept[driver.coordinate];
+  });
 }
 
 /// In the sink's rooms where that saves anything.
