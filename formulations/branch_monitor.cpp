@@ -9,7 +9,9 @@ namespace desmo {
 
 namespace {
 
-constexpr double relative = 1e-6;
+/// Of what an equation adds up, by which it may be off: what rounding, or so many times a coarse
+/// tolerance, leaves, and less than another branch does.
+constexpr double least = 1e-6, of_tolerance = 1e3, most = 0.1;
 
 bool is_watched(const Constraint& constraint) {
   bool modulo_pi = false;
@@ -26,8 +28,9 @@ bool is_solved_to(const Plan& plan, const Constraint& constraint, Level level) {
 
 }  // namespace
 
-BranchMonitor::BranchMonitor(const Plan& plan)
+BranchMonitor::BranchMonitor(const Plan& plan, double tolerance)
     : plan_(plan),
+      allowed_(std::clamp(of_tolerance * tolerance, least, most)),
       state_(plan.mechanism.state_size()),
       rate_(plan.mechanism.state_size()),
       last_(plan.mechanism.estimate),
@@ -73,8 +76,8 @@ int BranchMonitor::violated(const Instant& instant) {
       }
       for (int r = 0; r < Kind::rows; ++r)
         if (constraint.left_out >> r & 1)
-          holds = holds && std::abs(phi[r]) <= relative * size[r] &&
-                  std::abs(rate[r]) <= relative * (rate_size[r] + size[r]);
+          holds = holds && std::abs(phi[r]) <= allowed_ * size[r] &&
+                  std::abs(rate[r]) <= allowed_ * (rate_size[r] + size[r]);
     });
     if (!holds) return c;
   }

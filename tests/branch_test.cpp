@@ -32,8 +32,8 @@ class Position {
     return *std::ranges::find(plan.mechanism.constraints, name, &Constraint::name);
   }
   /// The constraint that the monitor names; empty: none.
-  std::string violated(bool with_velocity = true) {
-    BranchMonitor monitor(plan);
+  std::string violated(bool with_velocity = true, double tolerance = 1e-11) {
+    BranchMonitor monitor(plan, tolerance);
     const int c = monitor.violated(
         {0, 0, q, with_velocity ? std::span<const double>(qd) : std::span<const double>(), {}});
     return c < 0 ? "" : plan.mechanism.constraints[c].name;
@@ -81,6 +81,20 @@ TEST(Branch, OfEquationsLeftOut) {
   EXPECT_EQ(p.violated(false), "theta: definition");
 }
 
+/// What positions are solved short of their solution is not another branch.
+TEST(Branch, LeavesEquationsLeftOutAsMuchAsTheTolerance) {
+  Position p(model(crank(), turning).mechanism);
+  p.constraint("theta: definition").left_out = 2;  // its sine
+  p.constraint("crank: A-B length").left_out = 0;
+  const int B = p.plan.mechanism.entities[p.plan.mechanism.find("B")].first;
+  p.q[B + 1] *= 1 + 1e-5;
+  EXPECT_EQ(p.violated(), "theta: definition");
+  EXPECT_EQ(p.violated(true, 1e-7), "");
+  p.q[B + 1] = -p.q[B + 1];
+  EXPECT_EQ(p.violated(false, 1e-2), "theta: definition");
+  EXPECT_EQ(p.violated(false, 1), "theta: definition");
+}
+
 TEST(Branch, OfConstraintsLeftOutWhole) {
   Position p(model(crank(), turning).mechanism);
   const int B = p.plan.mechanism.entities[p.plan.mechanism.find("B")].first;
@@ -109,7 +123,7 @@ TEST(Branch, OfRedundantCranksIsLeftWhereTheyFold) {
   const Plan plan = make_plan(model(d.take(), {Polynomial{{1, 1}}}).mechanism, {});
   const auto f =
       make_formulation(find_variant("block_automatic_klu"), plan.mechanism, Settings{1e-10, 25});
-  BranchMonitor monitor(plan);
+  BranchMonitor monitor(plan, 1e-10);
   const auto length3 = [&] {
     const int c = plan.mechanism.entities[plan.mechanism.find("C2")].first;
     return std::hypot(f->q()[c] - 5, f->q()[c + 1]);

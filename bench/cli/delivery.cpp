@@ -1,5 +1,10 @@
 #include "bench/cli/delivery.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include "bench/cli/run_notes.h"
+
 namespace desmo::cli {
 namespace {
 
@@ -8,18 +13,22 @@ constexpr std::size_t enough_to_write = std::size_t{1} << 16;
 }  // namespace
 
 Delivery::Delivery(SeriesHeading heading, std::unique_ptr<SeriesFormat> format, const Plan& plan,
-                   Output& output, Progress& progress)
+                   double tolerance, Output& output, Progress& progress)
     : heading_(std::move(heading)),
       format_(std::move(format)),
       output_(output),
       progress_(progress),
       plan_(plan),
-      monitor_(plan),
+      monitor_(plan, tolerance),
       text_(format_->heading(heading_)) {}
 
 void Delivery::accept(const Instant& instant) {
   if (const int c = monitor_.violated(instant); c >= 0)
-    throw WrongBranch{c, instant.index, instant.time};
+    throw NotToDeliver{instant.index, branch_text(c, instant.time, plan_.mechanism)};
+  const auto finite = [&](const Column& column) { return std::isfinite(column.value(instant)); };
+  if (const auto c = std::ranges::find_if_not(heading_.columns, finite);
+      c != heading_.columns.end())
+    throw NotToDeliver{instant.index, overflow_text(c->name, instant.time)};
   format_->append(heading_, instant, text_);
   if (text_.size() >= enough_to_write) flush();
   progress_.solved(instant.index + 1);

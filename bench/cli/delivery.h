@@ -11,20 +11,20 @@
 
 namespace desmo::cli {
 
-/// An instant was solved, but not as the constraint means it (see BranchMonitor).
-struct WrongBranch {
-  int constraint;
-  int index;    ///< of the instant
-  double time;  ///< s
+/// An instant was solved, but is not what was asked for.
+struct NotToDeliver {
+  int index;         ///< of the instant
+  std::string what;  ///< "constraint 'theta: definition', t = 0.3 s: solved on another branch …"
 };
 
-/// Writes each instant it is handed, some at a time. Throws what Output throws, and WrongBranch,
-/// the instants before it handed on, where BranchMonitor finds one.
+/// Writes each instant it is handed, some at a time. Throws what Output throws, and NotToDeliver,
+/// the instants before it handed on, where BranchMonitor finds something violated or a number is
+/// not finite.
 class Delivery final : public Sink {
  public:
-  /// The plan must outlive the delivery.
+  /// tolerance: to which positions are solved. The plan must outlive the delivery.
   Delivery(SeriesHeading heading, std::unique_ptr<SeriesFormat> format, const Plan& plan,
-           Output& output, Progress& progress);
+           double tolerance, Output& output, Progress& progress);
 
   void accept(const Instant& instant) override;
   /// Writes what has been handed to it but not written.

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <vector>
 
+#include "bench/cli/commands.h"
 #include "bench/cli/text.h"
 #include "cases/names.h"
 
@@ -16,6 +17,7 @@ void add_options(CLI::App& command, OwnCode& wanted) {
   command
       .add_option("--compile-limit", wanted.compile_limit,
                   "Seconds that a compiler may take; 60 by default")
+      ->check(refuse_nan)
       ->check(CLI::Range(0.001, 86400.0));
 }
 

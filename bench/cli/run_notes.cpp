@@ -12,6 +12,12 @@ namespace desmo::cli {
 
 namespace {
 
+std::string moment(double time) {
+  char text[40];
+  std::snprintf(text, sizeof text, "t = %.9g s", time);
+  return text;
+}
+
 std::string group_text(GroupId group, const Mechanism& m) {
   if (group < 0) return "";
   return "group '" + m.groups[group].name + "' (" + enumerate(m.groups[group].bodies, 8) + "), ";
@@ -133,12 +139,16 @@ std::string refusal_text(const SafeSummary& s, Level level, const Mechanism& m) 
 }
 
 std::string branch_text(int constraint, double time, const Mechanism& m) {
-  char numbers[40];
-  std::snprintf(numbers, sizeof numbers, "t = %.9g s", time);
-  return "constraint '" + m.constraints[constraint].name + "', " + numbers +
+  return "constraint '" + m.constraints[constraint].name + "', " + moment(time) +
          ": solved on another branch than the one it means, such as an angle turns away, or where "
          "constraints left out do not follow from the others; take smaller time steps, or model it "
          "in another way";
+}
+
+std::string overflow_text(const std::string& column, double time) {
+  return "column '" + column + "', " + moment(time) +
+         ": not a finite number: the motion is faster, or goes further, than double precision "
+         "holds; choose another motion";
 }
 
 std::string failure_text(const SafeSummary& s, const Mechanism& m) {

@@ -43,4 +43,7 @@ std::string note_on_gaps(const SafeSummary& summary, const Mechanism& mechanism)
 /// "constraint 'theta: definition', t = 0.3 s: solved on another branch …; <remedy>"
 std::string branch_text(int constraint, double time, const Mechanism& mechanism);
 
+/// "column 'theta', t = 0.3 s: not a finite number …; <remedy>"
+std::string overflow_text(const std::string& column, double time);
+
 }  // namespace desmo::cli

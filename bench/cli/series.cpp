@@ -1,7 +1,6 @@
 #include "bench/cli/series.h"
 
 #include <charconv>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace desmo::cli {
@@ -54,18 +53,12 @@ class JsonLines final : public SeriesFormat {
   void append(const SeriesHeading& heading, const Instant& instant,
               std::string& text) const override {
     text += '[';
-    append_finite(instant.time, text);
+    append_number(instant.time, text);
     for (const Column& c : heading.columns) {
       text += ',';
-      append_finite(c.value(instant), text);
+      append_number(c.value(instant), text);
     }
     text += "]\n";
-  }
-
- private:
-  /// JSON knows no others.
-  static void append_finite(double value, std::string& text) {
-    std::isfinite(value) ? append_number(value, text) : void(text += "null");
   }
 };
 

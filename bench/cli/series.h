@@ -21,6 +21,7 @@ class SeriesFormat {
  public:
   virtual ~SeriesFormat() = default;
   virtual std::string heading(const SeriesHeading& heading) const = 0;
+  /// Finite numbers: JSON knows no others.
   virtual void append(const SeriesHeading& heading, const Instant& instant,
                       std::string& text) const = 0;
 };

@@ -94,9 +94,9 @@ void solve(const Options& options) {
   Progress progress(input.scene.grid.instants, !options.quiet && !in_the_way);
   Delivery delivery(
       {whole.name, input.scene.name, id_with(*variant, settings), make_columns(plan, input.scene)},
-      series_format(options.format_name()), plan, output, progress);
+      series_format(options.format_name()), plan, settings.tolerance, output, progress);
   SafeSummary summary;
-  std::optional<WrongBranch> wrong;
+  std::optional<NotToDeliver> wrong;
   try {
     summary = run_safely(*formulation, input.scene.grid, Request{plan.level()}, delivery,
                          {{.tolerance = settings.tolerance,
@@ -104,14 +104,13 @@ void solve(const Options& options) {
                            .every = options.strict ? 1 : Watch::usual},
                           options.strict,
                           options.past_failures});
-  } catch (const WrongBranch& branch) {
-    wrong = branch;
+  } catch (const NotToDeliver& instant) {
+    wrong = instant;
   }
   progress.clear();
   const bool all = summary.outcome() != Outcome::failed && !wrong;
   if (all || output.is_standard_output()) delivery.flush();
-  if (wrong)
-    fail(branch_text(wrong->constraint, wrong->time, plan.mechanism), wrong->index, input, output);
+  if (wrong) fail(wrong->what, wrong->index, input, output);
   if (summary.refused)
     fail(refusal_text(summary, plan.level(), plan.mechanism), summary.instants, input, output);
   if (!all) fail(failure_text(summary, plan.mechanism), summary.instants, input, output);

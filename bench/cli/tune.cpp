@@ -159,6 +159,7 @@ void add_tune(CLI::App& program) {
   command
       ->add_option("--max-error", options->max_error,
                    "Largest error, relative to the size (speed, acceleration) of the mechanism")
+      ->check(refuse_nan)
       ->check(CLI::PositiveNumber);
   command
       ->add_option("--budget", options->budget,

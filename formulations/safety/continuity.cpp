@@ -16,6 +16,13 @@ constexpr double at_rest = 1e-6;
 /// Steps that one is gone again in, at most.
 constexpr int most_steps = 4096;
 
+/// The coordinate that is off most.
+constexpr auto worst = [](const auto& off) {
+  Eigen::Index coordinate = 0;
+  off.maxCoeff(&coordinate);
+  return static_cast<int>(coordinate);
+};
+
 Eigen::Map<const Eigen::ArrayXd> array(std::span<const double> values) {
   return {values.data(), static_cast<Eigen::Index>(values.size())};
 }
@@ -83,11 +90,10 @@ double Continuity::mismatch(const Instant& from, const Instant& to,
 
 /// The same of positions, relative to what groups move when the drivers move by their magnitudes:
 /// whole turns of an angle do not show in its rates.
-double Continuity::position_mismatch(const Instant& from, const Instant& to,
-                                     const Eigen::ArrayXd& weights) const {
+Eigen::ArrayXd Continuity::position_mismatch(const Instant& from, const Instant& to,
+                                             const Eigen::ArrayXd& weights) const {
   const double h = to.time - from.time;
-  const auto off = array(to.q) - array(from.q) - h / 2 * (array(from.qd) + array(to.qd));
-  return (off.abs() * weights).maxCoeff();
+  return (array(to.q) - array(from.q) - h / 2 * (array(from.qd) + array(to.qd))).abs() * weights;
 }
 
 /// How many times as fast as usual a group moves, at least 1: near a dead point.
@@ -130,23 +136,21 @@ std::optional<Continuity::Jump> Continuity::find_jump(const Instant& instant,
     const Instant next = to_end ? instant : view(next_, instant);
     const Instant from = view(reached_, instant);
     const double moved = std::max(growth(from, weights), growth(next, weights));
-    if (mismatch(from, next, weights) <= smooth * moved) {
-      if (to_end && position_mismatch(from, next, weights) <= smooth * moved) return {};
-      if (to_end) return Jump{from.time, next.time, 0};
+    const bool rates_agree = mismatch(from, next, weights) <= smooth * moved;
+    const Eigen::ArrayXd turned = position_mismatch(from, next, weights);
+    if (rates_agree && turned.maxCoeff() <= smooth * moved) {
+      if (to_end) return {};
       std::swap(reached_, next_);
       step *= 2;
     } else if (std::abs(step) > shortest * std::abs(whole)) {
       step = (to_end ? instant.time - reached_.time : step) / 2;
     } else {
-      const auto worst = [](const auto& off) {
-        Eigen::Index coordinate = 0;
-        off.maxCoeff(&coordinate);
-        return static_cast<int>(coordinate);
-      };
-      return Jump{from.time, next.time, mismatch(from, next, weights, worst)};
+      return Jump{from.time, next.time,
+                  rates_agree ? worst(turned) : mismatch(from, next, weights, worst)};
     }
   }
-  return Jump{reached_.time, instant.time, 0};
+  return Jump{reached_.time, instant.time,
+              mismatch(view(reached_, instant), instant, weights, worst)};
 }
 
 }  // namespace desmo

@@ -48,8 +48,8 @@ class Continuity {
   auto mismatch(const Instant& from, const Instant& to, const Eigen::ArrayXd& weights,
                 Found&& found) const;
   double mismatch(const Instant& from, const Instant& to, const Eigen::ArrayXd& weights) const;
-  double position_mismatch(const Instant& from, const Instant& to,
-                           const Eigen::ArrayXd& weights) const;
+  Eigen::ArrayXd position_mismatch(const Instant& from, const Instant& to,
+                                   const Eigen::ArrayXd& weights) const;
   double growth(const Instant& instant, const Eigen::ArrayXd& weights) const;
   Instant view(const Node& node, const Instant& like) const;
   void lead_on(double t, const Instant& like, Assessor& assessor);

@@ -25,6 +25,39 @@ TEST_F(Cli, RefusesToTellAPositionOnAnotherBranch) {
       << err_;
 }
 
+/// What rounding or a coarse tolerance leaves of constraints that were left out is no other branch.
+TEST_F(Cli, SolvesAsCoarselyAsItIsAsked) {
+  for (const char* name : {"slider_crank", "jansen_leg", "whitworth", "andrews"})
+    for (const char* id : {"global_automatic_klu", "block_symbolic_explicit"})
+      for (const char* settings : {"/tolerance:1e-6", "/guess:quadratic/tolerance:1e-4"})
+        EXPECT_EQ(desmo("solve " + std::string(name) + " --quiet --no-compile --formulation " + id +
+                        settings + " -o out/coarse.csv"),
+                  0)
+            << err_;
+}
+
+TEST_F(Cli, DeliversFiniteNumbersOnly) {
+  std::string zeros;
+  for (int i = 0; i < 50; ++i) zeros += "0, ";
+  write("far.json", R"({"format": "desmo-scene", "version": 1,
+    "mechanism": {"library": "slider_crank"},
+    "motion": {"theta": {"type": "polynomial", "coefficients": [)" +
+                        zeros + R"(1e99]}},
+    "time": {"end": 3e4, "step": 1e4}, "request": [{"angles": ["theta"], "level": "velocity"}]})");
+  for (const char* format : {"csv", "jsonl"}) {
+    EXPECT_EQ(desmo("solve far.json -o out/far --format " + std::string(format)), 1);
+    EXPECT_TRUE(says("desmo: far.json: column 'theta', t = 20000 s: not a finite number")) << err_;
+    EXPECT_FALSE(fs::exists(out("far")));
+  }
+}
+
+TEST_F(Cli, RefusesLimitsThatAreNoNumbers) {
+  EXPECT_EQ(desmo("solve slider_crank --compile-limit nan"), 64);
+  EXPECT_TRUE(says("--compile-limit: is not a number")) << err_;
+  EXPECT_EQ(desmo("tune slider_crank --max-error nan"), 64);
+  EXPECT_TRUE(says("--max-error: is not a number")) << err_;
+}
+
 TEST_F(Cli, SaysWhenRoundingLeavesMoreThanTheTolerance) {
   write("fine.json", slider_crank(150, R"(, "time": {"end": 1, "step": 0.01},
     "tolerance": 1e-30)"));

@@ -215,6 +215,24 @@ TEST(SafeRun, DoesNotTakeALongStepForAJump) {
         run(four_bar_mechanism(1), {0, step, 21}, "group_symbolic_explicit", sink);
     EXPECT_EQ(s.outcome(), Outcome::converged) << step;
   }
+  for (const char* id : {"global_automatic_klu", "group_symbolic_explicit"}) {
+    Discard sink;
+    const SafeSummary s = run(make_mechanism(library_scene("rssr")), {0, 0.125, 25}, id, sink);
+    EXPECT_EQ(s.outcome(), Outcome::converged) << id;
+  }
+}
+
+/// Of an angle that may end steps of a sixth of a turn anywhere modulo whole turns.
+TEST(SafeRun, SaysWhichAngleJumpsByWholeTurns) {
+  const Mechanism m = make_mechanism(library_scene("whitworth"));
+  const TimeGrid grid{0, 1. / 6, 19};
+  Discard sink;
+  const SafeSummary s = run(m, grid, "group_automatic_klu", sink);
+  EXPECT_EQ(s.outcome(), Outcome::degraded);
+  ASSERT_TRUE(s.crossing);
+  EXPECT_EQ(s.crossing->kind, Crossing::Kind::jumped);
+  const std::vector<int>& of_angle = m.groups[s.crossing->group].entities;
+  EXPECT_TRUE(std::ranges::count(of_angle, m.find("psi"))) << m.groups[s.crossing->group].name;
 }
 
 /// What a run ends as without a monitor.
