@@ -24,24 +24,21 @@ std::string group_text(GroupId group, const Mechanism& m) {
 }
 
 std::string degradation_text(const Degradation& d, Level level, const Mechanism& m) {
-  char numbers[40];
-  std::snprintf(numbers, sizeof numbers, "t = %.9g s: ", d.time);
-  return group_text(d.assessment.group, m) + numbers + "so near a singular position that " +
+  return group_text(d.assessment.group, m) + moment(d.time) +
+         ": so near a singular position that " +
          describe_accuracy(d.assessment.condition, d.assessment.bound, level);
 }
 
 std::string crossing_text(const Crossing& c, const Mechanism& m) {
-  char numbers[120];
+  const std::string group = group_text(c.group, m);
   if (c.kind == Crossing::Kind::not_declared)
-    std::snprintf(numbers, sizeof numbers,
-                  "t = %.9g s: assembled on another branch than the one that its estimate declares",
-                  c.before);
-  else
-    std::snprintf(numbers, sizeof numbers, "t = %.9g s to %.9g s: %s", c.after, c.before,
-                  c.kind == Crossing::Kind::jumped
-                      ? "the motion jumps onto another assembly branch"
-                      : "it passes a singular position, where branches meet");
-  return group_text(c.group, m) + numbers;
+    return group + moment(c.before) +
+           ": assembled on another branch than the one that its estimate declares";
+  char ends[60];
+  std::snprintf(ends, sizeof ends, "t = %.9g s to %.9g s: ", c.after, c.before);
+  return group + ends +
+         (c.kind == Crossing::Kind::jumped ? "the motion jumps onto another assembly branch"
+                                           : "it passes a singular position, where branches meet");
 }
 
 std::string deficit_text(const std::optional<Deficit>& d, const Mechanism& m) {
