@@ -23,6 +23,9 @@ using Vec = Description::Vec;
 using JointType = Description::JointType;
 using CoordinateType = Description::CoordinateType;
 
+/// The motion of a driver that stands at 1.
+inline const Motion still = Polynomial{{1}};
+
 inline Vec operator+(const Vec& a, const Vec& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 inline Vec operator*(double s, const Vec& a) { return {s * a[0], s * a[1], s * a[2]}; }
 inline Vec operator-(const Vec& a, const Vec& b) { return a + -1.0 * b; }

@@ -3,16 +3,39 @@
 #include <gtest/gtest.h>
 
 #include <ostream>
+#include <set>
 #include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
 
 #include "formulations/variants.h"
 
 namespace desmo {
 
-/// How a test's name and its failures show a variant.
+/// Shows a variant in a test's name and failures.
 inline void PrintTo(const Variant& v, std::ostream* out) { *out << v.id; }
 
-/// A test for each row of the table of variants.
+/// Returns the variants that tests go through: all of the table, or with sanitizers one for each
+/// kind of code. A kind is a partition and equations with one dense, one sparse and each generated
+/// algebra; every library and the choice among them occur once more, in global_automatic.
+inline std::vector<Variant> tested_variants() {
+  const auto all = variants();
+  if (!DESMO_SANITIZED) return {all.begin(), all.end()};
+  std::vector<Variant> chosen;
+  std::set<std::tuple<Partition, Evaluation, std::string_view>> kinds;
+  for (const Variant& v : all) {
+    const std::string_view algebra = algebra_name(v);
+    const bool dense = algebra == "lapack" || algebra == "eigen";
+    const std::string_view kind = !v.backend ? algebra : dense ? "dense" : "sparse";
+    const bool names_a_library = v.id.starts_with("global_automatic_");
+    if (kinds.emplace(v.partition, v.evaluation, kind).second || names_a_library)
+      chosen.push_back(v);
+  }
+  return chosen;
+}
+
+/// A test for each of these variants. Each file derives a fixture of its own.
 class EveryVariant : public testing::TestWithParam<Variant> {
  public:
   static std::string name(const testing::TestParamInfo<Variant>& info) { return info.param.id; }

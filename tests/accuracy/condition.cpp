@@ -12,7 +12,7 @@
 #include "formulations/variants.h"
 #include "tests/accuracy/scenes.h"
 
-namespace desmo {
+namespace desmo::condition_test {
 namespace {
 
 /// Two links of length 1 from (0, 0) and (2 cos α, 0) that meet in C = (cos α, sin α).
@@ -87,4 +87,4 @@ TEST(Condition, PredictsWhatDoubleReaches) {
 }
 
 }  // namespace
-}  // namespace desmo
+}  // namespace desmo::condition_test

@@ -9,7 +9,7 @@
 #include "formulations/variants.h"
 #include "tests/accuracy/scenes.h"
 
-namespace desmo {
+namespace desmo::drift_test {
 namespace {
 
 TEST(Drift, IsTheRoundingOfTheDriver) {
@@ -45,4 +45,4 @@ TEST(Drift, TakesNoMoreInstantsThanThereAre) {
 }
 
 }  // namespace
-}  // namespace desmo
+}  // namespace desmo::drift_test

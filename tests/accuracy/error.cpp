@@ -11,7 +11,7 @@
 #include "formulations/variants.h"
 #include "tests/accuracy/scenes.h"
 
-namespace desmo {
+namespace desmo::error_test {
 namespace {
 
 class SliderCrank : public testing::Test {
@@ -187,4 +187,4 @@ TEST(Scales, WhatDoesNotMoveIsJudgedByWhatDoes) {
 }
 
 }  // namespace
-}  // namespace desmo
+}  // namespace desmo::error_test

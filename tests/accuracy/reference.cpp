@@ -13,7 +13,7 @@
 #include "tests/accuracy/scenes.h"
 #include "tests/library/jet.h"
 
-namespace desmo {
+namespace desmo::reference_test {
 namespace {
 
 constexpr double agreement = 1e-25;
@@ -193,4 +193,4 @@ TEST(Reference, IsTheClosedFormOfTheChainOfDyads) {
 }
 
 }  // namespace
-}  // namespace desmo
+}  // namespace desmo::reference_test

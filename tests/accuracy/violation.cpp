@@ -8,7 +8,7 @@
 #include "formulations/variants.h"
 #include "tests/accuracy/scenes.h"
 
-namespace desmo {
+namespace desmo::violation_test {
 namespace {
 
 struct Violated {
@@ -98,4 +98,4 @@ TEST(Violation, OfAFormulationIsWithinItsTolerance) {
 }
 
 }  // namespace
-}  // namespace desmo
+}  // namespace desmo::violation_test

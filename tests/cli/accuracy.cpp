@@ -2,7 +2,7 @@
 
 #include "tests/cli/program.h"
 
-namespace desmo {
+namespace desmo::accuracy_test {
 namespace {
 
 /// The first of its two instants is as any; the crank of the second lacks 6e-11 rad to where it
@@ -60,4 +60,4 @@ TEST_F(Cli, GoesOnPastWhatCannotBeAssembled) {
 }
 
 }  // namespace
-}  // namespace desmo
+}  // namespace desmo::accuracy_test

@@ -7,7 +7,7 @@
 #include "cases/library.h"
 #include "tests/cli/program.h"
 
-namespace desmo {
+namespace desmo::inspecting_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -152,4 +152,4 @@ TEST_F(Cli, DrawsSvgByGraphviz) {
 }
 
 }  // namespace
-}  // namespace desmo
+}  // namespace desmo::inspecting_test

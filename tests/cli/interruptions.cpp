@@ -11,7 +11,7 @@
 
 #include "tests/cli/program.h"
 
-namespace desmo {
+namespace desmo::interruptions_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -36,7 +36,7 @@ class Interrupted : public Cli {
         return entry.path().filename() != "motion.csv" && entry.file_size() > 0;
       });
     };
-    for (int i = 0; i < 6000 && !grows(); ++i)
+    for (int i = 0; i < 12000 && !grows(); ++i)
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
     EXPECT_TRUE(grows());
     kill(child, signal);
@@ -94,4 +94,4 @@ TEST_F(Cli, EndsQuietlyWhenNobodyReads) {
 }
 
 }  // namespace
-}  // namespace desmo
+}  // namespace desmo::interruptions_test

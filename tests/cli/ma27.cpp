@@ -4,7 +4,7 @@
 
 #include "tests/cli/program.h"
 
-namespace desmo {
+namespace desmo::ma27_test {
 namespace {
 
 struct WithMa27 : Cli {
@@ -53,4 +53,4 @@ TEST_F(WithMa27, SaysWhatLibrariesDoNotServe) {
 }
 
 }  // namespace
-}  // namespace desmo
+}  // namespace desmo::ma27_test

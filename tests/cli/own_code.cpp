@@ -8,7 +8,7 @@
 #include "tests/cli/program.h"
 #include "tests/own_mechanism.h"
 
-namespace desmo {
+namespace desmo::own_code_test {
 namespace {
 
 constexpr const char* explicit_order = "solve own.json --formulation group_symbolic_explicit ";
@@ -141,7 +141,7 @@ TEST_F(OwnCode, LetsNoCompilerOutliveAnInterruption) {
   }
   ::unsetenv("CXX");
   const auto started = [&] { return text_of(folder_ / "started").find('\n') != std::string::npos; };
-  for (int i = 0; i < 3000 && !started(); ++i) ::usleep(10000);
+  for (int i = 0; i < 12000 && !started(); ++i) ::usleep(10000);
   ASSERT_TRUE(started());
   ::kill(child, SIGTERM);
   int status = 0;
@@ -153,10 +153,10 @@ TEST_F(OwnCode, LetsNoCompilerOutliveAnInterruption) {
     const std::string text = text_of(state);
     return !text.empty() && text.substr(text.rfind(')')).find('Z') == std::string::npos;
   };
-  for (int i = 0; i < 500 && runs(); ++i) ::usleep(10000);
+  for (int i = 0; i < 6000 && runs(); ++i) ::usleep(10000);
   EXPECT_FALSE(runs());
   EXPECT_FALSE(std::filesystem::exists(out("motion.csv")));
 }
 
 }  // namespace
-}  // namespace desmo
+}  // namespace desmo::own_code_test

@@ -5,7 +5,7 @@
 
 #include "tests/cli/program.h"
 
-namespace desmo {
+namespace desmo::refusals_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -141,4 +141,4 @@ TEST_F(Cli, UsageErrors) {
 }
 
 }  // namespace
-}  // namespace desmo
+}  // namespace desmo::refusals_test

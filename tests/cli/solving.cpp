@@ -8,7 +8,7 @@
 
 #include "tests/cli/program.h"
 
-namespace desmo {
+namespace desmo::solving_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -167,4 +167,4 @@ TEST_F(Cli, ReadsScenesFromStandardInput) {
 }
 
 }  // namespace
-}  // namespace desmo
+}  // namespace desmo::solving_test

@@ -2,7 +2,7 @@
 
 #include "tests/cli/program.h"
 
-namespace desmo {
+namespace desmo::tuning_test {
 namespace {
 
 TEST_F(Cli, TunesASceneAndStoresTheChoice) {
@@ -52,4 +52,4 @@ TEST_F(Cli, TuneIsToldWhatToDo) {
 }
 
 }  // namespace
-}  // namespace desmo
+}  // namespace desmo::tuning_test

@@ -18,7 +18,7 @@
 #include "formulations/accuracy/wide_instant.h"
 #include "formulations/reference.h"
 
-namespace desmo::extreme {
+namespace desmo::extreme::answers_test {
 namespace {
 
 ExtremeCase turning(const DyadChain& chain) { return case_of("turning", chain, 1.5, {0, 0.2, 15}); }
@@ -196,4 +196,4 @@ TEST(Extremes, AreNumberedAndTheirCasesHaveNamesOfTheirOwn) {
 }
 
 }  // namespace
-}  // namespace desmo::extreme
+}  // namespace desmo::extreme::answers_test

@@ -8,7 +8,7 @@
 
 #include "cases/extremes/rows.h"
 
-namespace desmo::extreme {
+namespace desmo::extreme::judgement_test {
 namespace {
 
 /// A case of three instants, and an attempt that has the same error at every level of each.
@@ -185,4 +185,4 @@ TEST_F(Judging, YardsticksAreOtherAttempts) {
 }
 
 }  // namespace
-}  // namespace desmo::extreme
+}  // namespace desmo::extreme::judgement_test

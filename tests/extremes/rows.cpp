@@ -16,7 +16,7 @@ inline void PrintTo(const Extreme& row, std::ostream* out) { *out << row.number;
 
 }  // namespace desmo
 
-namespace desmo::extreme {
+namespace desmo::extreme::rows_test {
 namespace {
 
 class EveryExtreme : public testing::TestWithParam<Extreme> {};
@@ -72,4 +72,4 @@ TEST_P(EveryExtreme, IsAsExpectedOrKnownNotToBe) {
 INSTANTIATE_TEST_SUITE_P(Rows, EveryExtreme, testing::ValuesIn(extremes()), row_name);
 
 }  // namespace
-}  // namespace desmo::extreme
+}  // namespace desmo::extreme::rows_test

@@ -2,18 +2,18 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
+#include <ctime>
 #include <random>
 
 #include "cases/description.h"
 #include "cases/library.h"
 #include "tests/files/common.h"
 
-namespace desmo {
+namespace desmo::large_and_damaged_test {
 namespace {
 
 TEST(Description, OfManyBodiesIsCheckedAndReadQuickly) {
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock();  // in this process: a busy machine does not decide
   const Scene s = parse_scene(scene_of(R"({"generator": "four_bar", "dyads": 5000})",
                                        R"("request": [{"points": ["*"]}, {"everything": true}])"),
                               "", "");
@@ -35,8 +35,8 @@ TEST(Description, OfManyBodiesIsCheckedAndReadQuickly) {
       points + R"(}, "ground": {"points": ["P0"]}, "bodies": {)" + bodies + "}, \"joints\": [" +
       joints + "]}";
   EXPECT_EQ(parse_mechanism(chain, "chain.json").bodies.size(), 10'001u);
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  EXPECT_LT(seconds.count(), 10);  // generous, for sanitizers; quadratic work would take longer
+  const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  EXPECT_LT(seconds, 10);  // generous, for sanitizers; quadratic work would take longer
 }
 
 // Whatever is done to a good file, it is read or refused, never anything else.
@@ -63,4 +63,4 @@ TEST(Files, SurviveRandomDamage) {
 }
 
 }  // namespace
-}  // namespace desmo
+}  // namespace desmo::large_and_damaged_test

@@ -7,7 +7,7 @@
 
 #include "tests/files/common.h"
 
-namespace desmo {
+namespace desmo::mechanism_complaints_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -206,4 +206,4 @@ TEST(MechanismFile, ThatCannotBeReadSaysWhy) {
 }
 
 }  // namespace
-}  // namespace desmo
+}  // namespace desmo::mechanism_complaints_test

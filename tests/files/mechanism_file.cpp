@@ -9,7 +9,7 @@
 #include "cases/description.h"
 #include "tests/files/common.h"
 
-namespace desmo {
+namespace desmo::mechanism_file_test {
 namespace {
 
 TEST(MechanismFile, IsReadInSiUnitsAndInItsOrder) {
@@ -86,4 +86,4 @@ TEST(MechanismFile, LongChainsOfDefinitionsAreResolved) {
 }
 
 }  // namespace
-}  // namespace desmo
+}  // namespace desmo::mechanism_file_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace desmo {
+namespace desmo::names_test {
 namespace {
 
 TEST(Names, NearestComeFirstAndInOrder) {
@@ -37,4 +37,4 @@ TEST(Names, AreShownSafely) {
 }
 
 }  // namespace
-}  // namespace desmo
+}  // namespace desmo::names_test

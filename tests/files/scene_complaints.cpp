@@ -7,7 +7,7 @@
 
 #include "tests/files/common.h"
 
-namespace desmo {
+namespace desmo::scene_complaints_test {
 namespace {
 
 TEST(SceneFile, WhatIsWrongIsNamedWithItsPlaceAndRemedy) {
@@ -120,4 +120,4 @@ TEST(SceneFile, MechanismsThatDoNotExistAreNamed) {
 }
 
 }  // namespace
-}  // namespace desmo
+}  // namespace desmo::scene_complaints_test

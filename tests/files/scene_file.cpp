@@ -11,7 +11,7 @@
 #include "cases/library.h"
 #include "tests/files/common.h"
 
-namespace desmo {
+namespace desmo::scene_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -124,4 +124,4 @@ TEST(SceneFile, WhatNoBodyCarriesCannotBeAskedFor) {
 }
 
 }  // namespace
-}  // namespace desmo
+}  // namespace desmo::scene_file_test

@@ -6,7 +6,7 @@
 
 #include "tests/files/common.h"
 
-namespace desmo {
+namespace desmo::scene_text_test {
 namespace {
 
 const std::string id = "group_automatic_klu/guess:hermite5";
@@ -29,4 +29,4 @@ TEST(SceneText, ChangesNothingButTheFormulation) {
 }
 
 }  // namespace
-}  // namespace desmo
+}  // namespace desmo::scene_text_test

@@ -109,9 +109,11 @@ void define_otherwise(Tree& root, Random& random) {
   const std::vector<std::string> names = names_under(*mechanism, "vectors");
   if (points.empty()) return;
   const auto segment = [&] {
-    return list({quoted(random.pick(points)), quoted(random.pick(points))});
+    return list({string_tree(random.pick(points)), string_tree(random.pick(points))});
   };
-  const auto direction = [&] { return random.one_in(2) ? quoted(random.pick(names)) : segment(); };
+  const auto direction = [&] {
+    return random.one_in(2) ? string_tree(random.pick(names)) : segment();
+  };
   Tree definition = object();
   if (random.one_in(2))
     put(definition["along"], segment());
@@ -133,12 +135,12 @@ void change_dimension(Tree& root, Random&) {
       l->children.resize(2);
 }
 
-constexpr TreeMutation table[] = {
+constexpr TreeMutation all_geometry_mutations[] = {
     coincide, make_parallel, point_along_points, align_points,    make_zero, flatten, scale, shift,
     stir,     stir,          define_otherwise,   change_dimension};
 
 }  // namespace
 
-std::span<const TreeMutation> geometry_mutations() { return table; }
+std::span<const TreeMutation> geometry_mutations() { return all_geometry_mutations; }
 
 }  // namespace desmo::fuzz

@@ -89,16 +89,16 @@ void replace_name(Tree& root, Random& random) {
   const std::string old(at->name());
   switch (random.below(6)) {
     case 0:
-      put(*at, quoted(random.pick(odd)));
+      put(*at, string_tree(random.pick(odd)));
       break;
     case 1:
-      put(*at, quoted("-" + old));
+      put(*at, string_tree("-" + old));
       break;
     case 2:
-      put(*at, quoted(old + "*"));
+      put(*at, string_tree(old + "*"));
       break;
     default:
-      put(*at, quoted(random.pick(names)));
+      put(*at, string_tree(random.pick(names)));
       break;
   }
 }
@@ -161,14 +161,14 @@ void wrap(Tree& root, Random& random) {
   put(at, std::move(inner));
 }
 
-constexpr TreeMutation table[] = {
+constexpr TreeMutation all_json_mutations[] = {
     remove_child, duplicate_child, permute_children, rename_key,        swap_values,
     copy_value,   replace_name,    replace_name,     rename_everywhere, spoil_number,
     spoil_number, change_number,   change_number,    change_kind,       wrap};
 
 }  // namespace
 
-std::span<const TreeMutation> json_mutations() { return table; }
+std::span<const TreeMutation> json_mutations() { return all_json_mutations; }
 
 Tree* mechanism_in(Tree& root) {
   Tree* const inner = root.find("mechanism");

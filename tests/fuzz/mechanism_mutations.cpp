@@ -47,14 +47,14 @@ struct Parts {
 Tree some_of(const std::vector<std::string>& names, Random& random, std::size_t count) {
   Tree result = list({});
   for (; count > 0 && !names.empty(); --count)
-    result.children.push_back(quoted(random.pick(names)));
+    result.children.push_back(string_tree(random.pick(names)));
   return result;
 }
 
 void change_joint_type(Tree& root, Random& random) {
   const Parts parts(root);
   if (Tree* const joint = parts.any_joint(random))
-    put((*joint)["type"], quoted(random.pick(joint_types)));
+    put((*joint)["type"], string_tree(random.pick(joint_types)));
 }
 
 void remove_joint(Tree& root, Random& random) {
@@ -71,7 +71,7 @@ void repeat_joint(Tree& root, Random& random) {
   Tree* const joint = parts.any_joint(random);
   if (!joint) return;
   Tree copy = *joint;
-  if (Tree* const name = copy.find("name")) put(*name, quoted("again"));
+  if (Tree* const name = copy.find("name")) put(*name, string_tree("again"));
   parts.joints()->children.push_back(std::move(copy));
 }
 
@@ -89,7 +89,7 @@ void add_joint(Tree& root, Random& random) {
   if (!parts.joints() || parts.points.empty()) return;
   Tree joint = object();
   const std::string_view type = random.pick(joint_types);
-  put(joint["type"], quoted(type));
+  put(joint["type"], string_tree(type));
   put(joint["bodies"], some_of(parts.bodies, random, 2));
   if (type != "fixed") put(joint["points"], some_of(parts.points, random, 1 + random.below(2)));
   if (type != "fixed" && type != "spherical")
@@ -117,7 +117,7 @@ void weld(Tree& root, Random& random) {
   const Parts parts(root);
   if (!parts.joints()) return;
   Tree joint = object();
-  put(joint["type"], quoted("fixed"));
+  put(joint["type"], string_tree("fixed"));
   put(joint["bodies"], some_of(parts.bodies, random, 2));
   parts.joints()->children.push_back(std::move(joint));
 }
@@ -126,7 +126,7 @@ void ground_body(Tree& root, Random& random) {
   const Parts parts(root);
   if (Tree* const joint = parts.any_joint(random))
     if (Tree* const bodies = joint->find("bodies"); bodies && !bodies->children.empty())
-      put(random.pick(bodies->children), quoted(random.pick(parts.bodies)));
+      put(random.pick(bodies->children), string_tree(random.pick(parts.bodies)));
 }
 
 void remove_body(Tree& root, Random& random) {
@@ -158,18 +158,18 @@ void add_body(Tree& root, Random& random) {
   x = scalar(x.number() + 1 + random.around_zero());
   put((*parts.mechanism)["points"][tip], std::move(position));
   Tree& body = (*parts.mechanism)["bodies"][name];
-  put(body["points"], list({quoted(hinge), quoted(tip)}));
+  put(body["points"], list({string_tree(hinge), string_tree(tip)}));
   const bool in_space =
       parts.mechanism->find("dimension") && parts.mechanism->find("dimension")->text == "3";
   Tree joint = object();
-  put(joint["type"], quoted(in_space && random.one_in(2) ? "spherical" : "revolute"));
-  put(joint["bodies"], list({quoted(random.pick(parts.bodies)), quoted(name)}));
-  put(joint["points"], list({quoted(hinge)}));
+  put(joint["type"], string_tree(in_space && random.one_in(2) ? "spherical" : "revolute"));
+  put(joint["bodies"], list({string_tree(random.pick(parts.bodies)), string_tree(name)}));
+  put(joint["points"], list({string_tree(hinge)}));
   parts.joints()->children.push_back(std::move(joint));
   if (random.one_in(2)) return;
   Tree& coordinate = (*parts.mechanism)["coordinates"]["of_" + tip];
-  put(coordinate["angle"], list({quoted(hinge), quoted(tip)}));
-  if (Tree* const drivers = parts.drivers()) drivers->children.push_back(quoted("of_" + tip));
+  put(coordinate["angle"], list({string_tree(hinge), string_tree(tip)}));
+  if (Tree* const drivers = parts.drivers()) drivers->children.push_back(string_tree("of_" + tip));
 }
 
 void carry_otherwise(Tree& root, Random& random) {
@@ -184,7 +184,7 @@ void carry_otherwise(Tree& root, Random& random) {
     carried.children.erase(carried.children.begin() +
                            static_cast<std::ptrdiff_t>(random.below(carried.children.size())));
   else if (!names.empty())
-    carried.children.push_back(quoted(random.pick(names)));
+    carried.children.push_back(string_tree(random.pick(names)));
 }
 
 void give_length(Tree& root, Random& random) {
@@ -195,7 +195,7 @@ void give_length(Tree& root, Random& random) {
 }
 
 Tree any_direction(const Parts& parts, Random& random) {
-  if (!parts.vectors.empty() && random.one_in(2)) return quoted(random.pick(parts.vectors));
+  if (!parts.vectors.empty() && random.one_in(2)) return string_tree(random.pick(parts.vectors));
   return some_of(parts.points, random, 2);
 }
 
@@ -209,16 +209,16 @@ void add_coordinate(Tree& root, Random& random) {
       break;
     case 1:
       put(c["distance"], some_of(parts.points, random, 2));
-      if (!parts.vectors.empty()) put(c["along"], quoted(random.pick(parts.vectors)));
+      if (!parts.vectors.empty()) put(c["along"], string_tree(random.pick(parts.vectors)));
       break;
     case 2:
-      put(c["component"], quoted(random.pick(parts.points)));
-      put(c["axis"], quoted(std::string(1, "xyzw"[random.below(4)])));
+      put(c["component"], string_tree(random.pick(parts.points)));
+      put(c["axis"], string_tree(std::string(1, "xyzw"[random.below(4)])));
       break;
     default:
       put(c["angle"], any_direction(parts, random));
       if (!parts.vectors.empty() && random.one_in(2))
-        put(c["from"], quoted((random.one_in(3) ? "-" : "") + random.pick(parts.vectors)));
+        put(c["from"], string_tree((random.one_in(3) ? "-" : "") + random.pick(parts.vectors)));
       else if (random.one_in(2))
         put(c["from"], any_direction(parts, random));
       if (c.find("from") && random.one_in(2)) put(c["towards"], any_direction(parts, random));
@@ -229,9 +229,9 @@ void add_coordinate(Tree& root, Random& random) {
   put((*parts.measured())[name], std::move(c));
   if (Tree* const drivers = parts.drivers(); drivers && random.one_in(2)) {
     if (drivers->children.empty() || random.one_in(3))
-      drivers->children.push_back(quoted(name));
+      drivers->children.push_back(string_tree(name));
     else
-      put(random.pick(drivers->children), quoted(name));
+      put(random.pick(drivers->children), string_tree(name));
   }
 }
 
@@ -257,7 +257,7 @@ void drive_otherwise(Tree& root, Random& random) {
   const Parts parts(root);
   Tree* const drivers = parts.drivers();
   if (!drivers || parts.coordinates.empty()) return;
-  const Tree driven = quoted(random.pick(parts.coordinates));
+  const Tree driven = string_tree(random.pick(parts.coordinates));
   if (drivers->children.empty() || random.one_in(3))
     drivers->children.push_back(driven);
   else if (random.one_in(3))
@@ -273,20 +273,21 @@ void change_units(Tree& root, Random& random) {
   Tree& units = (*parts.mechanism)["units"];
   if (units.kind != Tree::Kind::object) put(units, object());
   if (random.one_in(2))
-    put(units["length"], quoted(random.pick(lengths)));
+    put(units["length"], string_tree(random.pick(lengths)));
   else
-    put(units["angle"], quoted(random.one_in(2) ? "deg" : "rad"));
+    put(units["angle"], string_tree(random.one_in(2) ? "deg" : "rad"));
 }
 
-constexpr TreeMutation table[] = {change_joint_type, remove_joint,      repeat_joint,
-                                  reverse_joint,     add_joint,         weld,
-                                  ground_body,       remove_body,       add_body,
-                                  carry_otherwise,   give_length,       add_coordinate,
-                                  add_coordinate,    remove_coordinate, estimate,
-                                  drive_otherwise,   drive_otherwise,   change_units};
+constexpr TreeMutation all_mechanism_mutations[] = {
+    change_joint_type, remove_joint,      repeat_joint,
+    reverse_joint,     add_joint,         weld,
+    ground_body,       remove_body,       add_body,
+    carry_otherwise,   give_length,       add_coordinate,
+    add_coordinate,    remove_coordinate, estimate,
+    drive_otherwise,   drive_otherwise,   change_units};
 
 }  // namespace
 
-std::span<const TreeMutation> mechanism_mutations() { return table; }
+std::span<const TreeMutation> mechanism_mutations() { return all_mechanism_mutations; }
 
 }  // namespace desmo::fuzz

@@ -32,16 +32,16 @@ Tree any_motion(Random& random) {
   Tree motion = object();
   switch (random.below(4)) {
     case 0:
-      put(motion["type"], quoted("constant"));
+      put(motion["type"], string_tree("constant"));
       put(motion["value"], value(random));
       break;
     case 1:
-      put(motion["type"], quoted("polynomial"));
+      put(motion["type"], string_tree("polynomial"));
       put(motion["coefficients"],
           values(random, random.one_in(10) ? 95 + random.below(10) : random.below(6)));
       break;
     case 2: {
-      put(motion["type"], quoted("harmonic"));
+      put(motion["type"], string_tree("harmonic"));
       if (random.one_in(2)) put(motion["mean"], value(random));
       Tree terms = list({});
       for (std::size_t i = random.below(4); i > 0; --i) {
@@ -58,12 +58,12 @@ Tree any_motion(Random& random) {
       static constexpr std::array<std::string_view, 4> ends = {"natural", "clamped", "periodic",
                                                                "free"};
       const std::size_t count = random.below(8);
-      put(motion["type"], quoted("table"));
+      put(motion["type"], string_tree("table"));
       put(motion["times"], ascending(random, count));
       Tree z = values(random, count);
       if (count > 0 && random.one_in(3)) z.children.back() = z.children.front();
       put(motion["values"], std::move(z));
-      if (random.one_in(2)) put(motion["ends"], quoted(random.pick(ends)));
+      if (random.one_in(2)) put(motion["ends"], string_tree(random.pick(ends)));
       break;
     }
   }
@@ -123,12 +123,12 @@ void change_request(Tree& root, Random& random) {
       for (std::size_t k = random.one_in(20) ? 105 : 1 + random.below(3); k > 0; --k) {
         std::string name = random.pick(names);
         if (random.one_in(4)) name = name.substr(0, name.size() / 2) + "*";
-        patterns.children.push_back(quoted(name));
+        patterns.children.push_back(string_tree(name));
       }
       put(part[kind], std::move(patterns));
     }
     if (!random.one_in(3))
-      put(part["level"], quoted(asked[random.below(random.one_in(10) ? 4 : 3)]));
+      put(part["level"], string_tree(asked[random.below(random.one_in(10) ? 4 : 3)]));
     request.children.push_back(std::move(part));
   }
   put(root["request"], std::move(request));
@@ -153,7 +153,7 @@ void change_formulation(Tree& root, Random& random) {
                                                           "global_automatic_klu/lanes:8",
                                                           "*",
                                                           "-"};
-  put(root["formulation"], quoted(random.pick(ids)));
+  put(root["formulation"], string_tree(random.pick(ids)));
 }
 
 void change_mechanism(Tree& root, Random& random) {
@@ -174,9 +174,9 @@ void change_mechanism(Tree& root, Random& random) {
     std::erase_if(root.children, [](const Tree& member) { return member.key == "motion"; });
 }
 
-constexpr TreeMutation table[] = {change_motion,    move_all,           change_time,
-                                  change_request,   change_request,     ask_for_everything,
-                                  change_tolerance, change_formulation, change_mechanism};
+constexpr TreeMutation all_scene_mutations[] = {
+    change_motion,      move_all,         change_time,        change_request,  change_request,
+    ask_for_everything, change_tolerance, change_formulation, change_mechanism};
 
 }  // namespace
 
@@ -194,6 +194,6 @@ void give_motion_to_drivers(Tree& root) {
   put(root["motion"], std::move(motions));
 }
 
-std::span<const TreeMutation> scene_mutations() { return table; }
+std::span<const TreeMutation> scene_mutations() { return all_scene_mutations; }
 
 }  // namespace desmo::fuzz

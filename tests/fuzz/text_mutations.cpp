@@ -151,7 +151,7 @@ void lengthen_text(std::string& text, Random& random) {
               std::string(length, static_cast<char>("aA_*\xc3~/"[random.below(7)])));
 }
 
-constexpr TextMutation table[] = {
+constexpr TextMutation all_text_mutations[] = {
     flip_bit,   set_byte,     remove_bytes, repeat_bytes,  truncate,    copy_bytes,   swap_tokens,
     copy_token, remove_token, spoil_number, insert_oddity, nest_deeply, lengthen_text};
 
@@ -213,6 +213,6 @@ std::string_view extreme_number(Random& random) {
   return random.pick(numbers);
 }
 
-std::span<const TextMutation> text_mutations() { return table; }
+std::span<const TextMutation> text_mutations() { return all_text_mutations; }
 
 }  // namespace desmo::fuzz

@@ -136,7 +136,7 @@ Tree scalar(double number) {
   return scalar(std::string(text));
 }
 
-Tree quoted(std::string_view name) { return scalar('"' + std::string(name) + '"'); }
+Tree string_tree(std::string_view name) { return scalar('"' + std::string(name) + '"'); }
 
 Tree list(std::vector<Tree> elements) { return {Tree::Kind::list, {}, {}, std::move(elements)}; }
 

@@ -30,7 +30,7 @@ struct Tree {
 
 Tree scalar(std::string spelling);
 Tree scalar(double number);
-Tree quoted(std::string_view name);
+Tree string_tree(std::string_view name);
 Tree list(std::vector<Tree> elements);
 Tree object();
 

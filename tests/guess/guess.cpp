@@ -16,7 +16,7 @@
 #include "tests/every_variant.h"
 #include "tests/mechanisms.h"
 
-namespace desmo {
+namespace desmo::guess_test {
 namespace {
 
 constexpr Settings quadratic{.guess = Guess::quadratic};
@@ -221,8 +221,7 @@ TEST_P(Guesses, LeavePartsAloneWhoseRatesNobodyAsks) {
   EXPECT_TRUE(std::ranges::equal(f->q(), plain->q()));
 }
 
-INSTANTIATE_TEST_SUITE_P(Table, Guesses, testing::ValuesIn(variants().begin(), variants().end()),
-                         EveryVariant::name);
+INSTANTIATE_TEST_SUITE_P(Table, Guesses, testing::ValuesIn(tested_variants()), EveryVariant::name);
 
 }  // namespace
-}  // namespace desmo
+}  // namespace desmo::guess_test

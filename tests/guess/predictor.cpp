@@ -12,7 +12,7 @@
 
 #include "formulations/part.h"
 
-namespace desmo {
+namespace desmo::predictor_test {
 namespace {
 
 constexpr auto solved = Level::acceleration;
@@ -153,4 +153,4 @@ TEST(Predictor, MagnifiesNoErrorsOfEarlierPositions) {
 }
 
 }  // namespace
-}  // namespace desmo
+}  // namespace desmo::predictor_test

@@ -7,7 +7,7 @@
 
 #include "tests/load/loading.h"
 
-namespace desmo::load {
+namespace desmo::load::cache_test {
 namespace {
 
 struct CacheTest : Loading {
@@ -163,4 +163,4 @@ TEST_F(CacheTest, ServesSeveralProcessesAtOnce) {
 }
 
 }  // namespace
-}  // namespace desmo::load
+}  // namespace desmo::load::cache_test

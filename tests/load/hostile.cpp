@@ -7,7 +7,7 @@
 
 #include "tests/load/loading.h"
 
-namespace desmo::load {
+namespace desmo::load::hostile_test {
 namespace {
 
 constexpr std::string_view evil =
@@ -130,4 +130,4 @@ TEST_F(Folders, ThatCannotBeMadeAreNamed) {
 }
 
 }  // namespace
-}  // namespace desmo::load
+}  // namespace desmo::load::hostile_test

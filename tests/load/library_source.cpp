@@ -13,7 +13,7 @@
 #include "formulations/equations/symbolic.h"
 #include "tests/mechanisms.h"
 
-namespace desmo::generate {
+namespace desmo::generate::library_source_test {
 namespace {
 
 std::vector<SampledType> types_of(const Mechanism& m) {
@@ -105,4 +105,4 @@ TEST(KernelTables, HaveWhatWasAddedBesideWhatIsBuiltIn) {
 }
 
 }  // namespace
-}  // namespace desmo::generate
+}  // namespace desmo::generate::library_source_test

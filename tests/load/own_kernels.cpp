@@ -6,7 +6,7 @@
 #include "formulations/lane_part.h"
 #include "tests/load/loading.h"
 
-namespace desmo::load {
+namespace desmo::load::own_kernels_test {
 namespace {
 
 struct Recorder final : Sink {
@@ -167,4 +167,4 @@ TEST_F(OwnKernelsTest, AreNeitherMadeNorSoughtWhereTheProgramHasThem) {
 }
 
 }  // namespace
-}  // namespace desmo::load
+}  // namespace desmo::load::own_kernels_test

@@ -12,7 +12,7 @@
 #include "formulations/modelling/model.h"
 #include "tests/modelling/common.h"
 
-namespace desmo {
+namespace desmo::bodies_test {
 namespace {
 
 /// A four-bar whose coupler carries a point P; `split` says how: in one body, or welded ones.
@@ -320,4 +320,4 @@ TEST(Derived, SliderOnAVectorAlongAnotherBodysSegment) {
 }
 
 }  // namespace
-}  // namespace desmo
+}  // namespace desmo::bodies_test

@@ -122,6 +122,4 @@ inline Description driven(Description d, const std::vector<std::string>& names) 
   return d;
 }
 
-inline const Motion still = Polynomial{{1}};
-
 }  // namespace desmo

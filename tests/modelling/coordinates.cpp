@@ -13,7 +13,7 @@
 #include "formulations/modelling/model.h"
 #include "tests/modelling/common.h"
 
-namespace desmo {
+namespace desmo::coordinates_test {
 namespace {
 
 TEST(Coordinates, PlanarOnesMeasureGeometry) {
@@ -296,4 +296,4 @@ TEST(Coordinates, AnyOfThemCanDrive) {
 }
 
 }  // namespace
-}  // namespace desmo
+}  // namespace desmo::coordinates_test

@@ -11,7 +11,7 @@
 #include "formulations/modelling/model.h"
 #include "tests/modelling/common.h"
 
-namespace desmo {
+namespace desmo::equations_test {
 namespace {
 
 void expect_unknowns(const Mechanism& m, GroupId g, std::set<std::string> expected) {
@@ -189,4 +189,4 @@ TEST(FourBar, LeavesOutTheLengthsThatAnglesDefine) {
 }
 
 }  // namespace
-}  // namespace desmo
+}  // namespace desmo::equations_test

@@ -12,7 +12,7 @@
 #include "formulations/modelling/model.h"
 #include "tests/modelling/common.h"
 
-namespace desmo {
+namespace desmo::idle_freedoms_test {
 namespace {
 
 using Idle = std::vector<IdleFreedom>;
@@ -46,4 +46,4 @@ TEST(IdleFreedom, ThatMovesAPointIsUndetermined) {
 }
 
 }  // namespace
-}  // namespace desmo
+}  // namespace desmo::idle_freedoms_test

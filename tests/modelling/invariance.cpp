@@ -11,7 +11,7 @@
 #include "formulations/modelling/model.h"
 #include "tests/modelling/common.h"
 
-namespace desmo {
+namespace desmo::invariance_test {
 namespace {
 
 /// The description with its lists in another order; the ground stays first, and the relative order
@@ -251,4 +251,4 @@ TEST(Invariance, ADriverOfASharedPointIsThatOfTheFirstBodyThatCarriesIt) {
 }
 
 }  // namespace
-}  // namespace desmo
+}  // namespace desmo::invariance_test

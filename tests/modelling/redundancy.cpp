@@ -11,7 +11,7 @@
 #include "formulations/modelling/model.h"
 #include "tests/modelling/common.h"
 
-namespace desmo {
+namespace desmo::redundancy_test {
 namespace {
 
 TEST(Redundant, ParallelogramWithThreeCranksIsAcceptedAndReported) {
@@ -207,4 +207,4 @@ TEST(SpecialPosition, RedundantLinkageDrawnFoldedKeepsEquationsThatDetermineIt) 
 }
 
 }  // namespace
-}  // namespace desmo
+}  // namespace desmo::redundancy_test

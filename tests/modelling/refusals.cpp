@@ -11,7 +11,7 @@
 #include "formulations/modelling/model.h"
 #include "tests/modelling/common.h"
 
-namespace desmo {
+namespace desmo::refusals_test {
 namespace {
 
 TEST(Refused, LinkOfZeroLength) {
@@ -165,4 +165,4 @@ TEST(Refused, SpatialAngleBetweenDirectionsThatAreNotNormal) {
 }
 
 }  // namespace
-}  // namespace desmo
+}  // namespace desmo::refusals_test

@@ -12,7 +12,7 @@
 #include "formulations/variants.h"
 #include "tests/modelling/common.h"
 
-namespace desmo {
+namespace desmo::sizes_test {
 namespace {
 
 constexpr double start = std::numbers::pi / 3;
@@ -84,4 +84,4 @@ TEST(Sizes, OfLongMechanismsDoNotMatter) {
 }
 
 }  // namespace
-}  // namespace desmo
+}  // namespace desmo::sizes_test

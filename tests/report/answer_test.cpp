@@ -6,7 +6,7 @@
 #include "report/tables/tables.h"
 #include "tests/report/sample.h"
 
-namespace desmo::report {
+namespace desmo::report::answer_test {
 namespace {
 
 std::string answer_to(const Json& json) { return answer(record_from(json)).paragraphs.front(); }
@@ -147,4 +147,4 @@ TEST(Limitations, FollowFromTheRecord) {
 }
 
 }  // namespace
-}  // namespace desmo::report
+}  // namespace desmo::report::answer_test

@@ -4,7 +4,7 @@
 #include "report/tables/tables.h"
 #include "tests/report/sample.h"
 
-namespace desmo::report {
+namespace desmo::report::beyond_test {
 namespace {
 
 Json timed(Json like, const std::string& id, double seconds) {
@@ -76,4 +76,4 @@ TEST(Beyond, LeavesOutWhatStandsBesidePeers) {
 }
 
 }  // namespace
-}  // namespace desmo::report
+}  // namespace desmo::report::beyond_test

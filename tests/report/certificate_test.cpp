@@ -10,7 +10,7 @@
 #include "report/json_document.h"
 #include "tests/report/check_sample.h"
 
-namespace desmo::report {
+namespace desmo::report::certificate_test {
 namespace {
 
 class CertificateOf : public ::testing::Test {
@@ -120,4 +120,4 @@ TEST(FiledCertificate, Holds) {
 }
 
 }  // namespace
-}  // namespace desmo::report
+}  // namespace desmo::report::certificate_test

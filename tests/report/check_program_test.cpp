@@ -4,7 +4,7 @@
 #include "tests/report/check_sample.h"
 #include "tests/report/program.h"
 
-namespace desmo::report {
+namespace desmo::report::check_program_test {
 namespace {
 
 class CheckProgram : public Program {
@@ -80,4 +80,4 @@ TEST_F(CheckProgram, TheSameFileGivesTheSameBytes) {
 }
 
 }  // namespace
-}  // namespace desmo::report
+}  // namespace desmo::report::check_program_test

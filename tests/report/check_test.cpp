@@ -9,7 +9,7 @@
 #include "report/json_document.h"
 #include "tests/report/check_sample.h"
 
-namespace desmo::report {
+namespace desmo::report::check_test {
 namespace {
 
 Judgement judged(const Json& json) { return judge(check_from(json)); }
@@ -336,4 +336,4 @@ TEST(CheckReader, SpoiltFilesAreRefusedOrJudged) {
 }
 
 }  // namespace
-}  // namespace desmo::report
+}  // namespace desmo::report::check_test

@@ -7,7 +7,7 @@
 #include "report/record_reader.h"
 #include "tests/report/sample.h"
 
-namespace desmo::report {
+namespace desmo::report::comparability_test {
 namespace {
 
 Json newest() { return Json::parse(read_text(data_file("golden/1.3.0.json"))); }
@@ -168,4 +168,4 @@ TEST(Comparison, MarksWhatOnlyOneOfThemHas) {
 }
 
 }  // namespace
-}  // namespace desmo::report
+}  // namespace desmo::report::comparability_test

@@ -4,7 +4,7 @@
 #include "tests/report/program.h"
 #include "tests/report/sample.h"
 
-namespace desmo::report {
+namespace desmo::report::compare_program_test {
 namespace {
 
 class Compare : public Program {
@@ -80,4 +80,4 @@ TEST_F(Compare, UsageErrors) {
 }
 
 }  // namespace
-}  // namespace desmo::report
+}  // namespace desmo::report::compare_program_test

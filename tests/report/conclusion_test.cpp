@@ -5,7 +5,7 @@
 #include "report/variants.h"
 #include "tests/report/sample.h"
 
-namespace desmo::report {
+namespace desmo::report::conclusion_test {
 namespace {
 
 std::string last_paragraph(const Json& json) {
@@ -136,4 +136,4 @@ TEST(Conclusion, ReadsWellWithOneSolver) {
 }
 
 }  // namespace
-}  // namespace desmo::report
+}  // namespace desmo::report::conclusion_test

@@ -7,7 +7,7 @@
 #include "report/report.h"
 #include "tests/report/points_sample.h"
 
-namespace desmo::report {
+namespace desmo::report::extremes_test {
 namespace {
 
 Json result(int row, const char* case_name, const char* id, const char* verdict) {
@@ -113,4 +113,4 @@ TEST(Extremes, ThatSayNothingAreRefused) {
 }
 
 }  // namespace
-}  // namespace desmo::report
+}  // namespace desmo::report::extremes_test

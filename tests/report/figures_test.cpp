@@ -7,7 +7,7 @@
 #include "report/tables/tables.h"
 #include "tests/report/sample.h"
 
-namespace desmo::report {
+namespace desmo::report::figures_test {
 namespace {
 
 Json data_of(const Json& record, std::size_t figure) {
@@ -154,4 +154,4 @@ TEST(FigureSix, MarksIncompleteAndMissingMeans) {
 }
 
 }  // namespace
-}  // namespace desmo::report
+}  // namespace desmo::report::figures_test

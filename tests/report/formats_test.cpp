@@ -10,7 +10,7 @@
 #include "report/report.h"
 #include "tests/report/sample.h"
 
-namespace desmo::report {
+namespace desmo::report::formats_test {
 namespace {
 
 Document complete_document() { return make_report(record_from(complete_record())); }
@@ -180,4 +180,4 @@ TEST(Formats, FileNamesAreUnique) {
 }
 
 }  // namespace
-}  // namespace desmo::report
+}  // namespace desmo::report::formats_test

@@ -14,7 +14,7 @@
 #include "report/report.h"
 #include "tests/report/sample.h"
 
-namespace desmo::report {
+namespace desmo::report::golden_test {
 namespace {
 
 constexpr std::array minors{"1.0.0", "1.1.0", "1.2.0", "1.3.0", "1.4.0", "1.5.0", "1.6.0"};
@@ -79,4 +79,4 @@ TEST(GoldenRecords, OfSizesAndInstructionsHaveThem) {
 }
 
 }  // namespace
-}  // namespace desmo::report
+}  // namespace desmo::report::golden_test

@@ -5,7 +5,7 @@
 #include "report/tables/sizes.h"
 #include "tests/report/sizes_sample.h"
 
-namespace desmo::report {
+namespace desmo::report::instructions_test {
 namespace {
 
 TEST(Instructions, StandFewestFirstBesideTheReference) {
@@ -53,4 +53,4 @@ TEST(Instructions, HaveAPageOfTheirOwn) {
 }
 
 }  // namespace
-}  // namespace desmo::report
+}  // namespace desmo::report::instructions_test

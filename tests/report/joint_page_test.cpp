@@ -4,7 +4,7 @@
 #include "tests/report/points_sample.h"
 #include "tests/report/program.h"
 
-namespace desmo::report {
+namespace desmo::report::joint_page_test {
 namespace {
 
 class JointPage : public Program {
@@ -71,4 +71,4 @@ TEST_F(JointPage, NamesTheFileThatIsWrong) {
 }
 
 }  // namespace
-}  // namespace desmo::report
+}  // namespace desmo::report::joint_page_test

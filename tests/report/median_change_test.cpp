@@ -8,7 +8,7 @@
 #include <numeric>
 #include <random>
 
-namespace desmo::report {
+namespace desmo::report::median_change_test {
 namespace {
 
 TEST(MedianChange, OfRatiosThatAreAllTheSame) {
@@ -82,4 +82,4 @@ TEST(MedianChange, TheIntervalHoldsTheTrueMedian) {
 }
 
 }  // namespace
-}  // namespace desmo::report
+}  // namespace desmo::report::median_change_test

@@ -9,7 +9,7 @@
 #include "report/variants.h"
 #include "tests/report/sample.h"
 
-namespace desmo::report {
+namespace desmo::report::papers_own_test {
 namespace {
 
 /// Its cells are those of another family at first; times as in the paper when they are set.
@@ -98,4 +98,4 @@ TEST(PapersOwn, IsNoStandIn) {
 }
 
 }  // namespace
-}  // namespace desmo::report
+}  // namespace desmo::report::papers_own_test

@@ -4,7 +4,7 @@
 #include "report/tables/tables.h"
 #include "tests/report/sample.h"
 
-namespace desmo::report {
+namespace desmo::report::partitions_test {
 namespace {
 
 Section section_of(const Json& json) { return partitions(record_from(json)); }
@@ -120,4 +120,4 @@ TEST(Partitions, StayOutOfThePapersTables) {
 }
 
 }  // namespace
-}  // namespace desmo::report
+}  // namespace desmo::report::partitions_test

@@ -5,7 +5,7 @@
 #include "report/tables/tables.h"
 #include "tests/report/sample.h"
 
-namespace desmo::report {
+namespace desmo::report::peers_test {
 namespace {
 
 Json peer(int coordinates, const std::string& name, std::vector<double> seconds) {
@@ -153,4 +153,4 @@ TEST(Peers, AreReadWithCare) {
 }
 
 }  // namespace
-}  // namespace desmo::report
+}  // namespace desmo::report::peers_test

@@ -1,11 +1,10 @@
 #include <gtest/gtest.h>
 
+#include "tests/report/contains.h"
 #include "tests/report/points_sample.h"
 
-namespace desmo::report {
+namespace desmo::report::points_reader_test {
 namespace {
-
-#define EXPECT_CONTAINS(text, part) EXPECT_NE((text).find(part), std::string::npos) << (text)
 
 const SeriesKey truck_series{"truck_suspension", 225, 0.01, 101};
 
@@ -115,4 +114,4 @@ TEST(Configuration, TakesSettingsInAnyOrderAndKeepsWhatItDoesNotKnow) {
 }
 
 }  // namespace
-}  // namespace desmo::report
+}  // namespace desmo::report::points_reader_test

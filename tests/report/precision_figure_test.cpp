@@ -8,7 +8,7 @@
 #include "report/tables/precision.h"
 #include "tests/report/points_sample.h"
 
-namespace desmo::report {
+namespace desmo::report::precision_figure_test {
 namespace {
 
 Json figure_of(const Json& record) {
@@ -157,4 +157,4 @@ TEST(WorkPrecision, FamiliesKeepTheirMarksAndUnknownOnesGetACross) {
 }
 
 }  // namespace
-}  // namespace desmo::report
+}  // namespace desmo::report::precision_figure_test

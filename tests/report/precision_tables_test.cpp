@@ -2,14 +2,13 @@
 
 #include "report/report.h"
 #include "report/tables/precision.h"
+#include "tests/report/contains.h"
 #include "tests/report/points_sample.h"
 
-namespace desmo::report {
+namespace desmo::report::precision_tables_test {
 namespace {
 
 using Digits = std::vector<std::string>;
-
-#define EXPECT_CONTAINS(text, part) EXPECT_NE((text).find(part), std::string::npos) << (text)
 
 const std::string klu = "global_automatic_klu", lapack = "group_symbolic_lapack";
 const std::string over_itself = "times as fast as with the paper's knobs",
@@ -325,4 +324,4 @@ TEST(PrecisionReport, StandsAloneOrBesideTheExperiment) {
 }
 
 }  // namespace
-}  // namespace desmo::report
+}  // namespace desmo::report::precision_tables_test

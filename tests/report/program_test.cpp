@@ -6,7 +6,7 @@
 
 #include "tests/report/sample.h"
 
-namespace desmo::report {
+namespace desmo::report::program_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -184,4 +184,4 @@ TEST_F(Program, PagesQuoteTheirRecords) {
 }
 
 }  // namespace
-}  // namespace desmo::report
+}  // namespace desmo::report::program_test

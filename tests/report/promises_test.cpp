@@ -6,7 +6,7 @@
 #include "report/tables/precision.h"
 #include "tests/report/points_sample.h"
 
-namespace desmo::report {
+namespace desmo::report::promises_test {
 namespace {
 
 Json rival(const std::string& id, double error, double microseconds) {
@@ -82,4 +82,4 @@ TEST(Promises, ThatSayNothingAreRefused) {
 }
 
 }  // namespace
-}  // namespace desmo::report
+}  // namespace desmo::report::promises_test

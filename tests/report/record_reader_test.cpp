@@ -5,12 +5,11 @@
 #include <algorithm>
 #include <vector>
 
+#include "tests/report/contains.h"
 #include "tests/report/sample.h"
 
-namespace desmo::report {
+namespace desmo::report::record_reader_test {
 namespace {
-
-#define EXPECT_CONTAINS(text, part) EXPECT_NE((text).find(part), std::string::npos) << (text)
 
 TEST(RecordReader, ReadsTheCompleteSample) {
   const Record record = read_record(data_file("complete.json"));
@@ -391,4 +390,4 @@ TEST(RecordReader, ReplacesControlCharacters) {
 }
 
 }  // namespace
-}  // namespace desmo::report
+}  // namespace desmo::report::record_reader_test

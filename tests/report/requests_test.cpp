@@ -5,7 +5,7 @@
 #include "report/tables/tables.h"
 #include "tests/report/sample.h"
 
-namespace desmo::report {
+namespace desmo::report::requests_test {
 namespace {
 
 constexpr const char* wheel = "one wheel centre, position";
@@ -141,4 +141,4 @@ TEST(Structure, IsCheckedWhenRead) {
 }
 
 }  // namespace
-}  // namespace desmo::report
+}  // namespace desmo::report::requests_test

@@ -10,7 +10,7 @@
 #include "tests/report/sample.h"
 #include "tests/report/sizes_sample.h"
 
-namespace desmo::report {
+namespace desmo::report::same_numbers_test {
 namespace {
 
 // Counts that people read in the notes below a table.
@@ -158,4 +158,4 @@ TEST(SameNumbers, DifferencesAreSeen) {
 }
 
 }  // namespace
-}  // namespace desmo::report
+}  // namespace desmo::report::same_numbers_test

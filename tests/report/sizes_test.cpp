@@ -12,7 +12,7 @@
 #include "report/sizes/crossing.h"
 #include "tests/report/sizes_sample.h"
 
-namespace desmo::report {
+namespace desmo::report::sizes_test {
 namespace {
 
 const std::string in_order = "group_symbolic_explicit", klu = "global_automatic_klu";
@@ -212,4 +212,4 @@ TEST(Sizes, StandOnOnePageWithPoints) {
 }
 
 }  // namespace
-}  // namespace desmo::report
+}  // namespace desmo::report::sizes_test

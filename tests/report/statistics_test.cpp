@@ -11,7 +11,7 @@
 
 #include "report/digits.h"
 
-namespace desmo::report {
+namespace desmo::report::statistics_test {
 namespace {
 
 TEST(Statistics, MedianOfOddAndEvenCounts) {
@@ -201,4 +201,4 @@ TEST(Digits, DoNotFollowTheLocale) {
 }
 
 }  // namespace
-}  // namespace desmo::report
+}  // namespace desmo::report::statistics_test

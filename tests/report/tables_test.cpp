@@ -7,7 +7,7 @@
 #include "report/variants.h"
 #include "tests/report/sample.h"
 
-namespace desmo::report {
+namespace desmo::report::tables_test {
 namespace {
 
 TEST(Paper, HoldsThePublishedTables) {
@@ -387,4 +387,4 @@ TEST(Report, ProvenanceComesFromTheRecord) {
 }
 
 }  // namespace
-}  // namespace desmo::report
+}  // namespace desmo::report::tables_test

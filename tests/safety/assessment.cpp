@@ -15,7 +15,7 @@
 #include "tests/accuracy/scenes.h"
 #include "tests/safety/dead_point.h"
 
-namespace desmo {
+namespace desmo::assessment_test {
 namespace {
 
 /// Compares each instant that a reference has with what is said of it.
@@ -137,4 +137,4 @@ TEST(Assessment, OrientationIsTheBranchOfADyad) {
 }
 
 }  // namespace
-}  // namespace desmo
+}  // namespace desmo::assessment_test

@@ -14,7 +14,7 @@
 #include "tests/accuracy/scenes.h"
 #include "tests/safety/dead_point.h"
 
-namespace desmo {
+namespace desmo::run_test {
 namespace {
 
 class Discard final : public Sink {
@@ -300,4 +300,4 @@ TEST(Monitors, OfResidualsTellWhatATolerancePermits) {
 }
 
 }  // namespace
-}  // namespace desmo
+}  // namespace desmo::run_test

@@ -15,7 +15,7 @@
 #include "tests/mechanisms.h"
 #include "tests/structure/linkages.h"
 
-namespace desmo {
+namespace desmo::blocks_test {
 namespace {
 
 /// Blocks are square, cover unknowns and equations once each, and read only what is found before.
@@ -114,4 +114,4 @@ TEST(Growth, OfEquationsAndOfWhatTheyReadIsLinear) {
 }
 
 }  // namespace
-}  // namespace desmo
+}  // namespace desmo::blocks_test

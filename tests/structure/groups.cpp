@@ -12,7 +12,7 @@
 #include "tests/mechanisms.h"
 #include "tests/structure/linkages.h"
 
-namespace desmo {
+namespace desmo::groups_test {
 namespace {
 
 /// A group as a structural diagram shows it: its bodies, (N_m, n_c) and where its arrows come from.
@@ -230,4 +230,4 @@ TEST(Groups, HaveAsManyRestrictionsAsFreedomsUnlessSomeAreRedundant) {
 }
 
 }  // namespace
-}  // namespace desmo
+}  // namespace desmo::groups_test

@@ -11,8 +11,6 @@
 
 namespace desmo {
 
-inline const Motion still = Polynomial{{1}};
-
 inline Mechanism mechanism(const Description& d) {
   const auto drivers = std::ranges::count(d.coordinates, true, &Description::Coordinate::driven);
   return model(d, std::vector<Motion>(drivers, still)).mechanism;

@@ -21,7 +21,7 @@
 #include "formulations/modelling/model.h"
 #include "formulations/variants.h"
 
-namespace desmo::suite {
+namespace desmo::suite::cells_test {
 namespace {
 
 void spend(double seconds) {
@@ -201,4 +201,4 @@ TEST(Structure, CountsThePartsOfEachPartition) {
 }
 
 }  // namespace
-}  // namespace desmo::suite
+}  // namespace desmo::suite::cells_test

@@ -21,7 +21,7 @@
 #include "formulations/modelling/model.h"
 #include "formulations/variants.h"
 
-namespace desmo::suite {
+namespace desmo::suite::digests_test {
 namespace {
 
 // Of FIPS 180-2, appendix B.
@@ -142,4 +142,4 @@ TEST(ResultDigests, AreTheSameForEveryRightFormulationAndNoWrongOne) {
 }
 
 }  // namespace
-}  // namespace desmo::suite
+}  // namespace desmo::suite::digests_test

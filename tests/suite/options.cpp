@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace desmo::suite {
+namespace desmo::suite::options_test {
 namespace {
 
 Options parse(std::vector<std::string> texts, std::vector<std::string>* rest = nullptr) {
@@ -40,4 +40,4 @@ TEST(BenchOptions, RefuseWhatIsNotAPositiveNumber) {
 }
 
 }  // namespace
-}  // namespace desmo::suite
+}  // namespace desmo::suite::options_test

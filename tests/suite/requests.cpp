@@ -15,7 +15,7 @@
 #include "cases/library.h"
 #include "formulations/variants.h"
 
-namespace desmo::suite {
+namespace desmo::suite::requests_test {
 namespace {
 
 struct Requests : testing::Test {
@@ -97,4 +97,4 @@ TEST_F(Requests, FailWhereTheWholeMechanismCannotBeSolved) {
 }
 
 }  // namespace
-}  // namespace desmo::suite
+}  // namespace desmo::suite::requests_test

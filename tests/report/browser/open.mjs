@@ -11,6 +11,8 @@ const flags = [
   '--disable-background-networking', '--disable-component-update', '--disable-sync',
 ];
 
+const patience = 120000;  // ms; a busy machine must not decide
+
 const marks = figure => [...figure.querySelectorAll(
     '.drawing .role-mark :is([aria-roledescription="point"], [aria-roledescription="bar"])')];
 
@@ -42,28 +44,45 @@ async function focusByKeyboard(page, id) {
 
 async function live(page) {
   await page.waitForFunction(
-      () => [...document.querySelectorAll('figure')].every(figure => figure.dataset.state === 'live'),
-      null, {timeout: 60000});
+      () => [...document.querySelectorAll('figure')].every(figure => figure.dataset.state === 'live'));
 }
 
-// Waits until it holds, or as long as the slowest machine takes: who reads the result judges.
-async function until(page, holds) {
-  for (let waited = 0; waited < 20000 && !await holds(); waited += 50) await page.waitForTimeout(50);
+// Waits for two frames to have been drawn.
+function frames(page) {
+  return page.evaluate(
+      () => new Promise(drawn => requestAnimationFrame(() => requestAnimationFrame(drawn))));
+}
+
+// Returns the number of marks once it is as expected and two more frames do not change it. Gives up
+// after so long that only a page that never gets there is meant: who reads the result judges.
+async function settledMarks(page, figure, expected) {
+  const end = Date.now() + patience;
+  for (let last = -1;;) {
+    const count = await countMarks(figure);
+    if (count === last && expected(count) || Date.now() > end) return count;
+    last = count;
+    await frames(page);
+  }
+}
+
+// Returns what the hint says once it is shown.
+async function hintText(page) {
+  await page.locator('.hint').waitFor({state: 'visible', timeout: 5000}).catch(() => {});
+  return page.locator('.hint dd').last().textContent();
 }
 
 async function look(page, figure) {
   const id = await figure.getAttribute('id');
-  const found = {id, marks: await countMarks(figure)};
+  const found = {id, marks: await settledMarks(page, figure, count => count > 0)};
   found.texts = await (await figure.evaluateHandle(marks)).evaluate(hovered);
   await figure.locator('.role-mark [aria-roledescription]').first().hover({force: true});
-  found.pointer = await page.locator('.hint dd').last().textContent();
+  found.pointer = await hintText(page);
   found.presses = await focusByKeyboard(page, id);
   await page.keyboard.press('Space');
-  await until(page, async () => await countMarks(figure) !== found.marks);
-  found.marks_without_first = await countMarks(figure);
+  found.marks_without_first =
+      await settledMarks(page, figure, count => 0 < count && count < found.marks);
   await figure.locator('.role-legend-symbol path').first().click();
-  await until(page, async () => await countMarks(figure) !== found.marks_without_first);
-  found.marks_after_legend = await countMarks(figure);
+  found.marks_after_legend = await settledMarks(page, figure, count => count === found.marks);
   return found;
 }
 
@@ -71,6 +90,7 @@ const browser = await chromium.launch({executablePath, args: flags});
 const result = {requests: [], errors: [], figures: []};
 try {
   const page = await browser.newPage({viewport: {width: 1280, height: 900}});
+  page.setDefaultTimeout(patience);
   page.on('request', request => request.url() !== address && result.requests.push(request.url()));
   page.on('console', message => message.type() === 'error' && result.errors.push(message.text()));
   page.on('pageerror', error => result.errors.push(error.message));

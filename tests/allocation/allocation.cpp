@@ -1,0 +1,207 @@
+// No heap in a step. The allocator is interposed for the whole program; what UMFPACK and SPQR
+// allocate inside is counted and printed.
+
+#include <dlfcn.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <cstdlib>
+#include <iostream>
+#include <optional>
+#include <stdexcept>
+#include <vector>
+
+#include "bench/peers/peer.h"
+#include "cases/cases.h"
+#include "formulations/accuracy/error.h"
+#include "formulations/accuracy/violation.h"
+#include "formulations/id.h"
+#include "formulations/reference.h"
+#include "formulations/variants.h"
+#include "tests/every_variant.h"
+#include "tests/mechanisms.h"
+
+namespace {
+
+std::atomic<bool> counting{false};
+std::atomic<long> allocations{0};
+
+void note() {
+  if (counting) ++allocations;
+}
+
+template <class Function>
+Function next(const char* name) {
+  return reinterpret_cast<Function>(dlsym(RTLD_NEXT, name));
+}
+
+}  // namespace
+
+extern "C" {
+void* __libc_malloc(std::size_t size);
+void* __libc_calloc(std::size_t count, std::size_t size);
+void* __libc_realloc(void* old, std::size_t size);
+
+void* malloc(std::size_t size) noexcept {
+  note();
+  return __libc_malloc(size);
+}
+void* calloc(std::size_t count, std::size_t size) noexcept {
+  note();
+  return __libc_calloc(count, size);
+}
+void* realloc(void* old, std::size_t size) noexcept {
+  note();
+  return __libc_realloc(old, size);
+}
+int posix_memalign(void** memory, std::size_t alignment, std::size_t size) noexcept {
+  note();
+  static const auto original = next<int (*)(void**, std::size_t, std::size_t)>("posix_memalign");
+  return original(memory, alignment, size);
+}
+void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
+  note();
+  static const auto original = next<void* (*)(std::size_t, std::size_t)>("aligned_alloc");
+  return original(alignment, size);
+}
+}
+
+namespace desmo::allocation_test {
+namespace {
+
+/// Whether a library that solves a part of it allocates in every factorisation.
+bool allocates_inside(const Formulation& f) {
+  return std::ranges::any_of(f.parts(), [](const Formulation::DefinedPart& part) {
+    return part.algebra == "umfpack" || part.algebra == "spqr" || part.algebra == "sparselu";
+  });
+}
+
+long count(const auto& work) {
+  allocations = 0;
+  counting = true;
+  work();
+  counting = false;
+  return allocations;
+}
+
+TEST(Counter, CountsADeliberateAllocation) {
+  void* volatile kept = nullptr;
+  EXPECT_EQ(count([&] { kept = std::malloc(10); }), 1);
+  EXPECT_EQ(count([&] { kept = std::realloc(kept, 1000); }), 1);
+  std::free(kept);
+  EXPECT_EQ(count([&] { kept = std::calloc(3, 3); }), 1);
+  std::free(kept);
+  EXPECT_EQ(count([&] { kept = std::aligned_alloc(64, 64); }), 1);
+  std::free(kept);
+  int* volatile made = nullptr;
+  EXPECT_EQ(count([&] { made = new int(1); }), 1);
+  delete made;
+  EXPECT_EQ(count([] {}), 0);
+}
+
+class EveryStep : public EveryVariant {};
+
+TEST_P(EveryStep, AllocatesNothingInAStep) {
+  const Variant& v = GetParam();
+  for (const Case& c : cases()) {
+    const Mechanism m = make_mechanism(describe(c, is_dense_global(v) ? 114 : 558));
+    const auto f = make_formulation(v, m);
+    ASSERT_TRUE(f->assemble(0).ok());
+    constexpr int steps = 50;
+    bool ok = true;
+    const long n = count([&] {
+      for (int i = 1; i <= steps; ++i) ok = f->step(0.01 * i).ok() && ok;
+    });
+    EXPECT_TRUE(ok);
+    if (allocates_inside(*f))
+      std::cout << v.id << ", " << c.name << ": the library allocates "
+                << static_cast<double>(n) / steps << " times a step\n";
+    else
+      EXPECT_EQ(n, 0) << c.name;
+  }
+}
+
+TEST(Measures, AllocateNothingWhileInstantsArrive) {
+  const Mechanism m = make_mechanism(describe(cases().back(), 114));
+  const std::vector<double> times{0, 0.1, 0.2};
+  const Reference reference = make_reference(m, times);
+  ErrorMeasure error(m, reference.instants, reference.scales);
+  ViolationMeasure violation(m, reference.scales, times);
+  const long n = count([&] {
+    for (int i = 0; i <= 2; ++i) {
+      const ReferenceInstant& r = reference.instants[i];
+      const Instant instant{i, r.time, r.q, r.qd, r.qdd};
+      error.accept(instant);
+      violation.accept(instant);
+    }
+  });
+  EXPECT_EQ(n, 0);
+  EXPECT_EQ(error.error().instants, 3);
+  EXPECT_EQ(violation.violation().instants, 3);
+}
+
+/// Once warm: a pivot order that has to be chosen anew is KLU's to allocate.
+TEST_P(EveryStep, AllocatesNothingInAStepWhateverTheSettings) {
+  const Variant& v = GetParam();
+  const Mechanism m = make_mechanism(describe(find_case("truck_suspension"), 114));
+  for (const char* suffixes :
+       {"/guess:linear", "/guess:quadratic", "/guess:hermite3", "/guess:hermite5", "/guess:adams8",
+        "/jacobian:step", "/jacobian:chord", "/guess:hermite5/jacobian:step",
+        "/guess:hermite5/jacobian:chord", "/factorisation:per_level", "/scalar:mixed",
+        "/jacobian:chord/scalar:mixed", "/scalar:float/iterations:2", "/tolerance:1e-6",
+        "/iterations:2"}) {
+    std::optional<Configuration> c;
+    try {
+      c = parse_id(v.id + suffixes);
+    } catch (const std::invalid_argument&) {
+      continue;  // not applicable
+    }
+    const auto f = make_formulation(v, m, c->settings);
+    if (allocates_inside(*f)) continue;  // counted above
+    ASSERT_TRUE(f->assemble(0).ok()) << suffixes;
+    bool ok = true;
+    const long n = count([&] {
+      for (int i = 1; i <= 50; ++i) ok = f->step(0.01 * i).ok() && ok;
+    });
+    EXPECT_TRUE(ok) << suffixes;
+    EXPECT_EQ(n, 0) << suffixes;
+  }
+}
+
+TEST(TreePeers, AllocateNothingInAStep) {
+  for (const PeerDefinition* peer : peers()) {
+    if (!peer->name.starts_with("tree")) continue;  // libraries do as they like
+    for (const Case& c : cases()) {
+      const Scene scene = describe(c, 558);
+      const Mechanism m = make_mechanism(scene);
+      const auto solver = peer->make(scene, m);
+      solver->assemble(0);
+      const long n = count([&] {
+        for (int i = 1; i <= 50; ++i) solver->step(0.01 * i);
+      });
+      EXPECT_EQ(n, 0) << c.name << ", " << peer->name;
+    }
+  }
+}
+
+/// Interpolation takes its memory once a motion, however many instants that has.
+TEST(DenseOutput, AllocatesNothingFromInstantToInstant) {
+  class Discard final : public Sink {
+   public:
+    void accept(const Instant&) override {}
+  } sink;
+  const Mechanism m = make_mechanism(describe(find_case("truck_suspension"), 114));
+  const auto f = make_formulation(find_variant("group_symbolic_klu"), m, {.stride = 8});
+  ASSERT_TRUE(f->run(time_grid(1, 0.01), {}, sink).ok());
+  const long once = count([&] { f->run(time_grid(0.08, 0.01), {}, sink); });
+  EXPECT_GT(once, 0);
+  EXPECT_EQ(count([&] { f->run(time_grid(1, 0.01), {}, sink); }), once);
+}
+
+INSTANTIATE_TEST_SUITE_P(Table, EveryStep, testing::ValuesIn(tested_variants()),
+                         EveryVariant::name);
+
+}  // namespace
+}  // namespace desmo::allocation_test

@@ -1,0 +1,53 @@
+// Long runs hold no more memory at their end than at their beginning.
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <vector>
+
+#include "bench/suite/heap.h"
+#include "formulations/variants.h"
+#include "tests/every_variant.h"
+#include "tests/mechanisms.h"
+
+namespace desmo::memory_test {
+namespace {
+
+/// Heap in use after the first `early` steps and after all of them.
+struct Held {
+  std::size_t early, late;
+};
+
+Held held(Formulation& f, int early, int steps) {
+  Held h{0, 0};
+  for (int i = 1; i <= steps; ++i) {
+    EXPECT_TRUE(f.step(0.01 * i).ok()) << i;
+    if (i == early) h.early = suite::heap_in_use();
+  }
+  h.late = suite::heap_in_use();
+  return h;
+}
+
+TEST(HeapInUse, SeesWhatIsHeld) {
+  const std::size_t before = suite::heap_in_use();
+  if (before == 0) GTEST_SKIP() << "the allocator does not tell";
+  const std::vector<char> kept(100'000);
+  EXPECT_GE(suite::heap_in_use(), before + kept.size());
+}
+
+class EveryLongRun : public EveryVariant {};
+
+/// UMFPACK's and SPQR's factors are made anew in every step and are not always of one size.
+TEST_P(EveryLongRun, HoldsNoMoreMemoryAfterManySteps) {
+  constexpr std::size_t size_of_factors = 4096;
+  const Mechanism m = four_bar_mechanism(1);
+  const auto f = make_formulation(GetParam(), m);
+  const Held h = held(*f, 1000, 20'000);
+  EXPECT_LE(h.late, h.early + size_of_factors);
+}
+
+INSTANTIATE_TEST_SUITE_P(Table, EveryLongRun, testing::ValuesIn(tested_variants()),
+                         EveryVariant::name);
+
+}  // namespace
+}  // namespace desmo::memory_test

@@ -1,0 +1,263 @@
+// Copies of a piece of a mechanism in lanes: which are taken for copies, and what becomes of those
+// that the code refuses.
+
+#include "formulations/lane_part.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "cases/cases.h"
+#include "formulations/explicit_part.h"
+#include "formulations/magnitudes.h"
+#include "formulations/variants.h"
+#include "tests/borrowed_part.h"
+#include "tests/mechanisms.h"
+
+namespace desmo::lane_part_test {
+namespace {
+
+constexpr int refused_lane = 2;
+constexpr std::size_t axle_size = 39, lever_size = 19;
+
+/// Axles, levers and dampers of a truck, to be put into lanes.
+class Pieces : public ::testing::Test {
+ protected:
+  void make(int axles) {
+    mechanism_ = truck_mechanism(axles);
+    definitions_ = make_partition(mechanism_, Partition::group);
+    reference_ = make_formulation(find_variant("group_automatic_eigen"), mechanism_);
+  }
+
+  std::vector<std::size_t> of_size(std::size_t unknowns) const {
+    std::vector<std::size_t> result;
+    for (std::size_t i = 0; i < definitions_.size(); ++i)
+      if (definitions_[i].unknowns.size() == unknowns) result.push_back(i);
+    return result;
+  }
+
+  std::unique_ptr<ExplicitPart> part(std::size_t i, const ExplicitKernel& kernel) {
+    return std::make_unique<ExplicitPart>(
+        kernel, bind_kernel(mechanism_, definitions_[i]).value(),
+        Magnitudes(mechanism_).weights(definitions_[i]), Settings{.tolerance = 1e-11},
+        std::make_unique<Borrowed>(*reference_->parts()[i].solver));
+  }
+
+  const ExplicitKernel& kernel(std::size_t i) const {
+    return *find_explicit_kernel(bind_kernel(mechanism_, definitions_[i])->kernel->fingerprint);
+  }
+
+  Copy copy(const std::vector<std::size_t>& parts) {
+    Copy result;
+    for (const std::size_t i : parts) result.push_back(part(i, kernel(i)));
+    return result;
+  }
+
+  bool alike(const Copy& a, const Copy& b) const {
+    std::vector<const ExplicitPart*> of_a, of_b;
+    for (const auto& p : a) of_a.push_back(p.get());
+    for (const auto& p : b) of_b.push_back(p.get());
+    return are_copies(of_a, of_b);
+  }
+
+  /// Of each position in the state.
+  std::vector<StateKind> kinds() const {
+    std::vector<StateKind> result(mechanism_.state_size(), StateKind::constant);
+    std::fill_n(result.begin(), mechanism_.coordinates(), StateKind::solved);
+    for (const Driver& d : mechanism_.drivers)
+      result[mechanism_.entities[d.coordinate].first] = StateKind::driven;
+    return result;
+  }
+
+  std::vector<int> unknowns(const std::vector<std::vector<std::size_t>>& copies) const {
+    std::vector<int> result;
+    for (const auto& parts : copies)
+      for (const std::size_t p : parts)
+        std::ranges::copy(definitions_[p].unknowns, std::back_inserter(result));
+    return result;
+  }
+
+  /// Unknowns of these parts, and the drivers that `together` does not read in the state.
+  void spoil(const std::vector<std::vector<std::size_t>>& copies, const LanePart& together,
+             State& s) const {
+    for (const int k : unknowns(copies)) s.q[k] = s.qd[k] = s.qdd[k] = 17;
+    for (const int k : together.drivers()) s.q[k] = s.qd[k] = s.qdd[k] = 17;
+  }
+
+  /// Drivers as they are in a state.
+  struct Driven {
+    Driven(const LanePart& part, const State& s) {
+      for (const int k : part.drivers()) {
+        z.push_back(s.q[k]);
+        zd.push_back(s.qd[k]);
+        zdd.push_back(s.qdd[k]);
+      }
+    }
+    MotionRow row() const { return {z.data(), zd.data(), zdd.data()}; }
+    std::vector<double> z, zd, zdd;
+  };
+
+  State solved() const {
+    State s;
+    const auto size = static_cast<std::size_t>(mechanism_.state_size());
+    const auto put = [&](std::span<const double> from, std::vector<double>& to) {
+      to.assign(from.begin(), from.end());
+      to.resize(size, 0);
+    };
+    put(reference_->q(), s.q);
+    put(reference_->qd(), s.qd);
+    put(reference_->qdd(), s.qdd);
+    std::ranges::copy(mechanism_.fixed_values, s.q.begin() + mechanism_.coordinates());
+    return s;
+  }
+
+  /// Four copies, of one of which the code refuses the last part: that one alone is solved by other
+  /// parts, and rightly.
+  void refuse_last_part(const std::vector<std::vector<std::size_t>>& copies) {
+    static const LaneKernel* sound = nullptr;
+    CopyKernels kernels;
+    for (const std::size_t i : copies.front())
+      kernels.push_back(find_lane_kernel(kernel(i).fingerprint, 4));
+    sound = kernels.back();
+    ASSERT_NE(sound, nullptr);
+    LaneKernel refusing = *sound;
+    refusing.solve = [](double* q, double* qd, double* qdd, const ExplicitBinding<double>& binding,
+                        double* residual2) {
+      LaneResult r = sound->solve(q, qd, qdd, binding, residual2);
+      r.accepted &= ~(1u << refused_lane);
+      return r;
+    };
+    kernels.back() = &refusing;
+    ExplicitKernel refused = kernel(copies[refused_lane].back());
+    refused.solve[2] = [](double*, double*, double*, const ExplicitBinding<double>*, int) {
+      return ExplicitRunResult{};
+    };
+
+    std::vector<Copy> members;
+    std::vector<const ExplicitPart*> seen;
+    for (const auto& parts : copies) {
+      members.push_back(copy(parts));
+      if (members.size() == refused_lane + 1) members.back().back() = part(parts.back(), refused);
+      for (const auto& member : members.back()) seen.push_back(member.get());
+    }
+    const ExplicitPart* const other = members[refused_lane].back().get();
+    LanePart together({kernels}, std::move(members), kinds(), Guess::previous);
+
+    ASSERT_TRUE(reference_->assemble(0).ok());
+    State s = solved();
+    const State expected = s;
+    for (int i = 0; i < 3; ++i) {
+      if (i > 0)  // found again, and not left as they were
+        for (const auto& parts : copies)
+          for (const std::size_t p : parts)
+            for (const int k : definitions_[p].unknowns) s.qd[k] = s.qdd[k] = 17;
+      ASSERT_EQ(together.solve(s, expected.q, Level::acceleration).status, Status::converged);
+    }
+    for (const ExplicitPart* const p : seen) EXPECT_EQ(p->fallbacks(), p == other ? 2 : 0);
+    EXPECT_EQ(together.fallbacks(), 2);
+
+    // Predicted, with nobody who reads anything: the state knows nothing of unknowns and drivers.
+    together.write_only(std::vector<bool>(mechanism_.state_size(), false));
+    const Driven drivers(together, expected);
+    EXPECT_EQ(drivers.z.empty(), copies.front().size() == 1);  // levers have none
+    for (int i = 0; i < 2; ++i) {
+      spoil(copies, together, s);
+      const std::vector<double> last = s.q;
+      together.begin_step({0.01, 0.01, Level::acceleration, Level::acceleration}, drivers.row());
+      ASSERT_EQ(together.solve(s, last, Level::acceleration).status, Status::converged);
+    }
+    EXPECT_EQ(together.fallbacks(), 4);
+    std::vector<double> last = s.q;
+    together.write_last(last);
+    together.write(s);
+    for (int i = 0; i < mechanism_.coordinates(); ++i) EXPECT_NEAR(last[i], s.q[i], 1e-10) << i;
+    for (int i = 0; i < mechanism_.coordinates(); ++i) {
+      EXPECT_NEAR(s.q[i], expected.q[i], 1e-10) << i;
+      EXPECT_NEAR(s.qd[i], expected.qd[i], 1e-9) << i;
+      EXPECT_NEAR(s.qdd[i], expected.qdd[i], 1e-8) << i;
+    }
+  }
+
+  Mechanism mechanism_;
+  std::vector<PartDefinition> definitions_;
+  std::unique_ptr<Formulation> reference_;
+};
+
+TEST_F(Pieces, OfOnePartThatAreRefusedFallBackAlone) {
+  make(2);
+  std::vector<std::vector<std::size_t>> copies;
+  for (const std::size_t lever : of_size(lever_size)) copies.push_back({lever});
+  ASSERT_EQ(copies.size(), 4u);
+  refuse_last_part(copies);
+}
+
+TEST_F(Pieces, OfSeveralPartsThatAreRefusedFallBackAlone) {
+  make(4);
+  const auto axles = of_size(axle_size), levers = of_size(lever_size);
+  std::vector<std::vector<std::size_t>> copies;
+  for (std::size_t a = 0; a < 4; ++a)
+    copies.push_back({axles[a], levers[2 * a], levers[2 * a + 1]});
+  refuse_last_part(copies);
+}
+
+/// Predicted, what nobody reads stays in lanes. From the state, it is left complete.
+TEST_F(Pieces, LeaveInTheStateWhatIsReadThere) {
+  make(2);
+  std::vector<std::vector<std::size_t>> copies;
+  std::vector<Copy> members;
+  CopyKernels kernels;
+  for (const std::size_t lever : of_size(lever_size)) {
+    copies.push_back({lever});
+    members.push_back(copy({lever}));
+    kernels = {find_lane_kernel(kernel(lever).fingerprint, 4)};
+  }
+  LanePart together({kernels}, std::move(members), kinds(), Guess::previous);
+  std::vector<bool> read(mechanism_.state_size(), false);
+  const int there = definitions_[copies[1][0]].unknowns[3];
+  read[there] = true;
+  together.write_only(read);
+  ASSERT_TRUE(reference_->assemble(0).ok());
+  State s = solved();
+  const State expected = s;
+  for (int i = 0; i < 2; ++i)
+    ASSERT_EQ(together.solve(s, s.q, Level::acceleration).status, Status::converged);
+  EXPECT_EQ(together.fallbacks(), 0);
+
+  spoil(copies, together, s);
+  const Driven drivers(together, expected);
+  together.begin_step({0.01, 0.01, Level::acceleration}, drivers.row());
+  ASSERT_EQ(together.solve(s, s.q, Level::acceleration).status, Status::converged);
+  for (const int k : unknowns(copies)) {
+    EXPECT_NEAR(s.q[k], k == there ? expected.q[k] : 17, 1e-10) << k;
+    EXPECT_NEAR(s.qdd[k], k == there ? expected.qdd[k] : 17, 1e-7) << k;
+  }
+  together.write(s);
+  for (const int k : unknowns(copies)) EXPECT_NEAR(s.q[k], expected.q[k], 1e-10) << k;
+
+  for (const int k : unknowns(copies))
+    if (k != there) s.q[k] += 1e-7;
+  together.begin_step({0.01, 0.01, std::nullopt}, drivers.row());
+  ASSERT_EQ(together.solve(s, s.q, Level::acceleration).status, Status::converged);
+  for (const int k : unknowns(copies)) EXPECT_NEAR(s.q[k], expected.q[k], 1e-10) << k;
+}
+
+TEST_F(Pieces, AreCopiesWhereTheyTakeTheSameFromEachOther) {
+  make(2);
+  const auto axles = of_size(axle_size), levers = of_size(lever_size);
+  const Copy first = copy({axles[0], levers[0], levers[1]}),
+             second = copy({axles[1], levers[2], levers[3]});
+  EXPECT_TRUE(alike(first, first));
+  EXPECT_TRUE(alike(first, second));
+  EXPECT_FALSE(alike(first, copy({axles[1], levers[2], levers[1]})));  // a lever of the other axle
+  EXPECT_FALSE(alike(first, copy({axles[1], levers[2]})));
+  EXPECT_FALSE(alike(first, copy({levers[2], axles[1], levers[3]})));
+  EXPECT_FALSE(alike(copy({levers[0], levers[0]}), copy({levers[0], levers[1]})));
+}
+
+}  // namespace
+}  // namespace desmo::lane_part_test

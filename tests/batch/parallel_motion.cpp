@@ -1,0 +1,210 @@
+// Stretches of a motion on several threads: the same instants as step by step, or step by step
+// after all.
+
+#include "formulations/parallel_motion.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "cases/cases.h"
+#include "formulations/algebra/blas.h"
+#include "formulations/id.h"
+#include "formulations/variants.h"
+#include "tests/everything.h"
+#include "tests/mechanisms.h"
+
+namespace desmo::parallel_motion_test {
+namespace {
+
+std::unique_ptr<Formulation> make(const Mechanism& m, const std::string& id) {
+  const Configuration c = parse_id(id);
+  return make_formulation(*c.variant, m, c.settings);
+}
+
+int moving_unknowns(const Formulation& f) {
+  std::size_t sum = 0;
+  for (const Formulation::DefinedPart& p : f.parts())
+    if (!p.definition.constant) sum += p.definition.unknowns.size();
+  return static_cast<int>(sum);
+}
+
+/// The motion of the grid in so short steps that each of three threads has something to do.
+TimeGrid worth_three_threads(const TimeGrid& grid, const Formulation& f) {
+  const int instants = std::max(grid.instants, 330'000 / moving_unknowns(f));
+  return {grid.start, grid.step * (grid.instants - 1) / (instants - 1), instants};
+}
+
+/// Solves with and without threads, and compares.
+void compare(const Mechanism& m, const TimeGrid& of_scene, const std::string& id, int threads) {
+  const std::string parallel_id = id + "/threads:" + std::to_string(threads);
+  const auto serial = make(m, id), parallel = make(m, parallel_id);
+  const TimeGrid grid = worth_three_threads(of_scene, *serial);
+  Everything expected(grid.instants, false), actual(grid.instants, true);
+  const Summary a = serial->run(grid, {}, expected), b = parallel->run(grid, {}, actual);
+  ASSERT_TRUE(a.ok() && b.ok()) << m.name << " " << parallel_id;
+  EXPECT_EQ(b.instants, grid.instants) << m.name;
+  EXPECT_EQ(b.time, a.time) << m.name;
+  EXPECT_LT(b.residual, 1e-10) << m.name;
+  expect_same(actual, expected, m.name + " " + parallel_id);
+}
+
+TEST(ParallelMotion, SolvesWhatOneThreadSolves) {
+  for (const auto& [m, grid] : every_motion()) {
+    compare(m, grid, "group_symbolic_explicit/guess:hermite5", 3);
+    compare(m, grid, "group_symbolic_explicit/segments:4", 2);
+  }
+}
+
+TEST(ParallelMotion, GoesWithEveryAlgebra) {
+  set_blas_threads(1);  // more wait for each other where matrices are this small
+  const Mechanism m = truck_mechanism(1);
+  for (const Variant& v : variants())
+    if (v.partition == Partition::group && (v.evaluation == Evaluation::automatic || !v.backend))
+      compare(m, time_grid(1, 0.01), v.id, 2);
+}
+
+TEST(ParallelMotion, IsSolvedByAsManyThreadsAsAskedFor) {
+  for (const Case& c : cases())
+    for (const char* id : {"group_symbolic_explicit/threads:3", "group_automatic_klu/threads:3",
+                           "group_symbolic_explicit/lanes:4/threads:3",
+                           "group_symbolic_explicit/segments:4/threads:3"}) {
+      const Mechanism m = make_mechanism(c.describe(2));
+      const auto f = make(m, id);
+      const TimeGrid grid = worth_three_threads(time_grid(3, 0.01), *f);
+      Everything sink(grid.instants, true);
+      ASSERT_TRUE(f->run(grid, {}, sink).ok());
+      EXPECT_EQ(f->run_by_steps(), 0) << c.name << " " << id;
+      EXPECT_EQ(sink.threads.size(), 3u) << c.name << " " << id;
+      EXPECT_EQ(sink.order.size(), static_cast<std::size_t>(grid.instants)) << c.name << " " << id;
+    }
+}
+
+/// Whichever thread is first: to the last bit, in order of time for who needs it.
+TEST(ParallelMotion, DoesNotDependOnWhoIsFirst) {
+  const Mechanism m = truck_mechanism(2);
+  const auto f = make(m, "group_symbolic_explicit/guess:hermite5/threads:3");
+  const TimeGrid grid = worth_three_threads(time_grid(3, 0.01), *f);
+  Everything first(grid.instants, true), again(grid.instants, false);
+  const Summary a = f->run(grid, {}, first), b = f->run(grid, {}, again);
+  ASSERT_TRUE(a.ok() && b.ok());
+  EXPECT_EQ(first.all, again.all);
+  EXPECT_EQ(a.iterations, b.iterations);
+  EXPECT_EQ(a.updates, b.updates);
+  EXPECT_EQ(a.residual, b.residual);
+  EXPECT_TRUE(std::ranges::is_sorted(again.order));
+  EXPECT_EQ(again.threads, std::set{std::this_thread::get_id()});
+}
+
+TEST(ParallelMotion, StaysOnOneThreadWhereThereIsLittleToDo) {
+  const Mechanism m = four_bar_mechanism(1);
+  const auto f = make(m, "group_symbolic_explicit/threads:3");
+  const TimeGrid grid = time_grid(3, 0.01);
+  Everything sink(grid.instants, true);
+  ASSERT_TRUE(f->run(grid, {}, sink).ok());
+  EXPECT_EQ(f->run_by_steps(), 0);
+  EXPECT_EQ(sink.threads, std::set{std::this_thread::get_id()});
+  EXPECT_TRUE(std::ranges::is_sorted(sink.order));
+}
+
+TEST(ParallelMotion, LeavesTheLastInstantToStepOnFrom) {
+  const Mechanism m = truck_mechanism(2);
+  const auto f = make(m, "group_symbolic_explicit/threads:2"),
+             g = make(m, "group_symbolic_explicit");
+  const TimeGrid grid = worth_three_threads(time_grid(2, 0.01), *f);
+  Everything sink(grid.instants, true);
+  ASSERT_TRUE(f->run(grid, {}, sink).ok() && g->assemble(2).ok());
+  expect_to_step_on_alike(*f, *g, 2);
+}
+
+/// Only what is asked for is solved on threads, too.
+TEST(ParallelMotion, LeavesOutWhatNobodyAsksFor) {
+  const Mechanism m = truck_mechanism(2);
+  const auto f = make(m, "group_symbolic_explicit/threads:2");
+  f->solve_only(std::vector(m.coordinates(), Level::position));
+  const TimeGrid grid = worth_three_threads(time_grid(2, 0.01), *f);
+  Everything sink(grid.instants, true);
+  ASSERT_TRUE(f->run(grid, {}, sink).ok());
+  for (const Formulation::DefinedPart& part : f->parts())
+    for (const int k : part.definition.unknowns) EXPECT_EQ(f->qdd()[k], 0) << k;
+}
+
+/// Links that are too short where the crank points away: the same failure, and nothing after it.
+TEST(ParallelMotion, FailsAsStepsFail) {
+  Mechanism m = four_bar_mechanism(1);
+  for (Constraint& c : m.constraints) {
+    if (c.name.starts_with("dyad1/coupler")) c.constants[0] = 3.75 * 3.75;
+    if (c.name.find("psi") != std::string::npos) c.constants[0] = 4;
+  }
+  const int c = m.entities[m.find("dyad1/C")].first;
+  m.estimate[c] = 3.5;
+  m.estimate[c + 1] = 3;
+  const auto f = make(m, "group_symbolic_explicit/threads:3"),
+             g = make(m, "group_symbolic_explicit");
+  const TimeGrid grid = worth_three_threads(time_grid(6, 0.01), *g);
+  Everything actual(grid.instants, false), expected(grid.instants, false);
+  const Summary a = f->run(grid, {}, actual), b = g->run(grid, {}, expected);
+  ASSERT_FALSE(b.ok());
+  EXPECT_EQ(f->run_by_steps(), 1);
+  EXPECT_EQ(a.status, b.status);
+  EXPECT_EQ(a.time, b.time);
+  EXPECT_EQ(a.group, b.group);
+  EXPECT_EQ(actual.order, expected.order);
+}
+
+TEST(ParallelMotion, IsGivenUpWhereStretchesDoNotMeet) {
+  const Mechanism m = truck_mechanism(1);
+  Mechanism other = m;
+  for (Constraint& c : other.constraints)
+    for (double& constant : c.constants) constant *= 1 + 1e-5;
+  std::vector<std::unique_ptr<Formulation>> workers;
+  workers.push_back(make(m, "group_automatic_eigen"));
+  workers.push_back(make(other, "group_automatic_eigen"));
+  ParallelMotion motion(std::move(workers), 16);
+  const auto f = make(m, "group_automatic_eigen");
+  const TimeGrid grid = worth_three_threads(time_grid(1, 0.01), *f);
+  ASSERT_EQ(motion.stretches(grid.instants), 2);
+  ASSERT_TRUE(f->assemble(0).ok());
+  State state;
+  state.q.assign(f->q().begin(), f->q().end());
+  state.q.insert(state.q.end(), m.fixed_values.begin(), m.fixed_values.end());
+  state.qd.resize(m.state_size());
+  state.qdd.resize(m.state_size());
+  Everything sink(grid.instants, true);
+  EXPECT_FALSE(motion.run(grid, {}, state, sink));
+}
+
+TEST(ParallelMotion, HandsOnWhatASinkThrows) {
+  const Mechanism m = truck_mechanism(2);
+  const auto f = make(m, "group_symbolic_explicit/threads:2");
+  const TimeGrid grid = worth_three_threads(time_grid(1, 0.01), *f);
+  class Full final : public Sink {
+   public:
+    void accept(const Instant& i) override {
+      if (i.index == 700) throw std::runtime_error("no space left");
+    }
+    bool takes_any_order() const override { return true; }
+  } full;
+  EXPECT_THROW(f->run(grid, {}, full), std::runtime_error);
+  Everything sink(grid.instants, true);
+  EXPECT_TRUE(f->run(grid, {}, sink).ok());
+}
+
+TEST(ParallelMotion, StandsInTheId) {
+  const std::string id = "group_symbolic_explicit/segments:4/threads:2";
+  const Configuration c = parse_id(id);
+  EXPECT_EQ(c.settings.threads, 2);
+  EXPECT_EQ(id_with(*c.variant, c.settings), id);
+  EXPECT_THROW(parse_id("group_symbolic_explicit/threads:65"), std::invalid_argument);
+  EXPECT_THROW(make_formulation(*c.variant, truck_mechanism(1), {.threads = 0}),
+               std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace desmo::parallel_motion_test

@@ -1,0 +1,190 @@
+// Sinks with rooms, and parts that keep what they find until it is asked for.
+
+#include "tests/rooms.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "cases/cases.h"
+#include "formulations/id.h"
+#include "formulations/keeper.h"
+#include "formulations/variants.h"
+#include "tests/everything.h"
+#include "tests/lanes_here.h"
+#include "tests/mechanisms.h"
+
+namespace desmo::rooms_test {
+namespace {
+
+/// Five axles: a batch with lanes that are left empty, or one full and an axle left over.
+const Mechanism& truck() {
+  static const Mechanism m = truck_mechanism(5);
+  return m;
+}
+
+const TimeGrid grid{0, 0.01, 60};
+
+std::vector<int> all_of(const Mechanism& m) {
+  std::vector<int> all(m.coordinates());
+  for (int i = 0; i < m.coordinates(); ++i) all[i] = i;
+  return all;
+}
+
+/// Some of every axle and what none of them has, as they come; all of one axle; all.
+std::vector<std::vector<int>> selections(const Mechanism& m) {
+  const std::vector<int> all = all_of(m);
+  std::vector<int> scattered;
+  for (int i = m.coordinates() - 1; i >= 0; i -= 7) scattered.push_back(i);
+  return {scattered, {all.begin() + 120, all.begin() + 200}, {0}, all};
+}
+
+class OnLanes : public testing::TestWithParam<int> {
+ protected:
+  std::unique_ptr<Formulation> make(Guess guess = Guess::adams8) const {
+    return make_formulation(find_variant("group_symbolic_explicit"), truck(),
+                            {.guess = guess, .lanes = GetParam()});
+  }
+};
+
+TEST_P(OnLanes, RoomsHoldWhatSinksAreHanded) {
+  for (const Guess guess : {Guess::previous, Guess::hermite5, Guess::adams8}) {
+    const auto f = make(guess), g = make(guess);
+    Everything whole(grid.instants, false);
+    ASSERT_TRUE(g->run(grid, {}, whole).ok());
+    for (const Level level : {Level::position, Level::velocity, Level::acceleration})
+      for (const std::vector<int>& some : selections(truck())) {
+        Rooms rooms(grid.instants, some, level);
+        ASSERT_TRUE(f->run(grid, {Level::acceleration, some}, rooms).ok());
+        expect_in_rooms(rooms, some, level, whole.all);
+      }
+  }
+}
+
+/// Whatever is left out of the axles that they drive.
+TEST_P(OnLanes, RoomsHoldDriversAtEveryLevel) {
+  const auto f = make(), g = make();
+  std::vector<int> drivers;
+  for (const Driver& d : truck().drivers) drivers.push_back(truck().entities[d.coordinate].first);
+  f->solve_only(std::vector<Level>(truck().coordinates(), Level::position));
+  Everything whole(grid.instants, false);
+  Rooms rooms(grid.instants, drivers, Level::acceleration);
+  ASSERT_TRUE(g->run(grid, {}, whole).ok());
+  ASSERT_TRUE(f->run(grid, {Level::acceleration, drivers}, rooms).ok());
+  expect_in_rooms(rooms, drivers, Level::acceleration, whole.all);
+}
+
+TEST_P(OnLanes, NothingIsMissingBehindARunThatWasAskedForLittle) {
+  const auto f = make(), g = make();
+  Everything whole(grid.instants, false);
+  Rooms rooms(grid.instants, {7}, Level::position);
+  ASSERT_TRUE(g->run(grid, {}, whole).ok());
+  ASSERT_TRUE(f->run(grid, {Level::acceleration, std::vector{7}}, rooms).ok());
+  EXPECT_TRUE(std::ranges::equal(f->q(), g->q()));
+  EXPECT_TRUE(std::ranges::equal(f->qd(), g->qd()));
+  EXPECT_TRUE(std::ranges::equal(f->qdd(), g->qdd()));
+  for (int i = 0; i < 3; ++i) {
+    const double t = grid.time(grid.instants + i);
+    ASSERT_TRUE(f->step(t).ok() && g->step(t).ok());
+    EXPECT_TRUE(std::ranges::equal(f->q(), g->q()));
+    EXPECT_TRUE(std::ranges::equal(f->qdd(), g->qdd()));
+  }
+}
+
+/// Up to the instant before which an axle is driven out of its reach.
+TEST_P(OnLanes, PositionsAreAsTheyWereBehindARunThatFails) {
+  Mechanism m = truck();
+  const int last = 20;
+  std::get<HarmonicSum>(m.drivers[2].motion).terms.push_back({0.2, 1.0, -grid.time(last)});
+  const TimeGrid far{0, 0.1, 60};
+  const auto with = [&](int lanes) {
+    return make_formulation(find_variant("group_symbolic_explicit"), m,
+                            {.guess = Guess::adams8, .lanes = lanes});
+  };
+  const auto f = with(GetParam()), g = with(GetParam()), one_by_one = with(1);
+  Everything whole(far.instants, false);
+  Rooms rooms(far.instants, {7}, Level::position);
+  const Summary expected = g->run(far, {}, whole);
+  const Summary failed = f->run(far, {Level::acceleration, std::vector{7}}, rooms);
+  ASSERT_FALSE(expected.ok());
+  ASSERT_GT(expected.instants, 5);
+  EXPECT_EQ(failed.instants, expected.instants);
+  EXPECT_EQ(describe(failed, m), describe(expected, m));
+  EXPECT_TRUE(std::ranges::equal(f->q(), g->q()));
+  ASSERT_FALSE(one_by_one->run(far, {}, whole).ok());
+  for (int i = 0; i < m.coordinates(); ++i) EXPECT_NEAR(f->q()[i], one_by_one->q()[i], 1e-10) << i;
+  const double back = far.time(static_cast<int>(failed.instants) - 2);
+  ASSERT_TRUE(f->step(back).ok() && one_by_one->step(back).ok());
+  for (int i = 0; i < m.coordinates(); ++i)
+    EXPECT_NEAR(f->qdd()[i], one_by_one->qdd()[i], 1e-7) << i;
+}
+
+TEST_P(OnLanes, RoomsNameEveryCoordinateOnceOrAreRefused) {
+  for (const std::vector<int>& wrong : without_room(truck().coordinates())) {
+    const auto f = make();
+    Rooms rooms(grid.instants, wrong, Level::position);
+    for (int i = 0; i < 2; ++i) EXPECT_THROW(f->run(grid, {}, rooms), std::invalid_argument);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Rooms, OnLanes, testing::ValuesIn(lanes_here()));
+
+TEST(Rooms, AreNotNeededByWhoKeepsNothing) {
+  const auto f = make_formulation(find_variant("group_symbolic_explicit"), truck());
+  for (const Formulation::DefinedPart& part : f->parts()) EXPECT_EQ(part.solver->keeper(), nullptr);
+  Rooms rooms(grid.instants, {7}, Level::position);
+  ASSERT_TRUE(f->run(grid, {}, rooms).ok());
+  EXPECT_EQ(rooms.handed_over, grid.instants);
+}
+
+TEST(Rooms, OfAPoolAreTakenAgain) {
+  RoomPool pool({{}, Level::velocity}, 5);
+  const Room a = pool.take(), b = pool.take();
+  for (const Room& room : {a, b}) {
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(room.q) % 64, 0u);
+    EXPECT_GE(std::abs(room.qd - room.q), 5);
+    EXPECT_EQ(room.qdd, nullptr);
+  }
+  EXPECT_GE(std::abs(a.q - b.q), 10);
+  a.q[4] = 1;
+  pool.give_back(a);
+  const Room again = pool.take();
+  EXPECT_EQ(again.q, a.q);
+  EXPECT_EQ(again.q[4], 1);
+  EXPECT_NE(pool.take().q, b.q);
+}
+
+TEST(Rooms, AreFilledByThreads) {
+  const Variant& v = find_variant("group_symbolic_explicit");
+  const TimeGrid long_grid{0, 0.005, 3000};
+  const std::vector<int> some{150, 3, 4, 149, 77};
+  for (const Settings& settings : {Settings{.segments = 4}, Settings{.lanes = 4}}) {
+    Settings threads = settings;
+    threads.threads = 2;
+    const auto serial = make_formulation(v, truck(), settings),
+               parallel = make_formulation(v, truck(), threads);
+    Everything whole(long_grid.instants, true);
+    ASSERT_TRUE(serial->run(long_grid, {}, whole).ok());
+    for (const Level level : {Level::velocity, Level::acceleration}) {
+      Rooms rooms(long_grid.instants, some, level);
+      ASSERT_TRUE(parallel->run(long_grid, {Level::acceleration, some}, rooms).ok());
+      EXPECT_EQ(parallel->run_by_steps(), 0);
+      EXPECT_EQ(rooms.handed_over, 0);
+      for (int i = 0; i < long_grid.instants; ++i)
+        for (std::size_t n = 0; n < some.size(); ++n) {
+          EXPECT_NEAR(rooms.values(i)[n], whole.all[i][some[n]], 1e-10) << i;
+          EXPECT_NEAR(rooms.values(i)[some.size() + n],
+                      whole.all[i][truck().coordinates() + some[n]], 1e-8)
+              << i;
+        }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace desmo::rooms_test

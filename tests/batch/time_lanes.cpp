@@ -1,0 +1,203 @@
+// Segments of a motion solved at once: the same instants as step by step, or step by step after
+// all.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cases/cases.h"
+#include "formulations/id.h"
+#include "formulations/variants.h"
+#include "tests/borrowed_part.h"
+#include "tests/everything.h"
+#include "tests/lanes_here.h"
+#include "tests/mechanisms.h"
+#include "tests/rooms.h"
+
+namespace desmo::time_lanes_test {
+namespace {
+
+constexpr Settings at_once{.segments = 4};
+
+std::vector<Settings> every_kind() {
+  std::vector<Settings> all;
+  for (const int lanes : lanes_here())
+    for (const Guess guess : {Guess::previous, Guess::hermite5, Guess::adams8})
+      all.push_back({.guess = guess, .segments = lanes});
+  return all;
+}
+
+TEST(TimeLanes, SolveWhatStepsSolve) {
+  const auto all = every_motion();
+  for (const char* id : {"group_symbolic_explicit", "block_symbolic_explicit"})
+    for (const Settings& settings : every_kind())
+      for (const auto& [m, grid] : all) {
+        const auto by_steps = make_formulation(find_variant(id), m),
+                   lanes = make_formulation(find_variant(id), m, settings);
+        Everything expected(grid.instants, false), actual(grid.instants, false);
+        const Summary a = by_steps->run(grid, {}, expected), b = lanes->run(grid, {}, actual);
+        ASSERT_TRUE(a.ok() && b.ok()) << m.name;
+        EXPECT_EQ(b.instants, grid.instants) << m.name;
+        EXPECT_LT(b.residual, 1e-10) << m.name;
+        EXPECT_TRUE(std::ranges::is_sorted(actual.order)) << m.name;
+        expect_same(actual, expected, m.name);
+      }
+}
+
+/// And what is asked of a part of the coordinates is right there.
+class OnTheCases : public testing::TestWithParam<Settings> {};
+
+TEST_P(OnTheCases, SegmentsNeedNoSteps) {
+  for (const Case& c : cases()) {
+    const Mechanism m = make_mechanism(c.describe(2));
+    const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, GetParam()),
+               g = make_formulation(find_variant("group_symbolic_explicit"), m);
+    const TimeGrid grid = time_grid(3, 0.01);
+    Everything whole(grid.instants, true), some(grid.instants, true), expected(grid.instants, true);
+    ASSERT_TRUE(f->run(grid, {}, whole).ok() && g->run(grid, {}, expected).ok());
+    EXPECT_EQ(f->run_by_steps(), 0) << c.name;
+    EXPECT_EQ(whole.order.size(), static_cast<std::size_t>(grid.instants));
+    EXPECT_FALSE(std::ranges::is_sorted(whole.order));
+    expect_same(whole, expected, std::string(c.name));
+
+    const std::vector<int> asked{1, m.coordinates() - 1};
+    ASSERT_TRUE(f->run(grid, {Level::velocity, asked}, some).ok());
+    for (int i = 0; i < grid.instants; ++i)
+      for (const int k : {1, m.coordinates() - 1, m.coordinates() + 1})
+        EXPECT_EQ(some.all[i][k], whole.all[i][k]) << i;
+  }
+}
+
+TEST_P(OnTheCases, RoomsAreFilledWithWhatTheyAreFor) {
+  const Mechanism m = truck_mechanism(2);
+  const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, GetParam());
+  const TimeGrid grid = time_grid(3, 0.01);  // the last segment is shorter
+  Everything whole(grid.instants, true);
+  ASSERT_TRUE(f->run(grid, {}, whole).ok());
+  for (const Level level : {Level::position, Level::velocity, Level::acceleration})
+    for (const std::vector<int>& some :
+         {std::vector{7}, std::vector{m.coordinates() - 1, 3, 4, 5, 20, 2, 50}}) {
+      Rooms rooms(grid.instants, some, level);
+      ASSERT_TRUE(f->run(grid, {Level::acceleration, some}, rooms).ok());
+      expect_in_rooms(rooms, some, level, whole.all);
+    }
+}
+
+/// As many as may be, up to the end of the segments, the last of which is shorter.
+TEST_P(OnTheCases, RoomsOfSeveralInstantsAreAskedForAtOnce) {
+  const Mechanism m = truck_mechanism(1);
+  const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, GetParam());
+  const TimeGrid grid = time_grid(3, 0.01);
+  const std::vector<int> some{7, 3};
+  const int lanes = GetParam().segments, length = (grid.instants + lanes - 1) / lanes;
+  Everything whole(grid.instants, true);
+  ASSERT_TRUE(f->run(grid, {}, whole).ok());
+  for (const int steps : {1, 3, length, 2 * length}) {
+    Rooms rooms(grid.instants, some, Level::velocity, lanes * steps);
+    ASSERT_TRUE(f->run(grid, {Level::acceleration, some}, rooms).ok());
+    expect_in_rooms(rooms, some, Level::velocity, whole.all);
+    EXPECT_EQ(rooms.asked, (length + steps - 1) / steps);
+  }
+}
+
+TEST_P(OnTheCases, RoomsNameEveryCoordinateOnceOrAreRefused) {
+  const Mechanism m = truck_mechanism(1);
+  const TimeGrid grid = time_grid(3, 0.01);
+  const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, GetParam());
+  for (const std::vector<int>& wrong : without_room(m.coordinates())) {
+    Rooms rooms(grid.instants, wrong, Level::position);
+    for (int i = 0; i < 2; ++i) EXPECT_THROW(f->run(grid, {}, rooms), std::invalid_argument);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(TimeLanes, OnTheCases, testing::ValuesIn(every_kind()));
+
+TEST(TimeLanes, LeaveTheLastInstantToStepOnFrom) {
+  const Mechanism m = truck_mechanism(2);
+  const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, at_once),
+             g = make_formulation(find_variant("group_symbolic_explicit"), m);
+  const TimeGrid grid = time_grid(2, 0.01);
+  Everything sink(grid.instants, true), other(grid.instants, true);
+  ASSERT_TRUE(f->run(grid, {}, sink).ok() && g->run(grid, {}, other).ok());
+  expect_to_step_on_alike(*f, *g, 2);
+}
+
+TEST(TimeLanes, LeaveShortMotionsToSteps) {
+  const Mechanism m = truck_mechanism(1);
+  const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, at_once);
+  const TimeGrid grid = time_grid(0.2, 0.01);
+  Everything sink(grid.instants, true);
+  ASSERT_TRUE(f->run(grid, {}, sink).ok());
+  EXPECT_EQ(f->run_by_steps(), 1);
+  EXPECT_EQ(sink.order.size(), static_cast<std::size_t>(grid.instants));
+}
+
+/// Links that are too short where the crank points away: the same failure, and nothing after it.
+TEST(TimeLanes, FailAsStepsFail) {
+  Mechanism m = four_bar_mechanism(1);
+  for (Constraint& c : m.constraints)
+    if (c.name.starts_with("dyad1/coupler")) c.constants[0] = 3.75 * 3.75;
+  for (Constraint& c : m.constraints)
+    if (c.name.find("psi") != std::string::npos) c.constants[0] = 4;
+  const int c = m.entities[m.find("dyad1/C")].first;
+  m.estimate[c] = 3.5;
+  m.estimate[c + 1] = 3;
+  const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, at_once),
+             g = make_formulation(find_variant("group_symbolic_explicit"), m);
+  const TimeGrid grid = time_grid(6, 0.01);
+  Everything actual(grid.instants, false), expected(grid.instants, false);
+  const Summary a = f->run(grid, {}, actual), b = g->run(grid, {}, expected);
+  ASSERT_FALSE(b.ok());
+  EXPECT_EQ(a.status, b.status);
+  EXPECT_EQ(a.time, b.time);
+  EXPECT_EQ(a.group, b.group);
+  EXPECT_EQ(actual.order, expected.order);
+}
+
+/// Runs that are never what they should be.
+class Reluctant final : public WholeMotion {
+ public:
+  std::optional<Summary> run(const TimeGrid&, const Request&, State& state, Sink& sink) override {
+    std::ranges::fill(state.q, 17.0);
+    sink.accept({3, 17.0, state.q, {}, {}});
+    return {};
+  }
+};
+
+TEST(TimeLanes, ThatGiveUpLeaveNoTrace) {
+  const Mechanism m = four_bar_mechanism(2);
+  auto parts = make_partition(m, Partition::group);
+  const auto g = make_formulation(find_variant("group_automatic_eigen"), m);
+  std::vector<Formulation::DefinedPart> borrowed;
+  for (const auto& p : g->parts())
+    borrowed.push_back({p.definition, std::make_unique<Borrowed>(*p.solver)});
+  Formulation f(m, std::move(borrowed), {}, std::make_unique<Reluctant>());
+  const TimeGrid grid = time_grid(1, 0.01);
+  for (const bool any_order : {false, true}) {
+    Everything actual(grid.instants, any_order), expected(grid.instants, any_order);
+    ASSERT_TRUE(f.run(grid, {}, actual).ok() && g->run(grid, {}, expected).ok());
+    expect_same(actual, expected, "reluctant");
+  }
+  EXPECT_EQ(f.run_by_steps(), 2);
+}
+
+TEST(TimeLanes, StandInTheId) {
+  const Variant& v = find_variant("group_symbolic_explicit");
+  const std::string id = "group_symbolic_explicit/segments:4";
+  EXPECT_EQ(id_with(v, at_once), id);
+  EXPECT_EQ(parse_id(id).settings.segments, 4);
+  EXPECT_EQ(parse_id("group_symbolic_explicit/segments:8").settings.segments, 8);
+  const Mechanism m = four_bar_mechanism(1);
+  EXPECT_THROW(make_formulation(find_variant("group_symbolic_inlined"), m, at_once),
+               std::invalid_argument);
+  Settings both = at_once;
+  both.lanes = 4;
+  EXPECT_THROW(make_formulation(v, m, both), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace desmo::time_lanes_test

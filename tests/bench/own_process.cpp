@@ -1,0 +1,52 @@
+// Work in a process of its own: what comes back from it, and what is said when nothing does.
+
+#include "bench/suite/own_process.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+namespace desmo::suite::own_process_test {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string complaint(const std::function<Json()>& work) {
+  try {
+    in_own_process("truck/558", work);
+  } catch (const std::runtime_error& e) {
+    return e.what();
+  }
+  return {};
+}
+
+TEST(OwnProcess, GivesBackWhatItMadeToTheLastDigit) {
+  const Json made{{"seconds", {0.1, 1.0 / 3, 2e-300}}, {"text", std::string(1 << 20, 'x')}};
+  EXPECT_EQ(in_own_process("truck/558", [&] { return made; }), made);
+}
+
+TEST(OwnProcess, LeavesNoTraceInThisOne) {
+  int changed = 0;
+  const Json process = in_own_process("truck/558", [&] {
+    changed = 1;
+    return Json(getpid());
+  });
+  EXPECT_EQ(changed, 0);
+  EXPECT_NE(process, getpid());
+}
+
+TEST(OwnProcess, ThatEndsOtherwiseIsNamed) {
+  const std::string thrown = complaint([]() -> Json { throw std::runtime_error("no such part"); }),
+                    killed = complaint([] {
+                      std::raise(SIGKILL);
+                      return Json();
+                    });
+  EXPECT_EQ(thrown, "truck/558 was not measured");
+  EXPECT_EQ(killed, "truck/558: its process was ended by signal 9 (Killed)");
+}
+
+}  // namespace
+}  // namespace desmo::suite::own_process_test

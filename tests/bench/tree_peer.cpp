@@ -1,0 +1,138 @@
+// The rival written by hand: the same answers as ours, everywhere and in everything, and no answer
+// where there is none.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "bench/suite/peer_cell.h"
+#include "cases/cases.h"
+#include "formulations/modelling/model.h"
+#include "formulations/variants.h"
+#include "tests/peers.h"
+
+namespace desmo::tree_peer_test {
+namespace {
+
+constexpr const char* names[] = {"tree", "tree_adams8"};
+
+/// Of all that is made by hand, of a case: its references take longest.
+class TreePeersOfCase : public testing::TestWithParam<std::string_view> {};
+
+TEST_P(TreePeersOfCase, AgreeWithTheQuadrupleReferenceAtEverySize) {
+  const Case& c = find_case(GetParam());
+  suite::ReferenceCache references;
+  suite::Options options;
+  options.peer_limit = 1e9;
+  for (const int n : c.sizes) {
+    // A size more is not a whole motion more.
+    options.duration = n == c.sizes.front() ? DESMO_TEST_SECONDS : 0.5;
+    for (const char* name : names) {
+      suite::PeerCell cell(c, n, find_peer(name), options);
+      cell.verify(references);
+      EXPECT_EQ(cell.state, suite::Timed::State::verified) << cell.name() << ": " << cell.message;
+      EXPECT_EQ(cell.compared, n) << cell.name();
+      EXPECT_EQ(cell.errors.instants, 51) << cell.name();
+      for (const double error :
+           {cell.errors.position, cell.errors.velocity, cell.errors.acceleration})
+        EXPECT_LT(error, 1e-9) << cell.name();
+      EXPECT_TRUE(cell.analyse().ok()) << cell.name();
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Cases, TreePeersOfCase, testing::Values("four_bar", "truck_suspension"),
+                         [](const auto& info) { return std::string(info.param); });
+
+class TreePeers : public testing::TestWithParam<const char*> {
+ protected:
+  const PeerDefinition& peer = find_peer(GetParam());
+};
+
+TEST_P(TreePeers, AssembleAnewWhateverWasSolvedBefore) {
+  const Scene scene = truck_suspension(2);
+  const Mechanism mechanism = make_mechanism(scene);
+  const auto solver = peer.make(scene, mechanism);
+  solver->assemble(0);
+  const auto first = solver->answer();
+  const long iterations = solver->iterations();
+  for (int i = 1; i < 20; ++i) solver->step(0.01 * i);
+  EXPECT_NE(solver->answer().q, first.q);
+  EXPECT_GT(solver->iterations(), iterations);
+  solver->assemble(0);
+  EXPECT_EQ(solver->answer().q, first.q);
+  EXPECT_EQ(solver->answer().qdd, first.qdd);
+  EXPECT_EQ(solver->iterations(), iterations);
+}
+
+/// As many iterations as ours from the same guess to the same tolerance: the rival is not held
+/// back.
+TEST_P(TreePeers, NeedNoMoreIterationsThanOurs) {
+  const Scene scene = truck_suspension(1);
+  const Mechanism mechanism = make_mechanism(scene);
+  const auto solver = peer.make(scene, mechanism);
+  const auto ours =
+      make_formulation(find_variant("global_automatic_klu"), mechanism, {.guess = peer.guess});
+  solver->assemble(0);
+  long iterations = ours->assemble(0).iterations;
+  for (int i = 1; i < 300; ++i) {
+    solver->step(0.01 * i);
+    iterations += ours->step(0.01 * i).iterations;
+  }
+  EXPECT_LE(solver->iterations(), iterations);
+}
+
+/// Heights of the wheels of axle 1 that rise from the nominal ones at the given rates, m/s.
+Scene rising(double left, double right) {
+  Scene scene = truck_suspension(2);
+  scene.motions[0] = Polynomial{{0.5, left}};
+  scene.motions[1] = Polynomial{{0.5, right}};
+  return scene;
+}
+
+std::string complaint(const PeerDefinition& peer, const Scene& scene) {
+  const Mechanism mechanism = make_mechanism(scene);
+  const auto solver = peer.make(scene, mechanism);
+  try {
+    solver->assemble(0);
+    for (int i = 1; i < 300; ++i) {
+      solver->step(0.01 * i);
+      for (const double q : solver->answer().q) EXPECT_TRUE(std::isfinite(q));
+    }
+  } catch (const std::runtime_error& e) {
+    return e.what();
+  }
+  return "solved";
+}
+
+TEST_P(TreePeers, SayWhatCannotBeClosedAndWhere) {
+  for (const auto& [left, right] : {std::pair{1.0, 1.0}, {-1.0, -1.0}, {1.0, -1.0}, {0.0, 1.0}}) {
+    const std::string said = complaint(peer, rising(left, right));
+    EXPECT_TRUE(said.starts_with("axle1/")) << left << " " << right << ": " << said;
+  }
+  Scene bars = four_bar(3);
+  bars.mechanism.bodies[1].length = 7;  // the crank takes B out of reach
+  EXPECT_EQ(complaint(peer, bars), "dyad1/coupler: it does not reach the rocker");
+}
+
+TEST_P(TreePeers, KnowTheCasesOfTheSuiteOnly) {
+  Scene scene = four_bar(1);
+  const Mechanism mechanism = make_mechanism(scene);
+  scene.mechanism.name = "five_bar";
+  EXPECT_THROW(peer.make(scene, mechanism), std::invalid_argument);
+}
+
+INSTANTIATE_TEST_SUITE_P(Build, TreePeers, testing::ValuesIn(names),
+                         [](const auto& info) { return std::string(info.param); });
+
+TEST(TreePeer, SaysWhatItNeededToBeSetUp) {
+  EXPECT_EQ(setup_by("tree", truck_suspension(3)),
+            "3 axles one after the other: yaw and pitch of each by Newton's method from the "
+            "lengths of its rods; roll, arm, levers and dampers in closed form");
+  EXPECT_EQ(setup_by("tree", four_bar(7)), "7 dyads one after the other, in closed form");
+}
+
+}  // namespace
+}  // namespace desmo::tree_peer_test

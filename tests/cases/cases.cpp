@@ -1,0 +1,199 @@
+#include "cases/cases.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "tests/mechanisms.h"
+
+namespace desmo::cases_test {
+namespace {
+
+struct Counts {
+  int points = 0, vectors = 0, scalars = 0;
+  bool operator==(const Counts&) const = default;
+};
+
+Counts entity_counts(const Mechanism& m, const Group& g) {
+  Counts c;
+  for (const EntityId e : g.entities) {
+    if (m.entities[e].kind == EntityKind::point)
+      ++c.points;
+    else if (m.entities[e].kind == EntityKind::vector)
+      ++c.vectors;
+    else
+      ++c.scalars;
+  }
+  return c;
+}
+
+TEST(Cases, HaveThePapersSizes) {
+  for (const Case& c : cases()) {
+    EXPECT_EQ(c.sizes, (std::vector{114, 225, 336, 447, 558})) << c.name;
+    for (const int n : c.sizes)
+      EXPECT_EQ(make_mechanism(describe(c, n)).coordinates(), n) << c.name;
+  }
+  EXPECT_EQ(make_mechanism(describe(find_case("four_bar"), 1002)).coordinates(), 1002);
+}
+
+TEST(Cases, RefuseWhatDoesNotExist) {
+  EXPECT_THROW(find_case("five_bar"), std::invalid_argument);
+  EXPECT_THROW(describe(find_case("truck_suspension"), 115), std::invalid_argument);
+  EXPECT_THROW(describe(find_case("four_bar"), 3), std::invalid_argument);
+  EXPECT_THROW(describe(find_case("four_bar"), -3), std::invalid_argument);
+  EXPECT_THROW(four_bar(0), std::invalid_argument);
+  EXPECT_THROW(truck_suspension(-1), std::invalid_argument);
+}
+
+TEST(Cases, TimeGridIncludesBothEnds) {
+  const TimeGrid g = time_grid(30, 0.01);
+  EXPECT_EQ(g.instants, 3001);
+  EXPECT_DOUBLE_EQ(g.time(3000), 30);
+  EXPECT_THROW(time_grid(-1, 0.01), std::invalid_argument);
+  EXPECT_THROW(time_grid(1, 0), std::invalid_argument);
+  EXPECT_THROW(time_grid(0.001, 0.01), std::invalid_argument);
+  EXPECT_THROW(time_grid(1e300, 1e-300), std::invalid_argument);
+  EXPECT_THROW(time_grid(NAN, 0.01), std::invalid_argument);
+}
+
+TEST(FourBar, GroupsAreTheCrankAndThenTheDyads) {
+  const Mechanism m = four_bar_mechanism(5);
+  EXPECT_EQ(m.degrees_of_freedom(), 1);
+  ASSERT_EQ(m.structural_groups(), 6);
+  EXPECT_EQ(m.groups[0].name, "SG-I");
+  EXPECT_EQ(m.groups[0].bodies.size(), 1u);
+  EXPECT_EQ(unknowns(m, 0).size(), 2u);
+  EXPECT_EQ(m.entities[m.drivers[0].coordinate].name, "crank/theta");
+  for (int k = 1; k <= 5; ++k) {
+    EXPECT_EQ(m.groups[k].name, "dyad" + std::to_string(k) + "/SG-I");
+    EXPECT_EQ(m.groups[k].bodies.size(), 2u);
+    EXPECT_EQ(unknowns(m, k).size(), 3u);
+  }
+}
+
+TEST(FourBar, StartsFromTheDesignsEstimate) {
+  const Mechanism m = four_bar_mechanism(2);
+  const auto at = [&](const char* name, int i = 0) {
+    return m.estimate[m.entities[m.find(name)].first + i];
+  };
+  EXPECT_DOUBLE_EQ(at("crank/theta"), std::acos(0.5));
+  EXPECT_DOUBLE_EQ(at("dyad2/C"), 9);
+  EXPECT_DOUBLE_EQ(at("dyad2/C", 1), 5);
+  EXPECT_DOUBLE_EQ(at("dyad2/psi"), 2);
+  EXPECT_DOUBLE_EQ(m.fixed_values[m.entities[m.find("dyad2/D")].first], 12);
+}
+
+TEST(TruckSuspension, GroupsUnknownsAndEntitiesAreThePapers) {
+  for (const int axles : {1, 5}) {
+    const Mechanism m = truck_mechanism(axles);
+    EXPECT_EQ(m.degrees_of_freedom(), 2 * axles);
+    EXPECT_EQ(m.structural_groups(), 5 * axles);
+    EXPECT_TRUE(m.groups[0].constant);
+    EXPECT_EQ(unknowns(m, 0).size(), 3u);
+
+    struct Expected {
+      const char* name;
+      std::vector<std::string> bodies;
+      std::size_t unknowns;
+      Counts entities;
+    };
+    const Expected expected[] = {{"SG-I", {"2", "3", "4", "5"}, 39, {8, 9, 2}},
+                                 {"SG-II", {"6", "8"}, 19, {3, 5, 1}},
+                                 {"SG-III", {"7", "9"}, 19, {3, 5, 1}},
+                                 {"SG-IV", {"10", "11"}, 16, {2, 5, 1}},
+                                 {"SG-V", {"12", "13"}, 16, {2, 5, 1}}};
+    for (int a = 0; a < axles; ++a)
+      for (int i = 0; i < 5; ++i) {
+        const int g = 1 + 5 * a + i;
+        const std::string axle = "axle" + std::to_string(a + 1) + "/";
+        std::vector<std::string> bodies = expected[i].bodies;
+        for (std::string& b : bodies) b.insert(0, axle);
+        EXPECT_EQ(m.groups[g].name, axle + expected[i].name);
+        EXPECT_EQ(m.groups[g].bodies, bodies);
+        EXPECT_EQ(unknowns(m, g).size(), expected[i].unknowns);
+        EXPECT_EQ(entity_counts(m, m.groups[g]), expected[i].entities) << expected[i].name;
+      }
+  }
+}
+
+TEST(TruckSuspension, NominalPositionSatisfiesEveryEquation) {
+  // The drivers start elsewhere, but all that the design calls nominal must fit together.
+  const Mechanism m = truck_mechanism(2);
+  std::vector<double> state = m.estimate;
+  state.insert(state.end(), m.fixed_values.begin(), m.fixed_values.end());
+  for (const Constraint& c : m.constraints)
+    visit_kind(c.kind, [&]<class Kind>(Kind) {
+      std::array<const double*, Kind::operand_sizes.size()> x;
+      for (std::size_t k = 0; k < x.size(); ++k) x[k] = &state[m.state_index(c.operands[k])];
+      double phi[Kind::rows];
+      Kind::residual(x.data(), c.constants.data(), phi);
+      for (const double r : phi) EXPECT_NEAR(r, 0, 1e-15) << c.name;
+    });
+}
+
+TEST(TruckSuspension, MotionIsTheDesigns) {
+  const Mechanism m = truck_mechanism(3);
+  const double t = 1.234, a = 2, w = 2 * std::acos(-1.0);
+  const auto zR = sample(m.drivers[5].motion, t);
+  EXPECT_EQ(m.entities[m.drivers[5].coordinate].name, "axle3/zR");
+  EXPECT_NEAR(zR.position, 0.5 + 0.05 * std::sin(w * 1.3 * t + 0.7 - 0.3 * a), 1e-15);
+  EXPECT_NEAR(zR.velocity, 0.05 * w * 1.3 * std::cos(w * 1.3 * t + 0.7 - 0.3 * a), 1e-14);
+  EXPECT_NEAR(zR.acceleration, -0.05 * w * w * 1.69 * std::sin(w * 1.3 * t + 0.7 - 0.3 * a), 1e-13);
+}
+
+// A mechanism that is wrong is refused where it is described, and the message names the place.
+struct Broken : testing::Test {
+  Mechanism m = [] {
+    Mechanism m;
+    m.name = "broken";
+    m.add_group("only", {"1"});
+    return m;
+  }();
+  const std::array<double, 2> zero{};
+
+  void expect_message(const std::string& part) {
+    try {
+      validate(m);
+      FAIL() << "accepted";
+    } catch (const std::invalid_argument& e) {
+      EXPECT_NE(std::string(e.what()).find(part), std::string::npos) << e.what();
+    }
+  }
+};
+
+TEST_F(Broken, UnderConstrained) {
+  m.add(EntityKind::point, "p", zero, 0);
+  expect_message("'only': 0 equations for 2 unknowns (under-constrained)");
+}
+
+TEST_F(Broken, OverConstrained) {
+  const EntityId p = m.add(EntityKind::point, "p", zero, 0);
+  const EntityId o = m.add_fixed(EntityKind::point, "o", zero);
+  for (int i = 0; i < 3; ++i) m.constrain<Length<2>>(0, "length " + std::to_string(i), {o, p}, {1});
+  expect_message("over-constrained");
+}
+
+TEST_F(Broken, NamesRepeated) {
+  m.add_fixed(EntityKind::point, "p", zero);
+  m.add_fixed(EntityKind::point, "p", zero);
+  expect_message("'p'");
+}
+
+TEST_F(Broken, NotFinite) {
+  m.add_fixed(EntityKind::point, "p", std::array{0.0, std::numeric_limits<double>::infinity()});
+  expect_message("not finite");
+}
+
+TEST_F(Broken, WrongOperandsAndDrivers) {
+  const EntityId p = m.add(EntityKind::point, "p", zero, 0);
+  const EntityId s = m.add(EntityKind::angle, "s", std::array{0.0}, 0);
+  EXPECT_THROW(m.constrain<Length<2>>(0, "length", {p, s}, {1}), std::invalid_argument);
+  EXPECT_THROW(m.constrain<Length<2>>(0, "length", {p, p}, {NAN}), std::invalid_argument);
+  EXPECT_THROW(m.drive(p, Polynomial{}), std::invalid_argument);
+  EXPECT_THROW(m.find("q"), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace desmo::cases_test

@@ -1,0 +1,343 @@
+// Every constraint kind against derivatives that share no code with it: the complex step, which
+// has no truncation and no cancellation. And what the kinds mean, in configurations whose residual
+// is known.
+
+#include "cases/constraints.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <random>
+#include <set>
+#include <vector>
+
+namespace desmo::constraints_test {
+namespace {
+
+using Complex = std::complex<double>;
+constexpr double h = 1e-50;
+
+/// Random positions, velocities and dimensions for a kind.
+template <class Kind>
+struct Setup {
+  static constexpr int operands = Kind::operand_sizes.size();
+
+  explicit Setup(unsigned seed) {
+    std::mt19937 generator(seed);
+    std::uniform_real_distribution<double> uniform(-2, 2);
+    for (int k = 0; k < operands; ++k)
+      for (int i = 0; i < Kind::operand_sizes[k]; ++i) {
+        q[k].push_back(uniform(generator));
+        v[k].push_back(uniform(generator));
+      }
+    for (int i = 0; i < Kind::constants; ++i) c.push_back(uniform(generator));
+    c.push_back(0);  // never read; data() must not be null
+  }
+
+  std::array<std::vector<Complex>, operands> q, v;
+  std::vector<Complex> c;
+};
+
+template <std::size_t N>
+std::array<const Complex*, N> pointers(const std::array<std::vector<Complex>, N>& x) {
+  std::array<const Complex*, N> p;
+  for (std::size_t k = 0; k < N; ++k) p[k] = x[k].data();
+  return p;
+}
+
+template <class Kind>
+[[gnu::noinline]] std::vector<Complex> residual(const Setup<Kind>& s) {
+  std::vector<Complex> phi(Kind::rows);
+  Kind::residual(pointers(s.q).data(), s.c.data(), phi.data());
+  return phi;
+}
+
+/// What a kind emits of Φ_q, in its order. One function for all kinds, called and not inlined: they
+/// emit a thousand entries, and each would be compiled with the checks of its own.
+class Emitted {
+ public:
+  [[gnu::noinline]] void operator()(int row, int operand, int component, Complex value) {
+    places.push_back({row, operand, component});
+    values.push_back(value);
+  }
+
+  /// ∂Φ_row of a component; zero where no entry is emitted.
+  Complex at(int row, int operand, int component) const {
+    const auto it = std::ranges::find(places, std::array{row, operand, component});
+    return it == places.end() ? Complex(0) : values[it - places.begin()];
+  }
+
+  std::vector<std::array<int, 3>> places;
+  std::vector<Complex> values;
+};
+
+template <class Kind>
+[[gnu::noinline]] Emitted jacobian(const Setup<Kind>& s) {
+  Emitted emitted;
+  Kind::jacobian(pointers(s.q).data(), s.c.data(), emitted);
+  return emitted;
+}
+
+template <class Kind>
+class ConstraintKind : public testing::Test {};
+
+template <class Tuple>
+struct TypesOf;
+template <class... Kinds>
+struct TypesOf<std::tuple<Kinds...>> {
+  using type = testing::Types<Kinds...>;
+};
+TYPED_TEST_SUITE(ConstraintKind, TypesOf<ConstraintKinds>::type);
+
+TYPED_TEST(ConstraintKind, JacobianIsTheDerivativeOfTheResidual) {
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    Setup<TypeParam> s(seed);
+    const Emitted table = jacobian(s);
+    for (int k = 0; k < s.operands; ++k)
+      for (std::size_t i = 0; i < s.q[k].size(); ++i) {
+        Setup<TypeParam> stepped = s;
+        stepped.q[k][i] += Complex(0, h);
+        const auto phi = residual(stepped);
+        for (int r = 0; r < TypeParam::rows; ++r)
+          EXPECT_NEAR(table.at(r, k, static_cast<int>(i)).real(), phi[r].imag() / h, 1e-14)
+              << "row " << r << " operand " << k << " component " << i;
+      }
+  }
+}
+
+TYPED_TEST(ConstraintKind, QuadraticTermIsTheDerivativeOfTheJacobian) {
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    Setup<TypeParam> s(seed);
+    std::vector<Complex> gamma(TypeParam::rows);
+    TypeParam::quadratic(pointers(s.q).data(), pointers(s.v).data(), s.c.data(), gamma.data());
+
+    Setup<TypeParam> stepped = s;  // along the velocity
+    for (int k = 0; k < s.operands; ++k)
+      for (std::size_t i = 0; i < s.q[k].size(); ++i) stepped.q[k][i] += Complex(0, h) * s.v[k][i];
+    const Emitted table = jacobian(stepped);
+    for (int r = 0; r < TypeParam::rows; ++r) {
+      double expected = 0;
+      for (int k = 0; k < s.operands; ++k)
+        for (std::size_t i = 0; i < s.q[k].size(); ++i)
+          expected += table.at(r, k, static_cast<int>(i)).imag() / h * s.v[k][i].real();
+      EXPECT_NEAR(gamma[r].real(), expected, 1e-13) << "row " << r;
+    }
+  }
+}
+
+TYPED_TEST(ConstraintKind, LinearMeansThatTheJacobianIsConstant) {
+  Setup<TypeParam> a(1), b(2);
+  b.c = a.c;
+  EXPECT_EQ(jacobian(a).values == jacobian(b).values, TypeParam::linear);
+}
+
+TYPED_TEST(ConstraintKind, LinearMeansThatTheJacobianReadsNoStateAndThereIsNoQuadraticTerm) {
+  if constexpr (TypeParam::linear) {
+    const Setup<TypeParam> s(1);
+    const std::array<const Complex*, Setup<TypeParam>::operands> none{};
+    Emitted emitted;
+    TypeParam::jacobian(none.data(), s.c.data(), emitted);
+
+    std::vector<Complex> gamma(TypeParam::rows, Complex(1));
+    TypeParam::quadratic(pointers(s.q).data(), pointers(s.v).data(), s.c.data(), gamma.data());
+    for (const Complex& value : gamma) EXPECT_EQ(value, Complex(0));
+  }
+}
+
+TYPED_TEST(ConstraintKind, EmitsItsEntriesOnceAndInTheSameOrder) {
+  const auto places = jacobian(Setup<TypeParam>(2)).places;
+  EXPECT_EQ(places.size(), static_cast<std::size_t>(TypeParam::entries));
+  EXPECT_EQ(std::set(places.begin(), places.end()).size(), places.size());
+  for (const auto& [row, operand, component] : places) {
+    EXPECT_TRUE(row >= 0 && row < TypeParam::rows);
+    EXPECT_TRUE(component >= 0 && component < TypeParam::operand_sizes[operand]);
+  }
+  Setup<TypeParam> nothing(1);
+  for (auto& x : nothing.q) std::ranges::fill(x, Complex(0));
+  std::ranges::fill(nothing.c, Complex(0));
+  EXPECT_EQ(places, jacobian(nothing).places);
+}
+
+TEST(ConstraintKinds, HaveDistinctNames) {
+  std::set<std::string_view> names;
+  for (int kind = 0; kind < constraint_kind_count; ++kind)
+    visit_kind(kind, [&](auto k) { EXPECT_TRUE(names.insert(k.name).second) << k.name; });
+  EXPECT_EQ(names.size(), static_cast<std::size_t>(constraint_kind_count));
+}
+
+using Vec = std::vector<double>;
+
+/// Φ of a kind in a configuration, within rounding.
+template <class Kind>
+void expect_residual(const std::array<Vec, Kind::operand_sizes.size()>& q, Vec c,
+                     const Vec& expected) {
+  ASSERT_EQ(c.size(), static_cast<std::size_t>(Kind::constants));
+  ASSERT_EQ(expected.size(), static_cast<std::size_t>(Kind::rows));
+  std::array<const double*, Kind::operand_sizes.size()> x;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    ASSERT_EQ(q[k].size(), static_cast<std::size_t>(Kind::operand_sizes[k]));
+    x[k] = q[k].data();
+  }
+  c.push_back(0);  // never read; data() must not be null
+  Vec phi(Kind::rows);
+  Kind::residual(x.data(), c.data(), phi.data());
+  for (int r = 0; r < Kind::rows; ++r)
+    EXPECT_NEAR(phi[r], expected[r], 1e-14) << Kind::name << ", row " << r;
+}
+
+const double pi = std::numbers::pi;
+const double right = pi / 2;
+
+TEST(Meaning, OfThePlanarInstances) {
+  expect_residual<Unit<2>>({{{0.6, -0.8}}}, {}, {0});
+  expect_residual<Unit<2>>({{{3, 4}}}, {}, {24});
+  expect_residual<Rigid<2, 0>>({{{1, 2}, {1, 2}}}, {}, {0, 0});
+  expect_residual<Rigid<2, 0>>({{{1, 2}, {4, 1}}}, {}, {-3, 1});
+  expect_residual<Rigid<2, 1>>({{{7, 2}, {1, 2}, {3, 0}}}, {2}, {0, 0});
+  expect_residual<Rigid<2, 1>>({{{7, 2}, {1, 2}, {3, 1}}}, {1}, {3, -1});
+  expect_residual<Along<2>>({{{1, 2}, {4, 6}, {0.6, 0.8}, {5}}}, {}, {0, 0});
+  expect_residual<Along<2>>({{{1, 2}, {4, 6}, {0.6, 0.8}, {10}}}, {}, {-3, -4});
+}
+
+TEST(Meaning, OfComponents) {
+  expect_residual<Component<2, 0>>({{{3, 4}, {3}}}, {}, {0});
+  expect_residual<Component<2, 1>>({{{3, 4}, {3}}}, {}, {1});
+  expect_residual<Component<3, 0>>({{{3, 4, 5}, {3}}}, {}, {0});
+  expect_residual<Component<3, 1>>({{{3, 4, 5}, {3}}}, {}, {1});
+}
+
+TEST(Meaning, OfCombinations) {
+  const Vec x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1}, d{1, 1, 1};
+  expect_residual<Combination<3, 1>>({{{-2, 0, 0}, x}}, {-2}, {0, 0, 0});
+  expect_residual<Combination<3, 2>>({{{3, 5, 0}, x, y}}, {3, 5}, {0, 0, 0});
+  expect_residual<Combination<3, 3>>({{{3, 5, 7}, x, y, z}}, {3, 5, 7}, {0, 0, 0});
+  expect_residual<Combination<3, 4>>({{{3, 5, 7}, x, y, z, d}}, {2, 4, 6, 1}, {0, 0, 0});
+  expect_residual<Combination<3, 2>>({{{3, 5, 1}, x, y}}, {2, 3}, {1, 2, 1});
+}
+
+TEST(Meaning, OfPlanarRelations) {
+  // By d = (3, 1), J d = (−1, 3): 2 d + J d = (5, 5).
+  const Vec a{10, 20}, d{3, 1}, b{13, 21};
+  expect_residual<PlanarRelation<true, false>>({{{15, 25}, a, d}}, {2, 1}, {0, 0});
+  expect_residual<PlanarRelation<true, true>>({{{15, 25}, a, b}}, {2, 1}, {0, 0});
+  expect_residual<PlanarRelation<false, false>>({{{5, 5}, d}}, {2, 1}, {0, 0});
+  expect_residual<PlanarRelation<false, true>>({{{5, 5}, a, b}}, {2, 1}, {0, 0});
+  // To the right of d instead of to the left: off by 2 J d.
+  expect_residual<PlanarRelation<true, false>>({{{15, 25}, a, d}}, {2, -1}, {-2, 6});
+  expect_residual<PlanarRelation<true, true>>({{{15, 25}, a, b}}, {2, -1}, {-2, 6});
+  expect_residual<PlanarRelation<false, false>>({{{5, 5}, d}}, {2, -1}, {-2, 6});
+  expect_residual<PlanarRelation<false, true>>({{{5, 5}, a, b}}, {2, -1}, {-2, 6});
+}
+
+TEST(Meaning, OfAnOffsetIsTheDistanceToTheLeftOfTheLine) {
+  const Vec u{0.6, 0.8}, o{1, 1};
+  expect_residual<Offset>({{u, o, {1 + 3, 1 + 4}}}, {0}, {0});               // on the line
+  expect_residual<Offset>({{u, o, {1 + 3 - 1.6, 1 + 4 + 1.2}}}, {2}, {0});   // to the left
+  expect_residual<Offset>({{u, o, {1 + 3 + 1.6, 1 + 4 - 1.2}}}, {2}, {-4});  // to the right
+}
+
+TEST(Meaning, OfADistance) {
+  expect_residual<Distance<2>>({{{1, 1}, {4, 5}, {5}}}, {}, {0});
+  expect_residual<Distance<2>>({{{1, 1}, {4, 5}, {4}}}, {}, {9});
+  expect_residual<Distance<3>>({{{1, 1, 1}, {2, 3, 3}, {3}}}, {}, {0});
+  expect_residual<Distance<3>>({{{1, 1, 1}, {2, 3, 3}, {1}}}, {}, {8});
+}
+
+TEST(Meaning, OfAPlanarDirection) {
+  expect_residual<PlanarDirection>({{{0, 1}, {right}}}, {}, {0, 0});
+  expect_residual<PlanarDirection>({{{-1, 0}, {pi}}}, {}, {0, 0});
+  expect_residual<PlanarDirection>({{{0, 1}, {-right}}}, {}, {0, 2});
+}
+
+TEST(Meaning, OfAPlanarTurnIsTheAngleCounterClockwise) {
+  // e = (2, 1) turned by π/2 and stretched by 3 is d = (−3, 6).
+  const Vec d{-3, 6}, e{2, 1}, a{1, 1}, b{-2, 7}, p{5, 5}, q{7, 6}, quarter{right};
+  expect_residual<PlanarTurn<false, false>>({{d, e, quarter}}, {3}, {0, 0});
+  expect_residual<PlanarTurn<false, true>>({{d, p, q, quarter}}, {3}, {0, 0});
+  expect_residual<PlanarTurn<true, false>>({{a, b, e, quarter}}, {3}, {0, 0});
+  expect_residual<PlanarTurn<true, true>>({{a, b, p, q, quarter}}, {3}, {0, 0});
+  expect_residual<PlanarTurnAtPoint>({{p, {2, 11}, q, quarter}}, {3}, {0, 0});
+  // The other way round it would be −d.
+  const Vec back{-right};
+  expect_residual<PlanarTurn<false, false>>({{d, e, back}}, {3}, {-6, 12});
+  expect_residual<PlanarTurn<false, true>>({{d, p, q, back}}, {3}, {-6, 12});
+  expect_residual<PlanarTurn<true, false>>({{a, b, e, back}}, {3}, {-6, 12});
+  expect_residual<PlanarTurn<true, true>>({{a, b, p, q, back}}, {3}, {-6, 12});
+  expect_residual<PlanarTurnAtPoint>({{p, {2, 11}, q, back}}, {3}, {-6, 12});
+}
+
+TEST(Meaning, OfAReach) {
+  expect_residual<Reach<2>>({{{1, 2}, {4, 6}, {0.6, 0.8}, {5}}}, {}, {0});
+  expect_residual<Reach<2>>({{{1, 2}, {4, 6}, {-0.6, -0.8}, {5}}}, {}, {-10});
+  expect_residual<Reach<3>>({{{1, 2, 3}, {1, 2, 7}, {0, 0, 1}, {3}}}, {}, {1});
+}
+
+/// The derivative of Φ by an angle, the last operand of its kind: negative where it is the one
+/// meant.
+template <class Kind>
+double derivative_by_angle(const std::array<Vec, Kind::operand_sizes.size()>& q, const Vec& c) {
+  static_assert(holds_modulo_pi<Kind>);
+  std::array<const double*, Kind::operand_sizes.size()> x;
+  for (std::size_t k = 0; k < x.size(); ++k) x[k] = q[k].data();
+  double derivative = 0;
+  Kind::jacobian(x.data(), c.data(), [&](int, std::size_t operand, int, double value) {
+    if (operand + 1 == x.size()) derivative = value;
+  });
+  return derivative;
+}
+
+/// A direction d and whatever it is measured from, with d at this angle.
+template <class Kind>
+void expect_modulo_pi(std::array<Vec, Kind::operand_sizes.size()> q, const Vec& c, double angle) {
+  q.back() = {angle};
+  expect_residual<Kind>(q, c, {0});
+  EXPECT_LT(derivative_by_angle<Kind>(q, c), -0.1) << Kind::name;
+  q.back() = {angle + pi};
+  expect_residual<Kind>(q, c, {0});
+  EXPECT_GT(derivative_by_angle<Kind>(q, c), 0.1) << Kind::name;
+}
+
+TEST(Meaning, OfABearingIsAnAngleModuloPi) {
+  const Vec a{1, 1}, after_a{1 - 2, 1}, up{0, 1}, none{0};
+  expect_modulo_pi<PlanarBearing<false>>({{up, none}}, {}, right);
+  expect_modulo_pi<PlanarBearing<true>>({{a, after_a, none}}, {}, pi);
+  expect_residual<PlanarBearing<true>>({{a, after_a, {right}}}, {}, {2});
+
+  // As in PlanarTurn: e = (2, 1)/10 turned by π/2 and stretched by 3 is d = (−3, 6)/10.
+  const Vec d{-0.3, 0.6}, e{0.2, 0.1}, b{0.7, 1.6}, p{0, 0}, q{0.2, 0.1}, end{-0.3, 0.6};
+  expect_modulo_pi<PlanarBearingFrom<false, false>>({{d, e, none}}, {3}, right);
+  expect_modulo_pi<PlanarBearingFrom<false, true>>({{d, p, q, none}}, {3}, right);
+  expect_modulo_pi<PlanarBearingFrom<true, false>>({{a, b, e, none}}, {3}, right);
+  expect_modulo_pi<PlanarBearingFrom<true, true>>({{a, b, p, q, none}}, {3}, right);
+  expect_modulo_pi<PlanarBearingAtPoint>({{p, end, q, none}}, {3}, right);
+  expect_modulo_pi<PlanarBearingAtPoint>({{p, end, q, none}}, {-3}, -right);
+  expect_residual<PlanarBearingFrom<false, false>>({{d, e, {0}}}, {3}, {0.45});
+}
+
+TEST(Meaning, OfAFrameAngle) {
+  const Vec x{0, 1, 0}, z{0, 0, 1}, a{1, 2, 3};
+  const double angle = 0.4, cosine = std::cos(angle), sine = std::sin(angle);
+  // A direction of length 2 at this angle from x towards z, out of their plane by 5; and from −x.
+  const Vec from_x{5, 2 * cosine, 2 * sine}, from_minus_x{5, -2 * cosine, 2 * sine};
+  const auto after = [&](const Vec& w) { return Vec{a[0] + w[0], a[1] + w[1], a[2] + w[2]}; };
+  expect_residual<FrameAngle<1, false>>({{x, z, from_x, {angle}}}, {}, {0});
+  expect_residual<FrameAngle<1, true>>({{x, z, a, after(from_x), {angle}}}, {}, {0});
+  expect_residual<FrameAngle<-1, false>>({{x, z, from_minus_x, {angle}}}, {}, {0});
+  expect_residual<FrameAngle<-1, true>>({{x, z, a, after(from_minus_x), {angle}}}, {}, {0});
+  // Otherwise 2 sin of the angle that is missing.
+  const double missing = 2 * std::sin(0.1);
+  const Vec less{angle - 0.1};
+  expect_residual<FrameAngle<1, false>>({{x, z, from_x, less}}, {}, {missing});
+  expect_residual<FrameAngle<1, true>>({{x, z, a, after(from_x), less}}, {}, {missing});
+  expect_residual<FrameAngle<-1, false>>({{x, z, from_minus_x, less}}, {}, {missing});
+  expect_residual<FrameAngle<-1, true>>({{x, z, a, after(from_minus_x), less}}, {}, {missing});
+  expect_modulo_pi<FrameAngle<1, false>>({{x, z, from_x, {}}}, {}, angle);
+  expect_modulo_pi<FrameAngle<-1, true>>({{x, z, a, after(from_minus_x), {}}}, {}, angle);
+}
+
+}  // namespace
+}  // namespace desmo::constraints_test

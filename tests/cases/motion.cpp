@@ -1,0 +1,260 @@
+// Motions against closed forms, and their derivatives against derivatives that share no code with
+// them.
+
+#include "cases/motion.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+
+namespace desmo::motion_test {
+namespace {
+
+using Complex = std::complex<double>;
+using std::numbers::pi;
+
+/// ż and z̈ against the complex step, which has no truncation and no cancellation.
+template <class M>
+void expect_consistent_derivatives(const M& motion, double t, double tolerance) {
+  constexpr double h = 1e-50;
+  const MotionSample<double> z = sample(motion, t);
+  const MotionSample<Complex> stepped = sample(motion, Complex(t, h));
+  EXPECT_NEAR(z.velocity, stepped.position.imag() / h, tolerance) << "t = " << t;
+  EXPECT_NEAR(z.acceleration, stepped.velocity.imag() / h, tolerance) << "t = " << t;
+}
+
+TEST(Polynomial, IsItsClosedForm) {
+  const Polynomial m{{3, -2, 0.5, 0.25}};
+  for (const double t : {-1.5, 0.0, 0.7, 4.0}) {
+    const auto z = sample(m, t);
+    EXPECT_NEAR(z.position, 3 - 2 * t + 0.5 * t * t + 0.25 * t * t * t, 1e-13);
+    EXPECT_NEAR(z.velocity, -2 + t + 0.75 * t * t, 1e-13);
+    EXPECT_NEAR(z.acceleration, 1 + 1.5 * t, 1e-13);
+    expect_consistent_derivatives(m, t, 1e-13);
+  }
+}
+
+TEST(Polynomial, OfEveryLowDegree) {
+  const auto expect = [](const Polynomial& m, double z, double velocity, double acceleration) {
+    const auto s = sample(m, 2.0);
+    EXPECT_EQ(s.position, z);
+    EXPECT_EQ(s.velocity, velocity);
+    EXPECT_EQ(s.acceleration, acceleration);
+  };
+  expect({}, 0, 0, 0);
+  expect({{5}}, 5, 0, 0);
+  expect({{5, 3}}, 11, 3, 0);
+  expect({{5, 3, 1}}, 15, 7, 2);
+}
+
+TEST(HarmonicSum, OfOneTermIsItsClosedForm) {
+  const double w = 2 * pi * 1.3;
+  const HarmonicSum m{0.5, {{0.05, w, 0.7}}};
+  for (const double t : {-0.4, 0.0, 1.1}) {
+    const auto z = sample(m, t);
+    EXPECT_NEAR(z.position, 0.5 + 0.05 * std::sin(w * t + 0.7), 1e-15);
+    EXPECT_NEAR(z.velocity, 0.05 * w * std::cos(w * t + 0.7), 1e-14);
+    EXPECT_NEAR(z.acceleration, -0.05 * w * w * std::sin(w * t + 0.7), 1e-13);
+  }
+}
+
+TEST(HarmonicSum, IsTheMeanAndTheSumOfItsTerms) {
+  const HarmonicSum::Term a{0.3, 2, 0.1}, b{-0.2, 5, 1.4};
+  const double t = 0.37;
+  const auto sum = sample(HarmonicSum{1, {a, b}}, t);
+  const auto first = sample(HarmonicSum{0, {a}}, t), second = sample(HarmonicSum{0, {b}}, t);
+  EXPECT_NEAR(sum.position, 1 + first.position + second.position, 1e-15);
+  EXPECT_NEAR(sum.velocity, first.velocity + second.velocity, 1e-15);
+  EXPECT_NEAR(sum.acceleration, first.acceleration + second.acceleration, 1e-14);
+  expect_consistent_derivatives(HarmonicSum{1, {a, b}}, t, 1e-14);
+
+  const auto still = sample(HarmonicSum{2.5, {}}, t);
+  EXPECT_EQ(still.position, 2.5);
+  EXPECT_EQ(still.velocity, 0);
+  EXPECT_EQ(still.acceleration, 0);
+}
+
+// Unequal intervals and values without a pattern.
+const std::vector<double> times{-0.5, 0.1, 0.4, 1.6, 2.0, 2.9};
+const std::vector<double> values{1.0, -0.3, 0.8, 0.9, -2.0, 1.0};  // periodic, too
+constexpr SplineEnds every_end[] = {SplineEnds::natural, SplineEnds::clamped, SplineEnds::periodic};
+
+/// The piece before (side −1) or after (+1) a knot, at the knot.
+MotionSample<double> at_knot(const Spline& s, std::size_t knot, int side) {
+  const std::size_t piece = side < 0 ? knot - 1 : knot;
+  return sample_polynomial(std::span<const double>(s.pieces()[piece]),
+                           s.knots()[knot] - s.knots()[piece]);
+}
+
+TEST(Spline, Interpolates) {
+  for (const SplineEnds ends : every_end) {
+    const Spline s = make_spline(times, values, ends);
+    EXPECT_EQ(s.first_time(), times.front());
+    EXPECT_EQ(s.last_time(), times.back());
+    for (std::size_t i = 0; i < times.size(); ++i)
+      EXPECT_NEAR(sample(s, times[i]).position, values[i], 1e-14);
+  }
+}
+
+TEST(Spline, IsTwiceContinuouslyDifferentiable) {
+  for (const SplineEnds ends : every_end) {
+    const Spline s = make_spline(times, values, ends);
+    for (std::size_t i = 1; i + 1 < times.size(); ++i) {
+      const auto before = at_knot(s, i, -1), after = at_knot(s, i, +1);
+      EXPECT_NEAR(before.position, after.position, 1e-14);
+      EXPECT_NEAR(before.velocity, after.velocity, 1e-13);
+      EXPECT_NEAR(before.acceleration, after.acceleration, 1e-12);
+    }
+  }
+}
+
+TEST(Spline, KeepsTheConditionsAtItsEnds) {
+  const Spline natural = make_spline(times, values, SplineEnds::natural);
+  EXPECT_NEAR(sample(natural, natural.first_time()).acceleration, 0, 1e-12);
+  EXPECT_NEAR(sample(natural, natural.last_time()).acceleration, 0, 1e-12);
+
+  const Spline clamped = make_spline(times, values, SplineEnds::clamped);
+  EXPECT_NEAR(sample(clamped, clamped.first_time()).velocity, 0, 1e-13);
+  EXPECT_NEAR(sample(clamped, clamped.last_time()).velocity, 0, 1e-13);
+
+  const Spline periodic = make_spline(times, values, SplineEnds::periodic);
+  const auto begin = sample(periodic, periodic.first_time());
+  const auto end = sample(periodic, periodic.last_time());
+  EXPECT_NEAR(begin.position, end.position, 1e-14);
+  EXPECT_NEAR(begin.velocity, end.velocity, 1e-13);
+  EXPECT_NEAR(begin.acceleration, end.acceleration, 1e-12);
+  EXPECT_GT(std::abs(begin.velocity), 0.1);      // neither clamped
+  EXPECT_GT(std::abs(begin.acceleration), 0.1);  // nor natural
+}
+
+TEST(Spline, VelocityAndAccelerationAreDerivatives) {
+  const long double h = 1e-5L;
+  for (const SplineEnds ends : every_end) {
+    const Spline s = make_spline(times, values, ends);
+    for (const long double t : {-0.7L, -0.31L, 0.2L, 1.33L, 1.9L, 2.5L, 3.1L}) {
+      const auto z = sample(s, t), before = sample(s, t - h), after = sample(s, t + h);
+      EXPECT_NEAR(double(z.velocity), double((after.position - before.position) / (2 * h)), 1e-7);
+      EXPECT_NEAR(double(z.acceleration), double((after.velocity - before.velocity) / (2 * h)),
+                  1e-9);
+    }
+  }
+}
+
+/// A spline through values of a polynomial is that polynomial, outside of the table too.
+void expect_reproduction(const Polynomial& polynomial, SplineEnds ends) {
+  std::vector<double> z;
+  for (const double t : times) z.push_back(sample(polynomial, t).position);
+  const Spline s = make_spline(times, z, ends);
+  for (const double t : {-0.8, -0.5, 0.0, 0.33, 1.0, 1.99, 2.7, 3.2}) {
+    const auto expected = sample(polynomial, t), found = sample(s, t);
+    EXPECT_NEAR(found.position, expected.position, 1e-12) << "t = " << t;
+    EXPECT_NEAR(found.velocity, expected.velocity, 1e-12) << "t = " << t;
+    EXPECT_NEAR(found.acceleration, expected.acceleration, 1e-11) << "t = " << t;
+  }
+}
+
+TEST(Spline, ReproducesTheCubicThatMeetsItsEnds) {
+  // ż = (t − t₀)(t − tₙ) vanishes at both ends.
+  const double t0 = times.front(), tn = times.back();
+  expect_reproduction({{0.4, t0 * tn, -(t0 + tn) / 2, 1.0 / 3}}, SplineEnds::clamped);
+  // z̈ is linear in t, so that of a natural cubic is 0 everywhere.
+  expect_reproduction({{0.4, -1.7}}, SplineEnds::natural);
+  expect_reproduction({{0.4}}, SplineEnds::periodic);
+}
+
+TEST(Spline, OfTheFewestPoints) {
+  const auto line = sample(make_spline({1, 3}, {0, 4}, SplineEnds::natural), 1.5);
+  EXPECT_NEAR(line.position, 1, 1e-15);
+  EXPECT_NEAR(line.velocity, 2, 1e-15);
+  EXPECT_NEAR(line.acceleration, 0, 1e-15);
+
+  // From rest to rest: 3τ² − 2τ³.
+  const auto rise = sample(make_spline({0, 1}, {0, 1}, SplineEnds::clamped), 0.25);
+  EXPECT_NEAR(rise.position, 3 * 0.0625 - 2 * 0.015625, 1e-15);
+  EXPECT_NEAR(rise.velocity, 6 * 0.25 - 6 * 0.0625, 1e-15);
+  EXPECT_NEAR(rise.acceleration, 6 - 12 * 0.25, 1e-14);
+
+  // Up and down in equal times: by symmetry at rest at the knots.
+  const Spline wave = make_spline({0, 1, 2}, {0, 1, 0}, SplineEnds::periodic);
+  for (const double t : {0.0, 1.0, 2.0}) EXPECT_NEAR(sample(wave, t).velocity, 0, 1e-14);
+  EXPECT_NEAR(sample(wave, 0.5).position, 0.5, 1e-15);
+}
+
+TEST(Spline, OfASineConvergesWithTheFourthPower) {
+  const auto error = [](int intervals) {
+    std::vector<double> t, z;
+    for (int i = 0; i <= intervals; ++i) {
+      t.push_back(2 * pi * i / intervals);
+      z.push_back(i == intervals ? 0 : std::sin(t.back()));
+    }
+    const Spline s = make_spline(t, z, SplineEnds::periodic);
+    double largest = 0;
+    for (int i = 0; i < 1000; ++i) {
+      const double time = 2 * pi * i / 1000;
+      largest = std::max(largest, std::abs(sample(s, time).position - std::sin(time)));
+    }
+    return largest;
+  };
+  EXPECT_NEAR(error(20) / error(40), 16, 2);
+}
+
+TEST(Spline, IsThePieceAfterAKnotFromTheKnotOn) {
+  const Spline s = make_spline({0, 1, 2}, {0, 1, 0}, SplineEnds::natural);
+  EXPECT_EQ(sample(s, 1.0).position, s.pieces()[1][0]);
+  EXPECT_EQ(sample(s, 1.0).velocity, s.pieces()[1][1]);
+}
+
+/// What make_spline says when it refuses.
+std::string refusal(std::vector<double> t, std::vector<double> z, SplineEnds ends) {
+  try {
+    make_spline(std::move(t), std::move(z), ends);
+  } catch (const std::invalid_argument& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(Spline, RefusesTablesThatDefineNone) {
+  using enum SplineEnds;
+  const double inf = std::numeric_limits<double>::infinity(), nan = std::nan("");
+  const auto expect = [](const std::string& message, const char* part) {
+    EXPECT_NE(message.find(part), std::string::npos) << "'" << message << "'";
+  };
+  expect(refusal({}, {}, natural), "two points or more");
+  expect(refusal({1}, {1}, clamped), "two points or more");
+  expect(refusal({0, 1}, {1, 1}, periodic), "three points or more");
+  expect(refusal({0, 1, 2}, {1, 1}, natural), "3 times but 2 values");
+  expect(refusal({0, 1, 1, 2}, {1, 2, 3, 4}, natural), "position 2 is not after");
+  expect(refusal({0, 2, 1}, {1, 2, 3}, natural), "position 2 is not after");
+  expect(refusal({0, nan, 1}, {1, 2, 3}, natural), "time that is not finite, at position 1");
+  expect(refusal({0, 1, inf}, {1, 2, 3}, natural), "time that is not finite, at position 2");
+  expect(refusal({0, 1, 2}, {1, 2, -inf}, natural), "value that is not finite, at position 2");
+  expect(refusal({0, 1, 2}, {1, 2, 1.5}, periodic), "value it begins with");
+  expect(refusal({0, 1e-300, 1}, {0, 1e300, 0}, natural), "too steep");
+  EXPECT_EQ(refusal({0, 1, 2}, {1, 2, 1}, periodic), "");
+}
+
+TEST(Motion, IsAnyOfThemInAnyScalar) {
+  const double t = 0.6;
+  const Polynomial polynomial{{1, 2, 3}};
+  const HarmonicSum harmonic{1, {{2, 3, 4}}};
+  const Spline spline = make_spline(times, values, SplineEnds::natural);
+  EXPECT_EQ(sample(Motion(polynomial), t).position, sample(polynomial, t).position);
+  EXPECT_EQ(sample(Motion(harmonic), t).velocity, sample(harmonic, t).velocity);
+  EXPECT_EQ(sample(Motion(spline), t).acceleration, sample(spline, t).acceleration);
+  for (const Motion& m : {Motion(polynomial), Motion(harmonic), Motion(spline)}) {
+    const auto wide = sample(m, static_cast<long double>(t));
+    static_assert(std::is_same_v<decltype(wide.position), long double>);
+    EXPECT_NEAR(static_cast<double>(wide.position), sample(m, t).position, 1e-14);
+    EXPECT_NEAR(sample(m, static_cast<float>(t)).position, sample(m, t).position, 1e-5);
+  }
+}
+
+}  // namespace
+}  // namespace desmo::motion_test

@@ -1,0 +1,182 @@
+// Assembled equations of whole mechanisms: automatic and symbolic, global and by group.
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Core>
+#include <cmath>
+#include <random>
+
+#include "cases/cases.h"
+#include "formulations/equations/automatic.h"
+#include "formulations/equations/symbolic.h"
+#include "formulations/part_type.h"
+#include "formulations/partition.h"
+#include "formulations/reference.h"
+#include "formulations/variants.h"
+#include "tests/mechanisms.h"
+
+namespace desmo::equations_test {
+namespace {
+
+struct Parameter {
+  const char* name;
+  Mechanism (*build)(int);
+  Partition partition;
+};
+
+std::vector<double> random_near(const std::vector<double>& center, double radius, unsigned seed) {
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> uniform(-radius, radius);
+  std::vector<double> result = center;
+  for (double& x : result) x += uniform(generator);
+  return result;
+}
+
+std::vector<double> nominal_state(const Mechanism& m) {
+  std::vector<double> state = m.estimate;
+  state.insert(state.end(), m.fixed_values.begin(), m.fixed_values.end());
+  return state;
+}
+
+template <class Equations>
+Eigen::VectorXd residual(const Equations& e, const std::vector<double>& state) {
+  Eigen::VectorXd phi(e.pattern().n);
+  e.residual(state.data(), phi.data());
+  return phi;
+}
+
+/// Φ_φ and Φ_h as a dense matrix over the components of the state.
+template <class Equations>
+Eigen::MatrixXd jacobian(const Equations& e, const std::vector<double>& state) {
+  const Pattern& p = e.pattern();
+  std::vector<double> values(p.size(), NAN);  // every entry must be written
+  e.constant_jacobian(values.data());
+  e.jacobian(state.data(), values.data());
+  e.known_jacobian(state.data(), values.data());
+  Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(p.n, static_cast<int>(state.size()));
+  for (int j = 0; j < p.n; ++j)
+    for (int k = p.column_start[j]; k < p.column_start[j + 1]; ++k)
+      dense(p.row[k], p.unknowns[j]) = values[k];
+  for (std::size_t k = 0; k < p.known.size(); ++k)
+    dense(p.known[k].row, p.known[k].state) = values[p.dependent_entries() + k];
+  EXPECT_TRUE(dense.allFinite()) << "an entry was not written";
+  return dense;
+}
+
+SymbolicEquations symbolic(const Mechanism& m, const PartDefinition& part) {
+  return SymbolicEquations(m, part, bind_kernels(m, part).value());
+}
+
+class Equations : public testing::TestWithParam<Parameter> {
+ protected:
+  Mechanism m = GetParam().build(2);
+  std::vector<PartDefinition> parts = make_partition(m, GetParam().partition);
+};
+
+template <class E>
+void expect_derivative(const E& equations, const Mechanism& m, const PartDefinition& part) {
+  const std::vector<double> state = random_near(nominal_state(m), 0.05, 7);
+  const Eigen::MatrixXd dense = jacobian(equations, state);
+  const std::vector<EntityId> owner = entity_of_coordinate(m);
+  for (int j = 0; j < m.coordinates(); ++j) {
+    if (m.rests(owner[j]) && !part.constant) continue;
+    const double h = 1e-5;
+    std::vector<double> plus = state, minus = state;
+    plus[j] += h;
+    minus[j] -= h;
+    const Eigen::VectorXd difference =
+        (residual(equations, plus) - residual(equations, minus)) / (2 * h);
+    EXPECT_LT((difference - dense.col(j)).lpNorm<Eigen::Infinity>(), 1e-8) << "coordinate " << j;
+  }
+}
+
+TEST_P(Equations, JacobianIsTheDerivativeOfTheResidual) {
+  for (const PartDefinition& part : parts) {
+    expect_derivative(AutomaticEquations(m, part), m, part);
+    expect_derivative(symbolic(m, part), m, part);
+  }
+}
+
+TEST_P(Equations, SymbolicAndAutomaticAgreeToRounding) {
+  const std::vector<double> state = random_near(nominal_state(m), 0.3, 3);
+  std::vector<double> rate = random_near(std::vector<double>(state.size(), 0.0), 2, 4);
+  std::fill(rate.begin() + m.coordinates(), rate.end(), 0.0);
+  const std::vector<EntityId> owner = entity_of_coordinate(m);
+  for (int i = 0; i < m.coordinates(); ++i)
+    if (m.rests(owner[i])) rate[i] = 0;
+  for (const PartDefinition& part : parts) {
+    const AutomaticEquations a(m, part);
+    const SymbolicEquations s = symbolic(m, part);
+    EXPECT_EQ(a.pattern().column_start, s.pattern().column_start);
+    EXPECT_EQ(a.pattern().row, s.pattern().row);
+    EXPECT_LT((residual(a, state) - residual(s, state)).lpNorm<Eigen::Infinity>(), 1e-12);
+    EXPECT_LT((jacobian(a, state) - jacobian(s, state)).lpNorm<Eigen::Infinity>(), 1e-12);
+    Eigen::VectorXd ga(a.pattern().n), gs(a.pattern().n);
+    a.quadratic(state.data(), rate.data(), ga.data());
+    s.quadratic(state.data(), rate.data(), gs.data());
+    EXPECT_LT((ga - gs).lpNorm<Eigen::Infinity>(), 1e-12);
+  }
+}
+
+TEST_P(Equations, PartsAreSquareAndCoverEveryDependentCoordinate) {
+  std::vector<int> times_solved(m.coordinates(), 0);
+  for (const PartDefinition& part : parts) {
+    EXPECT_EQ(part.equations.size(), part.unknowns.size());
+    for (const int i : part.unknowns) ++times_solved[i];
+  }
+  for (const Driver& d : m.drivers) ++times_solved[m.entities[d.coordinate].first];
+  for (const int times : times_solved) EXPECT_EQ(times, 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Cases, Equations,
+    testing::Values(Parameter{"four_bar_global", four_bar_mechanism, Partition::global},
+                    Parameter{"four_bar_group", four_bar_mechanism, Partition::group},
+                    Parameter{"four_bar_block", four_bar_mechanism, Partition::block},
+                    Parameter{"truck_suspension_global", truck_mechanism, Partition::global},
+                    Parameter{"truck_suspension_group", truck_mechanism, Partition::group},
+                    Parameter{"truck_suspension_block", truck_mechanism, Partition::block}),
+    [](const auto& info) { return std::string(info.param.name); });
+
+TEST(Kernels, OneServesEveryGroupOfItsType) {
+  const Mechanism m = truck_mechanism(3);
+  const std::vector<PartDefinition> groups = make_partition(m, Partition::group);
+  const auto kernel = [&](int g) { return bind_kernel(m, groups[g]).value().kernel; };
+  EXPECT_EQ(kernel(2), kernel(3));   // left and right
+  EXPECT_EQ(kernel(1), kernel(11));  // all axles
+  EXPECT_NE(kernel(1), kernel(2));
+}
+
+TEST(Kernels, AreMissingVisibly) {
+  Mechanism m;
+  m.name = "other";
+  m.add_group("lonely", {"1"});
+  const std::array<double, 2> at{1, 1};
+  const EntityId p = m.add(EntityKind::point, "p", at, 0);
+  const EntityId v = m.add(EntityKind::point, "v", at, 0);
+  const EntityId a = m.add_fixed(EntityKind::point, "a", std::array{0.0, 0.0});
+  m.constrain<Length<2>>(0, "to a", {a, p}, {4});
+  m.constrain<Length<2>>(0, "to v", {v, p}, {4});
+  m.constrain<Rigid<2, 0>>(0, "place", {v, a}, {});
+  const PartDefinition part = make_partition(m, Partition::group).front();
+  EXPECT_EQ(find_kernel(describe_type(m, part).fingerprint), nullptr);
+  EXPECT_FALSE(bind_kernel(m, part));
+  const auto f = make_formulation(find_variant("group_symbolic_eigen"), m);
+  EXPECT_FALSE(f->parts().front().as_named);
+}
+
+TEST(Partition, RefusesAGroupThatNeedsALaterOne) {
+  Mechanism m = four_bar_mechanism(2);
+  m.entities[m.find("dyad1/C")].group = 2;
+  EXPECT_THROW(make_partition(m, Partition::group), std::invalid_argument);
+}
+
+TEST(Pattern, RefusesTheSameDerivativeTwice) {
+  const Mechanism m = four_bar_mechanism(1);
+  const PartDefinition part = make_partition(m, Partition::global).front();
+  const JacobianEntry twice[] = {{0, part.unknowns[0]}, {0, part.unknowns[0]}};
+  EXPECT_THROW(make_pattern(m, part, twice), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace desmo::equations_test

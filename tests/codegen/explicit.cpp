@@ -1,0 +1,330 @@
+// Unknowns in explicit order: what the analysis finds, what the code watches, and what it keeps.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <map>
+#include <memory>
+#include <numbers>
+#include <random>
+#include <string>
+#include <string_view>
+
+#include "cases/cases.h"
+#include "cases/extremes/rows.h"
+#include "formulations/equations/turned_angle.h"
+#include "formulations/explicit_part.h"
+#include "formulations/id.h"
+#include "formulations/magnitudes.h"
+#include "formulations/variants.h"
+#include "tests/borrowed_part.h"
+#include "tests/mechanisms.h"
+
+namespace desmo::explicit_test {
+namespace {
+
+/// What is said of its order above the code of every type, by the name of its kernel.
+const std::map<std::string, std::string>& orders() {
+  static const std::map<std::string, std::string> all = [] {
+    constexpr std::string_view begin = "namespace ", comment = "//";
+    std::map<std::string, std::string> result;
+    std::ifstream file(DESMO_EXPLICIT_KERNELS);
+    std::string name;
+    for (std::string line; std::getline(file, line);) {
+      if (line.starts_with(begin)) name = line.substr(begin.size(), line.find(" {") - begin.size());
+      if (line.starts_with(comment) && !name.empty()) result[name] += line + '\n';
+    }
+    return result;
+  }();
+  return all;
+}
+
+int core_size(const std::string& order) {
+  const std::size_t at = order.find("core of ");
+  return at == std::string::npos ? 0 : std::stoi(order.substr(at + 8));
+}
+
+TEST(ExplicitOrder, LeavesACoreOfTwoInTheAxleAndNoneInWhatHangsOnIt) {
+  EXPECT_EQ(core_size(orders().at("truck_suspension_sg_i")), 2);
+  EXPECT_EQ(core_size(orders().at("truck_suspension_sg_ii")), 0);
+  EXPECT_EQ(core_size(orders().at("truck_suspension_sg_iv")), 0);
+  EXPECT_EQ(core_size(orders().at("four_bar_sg_i_1")), 0);
+}
+
+TEST(ExplicitOrder, RecognisesWhatIsWorthKnowingAsOne) {
+  const auto defines = [](const char* type, const char* line) {
+    return orders().at(type).find(line) != std::string::npos;
+  };
+  EXPECT_TRUE(defines("four_bar_sg_i_1", "C.x, C.y: two circles"));
+  EXPECT_TRUE(defines("four_bar_sg_i_1", "psi: angle ("));
+  EXPECT_TRUE(defines("truck_suspension_sg_i", "x2.x, x2.y, x2.z: normal of two"));
+  EXPECT_TRUE(defines("truck_suspension_sg_ii", "B6.x, B6.y, B6.z: sphere and planes"));
+  EXPECT_TRUE(defines("truck_suspension_sg_ii", "phi6: angle modulo half a turn"));
+  EXPECT_TRUE(defines("truck_suspension_sg_iv", "s10: direction and length"));
+  EXPECT_TRUE(defines("truck_suspension_sg_iv", "n10.x, n10.y, n10.z: normal of two again"));
+}
+
+TEST(ExplicitOrder, TearsNoMoreThanTheFreedomsOfAPlatform) {
+  for (const auto& [name, order] : orders()) EXPECT_LE(core_size(order), 6) << order;
+  EXPECT_GT(orders().size(), 90u);
+}
+
+class Discard final : public Sink {
+ public:
+  void accept(const Instant&) override {}
+};
+
+const ExplicitPart& part(const Formulation& f, std::size_t i) {
+  return dynamic_cast<const ExplicitPart&>(*f.parts()[i].solver);
+}
+
+long fallbacks(const Formulation& f) {
+  long sum = 0;
+  for (const auto& p : f.parts()) sum += dynamic_cast<const GuardedPart&>(*p.solver).fallbacks();
+  return sum;
+}
+
+TEST(Explicit, NeedsNoFallbackOnTheCases) {
+  for (const char* id : {"group_symbolic_explicit", "block_symbolic_explicit"})
+    for (const Case& c : cases()) {
+      const Mechanism m = make_mechanism(c.describe(2));
+      const auto f = make_formulation(find_variant(id), m);
+      Discard sink;
+      ASSERT_TRUE(f->run(time_grid(3, 0.01), {}, sink).ok());
+      EXPECT_EQ(fallbacks(*f), 0) << c.name;
+      for (const auto& p : f->parts()) EXPECT_TRUE(p.as_named);
+    }
+}
+
+TEST(Explicit, IteratesOnCoresOnly) {
+  const Mechanism four_bar = four_bar_mechanism(3), truck = truck_mechanism(1);
+  const auto closed = make_formulation(find_variant("group_symbolic_explicit"), four_bar),
+             torn = make_formulation(find_variant("group_symbolic_explicit"), truck);
+  ASSERT_TRUE(closed->assemble(0).ok() && torn->assemble(0).ok());
+  const Summary without = closed->step(0.01), with = torn->step(0.01);
+  EXPECT_EQ(without.iterations, 0);
+  EXPECT_GE(with.iterations, 1);
+  EXPECT_LE(with.iterations, 4);
+  EXPECT_LT(without.residual, 1e-10);
+  EXPECT_LT(with.residual, 1e-10);
+}
+
+/// Products of lengths over- or underflow where these are no nearer to 1 than double precision is
+/// wide; in a unit of its own each part is solved as ever.
+TEST(Explicit, NeedsNoFallbackHoweverLargeOrSmallLengthsAre) {
+  const auto in_unit = [](double unit) {
+    return make_mechanism(
+        extreme::case_of("", extreme::usual_chain(3, 1, unit), 1, {0, 0.05, 61}).scene);
+  };
+  const Mechanism usual = in_unit(1);
+  for (const char* id : {"group_symbolic_explicit", "group_symbolic_explicit/lanes:4"})
+    for (const double unit : {0x1p-498, 0x1p498}) {
+      const Mechanism m = in_unit(unit);
+      const auto [variant, settings] = parse_id(id);
+      const auto f = make_formulation(*variant, m, settings),
+                 expected = make_formulation(*variant, usual, settings);
+      Discard sink;
+      ASSERT_TRUE(f->run({0, 0.05, 61}, {}, sink).ok() &&
+                  expected->run({0, 0.05, 61}, {}, sink).ok());
+      EXPECT_EQ(fallbacks(*f), 0);
+      for (const Entity& e : m.entities)
+        for (int i = e.first; i < e.first + e.size && !e.fixed; ++i)
+          EXPECT_NEAR(f->qdd()[i] / (e.kind == EntityKind::point ? unit : 1), expected->qdd()[i],
+                      1e-11)
+              << e.name;
+    }
+}
+
+/// A dyad whose coupler and rocker nearly align: roots and divisors vanish in the middle of the
+/// motion, and accuracy must not.
+TEST(Explicit, LeavesNearlySingularPositionsToPivotingAndLosesNothing) {
+  Mechanism m = four_bar_mechanism(1);
+  // ‖D − B‖ is largest, 8, where the crank points away from D: links of 4 and 4 + δ just reach.
+  const double delta = 1e-9;
+  for (Constraint& c : m.constraints)
+    if (c.name.starts_with("dyad1/coupler")) c.constants[0] = (4 + delta) * (4 + delta);
+  for (Constraint& c : m.constraints)
+    if (c.name.find("psi") != std::string::npos) c.constants[0] = 4;
+  const int c = m.entities[m.find("dyad1/C")].first;
+  m.estimate[c] = 3.5;
+  m.estimate[c + 1] = 3;
+  const auto f = make_formulation(find_variant("group_symbolic_explicit"), m),
+             g = make_formulation(find_variant("group_automatic_eigen"), m);
+  const double start = std::numbers::pi / 3, worst = std::numbers::pi - start;
+  int compared = 0;
+  for (const double t :
+       {0.0, worst - 0.4, worst - 0.1, worst - 0.01, worst - 1e-3, worst - 1e-4, worst - 1e-5}) {
+    const Summary a = f->step(t), b = g->step(t);
+    ASSERT_EQ(a.ok(), b.ok()) << t << " " << describe(a, m) << " " << describe(b, m);
+    if (!a.ok()) break;
+    EXPECT_LT(a.residual, 1e-10);
+    // Conditioned by the distance from the singular position, the same for both.
+    const double conditioning = 1 / (worst - t);
+    for (int i = 0; i < m.coordinates(); ++i) {
+      EXPECT_NEAR(f->q()[i], g->q()[i], 1e-10 * conditioning) << t;
+      EXPECT_NEAR(f->qd()[i], g->qd()[i], 1e-9 * conditioning * conditioning) << t;
+    }
+    ++compared;
+  }
+  EXPECT_GE(compared, 5);
+  EXPECT_GT(fallbacks(*f), 0);
+}
+
+/// The kernel of the dyad, refusing always.
+TEST(Explicit, IsRightWhereItsCodeRefuses) {
+  const Mechanism m = four_bar_mechanism(1);
+  const std::vector<PartDefinition> parts = make_partition(m, Partition::group);
+  const BoundKernel bound = bind_kernel(m, parts[1]).value();
+  ExplicitKernel refusing = *find_explicit_kernel(bound.kernel->fingerprint);
+  refusing.solve[2] = [](double*, double*, double*, const ExplicitBinding<double>*, int) {
+    return ExplicitRunResult{};
+  };
+  const auto reference = make_formulation(find_variant("group_automatic_eigen"), m);
+  ExplicitPart bad(refusing, bound, Magnitudes(m).weights(parts[1]), {.tolerance = 1e-12},
+                   std::make_unique<Borrowed>(*reference->parts()[1].solver));
+  State s;
+  s.q = m.estimate;
+  s.q.insert(s.q.end(), m.fixed_values.begin(), m.fixed_values.end());
+  s.qd.assign(s.q.size(), 0);
+  s.qdd.assign(s.q.size(), 0);
+  ASSERT_EQ(bad.solve(s, s.q, Level::acceleration).status, Status::converged);
+  EXPECT_EQ(bad.fallbacks(), 0);  // the first position is found by iterating, as ever
+  ASSERT_EQ(bad.solve(s, s.q, Level::acceleration).status, Status::converged);
+  EXPECT_EQ(bad.fallbacks(), 1);
+  EXPECT_EQ(bad.branch_changes(), 0);
+}
+
+TEST(Explicit, KeepsTheBranchOfTheEstimateHoweverLargeTheStep) {
+  for (const double side : {+1.0, -1.0}) {
+    Mechanism m = four_bar_mechanism(1);
+    const int c = m.entities[m.find("dyad1/C")].first, b = m.entities[m.find("crank/B")].first;
+    m.estimate[c + 1] *= side;
+    m.estimate[m.entities[m.find("dyad1/psi")].first] *= side;
+    const auto f = make_formulation(find_variant("group_symbolic_explicit"), m);
+    ASSERT_TRUE(f->assemble(0).ok());
+    const auto branch = part(*f, 1).branches();
+    ASSERT_EQ(branch.size(), 1u);
+    const double at_start = branch[0];
+    for (int i = 1; i <= 40; ++i) {  // of 1.7 rad each
+      ASSERT_TRUE(f->step(1.7 * i).ok());
+      const double bx = f->q()[b], by = f->q()[b + 1], x = f->q()[c], y = f->q()[c + 1];
+      const double area = (6 - bx) * (y - by) - (0 - by) * (x - bx);
+      EXPECT_GT(side * area, 0) << i;
+    }
+    EXPECT_EQ(part(*f, 1).branches()[0], at_start);
+    EXPECT_EQ(part(*f, 1).branch_changes(), 0);
+  }
+}
+
+TEST(Explicit, AssemblesAnewFromTheEstimate) {
+  const Mechanism m = truck_mechanism(1);
+  const auto f = make_formulation(find_variant("group_symbolic_explicit"), m);
+  ASSERT_TRUE(f->assemble(0).ok());
+  const std::vector<double> first(f->q().begin(), f->q().end());
+  for (int i = 1; i < 30; ++i) ASSERT_TRUE(f->step(0.01 * i).ok());
+  ASSERT_TRUE(f->assemble(0).ok());
+  EXPECT_EQ(first, std::vector<double>(f->q().begin(), f->q().end()));
+}
+
+TEST(Elementary, FunctionsAgreeWithTheStandardLibrary) {
+  std::mt19937 generator(5);
+  for (const double range : {1e-6, 1.0, 10.0, 1e3, 9e5}) {
+    std::uniform_real_distribution<double> uniform(-range, range);
+    for (int i = 0; i < 20000; ++i) {
+      const double x = uniform(generator), y = uniform(generator);
+      const double unit = std::numeric_limits<double>::epsilon();
+      EXPECT_NEAR(elementary::sin(x), std::sin(x), 2 * unit * std::min(1.0, std::abs(x)));
+      EXPECT_NEAR(elementary::cos(x), std::cos(x), 2 * unit);
+      const double angle = std::atan2(y, x);
+      EXPECT_NEAR(elementary::arctan(y, x), angle, 2 * unit * std::abs(angle));
+    }
+  }
+  for (const double x : {-1.0, -0.0, 0.0, 1.0})
+    for (const double y : {-1.0, -0.0, 0.0, 1.0})
+      if (x != 0 || y != 0) {
+        EXPECT_NEAR(std::abs(elementary::arctan(y, x)), std::abs(std::atan2(y, x)), 1e-15);
+      }
+}
+
+/// What the reduction would make of these is nothing to be trusted, and so refused.
+TEST(Elementary, FunctionsAreNotANumberFarAway) {
+  for (const double x : {1e7, -1e9, std::numeric_limits<double>::infinity(),
+                         std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_TRUE(std::isnan(elementary::sin(x)));
+    EXPECT_TRUE(std::isnan(elementary::cos(x)));
+  }
+}
+
+/// An angle beyond: the driver's sine is not evaluated by explicit code, and nothing is lost.
+TEST(Explicit, LeavesAnglesFarAwayToOthers) {
+  const Mechanism m = four_bar_mechanism(2);
+  const auto f = make_formulation(find_variant("group_symbolic_explicit"), m),
+             g = make_formulation(find_variant("group_automatic_eigen"), m);
+  for (const double t : {3e6, 3e6 + 0.01, 3e6 + 0.02}) {
+    ASSERT_TRUE(f->step(t).ok() && g->step(t).ok());
+    for (int i = 0; i < m.coordinates(); ++i) EXPECT_NEAR(f->q()[i], g->q()[i], 1e-9);
+  }
+  EXPECT_GT(fallbacks(*f), 0);
+}
+
+/// Whatever the anchor is: none, the last angle, that of a while ago, or one turns away.
+TEST(Elementary, AnglesStayNearTheirLastValue) {
+  using Anchor = std::array<double, anchor_size>;
+  const auto found = [](double y, double x, double before, Anchor& anchor) {
+    return elementary::turned_angle<double>(y, x, before, anchor.data());
+  };
+  std::mt19937 generator(7);
+  std::uniform_real_distribution<double> uniform(-40, 40), small(-0.2, 0.2), large(-3.1, 3.1),
+      length(0.01, 100);
+  Anchor kept{};
+  int moved = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const double angle = uniform(generator), r = length(generator),
+                 before = angle + (i % 2 == 0 ? small(generator) : large(generator)),
+                 at = angle + small(generator);
+    Anchor none{}, near{at, std::sin(at), std::cos(at)};
+    for (Anchor* const anchor : {&none, &near, &kept}) {
+      const Anchor was = *anchor;
+      const auto [q, sine, cosine] =
+          found(r * std::sin(angle), r * std::cos(angle), before, *anchor);
+      EXPECT_NEAR(q, angle, 2e-14);
+      EXPECT_NEAR(sine, std::sin(q), 1e-15);
+      EXPECT_NEAR(cosine, std::cos(q), 1e-15);
+      if (*anchor != was) {
+        EXPECT_EQ((*anchor)[0], q);
+      }
+      moved += anchor == &near && *anchor != was;
+    }
+  }
+  EXPECT_GT(moved, 5000);   // where `before` was far from it,
+  EXPECT_LT(moved, 15000);  // and nowhere else
+  Anchor none{};
+  EXPECT_TRUE(std::isnan(found(0, 0, 1, none).angle));
+  EXPECT_TRUE(std::isnan(found(1, 0, 1e8, none).angle));
+  EXPECT_NEAR(found(1, 0, 1, none).angle, std::numbers::pi / 2, 1e-15);  // after no number
+}
+
+/// An angle that goes on turning is evaluated anew now and then only, and stays as exact.
+TEST(Elementary, AnchorsFollowTheirAngles) {
+  std::array<double, anchor_size> anchor{};
+  double last = 0;
+  int moved = 0;
+  for (int i = 1; i <= 10000; ++i) {
+    const double angle = 0.01 * i, was = anchor[0];
+    const auto [q, sine, cosine] =
+        elementary::turned_angle<double>(std::sin(angle), std::cos(angle), last, anchor.data());
+    EXPECT_NEAR(q, angle, 4e-14);
+    EXPECT_NEAR(sine, std::sin(q), 4e-16);
+    EXPECT_NEAR(cosine, std::cos(q), 4e-16);
+    last = q;
+    moved += anchor[0] != was;
+  }
+  EXPECT_LT(moved, 450);
+}
+
+}  // namespace
+}  // namespace desmo::explicit_test

@@ -1,0 +1,126 @@
+// Parts of one kernel behind each other, solved in one call: as each by itself, whatever becomes of
+// one of them.
+
+#include "formulations/explicit_run.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <vector>
+
+#include "formulations/magnitudes.h"
+#include "formulations/variants.h"
+#include "tests/borrowed_part.h"
+#include "tests/mechanisms.h"
+
+namespace desmo::explicit_run_test {
+namespace {
+
+constexpr int dyads = 5;
+
+/// The kernel of a dyad, refusing one part.
+struct Refusing {
+  static inline const ExplicitKernel* sound = nullptr;
+  static inline const double* dimensions = nullptr;  // of the part; null: none
+
+  static ExplicitRunResult solve(double* q, double* qd, double* qdd,
+                                 const ExplicitBinding<double>* parts, int count) {
+    int before = 0;
+    while (before < count && parts[before].c != dimensions) ++before;
+    return sound->solve[2](q, qd, qdd, parts, before);
+  }
+};
+
+class Runs : public testing::Test {
+ protected:
+  Runs() {
+    const std::vector<PartDefinition> parts = make_partition(m_, Partition::group);
+    const Magnitudes magnitudes(m_);
+    Refusing::sound = nullptr;
+    std::vector<Formulation::DefinedPart> defined;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      auto fallback = std::make_unique<Borrowed>(*reference_->parts()[i].solver);
+      if (i == 0) {
+        defined.push_back({.definition = parts[i], .solver = std::move(fallback)});
+        continue;
+      }
+      const BoundKernel bound = bind_kernel(m_, parts[i]).value();
+      if (!Refusing::sound) {
+        Refusing::sound = find_explicit_kernel(bound.kernel->fingerprint);
+        kernel_ = *Refusing::sound;
+        kernel_.solve[2] = &Refusing::solve;
+      }
+      auto part = std::make_unique<ExplicitPart>(kernel_, bound, magnitudes.weights(parts[i]),
+                                                 settings_, std::move(fallback));
+      dyads_.push_back(part.get());
+      defined.push_back({.definition = parts[i], .solver = std::move(part)});
+    }
+    f_ = std::make_unique<Formulation>(m_, std::move(defined), settings_);
+  }
+
+  const Settings settings_{.tolerance = 1e-13};
+  const Mechanism m_ = four_bar_mechanism(dyads);
+  const std::unique_ptr<Formulation> reference_ =
+      make_formulation(find_variant("group_automatic_eigen"), m_, settings_);
+  ExplicitKernel kernel_{};
+  std::vector<ExplicitPart*> dyads_;
+  std::unique_ptr<Formulation> f_;
+};
+
+TEST_F(Runs, HoldPartsOfOneKernelAndNoOthers) {
+  std::vector<Part*> solvers;
+  for (const Formulation::DefinedPart& part : f_->parts()) solvers.push_back(part.solver.get());
+  const std::span<Part* const> all(solvers);
+  EXPECT_EQ(solvers.front()->make_run(all), nullptr) << "the crank is none";
+  const auto run = solvers[1]->make_run(all.subspan(1));
+  ASSERT_NE(run, nullptr);
+  EXPECT_EQ(run->size(), dyads);
+  EXPECT_EQ(solvers[dyads]->make_run(all.last(1)), nullptr) << "one is no run";
+  solvers.insert(solvers.begin() + 3, solvers.front());
+  EXPECT_EQ(solvers[1]->make_run(std::span(solvers).subspan(1))->size(), 2);
+}
+
+TEST_F(Runs, SolveNothingBeforeEveryMemberHasAPosition) {
+  std::vector<Part*> solvers;
+  for (ExplicitPart* const dyad : dyads_) solvers.push_back(dyad);
+  const auto run = solvers[0]->make_run(solvers);
+  State s{m_.estimate, {}, {}};
+  s.q.insert(s.q.end(), m_.fixed_values.begin(), m_.fixed_values.end());
+  s.qd.assign(s.q.size(), 0);
+  s.qdd.assign(s.q.size(), 0);
+  EXPECT_EQ(run->solve(s, 0, Level::acceleration).solved, 0);
+  for (Part* const dyad : solvers)
+    ASSERT_EQ(dyad->solve(s, s.q, Level::acceleration).status, Status::converged);
+  EXPECT_EQ(run->solve(s, 0, Level::acceleration).solved, dyads);
+  EXPECT_EQ(run->solve(s, 2, Level::acceleration).solved, dyads - 2);
+  for (Part* const dyad : solvers) dyad->forget();
+  run->forget();
+  EXPECT_EQ(run->solve(s, 0, Level::acceleration).solved, 0);
+}
+
+/// Whichever it is, first and last among them.
+TEST_F(Runs, GoOnBehindAMemberThatIsRefused) {
+  constexpr int steps = 20;
+  const auto expected = make_formulation(find_variant("group_symbolic_explicit"), m_, settings_);
+  for (int refused = -1; refused < dyads; ++refused) {
+    Refusing::dimensions = nullptr;
+    ASSERT_TRUE(f_->assemble(0).ok() && expected->assemble(0).ok());
+    Refusing::dimensions = refused < 0 ? nullptr : dyads_[refused]->binding().c;
+    std::vector<long> before;
+    for (const ExplicitPart* const dyad : dyads_) before.push_back(dyad->fallbacks());
+    for (int i = 1; i <= steps; ++i) {
+      const Summary s = f_->step(0.01 * i);
+      ASSERT_TRUE(s.ok() && expected->step(0.01 * i).ok());
+      EXPECT_LT(s.residual, settings_.tolerance);
+      for (int k = 0; k < m_.coordinates(); ++k) {
+        EXPECT_NEAR(f_->q()[k], expected->q()[k], 1e-11);
+        EXPECT_NEAR(f_->qdd()[k], expected->qdd()[k], 1e-10);
+      }
+    }
+    for (int k = 0; k < dyads; ++k)
+      EXPECT_EQ(dyads_[k]->fallbacks() - before[k], k == refused ? steps : 0) << k;
+  }
+}
+
+}  // namespace
+}  // namespace desmo::explicit_run_test

@@ -1,0 +1,230 @@
+// The generator: expressions, elimination and the source that comes of them.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <random>
+#include <sstream>
+
+#include "cases/cases.h"
+#include "formulations/generate/elimination.h"
+#include "formulations/generate/emission.h"
+#include "formulations/generate/kernel_source.h"
+#include "formulations/part_type.h"
+#include "tests/mechanisms.h"
+
+namespace desmo::generate::generator_test {
+namespace {
+
+struct Expressions : testing::Test {
+  Graph graph{1};
+  Expr x = Expr::node(graph.input("x", {2}));
+  Expr y = Expr::node(graph.input("y", {3}));
+
+  double value(Expr e) { return graph.samples(e.id())[0]; }
+};
+
+TEST_F(Expressions, FoldConstantsAndIdentities) {
+  EXPECT_EQ((x + 0.0).id(), x.id());
+  EXPECT_EQ((1.0 * x).id(), x.id());
+  EXPECT_EQ((x - 0.0).id(), x.id());
+  EXPECT_EQ((x / 1.0).id(), x.id());
+  EXPECT_EQ((-(-x)).id(), x.id());
+  EXPECT_TRUE((x * 0.0).is_zero());
+  EXPECT_TRUE((x - x).is_zero());
+  EXPECT_TRUE(graph.is((x * (1.0 / x)).id(), 1));
+  EXPECT_TRUE((Expr(0) / x).is_zero());
+  EXPECT_TRUE(graph.is((Expr(2) * 3.0 + sin(Expr(0))).id(), 6));
+}
+
+TEST_F(Expressions, TellWhatTheyAreMultiplesOf) {
+  EXPECT_EQ((2 * x).factor(), 2);
+  EXPECT_EQ((x * 2).factor(), 2);
+  EXPECT_EQ((-(2 * (x + y))).factor(), 2);
+  EXPECT_EQ((2 * x - 2 * y).factor(), 2);
+  for (const Expr e : {x, -x, x * y, x + 2.0, 2 * x + y, Expr(2)}) EXPECT_EQ(e.factor(), 1);
+  EXPECT_EQ((0.5 * -(2 * x)).id(), (-x).id());
+}
+
+TEST_F(Expressions, ShareCommonSubexpressions) {
+  EXPECT_EQ((x + y).id(), (y + x).id());
+  EXPECT_EQ((x * y).id(), (y * x).id());
+  EXPECT_EQ((x * (-y)).id(), (-(x * y)).id());
+  EXPECT_EQ((x + (-y)).id(), (x - y).id());
+  EXPECT_NE((x - y).id(), (y - x).id());
+  EXPECT_EQ((x * (x - y)).id(), (-(x * (y - x))).id());
+}
+
+TEST_F(Expressions, KeepTheirValueThroughEveryRule) {
+  std::mt19937 generator(3);
+  std::vector<std::pair<Expr, double>> pool{
+      {x, 2}, {y, 3}, {Expr(0), 0}, {Expr(1), 1}, {Expr(-1), -1}};
+  for (int i = 0; i < 400; ++i) {
+    const auto& [a, va] = pool[generator() % pool.size()];
+    const auto& [b, vb] = pool[generator() % pool.size()];
+    std::pair<Expr, double> made = [&]() -> std::pair<Expr, double> {
+      switch (generator() % 5) {
+        case 0:
+          return {a + b, va + vb};
+        case 1:
+          return {a - b, va - vb};
+        case 2:
+          return {a * b, va * vb};
+        case 3:
+          return {-a, -va};
+        default:
+          return vb != 0 ? std::pair{a / b, va / vb} : std::pair{sin(a), std::sin(va)};
+      }
+    }();
+    if (std::abs(made.second) > 1e3) continue;
+    EXPECT_NEAR(value(made.first), made.second, 1e-9 * (1 + std::abs(made.second)));
+    pool.push_back(made);
+  }
+}
+
+std::string written(Expr e) {
+  std::ostringstream out;
+  Emitter emitter(out, "", {e});
+  emitter.prepare({e});
+  return out.str() + emitter.text(e);
+}
+
+TEST_F(Expressions, AreWrittenWithTheParenthesesTheyNeed) {
+  EXPECT_EQ(written(x - (y - 1.0)), "x - y + 1.0");
+  EXPECT_EQ(written(x / (y * 2.0)), "x / (y * 2.0)");
+  const Expr sum = x + y;
+  EXPECT_EQ(written(sum * (x - y)), "(x + y) * (x - y)");
+  EXPECT_EQ(written(sin(x + y) - x), "std::sin(x + y) - x");
+  EXPECT_EQ(written(-(x * y)), "-(x * y)");
+  EXPECT_EQ(written(-(x - y)), "y - x");
+  const Expr xx = x * x, yy = y * y, squares = xx + yy;
+  EXPECT_EQ(written(squares - 1.0), "x * x - 1.0 + y * y");  // two fused instructions
+  EXPECT_EQ(written(squares - sum), "-x - y + x * x + y * y");
+  EXPECT_EQ(written(-(x - y) / sum), "-((x - y) / (x + y))");
+  EXPECT_EQ(written(x + -2.5), "x + (-2.5)");
+}
+
+/// So that only one operation waits for it.
+TEST_F(Expressions, TakeLastWhatIsKnownLate) {
+  EXPECT_EQ(written(sqrt(x) * y + (x - y * 2.0)), "x - y * 2.0 + y * std::sqrt(x)");
+  EXPECT_EQ(written(sqrt(x) * (y * (x + 1.0))), "y * (x + 1.0) * std::sqrt(x)");
+  EXPECT_EQ(written(1.0 / y - sqrt(x) - x * y), "1.0 / y - x * y - std::sqrt(x)");
+  std::ostringstream out;
+  Emitter emitter(out, "", {x + y * 2.0});
+  emitter.assign("x", "late()", 30);
+  EXPECT_EQ(emitter.text(x + y * 2.0), "y * 2.0 + x");
+}
+
+/// What has a name is computed once, wherever its terms stand.
+TEST_F(Expressions, AreNotTakenApartWhereTheyAreShared) {
+  const Expr sum = x + y;
+  std::ostringstream out;
+  Emitter emitter(out, "", {sum * x, sum - 1.0});
+  emitter.prepare({sum * x, sum - 1.0});
+  const std::string name = emitter.text(sum);
+  EXPECT_NE(out.str().find(name + " = x + y"), std::string::npos);
+  EXPECT_EQ(emitter.text(sum - 1.0), name + " - 1.0");
+}
+
+TEST(Literals, ReadBackToTheSameValue) {
+  for (const double v : {0.1, 1.0, -3.0, 1e-300, 6.02e23, -1.0 / 3})
+    EXPECT_EQ(
+        std::strtod(literal(v)[0] == '(' ? literal(v).c_str() + 1 : literal(v).c_str(), nullptr),
+        v);
+  EXPECT_EQ(literal(2), "2.0");
+}
+
+TEST(Elimination, SolvesRandomSparseSystemsAtEverySample) {
+  constexpr int n = 8, samples = 4;
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    std::mt19937 generator(seed);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    Graph graph(samples);
+    std::vector<std::map<int, Expr>> rows(n);
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j) {
+        if (i != j && generator() % 3) continue;
+        if (i != j && generator() % 4 == 0) {
+          rows[i].emplace(j, Expr(1));
+          continue;
+        }
+        std::vector<double> values;
+        for (int s = 0; s < samples; ++s) values.push_back(uniform(generator) + (i == j ? 3 : 0));
+        rows[i].emplace(j, Expr::node(graph.input("a", values)));
+      }
+    std::vector<Expr> x, b(n);
+    for (int j = 0; j < n; ++j) {
+      std::vector<double> values;
+      for (int s = 0; s < samples; ++s) values.push_back(uniform(generator));
+      x.push_back(Expr::node(graph.input("x", values)));
+    }
+    for (int i = 0; i < n; ++i)
+      for (const auto& [j, a] : rows[i]) b[i] = b[i] + a * x[j];
+    const std::vector<Expr> solution = Elimination(rows).solve(b);
+    for (int j = 0; j < n; ++j)
+      for (int s = 0; s < samples; ++s)
+        EXPECT_NEAR(graph.samples(solution[j].id())[s], graph.samples(x[j].id())[s], 1e-10);
+  }
+}
+
+TEST(Elimination, TakesConstantPivotsFirstAndMonitorsTheOthers) {
+  Graph graph(1);
+  const Expr a = Expr::node(graph.input("a", {0.5})), b = Expr::node(graph.input("b", {0.7}));
+  // x + a y = …, b x + y = …: the pivots are 1, then 1 − a b.
+  const Elimination e({{{0, Expr(1)}, {1, a}}, {{0, b}, {1, Expr(1)}}});
+  ASSERT_EQ(e.monitors().size(), 1u);
+  EXPECT_NEAR(graph.samples(e.monitors()[0].pivot.id())[0], 1 - 0.5 * 0.7, 1e-15);
+}
+
+TEST(Elimination, RefusesAStructurallySingularMatrix) {
+  Graph graph(1);
+  EXPECT_THROW(Elimination({{{0, Expr(1)}}, {{0, Expr(2)}}}), std::invalid_argument);
+}
+
+TEST(PartTypes, AreEqualForTwinsAndDifferOtherwise) {
+  const Mechanism m = truck_mechanism(2);
+  const auto fingerprint = [&](const char* name) {
+    for (const PartDefinition& part : make_partition(m, Partition::group))
+      if (m.groups[part.groups.front()].name == name) return describe_type(m, part).fingerprint;
+    return std::string("none");
+  };
+  EXPECT_EQ(fingerprint("axle1/SG-II"), fingerprint("axle2/SG-III"));
+  EXPECT_EQ(fingerprint("axle1/SG-IV"), fingerprint("axle2/SG-V"));
+  EXPECT_NE(fingerprint("axle1/SG-II"), fingerprint("axle1/SG-IV"));
+  EXPECT_EQ(fingerprint("axle1/SG-II").find("axle"), std::string::npos);  // never by name
+}
+
+std::string read(const std::string& path) {
+  std::ifstream in(path);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+TEST(Generate, WritesTheSameBytesEveryTime) {
+  const auto generate = [](const std::string& name) {
+    const std::string kernels = testing::TempDir() + name + ".cpp",
+                      in_order = testing::TempDir() + name + "_explicit.cpp";
+    const std::string lanes = testing::TempDir() + name + "_lanes.cpp";
+    EXPECT_EQ(std::system((DESMO_GENERATE " " + kernels + " " + in_order + " " + lanes).c_str()),
+              0);
+    EXPECT_FALSE(read(lanes).empty());
+    return std::pair{read(kernels), read(in_order) + read(lanes)};
+  };
+  const auto a = generate("kernels_a"), b = generate("kernels_b");
+  EXPECT_FALSE(a.first.empty() || a.second.empty());
+  EXPECT_EQ(a, b);
+  EXPECT_NE(a.first.find("const double q_WL_x = q[in["), std::string::npos);  // readable names
+  EXPECT_NE(a.second.find("// C.x, C.y: two circles\n"), std::string::npos);
+}
+
+TEST(Generate, FailsWhereItCannotWrite) {
+  EXPECT_NE(std::system(DESMO_GENERATE
+                        " /nonexistent/a.cpp /nonexistent/b.cpp /nonexistent/c.cpp 2>/dev/null"),
+            0);
+  EXPECT_NE(std::system(DESMO_GENERATE " 2>/dev/null"), 0);
+}
+
+}  // namespace
+}  // namespace desmo::generate::generator_test

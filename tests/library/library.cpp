@@ -1,0 +1,311 @@
+// Every mechanism of the library, with every formulation, against its independent solution; the
+// independent solutions against themselves; structural groups against those found by hand.
+
+#include "cases/library.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <ostream>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+#include "cases/files.h"
+#include "formulations/modelling/model.h"
+#include "formulations/variants.h"
+#include "tests/every_variant.h"
+#include "tests/library/solutions.h"
+
+namespace desmo {
+
+inline void PrintTo(const LibraryMechanism& l, std::ostream* out) { *out << l.name; }
+
+namespace desmo::library_test {
+namespace {
+
+using exact::Quantity;
+using exact::Solution;
+
+Scene scene_of(const LibraryMechanism& l) {
+  return parse_scene(l.scene, std::string(l.name) + ".scene.json", "");
+}
+
+const exact::LibrarySolution& solution_of(std::string_view name) {
+  const auto all = exact::library_solutions();
+  const auto it = std::ranges::find(all, name, &exact::LibrarySolution::mechanism);
+  if (it == all.end()) throw std::runtime_error(std::string(name) + " has no solution");
+  return *it;
+}
+
+/// The independent solution at every instant of the scene; the same for all formulations.
+const std::vector<Solution>& solutions(const Scene& scene) {
+  static std::map<std::string, std::vector<Solution>> known;
+  std::vector<Solution>& list = known[scene.mechanism.name];
+  const auto at = solution_of(scene.mechanism.name).at;
+  for (int i = static_cast<int>(list.size()); i < scene.grid.instants; ++i)
+    list.push_back(at(scene.grid.time(i)));
+  return list;
+}
+
+/// Lengths differ from directions and angles in size and unit.
+bool is_length(EntityKind kind) {
+  return kind == EntityKind::point || kind == EntityKind::distance;
+}
+
+constexpr std::array<double, 3> Quantity::*levels[] = {&Quantity::position, &Quantity::velocity,
+                                                       &Quantity::acceleration};
+constexpr const char* level_names[] = {"position", "velocity", "acceleration"};
+
+/// The largest values of the whole motion at each level, by which errors are judged: for lengths
+/// (of which positions: the extent of the mechanism) and for directions and angles (positions: 1).
+struct Scales {
+  double of[2][3] = {{0, 0, 0}, {1, 0, 0}};
+
+  Scales(const Mechanism& m, const std::vector<Solution>& motion) {
+    double low[3], high[3];
+    std::fill_n(low, 3, INFINITY);
+    std::fill_n(high, 3, -INFINITY);
+    for (const Solution& s : motion)
+      for (const auto& [name, q] : s.quantities) {
+        const EntityKind kind = m.entities[m.find(name)].kind;
+        for (int i = 0; i < q.size; ++i) {
+          for (int level = 1; level < 3; ++level) {
+            double& scale = of[!is_length(kind)][level];
+            scale = std::max(scale, std::abs((q.*levels[level])[i]));
+          }
+          if (kind != EntityKind::point) continue;
+          low[i] = std::min(low[i], q.position[i]);
+          high[i] = std::max(high[i], q.position[i]);
+        }
+      }
+    for (int i = 0; i < 3; ++i) of[0][0] = std::max(of[0][0], high[i] - low[i]);
+  }
+};
+
+/// Compares everything that the mechanism's file names, at every instant.
+class Comparison final : public Sink {
+ public:
+  struct Worst {
+    double error = 0;  ///< by the scale
+    std::string where = "nowhere";
+  };
+
+  Comparison(const Mechanism& m, const std::vector<Solution>& motion)
+      : m_(m), motion_(motion), scales_(m, motion) {}
+
+  void accept(const Instant& instant) override {
+    ++instants;
+    for (const auto& [name, q] : motion_[instant.index].quantities) {
+      const Entity& e = m_.entities[m_.find(name)];
+      if (e.fixed) continue;
+      ASSERT_EQ(e.size, q.size) << name;
+      const std::span<const double> found[] = {instant.q, instant.qd, instant.qdd};
+      for (int level = 0; level < 3; ++level)
+        for (int i = 0; i < q.size; ++i) {
+          double error = found[level][e.first + i] - (q.*levels[level])[i];
+          if (level == 0 && e.kind == EntityKind::angle)
+            error = std::remainder(error, 2 * std::numbers::pi);
+          error = std::abs(error) / scales_.of[!is_length(e.kind)][level];
+          if (error <= worst[level].error) continue;  // and 0 / 0 is no error
+          worst[level] = {error, name + " at " + std::to_string(instant.time) + " s"};
+        }
+    }
+  }
+
+  Worst worst[3];
+  int instants = 0;
+
+ private:
+  const Mechanism& m_;
+  const std::vector<Solution>& motion_;
+  const Scales scales_;
+};
+
+using MechanismAndVariant = std::tuple<LibraryMechanism, Variant>;
+
+class Library : public testing::TestWithParam<MechanismAndVariant> {
+ public:
+  static std::string name(const testing::TestParamInfo<MechanismAndVariant>& info) {
+    return std::string(std::get<0>(info.param).name) + "_" + std::get<1>(info.param).id;
+  }
+};
+
+TEST_P(Library, AgreesWithTheIndependentSolution) {
+  const auto& [mechanism, variant] = GetParam();
+  Scene scene = scene_of(mechanism);
+  // The whole motion in the optimised build; a part of it where every operation is checked.
+  if (DESMO_TEST_SECONDS < 30) scene.grid.instants = std::min(scene.grid.instants, 61);
+  const Mechanism m = make_mechanism(scene);
+  Comparison comparison(m, solutions(scene));
+  const auto f = make_formulation(variant, m, Settings{scene.tolerance, 25});
+  const Summary s = f->run(scene.grid, {}, comparison);
+  EXPECT_TRUE(s.ok()) << describe(s, m);
+  EXPECT_EQ(comparison.instants, scene.grid.instants);
+  constexpr double allowed[] = {1e-9, 1e-8, 1e-7};
+  for (int level = 0; level < 3; ++level)
+    EXPECT_LE(comparison.worst[level].error, allowed[level])
+        << level_names[level] << " of " << comparison.worst[level].where;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Library,
+                         testing::Combine(testing::ValuesIn(library().begin(), library().end()),
+                                          testing::ValuesIn(tested_variants())),
+                         Library::name);
+
+/// What can be known of a mechanism without solving it.
+class LibraryMechanisms : public testing::TestWithParam<LibraryMechanism> {
+ public:
+  static std::string name(const testing::TestParamInfo<LibraryMechanism>& info) {
+    return std::string(info.param.name);
+  }
+};
+
+TEST_P(LibraryMechanisms, EverythingNamedInTheFileHasAnIndependentSolution) {
+  const Scene scene = scene_of(GetParam());
+  const Solution s = solution_of(GetParam().name).at(0);
+  std::vector<std::string> named, solved;
+  for (const auto& p : scene.mechanism.points) named.push_back(p.name);
+  for (const auto& v : scene.mechanism.vectors) named.push_back(v.name);
+  for (const auto& c : scene.mechanism.coordinates) named.push_back(c.name);
+  for (const auto& [name, q] : s.quantities) solved.push_back(name);
+  std::ranges::sort(named);
+  EXPECT_EQ(named, solved);
+  EXPECT_EQ(scene.mechanism.name, GetParam().name);
+  EXPECT_GE(scene.grid.instants, 300);
+}
+
+TEST_P(LibraryMechanisms, IndependentSolutionsAreSmoothAndTheirOwnDerivatives) {
+  const Scene scene = scene_of(GetParam());
+  const Mechanism m = make_mechanism(scene);
+  const auto at = solution_of(GetParam().name).at;
+  const Scales scales(m, solutions(scene));
+  constexpr double h = 2.5e-4, weight[] = {1.0 / 12, -2.0 / 3, 2.0 / 3, -1.0 / 12};
+  for (int i = 0; i < 20; ++i) {
+    const double t = scene.grid.time(scene.grid.instants * i / 20);
+    const Solution here = at(t), near[] = {at(t - 2 * h), at(t - h), at(t + h), at(t + 2 * h)};
+    for (const auto& [name, q] : here.quantities)
+      for (int level = 0; level < 2; ++level)
+        for (int k = 0; k < q.size; ++k) {
+          const EntityKind kind = m.entities[m.find(name)].kind;
+          double slope = 0;
+          for (int j = 0; j < 4; ++j) {
+            double change = (near[j].quantities.at(name).*levels[level])[k] - (q.*levels[level])[k];
+            if (level == 0 && kind == EntityKind::angle)
+              change = std::remainder(change, 2 * std::numbers::pi);
+            slope += weight[j] / h * change;
+          }
+          EXPECT_NEAR(slope, (q.*levels[level + 1])[k],
+                      1e-7 * scales.of[!is_length(kind)][level + 1])
+              << level_names[level + 1] << " of " << name << " at " << t << " s";
+        }
+  }
+}
+
+/// A structural group known beforehand: its bodies, and the groups (in the list) it hangs on.
+struct KnownGroup {
+  std::vector<std::string> bodies;
+  std::vector<int> after;
+};
+
+struct KnownStructure {
+  int degrees_of_freedom;
+  std::vector<KnownGroup> groups;
+};
+
+const std::map<std::string, KnownStructure, std::less<>>& known_structures() {
+  static const std::map<std::string, KnownStructure, std::less<>> known{
+      {"slider_crank", {1, {{{"crank"}, {}}, {{"rod", "slider"}, {0}}}}},
+      // The driver acts between two bodies that both move: nothing is determined before the rest.
+      {"inverted_slider_crank", {1, {{{"cylinder", "rod", "boom"}, {}}}}},
+      {"whitworth", {1, {{{"crank"}, {}}, {{"lever"}, {0}}, {{"link", "ram"}, {1}}}}},
+      {"watt_six_bar",
+       {1, {{{"crank"}, {}}, {{"coupler", "rocker"}, {0}}, {{"link5", "link6"}, {1}}}}},
+      // A triad: three links and what they carry (class III after Assur and Artobolevsky).
+      {"stephenson_six_bar",
+       {1, {{{"crank"}, {}}, {{"link", "coupler", "rocker1", "rocker2"}, {0}}}}},
+      {"jansen_leg",
+       {1,
+        {{{"crank"}, {}},
+         {{"rod_j", "upper"}, {0}},
+         {{"rod_k", "rod_c"}, {0}},
+         {{"rod_f", "foot"}, {1, 2}}}}},
+      {"andrews",
+       {1, {{{"K1"}, {}}, {{"K2", "K3"}, {0}}, {{"K4", "K5"}, {1}}, {{"K6", "K7"}, {1}}}}},
+      {"rssr", {1, {{{"crank"}, {}}, {{"coupler", "rocker"}, {0}}}}},
+      {"stewart",
+       {6,
+        {{{"platform", "lower1", "upper1", "lower2", "upper2", "lower3", "upper3", "lower4",
+           "upper4", "lower5", "upper5", "lower6", "upper6"},
+          {}}}}},
+      {"delta",
+       {3,
+        {{{"arm1"}, {}},
+         {{"arm2"}, {}},
+         {{"arm3"}, {}},
+         {{"rod1a", "rod1b", "rod2a", "rod2b", "rod3a", "rod3b", "platform"}, {0, 1, 2}}}}},
+      {"double_wishbone", {2, {{{"rack"}, {}}, {{"lower", "upper", "upright", "tie_rod"}, {0}}}}},
+      {"macpherson", {2, {{{"rack"}, {}}, {{"arm", "upright", "rod", "tie_rod"}, {0}}}}},
+      {"truck_axle",
+       {2,
+        {{{"2", "3", "4", "5"}, {}},
+         {{"6", "8"}, {0}},
+         {{"7", "9"}, {0}},
+         {{"10", "11"}, {0}},
+         {{"12", "13"}, {0}}}}}};
+  return known;
+}
+
+TEST_P(LibraryMechanisms, StructureIsTheKnownOne) {
+  const Mechanism m = make_mechanism(scene_of(GetParam()));
+  ASSERT_TRUE(known_structures().contains(GetParam().name));
+  const KnownStructure& known = known_structures().find(GetParam().name)->second;
+  EXPECT_EQ(m.degrees_of_freedom(), known.degrees_of_freedom);
+  EXPECT_EQ(m.structural_groups(), static_cast<int>(known.groups.size()));
+
+  std::vector<std::ptrdiff_t> position;  // of each known group in the solution order
+  for (const KnownGroup& g : known.groups) {
+    const auto it = std::ranges::find_if(m.groups, [&](const Group& found) {
+      return !found.constant && std::ranges::is_permutation(found.bodies, g.bodies);
+    });
+    ASSERT_NE(it, m.groups.end()) << "no group of " << testing::PrintToString(g.bodies);
+    position.push_back(it - m.groups.begin());
+    for (const int before : g.after)
+      EXPECT_LT(position[before], position.back()) << testing::PrintToString(g.bodies);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, LibraryMechanisms,
+                         testing::ValuesIn(library().begin(), library().end()),
+                         LibraryMechanisms::name);
+
+TEST(LibraryTable, HasTheMechanismsThatHaveSolutions) {
+  std::vector<std::string_view> names, solved;
+  for (const LibraryMechanism& l : library()) names.push_back(l.name);
+  for (const exact::LibrarySolution& s : exact::library_solutions()) solved.push_back(s.mechanism);
+  std::ranges::sort(names);
+  std::ranges::sort(solved);
+  EXPECT_EQ(names, solved);
+}
+
+/// The page that defines the truck suspension counts 39, 19, 19, 16 and 16 unknowns and 3 for y1.
+TEST(TruckAxle, HasTheUnknownsOfItsDefinition) {
+  const Mechanism m = make_mechanism(scene_of(*find_library("truck_axle")));
+  EXPECT_EQ(m.coordinates(), 114);
+  std::vector<std::size_t> counts;
+  for (GroupId g = 0; g < static_cast<GroupId>(m.groups.size()); ++g)
+    counts.push_back(unknowns(m, g).size());
+  std::ranges::sort(counts);
+  EXPECT_EQ(counts, (std::vector<std::size_t>{3, 16, 16, 19, 19, 39}));
+}
+
+}  // namespace
+}  // namespace desmo::library_test
+}  // namespace desmo

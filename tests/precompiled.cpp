@@ -1,0 +1,2 @@
+// Compiles precompiled.h once for all programs.
+#include "tests/precompiled.h"

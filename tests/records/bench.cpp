@@ -1,0 +1,119 @@
+// desmo_bench as a program: exit codes, records, settings.
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+namespace desmo::suite::bench_program_test {
+namespace {
+
+/// environment: settings of variables, for the shell.
+int run_bench(const std::string& flags, const std::string& environment = "") {
+  const int status =
+      std::system((environment + " " DESMO_BENCH " " + flags + " >/dev/null 2>&1").c_str());
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+/// Iterations for steps of 2 s.
+const std::string too_few =
+    " --formulation=group_symbolic_klu/iterations:1"
+    " --benchmark_filter=four_bar/114/group_symbolic_klu/iterations:1";
+
+TEST(Bench, ExitCodesSayWhatHappened) {
+  const std::string record = testing::TempDir() + "desmo_record.json";
+  const std::string one = " --benchmark_filter=four_bar/114/group_symbolic_klu$";
+  std::filesystem::remove(record);
+  EXPECT_EQ(run_bench("--duration=0.2 --record=" + record + one), 0);
+  std::ifstream in(record);
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  EXPECT_NE(text.find("\"status\":\"ok\""), std::string::npos);
+  for (const char* key :
+       {"cpu_seconds", "repetitions", "machine", "model", "results", "turbo", "link", "binary",
+        "reducer", "segments", "segment_seconds", "segment_updates", "segment_samples"})
+    EXPECT_NE(text.find("\"" + std::string(key) + "\""), std::string::npos) << key;
+
+  EXPECT_EQ(run_bench("--step=2 --record=" + record + too_few), 1);
+  std::ifstream again(record);
+  const std::string failed{std::istreambuf_iterator<char>(again), {}};
+  EXPECT_NE(failed.find("\"status\":\"failed\""), std::string::npos);
+  EXPECT_EQ(failed.find("\"cpu_seconds\""), std::string::npos);
+
+  EXPECT_EQ(run_bench("--benchmark_filter=nothing_of_that_name"), 64);
+  EXPECT_EQ(run_bench("--benchmark_list_tests"), 0);
+  EXPECT_EQ(run_bench("--benchmark_list_tests --benchmark_filter=four_bar/114/group_symbolic_klu$"),
+            0);
+  EXPECT_EQ(run_bench("--benchmark_report_aggregates_only" + one), 64);
+  EXPECT_EQ(run_bench("--step=zero"), 64);
+  EXPECT_EQ(run_bench("--no_such_flag"), 64);
+  EXPECT_EQ(run_bench("--duration=0.2 --record=/nonexistent/record.json" + one), 74);
+  EXPECT_FALSE(std::filesystem::exists(record + ".unfinished"));
+  EXPECT_EQ(run_bench("--duration=0.2 --record=/dev/null" + one), 0);
+  EXPECT_FALSE(std::filesystem::is_regular_file("/dev/null"));
+}
+
+TEST(Bench, RunsFormulationsWithSettingsBesideTheTable) {
+  const std::string id = "group_automatic_klu/guess:hermite5/jacobian:step";
+  EXPECT_EQ(run_bench("--duration=0.2 --formulation=" + id + " '--benchmark_filter=four_bar/114/" +
+                      id + "'"),
+            0);
+  EXPECT_EQ(run_bench("--formulation=group_automatic_klu/guess:cubic"), 64);
+  EXPECT_EQ(run_bench("--formulation=group_automatic_klu/scalar:float"), 64);
+}
+
+TEST(Bench, RecordsAreReadByTheReport) {
+  const std::string record = testing::TempDir() + "desmo_end_to_end.json";
+  const std::string report = DESMO_REPORT " tables " + record + " >/dev/null 2>&1";
+  // With a cell that is not run, and with one that fails.
+  ASSERT_EQ(run_bench("--duration=0.02 --record=" + record +
+                      " '--benchmark_filter=/(114|225)/global_automatic_(klu|lapack)$'"),
+            0);
+  EXPECT_EQ(std::system(report.c_str()), 0);
+  std::ifstream in(record);
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  for (const char* of : {"four_bar\",\"coordinates\":114", "four_bar\",\"coordinates\":225",
+                         "truck_suspension\",\"coordinates\":225"})
+    EXPECT_NE(text.find("{\"case\":\"" + std::string(of)), std::string::npos) << of;
+  ASSERT_EQ(run_bench("--step=2 --record=" + record + too_few), 1);
+  EXPECT_EQ(std::system(report.c_str()), 0);
+  // With requests, with and without everything beside them.
+  for (const std::string filter : {"558/block_symbolic_inlined", "request:(damper|axle)$"}) {
+    ASSERT_EQ(
+        run_bench("--duration=0.02 --record=" + record + " '--benchmark_filter=" + filter + "'"),
+        0);
+    EXPECT_EQ(std::system((report + " && " DESMO_REPORT " tables " + record +
+                           " | grep -q 'What a request costs'")
+                              .c_str()),
+              0);
+  }
+  std::filesystem::remove(record);
+}
+
+TEST(Bench, TimesThePapersSolverWhereItsLibraryIs) {
+  const std::string record = testing::TempDir() + "desmo_ma27.json";
+  const std::string flags =
+      "--duration=0.02 --record=" + record +
+      " '--benchmark_filter=truck_suspension/114/(global_automatic|group_symbolic)_(ma27|klu)$'";
+  ASSERT_EQ(run_bench(flags, "DESMO_LIBCOINHSL=" DESMO_MA27_DOUBLE), 0);
+  std::ifstream in(record);
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  const std::string library = std::filesystem::path(DESMO_MA27_DOUBLE).filename().string();
+  for (const std::string& part :
+       {"\"" + library + " 1.2.3\"", std::string("\"id\":\"global_automatic_ma27\""),
+        std::string("\"id\":\"group_symbolic_ma27\"")})
+    EXPECT_NE(text.find(part), std::string::npos) << part;
+  EXPECT_EQ(text.find("\"status\":\"failed\""), std::string::npos);
+  EXPECT_EQ(std::system((DESMO_REPORT " tables " + record + " >/dev/null 2>&1").c_str()), 0);
+
+  EXPECT_EQ(run_bench("--formulation=group_automatic_ma27/guess:linear",
+                      "DESMO_LIBCOINHSL=" DESMO_MA27_INCOMPLETE),
+            64);
+  std::filesystem::remove(record);
+}
+
+}  // namespace
+}  // namespace desmo::suite::bench_program_test

@@ -1,0 +1,83 @@
+// Instructions a step: what is counted, what is claimed of it, and the record.
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "bench/counting/claims.h"
+#include "formulations/id.h"
+
+namespace desmo::counting::counting_test {
+namespace {
+
+bool can_count() { return std::system("valgrind --version >/dev/null 2>&1") == 0; }
+
+TEST(Counts, AreOfThePapersAnalysesAndOfWhatGoesBeyond) {
+  const std::vector<StepCount> all = to_be_counted(0);
+  std::set<std::string> names;
+  for (const StepCount& count : all) {
+    EXPECT_EQ(count.coordinates, 558);
+    EXPECT_TRUE(names.insert(count.name()).second) << count.name();
+    EXPECT_NO_THROW(parse_id(count.id)) << count.id;
+  }
+  for (const char* name : {"truck_suspension", "four_bar"})
+    for (const char* id : {"global_automatic_klu", "group_automatic_klu", "group_automatic_lapack",
+                           "group_symbolic_klu", "group_symbolic_lapack", "group_symbolic_inlined",
+                           "group_symbolic_explicit", "group_symbolic_explicit/lanes:4",
+                           "group_symbolic_explicit/segments:4"})
+      EXPECT_TRUE(names.contains(std::string(name) + "/558/" + id)) << name << id;
+  EXPECT_EQ(to_be_counted(114).front().coordinates, 114);
+}
+
+StepCount counted(const char* name, const char* id, std::int64_t instructions) {
+  return {name, 558, id, instructions, 50};
+}
+
+TEST(Claims, ThatDoNotHoldAreNamed) {
+  EXPECT_TRUE(broken_claims({}).empty());
+  std::vector<StepCount> counts{counted("truck_suspension", "group_symbolic_inlined", 80'000),
+                                counted("truck_suspension", "group_symbolic_explicit", 40'000),
+                                counted("truck_suspension", "group_automatic_klu", 1'000'000),
+                                counted("truck_suspension", "group_symbolic_klu", 900'000),
+                                counted("four_bar", "group_symbolic_inlined", 80'000),
+                                counted("four_bar", "global_symbolic_klu", 900'000)};
+  EXPECT_TRUE(broken_claims(counts).empty());
+  for (StepCount& count : counts) count.instructions = 1'100'000;
+  EXPECT_EQ(broken_claims(counts),
+            (std::vector<std::string>{
+                "truck_suspension: group_symbolic_klu does not beat group_automatic_klu",
+                "four_bar: group_symbolic_inlined does not beat global_symbolic_klu",
+                "truck_suspension: group_symbolic_explicit does not beat group_symbolic_inlined",
+                "truck_suspension/558/group_symbolic_klu takes more than a tenth more than the "
+                "prototype"}));
+}
+
+// A record of the program is one that the report reads.
+TEST(CountingRecord, IsReadByTheReport) {
+  if (!can_count()) GTEST_SKIP() << "needs valgrind";
+  const std::string record = testing::TempDir() + "desmo_instructions_record.json",
+                    run = DESMO_INSTRUCTIONS " --coordinates 114 --record " + record,
+                    quiet = " >/dev/null 2>&1";
+  const std::string filter =
+      " --filter 'truck.*/(global_automatic_klu|group_symbolic_explicit(/(lanes|segments):4)?)$'";
+  ASSERT_EQ(std::system((run + filter + quiet).c_str()), 0);
+  const auto is_reported = [&](const std::string& line) {
+    return std::system((DESMO_REPORT " tables " + record + " | grep -Eq '" + line + "'").c_str()) ==
+           0;
+  };
+  EXPECT_TRUE(is_reported(" global_automatic_klu *TS-G_klu *[1-9][0-9]{5} *1.00 reference"));
+  EXPECT_TRUE(is_reported(" group_symbolic_explicit *[1-9][0-9]{3,4} *[1-9][0-9.]* *50"));
+  EXPECT_TRUE(is_reported(" group_symbolic_explicit/segments:4 *[1-9][0-9]{3} *[1-9][0-9.]* *200"));
+  EXPECT_EQ(WEXITSTATUS(std::system((run + " --filter no_such_formulation" + quiet).c_str())), 64);
+  EXPECT_EQ(WEXITSTATUS(std::system((DESMO_INSTRUCTIONS " --coordinates 113" + quiet).c_str())),
+            64);
+  std::remove(record.c_str());
+}
+
+}  // namespace
+}  // namespace desmo::counting::counting_test

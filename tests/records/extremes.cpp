@@ -1,0 +1,51 @@
+// desmo_extremes: its exit codes, and a record that desmo_report reads.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+namespace desmo::extremes_program_test {
+namespace {
+
+int run(const std::string& command) {
+  const int status = std::system((command + " > /dev/null 2>&1").c_str());
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+class ExtremesProgram : public testing::Test {
+ protected:
+  int extremes(const std::string& arguments) const {
+    return run(DESMO_EXTREMES " --short --record " + record_ + " " + arguments);
+  }
+  ~ExtremesProgram() override { std::filesystem::remove(record_); }
+
+  std::string record_ = testing::TempDir() + "extremes_" +
+                        testing::UnitTest::GetInstance()->current_test_info()->name() + ".json";
+};
+
+TEST_F(ExtremesProgram, RecordsWhatTheReportReads) {
+  EXPECT_EQ(extremes("--row 10 --row 13 --formulation '^group_.*_eigen$'"), 0);
+  EXPECT_EQ(run(DESMO_REPORT " tables " + record_), 0);
+}
+
+TEST_F(ExtremesProgram, EndsWithOneWhereAnythingIsWrongWithoutAFlag) {
+  const std::string dead_points = "--row 3 --formulation '^global_automatic_klu$'";
+  EXPECT_EQ(extremes(dead_points), 0);
+  std::filesystem::remove(record_);
+  EXPECT_EQ(extremes(dead_points + " --without bounds"), 1);
+  EXPECT_EQ(run(DESMO_REPORT " tables " + record_), 0);
+}
+
+TEST_F(ExtremesProgram, ComplainsOfMistakes) {
+  EXPECT_EQ(extremes("--row 15"), 64);
+  EXPECT_EQ(extremes("--row 14 --formulation ma27"), 64);
+  EXPECT_EQ(extremes("--row 14 --formulation '('"), 64);
+  EXPECT_EQ(extremes("--row 3 --case 'no such case'"), 64);
+  EXPECT_EQ(extremes("--row 3 --without luck"), 64);
+  EXPECT_FALSE(std::filesystem::exists(record_));
+}
+
+}  // namespace
+}  // namespace desmo::extremes_program_test

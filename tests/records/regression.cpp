@@ -1,0 +1,203 @@
+// What bench/check measures with: the probe's cells, the driver, and counts that repeat.
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "bench/regression/cell_name.h"
+#include "bench/regression/cells.h"
+#include "bench/regression/side.h"
+#include "bench/regression/subject.h"
+#include "formulations/algebra/backend.h"
+#include "formulations/variants.h"
+
+namespace desmo::regression::regression_test {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+TEST(CellNames, AreReadOrRefused) {
+  const CellName name = parse_cell("four_bar/24/group_symbolic_klu");
+  EXPECT_EQ(name.case_name, "four_bar");
+  EXPECT_EQ(name.coordinates, 24);
+  EXPECT_EQ(name.id, "group_symbolic_klu");
+  for (const char* bad : {"", "four_bar", "four_bar/24", "four_bar/24/", "four_bar/x/id", "a//b"})
+    EXPECT_THROW(parse_cell(bad), std::invalid_argument) << bad;
+}
+
+TEST(Launch, PassesOnWhereLibrariesAre) {
+  ::setenv("DESMO_LIBCOINHSL", "/some/libcoinhsl.so", 1);
+  const std::vector<std::string> all = fixed_launch({"program"}).environment;
+  ::unsetenv("DESMO_LIBCOINHSL");
+  EXPECT_EQ(std::ranges::count(all, "DESMO_LIBCOINHSL=/some/libcoinhsl.so"), 1);
+}
+
+TEST(CheckedCells, UseEveryPartitionEvaluationAndAlgebraOfThisBuild) {
+  for (const Variant& v : variants()) {
+    if (chooses_solvers(v)) continue;               // see cells.h
+    if (v.backend && v.backend->absence) continue;  // on some machines only
+    bool partition = false, evaluation = false, algebra = false;
+    for (const char* cell : checked_cells) {
+      const std::string id = parse_cell(cell).id;
+      const auto same = [&](std::size_t from, std::size_t to) {
+        return id.find(v.id.substr(from, to - from)) != std::string::npos;
+      };
+      const std::size_t first = v.id.find('_'), last = v.id.rfind('_');
+      partition |= same(0, first + 1);
+      evaluation |= same(first, last + 1);
+      algebra |= id.ends_with(v.id.substr(last));
+    }
+    EXPECT_TRUE(partition && evaluation && algebra) << v.id;
+  }
+}
+
+TEST(Subject, WalksBackAndForthToTheSameSolution) {
+  Subject subject(parse_cell("four_bar/24/group_symbolic_klu"), 21);
+  ASSERT_TRUE(subject.analyse().ok());
+  EXPECT_EQ(subject.last_instant(), 20);
+  const Summary back = subject.walk(19, 10);
+  ASSERT_TRUE(back.ok());
+  EXPECT_DOUBLE_EQ(back.time, 0.1);
+  EXPECT_LT(back.residual, Settings{}.tolerance);
+  EXPECT_TRUE(subject.walk(11, 20).ok());
+}
+
+TEST(Subject, ExtraStepsAreTheShareAskedFor) {
+  EXPECT_EQ(extra_steps(100, 1), 1);
+  EXPECT_EQ(extra_steps(100, 10), 10);
+  EXPECT_EQ(extra_steps(50, 10), 5);
+  EXPECT_EQ(extra_steps(50, 0), 0);
+}
+
+class Driver : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = (fs::temp_directory_path() / "desmo_regression_XXXXXX").string();
+    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
+    folder_ = pattern;
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  int shell(const std::string& command) {
+    const int status = std::system((command + " >" + file("out") + " 2>" + file("err")).c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+  int check(const std::string& arguments) {
+    return shell(std::string(DESMO_CHECK) + " --base " + programs + " --head " + programs + " " +
+                 arguments);
+  }
+  int verdict(const std::string& options = "") {
+    return shell(std::string(DESMO_REPORT) + " check " + file("results.json") + " " + options);
+  }
+  std::string file(const std::string& name) const { return (folder_ / name).string(); }
+  std::string text(const std::string& name) const {
+    std::stringstream all;
+    all << std::ifstream(folder_ / name).rdbuf();
+    return all.str();
+  }
+  Json results() const { return Json::parse(text("results.json")); }
+
+  static bool can_count() { return std::system("valgrind --version >/dev/null 2>&1") == 0; }
+
+  const std::string programs = fs::path(DESMO_CHECK).parent_path().string();
+  const std::string cell = "four_bar/54/block_symbolic_klu";
+  fs::path folder_;
+};
+
+TEST_F(Driver, CountsRepeatToTheLastInstruction) {
+  if (!can_count()) GTEST_SKIP() << "needs valgrind";
+  std::vector<Json> counts;
+  for (int run = 0; run < 2; ++run) {
+    ASSERT_EQ(check("measure " + file("results.json") + " --no-time --cell " + cell), 0)
+        << text("err");
+    EXPECT_EQ(verdict(), 0) << text("out");
+    const Json both = results()["work"]["instructions"][cell];
+    counts.push_back(both["base"]);
+    counts.push_back(both["head"]);
+  }
+  EXPECT_GT(counts[0], 1'000'000);
+  for (const Json& count : counts) EXPECT_EQ(count, counts[0]);
+}
+
+TEST_F(Driver, OnePercentMoreInstructionsRaiseAnAlarm) {
+  if (!can_count()) GTEST_SKIP() << "needs valgrind";
+  ASSERT_EQ(check("measure " + file("results.json") + " --no-time --cell " + cell +
+                  " --slow head:" + cell + ":1"),
+            0)
+      << text("err");
+  EXPECT_EQ(verdict(), 1) << text("out");
+  EXPECT_NE(text("out").find("More work: " + cell), std::string::npos) << text("out");
+}
+
+// What is measured is compiled without line numbers: another line of comment gives the same object.
+TEST_F(Driver, ACommentChangesNoInstruction) {
+  const std::string source = DESMO_SOURCE_DIR "/formulations/inlined_part.cpp";
+  std::stringstream code;
+  code << std::ifstream(source).rdbuf();
+  std::ofstream(folder_ / "plain.cpp") << code.str();
+  std::ofstream(folder_ / "commented.cpp") << "// One more line.\n" << code.str();
+  // Any file of the library stands for its flags: sources may be compiled several at once.
+  for (const Json& entry : Json::parse(std::ifstream(DESMO_BUILD_DIR "/compile_commands.json"))) {
+    const std::string command = entry["command"], folder = entry["directory"];
+    if (command.find("/desmo_formulations.dir/") == std::string::npos) continue;
+    const std::string compile = command.substr(0, command.find(" -o "));
+    std::vector<std::string> objects;
+    for (const std::string name : {"plain", "commented"}) {
+      ASSERT_EQ(shell("cd " + folder + " && cp " + file(name + ".cpp") + " " + file("part.cpp") +
+                      " && " + compile + " -o " + file("part.o") + " -c " + file("part.cpp")),
+                0)
+          << text("err");
+      objects.push_back(text("part.o"));
+    }
+    EXPECT_GT(objects[0].size(), 1000u);
+    EXPECT_EQ(objects[0], objects[1]);
+    return;
+  }
+  FAIL() << "no command that compiles a file of desmo_formulations was found";
+}
+
+TEST_F(Driver, TimesAreMeasuredInPairsAndMoreCanBeAdded) {
+  ASSERT_EQ(check("measure " + file("results.json") + " --no-work --cell " + cell), 0)
+      << text("err");
+  EXPECT_NE(text("err").find("rounds of 1 cells"), std::string::npos) << text("err");
+  EXPECT_LE(verdict(), 3) << text("out");
+  EXPECT_EQ(results()["head"]["cells"][0]["cpu_seconds"].size(), 25u);
+  EXPECT_EQ(results()["control"]["base"].size(), 25u);
+  ASSERT_EQ(check("more " + file("results.json") + " first " + cell), 0) << text("err");
+  ASSERT_EQ(check("more " + file("results.json") + " second " + cell), 0) << text("err");
+  const Json json = results();
+  for (const char* side : {"base", "head"}) {
+    EXPECT_EQ(json[side]["cells"][0]["cpu_seconds"].size(), 50u);
+    EXPECT_EQ(json[side]["cells"][0]["repetitions"], 50);
+    EXPECT_EQ(json["control"][side].size(), 50u);
+    EXPECT_EQ(json["second"][cell][side].size(), 25u);
+    EXPECT_EQ(json["second"]["control"][side].size(), 25u);
+  }
+  EXPECT_NE(json["base"]["cells"][0]["cpu_seconds"], json["head"]["cells"][0]["cpu_seconds"]);
+  EXPECT_LE(verdict(), 3) << text("err");
+}
+
+TEST_F(Driver, ErrorsNameWhatIsWrongAndLeaveNoFile) {
+  EXPECT_EQ(check("measure " + file("results.json") + " --slow head:no/1/such:5"), 64);
+  EXPECT_NE(text("err").find("no/1/such"), std::string::npos) << text("err");
+  EXPECT_EQ(check("measure " + file("results.json") + " --slow sideways:" + cell + ":5"), 64);
+  EXPECT_EQ(check("measure " + file("results.json") + " --slow head:" + cell + ":much"), 64);
+  EXPECT_EQ(check("measure " + file("results.json") + " --cell no/1/such"), 64);
+  EXPECT_EQ(shell(std::string(DESMO_CHECK) + " --head " + file("nowhere") + " measure " +
+                  file("results.json")),
+            74);
+  EXPECT_NE(text("err").find(file("nowhere")), std::string::npos) << text("err");
+  EXPECT_EQ(check("more " + file("results.json") + " first " + cell), 74);
+  EXPECT_EQ(check("measure " + file("no/folder.json") + " --no-work --cell " + cell), 74);
+  EXPECT_FALSE(fs::exists(file("results.json")));
+}
+
+}  // namespace
+}  // namespace desmo::regression::regression_test

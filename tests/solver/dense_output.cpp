@@ -1,0 +1,245 @@
+// Instants between those solved: the orders that theory promises, and solved ones as they were.
+
+#include "formulations/dense_output.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "formulations/id.h"
+#include "tests/mechanisms.h"
+
+namespace desmo::dense_output_test {
+namespace {
+
+struct Kept {
+  double time = 0;
+  std::vector<double> q{}, qd{}, qdd{};
+  long updates = 0;
+  bool interpolated = false;
+  bool operator==(const Kept&) const = default;
+};
+
+/// Everything that comes, in the order in which it does.
+class Everything final : public Sink {
+ public:
+  void accept(const Instant& i) override {
+    EXPECT_EQ(i.index, static_cast<int>(all.size()));
+    all.push_back({i.time,
+                   {i.q.begin(), i.q.end()},
+                   {i.qd.begin(), i.qd.end()},
+                   {i.qdd.begin(), i.qdd.end()},
+                   i.updates,
+                   i.interpolated});
+  }
+  std::vector<Kept> all;
+};
+
+struct Solution {
+  Summary summary;
+  std::vector<Kept> all;
+};
+
+Solution run(const std::string& id, const Mechanism& m, const TimeGrid& grid,
+             const Request& request = {}) {
+  const Configuration c = parse_id(id);
+  const auto f = make_formulation(*c.variant, m, c.settings);
+  Everything sink;
+  const Summary summary = f->run(grid, request, sink);
+  return {summary, std::move(sink.all)};
+}
+
+double largest_difference(std::span<const double> a, std::span<const double> b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+  return largest;
+}
+
+struct Errors {
+  double q = 0, qd = 0, qdd = 0;
+};
+
+/// The largest within one interval, where it is so short that the motion's derivatives are nearly
+/// constant.
+Errors errors_between(const Mechanism& m, double t, double h) {
+  constexpr int stride = 8;
+  const TimeGrid grid{t, h / stride, stride + 1};
+  const Solution exact = run("group_automatic_eigen/tolerance:1e-14", m, grid),
+                 between = run("group_automatic_eigen/tolerance:1e-14/stride:8", m, grid);
+  EXPECT_TRUE(exact.summary.ok() && between.summary.ok());
+  Errors e;
+  for (std::size_t i = 0; i < exact.all.size(); ++i) {
+    e.q = std::max(e.q, largest_difference(exact.all[i].q, between.all[i].q));
+    e.qd = std::max(e.qd, largest_difference(exact.all[i].qd, between.all[i].qd));
+    e.qdd = std::max(e.qdd, largest_difference(exact.all[i].qdd, between.all[i].qdd));
+  }
+  return e;
+}
+
+void expect_orders(const Mechanism& m, double t, double h) {
+  const Errors long_step = errors_between(m, t, h), half = errors_between(m, t, h / 2);
+  EXPECT_NEAR(std::log2(long_step.q / half.q), 6, 0.3) << m.name;
+  EXPECT_NEAR(std::log2(long_step.qd / half.qd), 5, 0.3) << m.name;
+  EXPECT_NEAR(std::log2(long_step.qdd / half.qdd), 4, 0.3) << m.name;
+}
+
+TEST(DenseOutput, HasTheOrdersSixFiveAndFour) {
+  expect_orders(four_bar_mechanism(2), 0.4, 0.08);
+  expect_orders(truck_mechanism(1), 0.4, 0.04);
+  expect_orders(make_mechanism(library_scene("slider_crank")), 0.1, 0.02);
+}
+
+/// A quintic is its own interpolant, whatever the grid.
+TEST(DenseOutput, IsExactOnAQuintic) {
+  const auto at = [](int index, double t, std::vector<double>& values) {
+    values = {1 + t * (2 + t * (-3 + t * (4 + t * (-5 + 6 * t)))),
+              2 + t * (-6 + t * (12 + t * (-20 + 30 * t))), -6 + t * (24 + t * (-60 + 120 * t))};
+    return Instant{index, t, std::span(values).subspan(0, 1), std::span(values).subspan(1, 1),
+                   std::span(values).subspan(2, 1)};
+  };
+  const TimeGrid grid{0.3, 0.1, 12};
+  Everything sink;
+  DenseOutput all(grid, 4, {}, 1, sink);
+  std::vector<double> values;
+  for (int i = 0; i < 4; ++i)  // 0, 4, 8 and 11
+    all.accept(at(i, grid.time(std::min(4 * i, 11)), values));
+  EXPECT_EQ(all.delivered(), 12);
+  ASSERT_EQ(sink.all.size(), 12u);
+  for (const Kept& kept : sink.all) {
+    at(0, kept.time, values);
+    EXPECT_NEAR(kept.q[0], values[0], 1e-13) << kept.time;
+    EXPECT_NEAR(kept.qd[0], values[1], 1e-12) << kept.time;
+    EXPECT_NEAR(kept.qdd[0], values[2], 1e-11) << kept.time;
+  }
+}
+
+/// Also where a stride is no power of two and steps are no binary fractions.
+TEST(DenseOutput, HandsOnSolvedInstantsAsTheyAre) {
+  const Mechanism m = truck_mechanism(1);
+  for (const int stride : {2, 3, 7, 16})
+    for (const int instants : {1, 2, stride, stride + 1, 10 * stride + 1, 10 * stride + 2}) {
+      const TimeGrid grid{0.1, 0.003, instants};
+      const Solution coarse = run("group_symbolic_klu", m, grid.every(stride)),
+                     every = run("group_symbolic_klu", m, grid),
+                     all = run("group_symbolic_klu/stride:" + std::to_string(stride), m, grid);
+      ASSERT_TRUE(all.summary.ok());
+      EXPECT_EQ(all.summary.instants, instants);
+      ASSERT_EQ(all.all.size(), static_cast<std::size_t>(instants));
+      for (std::size_t i = 0; i < coarse.all.size(); ++i)
+        EXPECT_EQ(all.all[i * stride], coarse.all[i]) << stride << ' ' << i;
+      EXPECT_FALSE(all.all.back().interpolated);
+      for (int i = 0; i < instants; ++i) EXPECT_EQ(all.all[i].time, every.all[i].time);
+    }
+}
+
+TEST(DenseOutput, EndsWithTheLastInstantSolved) {
+  const Mechanism m = truck_mechanism(1);
+  const TimeGrid grid{0, 0.01, 24};  // 0, 8, 16 and 23
+  const Solution every = run("group_symbolic_klu", m, grid),
+                 some = run("group_symbolic_klu/stride:8", m, grid);
+  const auto solved = std::ranges::count(some.all, false, &Kept::interpolated);
+  EXPECT_EQ(solved, 4);
+  EXPECT_LT(largest_difference(some.all[23].qdd, every.all[23].qdd), 1e-7);
+  long updates = 0;
+  for (const Kept& kept : some.all) updates += kept.updates;
+  EXPECT_EQ(updates, some.summary.updates);
+  EXPECT_LT(some.summary.iterations, every.summary.iterations);
+  EXPECT_EQ(some.summary.time, grid.time(23));
+}
+
+TEST(DenseOutput, InterpolatesWhatIsAskedFor) {
+  const Mechanism m = truck_mechanism(1);
+  const TimeGrid grid{0, 0.01, 50};
+  const std::string id = "group_symbolic_inlined/stride:4";
+  const Solution everything = run(id, m, grid);
+  const std::vector<int> asked{2, m.coordinates() - 1, 5, 6};
+  for (const Level level : {Level::position, Level::velocity, Level::acceleration}) {
+    const Solution some = run(id, m, grid, {level, asked});
+    ASSERT_EQ(some.all.size(), everything.all.size());
+    for (std::size_t i = 0; i < some.all.size(); ++i) {
+      const Kept &a = some.all[i], &b = everything.all[i];
+      EXPECT_EQ(a.qd.empty(), level < Level::velocity);
+      EXPECT_EQ(a.qdd.empty(), level < Level::acceleration);
+      for (const int k : asked) {
+        EXPECT_EQ(a.q[k], b.q[k]);
+        EXPECT_TRUE(a.qd.empty() || a.qd[k] == b.qd[k]);
+        EXPECT_TRUE(a.qdd.empty() || a.qdd[k] == b.qdd[k]);
+      }
+    }
+  }
+}
+
+/// Positions between take the accelerations of those solved, whatever is asked.
+TEST(DenseOutput, NeedsEveryLevelOfEveryPart) {
+  const Mechanism m = truck_mechanism(1);
+  const TimeGrid grid{0, 0.01, 50};
+  const Configuration c = parse_id("group_symbolic_eigen/stride:4");
+  const auto f = make_formulation(*c.variant, m, c.settings);
+  f->solve_only(std::vector(m.coordinates(), Level::position));
+  Everything sink;
+  ASSERT_TRUE(f->run(grid, {Level::position}, sink).ok());
+  const Solution expected = run("group_symbolic_eigen/stride:4", m, grid);
+  for (std::size_t i = 0; i < sink.all.size(); ++i)
+    EXPECT_EQ(sink.all[i].q, expected.all[i].q) << i;
+}
+
+/// Segments of the motion come in any order, and parts on lanes; what is between comes in order.
+TEST(DenseOutput, GoesWithSegmentsAndLanes) {
+  const Mechanism m = truck_mechanism(2);
+  const TimeGrid grid{0, 0.005, 402};
+  const std::string id = "group_symbolic_explicit";
+  const Solution by_steps = run(id + "/stride:4", m, grid);
+  ASSERT_TRUE(by_steps.summary.ok());
+  for (const std::string how : {"/segments:4", "/lanes:4", "/threads:2", "/segments:4/threads:2"}) {
+    const Configuration c = parse_id(id + how + "/stride:4");
+    const auto f = make_formulation(*c.variant, m, c.settings);
+    Everything sink;
+    const Summary s = f->run(grid, {}, sink);
+    ASSERT_TRUE(s.ok());
+    EXPECT_EQ(s.instants, grid.instants);
+    EXPECT_EQ(f->run_by_steps(), 0);
+    ASSERT_EQ(sink.all.size(), by_steps.all.size());
+    for (std::size_t i = 0; i < sink.all.size(); ++i) {
+      EXPECT_EQ(sink.all[i].interpolated, by_steps.all[i].interpolated) << i;
+      EXPECT_LT(largest_difference(sink.all[i].q, by_steps.all[i].q), 1e-9) << how << i;
+      EXPECT_LT(largest_difference(sink.all[i].qdd, by_steps.all[i].qdd), 1e-4) << how << i;
+    }
+  }
+}
+
+/// The coupler is too short where the crank points away: up to the last solved, all is there.
+TEST(DenseOutput, StopsBehindTheLastInstantSolved) {
+  Mechanism m = four_bar_mechanism(1);
+  for (Constraint& c : m.constraints)
+    if (c.name.starts_with("dyad1/coupler")) c.constants[0] = 3 * 3;
+  m.estimate[m.entities[m.find("dyad1/C")].first] = 1.5;
+  m.estimate[m.entities[m.find("dyad1/C")].first + 1] = 4;
+  m.fixed_values[m.entities[m.find("dyad1/D")].first] = 8;
+  const TimeGrid grid{0, 0.01, 300};
+  const Solution coarse = run("group_automatic_eigen", m, grid.every(8)),
+                 all = run("group_automatic_eigen/stride:8", m, grid);
+  ASSERT_FALSE(coarse.summary.ok());
+  ASSERT_GT(coarse.summary.instants, 2);
+  EXPECT_EQ(all.summary.status, coarse.summary.status);
+  EXPECT_EQ(all.summary.time, coarse.summary.time);
+  EXPECT_EQ(all.summary.group, coarse.summary.group);
+  EXPECT_EQ(all.summary.constraint, coarse.summary.constraint);
+  EXPECT_EQ(all.summary.instants, 8 * (coarse.summary.instants - 1) + 1);
+  EXPECT_EQ(all.all.size(), static_cast<std::size_t>(all.summary.instants));
+}
+
+TEST(DenseOutput, LeavesSingleStepsAlone) {
+  const Mechanism m = four_bar_mechanism(2);
+  const auto f = make_formulation(find_variant("group_automatic_eigen"), m, {.stride = 8}),
+             g = make_formulation(find_variant("group_automatic_eigen"), m);
+  for (const double t : {0.0, 0.01, 0.02}) {
+    ASSERT_TRUE(f->step(t).ok() && g->step(t).ok());
+    EXPECT_TRUE(std::ranges::equal(f->q(), g->q()) && std::ranges::equal(f->qdd(), g->qdd())) << t;
+  }
+}
+
+}  // namespace
+}  // namespace desmo::dense_output_test

@@ -1,0 +1,257 @@
+// What cannot be solved ends in a summary that names the group, the constraint and the time.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "cases/cases.h"
+#include "cases/extremes/rows.h"
+#include "formulations/algebra/backend.h"
+#include "formulations/inlined_part.h"
+#include "formulations/magnitudes.h"
+#include "formulations/modelling/model.h"
+#include "formulations/variants.h"
+#include "tests/every_variant.h"
+#include "tests/mechanisms.h"
+
+namespace desmo::failure_test {
+namespace {
+
+class Discard final : public Sink {
+ public:
+  void accept(const Instant&) override { ++instants; }
+  int instants = 0;
+};
+
+/// A chain whose second dyad is pulled apart: its ground pivot is out of reach from the start.
+Mechanism unreachable() {
+  Mechanism m = four_bar_mechanism(3);
+  m.fixed_values[m.entities[m.find("dyad2/D")].first] = 100;
+  return m;
+}
+
+class EveryFailure : public EveryVariant {};
+
+TEST_P(EveryFailure, NamesTheGroupThatCannotBeAssembled) {
+  const Mechanism m = unreachable();
+  const auto f = make_formulation(GetParam(), m);
+  Discard sink;
+  const Summary s = f->run(time_grid(1, 0.01), {}, sink);
+  ASSERT_FALSE(s.ok());
+  ASSERT_GE(s.group, 0);
+  EXPECT_EQ(sink.instants, 0);
+  EXPECT_EQ(s.time, 0);
+  EXPECT_EQ(m.groups[s.group].name, "dyad2/SG-I");
+  EXPECT_TRUE(m.constraints[s.constraint].name.starts_with("dyad2")) << s.constraint;
+  EXPECT_NE(describe(s, m).find("'dyad2/SG-I'"), std::string::npos) << describe(s, m);
+}
+
+/// The crank grows too long for the loop to close as it turns: reach ends at a known instant.
+TEST_P(EveryFailure, NamesTheInstantOfALockUp) {
+  Mechanism m = four_bar_mechanism(1);
+  for (Constraint& c : m.constraints)
+    if (c.name.starts_with("dyad1/coupler"))
+      c.constants[0] = 3 * 3;  // 2 + 3 + 6 spans the pivots, not all
+  m.estimate[m.entities[m.find("dyad1/C")].first] = 1.5;
+  m.estimate[m.entities[m.find("dyad1/C")].first + 1] = 4;
+  // Coupler 3, rocker 6: B may be from 3 to 9 away from D, and 6 − 2 … 6 + 2 is within reach …
+  m.fixed_values[m.entities[m.find("dyad1/D")].first] = 8;  // … until ‖D − B‖ = 9.
+  // ‖(8, 0) − 2 (cos θ, sin θ)‖² = 81 at cos θ = (68 − 81) / 32, past π/3.
+  const double lock = std::acos(-13.0 / 32) - std::acos(0.5);
+  const auto f = make_formulation(GetParam(), m);
+  Discard sink;
+  const Summary s = f->run(time_grid(3, 0.01), {}, sink);
+  ASSERT_FALSE(s.ok());
+  ASSERT_GE(s.group, 0);
+  EXPECT_EQ(m.groups[s.group].name, "dyad1/SG-I");
+  EXPECT_NEAR(s.time, lock, 0.011) << describe(s, m);
+  EXPECT_EQ(sink.instants, static_cast<int>(std::lround(s.time / 0.01)));
+}
+
+TEST_P(EveryFailure, CallsWhatIsNotFiniteByItsName) {
+  Mechanism m = four_bar_mechanism(2);
+  m.estimate[m.entities[m.find("dyad2/C")].first] = std::numeric_limits<double>::quiet_NaN();
+  const Summary s = make_formulation(GetParam(), m)->assemble(0);
+  EXPECT_EQ(s.status, Status::not_finite);
+  ASSERT_GE(s.group, 0);
+  EXPECT_EQ(m.groups[s.group].name, "dyad2/SG-I");
+}
+
+TEST_P(EveryFailure, KeepsThePositionsOfTheLastInstantAfterAFailure) {
+  const Mechanism m = four_bar_mechanism(2);
+  const auto f = make_formulation(GetParam(), m), undisturbed = make_formulation(GetParam(), m);
+  ASSERT_TRUE(f->assemble(0).ok());
+  ASSERT_TRUE(undisturbed->assemble(0).ok());
+  const std::vector<double> q(f->q().begin(), f->q().end());
+
+  const Summary s = f->step(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_EQ(s.status, Status::not_finite);
+  ASSERT_GE(s.group, 0);
+  EXPECT_EQ(m.groups[s.group].name, "SG-I");
+  EXPECT_TRUE(std::ranges::equal(f->q(), q));
+
+  ASSERT_TRUE(f->step(0.01).ok());
+  ASSERT_TRUE(undisturbed->step(0.01).ok());
+  for (std::size_t i = 0; i < q.size(); ++i) EXPECT_NEAR(f->q()[i], undisturbed->q()[i], 1e-10);
+}
+
+TEST_P(EveryFailure, AssemblesWhenAStepComesFirst) {
+  const Mechanism m = truck_mechanism(1);
+  const auto a = make_formulation(GetParam(), m), b = make_formulation(GetParam(), m);
+  ASSERT_TRUE(a->step(0.2).ok());
+  ASSERT_TRUE(b->assemble(0.2).ok());
+  EXPECT_TRUE(std::ranges::equal(a->q(), b->q()));
+}
+
+/// Coupler and rocker are all but stretched, and Newton's method leads far away from there.
+TEST(Step, GoesByWayOfTimesBetweenWhereItIsTooLong) {
+  DyadChain chain{.crank = 2, .start = std::numbers::pi, .dyads = {}};
+  chain.dyads = {closed_dyad(crank_pin(chain), {6, 0, 0}, 5, 3 + 1e-12, 1)};
+  const Mechanism m = make_mechanism(extreme::case_of("", chain, 1, {0, 1, 2}).scene);
+  const auto f = make_formulation(find_variant("global_automatic_klu"), m);
+  ASSERT_TRUE(f->assemble(0).ok());
+  for (const double way : {0.01, 0.1, 0.3}) {
+    ASSERT_TRUE(f->assemble(0).ok());
+    const Summary s = f->step(way);
+    ASSERT_TRUE(s.ok()) << way << ": " << describe(s, m);
+    EXPECT_EQ(s.time, way);
+    // The joint stays above the line from pin to pivot, and where the circles meet.
+    const int b = m.entities[m.find("crank/B")].first, c = m.entities[m.find("dyad1/C")].first;
+    const double x = f->q()[c], y = f->q()[c + 1], bx = f->q()[b], by = f->q()[b + 1];
+    EXPECT_NEAR(std::hypot(x - bx, y - by), 5, 1e-11);
+    EXPECT_NEAR(std::hypot(x - 6, y), 3, 1e-11);
+    EXPECT_GT((6 - bx) * (y - by) + by * (x - bx), 0) << way;
+  }
+}
+
+TEST(Settings, ThatCannotEndAreRefused) {
+  const Mechanism m = four_bar_mechanism(1);
+  const Variant& v = variants().front();
+  EXPECT_THROW(make_formulation(v, m, Settings{0, 25}), std::invalid_argument);
+  EXPECT_THROW(make_formulation(v, m, Settings{NAN, 25}), std::invalid_argument);
+  EXPECT_THROW(make_formulation(v, m, Settings{1e-10, 0}), std::invalid_argument);
+  EXPECT_THROW(make_formulation(v, m, Settings{.fixed_iterations = -1}), std::invalid_argument);
+}
+
+INSTANTIATE_TEST_SUITE_P(Table, EveryFailure, testing::ValuesIn(tested_variants()),
+                         EveryVariant::name);
+
+/// Generated elimination hands a step over when its pivots fail, and the answer stays right.
+TEST(Inlined, FallsBackToPivotingWhereItsOrderFails) {
+  const Mechanism m = four_bar_mechanism(1);
+  const std::vector<PartDefinition> parts = make_partition(m, Partition::group);
+  const Settings settings{.tolerance = 1e-12, .max_iterations = 50};
+  const std::vector<double> weights = Magnitudes(m).weights(parts[1]);
+  const PartContext context{m, parts[1], weights, bind_kernels(m, parts[1]), settings};
+  const Backend* eigen = nullptr;
+  for (const Backend* b : backends())
+    if (b->name == "eigen") eigen = b;
+  BoundKernel sabotaged = bind_kernel(m, make_partition(m, Partition::group)[1]).value();
+  Kernel kernel = *sabotaged.kernel;
+  kernel.rates = [](const double*, double*, double*, const int*, const double*) { return false; };
+  sabotaged.kernel = &kernel;
+
+  const auto at_start = [&] {
+    State s;
+    s.q = m.estimate;
+    s.q.insert(s.q.end(), m.fixed_values.begin(), m.fixed_values.end());
+    s.qd.assign(s.q.size(), 0);
+    s.qdd.assign(s.q.size(), 0);
+    s.qd[m.entities[m.find("crank/B")].first] = 1;
+    return s;
+  };
+  InlinedPart good(bind_kernel(m, make_partition(m, Partition::group)[1]).value(), weights,
+                   settings, eigen->make_part(context), parts[1].unknowns);
+  InlinedPart bad(sabotaged, weights, settings, eigen->make_part(context), parts[1].unknowns);
+  State expected = at_start(), actual = at_start();
+  ASSERT_EQ(good.solve(expected, expected.q, Level::acceleration).status, Status::converged);
+  ASSERT_EQ(bad.solve(actual, actual.q, Level::acceleration).status, Status::converged);
+  EXPECT_EQ(good.fallbacks(), 0);
+  EXPECT_EQ(bad.fallbacks(), 1);
+  EXPECT_EQ(bad.refactorisations(), 1);
+  for (std::size_t i = 0; i < expected.q.size(); ++i) {
+    EXPECT_NEAR(actual.q[i], expected.q[i], 1e-12);
+    EXPECT_NEAR(actual.qd[i], expected.qd[i], 1e-12);
+    EXPECT_NEAR(actual.qdd[i], expected.qdd[i], 1e-12);
+  }
+}
+
+/// At 0.6 s one of the four derivatives of a dyad's lengths vanishes, in each case. In one or
+/// another of them it was the first pivot.
+TEST(ReusedPivots, AreChosenAnewAndCountedWhereOneVanishes) {
+  constexpr double angle = 1.2, crank = 6, pivot = 12;  // the angle is the crank's, then
+  const double x = crank * std::cos(angle), y = crank * std::sin(angle);
+  const std::array<Description::Vec, 6> joints{{{x, y + 15, 0},
+                                                {x, y - 15, 0},
+                                                {x + 15, y, 0},
+                                                {pivot, 15, 0},
+                                                {pivot, -18, 0},
+                                                {pivot - 9, 0, 0}}};
+  long chosen_anew = 0;
+  for (const auto& [jx, jy, jz] : joints) {
+    const DyadChain chain{.crank = crank,
+                          .start = angle,
+                          .dyads = {{{pivot, 0, 0},
+                                     std::hypot(jx - x, jy - y),
+                                     std::hypot(jx - pivot, jy),
+                                     {jx, jy, jz},
+                                     std::atan2(jy, jx - pivot)}}};
+    const Scene scene =
+        extreme::case_of("", std::vector{chain}, {Polynomial{{angle - 0.6, 1}}}, {0, 0.1, 8}).scene;
+    const Mechanism m = make_mechanism(scene);
+    const auto reusing = make_formulation(find_variant("group_automatic_klu"), m),
+               anew = make_formulation(find_variant("group_automatic_eigen"), m);
+    for (int k = 0; k < scene.grid.instants; ++k) {
+      const double t = scene.grid.time(k);
+      ASSERT_TRUE(reusing->step(t).ok() && anew->step(t).ok()) << jx << ", " << t;
+      for (int i = 0; i < m.coordinates(); ++i)
+        EXPECT_NEAR(reusing->qdd()[i], anew->qdd()[i], 1e-10 * (1 + std::abs(anew->qdd()[i])));
+    }
+    chosen_anew += reusing->refactorisations();
+    EXPECT_EQ(anew->refactorisations(), 0);
+  }
+  EXPECT_GT(chosen_anew, 0);
+}
+
+/// A dyad folded onto itself: the determinant that the generated code divides by vanishes.
+TEST(Inlined, MonitorsRefuseAVanishingPivot) {
+  const Mechanism m = four_bar_mechanism(1);
+  const BoundKernel dyad = bind_kernel(m, make_partition(m, Partition::group)[1]).value();
+  std::vector<double> q = m.estimate, qd(m.state_size(), 0.0), qdd = qd;
+  q.insert(q.end(), m.fixed_values.begin(), m.fixed_values.end());
+  const auto set = [&](const char* name, double x, double y) {
+    q[m.state_index(m.find(name))] = x;
+    if (m.entities[m.find(name)].size > 1) q[m.state_index(m.find(name)) + 1] = y;
+  };
+  set("crank/B", 2, 0);
+  set("dyad1/D", 2, 0);
+  const auto rates_at = [&](double angle, double nearly) {
+    set("dyad1/C", 2 + 6 * std::cos(angle), 6 * std::sin(angle));
+    set("dyad1/psi", angle + nearly, 0);
+    return dyad.kernel->rates(q.data(), qd.data(), qdd.data(), dyad.inputs.data(),
+                              dyad.constants.data());
+  };
+  EXPECT_FALSE(rates_at(0.3, 0));
+  EXPECT_FALSE(rates_at(0.3, 1e-9));
+  EXPECT_TRUE(rates_at(0.3, 1));  // no position of the dyad, but one where the pivot is sound
+}
+
+TEST(Inlined, NeedsNoFallbackOnTheCases) {
+  for (const Case& c : cases()) {
+    const Mechanism m = make_mechanism(c.describe(2));
+    const auto f = make_formulation(find_variant("group_symbolic_inlined"), m);
+    Discard sink;
+    ASSERT_TRUE(f->run(time_grid(3, 0.01), {}, sink).ok());
+    for (const auto& part : f->parts())
+      EXPECT_EQ(dynamic_cast<const InlinedPart&>(*part.solver).fallbacks(), 0)
+          << m.groups[part.definition.groups.front()].name;
+  }
+}
+
+}  // namespace
+}  // namespace desmo::failure_test

@@ -1,0 +1,265 @@
+// Every formulation of the table, on every case and size, against the quadruple reference and
+// against the exact property of the equal-length chain.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <vector>
+
+#include "bench/suite/cell.h"
+#include "cases/cases.h"
+#include "formulations/reference.h"
+#include "formulations/variants.h"
+#include "tests/every_variant.h"
+#include "tests/mechanisms.h"
+
+namespace desmo::formulations_test {
+namespace {
+
+constexpr double short_motion = DESMO_SANITIZED ? 0.05 : 0.5;  // s
+
+suite::Options options_for(double duration) {
+  suite::Options o;
+  o.duration = duration;
+  o.slow_limit = 558;
+  return o;
+}
+
+/// Returns the references of motions of this duration, which all tests of a process share.
+suite::ReferenceCache& references(double duration) {
+  static std::map<double, suite::ReferenceCache> caches;
+  return caches[duration];
+}
+
+void expect_agreement(suite::Cell& cell, double duration) {
+  cell.verify(references(duration));
+  EXPECT_EQ(cell.state, suite::Cell::State::verified) << cell.name() << ": " << cell.message;
+  EXPECT_GE(cell.errors.instants, std::min(cell.grid.instants, 50)) << cell.name();
+  EXPECT_LE(cell.errors.position, 1e-9) << cell.name();
+  EXPECT_LE(cell.errors.velocity, 1e-8) << cell.name();
+  EXPECT_LE(cell.errors.acceleration, 1e-7) << cell.name();
+  EXPECT_LT(cell.residual, 1e-10) << cell.name();
+}
+
+/// References are expensive: all formulations of one case and size share one test and one.
+class Sizes : public testing::TestWithParam<std::pair<const Case*, int>> {};
+
+/// Every formulation solves the whole motion at the smallest size and a part of it at the others.
+TEST_P(Sizes, EveryFormulationAgreesWithTheQuadrupleReference) {
+  const auto [definition, coordinates] = GetParam();
+  const bool smallest = coordinates == definition->sizes.front();
+  const double duration = smallest ? DESMO_TEST_SECONDS : short_motion;
+  suite::Options options = options_for(duration);
+  if (duration > 6) options.step = 0.02;
+  const std::vector<Variant> all = tested_variants();
+  int verified = 0;
+  for (const Variant& v : all) {
+    suite::Cell cell(*definition, coordinates, v, options);
+    if (cell.state == suite::Cell::State::not_run) continue;
+    expect_agreement(cell, duration);
+    ++verified;
+  }
+  EXPECT_GE(verified, static_cast<int>(all.size()) - 4);  // dense global ones are limited
+}
+
+/// All sizes; with sanitizers the two smallest, as more of the same finds no other error of memory.
+std::vector<std::pair<const Case*, int>> tested_sizes() {
+  std::vector<std::pair<const Case*, int>> result;
+  for (const Case& c : cases())
+    for (std::size_t i = 0; i < (DESMO_SANITIZED ? 2 : c.sizes.size()); ++i)
+      result.emplace_back(&c, c.sizes[i]);
+  return result;
+}
+
+INSTANTIATE_TEST_SUITE_P(Cases, Sizes, testing::ValuesIn(tested_sizes()), [](const auto& info) {
+  return std::string(info.param.first->name) + "_" + std::to_string(info.param.second);
+});
+
+/// Dense global solves at the larger sizes take too long for the whole motion.
+TEST_P(Sizes, DenseGlobalSolvesAgreeOverAShorterMotion) {
+  const auto [definition, coordinates] = GetParam();
+  suite::Options options = options_for(short_motion);
+  options.dense_limit = 558;
+  int verified = 0;
+  for (const Variant& v : variants()) {
+    if (!is_dense_global(v)) continue;
+    suite::Cell cell(*definition, coordinates, v, options);
+    cell.verify(references(short_motion));
+    EXPECT_EQ(cell.state, suite::Cell::State::verified) << cell.name() << ": " << cell.message;
+    ++verified;
+  }
+  EXPECT_EQ(verified, 4);
+}
+
+class LargestSizes : public testing::TestWithParam<const Case*> {};
+
+/// The paper's reference and the fastest formulation stand for all over a longer motion.
+TEST_P(LargestSizes, TwoFormulationsAgreeOverALongerMotion) {
+  const Case& definition = *GetParam();
+  const double duration = DESMO_SANITIZED ? short_motion : 6;
+  for (const char* id : {"global_automatic_klu", "group_symbolic_explicit"}) {
+    suite::Cell cell(definition, definition.sizes.back(), find_variant(id), options_for(duration));
+    expect_agreement(cell, duration);
+  }
+}
+
+std::vector<const Case*> all_cases() {
+  std::vector<const Case*> result;
+  for (const Case& c : cases()) result.push_back(&c);
+  return result;
+}
+
+INSTANTIATE_TEST_SUITE_P(Cases, LargestSizes, testing::ValuesIn(all_cases()),
+                         [](const auto& info) { return std::string(info.param->name); });
+
+/// Equal lengths: every rocker moves in parallel with the first.
+class ChainSink final : public Sink {
+ public:
+  explicit ChainSink(const Mechanism& m) {
+    for (int k = 1; k < m.structural_groups(); ++k) {
+      const std::string dyad = "dyad" + std::to_string(k) + "/";
+      c_.push_back(m.entities[m.find(dyad + "C")].first);
+      psi_.push_back(m.entities[m.find(dyad + "psi")].first);
+    }
+  }
+  void accept(const Instant& instant) override {
+    for (std::size_t k = 1; k < c_.size(); ++k)
+      worst = std::max({worst, std::abs(instant.q[c_[k]] - (instant.q[c_[0]] + 6.0 * k)),
+                        std::abs(instant.q[c_[k] + 1] - instant.q[c_[0] + 1]),
+                        std::abs(instant.q[psi_[k]] - instant.q[psi_[0]])});
+    ++instants;
+  }
+  double worst = 0;
+  int instants = 0;
+
+ private:
+  std::vector<int> c_, psi_;  // first coordinate of each dyad's
+};
+
+class EveryFormulation : public EveryVariant {};
+
+TEST_P(EveryFormulation, KeepsTheChainParallel) {
+  const Variant& v = GetParam();
+  struct Motion {
+    int dyads;
+    double seconds;
+  };
+  // A turn of the crank takes 6.3 s; the longer chain shows what errors grow by along it.
+  const Motion turn{37, std::min<double>(DESMO_TEST_SECONDS, 7)};
+  const Motion begin{is_dense_global(v) ? 37 : 185, DESMO_SANITIZED ? 0.2 : 1};
+  for (const auto& [dyads, seconds] : {turn, begin}) {
+    const Mechanism m = four_bar_mechanism(dyads);
+    ChainSink sink(m);
+    const TimeGrid grid = time_grid(seconds, 0.01);
+    const Summary s = make_formulation(v, m)->run(grid, {}, sink);
+    EXPECT_TRUE(s.ok()) << dyads << ": " << describe(s, m);
+    EXPECT_EQ(sink.instants, grid.instants) << dyads;
+    EXPECT_LT(sink.worst, 1e-9) << dyads;
+  }
+}
+
+TEST_P(EveryFormulation, RepeatsARunToTheLastBit) {
+  const Mechanism m = truck_mechanism(1);
+  const auto f = make_formulation(GetParam(), m);
+  struct Last final : Sink {
+    std::vector<double> values;
+    void accept(const Instant& i) override {
+      values.assign(i.q.begin(), i.q.end());
+      values.insert(values.end(), i.qdd.begin(), i.qdd.end());
+    }
+  } first, second;
+  // Pivots chosen in the first run may serve the second; the third starts like the second.
+  const TimeGrid grid = time_grid(0.5, 0.01);
+  f->run(grid, {}, first);
+  f->run(grid, {}, first);
+  f->run(grid, {}, second);
+  EXPECT_EQ(first.values, second.values);
+}
+
+TEST_P(EveryFormulation, TakesAFixedNumberOfIterationsWhereAsked) {
+  const Mechanism m = truck_mechanism(1);
+  const auto usual = make_formulation(GetParam(), m);
+  const auto fixed = make_formulation(GetParam(), m, {.fixed_iterations = 4});
+  for (int i = 0; i < 10; ++i) {
+    const double t = 0.01 * i;
+    ASSERT_TRUE(usual->step(t).ok());
+    const Summary s = fixed->step(t);
+    ASSERT_TRUE(s.ok()) << describe(s, m);
+    EXPECT_EQ(s.iterations, 4) << t;
+  }
+  EXPECT_LT(fixed->step(0.09).residual, Settings{}.tolerance);
+  for (int i = 0; i < m.coordinates(); ++i) EXPECT_NEAR(fixed->q()[i], usual->q()[i], 1e-9) << i;
+}
+
+TEST_P(EveryFormulation, SolvesOnlyTheLevelAsked) {
+  const Mechanism m = truck_mechanism(1);
+  struct Spans final : Sink {
+    std::size_t q = 0, qd = 0, qdd = 0;
+    void accept(const Instant& i) override { q = i.q.size(), qd = i.qd.size(), qdd = i.qdd.size(); }
+  } sink;
+  const auto f = make_formulation(GetParam(), m);
+  f->run(time_grid(0.1, 0.01), {Level::position}, sink);
+  EXPECT_EQ(sink.q, 114u);
+  EXPECT_EQ(sink.qd, 0u);
+  f->run(time_grid(0.1, 0.01), {Level::velocity}, sink);
+  EXPECT_EQ(sink.qd, 114u);
+  EXPECT_EQ(sink.qdd, 0u);
+}
+
+TEST_P(EveryFormulation, VelocitiesAndAccelerationsAreDerivativesOfPositions) {
+  const Mechanism m = truck_mechanism(1);
+  const auto f = make_formulation(GetParam(), m, Settings{1e-13, 25});
+  const double t = 0.7, h = 1e-4;
+  std::vector<double> q[3];
+  ASSERT_TRUE(f->assemble(t - h).ok());
+  q[0].assign(f->q().begin(), f->q().end());
+  ASSERT_TRUE(f->step(t + h).ok());
+  q[2].assign(f->q().begin(), f->q().end());
+  ASSERT_TRUE(f->step(t).ok());
+  q[1].assign(f->q().begin(), f->q().end());
+  for (int i = 0; i < m.coordinates(); ++i) {
+    EXPECT_NEAR(f->qd()[i], (q[2][i] - q[0][i]) / (2 * h), 1e-5) << i;
+    EXPECT_NEAR(f->qdd()[i], (q[2][i] - 2 * q[1][i] + q[0][i]) / (h * h), 1e-3) << i;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Table, EveryFormulation, testing::ValuesIn(tested_variants()),
+                         EveryVariant::name);
+
+TEST(Variants, TableHoldsEveryPointOfTheDesign) {
+  for (const char* id : {"global_automatic_klu", "global_symbolic_klu", "group_automatic_lapack",
+                         "group_symbolic_lapack", "group_symbolic_eigen", "group_symbolic_inlined",
+                         "group_symbolic_explicit", "block_automatic_klu", "block_symbolic_inlined",
+                         "block_symbolic_explicit"})
+    EXPECT_EQ(find_variant(id).id, id);
+  EXPECT_THROW(find_variant("group_symbolic_ma57"), std::invalid_argument);
+}
+
+TEST(Reference, QuadrupleAndDoubleDifferByRoundingOnly) {
+  const Mechanism m = truck_mechanism(1);
+  const std::vector<double> times{0, 0.5, 1};
+  const auto standard = reference_solution(m, times, Precision::standard);
+  const auto quadruple = reference_solution(m, times, Precision::quadruple);
+  for (std::size_t k = 0; k < times.size(); ++k)
+    for (int i = 0; i < m.coordinates(); ++i) {
+      EXPECT_NEAR(standard[k].q[i], quadruple[k].q[i], 1e-9);
+      EXPECT_NEAR(standard[k].qdd[i], quadruple[k].qdd[i], 1e-7);
+    }
+}
+
+TEST(Reference, SatisfiesTheClosedFormOfTheFourBar) {
+  const Mechanism m = four_bar_mechanism(1);
+  const double t = 0.8;
+  const auto r = reference_solution(m, std::vector{0.0, t}, Precision::quadruple)[1];
+  // C is where circles about B and D meet, above the line BD.
+  const double theta = std::acos(0.5) + t, bx = 2 * std::cos(theta), by = 2 * std::sin(theta);
+  const double dx = 6 - bx, dy = -by, d2 = dx * dx + dy * dy, height = std::sqrt(36 / d2 - 0.25);
+  const int c = m.entities[m.find("dyad1/C")].first;
+  EXPECT_NEAR(r.q[c], bx + dx / 2 - height * dy, 1e-14);
+  EXPECT_NEAR(r.q[c + 1], by + dy / 2 + height * dx, 1e-14);
+}
+
+}  // namespace
+}  // namespace desmo::formulations_test

@@ -1,0 +1,140 @@
+// Ids with settings: what is printed reads back, and what makes no sense is refused by name.
+
+#include "formulations/id.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "tests/mechanisms.h"
+
+namespace desmo::id_test {
+namespace {
+
+TEST(Id, LeavesOutWhatIsThePapers) {
+  const Variant& v = find_variant("group_symbolic_klu");
+  EXPECT_EQ(id_with(v, {}), "group_symbolic_klu");
+  EXPECT_EQ(id_with(v, {.max_iterations = 7}), "group_symbolic_klu");
+}
+
+TEST(Id, HasItsSuffixesInOneOrder) {
+  const Settings all{.tolerance = 2.5e-7,
+                     .guess = Guess::hermite5,
+                     .fixed_iterations = 2,
+                     .jacobian = JacobianUpdate::step,
+                     .factorisation = Factorisation::per_level,
+                     .scalar = Scalar::mixed};
+  const std::string id =
+      "global_automatic_lapack/guess:hermite5/jacobian:step/factorisation:per_level/scalar:mixed"
+      "/iterations:2/tolerance:2.5e-7";
+  EXPECT_EQ(id_with(find_variant("global_automatic_lapack"), all), id);
+  const Configuration back = parse_id(
+      "global_automatic_lapack/tolerance:2.5e-07/iterations:2/scalar:mixed/guess:hermite5"
+      "/factorisation:per_level/jacobian:step");
+  EXPECT_EQ(id_with(*back.variant, back.settings), id);
+}
+
+TEST(Id, ReadsBackEveryValueOfEverySuffix) {
+  for (const char* suffix : {"",
+                             "/guess:linear",
+                             "/guess:quadratic",
+                             "/guess:hermite3",
+                             "/guess:hermite5",
+                             "/guess:adams8",
+                             "/jacobian:step",
+                             "/jacobian:chord",
+                             "/factorisation:per_level",
+                             "/scalar:mixed",
+                             "/scalar:float/tolerance:1e-5",
+                             "/iterations:1",
+                             "/iterations:12",
+                             "/tolerance:1e-6",
+                             "/stride:2",
+                             "/stride:64",
+                             "/stride:8/tolerance:1e-6",
+                             "/tolerance:1e-10",
+                             "/tolerance:3e+0",
+                             "/guess:hermite5/jacobian:step/tolerance:1e-8"}) {
+    const std::string id = std::string("group_automatic_eigen") + suffix;
+    const Configuration c = parse_id(id);
+    EXPECT_EQ(c.variant, &find_variant("group_automatic_eigen"));
+    EXPECT_EQ(id_with(*c.variant, c.settings), id);
+  }
+  EXPECT_EQ(parse_id("group_symbolic_explicit/lanes:4").settings.lanes, 4);
+  const Configuration one_block = parse_id("global_automatic_klu/btf:off");
+  EXPECT_EQ(one_block.settings.btf, BlockTriangularForm::off);
+  EXPECT_EQ(id_with(*one_block.variant, one_block.settings), "global_automatic_klu/btf:off");
+  EXPECT_EQ(
+      id_with(find_variant("group_automatic_eigen"),
+              parse_id("group_automatic_eigen/guess:previous/stride:1/tolerance:1e-12").settings),
+      "group_automatic_eigen");
+}
+
+TEST(Id, LeavesTheBaseWhereItSaysNothing) {
+  const Settings base{.tolerance = 1e-7, .max_iterations = 40, .guess = Guess::linear};
+  const Settings s = parse_id("group_symbolic_klu/jacobian:chord/guess:hermite3", base).settings;
+  EXPECT_EQ(s.tolerance, 1e-7);
+  EXPECT_EQ(s.max_iterations, 40);
+  EXPECT_EQ(s.guess, Guess::hermite3);
+  EXPECT_EQ(s.jacobian, JacobianUpdate::chord);
+}
+
+TEST(Id, SaysWhatIsWrong) {
+  const std::pair<const char*, const char*> wrong[] = {
+      {"group_symbolic_ma57", "unknown formulation 'group_symbolic_ma57'; there are:"},
+      {"group_symbolic_ma57/guess:linear", "unknown formulation 'group_symbolic_ma57'"},
+      {"", "unknown formulation ''"},
+      {"/guess:linear", "unknown formulation ''"},
+      {"group_symbolic_klu/", "unknown suffix '/'"},
+      {"group_symbolic_klu/guess", "unknown suffix '/guess'"},
+      {"group_symbolic_klu/gess:linear",
+       "unknown suffix '/gess:linear'; there are, each followed by ':' and a value: guess, "
+       "jacobian, factorisation, btf, scalar, lanes, segments, threads, stride, iterations, "
+       "tolerance"},
+      {"group_symbolic_explicit/lanes:5", "unknown value '5' of '/lanes:'; there are: 4, 8"},
+      {"group_symbolic_klu/guess:cubic",
+       "unknown value 'cubic' of '/guess:'; there are: previous, linear, quadratic, hermite3, "
+       "hermite5, adams8"},
+      {"group_symbolic_klu/guess:", "unknown value '' of '/guess:'"},
+      {"group_symbolic_klu/guess:linear/guess:linear", "'/guess:' is given twice"},
+      {"group_symbolic_klu/iterations:0", "unknown value '0' of '/iterations:'"},
+      {"group_symbolic_klu/iterations:2.5", "a whole number from 1 to 1000"},
+      {"group_symbolic_klu/threads:0", "unknown value '0' of '/threads:'"},
+      {"group_symbolic_klu/stride:0", "unknown value '0' of '/stride:'"},
+      {"group_symbolic_klu/stride:65", "a whole number from 1 to 64"},
+      {"group_symbolic_klu/tolerance:-1", "a number above 0"},
+      {"group_symbolic_klu/tolerance:1e999", "a number above 0"},
+      {"group_symbolic_klu/tolerance:nan", "a number above 0"},
+      {"group_symbolic_klu/tolerance:1e-6x", "a number above 0"},
+      {"global_automatic_umfpack/btf:off", "block triangular form is KLU's"},
+      {"group_symbolic_inlined/btf:off", "block triangular form is KLU's"},
+      {"group_symbolic_klu/scalar:mixed", "klu factorises in double precision"},
+      {"group_symbolic_eigen/scalar:float", "generated code is in double precision"},
+      {"group_automatic_eigen/scalar:float", "single precision cannot meet this tolerance"},
+      {"group_symbolic_inlined/jacobian:step", "keeps no factors"},
+      {"block_symbolic_inlined/factorisation:per_level", "one piece of code"},
+      {"group_symbolic_inlined/scalar:mixed", "double precision"},
+      {"group_symbolic_klu/jacobian:chord/factorisation:per_level", "no level makes its own"},
+  };
+  for (const auto& [id, complaint] : wrong) try {
+      parse_id(id);
+      ADD_FAILURE() << id << ": accepted";
+    } catch (const std::invalid_argument& e) {
+      EXPECT_NE(std::string_view(e.what()).find(complaint), std::string_view::npos) << e.what();
+    }
+}
+
+TEST(Id, WhatIsNotApplicableIsNotMade) {
+  const Mechanism m = four_bar_mechanism(1);
+  EXPECT_THROW(
+      make_formulation(find_variant("group_symbolic_klu"), m, {.scalar = Scalar::single_precision}),
+      std::invalid_argument);
+  EXPECT_THROW(make_formulation(find_variant("group_symbolic_klu"), m, {.stride = 65}),
+               std::invalid_argument);
+  EXPECT_THROW(make_formulation(find_variant("group_symbolic_inlined"), m,
+                                {.jacobian = JacobianUpdate::chord}),
+               std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace desmo::id_test

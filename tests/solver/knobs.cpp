@@ -1,0 +1,309 @@
+// The settings that trade speed for accuracy: each does what theory says of it, on every
+// formulation that offers it, and none accepts what does not meet the tolerance.
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "formulations/algebra/blas.h"
+#include "formulations/equations/automatic.h"
+#include "formulations/id.h"
+#include "formulations/magnitudes.h"
+#include "formulations/reference.h"
+#include "tests/every_variant.h"
+#include "tests/mechanisms.h"
+
+namespace desmo::knobs_test {
+namespace {
+
+std::unique_ptr<Formulation> make(const std::string& id, const Mechanism& m,
+                                  const Settings& base = {}) {
+  const Configuration c = parse_id(id, base);
+  return make_formulation(*c.variant, m, c.settings);
+}
+
+double largest_difference(std::span<const double> a, std::span<const double> b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+  return largest;
+}
+
+/// By which power of the step the error of its position grows after so many iterations: from the
+/// last position, wrong by O(h), Newton's method squares the error every time and reaches 2ᵏ; old
+/// factors, wrong by O(h), take a factor O(h) off it every time and reach k + 1.
+double order_in_the_step(const std::string& id, int iterations) {
+  const Mechanism m = truck_mechanism(1);
+  constexpr double t = 0.4;
+  const auto error = [&](double h) {
+    const auto reference = reference_solution(m, std::vector{t, t + h}, Precision::quadruple);
+    const auto f = make(id + "/iterations:" + std::to_string(iterations), m);
+    EXPECT_TRUE(f->assemble(t).ok());
+    EXPECT_TRUE(f->step(t + h, Level::position).ok());
+    return largest_difference(f->q(), reference[1].q);
+  };
+  constexpr double h = 0.02;
+  return std::log2(error(h) / error(h / 2));
+}
+
+TEST(Newton, ConvergesQuadratically) {
+  for (const char* id : {"global_automatic_klu", "group_automatic_lapack", "group_symbolic_eigen",
+                         "group_symbolic_inlined"}) {
+    EXPECT_NEAR(order_in_the_step(id, 1), 2, 0.2) << id;
+    EXPECT_NEAR(order_in_the_step(id, 2), 4, 0.4) << id;
+  }
+}
+
+TEST(Chord, ConvergesLinearly) {
+  for (const char* update : {"/jacobian:step", "/jacobian:chord"})
+    for (const char* id :
+         {"global_automatic_klu", "group_automatic_lapack", "group_symbolic_eigen"})
+      for (int k = 1; k <= 4; ++k)
+        EXPECT_NEAR(order_in_the_step(std::string(id) + update, k), k + 1, 0.1 * (k + 1))
+            << id << update << ", " << k;
+}
+
+/// Evaluates ‖Φ‖₂ of all parts of a mechanism, each equation over its magnitude.
+class WeightedResidual {
+ public:
+  explicit WeightedResidual(const Mechanism& m) : m_(m) {
+    const Magnitudes magnitudes(m);
+    for (const PartDefinition& part : make_partition(m, Partition::group))
+      if (!part.constant) parts_.push_back({AutomaticEquations(m, part), magnitudes.weights(part)});
+  }
+
+  double of(const Formulation& f) const {
+    std::vector<double> state(f.q().begin(), f.q().end());
+    state.insert(state.end(), m_.fixed_values.begin(), m_.fixed_values.end());
+    double sum = 0;
+    for (const auto& [equations, weights] : parts_) {
+      std::vector<double> phi(weights.size());
+      equations.residual(state.data(), phi.data());
+      for (std::size_t i = 0; i < phi.size(); ++i) sum += std::pow(weights[i] * phi[i], 2);
+    }
+    return std::sqrt(sum);
+  }
+
+ private:
+  struct WeightedPart {
+    AutomaticEquations equations;
+    std::vector<double> weights;
+  };
+  const Mechanism& m_;
+  std::vector<WeightedPart> parts_;
+};
+
+/// A four-bar that locks up at 2 rad or so: reach ends where coupler and rocker are in line.
+Mechanism locking() {
+  Mechanism m = four_bar_mechanism(1);
+  for (Constraint& c : m.constraints)
+    if (c.name.starts_with("dyad1/coupler")) c.constants[0] = 3 * 3;
+  m.estimate[m.entities[m.find("dyad1/C")].first] = 1.5;
+  m.estimate[m.entities[m.find("dyad1/C")].first + 1] = 4;
+  m.fixed_values[m.entities[m.find("dyad1/D")].first] = 8;
+  return m;
+}
+
+class Knobs : public EveryVariant {
+ protected:
+  Knobs() { set_blas_threads(1); }  // more wait for each other where matrices are this small
+
+  /// The variant's id with these suffixes, or nothing where it does not offer them.
+  std::string with(const std::string& suffixes) const {
+    try {
+      parse_id(GetParam().id + suffixes);
+      return GetParam().id + suffixes;
+    } catch (const std::invalid_argument&) {
+      return {};
+    }
+  }
+};
+
+/// Steps far too long for old factors, and a walk into a dead point: what is accepted meets the
+/// tolerance, and where Newton's method gets through, so does a chord.
+TEST_P(Knobs, NoChordEndsAboveItsTolerance) {
+  const Settings settings{.tolerance = 1e-11, .max_iterations = 50};
+  for (const bool to_the_dead_point : {false, true}) {
+    const Mechanism m = to_the_dead_point ? locking() : truck_mechanism(1);
+    const WeightedResidual weighted_residual(m);
+    for (const double h : {0.003, 0.02, 0.1, 0.45}) {
+      if (DESMO_SANITIZED && h < 0.1 && !to_the_dead_point) continue;
+      // Newton's method takes the same steps for all settings. So long a motion of short steps is
+      // for the way to the dead point.
+      const double end = h < 0.02 && !to_the_dead_point ? 0.3 : 1.2;
+      std::vector<bool> possible;
+      const auto newton = make(GetParam().id, m, settings);
+      for (int i = 0; i <= static_cast<int>(end / h); ++i)
+        possible.push_back(newton->step(h * i).ok());
+      for (const char* suffixes :
+           {"/jacobian:step", "/jacobian:chord", "/guess:hermite5/jacobian:step",
+            "/guess:hermite5/jacobian:chord", "/guess:linear/jacobian:chord"}) {
+        const std::string id = with(suffixes);
+        if (id.empty()) continue;
+        const auto f = make(id, m, settings);
+        bool solved = true;
+        for (std::size_t i = 0; i < possible.size(); ++i) {
+          const Summary s = f->step(h * i);
+          if (solved && possible[i]) {
+            EXPECT_TRUE(s.ok()) << id << " " << h * i << ": " << describe(s, m);
+          }
+          solved = s.ok() && possible[i];
+          if (!s.ok()) continue;
+          EXPECT_LT(s.residual, settings.tolerance);
+          // Rounding of coordinates of a few metres, and no more, beside what was accepted.
+          EXPECT_LT(weighted_residual.of(*f), settings.tolerance + 1e-14) << id << " " << h * i;
+        }
+      }
+    }
+  }
+}
+
+/// A motion of which every twentieth instant is known in quadruple precision.
+struct KnownMotion {
+  Mechanism m;
+  TimeGrid grid{0, 0.01, DESMO_SANITIZED ? 21 : 101};
+  std::vector<ReferenceInstant> reference;
+
+  explicit KnownMotion(Mechanism mechanism) : m(std::move(mechanism)) {
+    std::vector<double> times;
+    for (int i = 0; i < grid.instants; i += 20) times.push_back(grid.time(i));
+    reference = reference_solution(m, times, Precision::quadruple);
+  }
+};
+
+const std::vector<KnownMotion>& known_motions() {
+  static const std::vector<KnownMotion> motions = [] {
+    std::vector<KnownMotion> all;
+    all.emplace_back(truck_mechanism(1));
+    all.emplace_back(four_bar_mechanism(9));
+    return all;
+  }();
+  return motions;
+}
+
+TEST_P(Knobs, AgreeWithTheReference) {
+  struct Knob {
+    const char* suffixes;
+    double position, velocity, acceleration;
+  };
+  constexpr double q = 1e-9, v = 1e-8, a = 1e-7;
+  const Knob knobs[] = {
+      {"/guess:linear", q, v, a},
+      {"/guess:quadratic", q, v, a},
+      {"/guess:hermite3", q, v, a},
+      {"/guess:hermite5", q, v, a},
+      {"/jacobian:step", q, v, a},
+      {"/jacobian:chord", q, v, a},
+      {"/guess:hermite5/jacobian:step", q, v, a},
+      {"/guess:hermite5/jacobian:chord", q, v, a},
+      {"/factorisation:per_level", q, v, a},
+      {"/guess:hermite3/jacobian:step/factorisation:per_level", q, v, a},
+      {"/scalar:mixed", q, v, a},
+      {"/guess:hermite5/jacobian:step/scalar:mixed", q, v, a},
+      {"/guess:hermite5/jacobian:chord/scalar:mixed", q, v, a},
+      {"/iterations:3", q, v, a},
+      {"/guess:hermite5/iterations:2", q, v, a},
+      {"/tolerance:1e-6", 1e-4, 1e-3, 1e-2},
+      {"/scalar:float/iterations:3", 1e-3, 1e-3, 1e-1},
+      {"/guess:hermite3/jacobian:step/scalar:float/tolerance:1e-4", 1e-2, 1e-2, 1e-1},
+  };
+  for (const auto& [m, grid, reference] : known_motions()) {
+    const double size = m.name == "four_bar" ? 6 : 1;  // of a body
+    for (const Knob& knob : knobs) {
+      const std::string id = with(knob.suffixes);
+      if (id.empty()) continue;
+      const auto f = make(id, m);
+      for (int i = 0; i < grid.instants; ++i) {
+        const Summary s = f->step(grid.time(i));
+        ASSERT_TRUE(s.ok()) << id << " on " << m.name << ": " << describe(s, m);
+        if (i % 20 != 0) continue;
+        const ReferenceInstant& r = reference[i / 20];
+        EXPECT_LT(largest_difference(f->q(), r.q), size * knob.position) << id << " on " << m.name;
+        EXPECT_LT(largest_difference(f->qd(), r.qd), size * knob.velocity)
+            << id << " on " << m.name;
+        EXPECT_LT(largest_difference(f->qdd(), r.qdd), size * knob.acceleration)
+            << id << " on " << m.name;
+      }
+    }
+  }
+}
+
+TEST_P(Knobs, WorkAtEveryLevel) {
+  const Mechanism m = truck_mechanism(1);
+  const auto plain = make(GetParam().id, m);
+  ASSERT_TRUE(plain->assemble(0).ok());
+  for (const char* suffixes :
+       {"/jacobian:step", "/jacobian:chord", "/guess:hermite5/jacobian:step"}) {
+    const std::string id = with(suffixes);
+    if (id.empty()) continue;
+    const auto f = make(id, m);
+    int i = 0;
+    for (const Level level : {Level::acceleration, Level::position, Level::position,
+                              Level::velocity, Level::acceleration, Level::acceleration}) {
+      ASSERT_TRUE(f->step(0.01 * i, level).ok()) << id;
+      ASSERT_TRUE(plain->step(0.01 * i++).ok());
+      EXPECT_LT(largest_difference(f->q(), plain->q()), 1e-9) << id;
+      if (level >= Level::velocity) {
+        EXPECT_LT(largest_difference(f->qd(), plain->qd()), 1e-8) << id;
+      }
+      if (level >= Level::acceleration) {
+        EXPECT_LT(largest_difference(f->qdd(), plain->qdd()), 1e-7) << id;
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Table, Knobs, testing::ValuesIn(tested_variants()), EveryVariant::name);
+
+long factorisations(const std::string& id, const Mechanism& m) {
+  const Configuration c = parse_id(id);
+  Profile profile;
+  const auto f = make_formulation(*c.variant, m, c.settings, &profile);
+  EXPECT_TRUE(f->assemble(0).ok());
+  const long before = profile.calls[static_cast<int>(Phase::factorisation)];
+  for (int i = 1; i <= 100; ++i) EXPECT_TRUE(f->step(0.01 * i).ok());
+  return profile.calls[static_cast<int>(Phase::factorisation)] - before;
+}
+
+TEST(Factorisations, AreAsManyAsTheSettingsSay) {
+  const Mechanism m = truck_mechanism(1);
+  const std::string klu = "global_automatic_klu", dense = "global_automatic_eigen";
+  EXPECT_GT(factorisations(klu, m), 300);
+  EXPECT_EQ(factorisations(klu + "/iterations:2", m), 300);
+  EXPECT_EQ(factorisations(klu + "/factorisation:per_level/iterations:2", m), 400);
+  // The second step has no instant before last, and may need another.
+  EXPECT_NEAR(factorisations(klu + "/guess:hermite5/jacobian:step", m), 101, 1);
+  EXPECT_LT(factorisations(dense + "/guess:hermite5/jacobian:chord", m), 50);
+}
+
+/// Within 1e-9 of a dead point single factors are worth nothing: the step fails, or its velocities
+/// are as good as those of double factors.
+TEST(MixedScalar, NeverPassesSinglePrecisionOffAsDouble) {
+  for (const double distance : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10}) {
+    const Mechanism m = locking();
+    const double lock = std::acos(-13.0 / 32) - std::acos(0.5);
+    const auto mixed = make("group_automatic_lapack/scalar:mixed", m),
+               full = make("group_automatic_lapack", m);
+    bool ok = true;
+    for (int i = 0; i <= 200 && ok; ++i) {
+      const double t = lock - distance - (1 - i / 200.0) * 0.9;
+      ok = mixed->step(t).ok();
+      if (!ok) break;
+      ASSERT_TRUE(full->step(t).ok());
+      const std::vector<double> zero(full->qd().size());
+      const double size = largest_difference(full->qd(), zero);
+      // Both positions are within the tolerance, from which the velocity differs by its condition.
+      EXPECT_LT(largest_difference(mixed->qd(), full->qd()), 1e-8 * (1 + size * size * size));
+    }
+    if (distance >= 1e-2) {
+      EXPECT_TRUE(ok) << distance;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace desmo::knobs_test

@@ -1,0 +1,116 @@
+// Formulations by MA27, with a library of the same interface in its place: what desmo does with the
+// interface, and what it says of libraries that do not serve.
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "bench/suite/cell.h"
+#include "formulations/algebra/coinhsl.h"
+#include "formulations/id.h"
+#include "tests/mechanisms.h"
+
+namespace desmo::ma27_test {
+namespace {
+
+bool says(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// Formulations by MA27, in a process that finds the library (see tests/CMakeLists.txt).
+class Ma27 : public testing::Test {
+ protected:
+  void SetUp() override {
+    const char* const library = std::getenv(coinhsl_variable);
+    if (!library || std::string_view(library) != DESMO_MA27_DOUBLE)
+      GTEST_SKIP() << "runs where " << coinhsl_variable << " names the library of the tests";
+  }
+};
+
+constexpr const char* ids[] = {"global_automatic_ma27", "global_symbolic_ma27",
+                               "group_automatic_ma27",  "group_symbolic_ma27",
+                               "block_automatic_ma27",  "block_symbolic_ma27"};
+
+TEST_F(Ma27, FormulationsAgreeWithTheQuadrupleReference) {
+  suite::Options options;
+  options.duration = 0.5;
+  suite::ReferenceCache references;
+  for (const Case& c : cases())
+    for (const char* id : ids) {
+      suite::Cell cell(c, 114, find_variant(id), options);
+      cell.verify(references);
+      EXPECT_EQ(cell.state, suite::Cell::State::verified) << cell.name() << ": " << cell.message;
+      EXPECT_EQ(cell.errors.instants, 51) << cell.name();
+      EXPECT_LE(cell.errors.position, 1e-9) << cell.name();
+      EXPECT_LE(cell.errors.velocity, 1e-8) << cell.name();
+      EXPECT_LE(cell.errors.acceleration, 1e-7) << cell.name();
+    }
+}
+
+TEST_F(Ma27, FormulationsTakeSettings) {
+  const Mechanism m = truck_mechanism(1);
+  for (const char* id :
+       {"global_automatic_ma27/guess:hermite5/jacobian:step", "group_automatic_ma27/jacobian:chord",
+        "group_symbolic_ma27/factorisation:per_level/threads:2"}) {
+    const Configuration c = parse_id(id);
+    const auto f = make_formulation(*c.variant, m, c.settings);
+    ASSERT_TRUE(f->assemble(0).ok()) << id;
+    for (int i = 1; i <= 20; ++i) EXPECT_TRUE(f->step(0.01 * i).ok()) << id << ", step " << i;
+  }
+  EXPECT_THROW(parse_id("group_automatic_ma27/scalar:mixed"), std::invalid_argument);
+}
+
+TEST_F(Ma27, TheRecordNamesTheLibrary) {
+  std::string version;
+  for (const auto& [name, its] : library_versions())
+    if (name == "ma27") version = its;
+  EXPECT_EQ(version, std::filesystem::path(DESMO_MA27_DOUBLE).filename().string() + " 1.2.3");
+}
+
+TEST_F(Ma27, IsHereWhereItsLibraryIs) {
+  EXPECT_EQ(not_here("global_automatic_ma27"), "");
+  EXPECT_TRUE(faulty_libraries().empty());
+  EXPECT_EQ(not_here("global_automatic_ma57"), "") << "that is not of this build";
+}
+
+TEST(CoinHsl, SaysWhichEntryIsLacking) {
+  const CoinHsl lacking = load_coinhsl(DESMO_MA27_INCOMPLETE);
+  EXPECT_TRUE(lacking.absence.faulty);
+  EXPECT_TRUE(says(lacking.absence.reason, DESMO_MA27_INCOMPLETE)) << lacking.absence.reason;
+  EXPECT_TRUE(lacking.absence.reason.ends_with("it has no ma27bd_")) << lacking.absence.reason;
+}
+
+TEST(CoinHsl, TakesNoLibraryThatSaysItSolvesNothing) {
+  const CoinHsl dummy = load_coinhsl(DESMO_MA27_DUMMY);
+  EXPECT_TRUE(dummy.absence.faulty);
+  EXPECT_TRUE(says(dummy.absence.reason, DESMO_MA27_DUMMY)) << dummy.absence.reason;
+  EXPECT_TRUE(says(dummy.absence.reason, "solves nothing")) << dummy.absence.reason;
+}
+
+TEST(CoinHsl, SaysWhatCannotBeLoaded) {
+  const CoinHsl nothing = load_coinhsl("/nonexistent/libcoinhsl.so");
+  EXPECT_TRUE(nothing.absence.faulty);
+  EXPECT_TRUE(says(nothing.absence.reason, coinhsl_variable)) << nothing.absence.reason;
+  EXPECT_TRUE(says(nothing.absence.reason, "/nonexistent/libcoinhsl.so"));
+}
+
+/// Whether this machine has one or not.
+TEST(CoinHsl, IsLookedForByItsUsualNames) {
+  const CoinHsl usual = load_coinhsl(nullptr);
+  EXPECT_EQ(load_coinhsl("").absence.reason, usual.absence.reason);
+  if (usual.absence.reason.empty()) {
+    EXPECT_FALSE(usual.version.empty());
+    return;
+  }
+  EXPECT_FALSE(usual.absence.faulty) << usual.absence.reason;
+  for (const char* name : {"libcoinhsl.so", "libhsl.so", coinhsl_variable})
+    EXPECT_TRUE(says(usual.absence.reason, name)) << usual.absence.reason;
+}
+
+}  // namespace
+}  // namespace desmo::ma27_test
