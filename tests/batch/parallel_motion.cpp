@@ -17,6 +17,7 @@
 #include "formulations/algebra/blas.h"
 #include "formulations/id.h"
 #include "formulations/variants.h"
+#include "tests/every_variant.h"
 #include "tests/everything.h"
 #include "tests/mechanisms.h"
 
@@ -65,7 +66,7 @@ TEST(ParallelMotion, SolvesWhatOneThreadSolves) {
 TEST(ParallelMotion, GoesWithEveryAlgebra) {
   set_blas_threads(1);  // more wait for each other where matrices are this small
   const Mechanism m = truck_mechanism(1);
-  for (const Variant& v : variants())
+  for (const Variant& v : tested_variants())
     if (v.partition == Partition::group && (v.evaluation == Evaluation::automatic || !v.backend))
       compare(m, time_grid(1, 0.01), v.id, 2);
 }

@@ -9,6 +9,8 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "bench/precision/knobs.h"
 #include "bench/precision/promise.h"
@@ -147,14 +149,19 @@ TEST_P(Choice, KeepsItsPromiseOnTheWholeMotion) {
   const Effort effort{.formulations = {&find_variant("group_automatic_klu"),
                                        &find_variant("block_symbolic_inlined")},
                       .rounds = 1};
-  for (const double allowed : {1e-3, 1e-7, 1e-11})
-    for (const Level level : {Level::position, Level::acceleration}) {
-      const Found found = search(motion, {level, allowed, 0}, effort);
-      ASSERT_TRUE(found.choice) << allowed;
-      EXPECT_LE(found.error[level].max, allowed / 2);
-      EXPECT_LE(error_elsewhere(scene, *found.choice, level), allowed)
-          << id_with(*found.choice->variant, found.choice->settings);
-    }
+  using enum Level;
+  std::vector<std::pair<double, Level>> promises{{1e-3, acceleration}, {1e-11, position}};
+  if (name == "slider_crank")  // every error at both levels of one mechanism
+    promises.insert(
+        promises.end(),
+        {{1e-3, position}, {1e-7, position}, {1e-7, acceleration}, {1e-11, acceleration}});
+  for (const auto& [allowed, level] : promises) {
+    const Found found = search(motion, {level, allowed, 0}, effort);
+    ASSERT_TRUE(found.choice) << allowed;
+    EXPECT_LE(found.error[level].max, allowed / 2);
+    EXPECT_LE(error_elsewhere(scene, *found.choice, level), allowed)
+        << id_with(*found.choice->variant, found.choice->settings);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Mechanisms, Choice,
