@@ -68,7 +68,7 @@ bool misleads(char32_t c) {
 
 std::string list(std::span<const std::string_view> names) {
   std::string text;
-  for (const std::string_view name : names) text += (text.empty() ? "" : ", ") + quoted(name);
+  for (const std::string_view name : names) text += (text.empty() ? "" : ", ") + in_quotes(name);
   return text;
 }
 
@@ -143,6 +143,6 @@ std::string printable(std::string_view text, std::size_t limit) {
   return shown;
 }
 
-std::string quoted(std::string_view text) { return "'" + printable(text) + "'"; }
+std::string in_quotes(std::string_view text) { return "'" + printable(text) + "'"; }
 
 }  // namespace desmo

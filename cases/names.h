@@ -34,6 +34,6 @@ std::string suggestion(std::string_view name, std::span<const std::string_view> 
 std::string printable(std::string_view text, std::size_t limit = 60);
 
 /// printable, between single quotes.
-std::string quoted(std::string_view text);
+std::string in_quotes(std::string_view text);
 
 }  // namespace desmo

@@ -24,7 +24,7 @@ constexpr std::array scalar_names{"double", "float", "mixed"};
 constexpr std::array guesses{Guess::previous, Guess::linear,   Guess::quadratic,
                              Guess::hermite3, Guess::hermite5, Guess::adams8};
 
-std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
+std::string in_quotes(std::string_view text) { return "'" + std::string(text) + "'"; }
 
 /// The shortest text that reads back to the same number, the exponent without zeros: 1e-6.
 std::string shortest(double value) {
@@ -143,15 +143,15 @@ void apply(std::string_view id, std::string_view text, std::vector<bool>& given,
     known += (known.empty() ? "" : ", ") + std::string(suffix.key);
     if (colon == std::string_view::npos || text.substr(0, colon) != suffix.key) continue;
     if (given[k])
-      throw std::invalid_argument("formulation " + quoted(id) + ": '/" + std::string(suffix.key) +
-                                  ":' is given twice");
+      throw std::invalid_argument("formulation " + in_quotes(id) + ": '/" +
+                                  std::string(suffix.key) + ":' is given twice");
     given[k] = true;
     if (suffix.parse(text.substr(colon + 1), settings)) return;
-    throw std::invalid_argument("formulation " + quoted(id) + ": unknown value " +
-                                quoted(text.substr(colon + 1)) + " of '/" +
+    throw std::invalid_argument("formulation " + in_quotes(id) + ": unknown value " +
+                                in_quotes(text.substr(colon + 1)) + " of '/" +
                                 std::string(suffix.key) + ":'; there are: " + suffix.values);
   }
-  throw std::invalid_argument("formulation " + quoted(id) + ": unknown suffix '/" +
+  throw std::invalid_argument("formulation " + in_quotes(id) + ": unknown suffix '/" +
                               std::string(text) +
                               "'; there are, each followed by ':' and a value: " + known);
 }
@@ -176,7 +176,7 @@ Configuration parse_id(std::string_view id, const Settings& base) {
     slash = end;
   }
   if (const std::string reason = why_not(*result.variant, result.settings); !reason.empty())
-    throw std::invalid_argument("formulation " + quoted(id) + ": " + reason);
+    throw std::invalid_argument("formulation " + in_quotes(id) + ": " + reason);
   return result;
 }
 

@@ -33,7 +33,7 @@ std::string major_version(const Record& record) {
   return record.version.substr(0, record.version.find('.'));
 }
 
-std::optional<std::string> linking(const Build& build) {
+std::optional<std::string> linking_of(const Build& build) {
   if (!build.link) return std::nullopt;
   return build.link->type + (build.link->flags.empty() ? "" : " " + build.link->flags);
 }
@@ -44,7 +44,7 @@ void compare_environment(Comparison& all, const Record& a, const Record& b) {
   all.require_same("compiler", a.build.compiler, b.build.compiler);
   all.require_same("build type", a.build.type, b.build.type);
   all.require_same("flags", a.build.flags, b.build.flags);
-  all.require_same("linking", linking(a.build), linking(b.build));
+  all.require_same("linking", linking_of(a.build), linking_of(b.build));
   all.require_same("BLAS core", a.blas.core, b.blas.core);
   all.require_same("BLAS threads", std::to_string(a.blas.threads), std::to_string(b.blas.threads));
 }

@@ -7,12 +7,12 @@
 namespace desmo::report {
 namespace {
 
-struct Point {
+struct SegmentPoint {
   double updates, seconds;  // an instant
 };
 
-std::vector<Point> points(const Segments& s, std::optional<std::size_t> left_out) {
-  std::vector<Point> points;
+std::vector<SegmentPoint> points(const Segments& s, std::optional<std::size_t> left_out) {
+  std::vector<SegmentPoint> points;
   for (std::size_t k = 0; k < s.updates.size(); ++k) {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t r = 0; r < s.samples.size(); ++r)
@@ -23,12 +23,12 @@ std::vector<Point> points(const Segments& s, std::optional<std::size_t> left_out
 }
 
 // With fewer updates than a point it takes no longer, and with more so in proportion at most.
-double at_most(const Point& point, double updates) {
+double at_most(const SegmentPoint& point, double updates) {
   return point.seconds * std::max(1.0, updates / point.updates);
 }
 
 // What two points on either side allow: no more than either, nor than the chord between them.
-double at_most(const Point& left, const Point& right, double updates) {
+double at_most(const SegmentPoint& left, const SegmentPoint& right, double updates) {
   const double of_one = std::min(at_most(left, updates), at_most(right, updates));
   const double width = right.updates - left.updates;
   if (width <= 0) return of_one;
@@ -41,11 +41,11 @@ double at_most(const Point& left, const Point& right, double updates) {
 double undisturbed(const Segments& s, std::optional<std::size_t> left_out) {
   const double instants = std::accumulate(s.instants.begin(), s.instants.end(), 0.0),
                updates = std::accumulate(s.updates.begin(), s.updates.end(), 0.0) / instants;
-  const std::vector<Point> all = points(s, left_out);
+  const std::vector<SegmentPoint> all = points(s, left_out);
   // Of all chords over a place, the lowest there is the envelope's.
   double lowest = std::numeric_limits<double>::infinity();
-  for (const Point& left : all)
-    for (const Point& right : all)
+  for (const SegmentPoint& left : all)
+    for (const SegmentPoint& right : all)
       if (left.updates <= updates && updates <= right.updates)
         lowest = std::min(lowest, at_most(left, right, updates));
   return instants * lowest;

@@ -83,12 +83,13 @@ std::optional<Scene> scalable_case(const std::string& argument) {
     const char* const begin = colon == std::string::npos ? end : argument.data() + colon + 1;
     const auto [last, error] = std::from_chars(begin, end, units);
     if (error != std::errc{} || last != end || begin == end)
-      throw Error(usage_error, desmo::quoted(argument) + ": how many " + std::string(c.unit_name) +
-                                   " there are is missing; write " + std::string(c.name) + ":5");
+      throw Error(usage_error, desmo::in_quotes(argument) + ": how many " +
+                                   std::string(c.unit_name) + " there are is missing; write " +
+                                   std::string(c.name) + ":5");
     try {
       return c.describe(units);
     } catch (const std::invalid_argument& wrong) {
-      throw Error(usage_error, desmo::quoted(argument) + ": " + wrong.what());
+      throw Error(usage_error, desmo::in_quotes(argument) + ": " + wrong.what());
     }
   }
   return std::nullopt;
@@ -109,7 +110,7 @@ Input load(const std::string& argument, bool mechanism_will_do) {
   if (std::filesystem::exists(argument, ignored)) return from_file(argument, mechanism_will_do);
   std::vector<std::string_view> names = library_names();
   for (const Case& c : cases()) names.push_back(c.name);
-  throw Error(unreadable_input, desmo::quoted(argument) +
+  throw Error(unreadable_input, desmo::in_quotes(argument) +
                                     ": there is no such file, library mechanism or " +
                                     "scalable case; " + suggestion(argument, names));
 }

@@ -11,7 +11,7 @@
 namespace desmo::cli {
 namespace {
 
-struct Options {
+struct InspectOptions {
   std::string mechanism;
   std::string diagram;
   bool json = false;
@@ -20,10 +20,10 @@ struct Options {
   bool diagram_only() const { return diagram == "-"; }
 };
 
-void check(const Options& options) {
+void check(const InspectOptions& options) {
   const std::string& file = options.diagram;
   if (!file.empty() && !options.draws() && !options.diagram_only() && !file.ends_with(".dot"))
-    throw Error(usage_error, "--diagram " + desmo::quoted(file) +
+    throw Error(usage_error, "--diagram " + desmo::in_quotes(file) +
                                  ": the kind of file cannot be told; end its name in .svg or .dot");
   if (options.json && options.diagram_only())
     throw Error(usage_error,
@@ -31,7 +31,7 @@ void check(const Options& options) {
                 "to a file");
 }
 
-void write_diagram(const std::string& dot, const Options& options) {
+void write_diagram(const std::string& dot, const InspectOptions& options) {
   Output output(options.diagram);
   if (options.draws())
     draw_svg(dot, output);
@@ -40,7 +40,7 @@ void write_diagram(const std::string& dot, const Options& options) {
   output.finish();
 }
 
-void run(const Options& options) {
+void run(const InspectOptions& options) {
   check(options);
   const Inspection inspection = inspect(load_mechanism(options.mechanism));
   if (!options.diagram.empty()) write_diagram(to_dot(inspection), options);
@@ -53,7 +53,7 @@ void run(const Options& options) {
 void add_inspect(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
       "inspect", "Structural groups, coordinates and equations of a mechanism");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<InspectOptions>();
   command
       ->add_option("mechanism", options->mechanism,
                    "Mechanism or scene file, - for standard input, library mechanism, or scalable "

@@ -30,7 +30,8 @@ std::string line(const std::string& label, const std::string& text) {
   return "    " + label + std::string(indent - 4 - label.size(), ' ') + wrap(text, indent) + "\n";
 }
 
-std::vector<std::string> names_of(const Mechanism& m, const std::vector<EntityId>& entities) {
+std::vector<std::string> coordinate_names(const Mechanism& m,
+                                          const std::vector<EntityId>& entities) {
   std::vector<std::string> names;
   for (const EntityId e : entities) names.push_back(m.entities[e].name);
   return names;
@@ -51,7 +52,7 @@ std::string group_text(const Inspection& inspection, GroupId g) {
   if (!inspected.drivers.empty()) text += line("driven", enumerate(inspected.drivers));
   text += line("unknowns", std::to_string(inspected.unknowns.size()));
   text += line("blocks", block_sizes(inspected.blocks));
-  text += line("entities", enumerate(names_of(m, group.entities)));
+  text += line("entities", enumerate(coordinate_names(m, group.entities)));
   if (!group.constant) text += line("after", enumerate(after));
   return text;
 }

@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Options {
+struct ListOptions {
   std::string what;  // empty: everything
   bool json = false;
 };
@@ -109,7 +109,7 @@ std::string to_text(const Section& section, const Json& entries) {
   return std::string(section.title) + "\n" + table(rows, section.right);
 }
 
-void list(const Options& options) {
+void list(const ListOptions& options) {
   const auto is_wanted = [&](std::string_view what) {
     return options.what.empty() || options.what == what;
   };
@@ -131,7 +131,7 @@ void list(const Options& options) {
 void add_list(CLI::App& program) {
   CLI::App* command =
       program.add_subcommand("list", "Mechanisms, scalable cases and formulations that there are");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ListOptions>();
   command->add_option("what", options->what, "Only these")
       ->check(CLI::IsMember({"mechanisms", "cases", "formulations"}));
   command->add_flag("--json", options->json, "As JSON");

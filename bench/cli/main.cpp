@@ -27,7 +27,7 @@ void require_known_command(const CLI::App& program, int argc, char** argv) {
   std::vector<std::string> names;
   for (const CLI::App* command : program.get_subcommands({})) names.push_back(command->get_name());
   if (std::ranges::find(names, argv[1]) != names.end()) return;
-  throw cli::Error(cli::usage_error, "unknown command " + quoted(argv[1]) + "; " +
+  throw cli::Error(cli::usage_error, "unknown command " + in_quotes(argv[1]) + "; " +
                                          suggestion(argv[1], std::vector<std::string_view>(
                                                                  names.begin(), names.end())));
 }

@@ -11,15 +11,15 @@
 namespace desmo::cli {
 namespace {
 
-struct Options {
+struct ShowOptions {
   std::string name;
   bool scene = false;
 };
 
-void show(const Options& options) {
+void show(const ShowOptions& options) {
   const LibraryMechanism* const found = find_library(options.name);
   if (!found)
-    throw Error(usage_error, "unknown library mechanism " + desmo::quoted(options.name) + "; " +
+    throw Error(usage_error, "unknown library mechanism " + desmo::in_quotes(options.name) + "; " +
                                  suggestion(options.name, library_names()));
   write_standard_output(options.scene ? found->scene : found->mechanism);
 }
@@ -29,7 +29,7 @@ void show(const Options& options) {
 void add_show(CLI::App& program) {
   CLI::App* command =
       program.add_subcommand("show", "Print a library mechanism, or its scene, as JSON");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ShowOptions>();
   command->add_option("name", options->name, "Library mechanism (see desmo list)")->required();
   command->add_flag("--scene", options->scene, "Print its scene instead");
   command->callback([options] { show(*options); });

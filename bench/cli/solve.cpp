@@ -23,7 +23,7 @@ namespace {
 
 constexpr const char* default_formulation = "block_symbolic_inlined";
 
-struct Options {
+struct SolveOptions {
   std::string scene, output, format, formulation;
   bool explain = false, quiet = false, strict = false, past_failures = false;
   OwnCode own_code;
@@ -34,7 +34,7 @@ struct Options {
   }
 };
 
-Configuration choose_formulation(const Options& options, const Input& input) {
+Configuration choose_formulation(const SolveOptions& options, const Input& input) {
   const std::string& id = !options.formulation.empty()       ? options.formulation
                           : !input.scene.formulation.empty() ? input.scene.formulation
                                                              : default_formulation;
@@ -44,11 +44,11 @@ Configuration choose_formulation(const Options& options, const Input& input) {
   };
   const std::string variant = id.substr(0, id.find('/'));
   if (const std::string reason = not_here(variant); !reason.empty())
-    refuse("formulation " + desmo::quoted(variant) + ": " + printable(reason, 500));
+    refuse("formulation " + desmo::in_quotes(variant) + ": " + printable(reason, 500));
   std::vector<std::string_view> ids;
   for (const Variant& v : variants()) ids.push_back(v.id);
   if (std::ranges::find(ids, variant) == ids.end())
-    refuse("unknown formulation " + desmo::quoted(variant) + "; " + suggestion(variant, ids) +
+    refuse("unknown formulation " + desmo::in_quotes(variant) + "; " + suggestion(variant, ids) +
            " ('desmo list formulations' shows all)");
   try {
     return parse_id(id, Settings{.tolerance = input.scene.tolerance});
@@ -71,7 +71,7 @@ void say(const std::string& text) {
   throw Error(not_solved, text);
 }
 
-void solve(const Options& options) {
+void solve(const SolveOptions& options) {
   const Input input = load_scene(options.scene);
   const Configuration chosen = choose_formulation(options, input);
   const auto& [variant, settings] = chosen;
@@ -125,7 +125,7 @@ void solve(const Options& options) {
 
 void add_solve(CLI::App& program) {
   CLI::App* command = program.add_subcommand("solve", "Solve a scene and write what it asks for");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SolveOptions>();
   command
       ->add_option("scene", options->scene,
                    "Scene file, - for standard input, library mechanism (its scene), or scalable "

@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::size_t rows_shown = 12;
 
-struct Options {
+struct TuneOptions {
   std::string scene, level = "position";
   double max_error = 0, budget = 0;
   bool write = false, exhaustive = false, quiet = false;
@@ -69,7 +69,7 @@ double floor_of(const precision::Problem& problem, Level level) {
 }
 
 [[noreturn]] void refuse(const precision::Found& found, const precision::Problem& whole,
-                         const Options& options, const Input& input) {
+                         const TuneOptions& options, const Input& input) {
   const precision::Tried* nearest = nullptr;
   const bool budget = options.budget > 0;
   for (const precision::Tried& t : found.tried)
@@ -98,14 +98,14 @@ void write_scene(const std::string& path, const std::string& id) {
 }
 
 /// The code of all formulations that have any: theirs by groups, and by blocks.
-KernelTable make_kernels(const Plan& plan, const TimeGrid& grid, const Options& options) {
+KernelTable make_kernels(const Plan& plan, const TimeGrid& grid, const TuneOptions& options) {
   KernelTable kernels;
   for (const char* id : {"group_symbolic_explicit/lanes:4", "block_symbolic_explicit/lanes:4"})
     add_own_code(kernels, parse_id(id), plan.mechanism, grid, options.own_code, options.quiet);
   return kernels;
 }
 
-void tune(const Options& options) {
+void tune(const TuneOptions& options) {
   if ((options.max_error > 0) == (options.budget > 0))
     throw Error(usage_error, "give either --max-error or --budget");
   const Input input = load_scene(options.scene);
@@ -151,7 +151,7 @@ void tune(const Options& options) {
 void add_tune(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
       "tune", "Find the cheapest formulation and settings that are accurate enough for a scene");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<TuneOptions>();
   command
       ->add_option("scene", options->scene,
                    "Scene file, library mechanism (its scene), or scalable case with its units")

@@ -11,7 +11,7 @@ namespace {
 constexpr double as_fast = 1.3;  // what a single sample may be off
 constexpr std::size_t most_rivals = 24;
 constexpr int rounds = 7;
-constexpr double least_sample = 5e-3;  // s
+constexpr double promise_sample = 5e-3;  // s
 
 /// The fastest within the error on the begin of the motion, fastest first, as far as they may yet
 /// be the best on all of it.
@@ -58,7 +58,7 @@ Promise promise(const TunedMotion& motion, const Problem& control, const std::ve
     if (!holds(trials.back(), allowed)) trials.pop_back();
   }
   for (int round = 0; round < rounds; ++round)
-    for (Trial& t : trials) t.time(least_sample);
+    for (Trial& t : trials) t.time(promise_sample);
   return {allowed, found.error.position.max, measured(trials.front()),
           measured(*std::ranges::min_element(trials, {}, &Trial::least_seconds))};
 }

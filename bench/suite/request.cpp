@@ -22,7 +22,7 @@ namespace desmo::suite {
 namespace {
 
 /// With these, requests are timed: the reference, and what can leave out more and more.
-constexpr std::array<std::string_view, 6> formulations{
+constexpr std::array<std::string_view, 6> requested_ids{
     "global_automatic_klu",   "global_symbolic_klu",     "group_symbolic_inlined",
     "block_symbolic_inlined", "group_symbolic_explicit", "block_symbolic_explicit"};
 
@@ -275,7 +275,7 @@ std::vector<std::unique_ptr<RequestCell>> make_requests(const Options& options) 
       const auto [variant, settings] = parse_id(id);
       cells.push_back(std::make_unique<RequestCell>(request, *variant, settings));
     };
-    std::ranges::for_each(formulations, add);
+    std::ranges::for_each(requested_ids, add);
     if (source.name == request_beyond_the_paper) std::ranges::for_each(beyond_the_paper, add);
   }
   return cells;

@@ -50,14 +50,14 @@ class CoordinateCheck {
   void check_point(int point) const {
     if (!is_in(point, d_.points)) complain("refers to a point that does not exist");
     if (!points_.is_carried(point))
-      complain("the point " + quoted(d_.points[point].name) +
+      complain("the point " + in_quotes(d_.points[point].name) +
                " is carried by no body; list it in one");
   }
 
   void check_vector(int vector) const {
     if (!is_in(vector, d_.vectors)) complain("refers to a vector that does not exist");
     if (!vectors_.is_carried(vector))
-      complain("the vector " + quoted(d_.vectors[vector].name) +
+      complain("the vector " + in_quotes(d_.vectors[vector].name) +
                " is carried by no body; list it in one");
   }
 
@@ -65,7 +65,7 @@ class CoordinateCheck {
     check_point(segment.from);
     check_point(segment.to);
     if (segment.from == segment.to)
-      complain("its two points are both " + quoted(d_.points[segment.from].name) +
+      complain("its two points are both " + in_quotes(d_.points[segment.from].name) +
                "; name two different ones");
   }
 
@@ -78,7 +78,7 @@ class CoordinateCheck {
     const Description::Point &from = d_.points[of.from], &to = d_.points[of.to];
     const auto unit = direction(from.position, to.position);
     if (!unit)
-      complain("the points " + quoted(from.name) + " and " + quoted(to.name) +
+      complain("the points " + in_quotes(from.name) + " and " + in_quotes(to.name) +
                " coincide and have no direction; give them different positions");
     return *unit;
   }

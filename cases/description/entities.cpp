@@ -43,7 +43,7 @@ void check_along(const Description& d, int i, const Carriers& points, const Carr
     refuse(d, Part::vector, i, "points along points that do not exist");
   if (!direction(d.points[p].position, d.points[q].position))
     refuse(d, Part::vector, i,
-           "points from " + quoted(d.points[p].name) + " to " + quoted(d.points[q].name) +
+           "points from " + in_quotes(d.points[p].name) + " to " + in_quotes(d.points[q].name) +
                ", which coincide; give them different positions");
   const auto carriers = vectors.of(i);
   const bool carried = std::ranges::any_of(carriers, [&, p = p, q = q](const Carriers::Pair& v) {
@@ -51,8 +51,8 @@ void check_along(const Description& d, int i, const Carriers& points, const Carr
   });
   if (!carriers.empty() && !carried)
     refuse(d, Part::vector, i,
-           "no body that carries it carries " + quoted(d.points[p].name) + " and " +
-               quoted(d.points[q].name) + "; add the points to the body");
+           "no body that carries it carries " + in_quotes(d.points[p].name) + " and " +
+               in_quotes(d.points[q].name) + "; add the points to the body");
 }
 
 void check_vectors(const Description& d) {
@@ -76,7 +76,7 @@ void check_carried(const Description& d, int body, std::vector<int> carried,
   const auto twice = std::ranges::adjacent_find(carried);
   if (twice != carried.end())
     refuse(d, Part::body, body,
-           std::string("lists the ") + kind + " " + quoted(entries[*twice].name) +
+           std::string("lists the ") + kind + " " + in_quotes(entries[*twice].name) +
                " twice; list it once");
 }
 
@@ -91,7 +91,7 @@ void check_length(const Description& d, int i) {
   const Description::Point &p = d.points[body.points[0]], &q = d.points[body.points[1]];
   if (!direction(p.position, q.position))
     refuse(d, Part::body, i,
-           "its points " + quoted(p.name) + " and " + quoted(q.name) +
+           "its points " + in_quotes(p.name) + " and " + in_quotes(q.name) +
                " coincide; estimate different positions");
 }
 

@@ -38,14 +38,14 @@ void check_carried(const Description& d, int i, const JointForm& form,
       refuse(d, Part::joint, i, std::string("joins a ") + kind + " that does not exist");
     if (k > 0 && joined[k] == joined[0])
       refuse(d, Part::joint, i,
-             std::string("lists the ") + kind + " " + quoted(entries[joined[k]].name) +
+             std::string("lists the ") + kind + " " + in_quotes(entries[joined[k]].name) +
                  " twice; name two different ones");
     for (int side = 0; side < 2; ++side) {
       if (k >= common && side != k - common) continue;
       if (carriers.carries(joint.bodies[side], joined[k])) continue;
       refuse(d, Part::joint, i,
-             std::string("the ") + kind + " " + quoted(entries[joined[k]].name) +
-                 " is not carried by " + quoted(d.bodies[joint.bodies[side]].name) + "; " +
+             std::string("the ") + kind + " " + in_quotes(entries[joined[k]].name) +
+                 " is not carried by " + in_quotes(d.bodies[joint.bodies[side]].name) + "; " +
                  std::string(form.name) + " takes " + std::string(form.takes));
     }
   }
@@ -57,8 +57,8 @@ void check_common_vectors(const Description& d, int i, const JointForm& form) {
   const std::vector<int>& vectors = d.joints[i].vectors;
   if (!common_normal(d.vectors[vectors[0]].direction, d.vectors[vectors[1]].direction))
     refuse(d, Part::joint, i,
-           "its vectors " + quoted(d.vectors[vectors[0]].name) + " and " +
-               quoted(d.vectors[vectors[1]].name) +
+           "its vectors " + in_quotes(d.vectors[vectors[0]].name) + " and " +
+               in_quotes(d.vectors[vectors[1]].name) +
                " are parallel; the second must cross the axis");
 }
 
@@ -72,7 +72,7 @@ void check_joints(const Description& d, const Carriers& points, const Carriers& 
       refuse(d, Part::joint, i, "joins a body that does not exist");
     if (joint.bodies[0] == joint.bodies[1])
       refuse(d, Part::joint, i,
-             "joins " + quoted(d.bodies[joint.bodies[0]].name) +
+             "joins " + in_quotes(d.bodies[joint.bodies[0]].name) +
                  " with itself; name two different bodies");
     if (joint.points.size() != static_cast<std::size_t>(form.points()) ||
         joint.vectors.size() != static_cast<std::size_t>(form.vectors()))

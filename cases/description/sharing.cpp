@@ -55,8 +55,8 @@ void check(const Description& d, Part part, const Carriers& carriers,
   for (int i = 1; i < static_cast<int>(pairs.size()); ++i) {
     if (pairs[i].entity != pairs[i - 1].entity || shared.find(i) == shared.find(i - 1)) continue;
     refuse(d, part, pairs[i].entity,
-           "is carried by " + quoted(d.bodies[pairs[i - 1].body].name) + " and " +
-               quoted(d.bodies[pairs[i].body].name) +
+           "is carried by " + in_quotes(d.bodies[pairs[i - 1].body].name) + " and " +
+               in_quotes(d.bodies[pairs[i].body].name) +
                ", but no joints say that these share it; add a joint there, or give each body " +
                (part == Part::point ? "a point" : "a vector") + " of its own");
   }

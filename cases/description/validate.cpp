@@ -8,7 +8,7 @@ using Part = DescriptionError::Part;
 
 void refuse(const Description& d, Part part, int index, const std::string& what) {
   const auto named = [&](const char* kind, const std::string& name) {
-    return DescriptionError(part, index, std::string(kind) + " " + quoted(name) + ": " + what);
+    return DescriptionError(part, index, std::string(kind) + " " + in_quotes(name) + ": " + what);
   };
   switch (part) {
     case Part::point:

@@ -12,8 +12,6 @@ namespace desmo::extreme {
 
 namespace {
 
-constexpr double start = std::numbers::pi / 3;
-
 ExtremeCase may_fail(ExtremeCase c) {
   c.may_fail = true;
   return c;
@@ -26,8 +24,8 @@ std::string steps(std::string_view of, double step, const char* unit) {
 }
 
 ExtremeCase four_bar_in(double step) {
-  return may_fail(
-      case_of(steps("four-bar, K = 3", step, "rad"), usual_chain(3, start), 1, {0, step, 31}));
+  return may_fail(case_of(steps("four-bar, K = 3", step, "rad"), usual_chain(3, chain_start), 1,
+                          {0, step, 31}));
 }
 
 ExtremeCase library_in(std::string_view name, std::string case_name, double step, int instants) {
@@ -69,8 +67,8 @@ std::vector<ExtremeCase> branches(Extent extent) {
     all.push_back(library_in("stewart", steps("Stewart platform", step, "s"), step, 9));
   all.push_back(platform_beneath(0.25));
   for (const double step : {0.05, 0.5}) all.push_back(folding_rhombus(step));
-  ExtremeCase anywhere =
-      may_fail(case_of("four-bar, K = 2, from anywhere", usual_chain(2, start), 1, {0, 1, 1}));
+  ExtremeCase anywhere = may_fail(
+      case_of("four-bar, K = 2, from anywhere", usual_chain(2, chain_start), 1, {0, 1, 1}));
   anywhere.starts = {extent == Extent::brief ? 200 : 100'000, 1};
   all.push_back(anywhere);
   return all;

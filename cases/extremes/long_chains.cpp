@@ -9,12 +9,10 @@ namespace desmo::extreme {
 
 namespace {
 
-constexpr double start = std::numbers::pi / 3;
-
 /// Couplers as long as the distance of the pivots, different ones: the rockers stay parallel, so
 /// that any number of dyads can follow.
 DyadChain unequal(int dyads) {
-  DyadChain chain{.crank = 2, .start = start, .dyads = {}};
+  DyadChain chain{.crank = 2, .start = chain_start, .dyads = {}};
   Description::Vec from = crank_pin(chain);
   double pivot = 0;
   for (int k = 1; k <= dyads; ++k) {
@@ -27,11 +25,11 @@ DyadChain unequal(int dyads) {
 }
 
 /// A quarter of a turn in a few steps.
-constexpr TimeGrid grid{0, 0.15, 11};
+constexpr TimeGrid long_chain_grid{0, 0.15, 11};
 
 ExtremeCase chain_case(const std::string& lengths, const DyadChain& chain) {
-  ExtremeCase c =
-      case_of("K = " + std::to_string(chain.dyads.size()) + ", " + lengths, chain, 1, grid);
+  ExtremeCase c = case_of("K = " + std::to_string(chain.dyads.size()) + ", " + lengths, chain, 1,
+                          long_chain_grid);
   c.bound = Bound::length;
   c.factor = 16;
   c.scene.tolerance = 1e-16;  // as far as rounding lets it
@@ -42,7 +40,7 @@ ExtremeCase nothing_moves() {
   Describer d("ground", 2);
   d.set_length_unit("1");
   d.carry(Describer::ground, {d.point("A", {0, 0, 0}), d.point("B", {1, 0, 0})});
-  ExtremeCase c{.name = "no group", .scene = {"ground", d.take(), {}, grid, {}, {}}};
+  ExtremeCase c{.name = "no group", .scene = {"ground", d.take(), {}, long_chain_grid, {}, {}}};
   c.is_refused = true;  // nothing is left to be solved, which the message says
   return c;
 }
@@ -52,11 +50,11 @@ ExtremeCase nothing_moves() {
 std::vector<ExtremeCase> long_chains(Extent extent) {
   std::vector<ExtremeCase> all{nothing_moves()};
   for (const int dyads : {0, 1, 10, 100, 1000})
-    all.push_back(chain_case("equal", usual_chain(dyads, start)));
+    all.push_back(chain_case("equal", usual_chain(dyads, chain_start)));
   for (const int dyads : {10, 1000}) all.push_back(chain_case("unequal", unequal(dyads)));
   if (extent == Extent::brief) return all;
   for (const int dyads : {10'000, 100'000, 1'000'000})
-    all.push_back(chain_case("equal", usual_chain(dyads, start)));
+    all.push_back(chain_case("equal", usual_chain(dyads, chain_start)));
   all.push_back(chain_case("unequal", unequal(100'000)));
   for (ExtremeCase& c : all)
     if (c.chains.size() == 1 && c.chains.front().dyads.size() > 10'000) c.scene.grid.instants = 3;

@@ -15,7 +15,7 @@ namespace {
 using enum Description::JointType;
 using Vec = Description::Vec;
 
-constexpr TimeGrid grid{0, 0.02, 51};
+constexpr TimeGrid redundant_grid{0, 0.02, 51};
 
 /// Three cranks of length 1 carry a coupler, where two would do. The second pin of the coupler is
 /// `off` its place.
@@ -40,7 +40,7 @@ ExtremeCase parallel_cranks(std::string name, double off) {
     theta.driven = true;
   }
   return {.name = std::move(name),
-          .scene = {"parallel_cranks", d.take(), {Polynomial{{start, 1}}}, grid, {}, {}}};
+          .scene = {"parallel_cranks", d.take(), {Polynomial{{start, 1}}}, redundant_grid, {}, {}}};
 }
 
 /// Bricard's mechanism with right angles: six edges of a cube, hinged at its corners. The fourth
@@ -71,7 +71,7 @@ ExtremeCase bricard(std::string name, double off) {
   theta.towards = {towards, -1, -1};
   theta.driven = true;
   return {.name = std::move(name),
-          .scene = {"bricard", d.take(), {Polynomial{{0, 0.5}}}, grid, {}, {}}};
+          .scene = {"bricard", d.take(), {Polynomial{{0, 0.5}}}, redundant_grid, {}, {}}};
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <numbers>
 #include <vector>
 
 #include "cases/extremes.h"
@@ -16,6 +17,9 @@ ExtremeCase case_of(std::string name, std::vector<DyadChain> chains, std::vector
                     const TimeGrid& grid);
 /// One, whose crank turns at a constant rate (rad/s).
 ExtremeCase case_of(std::string name, const DyadChain& chain, double rate, const TimeGrid& grid);
+
+/// Angle of the crank at which chains start, unless a case says otherwise [rad].
+inline constexpr double chain_start = std::numbers::pi / 3;
 
 /// The dyads of the suite's four-bar: crank 2, links and distances 6, all closed exactly at the
 /// start. Lengths times `scale`.

@@ -10,8 +10,7 @@ namespace desmo::extreme {
 
 namespace {
 
-constexpr double start = std::numbers::pi / 3;
-constexpr TimeGrid grid{0, 0.05, 61};
+constexpr TimeGrid scale_grid{0, 0.05, 61};
 
 ExtremeCase as_first(ExtremeCase c) {
   c.bound = Bound::first_case;
@@ -22,21 +21,22 @@ ExtremeCase as_first(ExtremeCase c) {
 ExtremeCase scaled(double scale) {
   char name[16];
   std::snprintf(name, sizeof name, "× %.0e", scale);
-  return as_first(case_of(name, usual_chain(3, start, scale), 1, grid));
+  return as_first(case_of(name, usual_chain(3, chain_start, scale), 1, scale_grid));
 }
 
 ExtremeCase both() {
-  DyadChain small = usual_chain(3, start, 1e-9), large = usual_chain(3, start, 1e9);
+  DyadChain small = usual_chain(3, chain_start, 1e-9), large = usual_chain(3, chain_start, 1e9);
   small.prefix = "small/";
   large.prefix = "large/";
-  const Motion turning = Polynomial{{start, 1}};
-  return as_first(case_of("× 1e-9 and × 1e9 in one", {small, large}, {turning, turning}, grid));
+  const Motion turning = Polynomial{{chain_start, 1}};
+  return as_first(
+      case_of("× 1e-9 and × 1e9 in one", {small, large}, {turning, turning}, scale_grid));
 }
 
 }  // namespace
 
 std::vector<ExtremeCase> scales(Extent) {
-  return {case_of("× 1", usual_chain(3, start), 1, grid),
+  return {case_of("× 1", usual_chain(3, chain_start), 1, scale_grid),
           scaled(1e-9),
           scaled(1e9),
           both(),

@@ -68,7 +68,7 @@ class CoordinateReader {
     const JsonValue axis = value["axis"];
     const std::string_view name = axis.text();
     c.axis = name == "x" ? 0 : name == "y" ? 1 : name == "z" ? 2 : -1;
-    if (c.axis < 0) axis.complain("unknown axis " + quoted(name) + "; there are 'x', 'y', 'z'");
+    if (c.axis < 0) axis.complain("unknown axis " + in_quotes(name) + "; there are 'x', 'y', 'z'");
     if (c.axis >= dimension_)
       axis.complain("there is no z in the plane; give 'x' or 'y', or the mechanism dimension 3");
   }
@@ -81,7 +81,7 @@ class CoordinateReader {
 void read_drivers(const JsonValue& list, const Names& names, std::vector<Coordinate>& coordinates) {
   for (const JsonValue& value : list.elements()) {
     Coordinate& c = coordinates[names.coordinates.find(value)];
-    if (c.driven) value.complain("names " + quoted(c.name) + " twice; name it once");
+    if (c.driven) value.complain("names " + in_quotes(c.name) + " twice; name it once");
     c.driven = true;
   }
 }

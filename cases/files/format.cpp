@@ -25,7 +25,7 @@ const Unit& read_unit(const JsonValue& value, std::span<const Unit> units) {
   if (found != units.end()) return *found;
   std::vector<std::string_view> names;
   for (const Unit& unit : units) names.push_back(unit.name);
-  value.complain("unknown unit " + quoted(name) + "; " + enumeration(names));
+  value.complain("unknown unit " + in_quotes(name) + "; " + enumeration(names));
 }
 
 }  // namespace
@@ -34,8 +34,8 @@ void check_format(const JsonValue& root, std::string_view format) {
   const JsonValue given = root["format"];
   if (given.text() != format) {
     const bool known = given.text() == "desmo-scene" || given.text() == "desmo-mechanism";
-    given.complain("the format is " + quoted(given.text()) + ", not " + quoted(format) + "; " +
-                   (known ? "give the other kind of file here" : "correct it"));
+    given.complain("the format is " + in_quotes(given.text()) + ", not " + in_quotes(format) +
+                   "; " + (known ? "give the other kind of file here" : "correct it"));
   }
   const JsonValue version = root["version"];
   if (version.number() != 1)
@@ -44,7 +44,7 @@ void check_format(const JsonValue& root, std::string_view format) {
 
 std::string checked_name(const JsonValue& place, std::string_view name) {
   if (!is_name(name))
-    place.complain(quoted(name) + " is not a name; use 1 to " + std::to_string(longest_name) +
+    place.complain(in_quotes(name) + " is not a name; use 1 to " + std::to_string(longest_name) +
                    " letters, digits and _ . / - (not first)");
   return std::string(name);
 }

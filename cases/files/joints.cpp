@@ -15,7 +15,7 @@ Description::JointType read_type(const JsonValue& value) {
   std::vector<std::string_view> names;
   for (const JointForm& known : joint_forms())
     if (std::ranges::find(names, known.name) == names.end()) names.push_back(known.name);
-  value.complain("unknown type of joint " + quoted(value.text()) + "; " +
+  value.complain("unknown type of joint " + in_quotes(value.text()) + "; " +
                  suggestion(value.text(), names));
 }
 

@@ -236,13 +236,13 @@ std::optional<JsonValue> JsonValue::find(std::string_view key) const {
 
 JsonValue JsonValue::operator[](std::string_view key) const {
   if (auto member = find(key)) return *member;
-  complain("the key " + quoted(key) + " is missing; add it");
+  complain("the key " + in_quotes(key) + " is missing; add it");
 }
 
 void JsonValue::allow(std::initializer_list<std::string_view> keys) const {
   for (const JsonValue& member : members())
     if (std::ranges::find(keys, member.key()) == keys.end())
-      member.complain("unknown key " + quoted(member.key()) + "; " +
+      member.complain("unknown key " + in_quotes(member.key()) + "; " +
                       suggestion(member.key(), {keys.begin(), keys.size()}));
 }
 
@@ -257,11 +257,11 @@ std::string_view JsonValue::line() const {
   if (line.empty()) complain("is empty; give a text");
   const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
   if (std::ranges::any_of(line, is_control))
-    complain(quoted(line) + " has control characters; leave them out");
+    complain(in_quotes(line) + " has control characters; leave them out");
   const auto characters =
       std::ranges::count_if(line, [](char c) { return !continues_character(c); });
   if (characters > static_cast<std::ptrdiff_t>(longest_line))
-    complain(quoted(line) + " is longer than " + std::to_string(longest_line) +
+    complain(in_quotes(line) + " is longer than " + std::to_string(longest_line) +
              " characters; shorten it");
   return line;
 }

@@ -56,7 +56,8 @@ SplineEnds read_ends(const JsonValue& value) {
   constexpr std::array ends{SplineEnds::natural, SplineEnds::clamped, SplineEnds::periodic};
   for (std::size_t i = 0; i < names.size(); ++i)
     if (value.text() == names[i]) return ends[i];
-  value.complain("unknown ends " + quoted(value.text()) + "; " + suggestion(value.text(), names));
+  value.complain("unknown ends " + in_quotes(value.text()) + "; " +
+                 suggestion(value.text(), names));
 }
 
 Motion read_table(const JsonValue& value, double unit) {
@@ -90,7 +91,7 @@ std::vector<int> driven_coordinates(const Description& mechanism) {
                                       const NameTable& drivers) {
   for (const Description::Coordinate& c : mechanism.coordinates)
     if (c.name == value.key())
-      value.complain("the coordinate " + quoted(c.name) +
+      value.complain("the coordinate " + in_quotes(c.name) +
                      " is not driven; name it in the mechanism's drivers or leave its motion out");
   drivers.find(value, value.key());
   value.complain("is not driven; leave it out");
@@ -108,7 +109,7 @@ Motion read_motion(const JsonValue& value, Description::CoordinateType coordinat
   if (name == "harmonic") return read_harmonic(value, unit, units.angle);
   if (name == "table") return read_table(value, unit);
   constexpr std::array<std::string_view, 4> types{"constant", "polynomial", "harmonic", "table"};
-  type.complain("unknown type of motion " + quoted(name) + "; " + suggestion(name, types));
+  type.complain("unknown type of motion " + in_quotes(name) + "; " + suggestion(name, types));
 }
 
 std::vector<Motion> read_motions(const JsonValue& root, const Description& mechanism,
@@ -130,7 +131,7 @@ std::vector<Motion> read_motions(const JsonValue& root, const Description& mecha
   for (std::size_t i = 0; i < driven.size(); ++i)
     if (!has_motion[i])
       given.value_or(root).complain("the driven coordinate " +
-                                    quoted(mechanism.coordinates[driven[i]].name) +
+                                    in_quotes(mechanism.coordinates[driven[i]].name) +
                                     " has no motion; give one in \"motion\"");
   return known;
 }
@@ -148,7 +149,7 @@ void check_tables(const JsonValue& root, const Description& mechanism,
     char range[80];
     std::snprintf(range, sizeof range, "from %g s to %g s", spline->first_time(),
                   spline->last_time());
-    root.find("time").value_or(root).complain("the table of " + quoted(name) + " reaches only " +
+    root.find("time").value_or(root).complain("the table of " + in_quotes(name) + " reaches only " +
                                               range + "; analyse no other times or extend it");
   }
 }

@@ -16,7 +16,7 @@ std::optional<int> NameTable::position(std::string_view name) const {
 
 int NameTable::find(const JsonValue& place, std::string_view name) const {
   if (const auto found = position(name)) return *found;
-  place.complain("unknown " + kind_ + " " + quoted(name) + "; " + suggestion(name, names_));
+  place.complain("unknown " + kind_ + " " + in_quotes(name) + "; " + suggestion(name, names_));
 }
 
 std::vector<int> NameTable::find_each(const JsonValue& list) const {
@@ -31,7 +31,7 @@ std::array<int, 2> NameTable::find_pair(const JsonValue& list) const {
     list.complain("has " + std::to_string(positions.size()) + " names; give two, each of a " +
                   kind_);
   if (positions[0] == positions[1])
-    list.complain("names the " + kind_ + " " + quoted(names_[positions[0]]) +
+    list.complain("names the " + kind_ + " " + in_quotes(names_[positions[0]]) +
                   " twice; name two different ones");
   return {positions[0], positions[1]};
 }

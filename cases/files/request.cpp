@@ -42,7 +42,7 @@ class Selection {
     for (std::size_t i = 0; i < positions_.size(); ++i)
       if (matches(pattern.text(), table_.names()[i])) found.push_back(positions_[i]);
     if (found.empty())
-      pattern.complain("the pattern " + quoted(pattern.text()) + " matches none of the " + key_ +
+      pattern.complain("the pattern " + in_quotes(pattern.text()) + " matches none of the " + key_ +
                        "; " + suggestion(pattern.text(), table_.names()));
     return found;
   }
@@ -117,7 +117,7 @@ class RequestReader {
     constexpr std::array<std::string_view, 3> names{"position", "velocity", "acceleration"};
     const auto found = std::ranges::find(names, value.text());
     if (found != names.end()) return static_cast<int>(found - names.begin());
-    value.complain("unknown level " + quoted(value.text()) + "; " +
+    value.complain("unknown level " + in_quotes(value.text()) + "; " +
                    suggestion(value.text(), names));
   }
 
@@ -152,11 +152,11 @@ class RequestReader {
     if (selection.has(name.text())) return;
     for (const Selection* other : {&points_, &vectors_, &angles_, &distances_, &bodies_})
       if (other->has(name.text()))
-        name.complain(quoted(name.text()) + " is none of the " + selection.key() +
+        name.complain(in_quotes(name.text()) + " is none of the " + selection.key() +
                       "; ask for it under \"" + other->key() + "\"");
     const auto is_named = [&](const auto& entry) { return entry.name == name.text(); };
     if (std::ranges::any_of(d_.points, is_named) || std::ranges::any_of(d_.vectors, is_named))
-      name.complain(quoted(name.text()) +
+      name.complain(in_quotes(name.text()) +
                     " is carried by no body and has no motion; list it in a body");
   }
 

@@ -35,7 +35,7 @@ Start from_library(const JsonValue& value, LibraryGives gives) {
   if (!found) {
     std::vector<std::string_view> names;
     for (const LibraryMechanism& known : library()) names.push_back(known.name);
-    name.complain("unknown library mechanism " + quoted(name.text()) + "; " +
+    name.complain("unknown library mechanism " + in_quotes(name.text()) + "; " +
                   suggestion(name.text(), names));
   }
   const std::string file_name = "library/" + std::string(found->name);
@@ -62,13 +62,14 @@ Start from_generator(const JsonValue& value) {
       units.complain(std::string(error.what()) + "; choose another number");
     }
   }
-  name.complain("unknown generator " + quoted(name.text()) + "; " + suggestion(name.text(), names));
+  name.complain("unknown generator " + in_quotes(name.text()) + "; " +
+                suggestion(name.text(), names));
 }
 
 Description from_file(const JsonValue& value, const std::filesystem::path& folder) {
   const std::string_view name = value.text();
   if (name.empty() || name.find('\0') != name.npos)
-    value.complain(quoted(name) + " is no file name; give that of a mechanism file");
+    value.complain(in_quotes(name) + " is no file name; give that of a mechanism file");
   const std::filesystem::path file = (folder / name).lexically_normal();
   std::string text;
   try {
@@ -133,7 +134,7 @@ std::string read_formulation(const JsonValue& value) {
   const std::string_view id = value.text();
   constexpr std::size_t longest_id = 200;
   if (id.empty() || id.size() > longest_id || id.find_first_not_of(allowed) != id.npos)
-    value.complain(quoted(id) + " is no formulation; give an id that 'desmo list' shows");
+    value.complain(in_quotes(id) + " is no formulation; give an id that 'desmo list' shows");
   return std::string(id);
 }
 
@@ -186,7 +187,7 @@ Scene library_scene(std::string_view name) {
   if (found) return parse_scene(found->scene, std::string(name), {});
   std::vector<std::string_view> known;
   for (const LibraryMechanism& l : library()) known.push_back(l.name);
-  throw std::invalid_argument("the library has no mechanism " + quoted(name) + "; " +
+  throw std::invalid_argument("the library has no mechanism " + in_quotes(name) + "; " +
                               suggestion(name, known));
 }
 

@@ -67,8 +67,8 @@ class VectorReader {
 
   Vec segment(const JsonValue& place, int from, int to) const {
     if (const auto unit = direction(points_[from].position, points_[to].position)) return *unit;
-    place.complain("the points " + quoted(points_[from].name) + " and " + quoted(points_[to].name) +
-                   " coincide; give them different positions");
+    place.complain("the points " + in_quotes(points_[from].name) + " and " +
+                   in_quotes(points_[to].name) + " coincide; give them different positions");
   }
 
   Vec resolve(const JsonValue& place, const Direction& d) const {
@@ -123,11 +123,11 @@ class VectorReader {
     while (normals_[n].open == 0) ++n;
     for (std::size_t i = 0; i < normals_.size(); ++i) n = waits_for(n);
     constexpr int most_shown = 5;
-    std::string cycle = quoted(vectors_[normals_[n].vector].name);
+    std::string cycle = in_quotes(vectors_[normals_[n].vector].name);
     int next = waits_for(n);
     for (int shown = 1; next != n && shown < most_shown; ++shown, next = waits_for(next))
-      cycle += " of " + quoted(vectors_[normals_[next].vector].name);
-    cycle += next == n ? " of " + quoted(vectors_[normals_[n].vector].name) : " and so on";
+      cycle += " of " + in_quotes(vectors_[normals_[next].vector].name);
+    cycle += next == n ? " of " + in_quotes(vectors_[normals_[n].vector].name) : " and so on";
     normals_[n].place.complain("is defined by itself, a normal " + cycle +
                                "; give one of them by components");
   }

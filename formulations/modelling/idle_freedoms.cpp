@@ -6,19 +6,19 @@ namespace desmo {
 
 namespace {
 
-std::string quoted(const std::string& name) { return "'" + name + "'"; }
+std::string in_quotes(const std::string& name) { return "'" + name + "'"; }
 
 std::string line_of(const Description& d, int a, int b) {
-  return "the line of " + quoted(d.points[a].name) + " and " + quoted(d.points[b].name);
+  return "the line of " + in_quotes(d.points[a].name) + " and " + in_quotes(d.points[b].name);
 }
 
 std::string axis(const Description& d, const Basis& basis) {
   const std::string& origin = d.points[basis.origin].name;
-  if (basis.directions.empty()) return quoted(origin);
+  if (basis.directions.empty()) return in_quotes(origin);
   const Description::Direction& along = basis.directions.front();
   return along.is_segment() ? line_of(d, along.from, along.to)
-                            : "the line through " + quoted(origin) + " along " +
-                                  quoted(d.vectors[along.vector].name);
+                            : "the line through " + in_quotes(origin) + " along " +
+                                  in_quotes(d.vectors[along.vector].name);
 }
 
 bool concerns(const RigidBodies& rigid, const Description::Joint& j, int body) {

@@ -10,9 +10,9 @@ namespace {
 /// Groups that hardly follow their drivers are compared with this part of the one that does most.
 constexpr double least_gain = 0.01;
 /// Drivers slower than this, relative to their fastest, tell nothing of what follows them.
-constexpr double at_rest = 1e-6;
+constexpr double gain_at_rest = 1e-6;
 
-Eigen::Map<const Eigen::ArrayXd> array(std::span<const double> values) {
+Eigen::Map<const Eigen::ArrayXd> as_array(std::span<const double> values) {
   return {values.data(), static_cast<Eigen::Index>(values.size())};
 }
 
@@ -53,16 +53,16 @@ double GainMonitor::of_drivers(std::span<const double> rates) const {
 double GainMonitor::growth(const Instant& instant) {
   if (unit_.size() == 0) return 1;
   if (instant.qd.empty()) {
-    if (last_.size() > 0) difference_ = array(instant.q) - last_;
-    last_ = array(instant.q);
+    if (last_.size() > 0) difference_ = as_array(instant.q) - last_;
+    last_ = as_array(instant.q);
   }
   const std::span<const double> rate = rates(instant);
   const double drivers = of_drivers(rate);
   fastest_ = std::max(fastest_, drivers);
   const bool moved = moves_;
-  moves_ = drivers > at_rest * fastest_;
+  moves_ = drivers > gain_at_rest * fastest_;
   if (!moves_) return moved ? INFINITY : 1;
-  return std::max(1.0, (array(rate).abs() * weight_).maxCoeff() / drivers);
+  return std::max(1.0, (as_array(rate).abs() * weight_).maxCoeff() / drivers);
 }
 
 void GainMonitor::reset(const Instant& instant, ScaledSystem& system) {

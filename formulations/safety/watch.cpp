@@ -24,7 +24,7 @@ constexpr double factor = 4;
 constexpr int look_every = 16;
 /// Limits of the bounds, over the tolerance, and their square and cube at the other levels: above
 /// the first an instant is corrected, and above the second, after that, it is degraded.
-constexpr double worth_correcting = 10, allowed = 100;
+constexpr double worth_correcting = 10, allowed_error = 100;
 /// Bounds up to so many times what conditioning allows (accuracy_limit) are not corrected either.
 constexpr double over_floor = 10;
 constexpr double unit_roundoff = 0x1p-53;
@@ -66,7 +66,7 @@ struct Watch::State {
   State(const Mechanism& m, const TimeGrid& grid, const Options& o)
       : mechanism(m),
         options(o),
-        limit(powers(allowed, o.tolerance)),
+        limit(powers(allowed_error, o.tolerance)),
         correctable(powers(worth_correcting, o.tolerance)),
         assessor(m, o.levels),
         scales(m, grid),

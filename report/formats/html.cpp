@@ -9,7 +9,7 @@ namespace {
 // A row with more characters has its intervals below the numbers.
 constexpr std::size_t most_in_line = 122;
 
-std::string escaped(std::string_view text) {
+std::string html_text(std::string_view text) {
   std::string result;
   for (const char c : text) switch (c) {
       case '<':
@@ -40,7 +40,7 @@ std::string note_html(const std::string& note) {
                            : note == outside_mark ? "out"
                            : note == failed_mark  ? "failed"
                                                   : "note";
-  return element("span class=\"" + kind + "\"", escaped(note));
+  return element("span class=\"" + kind + "\"", html_text(note));
 }
 
 // The number foremost, its interval and its note behind it: the characters of Entry::shown.
@@ -48,7 +48,7 @@ std::string entry_html(const Entry& entry) {
   if (!entry.note.empty() && entry.shown == entry.note) return note_html(entry.note);
   if (!entry.has_number() || entry.digits.front().empty() ||
       !entry.shown.starts_with(entry.digits.front()))
-    return escaped(entry.shown);
+    return html_text(entry.shown);
   std::string rest = entry.shown.substr(entry.digits.front().size()), note;
   if (!entry.note.empty() && rest.ends_with(entry.note)) {
     rest.resize(rest.size() - entry.note.size());
@@ -58,14 +58,14 @@ std::string entry_html(const Entry& entry) {
                         rest.find("–") != std::string::npos || rest.find("±") != std::string::npos;
   if (rest.find_first_not_of(' ') != std::string::npos)
     rest =
-        element(interval ? "span class=\"rest interval\"" : "span class=\"rest\"", escaped(rest));
+        element(interval ? "span class=\"rest interval\"" : "span class=\"rest\"", html_text(rest));
   return entry.digits.front() + rest + note;
 }
 
 // An id may break after its underscores.
 std::string breakable(const std::string& text) {
   std::string result;
-  for (const char c : escaped(text)) result += c == '_' ? "_<wbr>" : std::string(1, c);
+  for (const char c : html_text(text)) result += c == '_' ? "_<wbr>" : std::string(1, c);
   return result;
 }
 
@@ -96,7 +96,7 @@ std::string rows_html(const Table& table) {
 
 std::string notes_html(const Table& table) {
   std::string text;
-  for (const std::string& note : table.notes) text += (text.empty() ? "" : " ") + escaped(note);
+  for (const std::string& note : table.notes) text += (text.empty() ? "" : " ") + html_text(note);
   return text;
 }
 
@@ -106,18 +106,18 @@ std::string table_html(const Table& table) {
   return "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-labelledby=\"" + caption +
          "\">\n<table id=\"" + table.name + (table.figure ? "-data" : "") + "\"" +
          (row_width(table) > most_in_line ? " class=\"wide\"" : "") + ">\n" +
-         element("caption id=\"" + caption + "\"", escaped(table.title)) + "\n" +
+         element("caption id=\"" + caption + "\"", html_text(table.title)) + "\n" +
          header_html(table) + rows_html(table) + "</table>\n</div>\n";
 }
 
 std::string folded(const std::string& summary, const std::string& content) {
-  return "<details>\n" + element("summary", escaped(summary)) + "\n" + content + "</details>\n";
+  return "<details>\n" + element("summary", html_text(summary)) + "\n" + content + "</details>\n";
 }
 
 std::string figure_html(const Table& table) {
   const std::string& name = table.name;
   return "<figure id=\"" + name + "\">\n<figcaption>" +
-         element("strong id=\"" + name + "-title\"", escaped(table.title)) + " " +
+         element("strong id=\"" + name + "-title\"", html_text(table.title)) + " " +
          notes_html(table) + "</figcaption>\n<!-- " + name +
          " -->\n<p class=\"missing\">Missing figure: " + name +
          ". report/figures/render draws it and needs Node.js; its numbers are in the table.</p>\n"
@@ -139,13 +139,13 @@ std::string paragraphs_html(const Section& section) {
   const bool list = section.tables.empty() && section.paragraphs.size() > 1;
   std::string text;
   for (const std::string& paragraph : section.paragraphs)
-    text += element(list ? "li" : "p", escaped(paragraph)) + "\n";
+    text += element(list ? "li" : "p", html_text(paragraph)) + "\n";
   return list ? "<ul>\n" + text + "</ul>\n" : text;
 }
 
 std::string section_html(const Section& section, const std::string& id) {
   std::string text = "<section id=\"" + id + "\" aria-labelledby=\"" + id + "-title\">\n" +
-                     element("h2 id=\"" + id + "-title\"", escaped(section.title)) + "\n" +
+                     element("h2 id=\"" + id + "-title\"", html_text(section.title)) + "\n" +
                      paragraphs_html(section);
   for (const Table& table : section.tables) text += block_html(table);
   return text + "</section>\n";
@@ -158,7 +158,7 @@ std::string to_html(const Document& document) {
   for (std::size_t i = 0; i < document.sections.size(); ++i) {
     const Section& section = document.sections[i];
     const std::string id = "section-" + std::to_string(i + 1);
-    links += "<li><a href=\"#" + id + "\">" + escaped(section.title) + "</a></li>\n";
+    links += "<li><a href=\"#" + id + "\">" + html_text(section.title) + "</a></li>\n";
     sections += section_html(section, id);
   }
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
@@ -167,12 +167,13 @@ std::string to_html(const Document& document) {
          "data:; "
          "style-src 'unsafe-inline'; script-src 'unsafe-inline' 'unsafe-eval'\">\n"
          "<link rel=\"icon\" href=\"data:,\">\n" +
-         element("title", escaped(document.title)) + "\n<style>\n" +
+         element("title", html_text(document.title)) + "\n<style>\n" +
          std::string(embedded::page_style) +
          "</style>\n</head>\n<body>\n<a class=\"skip\" href=\"#content\">Skip to the content</a>\n"
          "<header>" +
-         element("h1", escaped(document.title)) + "</header>\n<nav aria-label=\"Contents\"><ol>\n" +
-         links + "</ol></nav>\n<main id=\"content\">\n" + sections +
+         element("h1", html_text(document.title)) +
+         "</header>\n<nav aria-label=\"Contents\"><ol>\n" + links +
+         "</ol></nav>\n<main id=\"content\">\n" + sections +
          "</main>\n<!-- scripts -->\n<!-- end of scripts -->\n</body>\n</html>\n";
 }
 

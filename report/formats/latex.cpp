@@ -49,7 +49,7 @@ bool starts_number(std::string_view text, std::size_t at) {
   return digit && (at == 0 || text[at - 1] == ' ' || text[at - 1] == '(' || text[at - 1] == '[');
 }
 
-std::string escaped(std::string_view text) {
+std::string latex_text(std::string_view text) {
   std::string result;
   for (std::size_t at = 0; at < text.size();) {
     std::string_view from = text.substr(at, 1), to = from;
@@ -85,24 +85,25 @@ std::string layout_of(const std::vector<Column>& columns) {
   return layout;
 }
 
-std::string table_text(const Table& table) {
+std::string latex_table(const Table& table) {
   std::string header, rows;
   const std::size_t count = table.columns.size();
   for (std::size_t i = 0; i < count; ++i)
-    header += (i == 0 ? "" : " & ") + escaped(table.columns[i].name);
+    header += (i == 0 ? "" : " & ") + latex_text(table.columns[i].name);
   for (const auto& row : table.rows) {
-    for (std::size_t i = 0; i < count; ++i) rows += (i == 0 ? "" : " & ") + escaped(row[i].shown);
+    for (std::size_t i = 0; i < count; ++i)
+      rows += (i == 0 ? "" : " & ") + latex_text(row[i].shown);
     rows += " \\\\\n";
   }
   std::string notes;
   for (const std::string& note : table.notes)
-    notes += "\n\\noindent{\\footnotesize " + escaped(note) + "}\n";
+    notes += "\n\\noindent{\\footnotesize " + latex_text(note) + "}\n";
   const std::string head = "\\hline\n" + header + " \\\\\n\\hline\n";
   const std::string size = row_width(table) > most_in_scriptsize ? "\\tiny" : "\\scriptsize";
   return "{" + size +
          "\\setlength{\\tabcolsep}{3pt}\\renewcommand{\\arraystretch}{1.2}\n"
          "\\begin{longtable}{" +
-         layout_of(table.columns) + "}\n\\caption*{" + escaped(table.title) + "}\\\\\n" + head +
+         layout_of(table.columns) + "}\n\\caption*{" + latex_text(table.title) + "}\\\\\n" + head +
          "\\endfirsthead\n" + head + "\\endhead\n" + rows + "\\hline\n\\end{longtable}}\n" + notes;
 }
 
@@ -112,10 +113,10 @@ std::string to_latex(const Document& document) {
   std::string text =
       "% " + document.title + ". For \\input, UTF-8; needs \\usepackage{longtable}, landscape.\n";
   for (const Section& section : document.sections) {
-    text += "\n\\section*{" + escaped(section.title) + "}\n";
+    text += "\n\\section*{" + latex_text(section.title) + "}\n";
     for (const std::string& paragraph : section.paragraphs)
-      text += "\n" + escaped(paragraph) + "\n";
-    for (const Table& table : section.tables) text += "\n" + table_text(table);
+      text += "\n" + latex_text(paragraph) + "\n";
+    for (const Table& table : section.tables) text += "\n" + latex_table(table);
   }
   return text;
 }

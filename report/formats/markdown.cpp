@@ -3,7 +3,7 @@
 namespace desmo::report {
 namespace {
 
-std::string escaped(const std::string& text) {
+std::string markdown_text(const std::string& text) {
   std::string result;
   for (const char c : text) switch (c) {
       case '<':
@@ -33,31 +33,32 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-std::string table_text(const Table& table) {
+std::string markdown_table(const Table& table) {
   std::string header = "|", rule = "|", rows;
   for (const Column& column : table.columns) {
-    header += " " + escaped(column.name) + " |";
+    header += " " + markdown_text(column.name) + " |";
     rule += column.quantities.empty() ? " --- |" : " ---: |";
   }
   for (const auto& row : table.rows) {
     rows += "|";
-    for (const Entry& entry : row) rows += " " + escaped(entry.shown) + " |";
+    for (const Entry& entry : row) rows += " " + markdown_text(entry.shown) + " |";
     rows += "\n";
   }
-  std::string text = "**" + escaped(table.title) + "**\n\n" + header + "\n" + rule + "\n" + rows;
-  for (const std::string& note : table.notes) text += "\n" + escaped(note) + "\n";
+  std::string text =
+      "**" + markdown_text(table.title) + "**\n\n" + header + "\n" + rule + "\n" + rows;
+  for (const std::string& note : table.notes) text += "\n" + markdown_text(note) + "\n";
   return text;
 }
 
 }  // namespace
 
 std::string to_markdown(const Document& document) {
-  std::string text = "# " + escaped(document.title) + "\n";
+  std::string text = "# " + markdown_text(document.title) + "\n";
   for (const Section& section : document.sections) {
-    text += "\n## " + escaped(section.title) + "\n";
+    text += "\n## " + markdown_text(section.title) + "\n";
     for (const std::string& paragraph : section.paragraphs)
-      text += "\n" + escaped(paragraph) + "\n";
-    for (const Table& table : section.tables) text += "\n" + table_text(table);
+      text += "\n" + markdown_text(paragraph) + "\n";
+    for (const Table& table : section.tables) text += "\n" + markdown_table(table);
   }
   return text;
 }

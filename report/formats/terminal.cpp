@@ -30,7 +30,7 @@ std::string aligned(const std::string& text, std::size_t room, bool right, bool 
   return last ? text : text + space;
 }
 
-std::string table_text(const Table& table) {
+std::string terminal_table(const Table& table) {
   std::vector<std::size_t> widths;
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     widths.push_back(characters(table.columns[i].name));
@@ -63,7 +63,7 @@ std::string to_terminal(const Document& document) {
       if (table.detail)
         left_out += (left_out.empty() ? "" : ", ") + table.name;
       else
-        text += "\n" + table_text(table);
+        text += "\n" + terminal_table(table);
     }
     if (!left_out.empty())
       text += "\n" + wrapped("In the other formats only: " + left_out + ".", "");

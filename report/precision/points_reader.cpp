@@ -40,7 +40,7 @@ Errors read_errors(const JsonNode& node) {
           read_error(node, "acceleration")};
 }
 
-Point::Status read_status(const JsonNode& node) {
+Point::Status read_point_status(const JsonNode& node) {
   const std::string status = node.text();
   if (status == "ok") return Point::Status::ok;
   if (status == "failed") return Point::Status::failed;
@@ -63,7 +63,7 @@ std::vector<double> read_seconds(const JsonNode& node) {
 
 Point read_point(const JsonNode& node) {
   Point point{.configuration = read_configuration(node["id"]),
-              .status = read_status(node["status"]),
+              .status = read_point_status(node["status"]),
               .message = {},
               .error = {},
               .violation = {},

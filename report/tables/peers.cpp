@@ -39,16 +39,16 @@ Ours ours_beside(const Record& record, const Place& place, const std::string& gu
 }
 
 /// How many times as long as ours: "6.10 [5.90, 6.32]", quantities {ratio, low, high}.
-Entry ratio_entry(const Record& record, const std::optional<CellKey>& ours, const Measured& time) {
+Entry peer_ratio(const Record& record, const std::optional<CellKey>& ours, const Measured& time) {
   if (!ours) return note_entry(missing_mark);
   if (!time.seconds) return note_entry(time.mark);
   return ratio_entry(speed_up(*time.seconds, *measured(record, *ours).seconds));
 }
 
-Entry ratio_entry(const Record& record, const std::optional<CellKey>& reference,
-                  const CellKey& key) {
+Entry peer_ratio(const Record& record, const std::optional<CellKey>& reference,
+                 const CellKey& key) {
   if (reference == key) return {"1.00 reference", {"1.00", "", ""}, "reference"};
-  return ratio_entry(record, reference, measured(record, key));
+  return peer_ratio(record, reference, measured(record, key));
 }
 
 /// From the time on, what rivals and ours have alike.
@@ -92,13 +92,13 @@ void add_rows(Table& table, const Record& record, const Place& place) {
       if (peer->guess != guess) continue;
       const Measured time = measured(peer->cell);
       table.rows.push_back(row(record, place, peer->name, peer->cell, time,
-                               ratio_entry(record, ours.global, time),
-                               ratio_entry(record, ours.fastest, time)));
+                               peer_ratio(record, ours.global, time),
+                               peer_ratio(record, ours.fastest, time)));
     }
     for (const CellKey& key : ours.all)
       table.rows.push_back(row(record, place, key.id, record.cells.at(key), measured(record, key),
-                               ratio_entry(record, ours.global, key),
-                               ratio_entry(record, ours.fastest, key)));
+                               peer_ratio(record, ours.global, key),
+                               peer_ratio(record, ours.fastest, key)));
   }
 }
 

@@ -16,7 +16,8 @@
 namespace desmo::report {
 namespace {
 
-constexpr std::array guesses{"previous", "linear", "quadratic", "hermite3", "hermite5", "adams8"};
+constexpr std::array tried_guesses{"previous", "linear",   "quadratic",
+                                   "hermite3", "hermite5", "adams8"};
 constexpr double least_tolerance = 1e-12, largest_tolerance = 1e-6;
 
 /// A speed-up of the paper: over which analysis, of which (by position in `variants`).
@@ -56,7 +57,7 @@ std::vector<Choice> choices(const Record& record) {
       all.push_back({"tolerance", write_shortest(t->first), usual_step, {}});
       all.back().settings.tolerance = t->second;
     }
-  for (const char* guess : guesses) {
+  for (const char* guess : tried_guesses) {
     const auto is_tried = [&](const NamedPoint& p) {
       return p.second.configuration.guess == guess;
     };
