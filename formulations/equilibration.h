@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "formulations/algebra/linear_solver.h"
 #include "formulations/equations/pattern.h"
 
 namespace desmo {
@@ -32,25 +33,31 @@ class Equilibration {
 
   /// R Φ_φ S, valid until the next call and as long as the values of Φ_φ are.
   const Real* matrix(const Real* values) {
-    if (entries_.empty()) return values;
-    for (std::size_t k = 0; k < entries_.size(); ++k)
-      scaled_[k] = row_[entries_[k].row] * values[k] * column_[entries_[k].column];
-    return scaled_.data();
+    return entries_.empty() ? values : scaled_matrix(values);
   }
 
-  /// b = Φ_φ⁻¹ b = S (R Φ_φ S)⁻¹ R b, by an algebra that has factors of matrix().
-  template <class Algebra>
-  void solve(Algebra& algebra, Real* b) const {
-    if (row_.empty()) return algebra.solve(b);
-    for (std::size_t i = 0; i < row_.size(); ++i) b[i] *= row_[i];
-    algebra.solve(b);
-    for (std::size_t j = 0; j < column_.size(); ++j) b[j] *= column_[j];
+  /// b = Φ_φ⁻¹ b = S (R Φ_φ S)⁻¹ R b, by a solver that has factors of matrix().
+  void solve(LinearSolver<Real>& solver, Real* b) const {
+    row_.empty() ? solver.solve(b) : solve_scaled(solver, b);
   }
 
  private:
   struct Entry {
     int row, column;
   };
+
+  // Apart, so that what ordinary magnitudes need is in line.
+  [[gnu::noinline]] const Real* scaled_matrix(const Real* values) {
+    for (std::size_t k = 0; k < entries_.size(); ++k)
+      scaled_[k] = row_[entries_[k].row] * values[k] * column_[entries_[k].column];
+    return scaled_.data();
+  }
+
+  [[gnu::noinline]] void solve_scaled(LinearSolver<Real>& solver, Real* b) const {
+    for (std::size_t i = 0; i < row_.size(); ++i) b[i] *= row_[i];
+    solver.solve(b);
+    for (std::size_t j = 0; j < column_.size(); ++j) b[j] *= column_[j];
+  }
 
   static bool are_ordinary(std::span<const double> numbers) {
     constexpr int ordinary = 10;  // binary orders from 1

@@ -1,30 +1,42 @@
 #pragma once
 
-#include <span>
-#include <utility>
+#include <memory>
+#include <optional>
+#include <vector>
 
-#include "formulations/newton_solver.h"
+#include "formulations/equations/symbolic.h"
 #include "formulations/part.h"
+#include "formulations/partition.h"
+#include "formulations/profile.h"
 
 namespace desmo {
 
-/// A part solved by Newton–Raphson in double precision (see NewtonSolver).
-template <class Equations, class Algebra>
-class NewtonPart final : public Part {
- public:
-  template <class... AlgebraArguments>
-  NewtonPart(Equations equations, std::span<const double> weights,
-             std::span<const double> magnitudes, const PartSettings& settings,
-             AlgebraArguments&&... arguments)
-      : solver_(std::move(equations), weights, magnitudes, settings, arguments...) {}
+struct Backend;
 
-  PartResult solve(State& s, std::span<const double>, Level level) override {
-    return solver_.solve(s.q.data(), s.qd.data(), s.qdd.data(), level);
-  }
-  long refactorisations() const override { return solver_.refactorisations(); }
+/// The state in single precision, shared by the parts of a formulation.
+struct SinglePrecisionState {
+  std::vector<float> q, qd, qdd;
 
- private:
-  NewtonSolver<Equations, Algebra> solver_;
+  explicit SinglePrecisionState(int size) : q(size), qd(size), qdd(size) {}
 };
+
+/// All that a Newton part is made from.
+struct PartContext {
+  const Mechanism& mechanism;
+  const PartDefinition& definition;
+  std::vector<double> weights;  ///< 1/magnitude of each equation of the part (see magnitudes.h)
+  /// Of the symbolic equations, by bind_kernels(); without them the equations are automatic.
+  std::optional<std::vector<BoundKernel>> kernels;
+  PartSettings settings;       ///< with the tolerance on ‖Φ‖₂ of the part's own equations
+  Profile* profile = nullptr;  ///< where phases are measured, or null for the timed code
+  std::shared_ptr<SinglePrecisionState> single{};  ///< where the scalar is single
+  std::vector<double> magnitudes{};                ///< of the unknowns; none: all are 1
+};
+
+/// Makes the part that a context describes: Newton–Raphson (see NewtonSolver) with linear systems
+/// solved by `backend`, in the precision of context.settings.scalar. In single precision the
+/// equations are automatic. Throws std::invalid_argument when the backend cannot analyse the
+/// part's Jacobian.
+std::unique_ptr<Part> make_newton_part(const PartContext& context, const Backend& backend);
 
 }  // namespace desmo

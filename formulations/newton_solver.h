@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "formulations/algebra/linear_solver.h"
 #include "formulations/coordinate_run.h"
-#include "formulations/equations/pattern.h"
+#include "formulations/equations/equations.h"
 #include "formulations/equilibration.h"
 #include "formulations/part.h"
 #include "formulations/refinement.h"
@@ -17,47 +19,38 @@
 namespace desmo {
 
 /// Newton–Raphson on a part's equations (paper, Fig. 2b), for every way of evaluating equations
-/// and of solving linear systems.
-///
-/// Equations: see AutomaticEquations; Real is what they are made of. Algebra has
-///   Algebra(const Pattern&)              analyses the structure of Φ_φ, allocates
-///   bool factor(const Real* values)      factorises Φ_φ; false when singular
-///   void solve(Real* b)                  b = Φ_φ⁻¹ b with the last factors; it may read their
-///   values int patience() const                 calls of solve(), with a residual each, that cost
-///   about as
-///                                        much as a new Jacobian and its factors
-///   static constexpr bool rounds_factors whether the factors have fewer digits than Real
-///   static constexpr bool keeps_pivots   whether factor() reuses an earlier order of pivots
-///   void forget_pivots()                 the next factor() chooses them anew
-///   long pivotings() const               how often it did; needed, like that, of what keeps them
+/// and of solving linear systems. Real is double or float.
 ///
 /// With JacobianUpdate::step and ::chord, iterations use factors that are there already, and
-/// converge linearly. Their monitor watches the rate ρ = ‖Φ‖ / ‖Φ‖ before: where `patience` more
-/// corrections at that rate would not meet the tolerance the Jacobian is factorised anew at the
-/// position reached, and a correction that made ‖Φ‖ larger is taken back first. (‖Φ‖ is what is
-/// compared with the tolerance, it has one unit, and its rate is known one solve earlier than that
-/// of ‖Δφ‖.) Positions are accepted by the tolerance alone, whatever the factors.
+/// converge linearly. Their monitor watches the rate ρ = ‖Φ‖ / ‖Φ‖ before: where
+/// LinearSolver::break_even_solves more corrections at that rate would not meet the tolerance the
+/// Jacobian is factorised anew at the position reached, and a correction that made ‖Φ‖ larger is
+/// taken back first. (‖Φ‖ is what is compared with the tolerance, it has one unit, and its rate is
+/// known one solve earlier than that of ‖Δφ‖.) Positions are accepted by the tolerance alone,
+/// whatever the factors.
 ///
 /// ::step factorises at the solved position. ::chord solves velocity and acceleration with the old
 /// factors, refined with the Jacobian of the solved position (Refinement) until they are as
 /// accurate, and factorises it where that would take more sweeps than the factors are worth. At
 /// the level of positions ::step makes its factors in the first iteration.
-template <class Equations, class Algebra>
+template <class Real>
 class NewtonSolver {
  public:
-  using Real = typename Equations::Real;
   using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
 
   /// weights: 1/magnitude of each equation, by which ‖Φ‖₂ does not depend on units; magnitudes: of
   /// the unknowns, none standing for 1; settings: with the tolerance on that norm of the part's own
-  /// equations. Further arguments go to the algebra.
-  template <class... AlgebraArguments>
-  NewtonSolver(Equations equations, std::span<const double> weights,
+  /// equations; linear_solver: of the pattern of these equations.
+  NewtonSolver(std::unique_ptr<const Equations<Real>> equations, std::span<const double> weights,
                std::span<const double> magnitudes, const PartSettings& settings,
-               AlgebraArguments&&... arguments)
+               std::unique_ptr<LinearSolver<Real>> linear_solver)
       : equations_(std::move(equations)),
-        equilibrated_(equations_.pattern(), weights, magnitudes),
-        algebra_(equations_.pattern(), arguments...),
+        pattern_(equations_->pattern()),
+        equilibrated_(pattern_, weights, magnitudes),
+        linear_solver_(std::move(linear_solver)),
+        break_even_solves_(linear_solver_->break_even_solves()),
+        rounds_factors_(linear_solver_->rounds_factors()),
+        reuses_pivots_(linear_solver_->reuses_pivots()),
         update_(settings.jacobian),
         per_level_(settings.factorisation == Factorisation::per_level),
         tolerance_(settings.fixed_iterations ? std::numeric_limits<double>::infinity()
@@ -66,38 +59,35 @@ class NewtonSolver {
         most_iterations_(settings.fixed_iterations ? settings.fixed_iterations
                                                    : settings.max_iterations),
         at_rounding_(settings.at_rounding),
-        runs_(long_runs(equations_.pattern().unknowns)),
-        values_(equations_.pattern().size(), Real(0)),
+        runs_(long_runs(pattern_.unknowns)),
+        values_(pattern_.size(), Real(0)),
         weights_(
-            Eigen::Map<const Eigen::VectorXd>(weights.data(), pattern().n).template cast<Real>()),
-        b_(pattern().n),
-        correction_(pattern().n),
-        start_(pattern().n),
+            Eigen::Map<const Eigen::VectorXd>(weights.data(), pattern_.n).template cast<Real>()),
+        b_(pattern_.n),
+        correction_(pattern_.n),
+        start_(pattern_.n),
         refinement_(weights_, refines()) {
-    equations_.constant_jacobian(values_.data());
+    equations_->constant_jacobian(values_.data());
   }
 
   NewtonSolver(const NewtonSolver&) = delete;
   NewtonSolver& operator=(const NewtonSolver&) = delete;
 
-  const Pattern& pattern() const { return equations_.pattern(); }
+  const Pattern& pattern() const { return pattern_; }
 
   /// See Part::refactorisations.
-  long refactorisations() const {
-    if constexpr (Algebra::keeps_pivots) return std::max(0L, algebra_.pivotings() - 1);
-    return 0;
-  }
+  long refactorisations() const { return std::max(0L, linear_solver_->pivot_choices() - 1); }
 
   /// See Part::solve; q, qd and qdd are the state and its time derivatives.
   PartResult solve(Real* q, Real* qd, Real* qdd, Level level) {
-    if (!Algebra::keeps_pivots && update_ == JacobianUpdate::newton)
+    if (!reuses_pivots_ && update_ == JacobianUpdate::newton)
       return attempt(q, qd, qdd, level, update_);
     remember_start(q);
     const PartResult result = attempt(q, qd, qdd, level, update_);
     if (result.status == Status::converged) return result;
     restore_start(q);  // perhaps only the factors, or their pivots, had gone bad
     has_factors_ = false;
-    if constexpr (Algebra::keeps_pivots) algebra_.forget_pivots();
+    linear_solver_->forget_pivots();
     return attempt(q, qd, qdd, level, JacobianUpdate::newton);
   }
 
@@ -111,7 +101,7 @@ class NewtonSolver {
     return runs;
   }
 
-  bool refines() const { return Algebra::rounds_factors || update_ == JacobianUpdate::chord; }
+  bool refines() const { return rounds_factors_ || update_ == JacobianUpdate::chord; }
 
   PartResult attempt(Real* q, Real* qd, Real* qdd, Level level, JacobianUpdate update) {
     PartResult result = position(q, update);
@@ -130,7 +120,7 @@ class NewtonSolver {
     bool by_old_factors = false;  // so was φ corrected then
     bool is_last = !at_rounding_;
     for (;; ++result.iterations) {
-      equations_.residual(q, b_.data());  // Φ
+      equations_->residual(q, b_.data());  // Φ
       const double residual = weights_.cwiseProduct(b_).norm();
       result.residual2 = residual * residual;
       const bool solved = residual < tolerance_;
@@ -154,7 +144,7 @@ class NewtonSolver {
       }
       if (result.status != Status::converged) return result;
       before = residual;
-      equilibrated_.solve(algebra_, b_.data());              // Φ_φ Δφ = Φ
+      equilibrated_.solve(*linear_solver_, b_.data());       // Φ_φ Δφ = Φ
       each_unknown([&](int at, int i) { q[at] -= b_[i]; });  // eq. (2)
       if (by_old_factors) b_.swap(correction_);
     }
@@ -162,17 +152,17 @@ class NewtonSolver {
 
   /// Whether corrections as slow as the last one still meet the tolerance in good time.
   bool fast_enough(double residual, double before) const {
-    return residual * std::pow(residual / before, algebra_.patience()) < tolerance_;
+    return residual * std::pow(residual / before, break_even_solves_) < tolerance_;
   }
 
   bool rates(const Real* q, Real* qd, Real* qdd, Level level, JacobianUpdate update) {
     if (update == JacobianUpdate::chord && has_factors_) {
-      equations_.jacobian(q, values_.data());
+      equations_->jacobian(q, values_.data());
       factors_are_old_ = true;
     } else if (!factor_at(q)) {
       return false;
     }
-    equations_.known_jacobian(q, values_.data());
+    equations_->known_jacobian(q, values_.data());
     if (!velocity(qd)) return false;
     if (level == Level::velocity) return true;
     if (per_level_ && !factor_at(q)) return false;
@@ -188,7 +178,7 @@ class NewtonSolver {
   }
 
   bool acceleration(const Real* q, const Real* qd, Real* qdd) {
-    equations_.quadratic(q, qd, b_.data());
+    equations_->quadratic(q, qd, b_.data());
     b_ = -b_;                          // −Φ̇_q q̇
     subtract_known_product(qdd);       // −Φ_h ḧ
     if (!solve_rates()) return false;  // eq. (4)
@@ -198,33 +188,33 @@ class NewtonSolver {
 
   /// b_ = Φ_φ⁻¹ b_ with the Jacobian in values_, whatever was factorised.
   bool solve_rates() {
-    if (refines() && (Algebra::rounds_factors || factors_are_old_)) {
+    if (refines() && (rounds_factors_ || factors_are_old_)) {
       if (refined()) return true;
       if (!factors_are_old_ || !factor()) return false;
-      if constexpr (Algebra::rounds_factors) return refined();
+      if (rounds_factors_) return refined();
     }
-    equilibrated_.solve(algebra_, b_.data());
+    equilibrated_.solve(*linear_solver_, b_.data());
     return true;
   }
 
   bool refined() {
     return refinement_.solve(
-        pattern(), values_.data(), [this](Real* b) { equilibrated_.solve(algebra_, b); },
-        algebra_.patience(), b_);
+        pattern_, values_.data(), [this](Real* b) { equilibrated_.solve(*linear_solver_, b); },
+        break_even_solves_, b_);
   }
 
   bool factor_at(const Real* q) {
-    equations_.jacobian(q, values_.data());
+    equations_->jacobian(q, values_.data());
     return factor();
   }
   bool factor() {
     factors_are_old_ = false;
-    return has_factors_ = algebra_.factor(equilibrated_.matrix(values_.data()));
+    return has_factors_ = linear_solver_->factor(equilibrated_.matrix(values_.data()));
   }
 
   void subtract_known_product(const Real* rate) {
-    const Real* value = values_.data() + pattern().dependent_entries();
-    for (const JacobianEntry& e : pattern().known) b_[e.row] -= *value++ * rate[e.state];
+    const Real* value = values_.data() + pattern_.dependent_entries();
+    for (const JacobianEntry& e : pattern_.known) b_[e.row] -= *value++ * rate[e.state];
   }
 
   void scatter(Real* target) const {
@@ -241,7 +231,7 @@ class NewtonSolver {
   template <class Call>
   void each_unknown(Call call) const {
     if (runs_.empty())
-      for (int i = 0; i < pattern().n; ++i) call(pattern().unknowns[i], i);
+      for (int i = 0; i < pattern_.n; ++i) call(pattern_.unknowns[i], i);
     int i = 0;
     for (const CoordinateRun run : runs_) {
       const int shift = i - run.first;
@@ -250,9 +240,12 @@ class NewtonSolver {
     }
   }
 
-  Equations equations_;
+  std::unique_ptr<const Equations<Real>> equations_;
+  const Pattern& pattern_;
   Equilibration<Real> equilibrated_;
-  Algebra algebra_;
+  std::unique_ptr<LinearSolver<Real>> linear_solver_;
+  int break_even_solves_;
+  bool rounds_factors_, reuses_pivots_;  // see LinearSolver
   JacobianUpdate update_;
   bool per_level_;
   double tolerance_;

@@ -1,31 +1,17 @@
 #include "formulations/reference.h"
 
-#include <algorithm>
-#include <cmath>
 #include <tuple>
 #include <utility>
 
 #include "formulations/accuracy/disagreement.h"
+#include "formulations/accuracy/double_solution.h"
 #include "formulations/accuracy/global_solver.h"
 #include "formulations/accuracy/groupwise_solver.h"
+#include "formulations/accuracy/walk.h"
 
 namespace desmo {
 
 namespace {
-
-/// Goes from an assembly at the first of the times to each in turn, no step longer than 10 ms.
-/// step(t) follows the motion, arrive(t) is called after the steps that lead to one of the times.
-template <class Step, class Arrive>
-void walk(std::span<const double> times, Step&& step, Arrive&& arrive) {
-  constexpr double longest_step = 0.01;
-  double t = times.empty() ? 0 : times.front();
-  for (const double target : times) {
-    const int steps = std::max(1, static_cast<int>(std::ceil((target - t) / longest_step - 1e-9)));
-    const double from = t;
-    for (int i = 1; i <= steps; ++i) step(i == steps ? target : from + (target - from) * i / steps);
-    arrive(t = target);
-  }
-}
 
 /// Follows the motion in double precision and solves each of the times again in quadruple.
 template <template <class> class Solver>
@@ -67,19 +53,10 @@ ReferenceInstant rounded(const WideInstant& wide) {
 
 std::vector<ReferenceInstant> reference_solution(const Mechanism& m, std::span<const double> times,
                                                  Precision precision) {
+  if (precision == Precision::standard) return double_solution(m, times);
   std::vector<ReferenceInstant> result;
-  if (precision == Precision::quadruple) {
-    for (const WideInstant& wide : quadruple_solution<GroupwiseSolver>(m, times))
-      result.push_back(rounded(wide));
-  } else {
-    GroupwiseSolver<double> solver(m);
-    walk(
-        times, [&](double t) { solver.solve_positions(t); },
-        [&](double t) {
-          solver.solve_rates();
-          result.push_back({t, solver.q(), solver.qd(), solver.qdd()});
-        });
-  }
+  for (const WideInstant& wide : quadruple_solution<GroupwiseSolver>(m, times))
+    result.push_back(rounded(wide));
   return result;
 }
 

@@ -1,12 +1,15 @@
 #include "formulations/accuracy/condition.h"
 
-#include <Eigen/SparseLU>
+#include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <stdexcept>
 #include <vector>
 
 #include "formulations/accuracy/scales.h"
 #include "formulations/accuracy/whole_system.h"
+#include "formulations/algebra/klu_factors.h"
 
 namespace desmo {
 
@@ -16,7 +19,7 @@ struct ConditionNumber::Matrices {
   std::vector<double> magnitude, state;
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::SparseMatrix<double> a;
-  Eigen::SparseLU<Eigen::SparseMatrix<double>> lu;
+  std::unique_ptr<KluFactors> factors;  // null: structurally singular, or not yet made
 
   explicit Matrices(const Mechanism& mechanism)
       : m(mechanism),
@@ -49,14 +52,32 @@ ConditionNumber::~ConditionNumber() = default;
 
 double ConditionNumber::operator()(std::span<const double> q) {
   matrices_->assemble(q);
-  const auto n = matrices_->a.rows();
+  const Eigen::SparseMatrix<double>& a = matrices_->a;
+  const int n = static_cast<int>(a.rows());
   if (n == 0) return 1;
-  auto& lu = matrices_->lu;
-  lu.compute(matrices_->a);
-  if (lu.info() != Eigen::Success) return INFINITY;
-  const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(n, n);
-  const Eigen::MatrixXd inverse = lu.solve(identity);
-  const double norm = inverse.cwiseAbs().rowwise().sum().maxCoeff();
+  auto& factors = matrices_->factors;
+  if (!factors) {
+    Pattern pattern;
+    pattern.n = n;
+    pattern.column_start.assign(a.outerIndexPtr(), a.outerIndexPtr() + n + 1);
+    pattern.row.assign(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros());
+    try {
+      factors = std::make_unique<KluFactors>(pattern);
+    } catch (const std::invalid_argument&) {
+      return INFINITY;
+    }
+  }
+  if (!factors->factor(a.valuePtr())) return INFINITY;
+  std::vector<double> sums(n, 0), column(n);
+  for (int j = 0; j < n; ++j) {
+    std::ranges::fill(column, 0.0);
+    column[j] = 1;
+    factors->solve(column.data());
+    for (int i = 0; i < n; ++i) sums[i] += std::abs(column[i]);
+  }
+  double norm = 0;
+  for (const double sum : sums)
+    if (!(sum <= norm)) norm = sum;  // NaN stays
   return std::isfinite(norm) ? norm : INFINITY;
 }
 

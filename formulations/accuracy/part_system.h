@@ -1,41 +1,30 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <vector>
 
 #include "cases/mechanism.h"
+#include "formulations/accuracy/wide_state.h"
 #include "formulations/partition.h"
 
 namespace desmo {
 
-/// q, q̇ and q̈ of a whole mechanism with its fixed entities behind, in any scalar.
-template <class S>
-struct WideState {
-  std::vector<S> q, qd, qdd;
-
-  explicit WideState(int size) : q(size, S(0)), qd(size, S(0)), qdd(size, S(0)) {}
-};
-
-/// The equations of one part as dense matrices, in any scalar, from what each constraint kind
-/// states of itself.
+/// The n equations of one part as a dense matrix and vectors, in any scalar, from what each
+/// constraint kind states of itself.
 template <class S>
 struct PartSystem {
-  using Vector = Eigen::Matrix<S, Eigen::Dynamic, 1>;
-  using Matrix = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
-
-  Matrix jacobian;  ///< Φ_φ
-  Vector phi;
-  Vector velocity;      ///< −Φ_h ḣ
-  Vector acceleration;  ///< −Φ_h ḧ − Φ̇_q q̇
+  std::size_t n;
+  std::vector<S> jacobian;  ///< Φ_φ (n × n), by rows
+  std::vector<S> phi;
+  std::vector<S> velocity;      ///< −Φ_h ḣ
+  std::vector<S> acceleration;  ///< −Φ_h ḧ − Φ̇_q q̇
 
   /// At a state. `acceleration` also needs the velocities of the part's own unknowns in it.
   PartSystem(const Mechanism& m, const PartDefinition& part, const WideState<S>& state)
-      : m_(m), part_(part), state_(state) {
-    const auto n = static_cast<Eigen::Index>(part.unknowns.size());
-    jacobian.setZero(n, n);
-    for (Vector* v : {&phi, &velocity, &acceleration}) v->setZero(n);
+      : n(part.unknowns.size()), jacobian(n * n, S(0)), m_(m), part_(part), state_(state) {
+    for (std::vector<S>* v : {&phi, &velocity, &acceleration}) v->assign(n, S(0));
     for (int row = 0; row < static_cast<int>(n);) row = add_constraint(row);
   }
 
@@ -43,7 +32,7 @@ struct PartSystem {
   /// The equations of one constraint, the first of which stands in that row. Returns the row after
   /// the last.
   int add_constraint(int row) {
-    const int n = static_cast<int>(part_.equations.size());
+    const int end = static_cast<int>(part_.equations.size());
     const int position = part_.equations[row].constraint;
     const Constraint& constraint = m_.constraints[position];
     visit_kind(constraint.kind, [&]<class Kind>(Kind) {
@@ -61,7 +50,7 @@ struct PartSystem {
       Kind::quadratic(x.data(), v.data(), constants.data(), gamma.data());
       std::array<int, Kind::rows> place;
       place.fill(-1);
-      for (; row < n && part_.equations[row].constraint == position; ++row) {
+      for (; row < end && part_.equations[row].constraint == position; ++row) {
         const int r = part_.equations[row].row;
         place[r] = row;
         phi[row] = all_phi[r];
@@ -71,7 +60,7 @@ struct PartSystem {
         const int at = first[operand] + i;
         if (place[r] < 0) return;
         if (const int j = column(at); j >= 0) {
-          jacobian(place[r], j) = value;
+          jacobian[place[r] * n + j] = value;
         } else {
           velocity[place[r]] -= value * state_.qd[at];
           acceleration[place[r]] -= value * state_.qdd[at];

@@ -65,11 +65,8 @@ NormalEquations cheapest_normal_equations(const Pattern& pattern) {
   return NormalEquations(pattern, best.form, best.order);
 }
 
-class Cholmod {
+class Cholmod final : public LinearSolver<double> {
  public:
-  static constexpr bool rounds_factors = false;
-  static constexpr bool keeps_pivots = false;
-
   explicit Cholmod(const Pattern& pattern) : normal_(cheapest_normal_equations(pattern)) {
     cholmod_start(&common_);
     common_.nmethods = 1;
@@ -82,9 +79,7 @@ class Cholmod {
     right_ = cholmod_allocate_dense(normal_.n(), 1, normal_.n(), CHOLMOD_REAL, &common_);
     if (!l_ || !right_) throw std::invalid_argument("CHOLMOD: the Jacobian could not be analysed");
   }
-  Cholmod(const Cholmod&) = delete;
-  Cholmod& operator=(const Cholmod&) = delete;
-  ~Cholmod() {
+  ~Cholmod() override {
     cholmod_free_dense(&x_, &common_);
     cholmod_free_dense(&y_, &common_);
     cholmod_free_dense(&e_, &common_);
@@ -93,13 +88,13 @@ class Cholmod {
     cholmod_finish(&common_);
   }
 
-  bool factor(const double* values) {
+  bool factor(const double* values) override {
     values_ = values;
     normal_.refill(values);
     return cholmod_factorize(&a_, l_, &common_) && common_.status == CHOLMOD_OK;
   }
 
-  void solve(double* b) {
+  void solve(double* b) override {
     normal_.right_side(values_, b, static_cast<double*>(right_->x));
     cholmod_solve2(CHOLMOD_A, l_, right_, nullptr, &x_, nullptr, &y_, &e_, &common_);
     // It comes back cut down to one row, and would be allocated anew in the shape asked for.
@@ -107,7 +102,7 @@ class Cholmod {
     normal_.solution(values_, static_cast<const double*>(x_->x), b);
   }
 
-  int patience() const { return sparse_patience; }
+  int break_even_solves() const override { return sparse_break_even_solves; }
 
  private:
   NormalEquations normal_;
@@ -121,7 +116,7 @@ class Cholmod {
 }  // namespace
 
 extern const Backend cholmod_backend;
-const Backend cholmod_backend{"cholmod", false, &make_newton_part<Cholmod>,
+const Backend cholmod_backend{"cholmod", false, &make_sparse_solver<Cholmod>,
                               [] {
                                 return std::to_string(CHOLMOD_MAIN_VERSION) + "." +
                                        std::to_string(CHOLMOD_SUB_VERSION) + "." +

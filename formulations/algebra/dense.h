@@ -41,21 +41,18 @@ class DenseScatter {
 ///   bool factor()         overwrites the matrix; false when singular
 ///   void solve(Factor* b) b = A⁻¹ b
 template <class Real, class Factor, template <class> class Lu>
-class Dense {
+class Dense final : public LinearSolver<Real> {
  public:
-  static constexpr bool rounds_factors = !std::is_same_v<Real, Factor>;
-  static constexpr bool keeps_pivots = false;
-
   explicit Dense(const Pattern& pattern)
-      : scatter_(pattern), lu_(pattern.n), rounded_(rounds_factors ? pattern.n : 0) {}
+      : scatter_(pattern), lu_(pattern.n), rounded_(rounds ? pattern.n : 0) {}
 
-  bool factor(const Real* values) {
+  bool factor(const Real* values) override {
     scatter_(values, lu_.matrix());
     return lu_.factor();
   }
 
-  void solve(Real* b) {
-    if constexpr (rounds_factors) {
+  void solve(Real* b) override {
+    if constexpr (rounds) {
       // Right-hand sides may be beyond what Factor can hold, and corrections become tiny.
       Real largest = 0;
       for (int i = 0; i < scatter_.n(); ++i) largest = std::max(largest, std::abs(b[i]));
@@ -69,26 +66,30 @@ class Dense {
   }
 
   /// LU takes n/3 times the operations of a solve, and does each about twice as fast.
-  int patience() const { return std::max(3, scatter_.n() / 6); }
+  int break_even_solves() const override { return std::max(3, scatter_.n() / 6); }
+
+  bool rounds_factors() const override { return rounds; }
 
  private:
+  static constexpr bool rounds = !std::is_same_v<Real, Factor>;
+
   DenseScatter scatter_;
   Lu<Factor> lu_;
   std::vector<Factor> rounded_;
 };
 
-/// The part that a context describes, with a dense LU, in the precision that its settings ask for.
+/// Makes a dense LU solver, with double or single factors.
 template <template <class> class Lu>
-std::unique_ptr<Part> make_dense_part(const PartContext& context) {
-  switch (context.settings.scalar) {
-    case Scalar::double_precision:
-      break;
-    case Scalar::single_precision:
-      return make_single_precision_part<Dense<float, float, Lu>>(context);
-    case Scalar::mixed:
-      return make_newton_part<Dense<double, float, Lu>>(context);
-  }
-  return make_newton_part<Dense<double, double, Lu>>(context);
+std::unique_ptr<LinearSolver<double>> make_dense_solver(const Pattern& pattern,
+                                                        const PartSettings& settings) {
+  if (settings.scalar == Scalar::mixed) return std::make_unique<Dense<double, float, Lu>>(pattern);
+  return std::make_unique<Dense<double, double, Lu>>(pattern);
+}
+
+/// Makes a dense LU solver of single precision.
+template <template <class> class Lu>
+std::unique_ptr<LinearSolver<float>> make_single_dense_solver(const Pattern& pattern) {
+  return std::make_unique<Dense<float, float, Lu>>(pattern);
 }
 
 }  // namespace desmo

@@ -42,10 +42,15 @@ class EigenLu {
 }  // namespace
 
 extern const Backend eigen_backend;
-const Backend eigen_backend{"eigen", true, &make_dense_part<EigenLu>, [] {
-                              return std::to_string(EIGEN_WORLD_VERSION) + "." +
-                                     std::to_string(EIGEN_MAJOR_VERSION) + "." +
-                                     std::to_string(EIGEN_MINOR_VERSION);
-                            }};
+const Backend eigen_backend{.name = "eigen",
+                            .dense = true,
+                            .make_solver = &make_dense_solver<EigenLu>,
+                            .version =
+                                [] {
+                                  return std::to_string(EIGEN_WORLD_VERSION) + "." +
+                                         std::to_string(EIGEN_MAJOR_VERSION) + "." +
+                                         std::to_string(EIGEN_MINOR_VERSION);
+                                },
+                            .make_single_solver = &make_single_dense_solver<EigenLu>};
 
 }  // namespace desmo

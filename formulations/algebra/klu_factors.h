@@ -9,18 +9,17 @@
 #include <stdexcept>
 #include <vector>
 
-#include "formulations/algebra/backend.h"
+#include "formulations/algebra/linear_solver.h"
+#include "formulations/equations/pattern.h"
+#include "formulations/settings.h"
 
 namespace desmo {
 
 /// Sparse LU by SuiteSparse's KLU: block triangular form (or none) and ordering once, then numeric
-/// refactorisation in the pivot order of the last full factorisation. An algebra of NewtonSolver,
-/// and what solved instants are assessed with.
-class KluFactors {
+/// refactorisation in the pivot order of the last full factorisation. Solves linear systems for
+/// NewtonSolver, and for the assessment of solved instants.
+class KluFactors final : public LinearSolver<double> {
  public:
-  static constexpr bool rounds_factors = false;
-  static constexpr bool keeps_pivots = true;
-
   explicit KluFactors(const Pattern& pattern, BlockTriangularForm btf = BlockTriangularForm::on)
       : n_(pattern.n), start_(pattern.column_start), row_(pattern.row) {
     klu_defaults(&common_);
@@ -32,35 +31,35 @@ class KluFactors {
     symbolic_ = klu_analyze(n_, start_.data(), row_.data(), &common_);
     if (!symbolic_) throw std::invalid_argument("KLU: the Jacobian is structurally singular");
   }
-  KluFactors(const KluFactors&) = delete;
-  KluFactors& operator=(const KluFactors&) = delete;
-  ~KluFactors() {
+  ~KluFactors() override {
     klu_free_numeric(&numeric_, &common_);
     klu_free_symbolic(&symbolic_, &common_);
   }
 
-  bool factor(const double* values) {
+  bool factor(const double* values) override {
     double* ax = const_cast<double*>(values);  // KLU reads them only
     if (numeric_ && klu_refactor(start_.data(), row_.data(), ax, symbolic_, numeric_, &common_) &&
         pivots_are_good())
       return true;
     forget_pivots();
-    ++pivotings_;
+    ++pivot_choices_;
     numeric_ = klu_factor(start_.data(), row_.data(), ax, symbolic_, &common_);
     return numeric_ && common_.status == KLU_OK;
   }
 
-  void solve(double* b) { klu_solve(symbolic_, numeric_, n_, 1, b, &common_); }
+  void solve(double* b) override { klu_solve(symbolic_, numeric_, n_, 1, b, &common_); }
 
   /// b = A⁻ᵀ b
   void solve_transposed(double* b) { klu_tsolve(symbolic_, numeric_, n_, 1, b, &common_); }
 
-  void forget_pivots() { klu_free_numeric(&numeric_, &common_); }
+  bool reuses_pivots() const override { return true; }
 
-  int patience() const { return sparse_patience; }
+  void forget_pivots() override { klu_free_numeric(&numeric_, &common_); }
 
-  /// How often the order of pivots was chosen, the first time included.
-  long pivotings() const { return pivotings_; }
+  int break_even_solves() const override { return sparse_break_even_solves; }
+
+  /// Returns how often the order of pivots was chosen, the first time included.
+  long pivot_choices() const override { return pivot_choices_; }
 
   /// The column at which factor() found the matrix singular.
   int singular_column() const { return common_.singular_col; }
@@ -94,7 +93,7 @@ class KluFactors {
   klu_common common_{};
   klu_symbolic* symbolic_ = nullptr;
   klu_numeric* numeric_ = nullptr;
-  long pivotings_ = 0;
+  long pivot_choices_ = 0;
 };
 
 }  // namespace desmo

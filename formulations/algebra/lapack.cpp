@@ -62,7 +62,10 @@ BlasEnvironment blas_environment() { return {openblas_get_corename(), openblas_g
 void set_blas_threads(int threads) { openblas_set_num_threads(threads); }
 
 extern const Backend lapack_backend;
-const Backend lapack_backend{"lapack", true, &make_dense_part<Lapack>,
-                             [] { return std::string(openblas_get_config()); }};
+const Backend lapack_backend{.name = "lapack",
+                             .dense = true,
+                             .make_solver = &make_dense_solver<Lapack>,
+                             .version = [] { return std::string(openblas_get_config()); },
+                             .make_single_solver = &make_single_dense_solver<Lapack>};
 
 }  // namespace desmo

@@ -21,11 +21,8 @@ namespace desmo {
 
 namespace {
 
-class Ma27 {
+class Ma27 final : public LinearSolver<double> {
  public:
-  static constexpr bool rounds_factors = false;
-  static constexpr bool keeps_pivots = false;
-
   explicit Ma27(const Pattern& pattern)
       : a_(cheapest_ma27_analysis(pattern)),
         n_(pattern.n),
@@ -35,7 +32,7 @@ class Ma27 {
         front_(n_),
         right_(n_) {}
 
-  bool factor(const double* values) {
+  bool factor(const double* values) override {
     values_ = values;
     a_.normal.refill(values);
     // The largest entry is on the diagonal. What is as small as its rounding is no pivot.
@@ -46,7 +43,7 @@ class Ma27 {
     return a_.dialogue.succeeded();
   }
 
-  void solve(double* b) {
+  void solve(double* b) override {
     a_.normal.right_side(values_, b, right_.data());
     const int reals = count(reals_), integers = count(integers_);
     coinhsl().ma27.solve(&n_, reals_.data(), &reals, integers_.data(), &integers, front_.data(),
@@ -55,7 +52,7 @@ class Ma27 {
     a_.normal.solution(values_, right_.data(), b);
   }
 
-  int patience() const { return sparse_patience; }
+  int break_even_solves() const override { return sparse_break_even_solves; }
 
  private:
   void factor_once() {
@@ -90,7 +87,7 @@ class Ma27 {
 extern const Backend ma27_backend;
 const Backend ma27_backend{"ma27",
                            false,
-                           &make_newton_part<Ma27>,
+                           &make_sparse_solver<Ma27>,
                            [] { return coinhsl().version; },
                            true,
                            [] { return coinhsl().absence; }};

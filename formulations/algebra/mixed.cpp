@@ -65,11 +65,10 @@ const Backend& BackendChoice::of(const PartContext& part) {
   return *(chosen_[type] = tried[best]);
 }
 
-const Backend mixed_backend{
-    .name = "mixed",
-    .dense = false,
-    .make_part = [](const PartContext& part) { return choose(part).make_part(part); },
-    .version = [] { return std::string("of the others"); },
-    .choose = &choose};
+const Backend mixed_backend{.name = "mixed",
+                            .dense = false,
+                            .make_solver = nullptr,  // the chosen one's
+                            .version = [] { return std::string("of the others"); },
+                            .choose = &choose};
 
 }  // namespace desmo

@@ -11,11 +11,8 @@ namespace desmo {
 
 namespace {
 
-class SparseLu {
+class SparseLu final : public LinearSolver<double> {
  public:
-  static constexpr bool rounds_factors = false;
-  static constexpr bool keeps_pivots = false;
-
   explicit SparseLu(const Pattern& pattern) : matrix_(pattern.n, pattern.n), x_(pattern.n) {
     matrix_.resizeNonZeros(static_cast<Eigen::Index>(pattern.row.size()));
     std::ranges::copy(pattern.column_start, matrix_.outerIndexPtr());
@@ -24,19 +21,19 @@ class SparseLu {
     lu_.analyzePattern(matrix_);
   }
 
-  bool factor(const double* values) {
+  bool factor(const double* values) override {
     std::copy_n(values, matrix_.nonZeros(), matrix_.valuePtr());
     lu_.factorize(matrix_);
     return lu_.info() == Eigen::Success;
   }
 
-  void solve(double* b) {
+  void solve(double* b) override {
     Eigen::Map<Eigen::VectorXd> right(b, x_.size());
     x_ = lu_.solve(right);
     right = x_;
   }
 
-  int patience() const { return sparse_patience; }
+  int break_even_solves() const override { return sparse_break_even_solves; }
 
  private:
   using Matrix = Eigen::SparseMatrix<double>;
@@ -49,7 +46,7 @@ class SparseLu {
 }  // namespace
 
 extern const Backend sparselu_backend;
-const Backend sparselu_backend{"sparselu", false, &make_newton_part<SparseLu>, [] {
+const Backend sparselu_backend{"sparselu", false, &make_sparse_solver<SparseLu>, [] {
                                  return std::to_string(EIGEN_WORLD_VERSION) + "." +
                                         std::to_string(EIGEN_MAJOR_VERSION) + "." +
                                         std::to_string(EIGEN_MINOR_VERSION);

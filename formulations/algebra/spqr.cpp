@@ -14,11 +14,8 @@ namespace desmo {
 
 namespace {
 
-class Spqr {
+class Spqr final : public LinearSolver<double> {
  public:
-  static constexpr bool rounds_factors = false;
-  static constexpr bool keeps_pivots = false;
-
   explicit Spqr(const Pattern& pattern)
       : n_(pattern.n),
         start_(pattern.column_start.begin(), pattern.column_start.end()),
@@ -39,19 +36,17 @@ class Spqr {
     qr_ = SuiteSparseQR_symbolic<double>(SPQR_ORDERING_DEFAULT, reveal_rank, &a_, &common_);
     if (!qr_) throw std::invalid_argument("SPQR: the Jacobian could not be analysed");
   }
-  Spqr(const Spqr&) = delete;
-  Spqr& operator=(const Spqr&) = delete;
-  ~Spqr() {
+  ~Spqr() override {
     SuiteSparseQR_free<double>(&qr_, &common_);
     cholmod_l_finish(&common_);
   }
 
-  bool factor(const double* values) {
+  bool factor(const double* values) override {
     a_.x = const_cast<double*>(values);  // SPQR reads them only
     return SuiteSparseQR_numeric<double>(SPQR_DEFAULT_TOL, &a_, qr_, &common_) && qr_->rank == n_;
   }
 
-  void solve(double* b) {
+  void solve(double* b) override {
     cholmod_dense right{};
     right.nrow = right.nzmax = right.d = static_cast<std::size_t>(n_);
     right.ncol = 1;
@@ -69,7 +64,7 @@ class Spqr {
     cholmod_l_free_dense(&x, &common_);
   }
 
-  int patience() const { return sparse_patience; }
+  int break_even_solves() const override { return sparse_break_even_solves; }
 
  private:
   int n_;
@@ -82,7 +77,7 @@ class Spqr {
 }  // namespace
 
 extern const Backend spqr_backend;
-const Backend spqr_backend{"spqr", false, &make_newton_part<Spqr>, [] {
+const Backend spqr_backend{"spqr", false, &make_sparse_solver<Spqr>, [] {
                              return std::to_string(SPQR_MAIN_VERSION) + "." +
                                     std::to_string(SPQR_SUB_VERSION) + "." +
                                     std::to_string(SPQR_SUBSUB_VERSION);

@@ -13,11 +13,8 @@ namespace desmo {
 
 namespace {
 
-class Umfpack {
+class Umfpack final : public LinearSolver<double> {
  public:
-  static constexpr bool rounds_factors = false;
-  static constexpr bool keeps_pivots = false;
-
   explicit Umfpack(const Pattern& pattern)
       : n_(pattern.n),
         start_(pattern.column_start),
@@ -34,27 +31,25 @@ class Umfpack {
                             nullptr) != UMFPACK_OK)
       throw std::invalid_argument("UMFPACK: the Jacobian could not be analysed");
   }
-  Umfpack(const Umfpack&) = delete;
-  Umfpack& operator=(const Umfpack&) = delete;
-  ~Umfpack() {
+  ~Umfpack() override {
     umfpack_di_free_numeric(&numeric_);
     umfpack_di_free_symbolic(&symbolic_);
   }
 
-  bool factor(const double* values) {
+  bool factor(const double* values) override {
     umfpack_di_free_numeric(&numeric_);
     values_ = values;
     return umfpack_di_numeric(start_.data(), row_.data(), values, symbolic_, &numeric_, control_,
                               nullptr) == UMFPACK_OK;
   }
 
-  void solve(double* b) {
+  void solve(double* b) override {
     std::copy_n(b, n_, right_.begin());
     umfpack_di_wsolve(UMFPACK_A, start_.data(), row_.data(), values_, b, right_.data(), numeric_,
                       control_, nullptr, index_work_.data(), work_.data());
   }
 
-  int patience() const { return sparse_patience; }
+  int break_even_solves() const override { return sparse_break_even_solves; }
 
  private:
   int n_;
@@ -70,7 +65,7 @@ class Umfpack {
 }  // namespace
 
 extern const Backend umfpack_backend;
-const Backend umfpack_backend{"umfpack", false, &make_newton_part<Umfpack>, [] {
+const Backend umfpack_backend{"umfpack", false, &make_sparse_solver<Umfpack>, [] {
                                 return std::to_string(UMFPACK_MAIN_VERSION) + "." +
                                        std::to_string(UMFPACK_SUB_VERSION) + "." +
                                        std::to_string(UMFPACK_SUBSUB_VERSION);

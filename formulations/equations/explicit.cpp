@@ -1,18 +1,19 @@
 #include <unordered_map>
 
-#include "formulations/equations/explicit_kernel.h"
-#include "formulations/equations/lane_kernel.h"
+#include "formulations/equations/kernel_sets.h"
+#include "formulations/equations/symbolic.h"
 
 namespace desmo {
 
 namespace {
 
-/// In the table that a function gives.
+/// Finds a kernel by its fingerprint in one table of all sets.
 template <auto table>
 auto find(std::string_view fingerprint) {
   static const auto by_fingerprint = [] {
-    std::unordered_map<std::string_view, decltype(table().data())> map;
-    for (const auto& kernel : table()) map.emplace(kernel.fingerprint, &kernel);
+    std::unordered_map<std::string_view, decltype((KernelTables{}.*table).data())> map;
+    for (const KernelTables& set : built_in_kernels())
+      for (const auto& kernel : set.*table) map.emplace(kernel.fingerprint, &kernel);
     return map;
   }();
   const auto it = by_fingerprint.find(fingerprint);
@@ -21,8 +22,12 @@ auto find(std::string_view fingerprint) {
 
 }  // namespace
 
+const Kernel* find_kernel(std::string_view fingerprint) {
+  return find<&KernelTables::kernels>(fingerprint);
+}
+
 const ExplicitKernel* find_explicit_kernel(std::string_view fingerprint) {
-  return find<&explicit_kernels>(fingerprint);
+  return find<&KernelTables::explicit_kernels>(fingerprint);
 }
 
 bool has_lanes(int lanes) {
@@ -38,10 +43,8 @@ bool has_lanes(int lanes) {
 
 const LaneKernel* find_lane_kernel(std::string_view fingerprint, int lanes) {
   if (!has_lanes(lanes)) return nullptr;
-#ifdef DESMO_WIDE_LANES
-  if (lanes == 8) return find<&lane_kernels<8>>(fingerprint);
-#endif
-  return find<&lane_kernels<4>>(fingerprint);
+  return lanes == 8 ? find<&KernelTables::eight_lanes>(fingerprint)
+                    : find<&KernelTables::four_lanes>(fingerprint);
 }
 
 }  // namespace desmo

@@ -109,9 +109,6 @@ struct ExplicitKernel {
   std::array<Solve*, 3> solve;  ///< by Level
 };
 
-/// Every generated explicit kernel.
-std::span<const ExplicitKernel> explicit_kernels();
-
 /// The explicit kernel that desmo was built with for a fingerprint, or null.
 const ExplicitKernel* find_explicit_kernel(std::string_view fingerprint);
 

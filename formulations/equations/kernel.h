@@ -47,7 +47,4 @@ struct Kernel {
   bool (*rates)(const double* state, double* rate, double* acc, const int* in, const double* c);
 };
 
-/// Every generated kernel.
-std::span<const Kernel> kernels();
-
 }  // namespace desmo

@@ -31,14 +31,6 @@ struct LaneKernel {
                       double* residual2);
 };
 
-/// Every generated kernel for so many lanes, where this build has code for them.
-template <int lanes>
-std::span<const LaneKernel> lane_kernels();
-template <>
-std::span<const LaneKernel> lane_kernels<4>();
-template <>
-std::span<const LaneKernel> lane_kernels<8>();
-
 /// Whether this build has code for so many lanes, and this processor registers.
 bool has_lanes(int lanes);
 

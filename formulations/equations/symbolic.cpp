@@ -1,21 +1,10 @@
 #include "formulations/equations/symbolic.h"
 
 #include <algorithm>
-#include <unordered_map>
 
 #include "formulations/part_type.h"
 
 namespace desmo {
-
-const Kernel* find_kernel(std::string_view fingerprint) {
-  static const auto by_fingerprint = [] {
-    std::unordered_map<std::string_view, const Kernel*> map;
-    for (const Kernel& k : kernels()) map.emplace(k.fingerprint, &k);
-    return map;
-  }();
-  const auto it = by_fingerprint.find(fingerprint);
-  return it == by_fingerprint.end() ? nullptr : it->second;
-}
 
 std::optional<BoundKernel> bind_kernel(const Mechanism& m, const PartDefinition& part,
                                        const KernelTable& table) {

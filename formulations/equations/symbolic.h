@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "cases/mechanism.h"
+#include "formulations/equations/equations.h"
 #include "formulations/equations/kernel.h"
 #include "formulations/equations/kernel_table.h"
-#include "formulations/equations/pattern.h"
 #include "formulations/partition.h"
 
 namespace desmo {
@@ -32,25 +32,21 @@ std::optional<std::vector<BoundKernel>> bind_kernels(
     const Mechanism& mechanism, const PartDefinition& part,
     const KernelTable& table = KernelTable::built_in());
 
-/// Symbolic equations: the generated kernels of a part's groups, one after the other. Meets the
-/// contract of AutomaticEquations.
-class SymbolicEquations {
+/// Symbolic equations: the generated kernels of a part's groups, one after the other.
+class SymbolicEquations final : public Equations<double> {
  public:
-  using Real = double;
-
   /// kernels: of the part, by bind_kernels().
   SymbolicEquations(const Mechanism& mechanism, const PartDefinition& part,
                     std::vector<BoundKernel> kernels);
 
-  const Pattern& pattern() const { return pattern_; }
-
-  void constant_jacobian(double* values) const;
-  void residual(const double* state, double* phi) const;
+  const Pattern& pattern() const override { return pattern_; }
+  void constant_jacobian(double* values) const override;
+  void residual(const double* state, double* phi) const override;
   /// Where a coordinate that one group takes as known is an unknown of the part, its entries are
   /// written too.
-  void jacobian(const double* state, double* values) const;
-  void known_jacobian(const double* state, double* values) const;
-  void quadratic(const double* state, const double* rate, double* gamma) const;
+  void jacobian(const double* state, double* values) const override;
+  void known_jacobian(const double* state, double* values) const override;
+  void quadratic(const double* state, const double* rate, double* gamma) const override;
 
  private:
   struct Block {

@@ -32,11 +32,14 @@ const std::map<std::string, std::string>& orders() {
   static const std::map<std::string, std::string> all = [] {
     constexpr std::string_view begin = "namespace ", comment = "//";
     std::map<std::string, std::string> result;
-    std::ifstream file(DESMO_EXPLICIT_KERNELS);
-    std::string name;
-    for (std::string line; std::getline(file, line);) {
-      if (line.starts_with(begin)) name = line.substr(begin.size(), line.find(" {") - begin.size());
-      if (line.starts_with(comment) && !name.empty()) result[name] += line + '\n';
+    for (const char* set : {"cases", "library"}) {
+      std::ifstream file(std::string(DESMO_KERNELS "/") + set + "_explicit_kernels.cpp");
+      std::string name;
+      for (std::string line; std::getline(file, line);) {
+        if (line.starts_with(begin))
+          name = line.substr(begin.size(), line.find(" {") - begin.size());
+        if (line.starts_with(comment) && !name.empty()) result[name] += line + '\n';
+      }
     }
     return result;
   }();

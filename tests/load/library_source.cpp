@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "cases/cases.h"
+#include "formulations/equations/kernel_sets.h"
 #include "formulations/equations/kernel_table.h"
 #include "formulations/equations/symbolic.h"
 #include "tests/mechanisms.h"
@@ -90,7 +91,7 @@ TEST(SampledTypes, WithoutNamesAreTheSameForEveryPartOfTheType) {
 }
 
 TEST(KernelTables, HaveWhatWasAddedBesideWhatIsBuiltIn) {
-  const std::string_view built = kernels().front().fingerprint;
+  const std::string_view built = built_in_kernels().front().kernels.front().fingerprint;
   std::array<Kernel, 2> added{};
   added[0].fingerprint = "own type";
   added[1].fingerprint = built;

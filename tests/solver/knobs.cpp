@@ -73,7 +73,8 @@ class WeightedResidual {
   explicit WeightedResidual(const Mechanism& m) : m_(m) {
     const Magnitudes magnitudes(m);
     for (const PartDefinition& part : make_partition(m, Partition::group))
-      if (!part.constant) parts_.push_back({AutomaticEquations(m, part), magnitudes.weights(part)});
+      if (!part.constant)
+        parts_.push_back({std::make_unique<AutomaticEquations>(m, part), magnitudes.weights(part)});
   }
 
   double of(const Formulation& f) const {
@@ -82,7 +83,7 @@ class WeightedResidual {
     double sum = 0;
     for (const auto& [equations, weights] : parts_) {
       std::vector<double> phi(weights.size());
-      equations.residual(state.data(), phi.data());
+      equations->residual(state.data(), phi.data());
       for (std::size_t i = 0; i < phi.size(); ++i) sum += std::pow(weights[i] * phi[i], 2);
     }
     return std::sqrt(sum);
@@ -90,7 +91,7 @@ class WeightedResidual {
 
  private:
   struct WeightedPart {
-    AutomaticEquations equations;
+    std::unique_ptr<AutomaticEquations> equations;
     std::vector<double> weights;
   };
   const Mechanism& m_;

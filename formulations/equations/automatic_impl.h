@@ -1,10 +1,17 @@
-#include "formulations/equations/automatic.h"
+// Instantiated once for each scalar: automatic_double.cpp, automatic_float.cpp.
+#pragma once
 
 #include <algorithm>
+#include <array>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "formulations/equations/automatic.h"
 
 namespace desmo {
 
-namespace {
+namespace automatic_equations {
 
 template <class Kind, class S>
 using Operands = std::array<const S*, Kind::operand_sizes.size()>;
@@ -31,31 +38,65 @@ void pick(const std::array<int, N>& rows, const std::array<S, N>& all, S* to) {
     if (rows[r] >= 0) to[rows[r]] = all[r];
 }
 
-}  // namespace
+}  // namespace automatic_equations
+
+template <class S>
+template <class Kind>
+struct BasicAutomaticEquations<S>::Batch {
+  struct Object {
+    std::array<int, Kind::operand_sizes.size()> operands;  // in the state
+    std::array<S, Kind::constants> constants;
+    int row;  // first of the part, when it has them all
+    std::array<int, Kind::entries> slots;
+    std::array<int, Kind::rows> rows;  // of the part, or -1 where another part has it
+  };
+  std::vector<Object> whole;  // all their equations belong to the part
+  std::vector<Object> cut;    // some do
+};
+
+template <class S>
+struct BasicAutomaticEquations<S>::Batches {
+  template <class Tuple>
+  struct TupleOf;
+  template <class... Kinds>
+  struct TupleOf<std::tuple<Kinds...>> {
+    using type = std::tuple<Batch<Kinds>...>;
+  };
+  typename TupleOf<ConstraintKinds>::type of_kinds;
+};
+
+template <class S>
+struct BasicAutomaticEquations<S>::Loops {
+  void (*constant_jacobian)(const Batches&, S* values);
+  void (*residual)(const Batches&, const S* state, S* phi);
+  void (*jacobian)(const Batches&, const S* state, S* values);
+  void (*quadratic)(const Batches&, const S* state, const S* rate, S* gamma);
+};
 
 template <class S>
 template <class Kind, bool Whole>
 struct BasicAutomaticEquations<S>::LoopsOf {
   static const auto& objects(const Batches& batches) {
-    const Batch<Kind>& batch = std::get<Batch<Kind>>(batches);
+    const Batch<Kind>& batch = std::get<Batch<Kind>>(batches.of_kinds);
     return Whole ? batch.whole : batch.cut;
   }
 
   static void constant_jacobian(const Batches& batches, S* values) {
     if constexpr (Kind::linear)
       for (const auto& o : objects(batches))
-        write_jacobian<Kind>(o, Operands<Kind, S>{}, values);  // they read no state
+        automatic_equations::write_jacobian<Kind>(o, automatic_equations::Operands<Kind, S>{},
+                                                  values);  // they read no state
   }
 
   static void residual(const Batches& batches, const S* state, S* phi) {
     for (const auto& o : objects(batches)) {
-      const auto x = pointers(state, o.operands);
+      const auto x = automatic_equations::pointers(state, o.operands);
       if constexpr (Whole) {
         Kind::residual(x.data(), o.constants.data(), phi + o.row);
       } else {
         std::array<S, Kind::rows> all;
         Kind::residual(x.data(), o.constants.data(), all.data());
-        pick(o.rows, all, phi);
+        automatic_equations::pick(o.rows, all, phi);
       }
     }
   }
@@ -63,19 +104,20 @@ struct BasicAutomaticEquations<S>::LoopsOf {
   static void jacobian(const Batches& batches, const S* state, S* values) {
     if constexpr (!Kind::linear)
       for (const auto& o : objects(batches))
-        write_jacobian<Kind>(o, pointers(state, o.operands), values);
+        automatic_equations::write_jacobian<Kind>(
+            o, automatic_equations::pointers(state, o.operands), values);
   }
 
   static void quadratic(const Batches& batches, const S* state, const S* rate, S* gamma) {
     for (const auto& o : objects(batches)) {
-      const auto x = pointers(state, o.operands);
-      const auto v = pointers(rate, o.operands);
+      const auto x = automatic_equations::pointers(state, o.operands);
+      const auto v = automatic_equations::pointers(rate, o.operands);
       if constexpr (Whole) {
         Kind::quadratic(x.data(), v.data(), o.constants.data(), gamma + o.row);
       } else {
         std::array<S, Kind::rows> all;
         Kind::quadratic(x.data(), v.data(), o.constants.data(), all.data());
-        pick(o.rows, all, gamma);
+        automatic_equations::pick(o.rows, all, gamma);
       }
     }
   }
@@ -84,8 +126,8 @@ struct BasicAutomaticEquations<S>::LoopsOf {
 };
 
 template <class S>
-BasicAutomaticEquations<S>::BasicAutomaticEquations(const Mechanism& m,
-                                                    const PartDefinition& part) {
+BasicAutomaticEquations<S>::BasicAutomaticEquations(const Mechanism& m, const PartDefinition& part)
+    : batches_(std::make_unique<Batches>()) {
   std::vector<JacobianEntry> entries;
   const int n = static_cast<int>(part.equations.size());
   for (int row = 0; row < n;) {
@@ -103,14 +145,14 @@ BasicAutomaticEquations<S>::BasicAutomaticEquations(const Mechanism& m,
 
       int i = 0;
       static constexpr std::array<S, 3> any{1, 1, 1};  // the pattern is that of all values
-      Operands<Kind, S> x;
+      automatic_equations::Operands<Kind, S> x;
       x.fill(any.data());
       Kind::jacobian(x.data(), o.constants.data(), [&](int r, int operand, int component, S) {
         o.slots[i++] = static_cast<int>(entries.size());  // its place in `entries`, for now
         entries.push_back(
             {o.rows[r], o.operands[operand] + component, m.rests(constraint.operands[operand])});
       });
-      Batch<Kind>& batch = std::get<Batch<Kind>>(batches_);
+      Batch<Kind>& batch = std::get<Batch<Kind>>(batches_->of_kinds);
       (row - o.row == Kind::rows ? batch.whole : batch.cut).push_back(o);
     });
   }
@@ -124,30 +166,30 @@ BasicAutomaticEquations<S>::BasicAutomaticEquations(const Mechanism& m,
     if (!batch.whole.empty()) loops_.push_back(&LoopsOf<Kind, true>::table);
     if (!batch.cut.empty()) loops_.push_back(&LoopsOf<Kind, false>::table);
   };
-  std::apply([&](auto&... batch) { (assign(batch), ...); }, batches_);
+  std::apply([&](auto&... batch) { (assign(batch), ...); }, batches_->of_kinds);
 }
 
 template <class S>
+BasicAutomaticEquations<S>::~BasicAutomaticEquations() = default;
+
+template <class S>
 void BasicAutomaticEquations<S>::constant_jacobian(S* values) const {
-  for (const Loops* l : loops_) l->constant_jacobian(batches_, values);
+  for (const Loops* l : loops_) l->constant_jacobian(*batches_, values);
 }
 
 template <class S>
 void BasicAutomaticEquations<S>::residual(const S* state, S* phi) const {
-  for (const Loops* l : loops_) l->residual(batches_, state, phi);
+  for (const Loops* l : loops_) l->residual(*batches_, state, phi);
 }
 
 template <class S>
 void BasicAutomaticEquations<S>::jacobian(const S* state, S* values) const {
-  for (const Loops* l : loops_) l->jacobian(batches_, state, values);
+  for (const Loops* l : loops_) l->jacobian(*batches_, state, values);
 }
 
 template <class S>
 void BasicAutomaticEquations<S>::quadratic(const S* state, const S* rate, S* gamma) const {
-  for (const Loops* l : loops_) l->quadratic(batches_, state, rate, gamma);
+  for (const Loops* l : loops_) l->quadratic(*batches_, state, rate, gamma);
 }
-
-template class BasicAutomaticEquations<double>;
-template class BasicAutomaticEquations<float>;
 
 }  // namespace desmo

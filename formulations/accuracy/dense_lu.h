@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace desmo {
+
+/// An LU factorisation with partial pivoting of a small dense matrix, in any scalar S. A singular
+/// matrix gives solutions that are not finite.
+template <class S>
+class DenseLu {
+ public:
+  /// a: (n × n) by rows, factorised in place.
+  DenseLu(std::vector<S> a, std::size_t n) : a_(std::move(a)), n_(n), pivot_(n) {
+    using std::abs;
+    for (std::size_t k = 0; k < n_; ++k) {
+      std::size_t p = k;
+      for (std::size_t i = k + 1; i < n_; ++i)
+        if (abs(at(i, k)) > abs(at(p, k))) p = i;
+      pivot_[k] = p;
+      if (p != k)
+        for (std::size_t j = 0; j < n_; ++j) std::swap(at(k, j), at(p, j));
+      for (std::size_t i = k + 1; i < n_; ++i) {
+        const S factor = at(i, k) /= at(k, k);
+        if (factor == S(0)) continue;
+        for (std::size_t j = k + 1; j < n_; ++j) at(i, j) -= factor * at(k, j);
+      }
+    }
+  }
+
+  /// Returns a⁻¹ b.
+  std::vector<S> solve(std::vector<S> b) const {
+    for (std::size_t k = 0; k < n_; ++k) std::swap(b[k], b[pivot_[k]]);
+    for (std::size_t i = 0; i < n_; ++i)
+      for (std::size_t j = 0; j < i; ++j) b[i] -= at(i, j) * b[j];
+    for (std::size_t i = n_; i-- > 0;) {
+      for (std::size_t j = i + 1; j < n_; ++j) b[i] -= at(i, j) * b[j];
+      b[i] /= at(i, i);
+    }
+    return b;
+  }
+
+ private:
+  S& at(std::size_t i, std::size_t j) { return a_[i * n_ + j]; }
+  const S& at(std::size_t i, std::size_t j) const { return a_[i * n_ + j]; }
+
+  std::vector<S> a_;  // L without its unit diagonal, and U
+  std::size_t n_;
+  std::vector<std::size_t> pivot_;  // row that row k was exchanged with
+};
+
+}  // namespace desmo

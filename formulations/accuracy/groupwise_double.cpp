@@ -1,0 +1,7 @@
+#include "formulations/accuracy/groupwise_solver_impl.h"
+
+namespace desmo {
+
+template class GroupwiseSolver<double>;
+
+}  // namespace desmo

@@ -1,0 +1,10 @@
+#include "formulations/equations/tables_of.h"
+
+namespace desmo {
+
+std::span<const KernelTables> built_in_kernels() {
+  static const KernelTables tables[] = {tables_of<KernelSet::cases>()};
+  return tables;
+}
+
+}  // namespace desmo
