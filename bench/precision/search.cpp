@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <list>
-#include <ranges>
+#include <span>
 
 #include "bench/precision/knobs.h"
 
@@ -147,7 +147,7 @@ class Searcher {
   std::vector<Trial*> tried_on_the_whole(const std::vector<Trial*>& hopeful,
                                          std::list<Trial>& trials) {
     std::vector<Trial*> kept;
-    for (const Trial* t : hopeful | std::views::take(most_accurate)) {
+    for (const Trial* t : std::span(hopeful).first(std::min(hopeful.size(), most_accurate))) {
       Trial& trial = trials.emplace_back(whole_, t->configuration());
       trial.compare();
       trial.time(least_sample);

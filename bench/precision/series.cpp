@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <ranges>
 #include <set>
 #include <string>
 #include <string_view>
@@ -89,7 +88,8 @@ void add_steps(std::vector<Series>& all, const Case& c, int coordinates) {
   for (const double step : {0.001, 0.002, 0.005, 0.02}) {
     Series series{&c, coordinates, step, instants_of(step), {}};
     Adder add(series);
-    for (const Variant& v : variants() | std::views::filter(is_in_table_2)) add(v, {Settings{}});
+    for (const Variant& v : variants())
+      if (is_in_table_2(v)) add(v, {Settings{}});
     all.push_back(std::move(series));
   }
 }

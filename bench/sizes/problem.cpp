@@ -1,7 +1,6 @@
 #include "bench/sizes/problem.h"
 
 #include <optional>
-#include <ranges>
 #include <utility>
 
 #include "bench/suite/structure.h"
@@ -45,12 +44,17 @@ Problem make_problem(Mechanism m, const TimeGrid& grid, double tolerance) {
 
 Mechanism cut_to(const Mechanism& whole, int least) {
   // More entities never need less.
-  const auto counts = std::views::iota(1, static_cast<int>(whole.entities.size()) + 1);
-  const auto found = std::ranges::partition_point(counts, [&](int count) {
-    const std::optional<Mechanism> cut = of_first_entities(whole, count);
-    return !cut || suite::moving_unknowns(*cut) < least;
-  });
-  return found == counts.end() ? whole : *of_first_entities(whole, *found);
+  int first = 1, last = static_cast<int>(whole.entities.size()) + 1;
+  while (first < last) {
+    const int middle = first + (last - first) / 2;
+    const std::optional<Mechanism> cut = of_first_entities(whole, middle);
+    if (!cut || suite::moving_unknowns(*cut) < least)
+      first = middle + 1;
+    else
+      last = middle;
+  }
+  const bool all = first > static_cast<int>(whole.entities.size());
+  return all ? whole : *of_first_entities(whole, first);
 }
 
 }  // namespace desmo::sizes
