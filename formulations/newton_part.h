@@ -25,7 +25,8 @@ struct PartContext {
   const Mechanism& mechanism;
   const PartDefinition& definition;
   std::vector<double> weights;  ///< 1/magnitude of each equation of the part (see magnitudes.h)
-  /// Kernels of the symbolic equations, by bind_kernels(). Without them the equations are automatic.
+  /// Kernels of the symbolic equations, by bind_kernels(). Without them the equations are
+  /// automatic.
   std::optional<std::vector<BoundKernel>> kernels;
   PartSettings settings;       ///< with the tolerance on ‖Φ‖₂ of the part's own equations
   Profile* profile = nullptr;  ///< where phases are measured, or null for the timed code
