@@ -12,7 +12,7 @@
 #include "bench/cli/output.h"
 #include "bench/cli/own_code.h"
 #include "bench/cli/text.h"
-#include "bench/precision/search.h"
+#include "bench/experiments/accuracy/search.h"
 #include "cases/files/scene_text.h"
 #include "cases/files/text_file.h"
 #include "formulations/accuracy/condition.h"

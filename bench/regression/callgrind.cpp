@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "bench/kit/progress.h"
 #include "bench/regression/side.h"
-#include "bench/suite/progress.h"
 
 namespace desmo::regression {
 

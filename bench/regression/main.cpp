@@ -13,13 +13,13 @@
 #include <string>
 #include <vector>
 
+#include "bench/kit/schema_version.h"
 #include "bench/regression/callgrind.h"
 #include "bench/regression/cells.h"
 #include "bench/regression/check_file.h"
 #include "bench/regression/counts.h"
 #include "bench/regression/rounds.h"
 #include "bench/regression/side.h"
-#include "bench/suite/schema_version.h"
 
 namespace desmo::regression {
 

@@ -15,11 +15,11 @@
 #include <string_view>
 #include <vector>
 
+#include "bench/kit/cpu_clock.h"
+#include "bench/kit/kept_memory.h"
 #include "bench/regression/control.h"
 #include "bench/regression/subject.h"
 #include "bench/regression/verified_record.h"
-#include "bench/suite/cpu_clock.h"
-#include "bench/suite/kept_memory.h"
 #include "formulations/algebra/blas.h"
 
 namespace desmo::regression {

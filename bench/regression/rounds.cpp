@@ -6,8 +6,8 @@
 #include <random>
 #include <stdexcept>
 
+#include "bench/kit/progress.h"
 #include "bench/regression/cells.h"
-#include "bench/suite/progress.h"
 
 namespace desmo::regression {
 

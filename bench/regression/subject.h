@@ -2,8 +2,8 @@
 
 #include <memory>
 
+#include "bench/kit/delivery.h"
 #include "bench/regression/cell_name.h"
-#include "bench/suite/delivery.h"
 #include "cases/mechanism.h"
 #include "formulations/formulation.h"
 #include "formulations/id.h"

@@ -3,10 +3,10 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "bench/kit/cell.h"
+#include "bench/kit/environment.h"
+#include "bench/kit/environment_json.h"
 #include "bench/regression/cell_name.h"
-#include "bench/suite/cell.h"
-#include "bench/suite/environment.h"
-#include "bench/suite/environment_json.h"
 
 namespace desmo::regression {
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "bench/suite/heap.h"
+#include "bench/kit/heap.h"
 #include "formulations/variants.h"
 #include "tests/every_variant.h"
 #include "tests/mechanisms.h"

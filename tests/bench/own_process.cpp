@@ -1,6 +1,6 @@
 // Work in a process of its own: what comes back from it, and what is said when nothing does.
 
-#include "bench/suite/own_process.h"
+#include "bench/kit/own_process.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

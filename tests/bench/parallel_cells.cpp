@@ -8,8 +8,8 @@
 #include <string>
 #include <thread>
 
-#include "bench/suite/cell.h"
-#include "bench/suite/record.h"
+#include "bench/kit/cell.h"
+#include "bench/kit/record.h"
 #include "formulations/id.h"
 
 namespace desmo::suite::parallel_cells_test {

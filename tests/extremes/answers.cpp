@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "bench/stability/chain_solution.h"
-#include "bench/stability/problem.h"
+#include "bench/experiments/extremes/chain_solution.h"
+#include "bench/experiments/extremes/problem.h"
 #include "cases/extremes/rows.h"
 #include "formulations/accuracy/condition.h"
 #include "formulations/accuracy/error.h"

@@ -1,5 +1,5 @@
 // What is called a defect, and what is not.
-#include "bench/stability/judgement.h"
+#include "bench/experiments/extremes/judgement.h"
 
 #include <gtest/gtest.h>
 

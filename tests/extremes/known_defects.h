@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "bench/stability/table.h"
+#include "bench/experiments/extremes/table.h"
 
 namespace desmo::extreme {
 

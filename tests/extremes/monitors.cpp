@@ -7,8 +7,8 @@
 #include <regex>
 #include <string>
 
-#include "bench/stability/summary.h"
-#include "bench/stability/table.h"
+#include "bench/experiments/extremes/summary.h"
+#include "bench/experiments/extremes/table.h"
 
 namespace desmo::extreme::monitors_test {
 namespace {

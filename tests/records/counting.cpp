@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/counting/claims.h"
+#include "bench/experiments/instructions/claims.h"
 #include "formulations/id.h"
 
 namespace desmo::counting::counting_test {

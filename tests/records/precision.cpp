@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "bench/precision/knobs.h"
-#include "bench/precision/promise.h"
+#include "bench/experiments/accuracy/knobs.h"
+#include "bench/experiments/accuracy/promise.h"
 #include "cases/cases.h"
 #include "cases/files.h"
 #include "formulations/modelling/model.h"

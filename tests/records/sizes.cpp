@@ -10,9 +10,9 @@
 #include <string>
 #include <utility>
 
-#include "bench/sizes/contender.h"
-#include "bench/sizes/series.h"
-#include "bench/suite/structure.h"
+#include "bench/experiments/size/contender.h"
+#include "bench/experiments/size/series.h"
+#include "bench/kit/structure.h"
 #include "formulations/modelling/model.h"
 #include "formulations/variants.h"
 

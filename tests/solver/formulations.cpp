@@ -8,7 +8,7 @@
 #include <map>
 #include <vector>
 
-#include "bench/suite/cell.h"
+#include "bench/kit/cell.h"
 #include "cases/cases.h"
 #include "formulations/reference.h"
 #include "formulations/variants.h"

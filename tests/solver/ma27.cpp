@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include "bench/suite/cell.h"
+#include "bench/kit/cell.h"
 #include "formulations/algebra/coinhsl.h"
 #include "formulations/id.h"
 #include "tests/mechanisms.h"

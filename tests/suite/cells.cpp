@@ -9,14 +9,14 @@
 #include <utility>
 #include <vector>
 
-#include "bench/suite/cell.h"
-#include "bench/suite/cpu_clock.h"
-#include "bench/suite/options.h"
-#include "bench/suite/phases.h"
-#include "bench/suite/record.h"
-#include "bench/suite/segments.h"
-#include "bench/suite/structure.h"
-#include "bench/suite/verification.h"
+#include "bench/experiments/paper/options.h"
+#include "bench/kit/cell.h"
+#include "bench/kit/cpu_clock.h"
+#include "bench/kit/phases.h"
+#include "bench/kit/record.h"
+#include "bench/kit/segments.h"
+#include "bench/kit/structure.h"
+#include "bench/kit/verification.h"
 #include "cases/cases.h"
 #include "formulations/modelling/model.h"
 #include "formulations/variants.h"

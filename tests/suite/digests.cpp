@@ -10,12 +10,12 @@
 #include <string>
 #include <vector>
 
-#include "bench/suite/binary.h"
-#include "bench/suite/cell.h"
-#include "bench/suite/model_digest.h"
-#include "bench/suite/options.h"
-#include "bench/suite/result_digest.h"
-#include "bench/suite/verification.h"
+#include "bench/experiments/paper/options.h"
+#include "bench/kit/binary.h"
+#include "bench/kit/cell.h"
+#include "bench/kit/model_digest.h"
+#include "bench/kit/result_digest.h"
+#include "bench/kit/verification.h"
 #include "cases/cases.h"
 #include "formulations/digest.h"
 #include "formulations/modelling/model.h"

@@ -1,6 +1,6 @@
 // Flags of desmo_bench.
 
-#include "bench/suite/options.h"
+#include "bench/experiments/paper/options.h"
 
 #include <gtest/gtest.h>
 

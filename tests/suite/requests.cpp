@@ -7,9 +7,9 @@
 #include <string>
 #include <string_view>
 
-#include "bench/suite/options.h"
-#include "bench/suite/request.h"
-#include "bench/suite/verification.h"
+#include "bench/experiments/paper/options.h"
+#include "bench/kit/request.h"
+#include "bench/kit/verification.h"
 #include "cases/cases.h"
 #include "cases/files.h"
 #include "cases/library.h"

@@ -1,6 +1,6 @@
 // What is compared with the reference, and when it counts as agreeing.
 
-#include "bench/suite/verification.h"
+#include "bench/kit/verification.h"
 
 #include <gtest/gtest.h>
 

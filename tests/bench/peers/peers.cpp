@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "bench/suite/peer_cell.h"
+#include "bench/kit/peer_cell.h"
 #include "cases/cases.h"
 #include "formulations/modelling/model.h"
 

@@ -1,0 +1,210 @@
+#include "bench/experiments/accuracy/search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <list>
+#include <span>
+
+#include "bench/experiments/accuracy/knobs.h"
+
+namespace desmo::precision {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double least_sample = 2e-3;  // s
+constexpr int dense_limit = 114;       // coordinates of a dense global solve, O(n³) a step
+constexpr double near_best = 1.6;      // formulations that other settings may yet make the fastest
+constexpr double perhaps_best = 1.5;   // times, of one sample each, that further ones may turn over
+constexpr double even = 1.25;          // times on the begin that may change places on the whole
+constexpr std::size_t finalists = 16;
+constexpr std::size_t most_accurate = 100;  // on the begin, within a budget
+
+/// Settings that tell formulations apart: the paper's, and what usually costs least.
+std::vector<Settings> telling_settings() {
+  return {Settings{},
+          {.tolerance = 1e-8, .guess = Guess::adams8, .jacobian = JacobianUpdate::step}};
+}
+
+class Searcher {
+ public:
+  Searcher(const TunedMotion& motion, const Goal& goal, const Effort& effort)
+      : whole_(motion.whole), begin_(motion.begin), goal_(goal), effort_(effort) {}
+
+  Found run() {
+    std::list<Trial> trials;
+    for (const Variant* v : formulations())
+      for (const Settings& s : all_settings(*v))
+        add(trials, effort_.exhaustive ? whole_ : begin_, *v, s);
+    say(std::to_string(trials.size()) + " configurations");
+    for (Trial& t : trials) t.compare();
+    for (Trial& t : trials) t.time(least_sample);
+    std::vector<Trial*> hopeful;
+    for (Trial& t : trials)
+      if (may_do(t)) hopeful.push_back(&t);
+    decide(hopeful);
+    for (const Trial& t : trials) tried_.push_back(tried(t, effort_.exhaustive));
+    std::ranges::stable_sort(tried_, {}, &Tried::seconds);
+    found_.tried = std::move(tried_);
+    return std::move(found_);
+  }
+
+ private:
+  void say(const std::string& what) const {
+    if (effort_.say) effort_.say(what);
+  }
+
+  static void add(std::list<Trial>& trials, const Problem& problem, const Variant& v,
+                  const Settings& s) {
+    if (why_not(v, s).empty()) trials.emplace_back(problem, Configuration{&v, s});
+  }
+
+  /// Those that some settings may make the best.
+  std::vector<const Variant*> formulations() const {
+    std::vector<const Variant*> all = effort_.formulations, kept;
+    if (all.empty())
+      for (const Variant& v : variants())
+        if (!chooses_solvers(v) &&  // who solves by what is chosen here may choose otherwise
+            (!is_dense_global(v) || whole_.plan.mechanism.coordinates() <= dense_limit))
+          all.push_back(&v);
+    if (effort_.exhaustive) return all;
+    say(std::to_string(all.size()) + " formulations");
+    for (const Settings& s : telling_settings()) {
+      std::list<Trial> trials;
+      for (const Variant* v : all) add(trials, begin_, *v, s);
+      for (Trial& t : trials) t.compare();
+      for (int round = 0; round < 2; ++round)
+        for (Trial& t : trials) t.time(least_sample);
+      double best = infinity;
+      for (const Trial& t : trials) best = std::min(best, t.least_seconds());
+      for (const Trial& t : trials)
+        if (t.least_seconds() <= near_best * best &&
+            std::ranges::find(kept, t.configuration().variant) == kept.end())
+          kept.push_back(t.configuration().variant);
+    }
+    return kept;
+  }
+
+  double error(const Trial& t) const {
+    return t.state == Trial::State::solved ? t.error[goal_.level].max : infinity;
+  }
+  bool is_accurate(const Trial& t) const { return error(t) <= goal_.max_error / safety; }
+  bool is_cheap(double seconds) const { return seconds <= goal_.budget; }
+  bool may_do(const Trial& t) const {
+    if (t.state != Trial::State::solved) return false;
+    return goal_.budget > 0 ? is_cheap(t.least_seconds()) : is_accurate(t);
+  }
+
+  /// Errors of the same size count as one: rounding makes them, and time then decides.
+  double wrong(const Trial& t) const { return std::round(2 * std::log10(error(t))); }
+
+  bool is_even(const Trial& best, const Trial& other) const {
+    return other.least_seconds() <= even * best.least_seconds() &&
+           (goal_.budget == 0 || wrong(other) <= wrong(best));
+  }
+
+  /// The best first, as far as their motion tells.
+  void sort(std::vector<Trial*>& trials) const {
+    const auto time = [](const Trial* t) { return t->least_seconds(); };
+    std::ranges::stable_sort(trials, {}, time);
+    if (goal_.budget > 0)
+      std::ranges::stable_sort(trials, {}, [&](const Trial* t) { return wrong(*t); });
+  }
+
+  /// Samples the times that decide once more, in turn, and tries the best on the whole motion until
+  /// one holds the goal there.
+  void decide(std::vector<Trial*> hopeful) {
+    sample_again(hopeful);
+    sort(hopeful);
+    std::list<Trial> on_the_whole;
+    if (goal_.budget > 0 && !effort_.exhaustive) {
+      hopeful = tried_on_the_whole(hopeful, on_the_whole);
+      sort(hopeful);
+    }
+    for (std::size_t first = 0; first < hopeful.size() && !found_.choice; first += finalists) {
+      const std::size_t last = std::min(hopeful.size(), first + finalists);
+      std::vector<Trial*> batch(hopeful.begin() + static_cast<std::ptrdiff_t>(first),
+                                hopeful.begin() + static_cast<std::ptrdiff_t>(last));
+      say("the best " + std::to_string(batch.size()) + " once more, and over the whole motion");
+      for (int round = 0; round < effort_.rounds; ++round)
+        for (Trial* t : batch) t->time(least_sample);
+      sort(batch);
+      play_off(batch);
+    }
+  }
+
+  /// A sample that was disturbed must not keep anything out of the finals.
+  void sample_again(const std::vector<Trial*>& hopeful) const {
+    double best = infinity;
+    for (const Trial* t : hopeful) best = std::min(best, t->least_seconds());
+    for (int round = 0; round < 2; ++round)
+      for (Trial* t : hopeful)
+        if (t->least_seconds() <= perhaps_best * best) t->time(least_sample);
+  }
+
+  /// What is most accurate on the begin of a motion need not be so later.
+  std::vector<Trial*> tried_on_the_whole(const std::vector<Trial*>& hopeful,
+                                         std::list<Trial>& trials) {
+    std::vector<Trial*> kept;
+    for (const Trial* t : std::span(hopeful).first(std::min(hopeful.size(), most_accurate))) {
+      Trial& trial = trials.emplace_back(whole_, t->configuration());
+      trial.compare();
+      trial.time(least_sample);
+      if (may_do(trial)) kept.push_back(&trial);
+    }
+    return kept;
+  }
+
+  /// Chooses among those of a batch, best first, that hold the goal on the whole motion: the first,
+  /// and what its begin cannot tell from it.
+  void play_off(const std::vector<Trial*>& batch) {
+    std::list<Trial> trials;
+    std::vector<Trial*> holding;
+    const Trial* first = nullptr;
+    for (const Trial* t : batch) {
+      if (first && !is_even(*first, *t)) break;
+      Trial& trial = trials.emplace_back(whole_, t->configuration());
+      trial.compare();
+      trial.time(least_sample);
+      if (!may_do(trial)) continue;
+      holding.push_back(&trial);
+      if (!first) first = t;
+    }
+    for (int round = 0; round < effort_.rounds; ++round)
+      for (Trial* t : holding) t->time(least_sample);
+    if (!effort_.exhaustive)
+      for (const Trial& t : trials) tried_.push_back(tried(t, true));
+    if (holding.empty()) return;
+    sort(holding);
+    choose(*holding.front());
+  }
+
+  void choose(Trial& best) {
+    Trial usual(whole_, {best.configuration().variant, Settings{}});
+    usual.compare();
+    for (int round = 0; round < effort_.rounds; ++round) usual.time(least_sample);
+    found_.choice = best.configuration();
+    found_.error = best.error;
+    found_.seconds = best.least_seconds();
+    found_.usual_seconds = usual.least_seconds();
+  }
+
+  Tried tried(const Trial& t, bool whole) const {
+    return {t.id(), error(t), t.least_seconds(), whole};
+  }
+
+  const Problem &whole_, &begin_;
+  const Goal& goal_;
+  const Effort& effort_;
+  std::vector<Tried> tried_;
+  Found found_;
+};
+
+}  // namespace
+
+Found search(const TunedMotion& motion, const Goal& goal, const Effort& effort) {
+  return Searcher(motion, goal, effort).run();
+}
+
+}  // namespace desmo::precision

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/experiments/accuracy/trial.h"
+
+namespace desmo::precision {
+
+/// What is wanted of a formulation and its settings: the cheapest whose relative error is at most
+/// max_error, or, where a budget is given, the most accurate within it.
+struct Goal {
+  Level level = Level::position;  ///< of which the error is meant
+  double max_error = 0;
+  double budget = 0;  ///< s a step; 0: none
+};
+
+/// A configuration that was tried.
+struct Tried {
+  std::string id;
+  double error;    ///< at the level of the goal; infinite when it failed
+  double seconds;  ///< a step; infinite when it was not timed
+  bool whole;      ///< over the whole motion, not only its begin
+};
+
+/// What a search found.
+struct Found {
+  std::optional<Configuration> choice;  ///< nothing: none reaches the goal
+  Error error;                          ///< of the choice, over the whole motion
+  double seconds = 0;                   ///< of the choice, a step, over the whole motion
+  double usual_seconds = 0;             ///< of the same formulation with the paper's settings
+  std::vector<Tried> tried;             ///< by time
+};
+
+/// Which formulations are tried, and how hard.
+struct Effort {
+  std::vector<const Variant*> formulations = {};  ///< none: all that the suite has
+  /// All of them with all settings, and each over the whole motion, instead of those that are
+  /// fastest at its begin.
+  bool exhaustive = false;
+  int rounds = 9;  ///< samples of each time that decides
+  /// Called with what is being done, for people; may be empty.
+  std::function<void(const std::string&)> say = {};
+};
+
+/// An error between the instants that are compared may exceed the largest compared: a choice must
+/// hold max_error over this where it is compared.
+inline constexpr double safety = 2;
+
+/// Tries formulations with their settings on the begin of a motion, and the best of them on all of
+/// it. Deterministic but for the times.
+Found search(const TunedMotion& motion, const Goal& goal, const Effort& effort);
+
+}  // namespace desmo::precision

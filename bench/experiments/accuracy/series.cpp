@@ -1,0 +1,126 @@
+#include "bench/experiments/accuracy/series.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "bench/experiments/accuracy/knobs.h"
+
+namespace desmo::precision {
+
+namespace {
+
+constexpr double usual_step = 0.01;
+constexpr double seconds = 1;
+constexpr int dense_instants = 6;
+
+/// Where all knobs are turned: global and by groups or blocks, automatic and generated, sparse and
+/// dense. Only what is automatic and dense offers float.
+constexpr std::array<std::string_view, 11> tuned{
+    "global_automatic_klu",    "global_symbolic_klu",     "group_symbolic_klu",
+    "group_symbolic_lapack",   "group_symbolic_eigen",    "group_symbolic_inlined",
+    "block_symbolic_inlined",  "group_automatic_eigen",   "block_automatic_eigen",
+    "group_symbolic_explicit", "block_symbolic_explicit",
+};
+
+/// The paper's analyses, by its own solver and by what stands in for it.
+bool is_in_table_2(const Variant& v) {
+  constexpr std::array<std::string_view, 5> algebras{"ma27", "cholmod", "umfpack", "klu",
+                                                     "inlined"};
+  if (v.partition == Partition::block) return false;
+  if (v.partition == Partition::group && algebra_name(v) == "lapack") return true;
+  return std::ranges::find(algebras, algebra_name(v)) != algebras.end() &&
+         !(v.partition == Partition::global && v.evaluation == Evaluation::symbolic);
+}
+
+bool is_tuned(const Variant& v) { return std::ranges::find(tuned, v.id) != tuned.end(); }
+
+/// Settings of the sensitivity of Table 2, at the usual step.
+std::vector<Settings> table_settings() {
+  std::vector<Settings> all;
+  for (const double tolerance : {1e-6, 1e-8, 1e-10, 1e-12}) all.push_back({.tolerance = tolerance});
+  for (const Guess guess :
+       {Guess::linear, Guess::quadratic, Guess::hermite3, Guess::hermite5, Guess::adams8})
+    all.push_back({.guess = guess});
+  return all;
+}
+
+/// Adds configurations, each id once.
+class Adder {
+ public:
+  explicit Adder(Series& series) : series_(series) {}
+  void operator()(const Variant& variant, const std::vector<Settings>& all) {
+    for (const Settings& settings : all)
+      if (ids_.insert(id_with(variant, settings)).second)
+        series_.configurations.push_back({&variant, settings});
+  }
+
+ private:
+  Series& series_;
+  std::set<std::string> ids_;
+};
+
+int instants_of(double step) { return static_cast<int>(std::lround(seconds / step)) + 1; }
+
+void add_size(std::vector<Series>& all, const Case& c, int coordinates, bool largest) {
+  Series usual{&c, coordinates, usual_step, instants_of(usual_step), {}};
+  Series dense{&c, coordinates, usual_step, dense_instants, {}};
+  Adder add_usual(usual), add_dense(dense);
+  for (const Variant& v : variants()) {
+    if (is_dense_global(v))
+      add_dense(v, fewest_settings());
+    else
+      add_usual(v, few_settings());
+    if (largest && is_tuned(v)) {
+      add_usual(v, all_settings(v));
+      add_usual(v, {{.factorisation = Factorisation::per_level}});
+    }
+    if (largest && is_in_table_2(v)) add_usual(v, table_settings());
+  }
+  all.push_back(std::move(usual));
+  all.push_back(std::move(dense));
+}
+
+void add_steps(std::vector<Series>& all, const Case& c, int coordinates) {
+  for (const double step : {0.001, 0.002, 0.005, 0.02}) {
+    Series series{&c, coordinates, step, instants_of(step), {}};
+    Adder add(series);
+    for (const Variant& v : variants())
+      if (is_in_table_2(v)) add(v, {Settings{}});
+    all.push_back(std::move(series));
+  }
+}
+
+}  // namespace
+
+std::vector<Series> all_series() {
+  std::vector<Series> all;
+  for (const Case& c : cases()) {
+    for (const int n : c.sizes) add_size(all, c, n, n == c.sizes.back());
+    add_steps(all, c, c.sizes.back());
+  }
+  return all;
+}
+
+std::vector<Series> quick_series() {
+  std::vector<Series> all;
+  for (const Case& c : cases()) add_size(all, c, c.sizes.front(), false);
+  return all;
+}
+
+std::vector<Series> matching(std::vector<Series> all, const std::regex& expression) {
+  for (Series& series : all) {
+    const std::string place =
+        std::string(series.definition->name) + "/" + std::to_string(series.coordinates) + "/";
+    std::erase_if(series.configurations, [&](const Configuration& c) {
+      return !std::regex_search(place + id_with(*c.variant, c.settings), expression);
+    });
+  }
+  std::erase_if(all, [](const Series& series) { return series.configurations.empty(); });
+  return all;
+}
+
+}  // namespace desmo::precision

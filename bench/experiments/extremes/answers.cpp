@@ -1,0 +1,131 @@
+#include "bench/experiments/extremes/answers.h"
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+#include <optional>
+#include <stdexcept>
+
+#include "bench/experiments/extremes/chain_solution.h"
+#include "bench/experiments/extremes/floor.h"
+#include "formulations/reference.h"
+
+namespace desmo::extreme {
+
+namespace {
+
+/// Conditions and floors of what is right. conditions: those of a closed form, if they are to be
+/// used, which know better than the equations how far a long chain passes an error on.
+void judge_by(Answers& a, const std::vector<double>& conditions) {
+  std::optional<ConditionNumber> number;
+  if (conditions.empty()) number.emplace(a.mechanism);
+  for (std::size_t i = 0; i < a.right.size(); ++i) {
+    PerLevel<double>& floor = a.floor.emplace_back();
+    const ReferenceInstant& right = a.right[i];
+    if (right.q.empty()) continue;
+    const double condition = number ? (*number)(right.q) : conditions[i];
+    floor = floor_at(a.mechanism, right.q, condition);
+    a.condition = std::max(a.condition, condition);
+  }
+  std::vector<ReferenceInstant> known;
+  std::ranges::copy_if(a.right, std::back_inserter(known),
+                       [](const ReferenceInstant& r) { return !r.q.empty(); });
+  a.scales = make_scales(a.mechanism, known);
+}
+
+std::vector<int> coordinates_of(const Mechanism& part, const Mechanism& whole) {
+  std::vector<int> coordinate(part.coordinates());
+  for (const Entity& e : part.entities)
+    for (int i = 0; !e.fixed && i < e.size; ++i)
+      coordinate[e.first + i] = whole.entities[whole.find(e.name)].first + i;
+  return coordinate;
+}
+
+double longest_link(const DyadChain& chain) {
+  double longest = chain.crank;
+  for (const DyadChain::Dyad& d : chain.dyads) longest = std::max({longest, d.coupler, d.rocker});
+  return longest;
+}
+
+/// The mechanism of one of the chains.
+Mechanism alone(const Problem& p, std::size_t index) {
+  const ExtremeCase& c = *p.definition;
+  if (c.chains.size() == 1) return p.model->mechanism;
+  Describer d(c.scene.mechanism.name, 2);
+  d.set_length_unit(c.scene.mechanism.length_unit);
+  add(d, c.chains[index]);
+  return model(d.take(), {c.scene.motions[index]}).mechanism;
+}
+
+/// Where, on the way from a time to another, a chain that has an answer at one of them ceases or
+/// begins to have one.
+double end_between(ChainSolution& solution, double from, double to) {
+  const bool known = solution.solve(from);
+  for (;;) {
+    const double middle = from + (to - from) / 2;
+    if (middle <= from || middle >= to) return middle;
+    (solution.solve(middle) == known ? from : to) = middle;
+  }
+}
+
+}  // namespace
+
+Answers chain_answers(Problem& p, std::size_t index) {
+  const ExtremeCase& c = *p.definition;
+  const DyadChain& chain = c.chains[index];
+  Answers a{.mechanism = alone(p, index), .coordinate = {}, .right = {}, .floor = {}, .scales = {}};
+  a.coordinate = coordinates_of(a.mechanism, p.model->mechanism);
+  const double size = nominal_size(a.mechanism), longest = longest_link(chain);
+  const std::size_t links = std::max<std::size_t>(1, chain.dyads.size());
+  a.chain_length = longest * static_cast<double>(links) / size;
+  ChainSolution solution(chain, a.mechanism);
+  std::vector<double> conditions;
+  std::vector<double> start(a.mechanism.coordinates());
+  std::size_t next = 0;
+  bool before = true;
+  for (std::size_t i = 0; i < p.solvable.size(); ++i) {
+    if (c.starts) {
+      for (std::size_t j = 0; j < start.size(); ++j) start[j] = p.starts[i][a.coordinate[j]];
+      solution.declare(start);
+    }
+    const double t = c.scene.grid.time(c.starts ? 0 : static_cast<int>(i));
+    const bool solved = solution.solve(t);
+    if (!c.starts && i > 0 && solved != before) {
+      p.ends.push_back(end_between(solution, c.scene.grid.time(static_cast<int>(i) - 1), t));
+      solution.solve(t);
+    }
+    before = solved;
+    if (!solved) p.solvable[i] = false;
+    if (next == p.compared.size() || p.compared[next] != static_cast<int>(i)) continue;
+    ++next;
+    a.right.push_back(solved ? solution.instant() : ReferenceInstant{t, {}, {}, {}});
+    if (c.bound == Bound::length) conditions.push_back(solution.condition());
+  }
+  judge_by(a, conditions);
+  // An angle's error is what it moves the end of its link by, or long chains would leave it less
+  // than the rounding of that point.
+  if (c.bound == Bound::length) a.scales.rotation.position = size / longest;
+  return a;
+}
+
+Answers reference_answers(const Problem& p) {
+  const ExtremeCase& c = *p.definition;
+  Answers a{
+      .mechanism = p.model->mechanism, .coordinate = {}, .right = {}, .floor = {}, .scales = {}};
+  a.coordinate.resize(a.mechanism.coordinates());
+  std::iota(a.coordinate.begin(), a.coordinate.end(), 0);
+  std::vector<double> times;
+  for (const int i : p.compared)
+    if (p.solvable[i]) times.push_back(c.scene.grid.time(c.starts ? 0 : i));
+  if (c.starts) times.resize(1);
+  const Reference reference = make_reference(a.mechanism, times);
+  if (!(reference.floor.position < 1e-20))
+    throw std::runtime_error("the two references differ by more than 1e-20");
+  a.right = reference.instants;
+  if (c.starts) a.right.resize(p.compared.size(), reference.instants.front());
+  a.right.resize(p.compared.size(), {c.scene.grid.time(p.compared.back()), {}, {}, {}});
+  judge_by(a, {});
+  return a;
+}
+
+}  // namespace desmo::extreme

@@ -1,0 +1,44 @@
+#include "bench/experiments/extremes/applicability.h"
+
+namespace desmo::extreme {
+
+namespace {
+
+constexpr int largest_dense = 400;     // unknowns: a step costs O(n³)
+constexpr int largest_any = 5'000;     // for all but the fastest formulations
+constexpr long longest_any = 100'000;  // instants, likewise
+/// Coordinates: every part keeps a workspace of some kilobytes, and blocks are more than groups.
+constexpr int largest_in_blocks = 1'000'000;
+
+/// The formulations that do without a library's work on every small part.
+bool is_fast(const Variant& v) {
+  return !v.backend || (v.partition == Partition::global && algebra_name(v) == "klu");
+}
+
+}  // namespace
+
+std::string why_not_tried(const Configuration& configuration, const Problem& problem) {
+  const Variant& v = *configuration.variant;
+  if (std::string why = why_not(v, configuration.settings); !why.empty()) return why;
+  if (chooses_solvers(v))
+    return "each part is solved as by one of the libraries, which are tried by themselves; by "
+           "which differs from time to time";
+  const int coordinates = problem.model->mechanism.coordinates();
+  if (is_dense_global(v) && coordinates > largest_dense)
+    return "dense matrices of all unknowns: a step costs O(n³)";
+  if (v.partition == Partition::block && coordinates > largest_in_blocks)
+    return "workspaces of so many blocks take too much memory";
+  if (is_fast(v)) return {};
+  if (coordinates > largest_any) return "it takes too long with so many coordinates";
+  if (algebra_name(v) != "eigen" && static_cast<long>(problem.solvable.size()) > longest_any)
+    return "it takes too long with so many instants";
+  return {};
+}
+
+std::string lacks_generated_code(const Formulation& formulation) {
+  for (const Formulation::DefinedPart& part : formulation.parts())
+    if (!part.as_named) return "there is no generated code for groups of this type";
+  return {};
+}
+
+}  // namespace desmo::extreme

@@ -1,0 +1,42 @@
+#include "bench/experiments/extremes/comparison.h"
+
+#include <cmath>
+#include <numbers>
+#include <span>
+#include <vector>
+
+#include "formulations/accuracy/error.h"
+
+namespace desmo::extreme {
+
+namespace {
+
+void turn_back(const Mechanism& m, std::span<const double> right, std::vector<double>& q) {
+  constexpr double turn = 2 * std::numbers::pi;
+  for (const Entity& e : m.entities)
+    if (e.kind == EntityKind::angle && !e.fixed)
+      q[e.first] -= turn * std::nearbyint((q[e.first] - right[e.first]) / turn);
+}
+
+}  // namespace
+
+PerLevel<double> error_of(const Instant& instant, const Problem& problem, std::size_t of,
+                          std::size_t next) {
+  const Answers& answers = problem.answers[of];
+  const ReferenceInstant& right = answers.right[next];
+  const auto part = [&](std::span<const double> whole) {
+    std::vector<double> values;
+    for (const int i : answers.coordinate) values.push_back(whole[i]);
+    return values;
+  };
+  std::vector<double> q = part(instant.q);
+  if (const ExtremeCase& c = *problem.definition; c.starts || c.goes_on)
+    turn_back(answers.mechanism, right.q, q);
+  const std::vector<double> qd = part(instant.qd), qdd = part(instant.qdd);
+  ErrorMeasure measure(answers.mechanism, {&right, 1}, answers.scales);
+  measure.accept({0, right.time, q, qd, qdd});
+  const Error e = measure.error();
+  return {e.position.max, e.velocity.max, e.acceleration.max};
+}
+
+}  // namespace desmo::extreme

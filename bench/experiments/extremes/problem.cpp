@@ -1,0 +1,64 @@
+#include "bench/experiments/extremes/problem.h"
+
+#include <algorithm>
+#include <exception>
+#include <stdexcept>
+
+#include "bench/experiments/extremes/answers.h"
+#include "bench/experiments/extremes/starts.h"
+
+namespace desmo::extreme {
+
+namespace {
+
+constexpr int spread_instants = 201;
+
+std::vector<int> compared_instants(const ExtremeCase& c) {
+  const int count = c.starts ? c.starts->count : c.scene.grid.instants;
+  std::vector<int> all;
+  if (const int ends = c.compared_at_ends; ends > 0) {
+    for (int i = 0; i < ends; ++i) all.push_back(i);
+    for (int i = count - ends; i < count; ++i) all.push_back(i);
+    return all;
+  }
+  const int compared = c.starts ? count : std::min(count, spread_instants);
+  for (int i = 0; i < compared; ++i)
+    all.push_back(
+        compared == 1 ? 0 : static_cast<int>(static_cast<long>(i) * (count - 1) / (compared - 1)));
+  return all;
+}
+
+}  // namespace
+
+Problem make_problem(const ExtremeCase& c) {
+  Problem p{.definition = &c,
+            .model = {},
+            .refusal = {},
+            .no_answer = {},
+            .answers = {},
+            .compared = compared_instants(c),
+            .solvable = {},
+            .ends = {},
+            .starts = {}};
+  p.solvable.assign(c.starts ? c.starts->count : c.scene.grid.instants, true);
+  if (c.ends_singular) p.solvable.back() = false;
+  try {
+    p.model = model(c.scene.mechanism, c.scene.motions);
+  } catch (const std::invalid_argument& error) {
+    p.refusal = error.what();
+    return p;
+  }
+  if (c.starts) p.starts = make_starts(p.model->mechanism, *c.starts);
+  if (c.is_refused) return p;  // there is none
+  try {
+    for (std::size_t i = 0; i < c.chains.size(); ++i) p.answers.push_back(chain_answers(p, i));
+    if (c.chains.empty() && p.model->mechanism.coordinates() > 0)
+      p.answers.push_back(reference_answers(p));
+  } catch (const std::exception& error) {
+    p.no_answer = error.what();
+    p.answers.clear();
+  }
+  return p;
+}
+
+}  // namespace desmo::extreme

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <functional>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "bench/experiments/extremes/judgement.h"
+#include "cases/extremes.h"
+
+namespace desmo::extreme {
+
+/// One place of the table.
+struct Result {
+  const Extreme* row;
+  std::string case_name;
+  std::string id;        ///< formulation, with the case's settings
+  double condition = 0;  ///< the largest of what was compared; 0: not known
+  Judgement judgement;
+};
+
+/// What of the table is tried.
+struct Selection {
+  Extent extent = Extent::full;
+  /// To be found in ids, and in the names of cases; by default they are in all.
+  std::regex formulations{""}, cases{""};
+  unsigned without = 0;  ///< monitors left out (Watch::Options), which names of cases then tell
+  std::function<void(const std::string&)> say = {};  ///< called with what comes next; may be empty
+};
+
+/// The cases of a row in the formulations selected. A case by which others are measured is tried
+/// with them, selected or not.
+std::vector<Result> row_results(const Extreme& row, const Selection& selection);
+
+}  // namespace desmo::extreme

@@ -1,0 +1,91 @@
+// desmo_instructions: instructions a step, counted by callgrind: repeatable where times are not.
+// Beside them stands what an early prototype took.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <regex>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "bench/experiments/instructions/claims.h"
+#include "bench/experiments/instructions/step_counts.h"
+#include "bench/kit/recording.h"
+#include "bench/regression/callgrind.h"
+
+namespace desmo::counting {
+
+namespace {
+
+struct Options {
+  std::string record, command, filter;
+  int coordinates = 0;
+};
+
+/// It stands beside this program.
+std::string desmo_steps() {
+  return (std::filesystem::read_symlink("/proc/self/exe").parent_path() / "desmo_steps").string();
+}
+
+void print(const std::vector<StepCount>& counts) {
+  std::printf("%-18s %-68s %12s %12s\n", "case", "formulation", "instructions", "prototype");
+  for (const StepCount& c : counts) {
+    const auto early = of_prototype(c);
+    std::printf("%-18s %-68s %12lld %12s\n", c.case_name.c_str(), c.id.c_str(),
+                static_cast<long long>(c.instructions),
+                early ? std::to_string(*early).c_str() : "-");
+  }
+}
+
+nlohmann::ordered_json counts_json(const std::vector<StepCount>& counts, const std::string& tool) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const StepCount& c : counts)
+    list.push_back({{"case", c.case_name},
+                    {"coordinates", c.coordinates},
+                    {"id", c.id},
+                    {"instructions_per_step", c.instructions},
+                    {"steps", c.steps},
+                    {"tool", tool}});
+  return {{"instructions", std::move(list)}};
+}
+
+/// Whether every claim holds; one that does not is named.
+bool run(const Options& options) {
+  const std::regex expression(options.filter);
+  std::vector<StepCount> counts = to_be_counted(options.coordinates);
+  std::erase_if(counts,
+                [&](const StepCount& c) { return !std::regex_search(c.name(), expression); });
+  if (counts.empty()) throw std::invalid_argument("nothing matches " + options.filter);
+  const std::string tool = regression::counting_tool();
+  if (tool.empty()) throw std::runtime_error("valgrind, which counts, cannot be run");
+  std::optional<suite::Recording> recording;
+  if (!options.record.empty()) recording.emplace(options.record, options.command);
+  count(counts, desmo_steps());
+  print(counts);
+  if (recording) recording->write(cases().front().describe(1).grid, counts_json(counts, tool));
+  const std::vector<std::string> broken = broken_claims(counts);
+  for (const std::string& claim : broken) std::cerr << claim << '\n';
+  return broken.empty();
+}
+
+}  // namespace
+
+}  // namespace desmo::counting
+
+int main(int argc, char** argv) {
+  using namespace desmo::counting;
+  CLI::App program{"Instructions a step, counted by callgrind", "desmo_instructions"};
+  Options options;
+  program.add_option("--record", options.record, "Write the results record to this file");
+  program
+      .add_option("--coordinates", options.coordinates,
+                  "Of both cases; the largest of the paper's sizes if not given")
+      ->check(CLI::PositiveNumber);
+  program.add_option("--filter", options.filter,
+                     "Only where this regular expression is found in <case>/<coordinates>/<id>");
+  options.command = desmo::suite::command_line(argc, argv);
+  return desmo::suite::record_main(program, argc, argv, [&] { return run(options); });
+}

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <vector>
+
+#include "bench/kit/run_progress.h"
+#include "bench/kit/timed.h"
+
+namespace desmo::suite {
+
+/// Verifies and profiles all, and times what is verified by Google Benchmark, whose flags have been
+/// read: in turn, in an order of its own, each as often as asked for or as is worth it. What is
+/// wrong is said on standard error. first: the console has nothing yet.
+/// Returns {"failed": whether anything did, "lists": what a record says (lists_of)}.
+nlohmann::ordered_json measure(const std::vector<Timed*>& all, std::optional<int> asked_repetitions,
+                               bool first, RunProgress& progress);
+
+}  // namespace desmo::suite

@@ -1,0 +1,60 @@
+#include "bench/experiments/size/problem.h"
+
+#include <optional>
+#include <utility>
+
+#include "bench/kit/structure.h"
+#include "bench/kit/verification.h"
+#include "formulations/plan.h"
+#include "formulations/reference.h"
+
+namespace desmo::sizes {
+
+namespace {
+
+/// Coordinates beyond which a reference in quadruple precision takes minutes.
+constexpr int largest_quadruple = 12'000;
+
+std::vector<double> compared_times(const TimeGrid& grid) {
+  const int last = grid.instants - 1;
+  return {grid.time(0), grid.time(last / 2), grid.time(last)};
+}
+
+/// What the first entities need; nothing where none of them moves.
+std::optional<Mechanism> of_first_entities(const Mechanism& whole, int count) {
+  std::vector<Asked> asked;
+  for (EntityId e = 0; e < count; ++e)
+    if (!whole.rests(e)) asked.push_back({e, Level::acceleration});
+  if (asked.empty()) return std::nullopt;
+  return make_plan(whole, asked).mechanism;
+}
+
+}  // namespace
+
+Problem make_problem(Mechanism m, const TimeGrid& grid, double tolerance) {
+  const std::vector<double> times = compared_times(grid);
+  if (m.coordinates() > largest_quadruple) {
+    auto reference = reference_solution(m, times, Precision::standard);
+    return {std::move(m), grid, tolerance, std::move(reference), "double"};
+  }
+  Reference reference = make_reference(m, times);
+  suite::require_agreement(m, reference.floor);
+  return {std::move(m), grid, tolerance, std::move(reference.instants), "quadruple"};
+}
+
+Mechanism cut_to(const Mechanism& whole, int least) {
+  // More entities never need less.
+  int first = 1, last = static_cast<int>(whole.entities.size()) + 1;
+  while (first < last) {
+    const int middle = first + (last - first) / 2;
+    const std::optional<Mechanism> cut = of_first_entities(whole, middle);
+    if (!cut || suite::moving_unknowns(*cut) < least)
+      first = middle + 1;
+    else
+      last = middle;
+  }
+  const bool all = first > static_cast<int>(whole.entities.size());
+  return all ? whole : *of_first_entities(whole, first);
+}
+
+}  // namespace desmo::sizes

@@ -1,0 +1,37 @@
+#include "bench/experiments/size/record.h"
+
+#include <nlohmann/json.hpp>
+
+#include "bench/kit/environment_json.h"
+#include "bench/kit/record_layout.h"
+#include "bench/kit/structure.h"
+
+namespace desmo::sizes {
+
+nlohmann::ordered_json entry_json(const Series& series, const Problem& problem,
+                                  const Contender& contender) {
+  const Mechanism& m = problem.mechanism;
+  nlohmann::ordered_json j = {
+      {"case", series.definition->name},       {"coordinates", m.coordinates()},
+      {"unknowns", suite::moving_unknowns(m)}, {"id", contender.id},
+      {"step_seconds", problem.grid.step},     {"instants", problem.grid.instants},
+      {"tolerance", problem.tolerance}};
+  const bool timed = contender.is_right() && !contender.seconds_per_step.empty();
+  j["status"] = timed ? "ok" : "failed";
+  if (!timed) {
+    j["message"] = contender.message.empty() ? "not timed" : contender.message;
+    return j;
+  }
+  j["checked_against"] = problem.checked_against;
+  j["verification"] = suite::errors_json(contender.errors);
+  j["iterations_per_step"] = contender.iterations_per_step;
+  j["residual"] = contender.residual;
+  // q, q̇ and q̈
+  j["state_bytes"] = 3 * sizeof(double) * static_cast<std::size_t>(m.state_size());
+  if (contender.bytes > 0) j["bytes"] = contender.bytes;
+  for (const double seconds : contender.seconds_per_step)
+    j["seconds_per_step"].push_back(suite::rounded(seconds));
+  return j;
+}
+
+}  // namespace desmo::sizes

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "bench/experiments/size/contender.h"
+#include "bench/experiments/size/series.h"
+
+namespace desmo::sizes {
+
+/// A contender's entry in `growth` or `crossing` of the record (results/record.schema.json).
+nlohmann::ordered_json entry_json(const Series& series, const Problem& problem,
+                                  const Contender& contender);
+
+}  // namespace desmo::sizes

@@ -1,0 +1,120 @@
+#include "bench/experiments/size/series.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+#include "bench/kit/structure.h"
+#include "formulations/modelling/model.h"
+#include "formulations/variants.h"
+
+namespace desmo::sizes {
+
+namespace {
+
+/// Generated code, one part after the other, some and segments of the motion at once, and what
+/// solves by a sparse library.
+constexpr std::array<std::string_view, 6> growing{"group_symbolic_explicit",
+                                                  "group_symbolic_explicit/lanes:4",
+                                                  "group_symbolic_explicit/segments:4",
+                                                  "group_symbolic_inlined",
+                                                  "block_symbolic_klu",
+                                                  "global_automatic_klu"};
+
+/// The last chooses for itself.
+constexpr std::array<std::string_view, 7> crossing{
+    "global_automatic_lapack",  "global_automatic_eigen",   "global_automatic_klu",
+    "global_automatic_umfpack", "global_automatic_cholmod", "global_automatic_ma27",
+    "global_automatic_mixed"};
+
+/// 3 + 111 k: both cases have them.
+constexpr std::array coordinates{114,  225,  336,  447,   558,   1002,
+                                 2001, 4998, 9993, 22203, 49953, 99903};
+constexpr std::array unknowns{10, 15, 20, 25, 30, 40, 50, 60, 75, 90, 110, 140, 200, 300, 400, 500};
+
+constexpr int quick_coordinates = 336, quick_unknowns = 100;
+constexpr int any_number = 1'000'000;
+
+/// Long enough that entering the segments of a motion costs little beside solving them.
+constexpr int growth_instants = 401;
+constexpr int crossing_instants = 51;
+
+/// Rounding leaves more in the equations of points far from the origin, and the more coordinates
+/// there are, the further the last ones are: the paper's tolerance up to 200 of them, and beyond
+/// three times what solving by groups cannot do without.
+double tolerance_of(int coordinates) { return 5e-15 * std::max(200, coordinates); }
+
+TimeGrid begin_of(const Case& c, int instants) {
+  TimeGrid grid = c.describe(1).grid;
+  grid.instants = instants;
+  return grid;
+}
+
+/// Of this build, on this machine.
+bool exists(std::string_view id) {
+  return std::ranges::find(variants(), id.substr(0, id.find('/')), &Variant::id) !=
+         variants().end();
+}
+
+template <std::size_t n>
+void add(std::vector<Series>& all, Question question, const Case& c, int size,
+         const std::array<std::string_view, n>& ids) {
+  all.push_back({question, &c, size, {}});
+  std::ranges::copy_if(ids, std::back_inserter(all.back().ids), exists);
+}
+
+Mechanism largest(const Case& c) { return make_mechanism(describe(c, c.sizes.back())); }
+
+/// Each number of unknowns once: the first entities may need more than they were asked for.
+void add_crossings(std::vector<Series>& all, const Case& c, int most_unknowns) {
+  const Mechanism whole = largest(c);
+  int last = 0;
+  for (const int least : unknowns) {
+    if (least > most_unknowns) return;
+    const int found = suite::moving_unknowns(cut_to(whole, least));
+    if (found != last) add(all, Question::crossing, c, last = found, crossing);
+  }
+}
+
+std::vector<Series> series_up_to(int most_coordinates, int most_unknowns) {
+  std::vector<Series> all;
+  for (const Case& c : cases()) {
+    for (const int n : coordinates)
+      if (n <= most_coordinates) add(all, Question::growth, c, n, growing);
+    add_crossings(all, c, most_unknowns);
+  }
+  return all;
+}
+
+}  // namespace
+
+std::string_view name_of(Question question) {
+  return question == Question::growth ? "growth" : "crossing";
+}
+
+Problem Series::problem() const {
+  if (question == Question::growth)
+    return make_problem(make_mechanism(describe(*definition, size)),
+                        begin_of(*definition, growth_instants), tolerance_of(size));
+  return make_problem(cut_to(largest(*definition), size), begin_of(*definition, crossing_instants),
+                      Settings{}.tolerance);
+}
+
+std::vector<Series> all_series() { return series_up_to(any_number, any_number); }
+
+std::vector<Series> quick_series() { return series_up_to(quick_coordinates, quick_unknowns); }
+
+std::vector<Series> matching(std::vector<Series> all, const std::regex& expression) {
+  for (Series& series : all) {
+    const std::string place = std::string(name_of(series.question)) + "/" +
+                              std::string(series.definition->name) + "/" +
+                              std::to_string(series.size) + "/";
+    std::erase_if(series.ids, [&](std::string_view id) {
+      return !std::regex_search(place + std::string(id), expression);
+    });
+  }
+  std::erase_if(all, [](const Series& series) { return series.ids.empty(); });
+  return all;
+}
+
+}  // namespace desmo::sizes

@@ -1,0 +1,145 @@
+#include "bench/kit/cell.h"
+
+#include <algorithm>
+#include <exception>
+
+#include "bench/kit/beyond.h"
+#include "bench/kit/cpu_clock.h"
+#include "bench/kit/model_digest.h"
+#include "formulations/modelling/model.h"
+
+namespace desmo::suite {
+
+namespace {
+
+constexpr int profiled_coordinates = 558;  // the largest of the paper's tables
+constexpr int profiled_instants = 51;
+
+/// What KLU gains by finding irreducible blocks itself shows beside it.
+constexpr std::string_view reference_of_one_block = "global_automatic_klu/btf:off";
+
+/// The counterparts of FBL-G and FBL-TP, and the blocks beside the latter: the only ones run at
+/// extra sizes.
+bool runs_at_extra_sizes(const Variant& v) {
+  if (!v.backend) return true;
+  return v.partition == Partition::global && v.evaluation == Evaluation::automatic &&
+         !is_dense_global(v);
+}
+
+/// Why a formulation is not run with so many coordinates; empty when it is.
+std::string too_costly(const Variant& v, int n, const Options& options) {
+  const auto up_to = [](int limit) {
+    return ": run up to " + std::to_string(limit) + " coordinates only";
+  };
+  if (is_dense_global(v) && n > options.dense_limit)
+    return "a dense global solve costs O(n^3) a step" + up_to(options.dense_limit);
+  if (n <= options.slow_limit) return {};
+  if (algebra_name(v) == "spqr")
+    return "orthogonal factorisation serves accuracy, not speed" + up_to(options.slow_limit);
+  if ((algebra_name(v) == "umfpack" || algebra_name(v) == "sparselu") &&
+      v.partition == Partition::block)
+    return "a library's overhead is all there is in blocks this small" + up_to(options.slow_limit);
+  return {};
+}
+
+}  // namespace
+
+Cell::Cell(const Case& d, int n, const Variant& v, const Options& options, const Settings& s)
+    : Timed(chosen_grid(d.describe(1).grid, options), s.threads),
+      definition(d),
+      coordinates(n),
+      variant(v),
+      settings(s),
+      delivery_(Delivery(n), segments) {
+  if (const std::string reason = too_costly(v, n, options); !reason.empty()) leave_out(reason);
+}
+
+std::string Cell::name() const {
+  return std::string(definition.name) + "/" + std::to_string(coordinates) + "/" + id();
+}
+
+void Cell::verify(ReferenceCache& references) {
+  if (state != State::untouched) return;
+  if (const std::string reason = not_here(settings); !reason.empty()) return leave_out(reason);
+  try {
+    mechanism_ = std::make_unique<Mechanism>(make_mechanism(describe(definition, coordinates)));
+    model = model_digest(*mechanism_);
+    groups = mechanism_->structural_groups();
+    degrees_of_freedom = mechanism_->degrees_of_freedom();
+    const double before_setup = cpu_now();
+    formulation_ = make_formulation(variant, *mechanism_, settings);
+    setup_seconds = cpu_now() - before_setup;
+    if (chooses_solvers(variant)) solvers = part_solvers(*formulation_);
+    if (const std::string missing = missing_code(*formulation_); !missing.empty())
+      return fail(missing);
+
+    const auto reference = references.get(*mechanism_, grid);
+    VerifyingSink sink(reference);
+    const double start = now(clock);
+    const Summary summary = formulation_->run(grid, {}, sink);
+    analysis_seconds = now(clock) - start;
+    errors = sink.errors();
+    results = sink.results();
+    conclude(summary, *mechanism_, reference.size());
+  } catch (const std::exception& e) {
+    fail(e.what());
+  }
+}
+
+void Cell::profile() {
+  if (state != State::verified || coordinates != profiled_coordinates || !has_phases(variant))
+    return;
+  // The settings are those of the paper, which does not know KLU.
+  if (id() != variant.id && id() != reference_of_one_block) return;
+  // In blocks of one unknown, reading the clock costs more than what it measures.
+  if (variant.partition == Partition::block) return;
+  TimeGrid first = grid;
+  first.instants = std::min(grid.instants, profiled_instants);
+  phases = measure_phases(variant, settings, *mechanism_, first);
+}
+
+void Cell::make() {
+  formulation_ = make_formulation(variant, *mechanism_, settings);
+  formulation_->assemble(grid.time(0));
+  Delivery elsewhere(coordinates);
+  wake_threads([&] { formulation_->run(grid, {}, elsewhere); });
+}
+
+Summary Cell::analyse() {
+  segments.begin();
+  const Summary summary = formulation_->run(grid, {}, delivery_);
+  if (!summary.ok()) fail(describe(summary, *mechanism_));
+  return summary;
+}
+
+std::vector<std::pair<std::string, double>> Cell::counters() const {
+  return {{"coordinates", coordinates},
+          {"groups", groups},
+          {"iterations/step", iterations_per_step},
+          {"residual", residual}};
+}
+
+std::vector<std::unique_ptr<Cell>> make_cells(const Options& options) {
+  std::vector<std::unique_ptr<Cell>> cells;
+  for (const Case& c : cases()) {
+    for (const int n : c.sizes)
+      for (const Variant& v : variants()) cells.push_back(std::make_unique<Cell>(c, n, v, options));
+    for (const int n : c.extra_sizes)
+      for (const Variant& v : variants())
+        if (runs_at_extra_sizes(v)) cells.push_back(std::make_unique<Cell>(c, n, v, options));
+    const auto add = [&](int n, std::string_view id) {
+      const Configuration configuration = parse_id(id);
+      auto cell =
+          std::make_unique<Cell>(c, n, *configuration.variant, options, configuration.settings);
+      if (std::ranges::find(cells, cell->name(), &Cell::name) == cells.end())
+        cells.push_back(std::move(cell));
+    };
+    for (const std::string_view id : beyond_the_paper) add(c.sizes.back(), id);
+    add(c.sizes.back(), reference_of_one_block);
+    for (const std::string& id : options.formulations)
+      for (const int n : c.sizes) add(n, id);
+  }
+  return cells;
+}
+
+}  // namespace desmo::suite

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/experiments/paper/options.h"
+#include "bench/kit/delivery.h"
+#include "bench/kit/phases.h"
+#include "bench/kit/timed.h"
+#include "bench/kit/verification.h"
+#include "cases/cases.h"
+#include "formulations/id.h"
+#include "formulations/part_solvers.h"
+#include "formulations/variants.h"
+
+namespace desmo::suite {
+
+/// One case at one size with one formulation.
+class Cell final : public Timed {
+ public:
+  Cell(const Case& definition, int coordinates, const Variant& variant, const Options& options,
+       const Settings& settings = {});
+
+  /// The variant's, with its settings.
+  std::string id() const { return id_with(variant, settings); }
+  /// <case>/<coordinates>/<id>
+  std::string name() const override;
+  /// Against the quadruple-precision reference.
+  void verify(ReferenceCache& references) override;
+  void profile() override;
+  Summary analyse() override;
+  double expected_work() const override { return coordinates; }
+  std::vector<std::pair<std::string, double>> counters() const override;
+
+  const Case& definition;
+  const int coordinates;
+  const Variant& variant;
+  const Settings settings;
+
+  int groups = 0, degrees_of_freedom = 0;
+  std::vector<PartSolver> solvers;  ///< where the variant chooses them
+  std::optional<PhaseTimes> phases;
+
+ private:
+  void make() override;
+  void discard() override { formulation_.reset(); }
+
+  std::unique_ptr<Mechanism> mechanism_;  // the formulation refers to it
+  std::unique_ptr<Formulation> formulation_;
+  SegmentedDelivery<Delivery> delivery_;
+};
+
+/// Every cell of the suite, in the order of the tables. Dense global solves beyond the limit are
+/// there too, as State::not_run, with the reason.
+std::vector<std::unique_ptr<Cell>> make_cells(const Options& options);
+
+}  // namespace desmo::suite

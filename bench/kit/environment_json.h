@@ -1,0 +1,18 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "bench/kit/record.h"
+#include "bench/kit/schema_version.h"
+#include "bench/kit/verification.h"
+#include "cases/motion.h"
+
+namespace desmo::suite {
+
+/// `record` of results/record.schema.json: machine, build and settings of this program.
+nlohmann::ordered_json environment_json(const Run& run, const TimeGrid& grid);
+
+/// `verification` of a cell.
+nlohmann::ordered_json errors_json(const Errors& errors);
+
+}  // namespace desmo::suite

@@ -1,0 +1,194 @@
+#include "bench/kit/record.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string_view>
+#include <utility>
+
+#include "bench/kit/cell.h"
+#include "bench/kit/environment.h"
+#include "bench/kit/environment_json.h"
+#include "bench/kit/peer_cell.h"
+#include "bench/kit/record_layout.h"
+#include "bench/kit/request.h"
+#include "bench/kit/structure.h"
+#include "formulations/guess.h"
+
+namespace desmo::suite {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::array level_names{"position", "velocity", "acceleration"};
+
+/// Status, the message unless it is "ok", and what was solved, where, with which results: of what
+/// has no time, nothing that follows is written.
+void add_status(Json& j, const Timed& timed) {
+  j["status"] = timed.is_timed() ? "ok" : timed.is_not_run() ? "not_run" : "failed";
+  if (!timed.is_timed()) j["message"] = timed.message.empty() ? "not timed" : timed.message;
+  if (timed.is_not_run()) return;
+  j["machine"] = this_machine().cpu;
+  if (!timed.model.empty()) j["model"] = timed.model;
+  if (!timed.results.empty()) j["results"] = timed.results;
+}
+
+void add_segments(Json& j, const Segments& segments) {
+  for (const double least : segments.least()) j["segment_seconds"].push_back(rounded(least));
+  const std::vector<long>& updates = segments.updates();
+  if (std::ranges::count(updates, 0) == std::ssize(updates)) return;  // nobody counts
+  j["segment_updates"] = updates;
+  for (const std::vector<double>& sample : segments.samples()) {
+    Json seconds;
+    for (const double s : sample) seconds.push_back(rounded(s));
+    j["segment_samples"].push_back(std::move(seconds));
+  }
+}
+
+/// Of what has a time: how right it is, the time, and what belongs to it.
+void add_time(Json& j, const Timed& timed, Json verification) {
+  j["verification"] = std::move(verification);
+  if (timed.threads > 1) j["threads"] = timed.threads;
+  j["cpu_seconds"] = timed.cpu_seconds;
+  j["repetitions"] = timed.cpu_seconds.size();
+  add_segments(j, timed.segments);
+  j["setup_seconds"] = timed.setup_seconds;
+  j["iterations_per_step"] = timed.iterations_per_step;
+}
+
+Json solvers_json(const std::vector<PartSolver>& solvers) {
+  Json all = Json::array();
+  for (const PartSolver& s : solvers)
+    all.push_back({{"algebra", s.algebra},
+                   {"parts", s.parts},
+                   {"unknowns", {s.least_unknowns, s.most_unknowns}}});
+  return all;
+}
+
+Json cell_json(const Cell& cell) {
+  Json j = {{"case", cell.definition.name}, {"coordinates", cell.coordinates}, {"id", cell.id()}};
+  if (!cell.is_not_run()) {
+    j["groups"] = cell.groups;
+    j["degrees_of_freedom"] = cell.degrees_of_freedom;
+    if (!cell.solvers.empty()) j["solvers"] = solvers_json(cell.solvers);
+  }
+  add_status(j, cell);
+  if (!cell.is_timed()) return j;
+  add_time(j, cell, errors_json(cell.errors));
+  j["residual"] = cell.residual;
+  return j;
+}
+
+/// Levels that were not asked were not compared.
+Json errors_json(const Errors& errors, Level level) {
+  Json j = errors_json(errors);
+  if (level < Level::velocity) j.erase("velocity");
+  if (level < Level::acceleration) j.erase("acceleration");
+  return j;
+}
+
+Json request_json(const RequestCell& cell) {
+  const PlannedRequest& request = cell.request();
+  Json j = {{"case", request.definition.name},
+            {"coordinates", request.whole.coordinates()},
+            {"id", cell.id()},
+            {"request", request.name},
+            {"title", request.title},
+            {"level", level_names[static_cast<int>(request.plan.level())]},
+            {"unknowns", request.unknowns},
+            {"all_unknowns", request.all_unknowns}};
+  add_status(j, cell);
+  if (!cell.is_timed()) return j;
+  j["difference"] = cell.difference;
+  add_time(j, cell, errors_json(cell.errors, request.plan.level()));
+  j["residual"] = cell.residual;
+  return j;
+}
+
+Json peer_json(const PeerCell& cell) {
+  Json j = {{"case", cell.definition.name},
+            {"coordinates", cell.coordinates},
+            {"peer", cell.peer.name},
+            {"library", cell.peer.library},
+            {"library_version", cell.peer.version()},
+            {"method", cell.peer.method},
+            {"guess", guess_name(cell.peer.guess)}};
+  if (!cell.setup.empty()) {
+    j["setup"] = cell.setup;
+    j["compared"] = cell.compared;
+  }
+  add_status(j, cell);
+  if (!cell.is_timed()) return j;
+  add_time(j, cell, errors_json(cell.errors));
+  return j;
+}
+
+Json structure_json(const Structure& structure) {
+  const Case& definition = *structure.definition;
+  Json parts = Json::array();
+  for (const PartSizes& p : structure.parts)
+    parts.push_back({{"unknowns", p.unknowns}, {"count", p.count}});
+  return {{"case", definition.name},
+          {"coordinates", structure.coordinates},
+          {"partition", structure.partition},
+          {"unit", definition.unit_name},
+          {"units",
+           (structure.coordinates - definition.base_coordinates) / definition.coordinates_per_unit},
+          {"parts", parts}};
+}
+
+Json profile_json(const Cell& cell) {
+  Json seconds;
+  for (int p = 0; p < phase_count; ++p) seconds[phase_names[p]] = cell.phases->seconds[p];
+  seconds["rest"] = cell.phases->rest;
+  return {{"case", cell.definition.name},
+          {"coordinates", cell.coordinates},
+          {"id", cell.id()},
+          {"seconds_per_step", seconds},
+          {"total_range", {cell.phases->least_total, cell.phases->most_total}}};
+}
+
+}  // namespace
+
+std::string record_text(const Run& run, const TimeGrid& grid, const Json& lists,
+                        std::optional<int> segments) {
+  Json head{{"schema", "desmo-results"},
+            {"version", schema_version},
+            {"record", environment_json(run, grid)}};
+  if (segments) head["record"]["settings"]["segments"] = *segments;
+  if (!lists.contains("cells")) head["cells"] = Json::array();
+  return record_layout(head, lists);
+}
+
+std::string command_line(int argc, char** argv) {
+  std::string command = std::filesystem::path(argv[0]).filename().string();
+  for (int i = 1; i < argc; ++i) command += std::string(" ") + argv[i];
+  return command;
+}
+
+Json lists_of(const std::vector<Timed*>& timed) {
+  Json all;
+  for (const char* list : {"cells", "profiles", "structure", "requests"}) all[list] = Json::array();
+  std::set<std::pair<std::string_view, int>> described;
+  for (const Timed* one : timed) {
+    if (const auto* request = dynamic_cast<const RequestCell*>(one))
+      all["requests"].push_back(request_json(*request));
+    if (const auto* peer = dynamic_cast<const PeerCell*>(one))
+      all["peers"].push_back(peer_json(*peer));
+    const auto* cell = dynamic_cast<const Cell*>(one);
+    if (!cell) continue;
+    all["cells"].push_back(cell_json(*cell));
+    if (cell->phases && cell->state == Timed::State::verified)
+      all["profiles"].push_back(profile_json(*cell));
+    if (described.emplace(cell->definition.name, cell->coordinates).second)
+      for (const Structure& structure : structures(cell->definition, cell->coordinates))
+        all["structure"].push_back(structure_json(structure));
+  }
+  return all;
+}
+
+}  // namespace desmo::suite

@@ -1,0 +1,26 @@
+#include "bench/kit/record_layout.h"
+
+#include <cmath>
+#include <cstddef>
+#include <nlohmann/json.hpp>
+
+namespace desmo::suite {
+
+std::string record_layout(const nlohmann::ordered_json& head, const nlohmann::ordered_json& lists) {
+  std::string text = head.dump(1);
+  text.erase(text.rfind('\n'));  // with the brace behind it
+  for (const auto& [name, list] : lists.items()) {
+    text += ",\n " + nlohmann::ordered_json(name).dump() + ": [";
+    for (std::size_t i = 0; i < list.size(); ++i)
+      text += (i == 0 ? "\n  " : ",\n  ") + list[i].dump();
+    text += list.empty() ? "]" : "\n ]";
+  }
+  return text + "\n}\n";
+}
+
+double rounded(double seconds) {
+  const double unit = std::pow(10, 4 - std::floor(std::log10(seconds)));
+  return std::round(seconds * unit) / unit;
+}
+
+}  // namespace desmo::suite

@@ -1,0 +1,106 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bench/kit/delivery.h"
+#include "bench/kit/result_digest.h"
+#include "formulations/formulation.h"
+#include "formulations/reference.h"
+
+namespace desmo::suite {
+
+/// Largest absolute differences over all coordinates and compared instants.
+struct Errors {
+  int instants = 0;
+  double position = 0, velocity = 0, acceleration = 0;
+};
+
+/// Raises `largest` to |a − b| where that is larger; NaN counts as infinitely wrong.
+void widen(double& largest, double a, double b);
+
+/// What a formulation may differ from the quadruple-precision reference before it counts as
+/// wrong, in units of the case.
+inline constexpr Errors allowed{0, 1e-9, 1e-8, 1e-7};
+
+/// What was compared, and its digest, in units of what is allowed.
+struct Comparison {
+  Errors errors;
+  std::string results;
+};
+
+/// Delivers as `Inner` does when it is timed, and keeps what came at the instants of a reference.
+template <class Inner>
+class DeliveryAtReference : public Sink {
+ public:
+  DeliveryAtReference(Inner inner, std::span<const ReferenceInstant> reference)
+      : reference_(reference), came_(reference.size()), inner_(std::move(inner)) {}
+
+  void accept(const Instant& i) override {
+    inner_.accept(i);
+    const auto r = std::ranges::lower_bound(reference_, i.time, {}, &ReferenceInstant::time);
+    if (r == reference_.end() || r->time != i.time) return;
+    const auto copy = [](std::span<const double> v) { return std::vector(v.begin(), v.end()); };
+    came_[r - reference_.begin()] = {copy(inner_.q()), copy(inner_.qd()), copy(inner_.qdd())};
+  }
+  std::optional<RoomShape> rooms() const override { return inner_.rooms(); }
+  void take_rooms(std::span<const int> indices, std::span<Room> rooms) override {
+    inner_.take_rooms(indices, rooms);
+  }
+  bool takes_any_order() const override { return inner_.takes_any_order(); }
+
+ protected:
+  /// compare(reference, came), of each instant that came.
+  template <class Compare>
+  void for_each(Compare&& compare) const {
+    for (std::size_t r = 0; r < came_.size(); ++r)
+      if (!came_[r].q.empty()) compare(reference_[r], came_[r]);
+  }
+  const Inner& inner() const { return inner_; }
+
+ private:
+  std::span<const ReferenceInstant> reference_;
+  std::vector<State> came_;  // empty: not yet
+  Inner inner_;
+};
+
+/// What came of a whole mechanism beside a reference.
+class VerifyingSink final : public DeliveryAtReference<Delivery> {
+ public:
+  explicit VerifyingSink(std::span<const ReferenceInstant> reference);
+  Errors errors() const { return compare().errors; }
+  std::string results() const { return compare().results; }
+
+ private:
+  Comparison compare() const;
+};
+
+/// Empty when within so many times what is allowed; otherwise what is wrong, in words.
+std::string complaint(const Errors& errors, std::size_t expected_instants, double times = 1);
+
+/// Throws std::runtime_error, naming the mechanism, where two quadruple solutions differ by more
+/// than 1e-20 of its scales: then neither is a reference.
+void require_agreement(const Mechanism& mechanism, const PerLevel<double>& floor);
+
+/// Empty when every part is what the formulation's id says; otherwise which are not: without
+/// generated code a part falls back to automatic equations, and is not to be timed under that id.
+std::string missing_code(const Formulation& formulation);
+
+/// Quadruple-precision references at instants spread over a motion, made once for each case and
+/// size and shared by all its formulations.
+class ReferenceCache {
+ public:
+  /// Throws std::runtime_error when there is none: see make_reference and require_agreement.
+  std::span<const ReferenceInstant> get(const Mechanism& mechanism, const TimeGrid& grid);
+
+ private:
+  std::map<std::pair<std::string, int>, Reference> cache_;
+};
+
+}  // namespace desmo::suite
