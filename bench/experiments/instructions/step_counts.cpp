@@ -1,9 +1,11 @@
 #include "bench/experiments/instructions/step_counts.h"
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <string_view>
 
+#include "bench/experiments/instructions/monitored.h"
 #include "bench/kit/beyond.h"
 #include "bench/regression/callgrind.h"
 #include "formulations/id.h"
@@ -15,9 +17,13 @@ namespace {
 
 constexpr int warm_up = 5;  // of desmo_steps, not counted
 constexpr int steps = 50;
-/// Where more than one instant is solved at once, assembly and entry are counted, too: what is left
-/// of a long motion less a shorter one is steps.
+/// Where more than one instant is solved at once, and where a run is monitored, assembly and entry
+/// are counted, too: what is left of a long motion less a shorter one is steps.
 constexpr int few_steps = 100, many_steps = 300;
+
+/// What the monitors of a run cost is counted with these.
+constexpr std::array monitored{"global_automatic_klu", "group_symbolic_inlined",
+                               "group_symbolic_explicit"};
 
 /// Whose solvers are chosen by measurement may have others, and other instructions, every time.
 bool is_counted(const Variant& v) {
@@ -40,6 +46,7 @@ std::vector<std::string> counted_ids() {
     ids.push_back(id);
   for (const std::string_view id : suite::beyond_the_paper)
     if (is_counted(id)) ids.emplace_back(id);
+  for (const char* id : monitored) ids.push_back(id + std::string(monitored_suffix));
   return ids;
 }
 
@@ -48,8 +55,8 @@ void count(StepCount& one, const std::string& desmo_steps) {
     return regression::count_steps({desmo_steps, one.case_name, std::to_string(one.coordinates),
                                     one.id, std::to_string(taken)});
   };
-  const Settings settings = parse_id(one.id).settings;
-  if (settings.segments > 1 || settings.stride > 1) {
+  const Settings settings = parse_id(formulation_of(one.id)).settings;
+  if (is_monitored(one.id) || settings.segments > 1 || settings.stride > 1) {
     one.steps = many_steps - few_steps;
     one.instructions = (counted(many_steps) - counted(few_steps)) / one.steps;
   } else {

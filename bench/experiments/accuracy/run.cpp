@@ -1,14 +1,15 @@
-// desmo_precision: time against error, for formulations and the settings that trade one for the
-// other.
-#include <CLI/CLI.hpp>
+// desmo_bench accuracy: time against error, for formulations and the settings that trade one for
+// the other.
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "bench/experiments/accuracy/drift.h"
 #include "bench/experiments/accuracy/record.h"
+#include "bench/experiments/accuracy/tuning_validation.h"
+#include "bench/experiments/common_options.h"
 #include "bench/kit/kept_memory.h"
 #include "bench/kit/progress.h"
 #include "bench/kit/recording.h"
@@ -20,13 +21,14 @@ namespace desmo::precision {
 namespace {
 
 constexpr int compared_instants = 21;
+constexpr int usual_repetitions = 5;
 constexpr double least_seconds = 0.01;  // of a sample
 constexpr double dear_seconds = 0.3;    // a motion that takes longer has two samples only
 
-struct Options {
-  std::string record, command, filter;
-  int repetitions = 5;
-  bool quick = false;
+struct Options : experiments::CommonOptions {
+  bool validates_tuning = false;
+  std::vector<std::string> mechanisms;
+  bool measures_drift = false;
 };
 
 bool is_sampled(const Trial& trial, const Series& series) {
@@ -58,48 +60,64 @@ int comparisons_and_samples(const std::vector<Series>& all, int repetitions) {
   return static_cast<int>(count) * (1 + repetitions);
 }
 
-void run(const Options& options) {
-  suite::keep_freed_memory();
-  set_blas_threads(1);  // the clock is the thread's own
+void measure_all(const Options& options, const std::string& command) {
   const std::vector<Series> all =
       matching(options.quick ? quick_series() : all_series(), std::regex(options.filter));
   if (all.empty()) throw std::invalid_argument("no configuration matches " + options.filter);
-  suite::Recording recording(options.record, options.command);
+  suite::Recording recording(options.record, command);
   nlohmann::ordered_json lists = {{"floors", nlohmann::ordered_json::array()},
                                   {"precision", nlohmann::ordered_json::array()}};
   TimeGrid usual;
-  suite::Progress progress("comparisons and samples",
-                           comparisons_and_samples(all, options.repetitions));
+  const int repetitions = options.repetitions > 0 ? options.repetitions : usual_repetitions;
+  suite::Progress progress("comparisons and samples", comparisons_and_samples(all, repetitions));
   for (const Series& series : all) {
     const Mechanism whole = make_mechanism(describe(*series.definition, series.coordinates));
     const TimeGrid grid = time_grid(series.step * (series.instants - 1), series.step);
     if (&series == &all.front()) usual = grid;
     const Problem problem = make_problem(make_plan(whole, {}), grid, compared_instants);
     lists["floors"].push_back(floor_json(series, problem));
-    for (const Trial& trial : measure(series, problem, options.repetitions, progress))
+    for (const Trial& trial : measure(series, problem, repetitions, progress))
       lists["precision"].push_back(point_json(series, trial));
   }
   recording.write(usual, lists);
+}
+
+int run(const experiments::CommandLine& line) {
+  Options options;
+  suite::OptionTable table(
+      "desmo_bench accuracy: time against error of formulations and their settings.\n"
+      "desmo_bench accuracy --validate-tuning [--mechanism NAME]...\n"
+      "desmo_bench accuracy --drift MECHANISM ID [STEPS [TOLERANCE]]");
+  experiments::add_common(table, options,
+                          {.quick = "the smallest sizes only, with few settings",
+                           .filtered = "<case>/<coordinates>/<id>",
+                           .repetitions = std::to_string(usual_repetitions)});
+  table.flag("--validate-tuning", options.validates_tuning,
+             "Instead: is the error held that desmo tune promises,\n"
+             "and how much slower is its choice than the best?");
+  table.texts("--mechanism", "NAME", options.mechanisms,
+              "Validate with this mechanism only; more than once where wanted");
+  table.flag("--drift", options.measures_drift,
+             "Instead: does the error grow in a long run (1000000 steps)?\n"
+             "MECHANISM is <case>/<coordinates> or one of the library");
+  std::vector<std::string> words;
+  if (!experiments::read_options(table, line, &words)) return 0;
+  if (!options.measures_drift && !words.empty())
+    throw std::invalid_argument("unknown argument '" + words.front() + "'");
+  suite::keep_freed_memory();
+  set_blas_threads(1);  // the clock is the thread's own
+  if (options.measures_drift) return print_drift(words) ? 0 : 1;
+  if (options.validates_tuning)
+    validate_tuning(options.record, line.text, options.mechanisms);
+  else
+    measure_all(options, line.text);
+  return 0;
 }
 
 }  // namespace
 
 }  // namespace desmo::precision
 
-int main(int argc, char** argv) {
-  using namespace desmo::precision;
-  CLI::App program{"Time against error of formulations and their settings", "desmo_precision"};
-  Options options;
-  program.add_option("--record", options.record, "Write the results record to this file")
-      ->required();
-  program.add_option("--repetitions", options.repetitions, "Samples of each time")
-      ->check(CLI::PositiveNumber);
-  program.add_flag("--quick", options.quick, "The smallest sizes only, with few settings");
-  program.add_option("--filter", options.filter,
-                     "Only where this regular expression is found in <case>/<coordinates>/<id>");
-  options.command = desmo::suite::command_line(argc, argv);
-  return desmo::suite::record_main(program, argc, argv, [&] {
-    run(options);
-    return true;
-  });
+int desmo::experiments::run_accuracy(const CommandLine& line) {
+  return desmo::precision::run(line);
 }
