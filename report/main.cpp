@@ -96,14 +96,14 @@ ExitCode compare(const CompareCommand& command) {
 
 int main(int argc, char** argv) {
   CLI::App app{"The paper's tables and figures from records, comparisons and verdicts"};
+  app.set_version_flag("--version", "desmo_report " DESMO_VERSION);
   app.require_subcommand(1);
   TablesCommand command;
   CLI::App* tables_app = app.add_subcommand(
       "tables", "Tables 1 and 2, figures 5 and 6, time against error, and the rest");
   tables_app
       ->add_option("records", command.records,
-                   "The JSON record written by desmo_bench, desmo_precision, desmo_promises, "
-                   "desmo_growth, desmo_instructions or desmo_extremes, or one of each")
+                   "The JSON record that an experiment of desmo_bench has written, or one of each")
       ->required();
   tables_app->add_option("--out", command.folder,
                          "Write the files of every format, and the figures, into this folder");
@@ -127,7 +127,7 @@ int main(int argc, char** argv) {
   check_app->add_flag("--pending", check.pending, "List what has still to be measured");
   CertificateCommand certificate;
   CLI::App* certificate_app =
-      app.add_subcommand("certificate", "What the trials of bench/certify show of the check");
+      app.add_subcommand("certificate", "What the trials of bench/check --certify show");
   certificate_app->add_option("file", certificate.file, "The trials")->required();
   certificate_app
       ->add_option("--format", certificate.format, "terminal, json, csv, markdown or latex")
