@@ -19,7 +19,7 @@ struct CheckCommand {
 int run(const CheckCommand& command);
 
 struct CertificateCommand {
-  std::string file;  ///< written by bench/certify
+  std::string file;  ///< written by bench/check --certify
   std::string format = "terminal";
 };
 

@@ -128,7 +128,8 @@ int run(const experiments::CommandLine& line) {
       "desmo_bench size --files [BODIES...]");
   experiments::add_common(table, options,
                           {.quick = "small sizes only",
-                           .filtered = "<growth|crossing>/<case>/<size>/<id>",
+                           .filtered = "<question>/<case>/<size>/<id>, such as\n"
+                                       "growth/four_bar/114/group_symbolic_inlined",
                            .repetitions = std::to_string(usual_repetitions)});
   table.flag("--files", analyses_files,
              "Instead: how reading, analysing and solving a mechanism file\n"
