@@ -63,6 +63,8 @@ TEST(Scripts, NameTheArgumentThatTheyDoNotKnow) {
   EXPECT_EQ(run("bench/run", "size --peers").code, 64);
   EXPECT_EQ(run("bench/check", "--base").code, 64);
   EXPECT_EQ(run("bench/check", "--selftest --idle").code, 64);
+  EXPECT_EQ(run("bench/check", "--base no_such_commit").code, 64);
+  EXPECT_EQ(run("bench/check", "--baseline=/nonexistent.json").code, 64);
   EXPECT_EQ(run("report/figures/render", "--packages .").code, 64);
 }
 
