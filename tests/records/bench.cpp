@@ -92,11 +92,14 @@ TEST(Bench, MeasuresDrift) {
   EXPECT_EQ(run_bench(drift + " many"), 64);
   EXPECT_EQ(run_bench("accuracy --drift four_bar/24"), 64);
   EXPECT_EQ(run_bench("accuracy --drift no_such_mechanism group_symbolic_inlined"), 64);
+  EXPECT_EQ(run_bench(drift + " --record drift.json"), 64);
 }
 
 TEST(Bench, ValidatesTuningOfMechanismsThatItHas) {
   const std::string record = testing::TempDir() + "desmo_validation.json";
   EXPECT_EQ(run_bench("accuracy --validate-tuning --mechanism abacus --record " + record), 64);
+  EXPECT_EQ(run_bench("accuracy --validate-tuning --quick --record " + record), 64);
+  EXPECT_EQ(run_bench("accuracy --mechanism rssr --record " + record), 64);
   EXPECT_FALSE(std::filesystem::exists(record));
 }
 

@@ -82,6 +82,19 @@ void measure_all(const Options& options, const std::string& command) {
   recording.write(usual, lists);
 }
 
+/// Throws std::invalid_argument for options that have nothing to do with what is measured.
+void require_consistent(const Options& o, const std::vector<std::string>& words) {
+  const bool selects = o.quick || o.repetitions > 0 || !o.filter.empty();
+  if (!o.measures_drift && !words.empty())
+    throw std::invalid_argument("unknown argument '" + words.front() + "'");
+  if (o.measures_drift && (selects || o.validates_tuning || !o.record.empty()))
+    throw std::invalid_argument("--drift prints a table; it goes with no other option");
+  if (o.validates_tuning && selects)
+    throw std::invalid_argument("--validate-tuning goes with --record and --mechanism only");
+  if (!o.validates_tuning && !o.mechanisms.empty())
+    throw std::invalid_argument("--mechanism belongs to --validate-tuning");
+}
+
 int run(const experiments::CommandLine& line) {
   Options options;
   suite::OptionTable table(
@@ -102,8 +115,7 @@ int run(const experiments::CommandLine& line) {
              "MECHANISM is <case>/<coordinates> or one of the library");
   std::vector<std::string> words;
   if (!experiments::read_options(table, line, &words)) return 0;
-  if (!options.measures_drift && !words.empty())
-    throw std::invalid_argument("unknown argument '" + words.front() + "'");
+  require_consistent(options, words);
   suite::keep_freed_memory();
   set_blas_threads(1);  // the clock is the thread's own
   if (options.measures_drift) return print_drift(words) ? 0 : 1;
