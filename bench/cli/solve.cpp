@@ -43,8 +43,9 @@ Configuration choose_formulation(const SolveOptions& options, const Input& input
     throw InputError(input.source + ": /formulation: " + what);
   };
   const std::string variant = id.substr(0, id.find('/'));
-  if (const std::string reason = not_here(variant); !reason.empty())
-    refuse("formulation " + desmo::in_quotes(variant) + ": " + printable(reason, 500));
+  for (const std::string& reason : {not_here(variant), why_gone(variant)})
+    if (!reason.empty())
+      refuse("formulation " + desmo::in_quotes(variant) + ": " + printable(reason, 500));
   std::vector<std::string_view> ids;
   for (const Variant& v : variants()) ids.push_back(v.id);
   if (std::ranges::find(ids, variant) == ids.end())
@@ -87,8 +88,7 @@ void solve(const SolveOptions& options) {
                  options.quiet);
   const auto formulation = make_formulation(*variant, plan.mechanism, settings, nullptr, &kernels);
   formulation->solve_only(plan.levels);
-  if (!options.quiet)
-    say(note_on_code(*formulation, named) + note_on_solvers(*formulation, *variant));
+  if (!options.quiet) say(note_on_code(*formulation, named));
 
   const bool in_the_way = output.is_standard_output() && ::isatty(STDOUT_FILENO) == 1;
   Progress progress(input.scene.grid.instants, !options.quiet && !in_the_way);

@@ -19,10 +19,8 @@ constexpr int steps = 50;
 /// of a long motion less a shorter one is steps.
 constexpr int few_steps = 100, many_steps = 300;
 
-/// Whose solvers are chosen by measurement may have others, and other instructions, every time.
 bool is_counted(const Variant& v) {
-  return !chooses_solvers(v) && v.partition != Partition::block && !is_dense_global(v) &&
-         algebra_name(v) != "spqr";
+  return v.partition != Partition::block && !is_dense_global(v) && algebra_name(v) != "spqr";
 }
 
 /// Callgrind knows no registers wider than 256 bits. What threads do while they wait for each other
