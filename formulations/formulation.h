@@ -192,6 +192,7 @@ class Formulation {
   void make_runs();
   void sample_drivers();
   void forget();
+  void end_assembly();
   void want(std::span<const int> coordinates, bool in_rooms = false);
   void want_as(const Request& request, Sink& sink);
   void write_kept(const Summary& total);
