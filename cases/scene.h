@@ -17,6 +17,10 @@ struct Wanted {
   Level level;
 };
 
+/// On ‖Φ‖₂ of a whole mechanism, each equation divided by its natural magnitude, wherever nobody
+/// asks for another: in scenes, in settings, in benchmarks.
+inline constexpr double default_tolerance = 1e-12;
+
 /// What is to be solved: a mechanism, how it is driven, when, and what is asked.
 struct Scene {
   std::string name;
@@ -25,8 +29,8 @@ struct Scene {
   TimeGrid grid;
   /// Nothing twice; empty: everything, at the level of acceleration.
   std::vector<Wanted> request;
-  std::string formulation;   ///< id; empty: the program's choice
-  double tolerance = 1e-12;  ///< on ‖Φ‖₂, each equation divided by its natural magnitude
+  std::string formulation;  ///< id; empty: the program's choice
+  double tolerance = default_tolerance;
 };
 
 }  // namespace desmo

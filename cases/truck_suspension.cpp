@@ -47,7 +47,7 @@ class Builder {
   }
 
   Scene scene() {
-    return {"truck_suspension", d_.take(), std::move(motions_), time_grid(30, 0.01), {}, {}, 1e-10};
+    return {"truck_suspension", d_.take(), std::move(motions_), time_grid(30, 0.01), {}, {}};
   }
 
  private:

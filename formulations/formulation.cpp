@@ -170,6 +170,10 @@ void Formulation::forget() {
   for (const auto& run : runs_) run->forget();
 }
 
+void Formulation::end_assembly() {
+  for (const DefinedPart& part : parts_) part.solver->end_assembly();
+}
+
 void Formulation::want(std::span<const int> coordinates, bool in_rooms) {
   if (in_rooms == wanted_.in_rooms && std::ranges::equal(coordinates, wanted_.coordinates)) return;
   if (in_rooms) keepers_.prepare_rooms(coordinates, mechanism_);
@@ -311,6 +315,7 @@ Summary Formulation::assemble_alone(double t, Level level) {
     summary.updates += before.updates;
   }
   assembled_ = summary.ok();
+  end_assembly();
   return summary;
 }
 
@@ -370,7 +375,9 @@ bool Formulation::enter(std::span<const double> q, double t) {
   if (!assembled_) return false;
   before_.q = state_.q;
   drive(t);  // whole turns
-  return assembled_ = solve_positions(state_, before_.q);
+  assembled_ = solve_positions(state_, before_.q);
+  end_assembly();
+  return assembled_;
 }
 
 bool Formulation::solve_positions(State& state, std::span<const double> last) {

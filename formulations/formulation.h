@@ -107,8 +107,6 @@ class Formulation {
     Level level = Level::acceleration;  ///< as far as anyone asks for its unknowns
     /// On ‖Φ‖₂ of its equations: its share, or what rounding leaves if that is more.
     double tolerance = 0;
-    /// The library that solves its linear systems; of generated code, what that falls back to.
-    std::string_view algebra{};
   };
 
   /// settings: those that the parts were made with. whole_motion: how to run, if not by steps.
@@ -194,6 +192,7 @@ class Formulation {
   void make_runs();
   void sample_drivers();
   void forget();
+  void end_assembly();
   void want(std::span<const int> coordinates, bool in_rooms = false);
   void want_as(const Request& request, Sink& sink);
   void write_kept(const Summary& total);

@@ -8,7 +8,7 @@ namespace desmo {
 /// pivots.
 class GuardedPart : public Part {
  public:
-  /// Steps that were left to it.
+  /// Returns how many steps were left to it. Assemblies, which start from estimates, do not count.
   virtual long fallbacks() const = 0;
   long refactorisations() const final { return fallbacks(); }
   /// Those of them that came out on another side of a square root, where sides are kept.

@@ -20,7 +20,11 @@ class InlinedPart final : public GuardedPart {
 
   PartResult solve(State& state, std::span<const double> last, Level level) override;
 
-  void forget() override { fallback_->forget(); }
+  void forget() override {
+    fallbacks_before_ = fallbacks_;
+    fallback_->forget();
+  }
+  void end_assembly() override { fallbacks_ = fallbacks_before_; }
 
   long fallbacks() const override { return fallbacks_; }
 
@@ -35,8 +39,8 @@ class InlinedPart final : public GuardedPart {
   bool at_rounding_;  // see PartSettings
   std::unique_ptr<Part> fallback_;
   std::vector<int> unknowns_;
-  std::vector<double> start_;  // unknowns at the start of the step
-  long fallbacks_ = 0;
+  std::vector<double> start_;                  // unknowns at the start of the step
+  long fallbacks_ = 0, fallbacks_before_ = 0;  // before_: the assembly that has begun
 };
 
 }  // namespace desmo

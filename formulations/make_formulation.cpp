@@ -56,8 +56,7 @@ Draft draft(const Common& common, PartDefinition d) {
                       profile, single, magnitudes.of_unknowns(d)};
   if (v.evaluation == Evaluation::symbolic) context.kernels = bind_kernels(m, d, table);
   const bool as_named = v.evaluation == Evaluation::automatic || context.kernels;
-  const Backend& named = v.backend ? *v.backend : pivoting_backend();
-  const Backend& backend = named.choose ? named.choose(context) : named;
+  const Backend& backend = v.backend ? *v.backend : pivoting_backend();
   std::unique_ptr<Part> part = backend.make_part(context);
   std::optional<BoundKernel> bound;
   if (!v.backend && context.kernels) bound = std::move(context.kernels->front());
@@ -65,8 +64,7 @@ Draft draft(const Common& common, PartDefinition d) {
   return {{.definition = std::move(d),
            .solver = std::move(part),
            .as_named = as_named,
-           .tolerance = settings.tolerance,
-           .algebra = backend.name},
+           .tolerance = settings.tolerance},
           std::move(bound),
           std::move(weights),
           settings};

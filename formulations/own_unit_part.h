@@ -35,6 +35,7 @@ class OwnUnitPart final : public GuardedPart {
   std::vector<int> starts_from(const std::vector<int>& unknowns) const override;
   std::vector<int> stays_near() const override;
   void forget() override { part_->forget(); }
+  void end_assembly() override { part_->end_assembly(); }
   long fallbacks() const override { return part_->fallbacks(); }
   long branch_changes() const override { return part_->branch_changes(); }
 

@@ -92,6 +92,8 @@ class Part {
 
   /// What earlier steps left behind no longer holds: the next solve() starts from an estimate.
   virtual void forget() {}
+  /// Says that the assembly is over, which began with forget(): what follows are steps.
+  virtual void end_assembly() {}
 };
 
 }  // namespace desmo

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "cases/scene.h"
+
 namespace desmo {
 
 /// Where Newton–Raphson starts in a step (see formulations/guess.h).
@@ -44,7 +46,7 @@ struct Settings {
   /// On ‖Φ‖₂ of the whole mechanism, each equation divided by its natural magnitude (see
   /// formulations/magnitudes.h): relative, whatever the units are. Of the paper's two cases this
   /// asks what 1e-10 in metres and their squares does.
-  double tolerance = 1e-12;
+  double tolerance = default_tolerance;
   int max_iterations = 25;  ///< of Newton–Raphson, a step
   Guess guess = Guess::previous;
   /// 0: iterate until the tolerance is met. Otherwise exactly so many iterations a step, whatever

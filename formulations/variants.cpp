@@ -6,7 +6,6 @@
 #include <string>
 
 #include "formulations/algebra/backend.h"
-#include "formulations/algebra/mixed.h"
 #include "formulations/equations/lane_kernel.h"
 
 namespace desmo {
@@ -38,19 +37,16 @@ std::vector<Variant> make_variants(std::span<const Backend* const> with) {
 }  // namespace
 
 std::span<const Variant> variants() {
-  static const std::vector<Variant> table = [] {
-    std::vector<const Backend*> algebras(backends().begin(), backends().end());
-    algebras.push_back(&mixed_backend);
-    return make_variants(algebras);
-  }();
+  static const std::vector<Variant> table = make_variants(backends());
   return table;
 }
 
 const Variant& find_variant(std::string_view id) {
   const auto it = std::ranges::find(variants(), id, &Variant::id);
   if (it != variants().end()) return *it;
-  if (const std::string reason = not_here(id); !reason.empty())
-    throw std::invalid_argument("formulation '" + std::string(id) + "': " + reason);
+  for (const std::string& reason : {not_here(id), why_gone(id)})
+    if (!reason.empty())
+      throw std::invalid_argument("formulation '" + std::string(id) + "': " + reason);
   std::string known;
   for (const Variant& v : variants()) known += "\n  " + v.id;
   throw std::invalid_argument("unknown formulation '" + std::string(id) + "'; there are:" + known);
@@ -65,8 +61,6 @@ bool is_dense_global(const Variant& v) {
 }
 
 bool has_phases(const Variant& v) { return v.backend != nullptr; }
-
-bool chooses_solvers(const Variant& v) { return v.backend && v.backend->choose; }
 
 std::string why_not(const Variant& v, const Settings& s) {
   if (!(s.tolerance > 0) || s.max_iterations < 1 || s.fixed_iterations < 0)
@@ -93,8 +87,6 @@ std::string why_not(const Variant& v, const Settings& s) {
     if (other_scalar) return "generated code is in double precision";
     return {};
   }
-  if (other_scalar && chooses_solvers(v))
-    return "solvers are chosen among dense and sparse ones, and these are in double precision";
   if (other_scalar && !v.backend->dense)
     return "the sparse library " + std::string(v.backend->name) + " factorises in double precision";
   if (s.scalar == Scalar::single_precision) {
@@ -121,6 +113,16 @@ std::string not_here(std::string_view id) {
     for (const Variant& v : make_variants({&b, 1}))
       if (v.backend && v.id == id) return b->absence().reason;
   return {};
+}
+
+std::string why_gone(std::string_view id) {
+  constexpr std::string_view algebra = "mixed";
+  if (!id.ends_with(algebra)) return {};
+  const std::string klu = std::string(id.substr(0, id.size() - algebra.size())) + "klu";
+  if (std::ranges::find(variants(), klu, &Variant::id) == variants().end()) return {};
+  return "algebra 'mixed' no longer exists: it chose a library for each part, nearly always klu; "
+         "use '" +
+         klu + "'";
 }
 
 std::vector<std::string> faulty_libraries() {

@@ -31,11 +31,11 @@ struct Variant {
 /// documents iterate this table.
 std::span<const Variant> variants();
 
-/// The variant of that id. Throws std::invalid_argument, listing the ids, when there is none, and
-/// with the reason when it is not_here.
+/// Returns the variant of that id. Throws std::invalid_argument with the reason when it is not_here
+/// or no longer exists, and otherwise with a list of the ids when there is none.
 const Variant& find_variant(std::string_view id);
 
-/// "lapack", "klu", …, "mixed", "inlined", "explicit".
+/// "lapack", "klu", …, "inlined", "explicit".
 std::string_view algebra_name(const Variant& variant);
 
 /// Whether it solves all unknowns at once with dense matrices, at O(n³) a step.
@@ -43,10 +43,6 @@ bool is_dense_global(const Variant& variant);
 
 /// Whether its phases can be measured apart (generated elimination has none).
 bool has_phases(const Variant& variant);
-
-/// Whether measurement chooses the library of each of its parts (algebra/mixed.h): another process
-/// may choose otherwise, and its results then differ in the last digits. See part_solvers.h.
-bool chooses_solvers(const Variant& variant);
 
 /// Why a variant does not offer these settings, in a sentence without a full stop; empty when it
 /// does. What it names is not applicable: it is refused, never silently replaced.
@@ -59,6 +55,10 @@ std::string not_here(const Settings& settings);
 /// Why the variant of that id, which this build has, cannot be had on this machine; empty when it
 /// can, and when there is no such variant.
 std::string not_here(std::string_view id);
+
+/// Says what became of an id that earlier versions had, and what to use instead; empty for all
+/// other ids.
+std::string why_gone(std::string_view id);
 
 /// What variants are missing because a library that was found, or named, does not serve, and why: a
 /// line each. A library that is simply not there is none.

@@ -6,7 +6,6 @@
 
 #include "bench/cli/text.h"
 #include "formulations/guarded_part.h"
-#include "formulations/part_solvers.h"
 
 namespace desmo::cli {
 
@@ -62,16 +61,6 @@ std::string note_on_code(const Formulation& f, bool named) {
          count(static_cast<long>(f.parts().size()), "part") +
          (without == 1 ? "; it is evaluated automatically" : "; they are evaluated automatically") +
          (named ? "\n" : " (a formulation that is named, with --formulation, has it made)\n");
-}
-
-std::string note_on_solvers(const Formulation& f, const Variant& v) {
-  if (!chooses_solvers(v)) return "";
-  std::vector<std::string> solvers;
-  for (const auto& [algebra, parts, least, most] : part_solvers(f))
-    solvers.push_back(std::string(algebra) + " for " + count(parts, "part") + " of " +
-                      (least < most ? std::to_string(least) + " to " : "") +
-                      count(most, "unknown"));
-  return "note: chosen by measurement: " + enumerate(solvers) + "\n";
 }
 
 std::string note_on_tolerance(const Formulation& f, double asked) {

@@ -12,9 +12,6 @@ namespace desmo::cli {
 /// named: the user has chosen the formulation.
 std::string note_on_code(const Formulation& formulation, bool named);
 
-/// A line on the library of each part where measurement has chosen them; otherwise empty.
-std::string note_on_solvers(const Formulation& formulation, const Variant& variant);
-
 /// A line when generated code refused steps, and on which branches they came out; otherwise empty.
 std::string note_on_refusals(const Formulation& formulation);
 

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "bench/cli/commands.h"
 #include "bench/cli/delivery.h"
@@ -27,12 +29,18 @@ struct SolveOptions {
   std::string scene, output, format, formulation;
   bool explain = false, quiet = false, strict = false, past_failures = false;
   OwnCode own_code;
-
-  std::string format_name() const {
-    if (!format.empty()) return format;
-    return output.ends_with(".jsonl") ? "jsonl" : "csv";
-  }
 };
+
+/// Returns the format that is asked for: by --format, or by how the name of the output ends.
+std::string format_name(const SolveOptions& options) {
+  if (!options.format.empty()) return options.format;
+  const std::string ending = std::filesystem::path(options.output).extension().string();
+  if (ending.empty() || ending == ".csv") return "csv";
+  if (ending == ".jsonl") return "jsonl";
+  throw Error(usage_error, "--output " + desmo::in_quotes(options.output) + ": the ending " +
+                               desmo::in_quotes(ending) +
+                               " is not known; known are .csv and .jsonl (or say --format)");
+}
 
 Configuration choose_formulation(const SolveOptions& options, const Input& input) {
   const std::string& id = !options.formulation.empty()       ? options.formulation
@@ -43,8 +51,9 @@ Configuration choose_formulation(const SolveOptions& options, const Input& input
     throw InputError(input.source + ": /formulation: " + what);
   };
   const std::string variant = id.substr(0, id.find('/'));
-  if (const std::string reason = not_here(variant); !reason.empty())
-    refuse("formulation " + desmo::in_quotes(variant) + ": " + printable(reason, 500));
+  for (const std::string& reason : {not_here(variant), why_gone(variant)})
+    if (!reason.empty())
+      refuse("formulation " + desmo::in_quotes(variant) + ": " + printable(reason, 500));
   std::vector<std::string_view> ids;
   for (const Variant& v : variants()) ids.push_back(v.id);
   if (std::ranges::find(ids, variant) == ids.end())
@@ -72,6 +81,7 @@ void say(const std::string& text) {
 }
 
 void solve(const SolveOptions& options) {
+  std::unique_ptr<SeriesFormat> format = series_format(format_name(options));
   const Input input = load_scene(options.scene);
   const Configuration chosen = choose_formulation(options, input);
   const auto& [variant, settings] = chosen;
@@ -87,14 +97,13 @@ void solve(const SolveOptions& options) {
                  options.quiet);
   const auto formulation = make_formulation(*variant, plan.mechanism, settings, nullptr, &kernels);
   formulation->solve_only(plan.levels);
-  if (!options.quiet)
-    say(note_on_code(*formulation, named) + note_on_solvers(*formulation, *variant));
+  if (!options.quiet) say(note_on_code(*formulation, named));
 
   const bool in_the_way = output.is_standard_output() && ::isatty(STDOUT_FILENO) == 1;
   Progress progress(input.scene.grid.instants, !options.quiet && !in_the_way);
   Delivery delivery(
       {whole.name, input.scene.name, id_with(*variant, settings), make_columns(plan, input.scene)},
-      series_format(options.format_name()), plan, settings.tolerance, output, progress);
+      std::move(format), plan, settings.tolerance, output, progress);
   SafeSummary summary;
   std::optional<NotToDeliver> wrong;
   try {
@@ -136,8 +145,10 @@ void add_solve(CLI::App& program) {
                    "Write to this file, whole or not at all, instead of standard output")
       ->check(refuse_empty);
   command
-      ->add_option("--format", options->format,
-                   "csv, or jsonl (JSON lines); by default as the name of the output ends")
+      ->add_option(
+          "--format", options->format,
+          "csv, or jsonl (JSON lines); by default as the name of the output ends, in .csv or "
+          ".jsonl")
       ->check(CLI::IsMember({"csv", "jsonl"}));
   command
       ->add_option("--formulation", options->formulation,

@@ -69,7 +69,6 @@ void Cell::verify(ReferenceCache& references) {
     const double before_setup = cpu_now();
     formulation_ = make_formulation(variant, *mechanism_, settings);
     setup_seconds = cpu_now() - before_setup;
-    if (chooses_solvers(variant)) solvers = part_solvers(*formulation_);
     if (const std::string missing = missing_code(*formulation_); !missing.empty())
       return fail(missing);
 

@@ -12,7 +12,6 @@
 #include "bench/kit/verification.h"
 #include "cases/cases.h"
 #include "formulations/id.h"
-#include "formulations/part_solvers.h"
 #include "formulations/variants.h"
 
 namespace desmo::suite {
@@ -40,7 +39,6 @@ class Cell final : public Timed {
   const Settings settings;
 
   int groups = 0, degrees_of_freedom = 0;
-  std::vector<PartSolver> solvers;  ///< where the variant chooses them
   std::optional<PhaseTimes> phases;
 
  private:

@@ -60,21 +60,11 @@ void add_time(Json& j, const Timed& timed, Json verification) {
   j["iterations_per_step"] = timed.iterations_per_step;
 }
 
-Json solvers_json(const std::vector<PartSolver>& solvers) {
-  Json all = Json::array();
-  for (const PartSolver& s : solvers)
-    all.push_back({{"algebra", s.algebra},
-                   {"parts", s.parts},
-                   {"unknowns", {s.least_unknowns, s.most_unknowns}}});
-  return all;
-}
-
 Json cell_json(const Cell& cell) {
   Json j = {{"case", cell.definition.name}, {"coordinates", cell.coordinates}, {"id", cell.id()}};
   if (!cell.is_not_run()) {
     j["groups"] = cell.groups;
     j["degrees_of_freedom"] = cell.degrees_of_freedom;
-    if (!cell.solvers.empty()) j["solvers"] = solvers_json(cell.solvers);
   }
   add_status(j, cell);
   if (!cell.is_timed()) return j;

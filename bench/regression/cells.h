@@ -7,7 +7,6 @@ namespace desmo::regression {
 /// What bench/check measures: every partition, evaluation and algebra at least once, each at a size
 /// that takes about a millisecond. Left out are the four-bar's groups of two unknowns with LAPACK
 /// or Eigen: calls are most of their time, and it changes by 5 % with the alignment of code alone.
-/// So is the algebra `mixed`: base and head, each of which measures, may choose different solvers.
 inline constexpr std::array checked_cells{
     "four_bar/114/global_automatic_klu",
     "four_bar/114/group_symbolic_inlined",

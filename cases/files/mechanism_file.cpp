@@ -89,15 +89,15 @@ Description::Direction read_direction(const JsonValue& value, const Names& names
   return d;
 }
 
-Description mechanism_from(const JsonValue& root) {
-  check_format(root, "desmo-mechanism");
-  root.allow({"format", "version", "name", "title", "dimension", "units", "points", "vectors",
-              "ground", "bodies", "joints", "coordinates", "drivers"});
+ReadMechanism mechanism_from(const JsonValue& root) {
+  check_format(root, "desmo-mechanism", 1);
+  root.allow({"$schema", "format", "version", "name", "title", "dimension", "units", "points",
+              "vectors", "ground", "bodies", "joints", "coordinates", "drivers"});
   Description d;
   d.name = checked_name(root["name"], root["name"].text());
   if (const auto title = root.find("title")) d.title = title->line();
   d.dimension = root["dimension"].whole_number(2, 3);
-  const Units units = read_units(root, {});
+  Units units = read_units(root, {});
   d.length_unit = units.length_unit;
   Names names;
   d.points = read_points(root, d.dimension, units.length, names);
@@ -110,12 +110,12 @@ Description mechanism_from(const JsonValue& root) {
   } catch (const DescriptionError& error) {
     place_of(root, d, error).complain(error.what());
   }
-  return d;
+  return {std::move(d), std::move(units)};
 }
 
 Description parse_mechanism(std::string_view text, const std::string& file_name) {
   const JsonDocument document(text, file_name);
-  return mechanism_from(document.root());
+  return mechanism_from(document.root()).description;
 }
 
 Description read_mechanism(const std::filesystem::path& file) {

@@ -12,8 +12,12 @@ struct Names {
   NameTable points{"point"}, vectors{"vector"}, bodies{"body"}, coordinates{"coordinate"};
 };
 
-/// A mechanism, validated.
-Description mechanism_from(const JsonValue& root);
+/// A mechanism, validated, and the units of its file.
+struct ReadMechanism {
+  Description description;
+  Units units;
+};
+ReadMechanism mechanism_from(const JsonValue& root);
 
 /// As many components as the mechanism has dimensions; the third is 0 in the plane.
 Description::Vec read_components(const JsonValue& value, int dimension);

@@ -20,6 +20,25 @@ std::vector<double> read_numbers(const JsonValue& list, double unit) {
   return numbers;
 }
 
+// What is open is refused where it would be used.
+[[noreturn]] void complain_of_open_unit(const JsonValue& value, const std::string& kind,
+                                        std::string_view name) {
+  value.complain("the mechanism has its " + kind + "s in '" + std::string(name) +
+                 "', and the scene does not say in what this is; give \"version\": 2, in which the "
+                 "mechanism's units hold, or \"units\": {\"" +
+                 kind + "\": \"" + std::string(name) + "\"}");
+}
+
+double angle_unit(const JsonValue& value, const Units& units) {
+  if (units.angle_is_open) complain_of_open_unit(value, "angle", units.angle_name);
+  return units.angle;
+}
+
+double length_unit(const JsonValue& value, const Units& units) {
+  if (units.length_is_open) complain_of_open_unit(value, "length", units.length_name);
+  return units.length;
+}
+
 Motion read_constant(const JsonValue& value, double unit) {
   value.allow({"type", "value"});
   return Polynomial{{value["value"].number() * unit}};
@@ -35,7 +54,7 @@ Motion read_polynomial(const JsonValue& value, double unit) {
   return Polynomial{read_numbers(coefficients, unit)};
 }
 
-Motion read_harmonic(const JsonValue& value, double unit, double angle_unit) {
+Motion read_harmonic(const JsonValue& value, double unit, const Units& units) {
   value.allow({"type", "mean", "terms"});
   HarmonicSum sum;
   if (const auto mean = value.find("mean")) sum.mean = mean->number() * unit;
@@ -45,7 +64,8 @@ Motion read_harmonic(const JsonValue& value, double unit, double angle_unit) {
     HarmonicSum::Term& t = sum.terms.emplace_back();
     t.amplitude = term["amplitude"].number() * unit;
     t.angular_frequency = 2 * std::numbers::pi * term["frequency"].number();
-    if (const auto phase = term.find("phase")) t.phase = phase->number() * angle_unit;
+    if (const auto phase = term.find("phase"))
+      t.phase = phase->number() * angle_unit(*phase, units);
   }
   if (sum.terms.empty()) terms.complain("has no terms; give one, or a motion of type 'constant'");
   return sum;
@@ -101,12 +121,13 @@ std::vector<int> driven_coordinates(const Description& mechanism) {
 
 Motion read_motion(const JsonValue& value, Description::CoordinateType coordinate,
                    const Units& units) {
-  const double unit = coordinate == Description::CoordinateType::angle ? units.angle : units.length;
+  const double unit = coordinate == Description::CoordinateType::angle ? angle_unit(value, units)
+                                                                       : length_unit(value, units);
   const JsonValue type = value["type"];
   const std::string_view name = type.text();
   if (name == "constant") return read_constant(value, unit);
   if (name == "polynomial") return read_polynomial(value, unit);
-  if (name == "harmonic") return read_harmonic(value, unit, units.angle);
+  if (name == "harmonic") return read_harmonic(value, unit, units);
   if (name == "table") return read_table(value, unit);
   constexpr std::array<std::string_view, 4> types{"constant", "polynomial", "harmonic", "table"};
   type.complain("unknown type of motion " + in_quotes(name) + "; " + suggestion(name, types));

@@ -6,7 +6,8 @@
 
 namespace desmo {
 
-/// The motion of one coordinate, in metres (or the mechanism's free unit) or radians.
+/// Reads the motion of one coordinate, in metres (or the mechanism's free unit) or radians.
+/// Complains where it needs a unit that is open.
 Motion read_motion(const JsonValue& value, Description::CoordinateType coordinate,
                    const Units& units);
 

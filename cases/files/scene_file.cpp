@@ -16,12 +16,19 @@ namespace {
 constexpr int most_units = 100'000;  // of a generator, from a file
 constexpr double most_instants = 1e9;
 
+constexpr int latest_version = 2;
+
 // What the mechanism brings: motions and times as well when it is a library or a scalable one.
 struct Start {
   Description mechanism;
+  Units units;  // of the mechanism's file
   std::vector<Motion> motions;
   std::optional<TimeGrid> grid;
 };
+
+Start without_motion(ReadMechanism read) {
+  return {std::move(read.description), std::move(read.units), {}, {}};
+}
 
 // A library's own scene names its mechanism as any scene does, but does not start from itself.
 enum class LibraryGives { mechanism, scene };
@@ -39,11 +46,14 @@ Start from_library(const JsonValue& value, LibraryGives gives) {
                   suggestion(name.text(), names));
   }
   const std::string file_name = "library/" + std::string(found->name);
-  if (gives == LibraryGives::mechanism)
-    return {parse_mechanism(found->mechanism, file_name + ".json"), {}, {}};
+  const JsonDocument mechanism(found->mechanism, file_name + ".json");
+  Start start = without_motion(mechanism_from(mechanism.root()));
+  if (gives == LibraryGives::mechanism) return start;
   const JsonDocument document(found->scene, file_name + ".scene.json");
   Scene scene = scene_from(document.root(), {}, LibraryGives::mechanism);
-  return {std::move(scene.mechanism), std::move(scene.motions), scene.grid};
+  start.motions = std::move(scene.motions);
+  start.grid = scene.grid;
+  return start;
 }
 
 Start from_generator(const JsonValue& value) {
@@ -57,7 +67,9 @@ Start from_generator(const JsonValue& value) {
     const int count = units.whole_number(1, most_units);
     try {
       Scene scene = c.describe(count);
-      return {std::move(scene.mechanism), std::move(scene.motions), scene.grid};
+      Units units;
+      units.length_unit = units.length_name = scene.mechanism.length_unit;
+      return {std::move(scene.mechanism), units, std::move(scene.motions), scene.grid};
     } catch (const std::invalid_argument& error) {
       units.complain(std::string(error.what()) + "; choose another number");
     }
@@ -66,7 +78,7 @@ Start from_generator(const JsonValue& value) {
                 suggestion(name.text(), names));
 }
 
-Description from_file(const JsonValue& value, const std::filesystem::path& folder) {
+ReadMechanism from_file(const JsonValue& value, const std::filesystem::path& folder) {
   const std::string_view name = value.text();
   if (name.empty() || name.find('\0') != name.npos)
     value.complain(in_quotes(name) + " is no file name; give that of a mechanism file");
@@ -77,30 +89,33 @@ Description from_file(const JsonValue& value, const std::filesystem::path& folde
   } catch (const UnreadableFile& error) {
     value.complain("the mechanism file '" + printable(file.string(), 300) + "': " + error.what());
   }
-  return parse_mechanism(text, file.string());
+  const JsonDocument document(text, file.string());
+  return mechanism_from(document.root());
 }
 
 Start read_start(const JsonValue& value, const std::filesystem::path& folder, LibraryGives gives) {
-  if (value.is_string()) return {from_file(value, folder), {}, {}};
+  if (value.is_string()) return without_motion(from_file(value, folder));
   if (!value.is_object())
     value.complain(
         "is no mechanism; give a file name, a mechanism, {\"library\": name} or "
         "{\"generator\": name}");
   if (value.find("library")) return from_library(value, gives);
   if (value.find("generator")) return from_generator(value);
-  return {mechanism_from(value), {}, {}};
+  return without_motion(mechanism_from(value));
 }
 
 // The unit of length goes with that of the mechanism: a free one is no number of metres.
-Units units_of_motion(const JsonValue& root, const Description& mechanism) {
-  Units units;
-  units.length_unit = mechanism.length_unit;
-  units = read_units(root, units);
+Units units_of_motion(const JsonValue& root, int version, const Units& mechanism) {
+  Units units = read_units(root, mechanism);
   if (units.length_unit != mechanism.length_unit)
     root["units"]["length"].complain(
         mechanism.length_unit == "1"
             ? "the mechanism's unit of length is '1', any one unit; give '1' here as well"
             : "the mechanism has lengths in metres; give 'm', 'mm', 'cm' or 'in'");
+  if (version > 1) return units;
+  const auto given = root.find("units");
+  units.length_is_open = mechanism.length != 1 && !(given && given->find("length"));
+  units.angle_is_open = mechanism.angle != 1 && !(given && given->find("angle"));
   return units;
 }
 
@@ -145,16 +160,16 @@ double read_tolerance(const JsonValue& value) {
 }
 
 Scene scene_from(const JsonValue& root, const std::filesystem::path& folder, LibraryGives gives) {
-  check_format(root, "desmo-scene");
-  root.allow({"format", "version", "name", "mechanism", "units", "motion", "time", "request",
-              "formulation", "tolerance"});
+  const int version = check_format(root, "desmo-scene", latest_version);
+  root.allow({"$schema", "format", "version", "name", "mechanism", "units", "motion", "time",
+              "request", "formulation", "tolerance"});
   Start start = read_start(root["mechanism"], folder, gives);
   Scene scene;
   scene.mechanism = std::move(start.mechanism);
   const auto name = root.find("name");
   scene.name = name ? std::string(name->line()) : scene.mechanism.name;
-  scene.motions = read_motions(root, scene.mechanism, units_of_motion(root, scene.mechanism),
-                               std::move(start.motions));
+  const Units units = units_of_motion(root, version, start.units);
+  scene.motions = read_motions(root, scene.mechanism, units, std::move(start.motions));
   const auto time = root.find("time");
   scene.grid = time || !start.grid ? read_time(root["time"]) : *start.grid;
   check_tables(root, scene.mechanism, scene.motions, scene.grid);

@@ -25,13 +25,10 @@ struct Backend {
   Absence (*absence)() = nullptr;  ///< null: it is linked, and always there
   /// Makes a solver in single precision. Dense libraries offer it, sparse ones do not: null.
   std::unique_ptr<LinearSolver<float>> (*make_single_solver)(const Pattern&) = nullptr;
-  /// Chooses, where measurement decides (see algebra/mixed.h), which of the others makes a part.
-  /// Null: this one does.
-  const Backend& (*choose)(const PartContext&) = nullptr;
 
-  /// Makes the part that a context describes, by this backend or the one that it chooses.
+  /// Makes the part that a context describes.
   std::unique_ptr<Part> make_part(const PartContext& context) const {
-    return make_newton_part(context, choose ? choose(context) : *this);
+    return make_newton_part(context, *this);
   }
 };
 

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <map>
+#include <optional>
+#include <utility>
 #include <vector>
 
+#include "formulations/generate/adjugate.h"
 #include "formulations/generate/expression.h"
 
 namespace desmo::generate {
@@ -22,7 +25,9 @@ struct PivotMonitor {
 /// Sparse Gaussian elimination of Φ_φ, recorded once in a pivot order that is fixed here.
 ///
 /// Pivots: constants first, then least fill (Markowitz), among those that at every sample point
-/// are not too small beside the largest entry of their column.
+/// are not too small beside the largest entry of their column. Where the last two or three rows
+/// have none that serves most samples, since parts of one type point different ways, these rows are
+/// solved by their adjugate.
 class Elimination {
  public:
   /// matrix[i][j]: entries of row i by column; absent ones are structurally zero.
@@ -32,7 +37,8 @@ class Elimination {
   /// x with Φ_φ x = b.
   std::vector<Expr> solve(std::vector<Expr> b) const;
 
-  /// One for each pivot that is not a constant.
+  /// One for each pivot that is not a constant; of rows solved by their adjugate, one for the
+  /// determinant and one for each column that earlier rows have entries in.
   const std::vector<PivotMonitor>& monitors() const { return monitors_; }
 
  private:
@@ -42,7 +48,15 @@ class Elimination {
     std::vector<std::pair<int, Expr>> lower;  // (row, multiplier)
     std::vector<std::pair<int, Expr>> upper;  // (column, entry) of the pivot's row
   };
+  /// The rows and columns that are left when no pivot will do.
+  struct Last {
+    std::vector<int> rows, columns;
+    Adjugate inverse;
+  };
+  void solve_last_by_adjugate(const std::vector<std::map<int, Expr>>& rows);
+
   std::vector<Step> steps_;
+  std::optional<Last> last_;
   std::vector<PivotMonitor> monitors_;
 };
 

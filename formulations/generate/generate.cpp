@@ -39,7 +39,6 @@ std::string kernel_name(const Mechanism& m, const std::string& group,
 
 /// Adds the types of a scene's groups and blocks, sampled over its motion, to those found.
 void collect(const Scene& scene, std::vector<SampledType>& found) {
-  constexpr int sample_count = 12;
   const Mechanism whole = make_mechanism(scene);
   const Mechanism m = make_plan(whole, asked_by(scene, whole)).mechanism;
   std::vector<double> times;
@@ -72,7 +71,7 @@ void write(std::ostream& out, const std::string& set, Types types) {
          "#pragma GCC diagnostic ignored \"-Wunused-parameter\"\n"
          "#pragma GCC diagnostic ignored \"-Wunused-variable\"\n\n"
          "namespace desmo {\n\nnamespace {\n\n";
-  for (const SampledType& f : types) write_kernel(out, f.name, f.type, f.samples);
+  for (const SampledType& f : types) write_kernel(out, f.name, f.type, f.pivot_samples);
   out << "constexpr Kernel table[] = {\n";
   for (const SampledType& f : types) write_table_row(out, f.name, f.type);
   out << "};\n\n}  // namespace\n\n"

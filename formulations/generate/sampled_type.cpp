@@ -11,6 +11,8 @@ namespace desmo::generate {
 SampledType& add_part(const Mechanism& m, const PartDefinition& part,
                       std::span<const std::vector<double>> states,
                       std::vector<SampledType>& found) {
+  constexpr std::size_t pivot_samples = 12;
+  const std::size_t stride = std::max<std::size_t>(1, (states.size() + 3) / pivot_samples);
   PartType type = describe_type(m, part);
   std::vector<SamplePoint> samples;
   for (const std::vector<double>& state : states) {
@@ -20,7 +22,8 @@ SampledType& add_part(const Mechanism& m, const PartDefinition& part,
   }
   auto it = std::ranges::find(found, type.fingerprint,
                               [](const SampledType& t) { return t.type.fingerprint; });
-  if (it == found.end()) it = found.insert(it, {"", std::move(type), {}});
+  if (it == found.end()) it = found.insert(it, {"", std::move(type), {}, {}});
+  for (std::size_t i = 0; i < samples.size(); i += stride) it->pivot_samples.push_back(samples[i]);
   std::ranges::move(samples, std::back_inserter(it->samples));
   return *it;
 }

@@ -2,13 +2,16 @@
 
 #include <algorithm>
 
+#include "formulations/generate/sampled_type.h"
 #include "formulations/variants.h"
 
 namespace desmo::load {
 
 namespace {
 
-constexpr int sample_count = 12, most_steps = 400;
+using generate::sample_count;
+
+constexpr int most_steps = 400;
 constexpr double tolerance = 1e-6;  // of what only sizes are looked at
 
 class Sampler final : public Sink {

@@ -36,10 +36,12 @@ std::string digest_of(const std::vector<SampledType>& types, LibraryContents con
   digest.add(generate::generator_digest());
   if (contents.lanes > 1) digest.add(std::to_string(contents.lanes));
   digest.add(contents.lanes > 1 ? "lanes" : contents.explicit_order ? "explicit" : "inlined");
-  for (const auto& [name, type, samples] : types) {
-    digest.add("\n" + type.fingerprint + "\n" + std::to_string(samples.size()) + "\n");
-    for (const generate::SamplePoint& s : samples) digest.add(bytes(s.q)).add(bytes(s.constants));
-  }
+  for (const SampledType& t : types)
+    for (const auto* samples : {&t.samples, &t.pivot_samples}) {
+      digest.add("\n" + t.type.fingerprint + "\n" + std::to_string(samples->size()) + "\n");
+      for (const generate::SamplePoint& s : *samples)
+        digest.add(bytes(s.q)).add(bytes(s.constants));
+    }
   return digest.hex();
 }
 

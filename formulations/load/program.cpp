@@ -67,6 +67,25 @@ struct Attributes {
   posix_spawnattr_t values;
 };
 
+/// Holds interruptions back: one that came after a program was started, and before it is known to
+/// run, would leave it running.
+class Uninterrupted {
+ public:
+  Uninterrupted() {
+    sigset_t interruptions;
+    ::sigemptyset(&interruptions);
+    for (const int s : {SIGINT, SIGTERM, SIGHUP}) ::sigaddset(&interruptions, s);
+    ::pthread_sigmask(SIG_BLOCK, &interruptions, &before_);
+  }
+  Uninterrupted(const Uninterrupted&) = delete;
+  Uninterrupted& operator=(const Uninterrupted&) = delete;
+  ~Uninterrupted() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+
+ private:
+  sigset_t before_;
+};
+
+/// Starts a program, which from then on is `running`.
 pid_t start(const std::vector<std::string>& arguments, int folder, int output) {
   FileActions actions;
   ::posix_spawn_file_actions_addopen(&actions.list, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
@@ -76,10 +95,11 @@ pid_t start(const std::vector<std::string>& arguments, int folder, int output) {
   const Attributes attributes;
   const std::vector<std::string> variables = environment();
   pid_t child = 0;
+  const Uninterrupted until_it_is_known;
   const int error = ::posix_spawn(&child, arguments[0].c_str(), &actions.list, &attributes.values,
                                   pointers(arguments).data(), pointers(variables).data());
   if (error != 0) fail(error, arguments[0]);
-  return child;
+  return running = child;
 }
 
 /// Milliseconds until then, rounded up, and not less than 0.
@@ -125,7 +145,6 @@ Ending run_program(const std::vector<std::string>& arguments, int folder,
   Descriptor read_end(ends[0]), write_end(ends[1]);
   const Clock::time_point end = Clock::now() + time;
   const pid_t child = start(arguments, folder, write_end.number());
-  running = child;
   write_end.close();
 
   Ending ending;

@@ -1,5 +1,6 @@
 #include "formulations/load/wanted_types.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "formulations/load/motion_samples.h"
@@ -15,7 +16,7 @@ using generate::LibraryContents, generate::SampledType;
 /// The work of a generator and a compiler grows faster than the size of a part.
 constexpr std::size_t most_unknowns = 100;
 /// More than these tell no more of a type.
-constexpr std::size_t enough_samples = 48;
+constexpr std::size_t enough_samples = 4 * generate::sample_count, enough_for_pivots = 48;
 
 bool has_all(const KernelTable& table, const std::string& fingerprint, LibraryContents contents) {
   return table.find_kernel(fingerprint) &&
@@ -55,7 +56,8 @@ WantedTypes wanted_types(const Variant& v, LibraryContents contents, const Mecha
       wanted.uses.push_back(
           {m.groups[part.groups.front()].name, static_cast<int>(part.unknowns.size())});
     }
-    if (type.samples.size() > enough_samples) type.samples.resize(enough_samples);
+    type.samples.resize(std::min(type.samples.size(), enough_samples));
+    type.pivot_samples.resize(std::min(type.pivot_samples.size(), enough_for_pivots));
     ++wanted.uses[&type - types.data()].parts;
   }
   return wanted;

@@ -68,10 +68,10 @@ class Watch {
   static constexpr int usual = 2000;
 
   struct Options {
-    double tolerance = 1e-12;         ///< that positions are solved to
-    std::span<const Level> levels{};  ///< as far as each coordinate is solved (Plan::levels)
-    int every = usual;                ///< instants from one assessment to the next, at most
-    unsigned without = 0;             ///< monitors left out, for tests of what each finds
+    double tolerance = default_tolerance;  ///< that positions are solved to
+    std::span<const Level> levels{};       ///< as far as each coordinate is solved (Plan::levels)
+    int every = usual;                     ///< instants from one assessment to the next, at most
+    unsigned without = 0;                  ///< monitors left out, for tests of what each finds
   };
 
   /// grid: of the motion, whose drivers tell how fast it will be. The mechanism must outlive the

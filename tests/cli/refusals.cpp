@@ -40,7 +40,7 @@ TEST_F(Cli, DeliversFiniteNumbersOnly) {
   std::string zeros;
   for (int i = 0; i < 50; ++i) zeros += "0, ";
   write("far.json", R"({"format": "desmo-scene", "version": 1,
-    "mechanism": {"library": "slider_crank"},
+    "mechanism": {"library": "slider_crank"}, "units": {"angle": "rad"},
     "motion": {"theta": {"type": "polynomial", "coefficients": [)" +
                         zeros + R"(1e99]}},
     "time": {"end": 3e4, "step": 1e4}, "request": [{"angles": ["theta"], "level": "velocity"}]})");

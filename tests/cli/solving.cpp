@@ -107,15 +107,45 @@ TEST_F(Cli, TakesSettingsAsSuffixesOfTheFormulation) {
   EXPECT_TRUE(says("factorises in double precision")) << err_;
 }
 
-/// Which one is for the machine to say.
-TEST_F(Cli, SaysWhichSolversMeasurementHasChosen) {
-  ASSERT_EQ(desmo("solve slider_crank --formulation global_automatic_mixed"), 0) << err_;
-  EXPECT_TRUE(says("note: chosen by measurement: ")) << err_;
-  EXPECT_TRUE(says(" for 1 part of 6 unknowns")) << err_;
-  ASSERT_EQ(desmo("solve slider_crank --formulation group_automatic_klu"), 0) << err_;
-  EXPECT_FALSE(says("chosen by measurement")) << err_;
-  EXPECT_EQ(desmo("solve slider_crank --formulation group_automatic_mixed/scalar:mixed"), 64);
-  EXPECT_TRUE(says("solvers are chosen among dense and sparse ones")) << err_;
+TEST_F(Cli, RefusesEndingsThatItDoesNotKnowBeforeItSolves) {
+  for (const char* name : {"motion.tsv", "motion.xlsx", "motion.csv.gz", "motion."}) {
+    EXPECT_EQ(desmo("solve slider_crank -o out/" + std::string(name)), 64) << name;
+    EXPECT_TRUE(says("is not known; known are .csv and .jsonl")) << err_;
+    EXPECT_FALSE(std::filesystem::exists(out(name))) << name;
+    EXPECT_EQ(desmo("solve no_such_file.json -o out/" + std::string(name)), 64)
+        << "nothing is read";
+  }
+  EXPECT_EQ(desmo("solve slider_crank --quiet --format csv -o out/motion.tsv"), 0) << err_;
+  EXPECT_TRUE(text_of(out("motion.tsv")).starts_with("t [s],"));
+  EXPECT_EQ(desmo("solve slider_crank --quiet -o out/motion"), 0) << err_;
+  EXPECT_TRUE(text_of(out("motion")).starts_with("t [s],")) << "without an ending it is csv";
+}
+
+/// The generator's scene by name, and in a scene file that says no tolerance, are one.
+TEST_F(Cli, SolvesAGeneratorToOneToleranceHoweverItIsNamed) {
+  const std::pair<const char*, const char*> generators[] = {{"four_bar", "dyads"},
+                                                            {"truck_suspension", "axles"}};
+  for (const auto& [name, unit] : generators) {
+    write("generated.json",
+          R"({"format": "desmo-scene", "version": 2, "mechanism": {"generator": ")" +
+              std::string(name) + "\", \"" + unit + "\": 1}}");
+    const std::string with = " --quiet --formulation group_automatic_klu";
+    ASSERT_EQ(desmo("solve generated.json" + with), 0) << err_;
+    const std::string from_file = out_;
+    ASSERT_EQ(desmo("solve " + std::string(name) + ":1" + with), 0) << err_;
+    EXPECT_TRUE(out_ == from_file) << name;
+    ASSERT_EQ(desmo("solve " + std::string(name) + ":1" + with + "/tolerance:1e-12"), 0) << err_;
+    EXPECT_TRUE(out_ == from_file) << name;
+  }
+}
+
+TEST_F(Cli, SaysWhatBecameOfTheAlgebraMixed) {
+  EXPECT_EQ(desmo("solve slider_crank --formulation group_automatic_mixed/guess:hermite5"), 64);
+  EXPECT_TRUE(says("algebra 'mixed' no longer exists")) << err_;
+  EXPECT_TRUE(says("use 'group_automatic_klu'")) << err_;
+  EXPECT_TRUE(out_.empty());
+  EXPECT_EQ(desmo("solve slider_crank --formulation group_other_mixed"), 64);
+  EXPECT_TRUE(says("unknown formulation 'group_other_mixed'")) << err_;
 }
 
 TEST_F(Cli, DeliversOnlyWhatIsAskedFor) {

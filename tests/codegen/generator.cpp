@@ -182,6 +182,58 @@ TEST(Elimination, TakesConstantPivotsFirstAndMonitorsTheOthers) {
   EXPECT_NEAR(graph.samples(e.monitors()[0].pivot.id())[0], 1 - 0.5 * 0.7, 1e-15);
 }
 
+/// Whether all monitors trust the elimination at a sample.
+bool is_trusted(const Elimination& e, std::size_t sample) {
+  const auto size = [&](Expr value) { return std::abs(value.samples()[sample]); };
+  for (const PivotMonitor& m : e.monitors()) {
+    for (const auto& [value, bound] : m.magnified)
+      if (!(size(value) < bound)) return false;
+    for (const auto& [value, bound] : m.against)
+      if (!(size(m.pivot) > bound * size(value))) return false;
+  }
+  return true;
+}
+
+/// Rows that point along another axis at each sample have no pivot that serves two of them. At the
+/// last sample two rows are equal.
+TEST(Elimination, SolvesRowsThatPointAnyWayByTheirAdjugate) {
+  for (const int n : {2, 3})
+    for (const bool follow_another : {false, true}) {
+      const int samples = n + 1;
+      Graph graph(samples);
+      const auto input = [&](auto value) {
+        std::vector<double> values;
+        for (int s = 0; s < samples; ++s) values.push_back(value(s));
+        return Expr::node(graph.input("a", values));
+      };
+      std::vector<std::map<int, Expr>> rows;
+      for (int i = 0; i < n; ++i) {
+        rows.emplace_back();
+        for (int j = 0; j < n; ++j)
+          rows.back().emplace(j, input([&](int s) {
+                                return s < n ? (i + s) % n == j : j == 0 ? 2.0 : 0.5;
+                              }));
+      }
+      if (follow_another) {  // x_n + x_0 = …, x_n in all other rows, too
+        for (auto& row : rows) row.emplace(n, Expr(0.25));
+        rows.push_back({{n, Expr(1)}, {0, Expr(1)}});
+      }
+      const auto size = static_cast<int>(rows.size());
+      std::vector<Expr> x, b(size);
+      for (int j = 0; j < size; ++j) x.push_back(input([&](int s) { return 1 + j - 0.3 * s; }));
+      for (int i = 0; i < size; ++i)
+        for (const auto& [j, a] : rows[i]) b[i] = b[i] + a * x[j];
+      const Elimination e(rows);
+      const std::vector<Expr> solution = e.solve(b);
+      for (int s = 0; s < n; ++s) {
+        EXPECT_TRUE(is_trusted(e, s)) << n << ", " << s;
+        for (int j = 0; j < size; ++j)
+          EXPECT_NEAR(solution[j].samples()[s], x[j].samples()[s], 1e-14) << n << ", " << s;
+      }
+      EXPECT_FALSE(is_trusted(e, n)) << n;
+    }
+}
+
 TEST(Elimination, RefusesAStructurallySingularMatrix) {
   Graph graph(1);
   EXPECT_THROW(Elimination({{{0, Expr(1)}}, {{0, Expr(2)}}}), std::invalid_argument);

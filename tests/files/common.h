@@ -67,7 +67,7 @@ inline const std::string spatial = R"({
 })";
 
 inline std::string scene_with(const std::string& members) {
-  return "{\"format\": \"desmo-scene\", \"version\": 1, " + members + "}";
+  return "{\"format\": \"desmo-scene\", \"version\": 2, " + members + "}";
 }
 
 inline std::string scene_of(const std::string& mechanism, const std::string& members) {

@@ -42,6 +42,76 @@ TEST(SceneFile, IsReadInSiUnits) {
   EXPECT_NEAR(sample(s.motions[1], 2.0).position, 0.3, 1e-15);
 }
 
+const Polynomial& turn(const Scene& scene) { return std::get<Polynomial>(scene.motions[0]); }
+
+TEST(SceneFile, HasTheMechanismsUnitsWhereItSaysNone) {
+  constexpr double degree = std::numbers::pi / 180;
+  EXPECT_EQ(turn(parse_scene(scene_of(slider_crank, driven), "", "")).coefficients[1],
+            360 * degree);
+  const std::string radians = driven + R"(, "units": {"angle": "rad"})";
+  EXPECT_EQ(turn(parse_scene(scene_of(slider_crank, radians), "", "")).coefficients[1], 360);
+  const std::string of_library = scene_of(R"({"library": "whitworth"})", motion);
+  EXPECT_EQ(turn(parse_scene(of_library, "", "")).coefficients[1], 360 * degree);
+  const std::string no_units =
+      replaced(slider_crank, R"("units": {"length": "mm", "angle": "deg"},)", "");
+  EXPECT_EQ(turn(parse_scene(scene_of(no_units, driven), "", "")).coefficients[1], 360);
+  // Of one unit that is said, the other is the mechanism's.
+  const std::string both = replaced(slider_crank, "[\"theta\"]", "[\"s\", \"theta\"]");
+  const Scene s = parse_scene(scene_of(both, R"("units": {"angle": "rad"}, "motion": {
+      "s": {"type": "constant", "value": 200}, "theta": {"type": "constant", "value": 1}})" +
+                                                 (", " + time_of_one_second)),
+                              "", "");
+  EXPECT_EQ(turn(s).coefficients[0], 1);
+  EXPECT_DOUBLE_EQ(std::get<Polynomial>(s.motions[1]).coefficients[0], 0.2);
+}
+
+std::string of_version_1(const std::string& scene) {
+  return replaced(scene, "\"version\": 2", "\"version\": 1");
+}
+
+/// Version 1 took metres and radians; where the mechanism has others, nobody meant that.
+TEST(SceneFile, OfVersion1SaysTheUnitsThatItNeeds) {
+  const std::string good = scene_of(slider_crank, driven);
+  const std::string remedy =
+      " the mechanism has its angles in 'deg', and the scene does not say in what this is; give "
+      "\"version\": 2, in which the mechanism's units hold, or \"units\": {\"angle\": \"deg\"}";
+  EXPECT_EQ(scene_complaint(of_version_1(good)), "s.json: /motion/theta:" + remedy);
+  for (const char* units : {R"("units": {})", R"("units": {"length": "mm"})"})
+    EXPECT_EQ(scene_complaint(of_version_1(scene_of(slider_crank, driven + ", " + units))),
+              "s.json: /motion/theta:" + remedy);
+  const std::string angles = driven + R"(, "units": {"angle": "deg"})";
+  EXPECT_EQ(scene_complaint(of_version_1(scene_of(slider_crank, angles))), "accepted");
+  expect_start(scene_complaint(of_version_1(scene_of(R"({"library": "slider_crank"})", motion))),
+               "s.json: /motion/theta: the mechanism has its angles in 'deg'");
+  EXPECT_EQ(scene_complaint(of_version_1(scene_of(R"({"library": "slider_crank"})", ""))),
+            "accepted")
+      << "it brings its own motion";
+  EXPECT_EQ(scene_complaint(of_version_1(scene_of(R"({"library": "rssr"})", motion))), "accepted")
+      << "its mechanism is in metres and radians";
+
+  const std::string slides = replaced(slider_crank, "[\"theta\"]", "[\"s\"]");
+  const auto sliding = [&](const std::string& term, const std::string& units) {
+    return of_version_1(scene_of(
+        slides, units + R"("motion": {"s": {"type": "harmonic", "terms": [{"amplitude": 1, )" +
+                    term + "}]}}, " + time_of_one_second));
+  };
+  expect_start(scene_complaint(sliding(R"("frequency": 1)", "")),
+               "s.json: /motion/s: the mechanism has its lengths in 'mm'");
+  const std::string millimetres = R"("units": {"length": "mm"}, )";
+  EXPECT_EQ(scene_complaint(sliding(R"("frequency": 1)", millimetres)), "accepted");
+  expect_start(scene_complaint(sliding(R"("frequency": 1, "phase": 90)", millimetres)),
+               "s.json: /motion/s/terms/0/phase: the mechanism has its angles in 'deg'");
+}
+
+TEST(SceneFile, MayNameItsSchema) {
+  const std::string schema = R"({"$schema": "cases/scene.schema.json", "format")";
+  const std::string named = replaced(slider_crank, "{\n  \"format\"", schema);
+  EXPECT_EQ(mechanism_complaint(named), "accepted");
+  EXPECT_EQ(scene_complaint(replaced(scene_of(named, driven), "{\"format\"", schema)), "accepted");
+  expect_start(mechanism_complaint(replaced(named, "\"cases/scene.schema.json\"", "7")),
+               "m.json: /$schema: is a number");
+}
+
 TEST(SceneFile, StartsFromALibraryMechanismOrAGenerator) {
   ASSERT_FALSE(library().empty());
   for (const LibraryMechanism& m : library()) {

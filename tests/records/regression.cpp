@@ -41,7 +41,6 @@ TEST(Launch, PassesOnWhereLibrariesAre) {
 
 TEST(CheckedCells, UseEveryPartitionEvaluationAndAlgebraOfThisBuild) {
   for (const Variant& v : variants()) {
-    if (chooses_solvers(v)) continue;               // see cells.h
     if (v.backend && v.backend->absence) continue;  // on some machines only
     bool partition = false, evaluation = false, algebra = false;
     for (const char* cell : checked_cells) {

@@ -13,7 +13,7 @@
 #include "formulations/safety/assessor.h"
 #include "formulations/variants.h"
 #include "tests/accuracy/scenes.h"
-#include "tests/safety/dead_point.h"
+#include "tests/dead_point.h"
 
 namespace desmo::assessment_test {
 namespace {

@@ -12,7 +12,7 @@
 #include "formulations/safety/safe_run.h"
 #include "formulations/variants.h"
 #include "tests/accuracy/scenes.h"
-#include "tests/safety/dead_point.h"
+#include "tests/dead_point.h"
 
 namespace desmo::run_test {
 namespace {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "formulations/id.h"
+#include "tests/dead_point.h"
 #include "tests/mechanisms.h"
 
 namespace desmo::dense_output_test {
@@ -212,12 +213,7 @@ TEST(DenseOutput, GoesWithSegmentsAndLanes) {
 
 /// The coupler is too short where the crank points away: up to the last solved, all is there.
 TEST(DenseOutput, StopsBehindTheLastInstantSolved) {
-  Mechanism m = four_bar_mechanism(1);
-  for (Constraint& c : m.constraints)
-    if (c.name.starts_with("dyad1/coupler")) c.constants[0] = 3 * 3;
-  m.estimate[m.entities[m.find("dyad1/C")].first] = 1.5;
-  m.estimate[m.entities[m.find("dyad1/C")].first + 1] = 4;
-  m.fixed_values[m.entities[m.find("dyad1/D")].first] = 8;
+  const Mechanism m = locking_four_bar();
   const TimeGrid grid{0, 0.01, 300};
   const Solution coarse = run("group_automatic_eigen", m, grid.every(8)),
                  all = run("group_automatic_eigen/stride:8", m, grid);

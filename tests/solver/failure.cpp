@@ -16,6 +16,7 @@
 #include "formulations/magnitudes.h"
 #include "formulations/modelling/model.h"
 #include "formulations/variants.h"
+#include "tests/dead_point.h"
 #include "tests/every_variant.h"
 #include "tests/mechanisms.h"
 
@@ -51,18 +52,10 @@ TEST_P(EveryFailure, NamesTheGroupThatCannotBeAssembled) {
   EXPECT_NE(describe(s, m).find("'dyad2/SG-I'"), std::string::npos) << describe(s, m);
 }
 
-/// The crank grows too long for the loop to close as it turns: reach ends at a known instant.
+/// The loop cannot close any more from a known instant on.
 TEST_P(EveryFailure, NamesTheInstantOfALockUp) {
-  Mechanism m = four_bar_mechanism(1);
-  for (Constraint& c : m.constraints)
-    if (c.name.starts_with("dyad1/coupler"))
-      c.constants[0] = 3 * 3;  // 2 + 3 + 6 spans the pivots, not all
-  m.estimate[m.entities[m.find("dyad1/C")].first] = 1.5;
-  m.estimate[m.entities[m.find("dyad1/C")].first + 1] = 4;
-  // Coupler 3, rocker 6: B may be from 3 to 9 away from D, and 6 − 2 … 6 + 2 is within reach …
-  m.fixed_values[m.entities[m.find("dyad1/D")].first] = 8;  // … until ‖D − B‖ = 9.
-  // ‖(8, 0) − 2 (cos θ, sin θ)‖² = 81 at cos θ = (68 − 81) / 32, past π/3.
-  const double lock = std::acos(-13.0 / 32) - std::acos(0.5);
+  const Mechanism m = locking_four_bar();
+  const double lock = dead_point - std::numbers::pi / 3;
   const auto f = make_formulation(GetParam(), m);
   Discard sink;
   const Summary s = f->run(time_grid(3, 0.01), {}, sink);

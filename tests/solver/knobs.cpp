@@ -15,6 +15,7 @@
 #include "formulations/id.h"
 #include "formulations/magnitudes.h"
 #include "formulations/reference.h"
+#include "tests/dead_point.h"
 #include "tests/every_variant.h"
 #include "tests/mechanisms.h"
 
@@ -98,17 +99,6 @@ class WeightedResidual {
   std::vector<WeightedPart> parts_;
 };
 
-/// A four-bar that locks up at 2 rad or so: reach ends where coupler and rocker are in line.
-Mechanism locking() {
-  Mechanism m = four_bar_mechanism(1);
-  for (Constraint& c : m.constraints)
-    if (c.name.starts_with("dyad1/coupler")) c.constants[0] = 3 * 3;
-  m.estimate[m.entities[m.find("dyad1/C")].first] = 1.5;
-  m.estimate[m.entities[m.find("dyad1/C")].first + 1] = 4;
-  m.fixed_values[m.entities[m.find("dyad1/D")].first] = 8;
-  return m;
-}
-
 class Knobs : public EveryVariant {
  protected:
   Knobs() { set_blas_threads(1); }  // more wait for each other where matrices are this small
@@ -129,7 +119,7 @@ class Knobs : public EveryVariant {
 TEST_P(Knobs, NoChordEndsAboveItsTolerance) {
   const Settings settings{.tolerance = 1e-11, .max_iterations = 50};
   for (const bool to_the_dead_point : {false, true}) {
-    const Mechanism m = to_the_dead_point ? locking() : truck_mechanism(1);
+    const Mechanism m = to_the_dead_point ? locking_four_bar() : truck_mechanism(1);
     const WeightedResidual weighted_residual(m);
     for (const double h : {0.003, 0.02, 0.1, 0.45}) {
       if (DESMO_SANITIZED && h < (to_the_dead_point ? 0.02 : 0.1)) continue;
@@ -285,7 +275,7 @@ TEST(Factorisations, AreAsManyAsTheSettingsSay) {
 /// are as good as those of double factors.
 TEST(MixedScalar, NeverPassesSinglePrecisionOffAsDouble) {
   for (const double distance : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10}) {
-    const Mechanism m = locking();
+    const Mechanism m = locking_four_bar();
     const double lock = std::acos(-13.0 / 32) - std::acos(0.5);
     const auto mixed = make("group_automatic_lapack/scalar:mixed", m),
                full = make("group_automatic_lapack", m);

@@ -120,27 +120,6 @@ TEST(Cells, SayWhyDenseGlobalSolvesAreNotRun) {
   EXPECT_NE(cell.message.find("O(n^3)"), std::string::npos);
 }
 
-TEST(Cells, SayWhichSolversMeasurementHasChosen) {
-  Options o;
-  o.duration = 0.5;
-  ReferenceCache references;
-  const auto json = [&](const char* id) {
-    Cell cell(find_case("truck_suspension"), 114, find_variant(id), o);
-    cell.verify(references);
-    EXPECT_EQ(cell.state, Cell::State::verified) << cell.message;
-    return lists_of({&cell})["cells"][0];
-  };
-  const auto cell = json("group_automatic_mixed");
-  int parts = 0;
-  for (const auto& solver : cell["solvers"]) {
-    EXPECT_GE(solver["unknowns"][0], 16);
-    EXPECT_LE(solver["unknowns"][1], 39);
-    parts += solver["parts"].get<int>();
-  }
-  EXPECT_EQ(parts, 5);
-  EXPECT_FALSE(json("group_automatic_klu").contains("solvers"));
-}
-
 TEST(Cells, ShowWhereTheTimeOfKluAsOneBlockGoes) {
   Options o;
   o.duration = 0.5;

@@ -20,9 +20,6 @@ bool is_fast(const Variant& v) {
 std::string why_not_tried(const Configuration& configuration, const Problem& problem) {
   const Variant& v = *configuration.variant;
   if (std::string why = why_not(v, configuration.settings); !why.empty()) return why;
-  if (chooses_solvers(v))
-    return "each part is solved as by one of the libraries, which are tried by themselves; by "
-           "which differs from time to time";
   const int coordinates = problem.model->mechanism.coordinates();
   if (is_dense_global(v) && coordinates > largest_dense)
     return "dense matrices of all unknowns: a step costs O(n³)";

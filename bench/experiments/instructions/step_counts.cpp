@@ -27,10 +27,8 @@ constexpr int few_steps = 100, many_steps = 300;
 constexpr std::array monitored{"global_automatic_klu", "group_symbolic_inlined",
                                "group_symbolic_explicit"};
 
-/// Whose solvers are chosen by measurement may have others, and other instructions, every time.
 bool is_counted(const Variant& v) {
-  return !chooses_solvers(v) && v.partition != Partition::block && !is_dense_global(v) &&
-         algebra_name(v) != "spqr";
+  return v.partition != Partition::block && !is_dense_global(v) && algebra_name(v) != "spqr";
 }
 
 /// Callgrind knows no registers wider than 256 bits. What threads do while they wait for each other

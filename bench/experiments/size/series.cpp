@@ -21,11 +21,9 @@ constexpr std::array<std::string_view, 6> growing{"group_symbolic_explicit",
                                                   "block_symbolic_klu",
                                                   "global_automatic_klu"};
 
-/// The last chooses for itself.
-constexpr std::array<std::string_view, 7> crossing{
+constexpr std::array<std::string_view, 6> crossing{
     "global_automatic_lapack",  "global_automatic_eigen",   "global_automatic_klu",
-    "global_automatic_umfpack", "global_automatic_cholmod", "global_automatic_ma27",
-    "global_automatic_mixed"};
+    "global_automatic_umfpack", "global_automatic_cholmod", "global_automatic_ma27"};
 
 /// 3 + 111 k: both cases have them.
 constexpr std::array coordinates{114,  225,  336,  447,   558,   1002,

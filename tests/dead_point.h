@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "tests/mechanisms.h"
 
@@ -12,9 +13,9 @@ namespace desmo {
 /// pivot to pin, at this angle of the crank.
 inline const double dead_point = std::acos((4.0 + 64 - 81) / 32);
 
-/// The four-bar with the rocker's pin above that line, and a crank that turns as it is told. The
-/// estimate is the position at t = 0.
-inline Mechanism locking_four_bar(const Motion& crank) {
+/// Returns the four-bar with the rocker's pin above that line, and a crank that turns as it is
+/// told: by default as the case's own, π/3 + t. The estimate is the position at t = 0.
+inline Mechanism locking_four_bar(const Motion& crank = Polynomial{{std::numbers::pi / 3, 1}}) {
   Mechanism m = four_bar_mechanism(1);
   m.drivers[0].motion = crank;
   for (Constraint& c : m.constraints)

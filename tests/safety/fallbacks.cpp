@@ -1,0 +1,62 @@
+// What generated code leaves to pivoting: nothing where a motion stays far from singular positions.
+
+#include <gtest/gtest.h>
+
+#include "cases/library.h"
+#include "formulations/guarded_part.h"
+#include "formulations/safety/safe_run.h"
+#include "formulations/variants.h"
+#include "tests/mechanisms.h"
+
+namespace desmo::fallbacks_test {
+namespace {
+
+class Discard final : public Sink {
+ public:
+  void accept(const Instant&) override {}
+};
+
+/// Returns the largest condition number of a motion, of which every instant is assessed.
+double condition(const Mechanism& m, const TimeGrid& grid) {
+  Discard sink;
+  SafetyOptions options;
+  options.every = 1;
+  return run_safely(*make_formulation(find_variant("global_automatic_klu"), m), grid, {}, sink,
+                    options)
+      .condition;
+}
+
+/// Returns how many steps the parts of a motion left to pivoting.
+long fallbacks(const Variant& v, const Mechanism& m, const Scene& scene) {
+  const auto f = make_formulation(v, m, {.tolerance = scene.tolerance});
+  Discard sink;
+  const Summary s = f->run(scene.grid, {}, sink);
+  EXPECT_TRUE(s.ok()) << m.name << ", " << v.id;
+  long steps = 0, guarded_parts = 0;
+  for (const Formulation::DefinedPart& part : f->parts())
+    if (const auto* guarded = dynamic_cast<const GuardedPart*>(part.solver.get())) {
+      steps += guarded->fallbacks();
+      ++guarded_parts;
+    }
+  EXPECT_GT(guarded_parts, 0) << m.name << ", " << v.id << ": there is no generated code";
+  return steps;
+}
+
+TEST(GeneratedCode, LeavesNoStepOfAWellConditionedMotionToPivoting) {
+  constexpr double well = 1e4;
+  int motions = 0;
+  for (const LibraryMechanism& l : library()) {
+    const Scene scene = library_scene(l.name);
+    const Mechanism m = make_mechanism(scene);
+    if (condition(m, scene.grid) >= well) continue;
+    ++motions;
+    for (const Variant& v : variants()) {
+      if (v.backend) continue;
+      EXPECT_EQ(fallbacks(v, m, scene), 0) << l.name << ", " << v.id;
+    }
+  }
+  EXPECT_GE(motions, 10);
+}
+
+}  // namespace
+}  // namespace desmo::fallbacks_test
