@@ -8,7 +8,7 @@
 #include "report/paper.h"
 #include "report/tables/extremes.h"
 #include "report/tables/precision.h"
-#include "report/tables/sizes.h"
+#include "report/tables/size.h"
 #include "report/tables/tables.h"
 #include "report/variants.h"
 
@@ -75,7 +75,7 @@ void add_experiment(std::vector<Section>& sections, const Record& record) {
 
 void add_sizes(std::vector<Section>& sections, const Record& record) {
   if (!record.growth.empty()) sections.push_back(growth(record));
-  if (!record.crossing.empty()) sections.push_back(dense_or_sparse(record));
+  if (!record.break_even.empty()) sections.push_back(dense_or_sparse(record));
 }
 
 void add_details(std::vector<Section>& sections, const Record& record) {
@@ -107,7 +107,7 @@ Section joint_limitations(const std::vector<Record>& records) {
   return section;
 }
 
-bool has_accuracy(const Record& r) { return !r.points.empty() || !r.promises.empty(); }
+bool has_accuracy(const Record& r) { return !r.points.empty() || !r.tuning.empty(); }
 
 /// What the first of its sections are about.
 std::string title(const std::vector<Record>& records) {
@@ -128,7 +128,7 @@ Document make_report(const std::vector<Record>& records) {
   const auto accuracy =
       std::ranges::find_if(records, [](const Record& r) { return !r.points.empty(); });
   const auto tuned =
-      std::ranges::find_if(records, [](const Record& r) { return !r.promises.empty(); });
+      std::ranges::find_if(records, [](const Record& r) { return !r.tuning.empty(); });
   const auto grown = std::ranges::find_if(records, has_sizes);
   const auto counted =
       std::ranges::find_if(records, [](const Record& r) { return !r.instructions.empty(); });
@@ -139,7 +139,7 @@ Document make_report(const std::vector<Record>& records) {
   if (experiment != end) add_experiment(sections, *experiment);
   if (accuracy != end)
     std::ranges::move(precision_sections(*accuracy), std::back_inserter(sections));
-  if (tuned != end) sections.push_back(promises(*tuned));
+  if (tuned != end) sections.push_back(tuning(*tuned));
   if (grown != end) add_sizes(sections, *grown);
   if (counted != end) sections.push_back(instructions(*counted));
   if (stable != end) sections.push_back(extremes(*stable));

@@ -98,7 +98,7 @@ Section conclusion(const Record& record) {
       .title = "The paper's conclusions by sparse solver, truck suspension",
       .notes = {std::string("Mean speed-ups over the paper's sizes; a comparison counts when "
                             "the interval") +
-                (record.settings.segments ? "" : " from the spread of the repetitions") +
+                (record.settings.windows ? "" : " from the spread of the repetitions") +
                 " excludes 1."},
       .columns = {{"conclusion of the paper", {}}},
       .rows = {}};

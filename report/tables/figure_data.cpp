@@ -1,8 +1,10 @@
 // What figures 5 and 6 show, as tables: the designs in report/figures draw these numbers.
 #include "report/digits.h"
+#include "report/entries.h"
 #include "report/measurements.h"
 #include "report/paper.h"
 #include "report/tables/tables.h"
+#include "report/time_words.h"
 #include "report/variants.h"
 
 namespace desmo::report {

@@ -5,6 +5,7 @@
 #include "report/measurements.h"
 #include "report/paper.h"
 #include "report/tables/tables.h"
+#include "report/time_words.h"
 
 namespace desmo::report {
 namespace {
@@ -29,13 +30,13 @@ std::string of_the_papers_solver(const Record& record) {
 }
 
 std::string intervals_of(const Record& record) {
-  if (has_samples_of_segments(record))
+  if (has_samples_of_windows(record))
     return "The intervals of speed-ups hold what leaving out one repetition changes: they are "
            "narrow "
            "where several repetitions were undisturbed for a while, and say nothing of what "
            "disturbed all of them throughout.";
-  if (record.settings.segments)
-    return "The intervals of speed-ups hold what differs from segment to segment of the motion in "
+  if (record.settings.windows)
+    return "The intervals of speed-ups hold what differs from piece to piece of the motion in "
            "one run, with a probability of 95 %.";
   return "The intervals hold what the repetitions of one run vary by, with a probability that "
          "follows from their number.";
@@ -92,7 +93,7 @@ Section limitations(const Record& record) {
         "small error. Every time shown is of a formulation that agrees with the "
         "quadruple-precision reference at the instants verified.");
   }
-  if (!record.points.empty() || !record.promises.empty()) {
+  if (!record.points.empty() || !record.tuning.empty()) {
     lines.push_back(
         "Times of a step in sections on accuracy are the least of a few samples; the second least "
         "says how well they can be had again in the same run, not in another run or build.");

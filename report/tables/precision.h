@@ -53,7 +53,7 @@ Table sensitivity(const Record& record);
 std::vector<std::string> what_survives(const Record& record);
 
 /// What the choices of desmo tune are worth. The record has promises.
-Section promises(const Record& record);
+Section tuning(const Record& record);
 
 /// What it says of a failure before place and time: "singular Jacobian".
 std::string kind_of_failure(std::string_view message);
