@@ -29,17 +29,12 @@ class Comparison {
   std::set<std::string> named_;
 };
 
-std::string major_version(const Record& record) {
-  return record.version.substr(0, record.version.find('.'));
-}
-
 std::optional<std::string> linking_of(const Build& build) {
   if (!build.link) return std::nullopt;
   return build.link->type + (build.link->flags.empty() ? "" : " " + build.link->flags);
 }
 
 void compare_environment(Comparison& all, const Record& a, const Record& b) {
-  all.require_same("schema", major_version(a), major_version(b));
   all.require_same("CPU model", a.machine.cpu, b.machine.cpu);
   all.require_same("compiler", a.build.compiler, b.build.compiler);
   all.require_same("build type", a.build.type, b.build.type);
@@ -58,8 +53,6 @@ void compare_settings(Comparison& all, const Settings& a, const Settings& b) {
   require_same_number(all, "iterations at most", static_cast<double>(a.max_iterations),
                       static_cast<double>(b.max_iterations));
   all.require_same("first guess", a.guess, b.guess);
-  all.require_same("clock", a.clock, b.clock);
-  all.require_same("reducer", a.reducer, b.reducer);
 }
 
 void compare_motions(Comparison& all, const Settings& a, const Settings& b) {
@@ -69,9 +62,9 @@ void compare_motions(Comparison& all, const Settings& a, const Settings& b) {
 
 // Of what has no time in one of them, there is nothing to compare.
 void compare_timings(Comparison& all, const Record& a, const Record& b) {
-  const auto second = timings(b);
+  const auto second = timings(b, Clock::cpu);
   bool shared = false;
-  for (const auto& [key, one] : timings(a)) {
+  for (const auto& [key, one] : timings(a, Clock::cpu)) {
     const auto other = second.find(key);
     if (other == second.end()) continue;
     shared = true;
@@ -105,7 +98,7 @@ std::vector<Difference> why_apart(const Record& first, const Record& second) {
   };
   only_one("cells", has_cells(first), has_cells(second));
   only_one("points", !first.points.empty(), !second.points.empty());
-  only_one("promises", !first.promises.empty(), !second.promises.empty());
+  only_one("promises", !first.tuning.empty(), !second.tuning.empty());
   only_one("sizes", has_sizes(first), has_sizes(second));
   only_one("instructions", !first.instructions.empty(), !second.instructions.empty());
   only_one("extremes", !first.extremes.empty(), !second.extremes.empty());

@@ -2,7 +2,9 @@
 
 #include <set>
 
+#include "report/entries.h"
 #include "report/measurements.h"
+#include "report/time_words.h"
 
 namespace desmo::report {
 namespace {
@@ -28,20 +30,20 @@ Entry ratio_entry(const Timing& a, const Timing& b) {
   return speed_up_entry(measured_speed_up(a.time, b.time));
 }
 
-/// As of a record before 1.4.0.
-Record without_segments(Record record) {
-  record.settings.segments.reset();
-  for (auto& [key, cell] : record.cells) cell.segments = {};
-  for (Request& request : record.requests) request.segments = {};
-  for (Peer& peer : record.peers) peer.cell.segments = {};
+/// As of a record without timing windows.
+Record without_windows(Record record) {
+  record.settings.windows.reset();
+  for (auto& [key, cell] : record.cells) cell.time.windows = {};
+  for (Request& request : record.requests) request.time.windows = {};
+  for (Peer& peer : record.peers) peer.cell.time.windows = {};
   return record;
 }
 
 }  // namespace
 
 Document make_comparison(const Record& first, const Record& second) {
-  if (first.settings.segments != second.settings.segments)  // then there is nothing to pair
-    return make_comparison(without_segments(first), without_segments(second));
+  if (first.settings.windows != second.settings.windows)  // then there is nothing to pair
+    return make_comparison(without_windows(first), without_windows(second));
   const TimeWords words = time_words(first);
   const std::vector<std::string> seconds{"seconds", "half_range", "repetitions"};
   Table table{.name = "comparison",
@@ -58,7 +60,7 @@ Document make_comparison(const Record& first, const Record& second) {
                           {"remark", {}}},
               .rows = {}};
   define_time(table, first);
-  const auto a = timings(first), b = timings(second);
+  const auto a = timings(first, Clock::cpu), b = timings(second, Clock::cpu);
   std::set<CellKey> keys;
   for (const auto* all : {&a, &b})
     for (const auto& [key, timing] : *all) keys.insert(key);

@@ -9,7 +9,7 @@
 #include "report/tables/extremes.h"
 #include "report/tables/in_short.h"
 #include "report/tables/precision.h"
-#include "report/tables/sizes.h"
+#include "report/tables/size.h"
 #include "report/tables/tables.h"
 #include "report/variants.h"
 
@@ -85,7 +85,7 @@ std::vector<Section> accuracy_sections(const Record& record) {
 std::vector<Section> size_sections(const Record& record) {
   std::vector<Section> sections{size_in_short(record)};
   if (!record.growth.empty()) sections.push_back(growth(record));
-  if (!record.crossing.empty()) sections.push_back(dense_or_sparse(record));
+  if (!record.break_even.empty()) sections.push_back(dense_or_sparse(record));
   return sections;
 }
 
@@ -96,13 +96,13 @@ struct Experiment {
   std::vector<Section> (*sections)(const Record&);
 };
 
-const std::vector<Experiment>& experiments() {
+const std::vector<Experiment>& reported_experiments() {
   static const std::vector<Experiment> all{
       {"The paper's experiment", has_cells, paper_sections},
       {"Accuracy", [](const Record& r) { return !r.points.empty(); }, accuracy_sections},
-      {"Tuning", [](const Record& r) { return !r.promises.empty(); },
+      {"Accuracy of desmo tune", [](const Record& r) { return !r.tuning.empty(); },
        [](const Record& r) {
-         return std::vector{tuning_in_short(r), promises(r)};
+         return std::vector{tuning_in_short(r), tuning(r)};
        }},
       {"Size", has_sizes, size_sections},
       {"Instructions", [](const Record& r) { return !r.instructions.empty(); },
@@ -143,7 +143,7 @@ Section joint_limitations(const std::vector<Record>& records) {
 
 Document make_report(const std::vector<Record>& records) {
   Document document{.title = {}, .sections = {}};
-  for (const Experiment& experiment : experiments()) {
+  for (const Experiment& experiment : reported_experiments()) {
     const auto record = std::ranges::find_if(records, experiment.is_in);
     if (record == records.end()) continue;
     if (document.title.empty()) document.title = "desmo: " + std::string(experiment.title);

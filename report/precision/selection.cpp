@@ -4,7 +4,7 @@
 #include <set>
 
 #include "report/digits.h"
-#include "report/measurements.h"
+#include "report/entries.h"
 
 namespace desmo::report {
 

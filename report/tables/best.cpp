@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "report/entries.h"
 #include "report/tables/tables.h"
 #include "report/variants.h"
 
@@ -45,15 +46,13 @@ std::int64_t size_compared(const Record& record) {
   return size > 0 || sizes.empty() ? size : sizes.back();
 }
 
-/// The fastest on one thread, of those that something holds of.
+/// The fastest of those that something holds of.
 std::optional<CellKey> fastest(const Record& record, const Holds& holds) {
   const std::int64_t size = size_compared(record);
   std::optional<CellKey> found;
   double least = 0;
   for (const auto& [key, cell] : record.cells) {
-    if (key.case_name != truck_case || key.coordinates != size ||
-        !setting(key.id, "threads").empty() || !holds(key.id))
-      continue;
+    if (key.case_name != truck_case || key.coordinates != size || !holds(key.id)) continue;
     const Measured time = measured(record, key);
     if (!time.seconds || (found && time.seconds->value >= least)) continue;
     found = key;

@@ -4,8 +4,10 @@
 #include <set>
 
 #include "report/digits.h"
+#include "report/entries.h"
 #include "report/measurements.h"
 #include "report/tables/tables.h"
+#include "report/time_words.h"
 #include "report/variants.h"
 
 namespace desmo::report {

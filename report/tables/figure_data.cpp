@@ -1,8 +1,10 @@
 // What figures 5 and 6 show, as tables: the designs in report/figures draw these numbers.
 #include "report/digits.h"
+#include "report/entries.h"
 #include "report/measurements.h"
 #include "report/paper.h"
 #include "report/tables/tables.h"
+#include "report/time_words.h"
 #include "report/variants.h"
 
 namespace desmo::report {
@@ -48,10 +50,11 @@ Table figure_of_times(const Record& record) {
               .detail = true,
               .figure = true};
   if (!same) table.notes.push_back(source.warning);
-  table.notes.insert(table.notes.end(),
-                     {"The paper: Intel Core i5-2400; its FBL-TP, below 0.015 s, has no points.",
-                      "Dashed: four-bar (FBL); solid: truck suspension (TS). Each panel has its "
-                      "own time axis; a gap: failed or not measured."});
+  table.notes.insert(
+      table.notes.end(),
+      {"The paper: Intel Core i5-2400; its FBL-TP, below 0.015 s, has no points.",
+       "Grey: four-bar (FBL). Symbolic groups (TPS) are thin and dashed, over automatic ones "
+       "(TPA). A gap: failed or not measured."});
   for (const Variant& variant : variants)
     table.columns.push_back({legend(variant), {"seconds", "low", "high", "repetitions"}});
   add_panel(table, same ? paper_solver : "MA27 (the " + source.paper + ")",

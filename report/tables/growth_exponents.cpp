@@ -2,9 +2,9 @@
 #include <optional>
 
 #include "report/digits.h"
-#include "report/measurements.h"
-#include "report/sizes/curves.h"
-#include "report/tables/sizes.h"
+#include "report/entries.h"
+#include "report/size/curves.h"
+#include "report/tables/size.h"
 #include "report/tables/slope.h"
 
 namespace desmo::report {

@@ -6,7 +6,7 @@
 #include "report/measurements.h"
 #include "report/tables/extremes.h"
 #include "report/tables/precision.h"
-#include "report/tables/sizes.h"
+#include "report/tables/size.h"
 #include "report/variants.h"
 
 namespace desmo::report {
@@ -72,7 +72,7 @@ Section tuning_in_short(const Record& record) {
   return in_short(
       "desmo tune promises an error and chooses settings; both are tried out here.",
       {excerpt(
-          promises(record).tables.front(),
+          tuning(record).tables.front(),
           {"tuning_in_short",
            {"mechanism", "coordinates", "error at most", "measured", "promise", "times the best's"},
            {"Times the best's: the choice's µs/step over that of the fastest configuration "
@@ -88,10 +88,10 @@ Section size_in_short(const Record& record) {
          {"case", "id", "slope", "ns/coordinate, least", "times the least"},
          {"A slope of 1 is linear growth. Times the least: cost of a coordinate at the largest "
           "size, over its least."}}));
-  if (!record.crossing.empty())
+  if (!record.break_even.empty())
     tables.push_back(
         excerpt(dense_or_sparse(record).tables.front(),
-                {"crossing_in_short",
+                {"break_even_in_short",
                  {"case", "sparse", "the faster of both", "the paper, about"},
                  {"Unknowns from which on a sparse solver is faster than the faster of LAPACK and "
                   "Eigen."}}));

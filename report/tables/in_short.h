@@ -10,10 +10,10 @@ namespace desmo::report {
 /// The record has points.
 Section accuracy_in_short(const Record& record);
 
-/// The record has promises.
+/// The record has tuning.
 Section tuning_in_short(const Record& record);
 
-/// The record has growth or crossing.
+/// The record has growth or break_even.
 Section size_in_short(const Record& record);
 
 /// The record has instructions.

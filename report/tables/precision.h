@@ -52,7 +52,7 @@ std::string largest_floor(const Record& record);
 Table sensitivity(const Record& record);
 
 /// What the choices of desmo tune are worth. The record has promises.
-Section promises(const Record& record);
+Section tuning(const Record& record);
 
 /// What it says of a failure before place and time: "singular Jacobian".
 std::string kind_of_failure(std::string_view message);

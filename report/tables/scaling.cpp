@@ -3,6 +3,7 @@
 #include "report/paper.h"
 #include "report/tables/slope.h"
 #include "report/tables/tables.h"
+#include "report/time_words.h"
 #include "report/variants.h"
 
 namespace desmo::report {

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "report/digits.h"
-#include "report/measurements.h"
+#include "report/entries.h"
 #include "report/precision/selection.h"
 #include "report/tables/precision.h"
 #include "report/variants.h"

@@ -69,7 +69,7 @@ TEST(Comparability, NamesBothValues) {
 // There is nothing to pair with a record before 1.4.0: both by their medians.
 TEST(Comparability, ARecordWithSegmentsIsComparedByItsMediansWithOneWithout) {
   const Json old = newest();
-  const Json record = with_segments(old);
+  const Json record = with_windows(old);
   const auto note = [](const Json& a, const Json& b) {
     return table_named(make_comparison(record_from(a), record_from(b)), "comparison").notes[0];
   };

@@ -9,9 +9,9 @@
 #include <string_view>
 
 #include "report/formats/formats.h"
-#include "report/measurements.h"
 #include "report/record_reader.h"
 #include "report/report.h"
+#include "report/time_words.h"
 #include "tests/report/sample.h"
 
 namespace desmo::report::golden_test {
@@ -50,8 +50,8 @@ TEST(GoldenRecords, WereRecordedWithWhatTheirMinorHas) {
     EXPECT_EQ(record.structure.empty(), version < "1.2.0") << minor;
     EXPECT_EQ(record.settings.reducer.has_value(), version >= "1.3.0") << minor;
     EXPECT_EQ(record.build.binary.has_value(), version >= "1.3.0") << minor;
-    EXPECT_EQ(record.settings.segments.has_value(), version >= "1.4.0") << minor;
-    EXPECT_EQ(has_samples_of_segments(record), version >= "1.6.0") << minor;
+    EXPECT_EQ(record.settings.windows.has_value(), version >= "1.4.0") << minor;
+    EXPECT_EQ(has_samples_of_windows(record), version >= "1.6.0") << minor;
   }
 }
 

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "report/report.h"
-#include "report/tables/sizes.h"
-#include "tests/report/sizes_sample.h"
+#include "report/tables/size.h"
+#include "tests/report/size_sample.h"
 
 namespace desmo::report::instructions_test {
 namespace {

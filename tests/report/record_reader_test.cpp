@@ -204,8 +204,8 @@ TEST(RecordReader, RefusesSamplesThatWereLost) {
 }
 
 TEST(RecordReader, ReadsTheSegmentsOfEverythingTimed) {
-  const Record record = record_from(with_segments(structured_record()));
-  EXPECT_EQ(record.settings.segments, 25);
+  const Record record = record_from(with_windows(structured_record()));
+  EXPECT_EQ(record.settings.windows, 25);
   for (const auto& [key, cell] : record.cells)
     EXPECT_EQ(cell.segments.least.size(), cell.status == Status::ok ? 25u : 0u) << key.id;
   for (const Request& request : record.requests)
@@ -215,7 +215,7 @@ TEST(RecordReader, ReadsTheSegmentsOfEverythingTimed) {
 
 /// And leaves alone what they say of segments, if that is no more than a repetition.
 TEST(RecordReader, TakesAsAWholeWhatSeveralThreadsSolve) {
-  Json json = with_segments(complete_record());
+  Json json = with_windows(complete_record());
   json["cells"][3]["threads"] = 2;
   const std::vector<double> seconds = json["cells"][3]["cpu_seconds"];
   const Record record = record_from(json);
@@ -235,7 +235,7 @@ TEST(RecordReader, TakesAsAWholeWhatSeveralThreadsSolve) {
 }
 
 TEST(RecordReader, RefusesSegmentsThatAreNotAll) {
-  const Json record = with_segments(complete_record());
+  const Json record = with_windows(complete_record());
   Json json = record;
   json["cells"][3]["segment_seconds"].erase(7);
   EXPECT_CONTAINS(complaint(json), "cells[3].segment_seconds: 24 segments of 25");
@@ -248,11 +248,11 @@ TEST(RecordReader, RefusesSegmentsThatAreNotAll) {
   EXPECT_CONTAINS(complaint(json), "cells[3].segment_seconds: together they are longer than");
   json = record;
   json["record"]["settings"]["segments"] = 1;
-  EXPECT_CONTAINS(complaint(json), "record.settings.segments: 1 is not in 2");
+  EXPECT_CONTAINS(complaint(json), "record.settings.windows: 1 is not in 2");
 }
 
 TEST(RecordReader, ReadsTheSamplesOfSegments) {
-  const Record record = record_from(with_samples_of_segments(structured_record()));
+  const Record record = record_from(with_samples_of_windows(structured_record()));
   for (const auto& [key, cell] : record.cells) {
     EXPECT_EQ(cell.segments.samples.size(), cell.cpu_seconds.size()) << key.id;
     if (cell.status != Status::ok) continue;
@@ -263,7 +263,7 @@ TEST(RecordReader, ReadsTheSamplesOfSegments) {
 }
 
 TEST(RecordReader, RefusesSamplesOfSegmentsThatDoNotBelongTogether) {
-  const Json record = with_samples_of_segments(complete_record());
+  const Json record = with_samples_of_windows(complete_record());
   Json json = record;
   json["cells"][3]["segment_samples"][0].erase(7);
   EXPECT_CONTAINS(complaint(json), "cells[3].segment_samples[0]: 24 segments of 25");

@@ -8,7 +8,7 @@
 #include "tests/report/points_sample.h"
 #include "tests/report/reading.h"
 #include "tests/report/sample.h"
-#include "tests/report/sizes_sample.h"
+#include "tests/report/size_sample.h"
 
 namespace desmo::report::same_numbers_test {
 namespace {

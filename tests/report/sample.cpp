@@ -24,7 +24,7 @@ std::string read_text(const std::filesystem::path& file) {
 
 Json complete_record() { return Json::parse(read_text(data_file("complete.json"))); }
 
-Json with_segments(Json record, int segments) {
+Json with_windows(Json record, int segments) {
   record["version"] = "1.4.0";
   record["record"]["settings"]["segments"] = segments;
   for (const char* list : {"cells", "requests", "peers"}) {
@@ -41,8 +41,8 @@ Json with_segments(Json record, int segments) {
   return record;
 }
 
-Json with_samples_of_segments(Json record, int segments) {
-  record = with_segments(std::move(record), segments);
+Json with_samples_of_windows(Json record, int segments) {
+  record = with_windows(std::move(record), segments);
   record["version"] = "1.6.0";
   for (const char* list : {"cells", "requests"}) {
     if (!record.contains(list)) continue;

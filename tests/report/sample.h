@@ -23,11 +23,11 @@ Json complete_record();
 
 /// The record as of schema 1.4.0: the least repetition of everything timed is cut into as many
 /// segments, each longer than the last.
-Json with_segments(Json record, int segments = 25);
+Json with_windows(Json record, int segments = 25);
 
 /// The same, with samples of the segments: of as many analyses as there are samples of the whole,
 /// and of work that grows with the updates.
-Json with_samples_of_segments(Json record, int segments = 25);
+Json with_samples_of_windows(Json record, int segments = 25);
 
 /// data/structured.json: small, with structure and requests (schema 1.2.0). Made-up numbers.
 Json structured_record();

@@ -35,8 +35,8 @@ TEST(Statistics, SpeedUpAndItsInterval) {
   EXPECT_TRUE(ratio.spread);
 }
 
-Segments with_least(std::vector<double> seconds) {
-  Segments segments;
+Windows with_least(std::vector<double> seconds) {
+  Windows segments;
   segments.least = std::move(seconds);
   return segments;
 }

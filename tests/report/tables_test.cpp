@@ -95,7 +95,7 @@ TEST(TableOne, ShowsTheUndisturbedTimesThatTableTwoDivides) {
   Json json = complete_record();
   set_samples(json, 114, "global_automatic_klu", {6, 4, 5});
   set_samples(json, 114, "group_symbolic_klu", {9, 2, 3});
-  const Record record = record_from(with_segments(json));
+  const Record record = record_from(with_windows(json));
   const Table times = cpu_times(record, "klu"), ratios = speed_ups(record, "klu");
   EXPECT_EQ(entry_at(times, {"114", "ours"}, "TS-G_klu").shown, "4.000 [4.000, 5.000]");
   EXPECT_EQ(entry_at(times, {"114", "ours"}, "TS-TPS_klu").shown, "2.000 [2.000, 3.000]");
@@ -112,7 +112,7 @@ TEST(TableOne, TakesUndisturbedTimesFromSamplesOfSegments) {
   Json json = complete_record();
   set_samples(json, 114, "global_automatic_klu", {6, 4, 5});
   set_samples(json, 114, "group_symbolic_klu", {9, 2, 2.02});
-  const Record record = record_from(with_samples_of_segments(json));
+  const Record record = record_from(with_samples_of_windows(json));
   const Table times = cpu_times(record, "klu"), ratios = speed_ups(record, "klu");
   EXPECT_EQ(entry_at(times, {"114", "ours"}, "TS-G_klu").shown.substr(0, 2), "4.");
   EXPECT_EQ(entry_at(times, {"114", "ours"}, "TS-TPS_klu").shown.substr(0, 2), "2.");
