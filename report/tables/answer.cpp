@@ -51,7 +51,9 @@ std::string list(const std::vector<Mean>& means) {
 
 std::string what_the_paper_found(const Record& record) {
   const std::string name(variants[papers_best].paper_name);
-  return "The paper's best variant, " + name + ", was " + published_speed_up().text("mean", name) +
+  return "The paper's best variant, " + name +
+         " (group after group, generated equations, LAPACK), was " +
+         published_speed_up().text("mean", name) +
          " times as fast as its global formulation with the sparse solver MA27. Here the same "
          "ratio "
          "is, by the sparse solver: " +
@@ -78,12 +80,12 @@ std::string what_gains(const Record& record) {
                                            : missing_mark;
   };
   const auto like = &Best::like_for_like, paper = &Best::papers_settings;
-  return "On one thread, generated code is " + times(scalar, like) +
+  return "On one thread, a generated elimination is " + times(scalar, like) +
          " times as fast as the fastest global reference with the same guess and tolerance, " +
          times(lanes, like) + " times with equal parts side by side (lanes), " +
          times(segments, like) +
-         " times with segments of a motion known in advance side by side; over the reference with "
-         "the paper's settings " +
+         " times with pieces of a motion known in advance side by side (segments); over the "
+         "reference with the paper's settings " +
          times(scalar, paper) + ", " + times(lanes, paper) + " and " + times(segments, paper) +
          " times.";
 }

@@ -35,10 +35,11 @@ TEST_F(JointPage, HasTheSectionsOfBoth) {
         "work_precision_truck_suspension.vl.json", "provenance.csv", "provenance_2.csv"})
     EXPECT_EQ(files.count(name), 1u) << name;
   for (const char* name : {"tables.txt", "tables.md", "tables.tex", "tables.json", "report.html"})
-    for (const char* title : {"Growth with the number of coordinates", "What accuracy costs"})
+    for (const char* title : {"Which global reference", "What accuracy costs"})
       EXPECT_NE(files.at(name).find(title), std::string::npos) << name;
+  EXPECT_EQ(joined(points(), "--all"), 0);
   const std::string printed = out_;  // the first record is not the foremost
-  EXPECT_EQ(tables(folder_ / "points.json", data_file("golden/1.3.0.json").string()), 0);
+  EXPECT_EQ(tables(folder_ / "points.json", data_file("golden/1.3.0.json").string() + " --all"), 0);
   EXPECT_EQ(out_.substr(0, out_.find("How it was measured")),
             printed.substr(0, printed.find("How it was measured")));
 }
