@@ -43,12 +43,15 @@ std::string note_html(const std::string& note) {
   return element("span class=\"" + kind + "\"", html_text(note));
 }
 
-// An id may break after "_" and "/".
+// An id breaks after "_" and "/", and nowhere else.
 std::string breakable(const std::string& text) {
   std::string result;
-  for (const char c : html_text(text))
-    result += c == '_' || c == '/' ? std::string(1, c) + "<wbr>" : std::string(1, c);
-  return result;
+  for (const char c : html_text(text)) {
+    result += c;
+    if (c == '_' || c == '/') result += "<wbr>";
+  }
+  const bool is_id = text.find('_') != std::string::npos && text.find(' ') == std::string::npos;
+  return is_id ? element("span class=\"id\"", result) : result;
 }
 
 // The number foremost, its interval and its note behind it: the characters of Entry::shown.
@@ -107,7 +110,7 @@ std::string table_html(const Table& table) {
   return "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-labelledby=\"" + caption +
          "\">\n<table id=\"" + table.name + (table.figure ? "-data" : "") + "\"" +
          (row_width(table) > most_in_line ? " class=\"wide\"" : "") + ">\n" +
-         element("caption id=\"" + caption + "\"", html_text(table.title)) + "\n" +
+         element("caption id=\"" + caption + "\"", element("span", html_text(table.title))) + "\n" +
          header_html(table) + rows_html(table) + "</table>\n</div>\n";
 }
 
