@@ -73,6 +73,14 @@ Entry speed_up_entry(const MeasuredSpeedUp& measured) {
   return entry;
 }
 
+Entry without_percent(Entry entry) {
+  if (!entry.has_number()) return entry;
+  const std::size_t begin = entry.shown.find(" ("), end = entry.shown.find(')', begin);
+  entry.shown.erase(begin, end + 1 - begin);
+  entry.digits.pop_back();
+  return entry;
+}
+
 Entry ratio_entry(const SpeedUp& ratio) {
   const DigitStyle style = ratio_digits(ratio.value);
   const std::string value = write(ratio.value, style);

@@ -35,6 +35,9 @@ Entry count_entry(std::size_t count);
 /// where the interval is too wide; or the mark.
 Entry speed_up_entry(const MeasuredSpeedUp& measured);
 
+/// The same without the improvement: "1.24 [1.21, 1.27]".
+Entry without_percent(Entry entry);
+
 /// "1.24 [1.21, 1.27]", quantities {ratio, low, high}, likewise.
 Entry ratio_entry(const SpeedUp& ratio);
 

@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
+#include <stdexcept>
 
 #include "report/check/command.h"
 #include "report/comparability.h"
@@ -34,7 +35,30 @@ struct TablesCommand {
   std::vector<std::string> records;
   std::string folder;  // empty: standard output only
   std::vector<std::string> formats;
+  std::vector<std::string> tables;  // empty: all
+  bool all = false;
 };
+
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Keeps only the tables of these names, without the sections' paragraphs.
+Document with_tables(Document document, const std::vector<std::string>& names) {
+  std::vector<std::string> missing = names;
+  for (Section& section : document.sections) {
+    section.paragraphs.clear();
+    std::erase_if(section.tables, [&](const Table& table) {
+      std::erase(missing, table.name);
+      return std::ranges::find(names, table.name) == names.end();
+    });
+    for (Table& table : section.tables) table.detail = false;
+  }
+  if (!missing.empty()) throw UsageError("no table " + missing.front() + " in this report");
+  std::erase_if(document.sections, [](const Section& section) { return section.tables.empty(); });
+  return document;
+}
 
 std::string on_standard_output(const Document& document, const std::vector<std::string>& formats) {
   std::string text;
@@ -63,11 +87,17 @@ ExitCode tables(const TablesCommand& command) {
       if (complain(command.records[i], file, why_apart(records[i], record))) return incomparable;
     records.push_back(std::move(record));
   }
-  const Document document = make_report(records);
+  Document document = make_report(records);
+  if (!command.tables.empty()) document = with_tables(std::move(document), command.tables);
   const auto& chosen = command.formats;
-  if (command.folder.empty()) {
+  if (command.folder.empty() && (command.all || !chosen.empty() || !command.tables.empty())) {
     write_standard_output(on_standard_output(
         document, chosen.empty() ? std::vector<std::string>{"terminal"} : chosen));
+    return success;
+  }
+  if (command.folder.empty()) {
+    write_standard_output(front_to_terminal(document) +
+                          "\nEverything else: --all, or --out FOLDER for files and a page.\n");
     return success;
   }
   std::vector<Rendered> files;
@@ -76,7 +106,7 @@ ExitCode tables(const TablesCommand& command) {
   for (const std::string& format : chosen.empty() ? format_names() : chosen)
     std::ranges::move(render(document, format), std::back_inserter(files));
   write_files(command.folder, files);
-  write_standard_output(to_terminal(document));
+  write_standard_output(command.all ? to_terminal(document) : front_to_terminal(document));
   return success;
 }
 
@@ -111,6 +141,8 @@ int main(int argc, char** argv) {
       ->add_option("--format", command.formats,
                    "Only these formats: terminal, json, csv, markdown, latex, html")
       ->check(CLI::IsMember(format_names()));
+  tables_app->add_option("--table", command.tables, "Only the table of this name; repeatable");
+  tables_app->add_flag("--all", command.all, "Print every table, not only what stands in front");
   CompareCommand comparison;
   CLI::App* compare_app =
       app.add_subcommand("compare", "How many times as fast the second record is");
@@ -141,6 +173,9 @@ int main(int argc, char** argv) {
     if (check_app->parsed()) return run(check);
     if (certificate_app->parsed()) return run(certificate);
     return compare_app->parsed() ? compare(comparison) : tables(command);
+  } catch (const UsageError& error) {
+    std::cerr << "desmo_report: " << error.what() << "\n";
+    return usage_error;
   } catch (const MixedRecord& error) {
     std::cerr << "desmo_report: " << error.what() << "\n";
     return incomparable;

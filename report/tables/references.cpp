@@ -37,15 +37,6 @@ std::vector<CellKey> references_of(const Record& record, const std::string& case
   return keys;
 }
 
-// "6.10 [4.38, 7.41]": the table is wide enough without the improvement.
-Entry without_percent(Entry entry) {
-  if (!entry.has_number()) return entry;
-  const std::size_t begin = entry.shown.find(" ("), end = entry.shown.find(')', begin);
-  entry.shown.erase(begin, end + 1 - begin);
-  entry.digits.pop_back();
-  return entry;
-}
-
 // The paper's own reference, where one of its variants stands for the column.
 std::vector<Entry> paper_row(const std::vector<std::string_view>& columns, std::int64_t size) {
   const std::string name = std::to_string(size);

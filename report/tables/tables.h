@@ -12,8 +12,8 @@
 
 namespace desmo::report {
 
-/// The paper's question, what the numbers answer and what was fastest, in three sentences; a fourth
-/// when something failed its verification.
+/// The answer: three fixed sentences with numbers, the data of figure 6, and the best formulations.
+/// Where fewer than three repetitions were measured, no number stands in a sentence.
 Section answer(const Record& record);
 
 /// Table 1 of the paper for one sparse family: CPU seconds of every analysis, ours above the
@@ -38,10 +38,6 @@ Table figure_of_speed_ups(const Record& record);
 /// quantities of ours: {seconds, low, high, repetitions}, {speed_up, low, high, percent}.
 Entry published_seconds_entry(const std::string& row, const Variant& variant);
 Entry published_speed_up_entry(const std::string& row, const Variant& variant);
-
-/// What the choice of the sparse solver does to the paper's conclusions: sentences that follow
-/// from the numbers, whatever they are, and the verdicts they rest on.
-Section conclusion(const Record& record);
 
 /// The same formulations over every global reference that has a time, at the largest of the paper's
 /// sizes recorded; nothing when there is no such reference or formulation.
