@@ -17,11 +17,13 @@ std::optional<double> number(const std::string& digits) {
   return value;
 }
 
+std::string runs(std::size_t repetitions) { return repetitions == 1 ? "one run" : "two runs"; }
+
 }  // namespace
 
 std::string inconclusive_note() {
   return std::string(inconclusive_mark) + ": half the interval of the ratio is more than " +
-         write_shortest(100 * widest_conclusive) + " % of it";
+         write_shortest(100 * widest_conclusive) + " % of it; one or two runs have no interval";
 }
 
 void add_note(Entry& entry, const std::string& note) {
@@ -34,19 +36,22 @@ Entry seconds_entry(const Measured& measured) {
   const Summary& seconds = *measured.seconds;
   const DigitStyle style = significant_digits(seconds.value, 4);
   const std::string value = write(seconds.value, style), count = std::to_string(seconds.count);
-  if (seconds.count < 2) return {value + " (one run)", {value, "", count}, "one run"};
+  if (!seconds.has_interval())
+    return {value + " (" + runs(seconds.count) + ")", {value, "", count}, runs(seconds.count)};
   const std::string half = write(seconds.half_range(), style);
   return {value + " ±" + half, {value, half, count}, {}};
 }
 
-Entry interval_entry(const Measured& measured) {
+Entry median_entry(const Measured& measured) {
   if (!measured.seconds) return note_entry(measured.mark);
   const Summary& seconds = *measured.seconds;
   const DigitStyle style = significant_digits(seconds.value, 4);
-  const std::string value = write(seconds.value, style), count = std::to_string(seconds.count);
-  if (seconds.count < 2) return {value + " (one run)", {value, "", "", count}, "one run"};
-  const std::string low = write(seconds.low, style), high = write(seconds.high, style);
-  return {value + " [" + low + ", " + high + "]", {value, low, high, count}, {}};
+  const std::string value = write(seconds.value, style), median = write(seconds.median, style),
+                    count = std::to_string(seconds.count);
+  if (!seconds.has_interval())
+    return {value + " (" + runs(seconds.count) + ")", {value, "", count}, runs(seconds.count)};
+  if (median == value) return {value, {value, "", count}, {}};
+  return {value + " (median " + median + ")", {value, median, count}, {}};
 }
 
 Entry number_entry(const std::optional<double>& value, int significant) {
@@ -62,21 +67,23 @@ Entry count_entry(std::size_t count) {
 
 Entry speed_up_entry(const MeasuredSpeedUp& measured) {
   if (!measured.speed_up) return note_entry(measured.mark);
-  const SpeedUp& ratio = *measured.speed_up;
-  const DigitStyle style = ratio_digits(ratio.value);
-  const std::string value = write(ratio.value, style), percent = write_fixed(ratio.percent, 1);
-  const std::string tail = " (" + percent + " %)";
-  if (!ratio.spread) return {value + tail + " one run", {value, "", "", percent}, "one run"};
-  const std::string low = write(ratio.low, style), high = write(ratio.high, style);
-  Entry entry{value + " [" + low + ", " + high + "]" + tail, {value, low, high, percent}, {}};
-  if (ratio.inconclusive()) add_note(entry, inconclusive_mark);
+  Entry entry = ratio_entry(*measured.speed_up);
+  if (measured.speed_up->percent < 0) {  // slower: the ratio says it
+    entry.digits.emplace_back();
+    return entry;
+  }
+  const std::string percent = write_fixed(measured.speed_up->percent, 1);
+  entry.shown.insert(entry.shown.size() - (entry.note.empty() ? 0 : entry.note.size() + 1),
+                     " (" + percent + " %)");
+  entry.digits.push_back(percent);
   return entry;
 }
 
 Entry without_percent(Entry entry) {
   if (!entry.has_number()) return entry;
-  const std::size_t begin = entry.shown.find(" ("), end = entry.shown.find(')', begin);
-  entry.shown.erase(begin, end + 1 - begin);
+  const std::string tail = " (" + entry.digits.back() + " %)";
+  if (const std::size_t begin = entry.shown.find(tail); begin != entry.shown.npos)
+    entry.shown.erase(begin, tail.size());
   entry.digits.pop_back();
   return entry;
 }
@@ -84,7 +91,11 @@ Entry without_percent(Entry entry) {
 Entry ratio_entry(const SpeedUp& ratio) {
   const DigitStyle style = ratio_digits(ratio.value);
   const std::string value = write(ratio.value, style);
-  if (!ratio.spread) return {value + " one run", {value, "", ""}, "one run"};
+  if (!ratio.spread) {
+    Entry entry{value, {value, "", ""}, {}};
+    add_note(entry, runs(ratio.repetitions));
+    return entry;
+  }
   const std::string low = write(ratio.low, style), high = write(ratio.high, style);
   Entry entry{value + " [" + low + ", " + high + "]", {value, low, high}, {}};
   if (ratio.inconclusive()) add_note(entry, inconclusive_mark);

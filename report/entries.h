@@ -12,18 +12,19 @@
 
 namespace desmo::report {
 
-/// What inconclusive_mark means, for the notes of a table.
+/// What inconclusive_mark, "one run" and "two runs" mean, for the notes of a table.
 std::string inconclusive_note();
 
 /// Adds a reservation about what the entry shows.
 void add_note(Entry& entry, const std::string& note);
 
-/// "0.4210 ±0.0020", quantities {seconds, half_range, repetitions}; or the mark.
+/// "0.4210 ±0.0020", quantities {seconds, half_range, repetitions}; "0.4210 (two runs)" where they
+/// are too few for an interval; or the mark.
 Entry seconds_entry(const Measured& measured);
 
-/// "0.1122 [0.1085, 0.1185]", quantities {seconds, low, high, repetitions}: with its interval; or
-/// the mark.
-Entry interval_entry(const Measured& measured);
+/// "0.1122 (median 0.1185)", quantities {seconds, median, repetitions}, likewise; without the
+/// median where that is the time.
+Entry median_entry(const Measured& measured);
 
 /// So many significant digits, or the mark of what is missing.
 Entry number_entry(const std::optional<double>& value, int significant);
@@ -32,7 +33,8 @@ Entry number_entry(const std::optional<double>& value, int significant);
 Entry count_entry(std::size_t count);
 
 /// "1.24 [1.21, 1.27] (19.4 %)", quantities {speed_up, low, high, percent}, with inconclusive_mark
-/// where the interval is too wide; or the mark.
+/// where the interval is too wide; "0.17 [0.16, 0.17]", without percentage, of what is slower; or
+/// the mark.
 Entry speed_up_entry(const MeasuredSpeedUp& measured);
 
 /// The same without the improvement: "1.24 [1.21, 1.27]".

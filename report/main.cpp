@@ -18,7 +18,14 @@ namespace {
 using namespace desmo::report;
 
 // From 64 on, the numbers of sysexits.h.
-enum ExitCode { success = 0, incomparable = 4, usage_error = 64, invalid_data = 65, io_error = 74 };
+enum ExitCode {
+  success = 0,
+  no_verdict = 3,
+  incomparable = 4,
+  usage_error = 64,
+  invalid_data = 65,
+  io_error = 74
+};
 
 Record read_named(const std::string& file) {
   const auto named = [&file](const InvalidRecord& error) { return file + ": " + error.what(); };
@@ -117,9 +124,20 @@ struct CompareCommand {
 
 ExitCode compare(const CompareCommand& command) {
   const Record first = read_named(command.first), second = read_named(command.second);
-  if (complain(command.first, command.second, why_incomparable(first, second))) return incomparable;
-  write_standard_output(on_standard_output(make_comparison(first, second), {command.format}));
-  return success;
+  const bool two_machines = are_of_two_machines(first, second);
+  if (complain(
+          command.first, command.second,
+          two_machines ? why_not_the_same_work(first, second) : why_incomparable(first, second)))
+    return incomparable;
+  write_standard_output(on_standard_output(
+      two_machines ? make_comparison_of_machines(first, second) : make_comparison(first, second),
+      {command.format}));
+  if (!two_machines) return success;
+  std::cerr << "desmo_report: no verdict: the records are of two machines, " << first.machine.cpu
+            << " and " << second.machine.cpu
+            << ". Seconds of two machines do not compare, so that their speed-ups stand side by "
+               "side.\n";
+  return no_verdict;
 }
 
 }  // namespace
@@ -132,8 +150,7 @@ int main(int argc, char** argv) {
       "tables", "Tables 1 and 2, figures 5 and 6, time against error, and the rest");
   tables_app
       ->add_option("records", command.records,
-                   "The JSON record written by desmo_bench, desmo_precision, desmo_promises, "
-                   "desmo_growth, desmo_instructions or desmo_extremes, or one of each")
+                   "The record of an experiment, .json or .json.gz, or one of each")
       ->required();
   tables_app->add_option("--out", command.folder,
                          "Write the files of every format, and the figures, into this folder");
@@ -145,7 +162,9 @@ int main(int argc, char** argv) {
   tables_app->add_flag("--all", command.all, "Print every table, not only what stands in front");
   CompareCommand comparison;
   CLI::App* compare_app =
-      app.add_subcommand("compare", "How many times as fast the second record is");
+      app.add_subcommand("compare",
+                         "How many times as fast the second record is; of two machines, their "
+                         "speed-ups side by side (exit code 3)");
   compare_app->add_option("A", comparison.first, "The first record")->required();
   compare_app->add_option("B", comparison.second, "The second record")->required();
   compare_app->add_option("--format", comparison.format, "terminal, json, csv, markdown or latex")

@@ -98,7 +98,8 @@ SpeedUp speed_up(const Summary& reference, const Summary& variant) {
             .low = reference.median_low / variant.median_high,
             .high = reference.median_high / variant.median_low,
             .percent = 100 * (1 - 1 / ratio),
-            .spread = reference.count > 1 && variant.count > 1};
+            .repetitions = std::min(reference.count, variant.count),
+            .spread = reference.has_interval() && variant.has_interval()};
   if (sampled) {
     s.low = reference.value / *variant.without_best;
     s.high = *reference.without_best / variant.value;
@@ -112,13 +113,14 @@ SpeedUp speed_up(const Summary& reference, const Summary& variant) {
 }
 
 SpeedUp mean(std::span<const SpeedUp> sizes) {
-  SpeedUp result{.value = 0, .low = 0, .high = 0, .percent = 0, .spread = true};
+  SpeedUp result{.repetitions = sizes.front().repetitions, .spread = true};
   const double n = static_cast<double>(sizes.size());
   for (const SpeedUp& size : sizes) {
     result.value += size.value / n;
     result.low += size.low / n;
     result.high += size.high / n;
     result.percent += size.percent / n;
+    result.repetitions = std::min(result.repetitions, size.repetitions);
     result.spread = result.spread && size.spread;
   }
   return result;

@@ -10,6 +10,9 @@
 
 namespace desmo::report {
 
+/// Repetitions below which there is no interval: two may have been disturbed alike.
+inline constexpr std::size_t fewest_for_interval = 3;
+
 /// The repetitions of one measurement.
 struct Summary {
   /// The time and its interval. With windows the undisturbed time (see windows.h; the sum of
@@ -30,6 +33,7 @@ struct Summary {
   std::vector<double> windows;  ///< the least time of each; may be empty
   /// Where the samples of windows are known: the undisturbed time without its best repetition.
   std::optional<double> without_best;
+  bool has_interval() const { return count >= fewest_for_interval; }
   double half_range() const { return (largest - least) / 2; }
 };
 
@@ -52,8 +56,9 @@ struct SpeedUp {
   /// each, and of (1 - 2^(1-n))^2 with n < 7.
   double low = 0;
   double high = 0;
-  double percent = 0;   ///< improvement 100 (1 - 1/S), from the unrounded S
-  bool spread = false;  ///< two repetitions or more on both sides: low and high mean something
+  double percent = 0;           ///< improvement 100 (1 - 1/S), from the unrounded S
+  std::size_t repetitions = 0;  ///< the fewer of both sides
+  bool spread = false;          ///< enough of them for an interval: low and high mean something
 
   double half_width() const { return (high - low) / 2 / value; }  ///< of the interval, relative
   /// Whether the interval is too wide for the number to be quoted.

@@ -12,10 +12,10 @@ bool has_samples_of_windows(const Record& record) {
 }
 
 TimeWords time_words(const Record& record) {
-  if (!record.settings.windows) return {"median", "medians", "[its interval]", {}};
+  if (!record.settings.windows) return {"median", "medians", "", {}};
   const std::string windows =
       std::to_string(*record.settings.windows) + " equal pieces of the motion";
-  return {"undisturbed time", "undisturbed times", "[to the median]",
+  return {"undisturbed time", "undisturbed times", " (and median)",
           has_samples_of_windows(record)
               ? "Undisturbed time: of " + windows +
                     " in all repetitions, the lower convex envelope of CPU time over Newton "

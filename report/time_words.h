@@ -16,7 +16,7 @@ bool has_samples_of_windows(const Record& record);
 struct TimeWords {
   std::string time;        ///< "median"
   std::string times;       ///< "medians"
-  std::string interval;    ///< "[its interval]"
+  std::string beside;      ///< " (and median)", where that is another time
   std::string definition;  ///< a note; empty where the words need none
 };
 

@@ -51,6 +51,9 @@ inline bool has_settings(std::string_view id) { return id.find('/') != std::stri
 /// where the id does not name it.
 std::string_view setting(std::string_view id, std::string_view name);
 
+/// The id without a setting.
+std::string without_setting(std::string id, const std::string& name);
+
 /// Whether a formulation stands beside rivals, with no other setting than their guess.
 bool is_beside_peers(const Record& record, std::string_view id);
 

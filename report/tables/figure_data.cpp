@@ -40,15 +40,14 @@ Table figure_of_times(const Record& record) {
   const bool same = source.warning.empty();
   const std::string duration = write_shortest(record.settings.duration_seconds) + " s of motion";
   const TimeWords words = time_words(record);
-  const std::string bars = words.interval.substr(1, words.interval.size() - 2);
-  Table table{.name = "figure5",
-              .title = "Figure 5. CPU time over the number of coordinates, by sparse solver",
-              .notes = {place(record),
-                        "CPU time of " + duration + ": " + words.time + ", bars: " + bars + "."},
-              .columns = {{"sparse solver", {}}, {"coordinates", {}}},
-              .rows = {},
-              .detail = true,
-              .figure = true};
+  Table table{
+      .name = "figure5",
+      .title = "Figure 5. CPU time over the number of coordinates, by sparse solver",
+      .notes = {place(record), "CPU time of " + duration + ": " + words.time + words.beside + "."},
+      .columns = {{"sparse solver", {}}, {"coordinates", {}}},
+      .rows = {},
+      .detail = true,
+      .figure = true};
   if (!same) table.notes.push_back(source.warning);
   table.notes.insert(
       table.notes.end(),
@@ -56,7 +55,7 @@ Table figure_of_times(const Record& record) {
        "Grey: four-bar (FBL). Symbolic groups (TPS) are thin and dashed, over automatic ones "
        "(TPA). A gap: failed or not measured."});
   for (const Variant& variant : variants)
-    table.columns.push_back({legend(variant), {"seconds", "low", "high", "repetitions"}});
+    table.columns.push_back({legend(variant), {"seconds", "median", "repetitions"}});
   add_panel(table, same ? paper_solver : "MA27 (the " + source.paper + ")",
             [](std::int64_t size, const Variant& variant) {
               return published_seconds_entry(std::to_string(size), variant);
@@ -64,7 +63,7 @@ Table figure_of_times(const Record& record) {
   for (const std::string_view family : recorded_families(record))
     add_panel(table, std::string(family) + (same ? "" : " (" + source.ours + ")"),
               [&](std::int64_t size, const Variant& variant) {
-                return interval_entry(measured(record, family_key(variant, size, family)));
+                return median_entry(measured(record, family_key(variant, size, family)));
               });
   return table;
 }

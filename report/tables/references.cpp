@@ -70,16 +70,16 @@ std::optional<Table> references(const Record& record, const std::string& case_na
       .name = "references_" + case_name,
       .title = "Which global reference: speed-up over each of them, " + case_name + ", " +
                std::to_string(size) + " coordinates",
-      .notes = {"Fastest reference first, " + words.time + " " + words.interval + " of " +
+      .notes = {"Fastest reference first, " + words.time + words.beside + " of " +
                 repetitions(record) + "; speed-up: ratio of the " + words.times +
                 " [its interval]; " + inconclusive_note() + "."},
-      .columns = {{"global reference", {}}, {"CPU s", {"seconds", "low", "high", "repetitions"}}},
+      .columns = {{"global reference", {}}, {"CPU s", {"seconds", "median", "repetitions"}}},
       .rows = {}};
   define_time(table, record);
   for (const std::string_view id : columns)
     table.columns.push_back({std::string(id), {"speed_up", "low", "high"}});
   for (const CellKey& reference : rows) {
-    std::vector<Entry> row{text_entry(reference.id), interval_entry(measured(record, reference))};
+    std::vector<Entry> row{text_entry(reference.id), median_entry(measured(record, reference))};
     for (const std::string_view id : columns)
       row.push_back(without_percent(speed_up_entry(
           measured_speed_up(record, reference, {case_name, size, std::string(id)}))));

@@ -16,14 +16,14 @@ namespace desmo::suite::parallel_cells_test {
 namespace {
 
 TEST(ParallelSegments, OfSeveralThreadsCountNoWork) {
-  Segments segments(500, Clock::wall);
-  segments.begin();
+  TimingWindows windows(500, Clock::wall);
+  windows.begin();
   for (int i = 0; i < 500; ++i) {
     if (i == 30) std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    segments.passed(7);
+    windows.passed(7);
   }
-  EXPECT_EQ(std::ranges::count(segments.updates(), 0), 25);
-  EXPECT_GE(segments.least()[1], 2e-3);  // sleeping takes no CPU time
+  EXPECT_EQ(std::ranges::count(windows.updates(), 0), 25);
+  EXPECT_GE(windows.least()[1], 2e-3);  // sleeping takes no CPU time
 }
 
 TEST(ParallelCells, OfSeveralThreadsAreTimedByTheWallClock) {

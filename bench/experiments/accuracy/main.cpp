@@ -66,7 +66,7 @@ void run(const Options& options) {
   if (all.empty()) throw std::invalid_argument("no configuration matches " + options.filter);
   suite::Recording recording(options.record, options.command);
   nlohmann::ordered_json lists = {{"floors", nlohmann::ordered_json::array()},
-                                  {"precision", nlohmann::ordered_json::array()}};
+                                  {"points", nlohmann::ordered_json::array()}};
   TimeGrid usual;
   suite::Progress progress("comparisons and samples",
                            comparisons_and_samples(all, options.repetitions));
@@ -77,7 +77,7 @@ void run(const Options& options) {
     const Problem problem = make_problem(make_plan(whole, {}), grid, compared_instants);
     lists["floors"].push_back(floor_json(series, problem));
     for (const Trial& trial : measure(series, problem, options.repetitions, progress))
-      lists["precision"].push_back(point_json(series, trial));
+      lists["points"].push_back(point_json(series, trial));
   }
   recording.write(usual, lists);
 }

@@ -13,6 +13,7 @@
 #include "bench/kit/kept_memory.h"
 #include "bench/kit/progress.h"
 #include "bench/kit/recording.h"
+#include "bench/kit/time_json.h"
 #include "cases/cases.h"
 #include "cases/files.h"
 #include "formulations/algebra/blas.h"
@@ -44,7 +45,8 @@ std::vector<Named> scenes(const std::vector<std::string>& named) {
 }
 
 Json rival_json(const Rival& rival) {
-  return {{"id", rival.id}, {"error", rival.error}, {"seconds_per_step", rival.seconds}};
+  return {
+      {"id", rival.id}, {"error", rival.error}, {"time_per_step", suite::time_json(rival.seconds)}};
 }
 
 void add_promises(Json& list, const Named& named, suite::Progress& progress) {
@@ -74,10 +76,10 @@ void run(const std::string& record, const std::string& command, const std::vecto
   suite::keep_freed_memory();
   set_blas_threads(1);  // the clock is the thread's own
   suite::Recording recording(record, command);
-  Json lists = {{"promises", Json::array()}};
+  Json lists = {{"tuning", Json::array()}};
   {
     suite::Progress progress("searches", static_cast<int>(all.size() * (1 + budgets.size())));
-    for (const Named& named : all) add_promises(lists["promises"], named, progress);
+    for (const Named& named : all) add_promises(lists["tuning"], named, progress);
   }
   recording.write(all.front().scene.grid, lists);
 }

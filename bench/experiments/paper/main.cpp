@@ -184,7 +184,7 @@ int run(int argc, char** argv) {
   record.load_after = load_averages();
   if (file)
     file->write(record_text(record, chosen.front()->grid, all_lists,
-                            static_cast<int>(chosen.front()->segments.count())));
+                            static_cast<int>(chosen.front()->windows.count())));
   return failed ? 1 : 0;
 }
 

@@ -127,7 +127,7 @@ int main(int argc, char** argv) {
   program.add_flag("--quick", options.quick, "Small sizes only");
   program.add_option("--filter", options.filter,
                      "Only where this regular expression is found in "
-                     "<growth|crossing>/<case>/<size>/<id>");
+                     "<growth|break_even>/<case>/<size>/<id>");
   program
       .add_option("bodies", options.bodies,
                   "Without --record: numbers of bodies of the files that are read and analysed")

@@ -10,23 +10,23 @@
 
 namespace desmo::suite {
 
-/// Into so many equal segments a motion is cut, or fewer, but two, where they would have fewer
+/// Into so many equal windows a motion is cut, or fewer, but two, where they would have fewer
 /// instants than that: reading the clock is to cost little beside solving them.
-inline constexpr int most_segments = 25, least_instants = 20;
+inline constexpr int max_windows = 25, min_instants = 20;
 
-/// The time that analyses of a motion took for each of its segments, without that of reading
+/// The time that analyses of a motion took for each of its windows, without that of reading
 /// the clock, and the work that was done in it; assembly belongs to the first. What else the
-/// machine does slows some segments of some analyses: what the same work takes undisturbed shows in
+/// machine does slows some windows of some analyses: what the same work takes undisturbed shows in
 /// the others.
-class Segments {
+class TimingWindows {
  public:
-  explicit Segments(int instants, Clock clock = Clock::cpu);
+  explicit TimingWindows(int instants, Clock clock = Clock::cpu);
 
   /// An analysis begins. What one that did not come to its end has left is dropped.
   void begin();
   /// An instant has been delivered: every one of the motion, in whatever order, with the updates
   /// that it took (see Summary) where somebody counts. From several threads they come in another
-  /// order every time, so that their work is not that of a segment: it is not counted.
+  /// order every time, so that their work is not that of a window: it is not counted.
   void passed(long updates = 0) {
     if (clock_ == Clock::cpu) sum_ += updates;
     if (passed_++ == last_instants_[next_]) end();
@@ -44,26 +44,26 @@ class Segments {
   void end();
 
   const Clock clock_;
-  std::vector<int> last_instants_;  // of each segment, and one that never comes
+  std::vector<int> last_instants_;  // of each window, and one that never comes
   std::vector<std::vector<double>> samples_;
   std::vector<double> sample_;  // of the analysis that goes on
   std::vector<long> updates_;
   std::size_t next_ = 0;  // to end
   int passed_ = 0;        // instants
-  long sum_ = 0;          // of updates in the segment that goes on
+  long sum_ = 0;          // of updates in the window that goes on
   double began_ = 0;
 };
 
-/// Delivers as `Inner` does and tells the segments.
+/// Delivers as `Inner` does and tells the windows.
 template <class Inner>
-class SegmentedDelivery final : public Sink {
+class WindowedDelivery final : public Sink {
  public:
-  SegmentedDelivery(Inner inner, Segments& segments)
-      : inner_(std::move(inner)), segments_(segments) {}
+  WindowedDelivery(Inner inner, TimingWindows& windows)
+      : inner_(std::move(inner)), windows_(windows) {}
 
   void accept(const Instant& instant) override {
     inner_.accept(instant);
-    segments_.passed(instant.updates);
+    windows_.passed(instant.updates);
   }
   std::optional<RoomShape> rooms() const override { return inner_.rooms(); }
   void take_rooms(std::span<const int> indices, std::span<Room> rooms) override {
@@ -73,7 +73,7 @@ class SegmentedDelivery final : public Sink {
 
  private:
   Inner inner_;
-  Segments& segments_;
+  TimingWindows& windows_;
 };
 
 }  // namespace desmo::suite

@@ -1,4 +1,4 @@
-#include "bench/kit/segments.h"
+#include "bench/kit/timing_windows.h"
 
 #include <algorithm>
 #include <limits>
@@ -7,7 +7,7 @@ namespace desmo::suite {
 
 namespace {
 
-/// The least seconds between two readings of a clock: what every segment has of it.
+/// The least seconds between two readings of a clock: what every window has of it.
 double reading_seconds(Clock clock) {
   double least = 1;
   for (int i = 0; i < 1000; ++i) {
@@ -19,8 +19,8 @@ double reading_seconds(Clock clock) {
 
 }  // namespace
 
-Segments::Segments(int instants, Clock clock) : clock_(clock) {
-  const int count = std::min(instants, std::clamp(instants / least_instants, 2, most_segments));
+TimingWindows::TimingWindows(int instants, Clock clock) : clock_(clock) {
+  const int count = std::min(instants, std::clamp(instants / min_instants, 2, max_windows));
   for (int i = 1; i <= count; ++i)
     last_instants_.push_back(static_cast<int>(static_cast<long>(i) * instants / count) - 1);
   last_instants_.push_back(-1);
@@ -28,7 +28,7 @@ Segments::Segments(int instants, Clock clock) : clock_(clock) {
   updates_.resize(count);
 }
 
-void Segments::begin() {
+void TimingWindows::begin() {
   next_ = 0;
   passed_ = 0;
   sum_ = 0;
@@ -36,14 +36,14 @@ void Segments::begin() {
   began_ = now(clock_);
 }
 
-std::vector<double> Segments::least() const {
+std::vector<double> TimingWindows::least() const {
   std::vector<double> least(count(), std::numeric_limits<double>::infinity());
   for (const std::vector<double>& sample : samples_)
     for (std::size_t i = 0; i < least.size(); ++i) least[i] = std::min(least[i], sample[i]);
   return least;
 }
 
-void Segments::end() {
+void TimingWindows::end() {
   static const double reading[] = {reading_seconds(Clock::cpu), reading_seconds(Clock::wall)};
   constexpr double resolution = 1e-9;
   const double ended = now(clock_);
