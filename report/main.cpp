@@ -180,6 +180,8 @@ int main(int argc, char** argv) {
   CLI::App* certificate_app =
       app.add_subcommand("certificate", "What the trials of bench/certify show of the check");
   certificate_app->add_option("file", certificate.file, "The trials")->required();
+  certificate_app->add_option("--add", certificate.added,
+                              "Judge the check of this trial and add a line to the file");
   certificate_app
       ->add_option("--format", certificate.format, "terminal, json, csv, markdown or latex")
       ->check(CLI::IsMember(format_names()));

@@ -129,7 +129,7 @@ TEST(References, HoldTheSameFormulationsAgainstEach) {
   const auto table = references(record_from(json), "truck_suspension");
   ASSERT_TRUE(table);
   EXPECT_EQ(table->name, "references_truck_suspension");
-  EXPECT_EQ(entry_at(*table, {"global_automatic_klu"}, "CPU s").shown, "5.000 [4.000, 6.000]");
+  EXPECT_EQ(entry_at(*table, {"global_automatic_klu"}, "CPU s").shown, "5.000");
   const Entry klu = entry_at(*table, {"global_automatic_klu"}, "group_symbolic_lapack");
   EXPECT_EQ(klu.shown, "2.50 [1.00, 3.00] inconclusive");
   EXPECT_EQ(klu.digits, (std::vector<std::string>{"2.50", "1.00", "3.00"}));

@@ -15,12 +15,12 @@ namespace {
 Json record_with_ma27() {
   Json json = complete_record();
   Json more = Json::array();
-  for (Json cell : json["cells"])
+  for (Json cell : json["paper"]["cells"])
     if (std::string id = cell["id"]; id.ends_with("_umfpack")) {
       cell["id"] = id.replace(id.size() - 7, 7, papers_own);
       more.push_back(std::move(cell));
     }
-  for (Json& cell : more) json["cells"].push_back(std::move(cell));
+  for (Json& cell : more) json["paper"]["cells"].push_back(std::move(cell));
   json["record"]["libraries"]["ma27"] = "libcoinhsl.so.2.2.5";
   return json;
 }

@@ -59,7 +59,7 @@ TEST_F(Program, WritesEveryFormatTwiceTheSame) {
 
 TEST_F(Program, TheOrderOfCellsDoesNotMatter) {
   Json json = complete_record();
-  std::reverse(json["cells"].begin(), json["cells"].end());
+  std::reverse(json["paper"]["cells"].begin(), json["paper"]["cells"].end());
   std::ofstream(folder_ / "reversed.json") << json.dump();
   EXPECT_EQ(tables("complete.json"), 0);
   const std::string printed = out_;
@@ -96,8 +96,10 @@ TEST_F(Program, UsageErrors) {
 
 TEST_F(Program, InvalidRecordsNameFileAndPlace) {
   EXPECT_EQ(tables("unknown_version.json", "--out " + (folder_ / "out").string()), 65);
-  EXPECT_NE(err_.find("unknown_version.json: version: schema version 2.0.0 is not supported"),
-            std::string::npos)
+  EXPECT_NE(
+      err_.find(
+          "unknown_version.json: schema_version: schema version 3.0.0, and only 2.0.0 is read"),
+      std::string::npos)
       << err_;
   EXPECT_EQ(out_, "");
   EXPECT_FALSE(fs::exists(folder_ / "out"));

@@ -6,14 +6,15 @@
 #include "report/tables/precision.h"
 #include "tests/report/points_sample.h"
 
-namespace desmo::report::promises_test {
+namespace desmo::report::tuning_test {
 namespace {
 
 Json rival(const std::string& id, double error, double microseconds) {
-  return {
-      {"id", id},
-      {"error", error},
-      {"seconds_per_step", {1.1e-6 * microseconds, 1e-6 * microseconds, 1.02e-6 * microseconds}}};
+  return {{"id", id},
+          {"error", error},
+          {"time_per_step",
+           {{"clock", "cpu"},
+            {"seconds", {1.1e-6 * microseconds, 1e-6 * microseconds, 1.02e-6 * microseconds}}}}};
 }
 
 Json promise(double allowed, const Json& choice, const Json& best) {
@@ -25,15 +26,15 @@ Json promise(double allowed, const Json& choice, const Json& best) {
 
 Json promises_record() {
   Json record = points_record();
-  for (const char* list : {"floors", "precision"}) record.erase(list);
+  record.erase("accuracy");
   const Json fast = rival("block_symbolic_inlined/iterations:1", 3e-4, 2),
              faster = rival("group_symbolic_inlined/iterations:1", 4e-4, 1.6);
-  record["promises"] = {promise(1e-3, fast, faster), promise(1e-9, fast, fast)};
+  record["accuracy"]["tuning"] = {promise(1e-3, fast, faster), promise(1e-9, fast, fast)};
   return record;
 }
 
 TEST(Promises, StandBesideWhatWasMeasured) {
-  const Section section = promises(record_from(promises_record()));
+  const Section section = tuning(record_from(promises_record()));
   EXPECT_EQ(
       section.paragraphs,
       std::vector<std::string>{
@@ -53,14 +54,14 @@ TEST(Promises, StandBesideWhatWasMeasured) {
 TEST(Promises, HaveAPageOfTheirOwnOrWithPoints) {
   Json measured = points_record(), tuned = promises_record();
   for (Json* json : {&measured, &tuned})
-    (*json)["record"] = Json::parse(read_text(data_file("golden/1.3.0.json")))["record"];
+    (*json)["record"] = Json::parse(read_text(data_file("origins.json")))["record"];
   const Record points = record_from(measured), record = record_from(tuned);
-  EXPECT_EQ(make_report(record).sections.front().title, "What desmo tune promises");
-  EXPECT_EQ(table_named(make_report(std::vector{points, record}), "promises").rows.size(), 2u);
+  EXPECT_EQ(make_report(record).sections.at(1).title, "What desmo tune promises");
+  EXPECT_EQ(table_named(make_report(std::vector{points, record}), "tuning").rows.size(), 2u);
   EXPECT_TRUE(why_apart(points, record).empty());
   const auto apart = why_apart(record, record);
   ASSERT_EQ(apart.size(), 1u);
-  EXPECT_EQ(apart.front().what, "one record with promises");
+  EXPECT_EQ(apart.front().what, "one record with tuning");
 }
 
 TEST(Promises, ThatSayNothingAreRefused) {
@@ -70,16 +71,18 @@ TEST(Promises, ThatSayNothingAreRefused) {
     return complaint(json);
   };
   EXPECT_EQ(complaint(promises_record()), "accepted");
-  EXPECT_NE(with("/promises/0/choice/seconds_per_step", Json::array())
-                .find("promises[0].choice.seconds_per_step: at least one sample"),
+  EXPECT_NE(with("/accuracy/tuning/0/choice/time_per_step/seconds", Json::array())
+                .find("accuracy.tuning[0].choice.time_per_step.seconds: at least one sample"),
             std::string::npos);
-  EXPECT_NE(with("/promises/1/allowed", 1e-3).find("promises[1]: the promise of 0.001 for rssr"),
+  EXPECT_NE(with("/accuracy/tuning/1/allowed", 1e-3)
+                .find("accuracy.tuning[1]: the promise of 0.001 for rssr"),
             std::string::npos);
-  EXPECT_NE(with("/promises/0/best/error", -1).find("promises[0].best.error: "), std::string::npos);
+  EXPECT_NE(with("/accuracy/tuning/0/best/error", -1).find("accuracy.tuning[0].best.error: "),
+            std::string::npos);
   Json json = promises_record();
-  json["promises"] = Json::array();
-  EXPECT_NE(complaint(json).find("nor extremes"), std::string::npos);
+  json["accuracy"]["tuning"] = Json::array();
+  EXPECT_NE(complaint(json).find("nothing was measured"), std::string::npos);
 }
 
 }  // namespace
-}  // namespace desmo::report::promises_test
+}  // namespace desmo::report::tuning_test

@@ -10,7 +10,7 @@
 
 #include "report/statistics.h"
 
-namespace desmo::report::segments_test {
+namespace desmo::report::windows_test {
 namespace {
 
 /// Analyses of a motion: a microsecond an instant and a nanosecond an update, undisturbed.
@@ -141,4 +141,4 @@ TEST(UndisturbedTime, WithoutUpdatesOnEitherSideSpeedUpsAreRatiosOfSums) {
 }
 
 }  // namespace
-}  // namespace desmo::report::segments_test
+}  // namespace desmo::report::windows_test
