@@ -46,6 +46,11 @@ Table excerpt(const Table& table, Excerpt of) {
   return result;
 }
 
+/// The table of a section by its name.
+Table table_of(const Section& section, std::string_view name) {
+  return *std::ranges::find(section.tables, name, &Table::name);
+}
+
 Section in_short(std::string sentence, std::vector<Table> tables) {
   return {.title = "In short", .paragraphs = {std::move(sentence)}, .tables = std::move(tables)};
 }
@@ -81,20 +86,26 @@ Section tuning_in_short(const Record& record) {
 
 Section size_in_short(const Record& record) {
   std::vector<Table> tables;
-  if (!record.growth.empty())
-    tables.push_back(excerpt(
-        growth(record).tables[1],
-        {"growth_in_short",
-         {"case", "id", "slope", "ns/coordinate, least", "times the least"},
-         {"A slope of 1 is linear growth. Times the least: cost of a coordinate at the largest "
-          "size, over its least."}}));
-  if (!record.break_even.empty())
+  const auto of_last_case = [](const Table& table) {
+    return [name = table.rows.empty() ? "" : table.rows.back().front().shown](const Row& row) {
+      return row.front().shown == name;
+    };
+  };
+  if (!record.growth.empty()) {
+    const Table exponents = table_of(growth(record), "growth_exponents");
     tables.push_back(
-        excerpt(dense_or_sparse(record).tables.front(),
-                {"break_even_in_short",
-                 {"case", "sparse", "the faster of both", "the paper, about"},
-                 {"Unknowns from which on a sparse solver is faster than the faster of LAPACK and "
-                  "Eigen."}}));
+        excerpt(exponents, {"growth_in_short",
+                            {"case", "id", "slope", "ns/coordinate, least", "times the least"},
+                            {"A slope of 1 is linear growth. Times the least: cost of a coordinate "
+                             "at the largest size, over its least."},
+                            of_last_case(exponents)}));
+  }
+  if (!record.break_even.empty())
+    tables.push_back(excerpt(dense_or_sparse(record).tables.front(),
+                             {"break_even_in_short",
+                              {"case", "sparse", "the faster of both", "the paper, about"},
+                              {"Unknowns from which on a sparse solver is faster than the faster "
+                               "of LAPACK and Eigen."}}));
   return in_short("How the time of a step grows, and from which size on sparse matrices pay.",
                   std::move(tables));
 }
