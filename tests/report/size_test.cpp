@@ -210,7 +210,7 @@ TEST(Sizes, StandOnOnePageWithPoints) {
   EXPECT_EQ(page.title, "desmo: Size");
   EXPECT_EQ(page.sections.at(1).title, "Growth, and where caches end it");
   EXPECT_EQ(page.sections.at(2).title, "Dense or sparse");
-  EXPECT_EQ(page.sections.at(3).title, "Instructions a step");
+  EXPECT_EQ(page.sections.at(4).title, "Instructions a step");
 }
 
 }  // namespace
