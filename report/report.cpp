@@ -1,6 +1,7 @@
 #include "report/report.h"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <set>
 
@@ -76,15 +77,28 @@ std::vector<Section> paper_sections(const Record& record) {
   return sections;
 }
 
+/// Moves the last figure of a section before the tables of the one in front.
+void move_figure_to_front(std::vector<Section>& sections, std::size_t from) {
+  std::vector<Table>&tables = sections.at(from).tables, &front = sections.front().tables;
+  const auto figure = std::find_if(tables.rbegin(), tables.rend(), std::mem_fn(&Table::figure));
+  if (figure == tables.rend()) return;
+  front.insert(front.begin(), std::move(*figure));
+  tables.erase(std::next(figure).base());
+}
+
 std::vector<Section> accuracy_sections(const Record& record) {
   std::vector<Section> sections{accuracy_in_short(record)};
   std::ranges::move(precision_sections(record), std::back_inserter(sections));
+  move_figure_to_front(sections, 1);
   return sections;
 }
 
 std::vector<Section> size_sections(const Record& record) {
   std::vector<Section> sections{size_in_short(record)};
-  if (!record.growth.empty()) sections.push_back(growth(record));
+  if (!record.growth.empty()) {
+    sections.push_back(growth(record));
+    move_figure_to_front(sections, 1);
+  }
   if (!record.break_even.empty()) sections.push_back(dense_or_sparse(record));
   return sections;
 }

@@ -25,14 +25,14 @@ std::string wrapped(const std::string& text, const std::string& indent) {
   return result + line + "\n";
 }
 
-// What stays on one line: words, and parts of an id up to "/" and "_"; an interval is a word.
+// What stays on one line: words, and parts of an id up to "/"; an interval is a word.
 std::vector<std::string> pieces(const std::string& text) {
   std::vector<std::string> result{""};
   bool inside = false;
   for (const char c : text) {
     result.back() += c;
     inside = c == '[' || (inside && c != ']');
-    if (!inside && (c == ' ' || c == '/' || c == '_')) result.emplace_back();
+    if (!inside && (c == ' ' || c == '/')) result.emplace_back();
   }
   return result;
 }
@@ -155,7 +155,8 @@ std::string front_to_terminal(const Document& document) {
     if (!section.front) continue;
     text += "\n";
     for (const std::string& paragraph : section.paragraphs) text += wrapped(paragraph, "");
-    for (const Table& table : section.tables) text += "\n" + terminal_table(table);
+    for (const Table& table : section.tables)
+      if (!table.detail) text += "\n" + terminal_table(table);
   }
   return text;
 }

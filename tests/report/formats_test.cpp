@@ -98,7 +98,7 @@ std::size_t widest_line(const std::string& text) {
   return widest;
 }
 
-// An id breaks after "/" and "_", an interval stays whole.
+// An id breaks after "/", an interval stays whole.
 TEST(Terminal, WrapsEntriesSoThatARowFits) {
   Document document = awkward();
   Table& table = document.sections[0].tables[0];
