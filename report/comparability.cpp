@@ -128,7 +128,7 @@ std::vector<Difference> why_apart(const Record& first, const Record& second) {
   };
   only_one("cells", has_cells(first), has_cells(second));
   only_one("points", !first.points.empty(), !second.points.empty());
-  only_one("promises", !first.tuning.empty(), !second.tuning.empty());
+  only_one("tuning", !first.tuning.empty(), !second.tuning.empty());
   only_one("sizes", has_sizes(first), has_sizes(second));
   only_one("instructions", !first.instructions.empty(), !second.instructions.empty());
   only_one("extremes", !first.extremes.empty(), !second.extremes.empty());

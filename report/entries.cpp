@@ -22,8 +22,8 @@ std::string runs(std::size_t repetitions) { return repetitions == 1 ? "one run" 
 }  // namespace
 
 std::string inconclusive_note() {
-  return std::string(inconclusive_mark) + ": half the interval of the ratio is more than " +
-         write_shortest(100 * widest_conclusive) + " % of it; one or two runs have no interval";
+  return std::string(inconclusive_mark) + ": the interval is wider than ±" +
+         write_shortest(100 * widest_conclusive) + " %; one or two runs have none";
 }
 
 void add_note(Entry& entry, const std::string& note) {

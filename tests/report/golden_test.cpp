@@ -45,10 +45,5 @@ TEST(GoldenRecords, HaveEverySection) {
   EXPECT_FALSE(has_cells(other));
 }
 
-TEST(GoldenRecords, SayWhichSolversMeasurementHasChosen) {
-  for (const auto& [key, cell] : read_record(data_file(std::string(paper) + ".json")).cells)
-    EXPECT_EQ(cell.solvers.empty(), !key.id.ends_with("_mixed")) << key.id;
-}
-
 }  // namespace
 }  // namespace desmo::report::golden_test

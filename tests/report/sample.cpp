@@ -95,8 +95,10 @@ void fail_cell(Json& record, const std::string& case_name, int coordinates, cons
 
 void erase_family(Json& record, const std::string& family) {
   Json kept = Json::array();
-  for (const Json& cell : record["paper"]["cells"])
-    if (!cell["id"].get<std::string>().ends_with("_" + family)) kept.push_back(cell);
+  for (const Json& cell : record["paper"]["cells"]) {
+    const std::string id = cell["id"];
+    if (!id.substr(0, id.find('/')).ends_with("_" + family)) kept.push_back(cell);
+  }
   record["paper"]["cells"] = kept;
 }
 
