@@ -1,10 +1,11 @@
 #include "report/comparability.h"
 
+#include <algorithm>
 #include <optional>
 #include <set>
 
+#include "report/compared_times.h"
 #include "report/digits.h"
-#include "report/measurements.h"
 
 namespace desmo::report {
 namespace {
@@ -29,17 +30,12 @@ class Comparison {
   std::set<std::string> named_;
 };
 
-std::string major_version(const Record& record) {
-  return record.version.substr(0, record.version.find('.'));
-}
-
 std::optional<std::string> linking_of(const Build& build) {
   if (!build.link) return std::nullopt;
   return build.link->type + (build.link->flags.empty() ? "" : " " + build.link->flags);
 }
 
 void compare_environment(Comparison& all, const Record& a, const Record& b) {
-  all.require_same("schema", major_version(a), major_version(b));
   all.require_same("CPU model", a.machine.cpu, b.machine.cpu);
   all.require_same("compiler", a.build.compiler, b.build.compiler);
   all.require_same("build type", a.build.type, b.build.type);
@@ -58,8 +54,6 @@ void compare_settings(Comparison& all, const Settings& a, const Settings& b) {
   require_same_number(all, "iterations at most", static_cast<double>(a.max_iterations),
                       static_cast<double>(b.max_iterations));
   all.require_same("first guess", a.guess, b.guess);
-  all.require_same("clock", a.clock, b.clock);
-  all.require_same("reducer", a.reducer, b.reducer);
 }
 
 void compare_motions(Comparison& all, const Settings& a, const Settings& b) {
@@ -67,32 +61,61 @@ void compare_motions(Comparison& all, const Settings& a, const Settings& b) {
   require_same_number(all, "duration", a.duration_seconds, b.duration_seconds);
 }
 
-// Of what has no time in one of them, there is nothing to compare.
-void compare_timings(Comparison& all, const Record& a, const Record& b) {
-  const auto second = timings(b);
-  bool shared = false;
-  for (const auto& [key, one] : timings(a)) {
-    const auto other = second.find(key);
-    if (other == second.end()) continue;
-    shared = true;
-    if (!one.time.seconds || !other->second.time.seconds) continue;
+// Of what has no time in one of them, there is nothing to compare. Peers find other coordinates, of
+// which there is no digest.
+void compare_timings(Comparison& all, const TimedGroup& a, const TimedGroup& b) {
+  for (const auto& [key, one] : a.timings) {
+    const auto other = b.timings.find(key);
+    if (other == b.timings.end() || !one.time.seconds || !other->second.time.seconds) continue;
+    const Origin &first = one.origin, &second = other->second.origin;
     const std::string place = key.case_name + "/" + std::to_string(key.coordinates);
     const auto request = key.id.find("/request:");
-    all.require_same("model of " + place, one.origin.model, other->second.origin.model);
-    all.require_same("results of " + place + (request == key.id.npos ? "" : key.id.substr(request)),
-                     one.origin.results, other->second.origin.results);
+    if (first.model || second.model)
+      all.require_same("model of " + place, first.model, second.model);
+    if (first.results || second.results)
+      all.require_same(
+          "results of " + place + (request == key.id.npos ? "" : key.id.substr(request)),
+          first.results, second.results);
   }
-  if (!shared) all.differ("cells in common", "none", "none");
+}
+
+template <class Map>
+bool share_a_key(const Map& a, const Map& b) {
+  return std::ranges::any_of(a, [&](const auto& entry) { return b.contains(entry.first); });
+}
+
+void compare_measured(Comparison& all, const Record& first, const Record& second) {
+  bool shared = share_a_key(first.instructions, second.instructions);
+  const std::vector<TimedGroup> a = timed_groups(first), b = timed_groups(second);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    compare_timings(all, a[i], b[i]);
+    shared = shared || share_a_key(a[i].timings, b[i].timings);
+  }
+  if (!shared) all.differ("measurements in common", "none", "none");
+}
+
+void compare_work(Comparison& all, const Record& first, const Record& second) {
+  compare_settings(all, first.settings, second.settings);
+  compare_motions(all, first.settings, second.settings);
+  compare_measured(all, first, second);
 }
 
 }  // namespace
 
+bool are_of_two_machines(const Record& first, const Record& second) {
+  return first.machine.cpu != second.machine.cpu;
+}
+
 std::vector<Difference> why_incomparable(const Record& first, const Record& second) {
   Comparison all;
   compare_environment(all, first, second);
-  compare_settings(all, first.settings, second.settings);
-  compare_motions(all, first.settings, second.settings);
-  compare_timings(all, first, second);
+  compare_work(all, first, second);
+  return std::move(all).differences();
+}
+
+std::vector<Difference> why_not_the_same_work(const Record& first, const Record& second) {
+  Comparison all;
+  compare_work(all, first, second);
   return std::move(all).differences();
 }
 
@@ -105,7 +128,7 @@ std::vector<Difference> why_apart(const Record& first, const Record& second) {
   };
   only_one("cells", has_cells(first), has_cells(second));
   only_one("points", !first.points.empty(), !second.points.empty());
-  only_one("promises", !first.promises.empty(), !second.promises.empty());
+  only_one("tuning", !first.tuning.empty(), !second.tuning.empty());
   only_one("sizes", has_sizes(first), has_sizes(second));
   only_one("instructions", !first.instructions.empty(), !second.instructions.empty());
   only_one("extremes", !first.extremes.empty(), !second.extremes.empty());

@@ -14,15 +14,21 @@ struct Difference {
   std::string first, second;  ///< what each record says, or "not recorded"
 };
 
-/// Why times of the two records cannot be compared; empty when they can. They must agree in the
-/// schema's major version, CPU model, compiler, flags, linking, BLAS core and threads, settings of
-/// the analysis, and, for what both have timed, in the model solved and the results found. What
-/// either does not record, as those before 1.3.0, counts as different.
+/// Says why times of the two records cannot be compared; empty when they can. They must agree in
+/// CPU model, compiler, flags, linking, BLAS core and threads, settings of the analysis, and, for
+/// what both have timed, in the model solved and the results found. What only one records counts as
+/// different.
 std::vector<Difference> why_incomparable(const Record& first, const Record& second);
+
+/// Likewise, but for the environment: whether speed-ups of two machines may stand side by side.
+std::vector<Difference> why_not_the_same_work(const Record& first, const Record& second);
+
+/// Whether the records are of two CPU models.
+bool are_of_two_machines(const Record& first, const Record& second);
 
 /// Why times of the two records cannot stand on one page, one beside the other; empty when they
 /// can: as above, but for the motions and what was timed. Only one of them may have cells, only one
-/// points, and likewise promises, sizes and instructions.
+/// points, and likewise searches of desmo tune, sizes, instructions and extremes.
 std::vector<Difference> why_apart(const Record& first, const Record& second);
 
 /// "CPU model: A here, B there", a line for each.

@@ -50,6 +50,8 @@ struct Section {
   std::string title;
   std::vector<std::string> paragraphs;
   std::vector<Table> tables;
+  std::string chapter = {};  ///< the experiment it belongs to; empty: no heading of its own
+  bool front = false;        ///< what the terminal shows, and the page before all else
 };
 
 struct Document {

@@ -15,14 +15,6 @@ std::vector<double> read_numbers(const std::optional<JsonNode>& node) {
   return result;
 }
 
-std::optional<std::string> read_reducer(const JsonNode& settings) {
-  const auto node = settings.find("reducer");
-  if (!node) return std::nullopt;
-  const std::string reducer = node->text();
-  if (reducer != "median") node->complain("\"" + reducer + "\" is not \"median\"");
-  return reducer;
-}
-
 std::optional<Allowed> read_allowed(const JsonNode& settings) {
   const auto node = settings.find("allowed");
   if (!node) return std::nullopt;
@@ -32,8 +24,8 @@ std::optional<Allowed> read_allowed(const JsonNode& settings) {
   return allowed;
 }
 
-std::optional<std::int64_t> read_segments(const JsonNode& settings) {
-  const auto node = settings.find("segments");
+std::optional<std::int64_t> read_windows(const JsonNode& settings) {
+  const auto node = settings.find("windows");
   return node ? std::optional(node->integer(2)) : std::nullopt;
 }
 
@@ -73,10 +65,8 @@ Settings read_settings(const JsonNode& node) {
                           .step_seconds = node["step_seconds"].positive(),
                           .duration_seconds = node["duration_seconds"].positive(),
                           .instants = node["instants"].integer(1),
-                          .clock = node["clock"].text(),
                           .allowed = read_allowed(node),
-                          .reducer = read_reducer(node),
-                          .segments = read_segments(node)};
+                          .windows = read_windows(node)};
   const double steps = settings.duration_seconds / settings.step_seconds;
   if (std::abs(steps - static_cast<double>(settings.instants - 1)) > 0.01)
     node["instants"].complain(std::to_string(settings.instants) + " instants do not make " +

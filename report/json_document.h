@@ -10,12 +10,12 @@
 
 namespace desmo::report {
 
-inline constexpr int supported_major = 1;                        ///< of the schema's version
+inline constexpr const char* schema_version = "2.0.0";           ///< the one that is read
 inline constexpr std::size_t largest_record = 64 * 1024 * 1024;  ///< bytes
 inline constexpr int deepest_nesting = 32;
 
 /// A results file that cannot be read or is not a valid record. The message names the place in the
-/// document (`cells[3].cpu_seconds[0]: ...`); the caller adds the name of the file.
+/// document (`paper.cells[3].time.seconds[0]: ...`); the caller adds the name of the file.
 class InvalidRecord : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -27,7 +27,7 @@ class MixedRecord : public InvalidRecord {
   using InvalidRecord::InvalidRecord;
 };
 
-/// A record of a major version that is not known.
+/// A record of another schema version.
 class UnsupportedVersion : public InvalidRecord {
  public:
   using InvalidRecord::InvalidRecord;
@@ -41,15 +41,16 @@ class UnreadableFile : public InvalidRecord {
 
 class JsonNode;
 
-/// At most largest_record bytes. Throws UnreadableFile, or InvalidRecord when there are more.
+/// Reads the text of a file, compressed by gzip or not: at most largest_record bytes. Throws
+/// UnreadableFile, or InvalidRecord when there are more or the compressed data are damaged.
 std::string read_whole(const std::filesystem::path& file);
 
 /// Refuses what a parser would accept and the report must not: a key given twice, and nesting
 /// without end. Throws InvalidRecord.
 nlohmann::json parse_json(std::string_view text);
 
-/// Throws InvalidRecord when a document is not of this schema, and UnsupportedVersion when it is of
-/// a major version other than supported_major.
+/// Throws InvalidRecord when a document is not of this schema, and UnsupportedVersion, with how to
+/// make it anew, when it is not of schema_version.
 void check_schema(const JsonNode& root, const std::string& name);
 
 }  // namespace desmo::report

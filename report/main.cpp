@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
+#include <stdexcept>
 
 #include "report/check/command.h"
 #include "report/comparability.h"
@@ -17,7 +18,14 @@ namespace {
 using namespace desmo::report;
 
 // From 64 on, the numbers of sysexits.h.
-enum ExitCode { success = 0, incomparable = 4, usage_error = 64, invalid_data = 65, io_error = 74 };
+enum ExitCode {
+  success = 0,
+  no_verdict = 3,
+  incomparable = 4,
+  usage_error = 64,
+  invalid_data = 65,
+  io_error = 74
+};
 
 Record read_named(const std::string& file) {
   const auto named = [&file](const InvalidRecord& error) { return file + ": " + error.what(); };
@@ -34,7 +42,30 @@ struct TablesCommand {
   std::vector<std::string> records;
   std::string folder;  // empty: standard output only
   std::vector<std::string> formats;
+  std::vector<std::string> tables;  // empty: all
+  bool all = false;
 };
+
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Keeps only the tables of these names, without the sections' paragraphs.
+Document with_tables(Document document, const std::vector<std::string>& names) {
+  std::vector<std::string> missing = names;
+  for (Section& section : document.sections) {
+    section.paragraphs.clear();
+    std::erase_if(section.tables, [&](const Table& table) {
+      std::erase(missing, table.name);
+      return std::ranges::find(names, table.name) == names.end();
+    });
+    for (Table& table : section.tables) table.detail = false;
+  }
+  if (!missing.empty()) throw UsageError("no table " + missing.front() + " in this report");
+  std::erase_if(document.sections, [](const Section& section) { return section.tables.empty(); });
+  return document;
+}
 
 std::string on_standard_output(const Document& document, const std::vector<std::string>& formats) {
   std::string text;
@@ -63,11 +94,17 @@ ExitCode tables(const TablesCommand& command) {
       if (complain(command.records[i], file, why_apart(records[i], record))) return incomparable;
     records.push_back(std::move(record));
   }
-  const Document document = make_report(records);
+  Document document = make_report(records);
+  if (!command.tables.empty()) document = with_tables(std::move(document), command.tables);
   const auto& chosen = command.formats;
-  if (command.folder.empty()) {
+  if (command.folder.empty() && (command.all || !chosen.empty() || !command.tables.empty())) {
     write_standard_output(on_standard_output(
         document, chosen.empty() ? std::vector<std::string>{"terminal"} : chosen));
+    return success;
+  }
+  if (command.folder.empty()) {
+    write_standard_output(front_to_terminal(document) +
+                          "\nEverything else: --all, or --out FOLDER for files and a page.\n");
     return success;
   }
   std::vector<Rendered> files;
@@ -76,7 +113,7 @@ ExitCode tables(const TablesCommand& command) {
   for (const std::string& format : chosen.empty() ? format_names() : chosen)
     std::ranges::move(render(document, format), std::back_inserter(files));
   write_files(command.folder, files);
-  write_standard_output(to_terminal(document));
+  write_standard_output(command.all ? to_terminal(document) : front_to_terminal(document));
   return success;
 }
 
@@ -87,9 +124,20 @@ struct CompareCommand {
 
 ExitCode compare(const CompareCommand& command) {
   const Record first = read_named(command.first), second = read_named(command.second);
-  if (complain(command.first, command.second, why_incomparable(first, second))) return incomparable;
-  write_standard_output(on_standard_output(make_comparison(first, second), {command.format}));
-  return success;
+  const bool two_machines = are_of_two_machines(first, second);
+  if (complain(
+          command.first, command.second,
+          two_machines ? why_not_the_same_work(first, second) : why_incomparable(first, second)))
+    return incomparable;
+  write_standard_output(on_standard_output(
+      two_machines ? make_comparison_of_machines(first, second) : make_comparison(first, second),
+      {command.format}));
+  if (!two_machines) return success;
+  std::cerr << "desmo_report: no verdict: the records are of two machines, " << first.machine.cpu
+            << " and " << second.machine.cpu
+            << ". Seconds of two machines do not compare, so that their speed-ups stand side by "
+               "side.\n";
+  return no_verdict;
 }
 
 }  // namespace
@@ -103,7 +151,7 @@ int main(int argc, char** argv) {
       "tables", "Tables 1 and 2, figures 5 and 6, time against error, and the rest");
   tables_app
       ->add_option("records", command.records,
-                   "The JSON record that an experiment of desmo_bench has written, or one of each")
+                   "The record of an experiment of desmo_bench, .json or .json.gz, or one of each")
       ->required();
   tables_app->add_option("--out", command.folder,
                          "Write the files of every format, and the figures, into this folder");
@@ -111,9 +159,13 @@ int main(int argc, char** argv) {
       ->add_option("--format", command.formats,
                    "Only these formats: terminal, json, csv, markdown, latex, html")
       ->check(CLI::IsMember(format_names()));
+  tables_app->add_option("--table", command.tables, "Only the table of this name; repeatable");
+  tables_app->add_flag("--all", command.all, "Print every table, not only what stands in front");
   CompareCommand comparison;
   CLI::App* compare_app =
-      app.add_subcommand("compare", "How many times as fast the second record is");
+      app.add_subcommand("compare",
+                         "How many times as fast the second record is; of two machines, their "
+                         "speed-ups side by side (exit code 3)");
   compare_app->add_option("A", comparison.first, "The first record")->required();
   compare_app->add_option("B", comparison.second, "The second record")->required();
   compare_app->add_option("--format", comparison.format, "terminal, json, csv, markdown or latex")
@@ -129,6 +181,8 @@ int main(int argc, char** argv) {
   CLI::App* certificate_app =
       app.add_subcommand("certificate", "What the trials of bench/check --certify show");
   certificate_app->add_option("file", certificate.file, "The trials")->required();
+  certificate_app->add_option("--add", certificate.added,
+                              "Judge the check of this trial and add a line to the file");
   certificate_app
       ->add_option("--format", certificate.format, "terminal, json, csv, markdown or latex")
       ->check(CLI::IsMember(format_names()));
@@ -141,6 +195,9 @@ int main(int argc, char** argv) {
     if (check_app->parsed()) return run(check);
     if (certificate_app->parsed()) return run(certificate);
     return compare_app->parsed() ? compare(comparison) : tables(command);
+  } catch (const UsageError& error) {
+    std::cerr << "desmo_report: " << error.what() << "\n";
+    return usage_error;
   } catch (const MixedRecord& error) {
     std::cerr << "desmo_report: " << error.what() << "\n";
     return incomparable;

@@ -9,8 +9,7 @@ namespace desmo::report {
 namespace {
 
 std::string label(const CellKey& key, const std::string& request) {
-  return key.case_name + "/" + std::to_string(key.coordinates) + "/" + key.id +
-         (request.empty() ? "" : "/request:" + request);
+  return name_of(key) + (request.empty() ? "" : "/request:" + request);
 }
 
 class OneOrigin {
@@ -50,12 +49,13 @@ class OneOrigin {
 
 void require_one_origin(const Record& record) {
   OneOrigin one(record.machine.cpu);
-  for (const auto& [key, cell] : record.cells) one.take(key, {}, cell.status, cell.origin);
-  for (const Request& request : record.requests)
-    one.take(request.cell, request.name, request.status, request.origin);
+  for (const auto* cells : {&record.cells, &record.wall_cells})
+    for (const auto& [key, cell] : *cells) one.take(key, {}, cell.status, cell.origin);
+  for (const auto* requests : {&record.requests, &record.wall_requests})
+    for (const Request& request : *requests)
+      one.take(request.cell, request.name, request.status, request.origin);
   for (const Peer& peer : record.peers)  // they find other coordinates: no results to compare
-    one.take({peer.case_name, peer.coordinates, "peer:" + peer.name}, {}, peer.cell.status,
-             peer.cell.origin);
+    one.take(key_of(peer), {}, peer.cell.status, peer.cell.origin);
 }
 
 }  // namespace desmo::report

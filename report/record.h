@@ -1,5 +1,4 @@
-// The record of one run of desmo_bench or of one of its siblings, as results/record.schema.json
-// defines it: plain data.
+// The record of a run, as results/record.schema.json (2.0.0) defines it: plain data.
 #pragma once
 
 #include <array>
@@ -13,9 +12,9 @@
 
 #include "report/extremes/results.h"
 #include "report/precision/points.h"
-#include "report/precision/promises.h"
-#include "report/segments.h"
-#include "report/sizes/timed_size.h"
+#include "report/precision/tuning.h"
+#include "report/size/timed_size.h"
+#include "report/time.h"
 #include "report/verification.h"
 
 namespace desmo::report {
@@ -26,7 +25,7 @@ struct Machine {
   std::vector<std::string> caches;
   std::string kernel;
   std::string governor;
-  std::optional<std::string> turbo;  ///< "on", "off", "unknown"; since 1.3.0
+  std::optional<std::string> turbo;  ///< "on", "off", "unknown"
   std::vector<double> load_before;
   std::vector<double> load_after;
 };
@@ -41,8 +40,8 @@ struct Build {
   std::string type;
   std::string compiler;
   std::string flags;
-  std::optional<Link> link;           ///< since 1.3.0
-  std::optional<std::string> binary;  ///< SHA-256 of the program, or "unknown"; since 1.3.0
+  std::optional<Link> link;
+  std::optional<std::string> binary;  ///< SHA-256 of the program, or "unknown"
 };
 
 struct Blas {
@@ -57,13 +56,11 @@ struct Settings {
   double step_seconds = 0;      ///< s, between two instants
   double duration_seconds = 0;  ///< s, of simulated motion
   std::int64_t instants = 0;    ///< solved in one analysis
-  std::string clock;
   std::optional<Allowed> allowed;
-  std::optional<std::string> reducer;    ///< of samples to a time; since 1.3.0
-  std::optional<std::int64_t> segments;  ///< into which the motion is cut; since 1.4.0
+  std::optional<std::int64_t> windows;  ///< timing windows into which the motion is cut
 };
 
-/// What a time is of. All since 1.3.0; digests are SHA-256.
+/// What a time is of. Digests are SHA-256.
 struct Origin {
   std::optional<std::string> machine;  ///< CPU that it was measured on
   std::optional<std::string> model;    ///< digest of the mechanism
@@ -78,6 +75,11 @@ struct CellKey {
   auto operator<=>(const CellKey&) const = default;
 };
 
+/// Returns "<case>/<coordinates>/<id>".
+inline std::string name_of(const CellKey& key) {
+  return key.case_name + "/" + std::to_string(key.coordinates) + "/" + key.id;
+}
+
 /// So many parts that a library solves, of so many unknowns each.
 struct Solver {
   std::string algebra;
@@ -89,13 +91,13 @@ struct Cell {
   Status status = Status::not_run;
   std::string message;  ///< why it failed or was not run
   Origin origin;
-  std::vector<double> cpu_seconds;  ///< one per repetition; never empty when ok, always when not
-  Segments segments;  ///< Settings::segments when ok; one where several threads solved it
+  Time time;                                 ///< of the whole analysis; has samples when ok only
+  std::int64_t threads = 1;                  ///< that solved it
   std::optional<Verification> verification;  ///< always when ok
   std::optional<double> setup_seconds;
   std::optional<double> iterations_per_step;
   std::optional<double> residual;
-  std::vector<Solver> solvers;  ///< where they were chosen by measurement; since 1.10.0
+  std::vector<Solver> solvers;  ///< where they were chosen by measurement
 };
 
 /// Where the wall-clock time of a step went in an instrumented run.
@@ -137,13 +139,13 @@ struct Request {
   Status status = Status::not_run;
   std::string message;  ///< why it failed or was not run
   Origin origin;
-  std::vector<double> cpu_seconds;   ///< one per repetition; never empty when ok, always when not
-  Segments segments;                 ///< Settings::segments when ok
+  Time time;                         ///< of the whole analysis; has samples when ok only
+  std::int64_t threads = 1;          ///< that solved it
   std::optional<double> difference;  ///< from the whole mechanism's solution; always when ok
   std::optional<double> iterations_per_step;
 };
 
-/// A rival that solves a case at a size; with its name each once.
+/// Another library, or code written by hand, that solves a case at a size; with its name each once.
 struct Peer {
   std::string case_name;
   std::int64_t coordinates = 0;
@@ -155,6 +157,11 @@ struct Peer {
   std::optional<std::int64_t> compared;  ///< coordinates that it finds, of those there are
   Cell cell;
 };
+
+/// Returns the key of a peer among cells: its id is "peer:<name>".
+inline CellKey key_of(const Peer& peer) {
+  return {peer.case_name, peer.coordinates, "peer:" + peer.name};
+}
 
 /// Instructions of a step, with as many Newton iterations as it takes.
 struct StepCount {
@@ -174,29 +181,37 @@ struct Record {
   std::map<std::string, std::string> libraries;
   Blas blas;
   Settings settings;
-  std::map<CellKey, Cell> cells;
+  // paper; what the wall clock measured stands apart, so that no table mixes the two clocks
+  std::map<CellKey, Cell> cells;  ///< CPU clock
+  std::map<CellKey, Cell> wall_cells;
   std::map<CellKey, Profile> profiles;
-  std::map<StructureKey, Structure> structure;  ///< since 1.2.0
-  std::vector<Request> requests;                ///< since 1.2.0, in the record's order
-  std::vector<Peer> peers;                      ///< since 1.3.0, in the record's order
-  std::map<SeriesKey, Floor> floors;            ///< since 1.5.0; of every series with points
-  std::map<PointKey, Point> points;             ///< since 1.5.0: time against error
-  std::vector<Promise> promises;                ///< since 1.5.0, in the record's order
-  std::map<CellKey, TimedSize> growth;          ///< since 1.7.0: time against coordinates
-  std::map<CellKey, TimedSize> crossing;        ///< since 1.7.0: dense and sparse, by unknowns
-  std::map<CellKey, StepCount> instructions;    ///< since 1.7.0
-  std::vector<ExtremeRow> extreme_rows;         ///< since 1.7.0; of every result
-  std::vector<ExtremeResult> extremes;          ///< since 1.7.0, in the record's order
+  std::map<StructureKey, Structure> structure;
+  std::vector<Request> requests;  ///< CPU clock; in the record's order
+  std::vector<Request> wall_requests;
+  std::vector<Peer> peers;  ///< CPU clock; in the record's order
+  // accuracy
+  std::map<SeriesKey, Floor> floors;  ///< of every series with points
+  std::map<PointKey, Point> points;   ///< time against error
+  std::vector<Promise> tuning;        ///< in the record's order
+  // size
+  std::map<CellKey, TimedSize> growth;      ///< time against coordinates
+  std::map<CellKey, TimedSize> break_even;  ///< dense and sparse, by unknowns
+  // instructions
+  std::map<CellKey, StepCount> instructions;
+  // extremes
+  std::vector<ExtremeRow> extreme_rows;  ///< of every result
+  std::vector<ExtremeResult> extremes;   ///< in the record's order
 };
 
-/// Whether it has what desmo_bench measures: the paper's experiment.
+/// Whether it has the paper's experiment.
 inline bool has_cells(const Record& record) {
-  return !record.cells.empty() || !record.requests.empty() || !record.peers.empty();
+  return !record.cells.empty() || !record.requests.empty() || !record.peers.empty() ||
+         !record.wall_cells.empty() || !record.wall_requests.empty();
 }
 
-/// Whether it has what desmo_growth measures.
+/// Whether it has the experiment on size.
 inline bool has_sizes(const Record& record) {
-  return !record.growth.empty() || !record.crossing.empty();
+  return !record.growth.empty() || !record.break_even.empty();
 }
 
 }  // namespace desmo::report

@@ -1,14 +1,16 @@
 #include "report/report.h"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <set>
 
 #include "report/measurements.h"
 #include "report/paper.h"
 #include "report/tables/extremes.h"
+#include "report/tables/in_short.h"
 #include "report/tables/precision.h"
-#include "report/tables/sizes.h"
+#include "report/tables/size.h"
 #include "report/tables/tables.h"
 #include "report/variants.h"
 
@@ -21,14 +23,10 @@ Section paper_tables(const Record& record) {
   if (families.empty())
     section.paragraphs.push_back("None: the record has no cell of a sparse solver.");
   for (const std::string_view family : families)
-    section.tables.push_back(cpu_times(record, family));
-  for (const std::string_view family : families)
     section.tables.push_back(speed_ups(record, family));
+  for (const std::string_view family : families)
+    section.tables.push_back(cpu_times(record, family));
   return section;
-}
-
-Section paper_figures(const Record& record) {
-  return {"The paper's figures", {}, {figure_of_speed_ups(record), figure_of_times(record)}};
 }
 
 std::set<std::string> recorded_cases(const Record& record) {
@@ -37,14 +35,14 @@ std::set<std::string> recorded_cases(const Record& record) {
   return cases;
 }
 
-Section sparse_solvers(const Record& record) {
-  Section section = conclusion(record);
+Section global_references(const Record& record) {
+  Section section{.title = "Which global reference", .paragraphs = {}, .tables = {}};
   for (const std::string& name : recorded_cases(record))
     if (auto table = references(record, name)) section.tables.push_back(std::move(*table));
   return section;
 }
 
-// Each case in full; on the terminal at the paper's largest size, or the largest there is.
+// Each case in full; other sizes than the paper's largest, or the largest there is, are details.
 Section formulations(const Record& record) {
   Section section{.title = "Every formulation", .paragraphs = {}, .tables = {}};
   for (const std::string& name : recorded_cases(record)) {
@@ -60,28 +58,76 @@ Section formulations(const Record& record) {
   return section;
 }
 
-void add_experiment(std::vector<Section>& sections, const Record& record) {
-  sections.push_back(answer(record));
-  sections.push_back(paper_figures(record));
-  sections.push_back(paper_tables(record));
-  sections.push_back(sparse_solvers(record));
-  sections.push_back({"Growth with the number of coordinates", {}, {scaling(record)}});
+std::vector<Section> paper_sections(const Record& record) {
+  std::vector<Section> sections{
+      answer(record),
+      paper_tables(record),
+      {"Time over the number of coordinates", {}, {figure_of_times(record), scaling(record)}}};
+  const auto add = [&sections](Section section) {
+    if (!section.tables.empty()) sections.push_back(std::move(section));
+  };
+  add(global_references(record));
+  add(beyond(record));
   if (!record.structure.empty()) sections.push_back(partitions(record));
   if (!record.requests.empty()) sections.push_back(requests(record));
-  if (Section section = beyond(record); !section.tables.empty())
-    sections.push_back(std::move(section));
   if (!record.peers.empty()) sections.push_back(peers(record));
-}
-
-void add_sizes(std::vector<Section>& sections, const Record& record) {
-  if (!record.growth.empty()) sections.push_back(growth(record));
-  if (!record.crossing.empty()) sections.push_back(dense_or_sparse(record));
-}
-
-void add_details(std::vector<Section>& sections, const Record& record) {
-  sections.push_back(formulations(record));
+  add(formulations(record));
   if (!record.profiles.empty())
     sections.push_back({"Where the time goes", {}, {time_split(record)}});
+  return sections;
+}
+
+/// Moves the last figure of a section before the tables of the one in front.
+void move_figure_to_front(std::vector<Section>& sections, std::size_t from) {
+  std::vector<Table>&tables = sections.at(from).tables, &front = sections.front().tables;
+  const auto figure = std::find_if(tables.rbegin(), tables.rend(), std::mem_fn(&Table::figure));
+  if (figure == tables.rend()) return;
+  front.insert(front.begin(), std::move(*figure));
+  tables.erase(std::next(figure).base());
+}
+
+std::vector<Section> accuracy_sections(const Record& record) {
+  std::vector<Section> sections{accuracy_in_short(record)};
+  std::ranges::move(precision_sections(record), std::back_inserter(sections));
+  move_figure_to_front(sections, 1);
+  return sections;
+}
+
+std::vector<Section> size_sections(const Record& record) {
+  std::vector<Section> sections{size_in_short(record)};
+  if (!record.growth.empty()) {
+    sections.push_back(growth(record));
+    move_figure_to_front(sections, 1);
+  }
+  if (!record.break_even.empty()) sections.push_back(dense_or_sparse(record));
+  return sections;
+}
+
+/// What a record may have, and the sections it then gives, those in front first.
+struct Experiment {
+  const char* title;
+  bool (*is_in)(const Record&);
+  std::vector<Section> (*sections)(const Record&);
+};
+
+const std::vector<Experiment>& reported_experiments() {
+  static const std::vector<Experiment> all{
+      {"The paper's experiment", has_cells, paper_sections},
+      {"Accuracy", [](const Record& r) { return !r.points.empty(); }, accuracy_sections},
+      {"Accuracy of desmo tune", [](const Record& r) { return !r.tuning.empty(); },
+       [](const Record& r) {
+         return std::vector{tuning_in_short(r), tuning(r)};
+       }},
+      {"Size", has_sizes, size_sections},
+      {"Instructions", [](const Record& r) { return !r.instructions.empty(); },
+       [](const Record& r) {
+         return std::vector{instructions_in_short(r), instructions(r)};
+       }},
+      {"Extremes", [](const Record& r) { return !r.extremes.empty(); },
+       [](const Record& r) {
+         return std::vector{extremes_in_short(r), extremes(r)};
+       }}};
+  return all;
 }
 
 /// A table of each; the names of the later ones are numbered.
@@ -107,49 +153,30 @@ Section joint_limitations(const std::vector<Record>& records) {
   return section;
 }
 
-bool has_accuracy(const Record& r) { return !r.points.empty() || !r.promises.empty(); }
-
-/// What the first of its sections are about.
-std::string title(const std::vector<Record>& records) {
-  const auto any = [&](auto has) { return std::ranges::any_of(records, has); };
-  return any(has_cells)      ? "desmo: the paper's experiment"
-         : any(has_accuracy) ? "desmo: speed for accuracy"
-         : any(has_sizes)    ? "desmo: time against size"
-         : any([](const Record& r) { return !r.instructions.empty(); })
-             ? "desmo: instructions a step"
-             : "desmo: stability at the extremes";
-}
-
 }  // namespace
 
 Document make_report(const std::vector<Record>& records) {
-  const auto end = records.end();
-  const auto experiment = std::ranges::find_if(records, has_cells);
-  const auto accuracy =
-      std::ranges::find_if(records, [](const Record& r) { return !r.points.empty(); });
-  const auto tuned =
-      std::ranges::find_if(records, [](const Record& r) { return !r.promises.empty(); });
-  const auto grown = std::ranges::find_if(records, has_sizes);
-  const auto counted =
-      std::ranges::find_if(records, [](const Record& r) { return !r.instructions.empty(); });
-  const auto stable =
-      std::ranges::find_if(records, [](const Record& r) { return !r.extremes.empty(); });
-  Document document{.title = title(records), .sections = {}};
-  auto& sections = document.sections;
-  if (experiment != end) add_experiment(sections, *experiment);
-  if (accuracy != end)
-    std::ranges::move(precision_sections(*accuracy), std::back_inserter(sections));
-  if (tuned != end) sections.push_back(promises(*tuned));
-  if (grown != end) add_sizes(sections, *grown);
-  if (counted != end) sections.push_back(instructions(*counted));
-  if (stable != end) sections.push_back(extremes(*stable));
-  if (experiment != end) add_details(sections, *experiment);
-  sections.push_back(measured_how(records));
-  sections.push_back(joint_limitations(records));
-  if (experiment != end)
-    if (const auto lines = failures(*experiment); !lines.empty())
-      sections.push_back(
-          {"Failed verification: no time, and no ratio computed from one", lines, {}});
+  Document document{.title = {}, .sections = {}};
+  for (const Experiment& experiment : reported_experiments()) {
+    const auto record = std::ranges::find_if(records, experiment.is_in);
+    if (record == records.end()) continue;
+    if (document.title.empty()) document.title = "desmo: " + std::string(experiment.title);
+    std::vector<Section> sections = experiment.sections(*record);
+    sections.front().front = true;
+    for (Section& section : sections) {
+      section.chapter = experiment.title;
+      document.sections.push_back(std::move(section));
+    }
+  }
+  const auto add = [&document](Section section) {
+    section.chapter = "About the record";
+    document.sections.push_back(std::move(section));
+  };
+  add(measured_how(records));
+  add(joint_limitations(records));
+  if (const auto with_cells = std::ranges::find_if(records, has_cells); with_cells != records.end())
+    if (const auto lines = failures(*with_cells); !lines.empty())
+      add({"Failed verification: no time, and no ratio computed from one", lines, {}});
   return document;
 }
 

@@ -63,7 +63,7 @@ double half_width_of_ratio(std::span<const double> a, std::span<const double> b)
 
 }  // namespace
 
-Summary summarise(std::span<const double> samples, const Segments& segments) {
+Summary summarise(std::span<const double> samples, const Windows& windows) {
   std::vector<double> sorted(samples.begin(), samples.end());
   std::sort(sorted.begin(), sorted.end());
   const std::size_t n = sorted.size(), left_out = left_out_at_either_end(n);
@@ -77,48 +77,50 @@ Summary summarise(std::span<const double> samples, const Segments& segments) {
             .median_low = sorted[left_out],
             .median_high = sorted[n - 1 - left_out],
             .count = n,
-            .segments = segments.least,
+            .windows = windows.least,
             .without_best = {}};
-  if (segments.least.empty()) return s;
-  s.value = s.low = segments.samples.empty() ? sum(segments.least) : undisturbed(segments);
+  if (windows.least.empty()) return s;
+  s.value = s.low = windows.samples.empty() ? sum(windows.least) : undisturbed(windows);
   s.high = std::max(s.value, median);
-  if (segments.samples.size() > 1) s.without_best = undisturbed_without_best(segments);
+  if (windows.samples.size() > 1) s.without_best = undisturbed_without_best(windows);
   return s;
 }
 
 SpeedUp speed_up(const Summary& reference, const Summary& variant) {
   const bool sampled = reference.without_best && variant.without_best;
   const bool paired =
-      reference.segments.size() > 1 && reference.segments.size() == variant.segments.size();
+      reference.windows.size() > 1 && reference.windows.size() == variant.windows.size();
   // S = t_global / t_topological
   const double ratio = sampled  ? reference.value / variant.value
-                       : paired ? sum(reference.segments) / sum(variant.segments)
+                       : paired ? sum(reference.windows) / sum(variant.windows)
                                 : reference.median / variant.median;
   SpeedUp s{.value = ratio,
             .low = reference.median_low / variant.median_high,
             .high = reference.median_high / variant.median_low,
             .percent = 100 * (1 - 1 / ratio),
-            .spread = reference.count > 1 && variant.count > 1};
+            .repetitions = std::min(reference.count, variant.count),
+            .spread = reference.has_interval() && variant.has_interval()};
   if (sampled) {
     s.low = reference.value / *variant.without_best;
     s.high = *reference.without_best / variant.value;
     return s;
   }
   if (!paired) return s;
-  const double half = half_width_of_ratio(reference.segments, variant.segments);
+  const double half = half_width_of_ratio(reference.windows, variant.windows);
   s.low = std::max(0.0, ratio - half);
   s.high = ratio + half;
   return s;
 }
 
 SpeedUp mean(std::span<const SpeedUp> sizes) {
-  SpeedUp result{.value = 0, .low = 0, .high = 0, .percent = 0, .spread = true};
+  SpeedUp result{.repetitions = sizes.front().repetitions, .spread = true};
   const double n = static_cast<double>(sizes.size());
   for (const SpeedUp& size : sizes) {
     result.value += size.value / n;
     result.low += size.low / n;
     result.high += size.high / n;
     result.percent += size.percent / n;
+    result.repetitions = std::min(result.repetitions, size.repetitions);
     result.spread = result.spread && size.spread;
   }
   return result;

@@ -6,13 +6,16 @@
 #include <span>
 #include <vector>
 
-#include "report/segments.h"
+#include "report/windows.h"
 
 namespace desmo::report {
 
+/// Repetitions below which there is no interval: two may have been disturbed alike.
+inline constexpr std::size_t fewest_for_interval = 3;
+
 /// The repetitions of one measurement.
 struct Summary {
-  /// The time and its interval. With segments the undisturbed time (see segments.h; the sum of
+  /// The time and its interval. With windows the undisturbed time (see windows.h; the sum of
   /// their least times where their samples are not known), and from there to the median; without,
   /// the median, median_low and median_high.
   double value = 0;
@@ -27,14 +30,15 @@ struct Summary {
   double median_low = 0;
   double median_high = 0;
   std::size_t count = 0;
-  std::vector<double> segments;  ///< the least time of each; may be empty
-  /// Where the samples of segments are known: the undisturbed time without its best repetition.
+  std::vector<double> windows;  ///< the least time of each; may be empty
+  /// Where the samples of windows are known: the undisturbed time without its best repetition.
   std::optional<double> without_best;
+  bool has_interval() const { return count >= fewest_for_interval; }
   double half_range() const { return (largest - least) / 2; }
 };
 
-/// Of one sample or more; with the segments that they consist of, where known.
-Summary summarise(std::span<const double> samples, const Segments& segments = {});
+/// Of one sample or more; with the windows that they consist of, where known.
+Summary summarise(std::span<const double> samples, const Windows& windows = {});
 
 /// Relative half-width of a speed-up's interval beyond which it is called inconclusive. An idle
 /// machine reaches 0.02.
@@ -43,24 +47,25 @@ inline constexpr double widest_conclusive = 0.05;
 /// How many times as fast: S = t_reference / t_variant.
 struct SpeedUp {
   double value = 0;  ///< ratio of the times
-  /// With samples of segments on both sides: what the ratio becomes without the best repetition of
+  /// With samples of windows on both sides: what the ratio becomes without the best repetition of
   /// either side; narrow where two repetitions or more say the same of both. With the least times
-  /// of segments: the 95 % interval of a ratio of sums over pairs, from how far the segments are
+  /// of windows: the 95 % interval of a ratio of sums over pairs, from how far the windows are
   /// from having that ratio, by Student's t (W. G. Cochran: Sampling Techniques, 1977, chapter 6).
   /// Without: the reference's median_low over the variant's median_high, and the reverse. That
   /// holds the ratio of the true medians with a probability of 95 % at least from 7 repetitions
   /// each, and of (1 - 2^(1-n))^2 with n < 7.
   double low = 0;
   double high = 0;
-  double percent = 0;   ///< improvement 100 (1 - 1/S), from the unrounded S
-  bool spread = false;  ///< two repetitions or more on both sides: low and high mean something
+  double percent = 0;           ///< improvement 100 (1 - 1/S), from the unrounded S
+  std::size_t repetitions = 0;  ///< the fewer of both sides
+  bool spread = false;          ///< enough of them for an interval: low and high mean something
 
   double half_width() const { return (high - low) / 2 / value; }  ///< of the interval, relative
   /// Whether the interval is too wide for the number to be quoted.
   bool inconclusive() const { return spread && half_width() > widest_conclusive; }
 };
 
-/// Of undisturbed times, where samples of segments are known of both, or their least times and of
+/// Of undisturbed times, where samples of windows are known of both, or their least times and of
 /// as many; otherwise of the medians.
 SpeedUp speed_up(const Summary& reference, const Summary& variant);
 

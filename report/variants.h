@@ -47,6 +47,13 @@ inline constexpr std::int64_t largest_four_bar = 1002;
 /// Whether an id says that a formulation has other settings than the paper's.
 inline bool has_settings(std::string_view id) { return id.find('/') != std::string_view::npos; }
 
+/// The value of a setting in an id: "adams8" of guess in global_automatic_klu/guess:adams8; empty
+/// where the id does not name it.
+std::string_view setting(std::string_view id, std::string_view name);
+
+/// The id without a setting.
+std::string without_setting(std::string id, const std::string& name);
+
 /// Whether a formulation stands beside rivals, with no other setting than their guess.
 bool is_beside_peers(const Record& record, std::string_view id);
 

@@ -3,6 +3,8 @@
 #include <array>
 #include <string_view>
 
+#include "formulations/id.h"
+
 namespace desmo::suite {
 
 /// What goes beyond the paper, as ids with settings, at the largest of the paper's sizes: the
@@ -19,6 +21,12 @@ inline constexpr std::array<std::string_view, 9> beyond_the_paper{
     "group_symbolic_explicit/guess:adams8/segments:8/tolerance:1e-10",
     "group_symbolic_explicit/guess:adams8/segments:4/threads:2/tolerance:1e-10",
     "group_symbolic_explicit/guess:adams8/segments:8/threads:2/tolerance:1e-10"};
+
+/// What several threads are compared with, by the same clock: the same analysis on one.
+inline Settings on_one_thread(Settings settings) {
+  settings.threads = 1;
+  return settings;
+}
 
 /// The request that they are timed with, too.
 inline constexpr std::string_view request_beyond_the_paper = "outputs";

@@ -44,13 +44,14 @@ std::string too_costly(const Variant& v, int n, const Options& options) {
 
 }  // namespace
 
-Cell::Cell(const Case& d, int n, const Variant& v, const Options& options, const Settings& s)
-    : Timed(chosen_grid(d.describe(1).grid, options), s.threads),
+Cell::Cell(const Case& d, int n, const Variant& v, const Options& options, const Settings& s,
+           Clock by)
+    : Timed(chosen_grid(d.describe(1).grid, options), s.threads, by),
       definition(d),
       coordinates(n),
       variant(v),
       settings(s),
-      delivery_(Delivery(n), segments) {
+      delivery_(Delivery(n), windows) {
   if (const std::string reason = too_costly(v, n, options); !reason.empty()) leave_out(reason);
 }
 
@@ -105,7 +106,7 @@ void Cell::make() {
 }
 
 Summary Cell::analyse() {
-  segments.begin();
+  windows.begin();
   const Summary summary = formulation_->run(grid, {}, delivery_);
   if (!summary.ok()) fail(describe(summary, *mechanism_));
   return summary;
@@ -126,12 +127,16 @@ std::vector<std::unique_ptr<Cell>> make_cells(const Options& options) {
     for (const int n : c.extra_sizes)
       for (const Variant& v : variants())
         if (runs_at_extra_sizes(v)) cells.push_back(std::make_unique<Cell>(c, n, v, options));
-    const auto add = [&](int n, std::string_view id) {
-      const Configuration configuration = parse_id(id);
-      auto cell =
-          std::make_unique<Cell>(c, n, *configuration.variant, options, configuration.settings);
+    const auto add_new = [&](std::unique_ptr<Cell> cell) {
       if (std::ranges::find(cells, cell->name(), &Cell::name) == cells.end())
         cells.push_back(std::move(cell));
+    };
+    const auto add = [&](int n, std::string_view id) {
+      const auto [variant, settings] = parse_id(id);
+      add_new(std::make_unique<Cell>(c, n, *variant, options, settings));
+      if (settings.threads > 1)
+        add_new(
+            std::make_unique<Cell>(c, n, *variant, options, on_one_thread(settings), Clock::wall));
     };
     for (const std::string_view id : beyond_the_paper) add(c.sizes.back(), id);
     add(c.sizes.back(), reference_of_one_block);

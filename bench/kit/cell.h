@@ -20,10 +20,10 @@ namespace desmo::suite {
 class Cell final : public Timed {
  public:
   Cell(const Case& definition, int coordinates, const Variant& variant, const Options& options,
-       const Settings& settings = {});
+       const Settings& settings = {}, Clock clock = Clock::cpu);
 
-  /// The variant's, with its settings.
-  std::string id() const { return id_with(variant, settings); }
+  /// The variant's, with its settings, and the clock of one thread where that is the wall's.
+  std::string id() const { return id_with(variant, settings) + clock_suffix(); }
   /// <case>/<coordinates>/<id>
   std::string name() const override;
   /// Against the quadruple-precision reference.
@@ -47,7 +47,7 @@ class Cell final : public Timed {
 
   std::unique_ptr<Mechanism> mechanism_;  // the formulation refers to it
   std::unique_ptr<Formulation> formulation_;
-  SegmentedDelivery<Delivery> delivery_;
+  WindowedDelivery<Delivery> delivery_;
 };
 
 /// Every cell of the suite, in the order of the tables. Dense global solves beyond the limit are

@@ -48,8 +48,6 @@ Json environment_json(const Run& run, const TimeGrid& grid) {
             {"step_seconds", grid.step},
             {"duration_seconds", grid.time(grid.instants - 1)},
             {"instants", grid.instants},
-            {"clock", "CPU time of the thread"},
-            {"reducer", "median"},
             {"allowed",
              {{"position", allowed.position},
               {"velocity", allowed.velocity},

@@ -107,14 +107,14 @@ void PeerCell::make() {
 
 Summary PeerCell::analyse() {
   Summary summary;
-  segments.begin();
+  windows.begin();
   try {
     for (int i = 0; i < grid.instants; ++i) {
       solve(*peer_, grid, i);
       std::ranges::copy(peer_->answer().q, q_.begin());
       std::ranges::copy(peer_->answer().qd, qd_.begin());
       std::ranges::copy(peer_->answer().qdd, qdd_.begin());
-      segments.passed();
+      windows.passed();
     }
     summary.instants = grid.instants;
   } catch (const std::exception& e) {

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <stdexcept>
 #include <string_view>
 #include <utility>
 
@@ -16,6 +17,7 @@
 #include "bench/kit/record_layout.h"
 #include "bench/kit/request.h"
 #include "bench/kit/structure.h"
+#include "bench/kit/time_json.h"
 #include "formulations/guess.h"
 
 namespace desmo::suite {
@@ -37,26 +39,13 @@ void add_status(Json& j, const Timed& timed) {
   if (!timed.results.empty()) j["results"] = timed.results;
 }
 
-void add_segments(Json& j, const Segments& segments) {
-  for (const double least : segments.least()) j["segment_seconds"].push_back(rounded(least));
-  const std::vector<long>& updates = segments.updates();
-  if (std::ranges::count(updates, 0) == std::ssize(updates)) return;  // nobody counts
-  j["segment_updates"] = updates;
-  for (const std::vector<double>& sample : segments.samples()) {
-    Json seconds;
-    for (const double s : sample) seconds.push_back(rounded(s));
-    j["segment_samples"].push_back(std::move(seconds));
-  }
-}
-
 /// Of what has a time: how right it is, the time, and what belongs to it.
 void add_time(Json& j, const Timed& timed, Json verification) {
   j["verification"] = std::move(verification);
   if (timed.threads > 1) j["threads"] = timed.threads;
-  j["cpu_seconds"] = timed.cpu_seconds;
-  j["repetitions"] = timed.cpu_seconds.size();
-  add_segments(j, timed.segments);
-  j["setup_seconds"] = timed.setup_seconds;
+  j["time"] = time_json(timed.seconds, timed.clock);
+  if (timed.clock == Clock::cpu) j["time"]["windows"] = windows_json(timed.windows);
+  j["setup_time"] = time_json({timed.setup_seconds});
   j["iterations_per_step"] = timed.iterations_per_step;
 }
 
@@ -138,20 +127,47 @@ Json profile_json(const Cell& cell) {
   return {{"case", cell.definition.name},
           {"coordinates", cell.coordinates},
           {"id", cell.id()},
-          {"seconds_per_step", seconds},
-          {"total_range", {cell.phases->least_total, cell.phases->most_total}}};
+          {"time_per_step",
+           {{"clock", clock_name(Clock::wall)},
+            {"phases", seconds},
+            {"total_range", {cell.phases->least_total, cell.phases->most_total}}}}};
+}
+
+/// Each list stands in the section of its experiment.
+constexpr std::array<std::pair<const char*, const char*>, 13> sections{{{"cells", "paper"},
+                                                                        {"requests", "paper"},
+                                                                        {"peers", "paper"},
+                                                                        {"structure", "paper"},
+                                                                        {"profiles", "paper"},
+                                                                        {"floors", "accuracy"},
+                                                                        {"points", "accuracy"},
+                                                                        {"tuning", "accuracy"},
+                                                                        {"growth", "size"},
+                                                                        {"break_even", "size"},
+                                                                        {"counts", "instructions"},
+                                                                        {"rows", "extremes"},
+                                                                        {"results", "extremes"}}};
+
+Json by_experiment(const Json& lists) {
+  Json all = Json::object();
+  for (const auto& [name, list] : lists.items()) {
+    const auto place =
+        std::ranges::find(sections, name, &std::pair<const char*, const char*>::first);
+    if (place == sections.end()) throw std::logic_error("a record has no list " + name);
+    if (!list.empty()) all[place->second][name] = list;
+  }
+  return all;
 }
 
 }  // namespace
 
 std::string record_text(const Run& run, const TimeGrid& grid, const Json& lists,
-                        std::optional<int> segments) {
+                        std::optional<int> windows) {
   Json head{{"schema", "desmo-results"},
-            {"version", schema_version},
+            {"schema_version", schema_version},
             {"record", environment_json(run, grid)}};
-  if (segments) head["record"]["settings"]["segments"] = *segments;
-  if (!lists.contains("cells")) head["cells"] = Json::array();
-  return record_layout(head, lists);
+  if (windows) head["record"]["settings"]["windows"] = *windows;
+  return record_layout(head, by_experiment(lists));
 }
 
 std::string command_line(int argc, char** argv) {

@@ -22,9 +22,12 @@ std::string command_line(int argc, char** argv);
 /// What a results record (results/record.schema.json) says of these, as an object of arrays.
 nlohmann::ordered_json lists_of(const std::vector<Timed*>& timed);
 
-/// A record. grid: for the settings, the usual one where there are several; lists: an object of
-/// arrays; segments: into which motions were cut, where they were.
+/// Returns the text of a record.
+///
+/// grid: for the settings, the usual one where there are several.
+/// lists: an object of arrays, whose names say to which experiment each belongs.
+/// windows: timing windows into which motions were cut, where they were.
 std::string record_text(const Run& run, const TimeGrid& grid, const nlohmann::ordered_json& lists,
-                        std::optional<int> segments = {});
+                        std::optional<int> windows = {});
 
 }  // namespace desmo::suite

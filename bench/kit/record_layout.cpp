@@ -6,14 +6,21 @@
 
 namespace desmo::suite {
 
-std::string record_layout(const nlohmann::ordered_json& head, const nlohmann::ordered_json& lists) {
+std::string record_layout(const nlohmann::ordered_json& head,
+                          const nlohmann::ordered_json& sections) {
   std::string text = head.dump(1);
-  text.erase(text.rfind('\n'));  // with the brace behind it
-  for (const auto& [name, list] : lists.items()) {
-    text += ",\n " + nlohmann::ordered_json(name).dump() + ": [";
-    for (std::size_t i = 0; i < list.size(); ++i)
-      text += (i == 0 ? "\n  " : ",\n  ") + list[i].dump();
-    text += list.empty() ? "]" : "\n ]";
+  text.erase(text.rfind('\n'));  // with the brace after it
+  for (const auto& [name, lists] : sections.items()) {
+    text += ",\n " + nlohmann::ordered_json(name).dump() + ": {";
+    const char* separator = "\n  ";
+    for (const auto& [list_name, list] : lists.items()) {
+      text += separator + nlohmann::ordered_json(list_name).dump() + ": [";
+      for (std::size_t i = 0; i < list.size(); ++i)
+        text += (i == 0 ? "\n   " : ",\n   ") + list[i].dump();
+      text += "\n  ]";
+      separator = ",\n  ";
+    }
+    text += "\n }";
   }
   return text + "\n}\n";
 }

@@ -5,10 +5,13 @@
 
 namespace desmo::suite {
 
-/// The text of a record: its head indented, and of each list an element a line, as a person may
-/// want to read the one and not the other. head: an object with something in it; lists: an object
-/// of arrays.
-std::string record_layout(const nlohmann::ordered_json& head, const nlohmann::ordered_json& lists);
+/// Returns the text of a record: its head indented, and an element of a list on each line, as a
+/// person may want to read the one and not the other.
+///
+/// head: an object with something in it.
+/// sections: an object of objects of arrays.
+std::string record_layout(const nlohmann::ordered_json& head,
+                          const nlohmann::ordered_json& sections);
 
 /// A time above zero to five digits: there are many of them, and what a machine repeats is less.
 double rounded(double seconds);

@@ -180,12 +180,12 @@ Errors largest_differences(Formulation& whole, Formulation& kept,
 }
 
 RequestCell::RequestCell(std::shared_ptr<const PlannedRequest> request, const Variant& v,
-                         const Settings& s)
-    : Timed(request->grid, s.threads),
+                         const Settings& s, Clock by)
+    : Timed(request->grid, s.threads, by),
       variant(v),
       settings(s),
       request_(std::move(request)),
-      delivery_(RequestedDelivery(request_->asked), segments) {}
+      delivery_(RequestedDelivery(request_->asked), windows) {}
 
 std::string RequestCell::name() const {
   return std::string(request_->definition.name) + "/" +
@@ -253,7 +253,7 @@ void RequestCell::make() {
 }
 
 Summary RequestCell::analyse() {
-  segments.begin();
+  windows.begin();
   const Summary summary = run(delivery_);
   if (!summary.ok()) fail(describe(summary, request_->plan.mechanism));
   return summary;
@@ -274,6 +274,9 @@ std::vector<std::unique_ptr<RequestCell>> make_requests(const Options& options) 
     const auto add = [&](std::string_view id) {
       const auto [variant, settings] = parse_id(id);
       cells.push_back(std::make_unique<RequestCell>(request, *variant, settings));
+      if (settings.threads > 1)
+        cells.push_back(
+            std::make_unique<RequestCell>(request, *variant, on_one_thread(settings), Clock::wall));
     };
     std::ranges::for_each(requested_ids, add);
     if (source.name == request_beyond_the_paper) std::ranges::for_each(beyond_the_paper, add);

@@ -87,10 +87,10 @@ inline constexpr double allowed_request_difference = 1e-12;
 class RequestCell final : public Timed {
  public:
   RequestCell(std::shared_ptr<const PlannedRequest> request, const Variant& variant,
-              const Settings& settings = {});
+              const Settings& settings = {}, Clock clock = Clock::cpu);
 
-  /// The variant's, with its settings.
-  std::string id() const { return id_with(variant, settings); }
+  /// The variant's, with its settings, and the clock of one thread where that is the wall's.
+  std::string id() const { return id_with(variant, settings) + clock_suffix(); }
   /// <case>/<coordinates>/<id>/request:<name>
   std::string name() const override;
   /// Against the whole mechanism, both converged as far as double precision goes, which shows that
@@ -116,7 +116,7 @@ class RequestCell final : public Timed {
 
   std::shared_ptr<const PlannedRequest> request_;
   std::unique_ptr<Formulation> formulation_;
-  SegmentedDelivery<RequestedDelivery> delivery_;
+  WindowedDelivery<RequestedDelivery> delivery_;
 };
 
 /// Every request of the library with every formulation that requests are timed with.

@@ -3,6 +3,6 @@
 namespace desmo::suite {
 
 /// Version of results/record.schema.json and results/check.schema.json that is written.
-inline constexpr const char* schema_version = "1.10.0";
+inline constexpr const char* schema_version = "2.0.0";
 
 }  // namespace desmo::suite

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "bench/kit/segments.h"
+#include "bench/kit/timing_windows.h"
 #include "bench/kit/verification.h"
 #include "cases/motion.h"
 #include "formulations/formulation.h"
@@ -35,10 +35,9 @@ class Timed {
   /// The whole analysis, as timed. Needs State::verified; a failure turns it into State::failed.
   virtual Summary analyse() = 0;
 
-  /// Makes what is timed anew, analyses and discards it, on a fresh heap (see on_fresh_heap);
-  /// seconds of the analysis. It is the only one; on several threads, which wait for each other
-  /// while the system gives a processor to somebody else, the least of some. Needs
-  /// State::verified.
+  /// Makes what is timed anew, analyses and discards it, on a fresh heap (see on_fresh_heap).
+  /// Returns the seconds of the analysis; by the wall clock, which also runs while the system gives
+  /// a processor to somebody else, the least of some. Needs State::verified.
   double time_afresh();
 
   /// Grows with the time of an analysis, before anything is known of it.
@@ -47,38 +46,44 @@ class Timed {
   /// What stands beside the time on the console.
   virtual std::vector<std::pair<std::string, double>> counters() const = 0;
 
+  /// "/clock:wall" of one thread by the wall clock, which several are compared with; else empty.
+  std::string clock_suffix() const {
+    return clock == Clock::wall && threads == 1 ? "/clock:wall" : "";
+  }
+
   bool is_failed() const { return state == State::failed; }
   bool is_not_run() const { return state == State::not_run; }
-  bool is_timed() const { return state == State::verified && !cpu_seconds.empty(); }
+  bool is_timed() const { return state == State::verified && !seconds.empty(); }
 
   const TimeGrid grid;
   const int threads;  ///< on which it is solved
-  const Clock clock;  ///< of cpu_seconds, segments and analysis_seconds
+  const Clock clock;  ///< of seconds, windows and analysis_seconds
   State state = State::untouched;
-  std::string message;              ///< why it failed or was not run
-  std::string model;                ///< digest of the model it solves; empty: there is none
-  std::string results;              ///< digest of what was compared with the reference, or empty
-  std::vector<double> cpu_seconds;  ///< one for each repetition, of `clock`: time_afresh()
-  Segments segments;                ///< of all analyses
-  double analysis_seconds = 0;      ///< of the one that was verified
-  Errors errors;                    ///< from the reference
-  double setup_seconds = 0;         ///< CPU: analysis, ordering, allocation
+  std::string message;          ///< why it failed or was not run
+  std::string model;            ///< digest of the model it solves; empty: there is none
+  std::string results;          ///< digest of what was compared with the reference, or empty
+  std::vector<double> seconds;  ///< one for each repetition: time_afresh()
+  TimingWindows windows;        ///< of all analyses
+  double analysis_seconds = 0;  ///< of the one that was verified
+  Errors errors;                ///< from the reference
+  double setup_seconds = 0;     ///< CPU: analysis, ordering, allocation
   double iterations_per_step = 0, residual = 0;
 
  protected:
-  explicit Timed(const TimeGrid& instants, int on_threads = 1)
+  /// Several threads are timed by the wall clock, whatever `by` says.
+  explicit Timed(const TimeGrid& instants, int on_threads = 1, Clock by = Clock::cpu)
       : grid(instants),
         threads(on_threads),
-        clock(on_threads > 1 ? Clock::wall : Clock::cpu),
-        segments(instants.instants, clock) {}
+        clock(on_threads > 1 ? Clock::wall : by),
+        windows(instants.instants, clock) {}
 
   /// Makes what analyse() runs and assembles it once.
   virtual void make() = 0;
   virtual void discard() = 0;
 
-  /// Where there are several threads, solves until they are awake, on processors that are: from
-  /// asleep that may take as long as a motion, and longer where the processors are not the
-  /// system's own.
+  /// By the wall clock, solves until threads are awake, on processors that are: from asleep that
+  /// may take as long as a motion, and longer where the processors are not the system's own. One
+  /// thread that several are compared with is treated alike.
   void wake_threads(const std::function<void()>& solve) const;
 
   void fail(std::string why) { stop(State::failed, std::move(why)); }

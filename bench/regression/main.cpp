@@ -85,7 +85,7 @@ Json verified(const std::vector<Side>& sides, const std::vector<std::string>& ce
 std::vector<std::string> sound_cells(std::vector<std::string> sound, const Json& check,
                                      const std::vector<Side>& sides) {
   for (const Side& side : sides)
-    for (const Json& cell : check[side.name]["cells"])
+    for (const Json& cell : check[side.name]["paper"]["cells"])
       if (cell["status"] != "ok") std::erase(sound, name_of(cell));
   return sound;
 }
@@ -103,19 +103,19 @@ void add_times(Json& check, const std::string& pass, const Times& times) {
   }
   for (const auto& [side, seconds] : times.at(control)) append(check[control][side], seconds);
   for (const auto& [side, ignored] : times.at(control))
-    for (Json& cell : check[side]["cells"]) {
+    for (Json& cell : check[side]["paper"]["cells"]) {
       const auto timed = times.find(name_of(cell));
       if (timed == times.end()) continue;
-      append(cell["cpu_seconds"], timed->second.at(side));
-      cell["repetitions"] = cell["cpu_seconds"].size();
+      cell["time"]["clock"] = "cpu";
+      append(cell["time"]["seconds"], timed->second.at(side));
     }
 }
 
 /// A sound cell has no time when it was not timed, for whatever reason.
 void mark_untimed(Json& check, const std::vector<Side>& sides) {
   for (const Side& side : sides)
-    for (Json& cell : check[side.name]["cells"]) {
-      if (cell["status"] != "ok" || cell.contains("cpu_seconds")) continue;
+    for (Json& cell : check[side.name]["paper"]["cells"]) {
+      if (cell["status"] != "ok" || cell.contains("time")) continue;
       cell["status"] = "not_run";
       cell["message"] = "verified, not timed";
     }
@@ -133,7 +133,7 @@ Json counted(const std::vector<std::string>& cells, const std::vector<Side>& sid
 
 void measure(const Options& o) {
   const std::vector<Side> sides = sides_of(o);
-  Json check = {{"schema", "desmo-check"}, {"version", suite::schema_version}};
+  Json check = {{"schema", "desmo-check"}, {"schema_version", suite::schema_version}};
   check["settings"] = {{"seed", o.seed}, {"turns", turns}, {"repetitions", repetitions}};
   if (!o.slow.empty()) check["settings"]["slowed"] = o.slow;
   check.update(verified(sides, o.cells));

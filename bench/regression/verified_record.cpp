@@ -46,12 +46,12 @@ std::string verified_record(int instants, const std::vector<std::string>& cells)
   options.duration = options.step * (instants - 1);
   const TimeGrid grid{0, options.step, instants};
   const suite::Run run{suite::utc_now(), "desmo_probe", suite::load_averages(), {}};
-  Json record = {{"schema", "desmo-results"}, {"version", suite::schema_version}};
+  Json record = {{"schema", "desmo-results"}, {"schema_version", suite::schema_version}};
   record["record"] = suite::environment_json(run, grid);
-  record["cells"] = Json::array();
+  Json& list = record["paper"]["cells"] = Json::array();
   suite::ReferenceCache references;
   for (const std::string& cell : cells)
-    record["cells"].push_back(verified(parse_cell(cell), options, references));
+    list.push_back(verified(parse_cell(cell), options, references));
   return record.dump();
 }
 

@@ -2,15 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "report/check/check_reader.h"
-#include "report/check/judgement.h"
+#include "report/check/trials.h"
 #include "report/json_document.h"
-#include "report/json_node.h"
 
 namespace desmo::report {
 namespace {
@@ -45,85 +41,40 @@ struct Tally {
   int trials = 0, shown = 0, inconclusive = 0;
 };
 
-/// The only cell with this outcome; empty when there are none or several.
-template <class Findings>
-std::string only(const Findings& findings, Outcome outcome) {
-  const auto has = [outcome](const auto& f) { return f.outcome == outcome; };
-  if (std::ranges::count_if(findings, has) != 1) return {};
-  return std::ranges::find_if(findings, has)->cell;
+bool is_only(const std::vector<std::string>& cells, const std::string& cell) {
+  return cells.size() == 1 && cells.front() == cell;
 }
 
-bool is_shown(Shows shows, const Judgement& j, const std::string& cell) {
+bool is_shown(Shows shows, const Trial& t) {
+  const bool regression = t.verdict == "regression", pass = t.verdict == "pass";
   switch (shows) {
     case Shows::no_alarm:
-      return j.verdict == Verdict::pass || j.verdict == Verdict::inconclusive;
+      return pass || t.verdict == "inconclusive";
     case Shows::slower:
-      return j.verdict == Verdict::regression && only(j.time.cells, Outcome::regression) == cell;
+      return regression && is_only(t.slower, t.cell);
     case Shows::more_work:
-      return j.verdict == Verdict::regression && only(j.work.cells, Outcome::regression) == cell;
+      return regression && is_only(t.more_work, t.cell);
     case Shows::faster:
-      return j.verdict == Verdict::pass && only(j.time.cells, Outcome::gain) == cell;
+      return pass && is_only(t.faster, t.cell);
   }
   return false;
 }
 
-class Trials {
- public:
-  void add(const JsonNode& line) {
-    const JsonNode trial = line["trial"];
-    const std::string kind = trial["kind"].text(), load = trial["load"].text();
+using Tallies = std::array<Tally, claims.size()>;
+
+Tallies tallied(const std::vector<Trial>& trials) {
+  Tallies tallies{};
+  for (const Trial& trial : trials) {
     const auto claim = std::ranges::find_if(
-        claims, [&](const Claim& c) { return kind == c.kind && load == c.load; });
-    if (claim == claims.end()) trial.complain("no such trial: " + kind + ", " + load);
-    const CheckRecord check = read_check(line["check"]);
-    require_same_machine(check.head);
-    const Judgement judgement = judge(check);
-    Tally& tally = tallies_[static_cast<std::size_t>(claim - claims.begin())];
+        claims, [&](const Claim& c) { return trial.kind == c.kind && trial.load == c.load; });
+    if (claim == claims.end())
+      throw InvalidRecord("no such trial: " + trial.kind + ", " + trial.load);
+    Tally& tally = tallies[static_cast<std::size_t>(claim - claims.begin())];
     ++tally.trials;
-    tally.shown += is_shown(claim->shows, judgement, trial.find_text("cell").value_or(""));
-    tally.inconclusive += judgement.verdict == Verdict::inconclusive;
+    tally.shown += is_shown(claim->shows, trial);
+    tally.inconclusive += trial.verdict == "inconclusive";
   }
-
-  const std::optional<Record>& first() const { return first_; }
-  const Tally& tally(std::size_t claim) const { return tallies_[claim]; }
-
- private:
-  void require_same_machine(const Record& record) {
-    if (!first_) first_ = record;
-    if (first_->machine.cpu != record.machine.cpu ||
-        first_->build.compiler != record.build.compiler ||
-        first_->build.flags != record.build.flags)
-      throw MixedRecord("trials of different machines or compilers do not make one certificate");
-  }
-
-  std::array<Tally, claims.size()> tallies_{};
-  std::optional<Record> first_;
-};
-
-Trials read_trials(const std::string& text) {
-  Trials trials;
-  int number = 0;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    const std::string row = text.substr(begin, end - begin);
-    begin = end + 1;
-    ++number;
-    if (row.find_first_not_of(" \t\r") == row.npos) continue;  // as JSON Lines are read elsewhere
-    const auto named = [&](const InvalidRecord& error) {
-      return "line " + std::to_string(number) + ": " + error.what();
-    };
-    try {
-      const nlohmann::json line = parse_json(row);
-      trials.add(JsonNode(line));
-    } catch (const MixedRecord& error) {
-      throw MixedRecord(named(error));
-    } catch (const UnsupportedVersion& error) {
-      throw UnsupportedVersion(named(error));
-    } catch (const InvalidRecord& error) {
-      throw InvalidRecord(named(error));
-    }
-  }
-  return trials;
+  return tallies;
 }
 
 Entry number(int value) {
@@ -135,6 +86,7 @@ Entry number(int value) {
 
 Certificate read_certificate(const std::filesystem::path& file) {
   const Trials trials = read_trials(read_whole(file));
+  const Tallies tallies = tallied(trials.all);
   Certificate certificate{true, false, {}};
   Table table{.name = "certificate",
               .title = "What the trials show",
@@ -151,7 +103,7 @@ Certificate read_certificate(const std::filesystem::path& file) {
               .rows = {}};
   for (std::size_t i = 0; i < claims.size(); ++i) {
     const Claim& c = claims[i];
-    const Tally& t = trials.tally(i);
+    const Tally& t = tallies[i];
     const bool refuted = t.trials - t.shown > c.misses, enough = t.trials >= c.trials;
     certificate.refuted = certificate.refuted || refuted;
     certificate.holds = certificate.holds && enough && !refuted;
@@ -167,10 +119,9 @@ Certificate read_certificate(const std::filesystem::path& file) {
                                         : "Trials are missing",
                   {},
                   {std::move(table)}};
-  if (const auto& first = trials.first())
-    section.paragraphs.push_back("From " + first->date + " on, " + first->machine.cpu + ", " +
-                                 std::to_string(first->machine.cores) + " cores, " +
-                                 first->build.compiler + ".");
+  if (const auto& head = trials.head)
+    section.paragraphs.push_back("From " + head->date + " on, " + head->cpu + ", " +
+                                 std::to_string(head->cores) + " cores, " + head->compiler + ".");
   certificate.document = {"Certificate of the regression check", {std::move(section)}};
   return certificate;
 }

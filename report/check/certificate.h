@@ -13,9 +13,8 @@ struct Certificate {
   Document document;
 };
 
-/// Reads the trials, a line each: {"trial": {"kind", "load", "cell"?}, "check": ...}, blank lines
-/// aside, and judges each check anew. Throws InvalidRecord, naming the line; MixedRecord when
-/// trials are of different machines or compilers; UnreadableFile.
+/// Reads the trials (report/check/trials.h) and counts what they show. Throws InvalidRecord, naming
+/// the line, and UnreadableFile.
 Certificate read_certificate(const std::filesystem::path& file);
 
 }  // namespace desmo::report

@@ -52,14 +52,14 @@ void check_pairs(const CheckRecord& check, const JsonNode& root) {
   for (const auto& [key, head] : check.head.cells) {
     const auto base = check.base->cells.find(key);
     if (base == check.base->cells.end())
-      root["base"].complain("the cell " + cell_name(key) + " of head is missing");
+      root["base"].complain("the cell " + name_of(key) + " of head is missing");
     if (base->second.status == Status::ok && head.status == Status::ok &&
-        base->second.cpu_seconds.size() != head.cpu_seconds.size())
-      root["head"].complain("the cell " + cell_name(key) + " has another number of rounds in base");
+        base->second.time.seconds.size() != head.time.seconds.size())
+      root["head"].complain("the cell " + name_of(key) + " has another number of rounds in base");
   }
   for (const auto& [key, base] : check.base->cells)
     if (!check.head.cells.contains(key))
-      root["head"].complain("the cell " + cell_name(key) + " of base is missing");
+      root["head"].complain("the cell " + name_of(key) + " of base is missing");
 }
 
 // Its answers are right, whether it was timed or not.
@@ -69,10 +69,10 @@ bool is_sound(const Cell& cell) { return cell.status != Status::failed && cell.v
 void check_complete(const CheckRecord& check, const JsonNode& root) {
   const JsonNode head = root["head"];
   const bool timed = root.find(control_name).has_value();
-  if (check.head.cells.empty()) head["cells"].complain("at least one cell is needed");
+  if (check.head.cells.empty()) head["paper"]["cells"].complain("at least one cell is needed");
   if (!timed && !check.work) root.complain("nothing was measured: neither times nor work");
   for (const auto& [key, cell] : check.head.cells) {
-    const std::string name = cell_name(key);
+    const std::string name = name_of(key);
     if (cell.status == Status::failed) continue;
     if (!is_sound(cell)) head.complain("the cell " + name + " was not run: " + cell.message);
     if (check.base && !is_sound(check.base->cells.at(key))) continue;

@@ -41,9 +41,4 @@ struct CheckRecord {
   std::string slowed;  ///< what was made slower on purpose, SIDE:CELL:PERCENT; empty: nothing
 };
 
-/// "<case>/<coordinates>/<id>".
-inline std::string cell_name(const CellKey& key) {
-  return key.case_name + "/" + std::to_string(key.coordinates) + "/" + key.id;
-}
-
 }  // namespace desmo::report

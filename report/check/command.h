@@ -19,12 +19,13 @@ struct CheckCommand {
 int run(const CheckCommand& command);
 
 struct CertificateCommand {
-  std::string file;  ///< written by bench/check --certify
+  std::string file;   ///< the trials, written by bench/check --certify
+  std::string added;  ///< a trial to be judged and added; empty: none
   std::string format = "terminal";
 };
 
-/// Prints what a certificate shows. Returns 0 when every claim holds, 1 when one does not, 3 when
-/// trials are missing, and otherwise as run(CheckCommand).
+/// Prints what a certificate shows, or adds a trial to it and prints nothing. Returns 0 when every
+/// claim holds, 1 when one does not, 3 when trials are missing, and otherwise as run(CheckCommand).
 int run(const CertificateCommand& command);
 
 }  // namespace desmo::report

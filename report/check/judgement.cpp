@@ -9,7 +9,7 @@ namespace {
 /// has.
 void exclude(Judgement& j, const CheckRecord& check, const Record& then) {
   for (const auto& [key, head] : check.head.cells) {
-    const std::string name = cell_name(key);
+    const std::string name = name_of(key);
     const auto before = then.cells.find(key);
     if (head.status == Status::failed)
       j.invalid.push_back({name, head.message});
@@ -21,7 +21,7 @@ void exclude(Judgement& j, const CheckRecord& check, const Record& then) {
       j.excluded.push_back({name, "new: " + before->second.message});
   }
   for (const auto& [key, cell] : then.cells)
-    if (!check.head.cells.contains(key)) j.missing.push_back(cell_name(key));
+    if (!check.head.cells.contains(key)) j.missing.push_back(name_of(key));
 }
 
 template <class Findings>

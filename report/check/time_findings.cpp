@@ -16,9 +16,9 @@ Pass first_pass(const CheckRecord& check) {
   for (const auto& [key, head] : check.head.cells) {
     if (head.status != Status::ok) continue;
     if (!check.base) {
-      pass[cell_name(key)] = {{}, head.cpu_seconds};
+      pass[name_of(key)] = {{}, head.time.seconds};
     } else if (const Cell& base = check.base->cells.at(key); base.status == Status::ok) {
-      pass[cell_name(key)] = {base.cpu_seconds, head.cpu_seconds};
+      pass[name_of(key)] = {base.time.seconds, head.time.seconds};
     }
   }
   if (!pass.empty()) pass[control_name] = check.control;

@@ -47,8 +47,8 @@ ExtremeResult read_result(const JsonNode& node) {
 
 }  // namespace
 
-void read_extremes(Record& record, const JsonNode& root) {
-  if (const auto rows = root.find("extreme_rows"))
+void read_extremes(Record& record, const JsonNode& section) {
+  if (const auto rows = section.find("rows"))
     for (const JsonNode& node : rows->elements()) {
       record.extreme_rows.push_back({node["row"].integer(1), node["name"].text(),
                                      node["extreme"].text(), node["expected"].text()});
@@ -57,14 +57,14 @@ void read_extremes(Record& record, const JsonNode& root) {
         node.complain("row " + std::to_string(record.extreme_rows.back().number) +
                       " is given twice");
     }
-  const auto results = root.find("extremes");
+  const auto results = section.find("results");
   if (!results) return;
   std::set<std::tuple<std::int64_t, std::string, std::string>> seen;
   for (const JsonNode& node : results->elements()) {
     record.extremes.push_back(read_result(node));
     const ExtremeResult& r = record.extremes.back();
     if (!std::ranges::count(record.extreme_rows, r.row, &ExtremeRow::number))
-      node["row"].complain("\"extreme_rows\" has no row " + std::to_string(r.row));
+      node["row"].complain("\"rows\" has no row " + std::to_string(r.row));
     if (!seen.emplace(r.row, r.case_name, r.id).second)
       node.complain(r.id + " in \"" + r.case_name + "\" is given twice");
   }

@@ -6,8 +6,8 @@
 
 namespace desmo::report {
 
-/// Reads `extreme_rows` and `extremes`, where there are any: each row, and each of its cases in
-/// each formulation, once. Throws InvalidRecord.
-void read_extremes(Record& record, const JsonNode& root);
+/// Reads the section `extremes`, `rows` and `results`: each row, and each of its cases in each
+/// formulation, once. Throws InvalidRecord.
+void read_extremes(Record& record, const JsonNode& section);
 
 }  // namespace desmo::report

@@ -1,4 +1,4 @@
-// The table of extremes as a record holds it (since 1.7.0): plain data.
+// The table of extremes as a record holds it: plain data.
 #pragma once
 
 #include <array>

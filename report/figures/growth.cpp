@@ -6,29 +6,37 @@
 #include "report/digits.h"
 #include "report/embedded.h"
 #include "report/figures/legend.h"
-#include "report/sizes/caches.h"
-#include "report/tables/sizes.h"
+#include "report/size/caches.h"
+#include "report/tables/size.h"
 
 namespace desmo::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t panel = 0, id = 1, coordinates = 2, time = 3, cost = 4, memory = 5;
+/// Columns of the table that is drawn.
+enum GrowthColumn : std::size_t {
+  panel_column,
+  id_column,
+  coordinates_column,
+  time_column,
+  cost_column,
+  memory_column,
+};
 
 Json number(const Entry& entry) {
   return entry.has_number() ? Json::parse(entry.digits[0]) : Json();
 }
 
 Json mark(const std::vector<Entry>& row) {
-  return {{"panel", row[panel].shown},
-          {"id", row[id].shown},
-          {"coordinates", Json::parse(row[coordinates].shown)},
-          {"kibibytes", number(row[memory])},
-          {"nanoseconds", number(row[cost])},
-          {"shown", row[time].shown},
-          {"shown_cost", row[cost].shown},
-          {"shown_memory", row[memory].shown}};
+  return {{"panel", row[panel_column].shown},
+          {"id", row[id_column].shown},
+          {"coordinates", Json::parse(row[coordinates_column].shown)},
+          {"kibibytes", number(row[memory_column])},
+          {"nanoseconds", number(row[cost_column])},
+          {"shown", row[time_column].shown},
+          {"shown_cost", row[cost_column].shown},
+          {"shown_memory", row[memory_column].shown}};
 }
 
 }  // namespace
@@ -38,9 +46,9 @@ Rendered growth_figure(const Record& record) {
   Json spec = Json::parse(embedded::growth), data = Json::array();
   std::set<std::string> measured, panels;
   for (const auto& row : table.rows) {
-    measured.insert(row[id].shown);
-    panels.insert(row[panel].shown);
-    if (row[time].has_number()) data.push_back(mark(row));
+    measured.insert(row[id_column].shown);
+    panels.insert(row[panel_column].shown);
+    if (row[time_column].has_number()) data.push_back(mark(row));
   }
   for (const std::string& name : panels)
     for (const Cache& cache : data_caches(record.machine)) {

@@ -91,5 +91,22 @@ async function bring(figure) {
   figure.dataset.state = 'live';
 }
 
+// A figure in a closed section has no width: it begins to answer when the section is opened.
+function bringWhenSeen(figure) {
+  const closed = figure.parentElement.closest('details:not([open])');
+  if (closed) closed.addEventListener('toggle', () => bringWhenSeen(figure), {once: true});
+  else bring(figure);
+}
+
+// On paper everything is open.
+let closedBefore = [];
+window.addEventListener('beforeprint', () => {
+  closedBefore = [...document.querySelectorAll('details:not([open])')];
+  for (const details of closedBefore) details.open = true;
+});
+window.addEventListener('afterprint', () => {
+  for (const details of closedBefore) details.open = false;
+});
+
 document.body.append(hint);
-document.querySelectorAll('figure').forEach(bring);
+document.querySelectorAll('figure').forEach(bringWhenSeen);

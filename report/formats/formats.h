@@ -12,6 +12,10 @@ namespace desmo::report {
 /// Aligned text for people; leaves out tables of detail and says so. UTF-8.
 std::string to_terminal(const Document& document);
 
+/// What stands in front, for the end of a run: at most 60 lines of at most 100 characters for one
+/// experiment.
+std::string front_to_terminal(const Document& document);
+
 /// {"schema": "desmo-tables", "version", "title", "sections": [{"title", "paragraphs", "tables":
 /// [{"name", "title", "notes", "columns", "rows"}]}]}. A row is an object by column; a place is a
 /// string (text column) or an object with the column's quantities, null where there is no number,

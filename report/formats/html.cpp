@@ -43,12 +43,23 @@ std::string note_html(const std::string& note) {
   return element("span class=\"" + kind + "\"", html_text(note));
 }
 
+// An id breaks after "_" and "/", and nowhere else.
+std::string breakable(const std::string& text) {
+  std::string result;
+  for (const char c : html_text(text)) {
+    result += c;
+    if (c == '_' || c == '/') result += "<wbr>";
+  }
+  const bool is_id = text.find('_') != std::string::npos && text.find(' ') == std::string::npos;
+  return is_id ? element("span class=\"id\"", result) : result;
+}
+
 // The number foremost, its interval and its note behind it: the characters of Entry::shown.
 std::string entry_html(const Entry& entry) {
   if (!entry.note.empty() && entry.shown == entry.note) return note_html(entry.note);
   if (!entry.has_number() || entry.digits.front().empty() ||
       !entry.shown.starts_with(entry.digits.front()))
-    return html_text(entry.shown);
+    return breakable(entry.shown);
   std::string rest = entry.shown.substr(entry.digits.front().size()), note;
   if (!entry.note.empty() && rest.ends_with(entry.note)) {
     rest.resize(rest.size() - entry.note.size());
@@ -60,13 +71,6 @@ std::string entry_html(const Entry& entry) {
     rest =
         element(interval ? "span class=\"rest interval\"" : "span class=\"rest\"", html_text(rest));
   return entry.digits.front() + rest + note;
-}
-
-// An id may break after its underscores.
-std::string breakable(const std::string& text) {
-  std::string result;
-  for (const char c : html_text(text)) result += c == '_' ? "_<wbr>" : std::string(1, c);
-  return result;
 }
 
 std::string header_html(const Table& table) {
@@ -106,7 +110,7 @@ std::string table_html(const Table& table) {
   return "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-labelledby=\"" + caption +
          "\">\n<table id=\"" + table.name + (table.figure ? "-data" : "") + "\"" +
          (row_width(table) > most_in_line ? " class=\"wide\"" : "") + ">\n" +
-         element("caption id=\"" + caption + "\"", html_text(table.title)) + "\n" +
+         element("caption id=\"" + caption + "\"", element("span", html_text(table.title))) + "\n" +
          header_html(table) + rows_html(table) + "</table>\n</div>\n";
 }
 
@@ -143,24 +147,46 @@ std::string paragraphs_html(const Section& section) {
   return list ? "<ul>\n" + text + "</ul>\n" : text;
 }
 
-std::string section_html(const Section& section, const std::string& id) {
-  std::string text = "<section id=\"" + id + "\" aria-labelledby=\"" + id + "-title\">\n" +
-                     element("h2 id=\"" + id + "-title\"", html_text(section.title)) + "\n" +
-                     paragraphs_html(section);
+std::string blocks_html(const Section& section) {
+  std::string text = paragraphs_html(section);
   for (const Table& table : section.tables) text += block_html(table);
-  return text + "</section>\n";
+  return text;
+}
+
+// Open, with everything that it has on the first screen.
+std::string front_html(const Section& section, const std::string& id) {
+  return "<section class=\"front\" id=\"" + id + "\" aria-labelledby=\"" + id + "-title\">\n" +
+         element("h2 id=\"" + id + "-title\"", html_text(section.title)) +
+         "\n<div class=\"words\">\n" + paragraphs_html(section) + "</div>\n" +
+         blocks_html({{}, {}, section.tables}) + "</section>\n";
+}
+
+// Folded, under its title.
+std::string section_html(const Section& section, const std::string& id) {
+  return "<details class=\"section\" id=\"" + id + "\"" + (section.front ? " open" : "") +
+         ">\n<summary>" + element("h3", html_text(section.title)) + "</summary>\n" +
+         blocks_html(section) + "</details>\n";
+}
+
+std::string sections_html(const Document& document) {
+  std::string text, chapter;
+  for (std::size_t i = 0; i < document.sections.size(); ++i) {
+    const Section& section = document.sections[i];
+    const std::string id = "section-" + std::to_string(i + 1);
+    if (i == 0 && section.front) {
+      text += front_html(section, id);
+      continue;
+    }
+    if (section.chapter != chapter) text += element("h2", html_text(section.chapter)) + "\n";
+    chapter = section.chapter;
+    text += section_html(section, id);
+  }
+  return text;
 }
 
 }  // namespace
 
 std::string to_html(const Document& document) {
-  std::string links, sections;
-  for (std::size_t i = 0; i < document.sections.size(); ++i) {
-    const Section& section = document.sections[i];
-    const std::string id = "section-" + std::to_string(i + 1);
-    links += "<li><a href=\"#" + id + "\">" + html_text(section.title) + "</a></li>\n";
-    sections += section_html(section, id);
-  }
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
          "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src "
@@ -171,9 +197,8 @@ std::string to_html(const Document& document) {
          std::string(embedded::page_style) +
          "</style>\n</head>\n<body>\n<a class=\"skip\" href=\"#content\">Skip to the content</a>\n"
          "<header>" +
-         element("h1", html_text(document.title)) +
-         "</header>\n<nav aria-label=\"Contents\"><ol>\n" + links +
-         "</ol></nav>\n<main id=\"content\">\n" + sections +
+         element("h1", html_text(document.title)) + "</header>\n<main id=\"content\">\n" +
+         sections_html(document) +
          "</main>\n<!-- scripts -->\n<!-- end of scripts -->\n</body>\n</html>\n";
 }
 

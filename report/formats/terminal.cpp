@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <numeric>
 
 #include "report/formats/formats.h"
 
@@ -24,49 +25,138 @@ std::string wrapped(const std::string& text, const std::string& indent) {
   return result + line + "\n";
 }
 
+// What stays on one line: words, and parts of an id up to "/"; an interval is a word.
+std::vector<std::string> pieces(const std::string& text) {
+  std::vector<std::string> result{""};
+  bool inside = false;
+  for (const char c : text) {
+    result.back() += c;
+    inside = c == '[' || (inside && c != ']');
+    if (!inside && (c == ' ' || c == '/')) result.emplace_back();
+  }
+  return result;
+}
+
+std::string without_last_space(std::string text) {
+  if (text.ends_with(' ')) text.pop_back();
+  return text;
+}
+
+std::size_t longest_piece(const std::string& text) {
+  std::size_t longest = 0;
+  for (const std::string& piece : pieces(text))
+    longest = std::max(longest, characters(without_last_space(piece)));
+  return longest;
+}
+
+// An entry in lines of at most so many characters, as far as its pieces allow.
+std::vector<std::string> lines_of(const std::string& text, std::size_t width) {
+  std::vector<std::string> lines{""};
+  for (const std::string& piece : pieces(text)) {
+    if (!lines.back().empty() &&
+        characters(lines.back()) + characters(without_last_space(piece)) > width) {
+      lines.back() = without_last_space(lines.back());
+      lines.emplace_back();
+    }
+    lines.back() += piece;
+  }
+  lines.back() = without_last_space(lines.back());
+  return lines;
+}
+
+// Of each column, so that a row fits into a line; wider where its pieces are.
+std::vector<std::size_t> column_widths(const Table& table) {
+  std::vector<std::size_t> widths, least;
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    widths.push_back(characters(table.columns[i].name));
+    least.push_back(longest_piece(table.columns[i].name));
+    for (const auto& row : table.rows) {
+      widths[i] = std::max(widths[i], characters(row[i].shown));
+      least[i] = std::max(least[i], longest_piece(row[i].shown));
+    }
+  }
+  while (std::accumulate(widths.begin(), widths.end(), 2 * widths.size()) > line_width) {
+    std::size_t widest = widths.size();
+    for (std::size_t i = 0; i < widths.size(); ++i)
+      if (widths[i] > least[i] && (widest == widths.size() || widths[i] > widths[widest]))
+        widest = i;
+    if (widest == widths.size()) break;
+    --widths[widest];
+  }
+  return widths;
+}
+
 std::string aligned(const std::string& text, std::size_t room, bool right, bool last) {
   const std::string space(room - std::min(room, characters(text)), ' ');
   if (right) return space + text;
   return last ? text : text + space;
 }
 
+std::string without_spaces_at_the_end(std::string text) {
+  text.resize(text.find_last_not_of(' ') + 1);
+  return text;
+}
+
 std::string terminal_table(const Table& table) {
-  std::vector<std::size_t> widths;
-  for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    widths.push_back(characters(table.columns[i].name));
-    for (const auto& row : table.rows) widths[i] = std::max(widths[i], characters(row[i].shown));
-  }
-  const auto line = [&](auto text_of) {
+  const std::vector<std::size_t> widths = column_widths(table);
+  const auto row_of = [&](auto text_of) {
+    std::vector<std::vector<std::string>> entries;
+    std::size_t height = 0;
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+      entries.push_back(lines_of(text_of(i), widths[i]));
+      height = std::max(height, entries.back().size());
+    }
     std::string result;
-    for (std::size_t i = 0; i < widths.size(); ++i)
-      result += "  " + aligned(text_of(i), widths[i], !table.columns[i].quantities.empty(),
-                               i + 1 == widths.size());
-    return result + "\n";
+    for (std::size_t line = 0; line < height; ++line) {
+      std::string text;
+      for (std::size_t i = 0; i < widths.size(); ++i)
+        text += "  " + aligned(line < entries[i].size() ? entries[i][line] : "", widths[i],
+                               !table.columns[i].quantities.empty(), i + 1 == widths.size());
+      result += without_spaces_at_the_end(std::move(text)) + "\n";
+    }
+    return result;
   };
   std::string text = wrapped(table.title, "  ") + "\n";
-  text += line([&](std::size_t i) { return table.columns[i].name; });
-  text += line([&](std::size_t i) { return std::string(widths[i], '-'); });
-  for (const auto& row : table.rows) text += line([&](std::size_t i) { return row[i].shown; });
+  text += row_of([&](std::size_t i) { return table.columns[i].name; });
+  text += row_of([&](std::size_t i) { return std::string(widths[i], '-'); });
+  for (const auto& row : table.rows) text += row_of([&](std::size_t i) { return row[i].shown; });
   for (const std::string& note : table.notes) text += wrapped(note, "  ");
+  return text;
+}
+
+std::string underlined(const std::string& title, char line) {
+  return title + "\n" + std::string(characters(title), line) + "\n";
+}
+
+std::string terminal_section(const Section& section) {
+  std::string text = "\n" + underlined(section.title, '-'), left_out;
+  for (const std::string& paragraph : section.paragraphs) text += "\n" + wrapped(paragraph, "");
+  for (const Table& table : section.tables) {
+    if (table.detail)
+      left_out += (left_out.empty() ? "" : ", ") + table.name;
+    else
+      text += "\n" + terminal_table(table);
+  }
+  if (!left_out.empty()) text += "\n" + wrapped("In the other formats only: " + left_out + ".", "");
   return text;
 }
 
 }  // namespace
 
 std::string to_terminal(const Document& document) {
-  std::string text = document.title + "\n" + std::string(characters(document.title), '=') + "\n";
+  std::string text = underlined(document.title, '=');
+  for (const Section& section : document.sections) text += terminal_section(section);
+  return text;
+}
+
+std::string front_to_terminal(const Document& document) {
+  std::string text = underlined(document.title, '=');
   for (const Section& section : document.sections) {
-    text += "\n" + section.title + "\n" + std::string(characters(section.title), '-') + "\n";
-    for (const std::string& paragraph : section.paragraphs) text += "\n" + wrapped(paragraph, "");
-    std::string left_out;
-    for (const Table& table : section.tables) {
-      if (table.detail)
-        left_out += (left_out.empty() ? "" : ", ") + table.name;
-      else
-        text += "\n" + terminal_table(table);
-    }
-    if (!left_out.empty())
-      text += "\n" + wrapped("In the other formats only: " + left_out + ".", "");
+    if (!section.front) continue;
+    text += "\n";
+    for (const std::string& paragraph : section.paragraphs) text += wrapped(paragraph, "");
+    for (const Table& table : section.tables)
+      if (!table.detail) text += "\n" + terminal_table(table);
   }
   return text;
 }

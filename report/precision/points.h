@@ -1,4 +1,4 @@
-// Time against error, as a record holds it (since 1.5.0): plain data.
+// Time against error, as a record holds it: plain data.
 #pragma once
 
 #include <compare>

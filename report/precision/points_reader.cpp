@@ -1,5 +1,7 @@
 #include "report/precision/points_reader.h"
 
+#include "report/time_reader.h"
+
 namespace desmo::report {
 namespace {
 
@@ -54,13 +56,6 @@ Configuration read_configuration(const JsonNode& node) {
   node.complain("\"" + id + "\" is not a formulation with settings, /key:value, each once");
 }
 
-std::vector<double> read_seconds(const JsonNode& node) {
-  std::vector<double> seconds;
-  for (const JsonNode& sample : node.elements()) seconds.push_back(sample.sample());
-  if (seconds.empty()) node.complain("an \"ok\" point needs at least one sample");
-  return seconds;
-}
-
 Point read_point(const JsonNode& node) {
   Point point{.configuration = read_configuration(node["id"]),
               .status = read_point_status(node["status"]),
@@ -74,7 +69,7 @@ Point read_point(const JsonNode& node) {
   point.error = read_errors(node["error"]);
   point.violation = read_errors(node["violation"]);
   point.iterations_per_step = node["iterations_per_step"].not_negative();
-  point.seconds_per_step = read_seconds(node["seconds_per_step"]);
+  point.seconds_per_step = read_cpu_seconds(node["time_per_step"]);
   if (point.error.position) return point;
   point.status = Point::Status::failed;
   point.message = "the positions found are beyond all measure";
@@ -89,13 +84,13 @@ std::string described(const SeriesKey& series) {
 
 }  // namespace
 
-void read_points(Record& record, const JsonNode& root) {
-  if (const auto floors = root.find("floors"))
+void read_points(Record& record, const JsonNode& section) {
+  if (const auto floors = section.find("floors"))
     for (const JsonNode& node : floors->elements())
       if (const SeriesKey key = read_series(node);
           !record.floors.emplace(key, read_floor(node)).second)
         node.complain("the floor of " + described(key) + " is given twice");
-  const auto points = root.find("precision");
+  const auto points = section.find("points");
   if (!points) return;
   for (const JsonNode& node : points->elements()) {
     const PointKey key{read_series(node), node["id"].text()};

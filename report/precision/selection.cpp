@@ -4,7 +4,7 @@
 #include <set>
 
 #include "report/digits.h"
-#include "report/measurements.h"
+#include "report/entries.h"
 
 namespace desmo::report {
 
@@ -80,7 +80,8 @@ SpeedUp step_ratio(const std::vector<double>& reference, const std::vector<doubl
           .low = a.seconds / b.again,
           .high = a.again / b.seconds,
           .percent = 100 * (1 - b.seconds / a.seconds),
-          .spread = std::min(reference.size(), variant.size()) > 1};
+          .repetitions = std::min(reference.size(), variant.size()),
+          .spread = std::min(reference.size(), variant.size()) >= fewest_for_interval};
 }
 
 SpeedUp speed_up(const NamedPoint& reference, const NamedPoint& variant) {

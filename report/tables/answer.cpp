@@ -1,98 +1,126 @@
-// The question, what the numbers answer, and what was fastest of all: one sentence each.
-#include <functional>
+// The front of the report: what the paper found, what this record says of it, what gains. Fixed
+// sentences with numbers in them, and two tables.
+#include <algorithm>
 
 #include "report/digits.h"
 #include "report/measurements.h"
 #include "report/paper.h"
+#include "report/tables/best.h"
 #include "report/tables/tables.h"
-#include "report/tables/verdicts.h"
+#include "report/variants.h"
 
 namespace desmo::report {
 namespace {
 
-std::string best_name() { return std::string(variants[paper_ranking().front()].paper_name); }
+constexpr std::size_t papers_best = 6;  // TS-TPS_LAP, in `variants`
+constexpr std::size_t fewest_repetitions = 3;
 
-std::string question() {
-  return "Is a mechanism solved faster one structural group after the other than all at once, as a "
-         "paper found, whose best variant, " +
-         best_name() + ", was " + published_speed_up().text("mean", best_name()) +
-         " times as fast as its global reference with the sparse solver MA27?";
-}
+constexpr const char* finding =
+    "The speed-up that the paper found depends on the solver underneath, not on the topology; what "
+    "gains is generating the elimination.";
 
-std::string answer_of(const Record& record) {
-  const std::vector<Family> families = judged_families(record);
-  const std::string here = " that speed-up is " + best_by_family(families) + ".";
-  switch (agreement(record, families)) {
-    case Agreement::depends_on_solver:
-      return "It depends on the sparse solver in the global reference: here" + here;
-    case Agreement::as_the_paper:
-      return "Yes, and for the paper's reasons, with every sparse solver that can be judged: here" +
-             here;
-    case Agreement::not_as_the_paper:
-      return "Not in every point as the paper found, whichever sparse solver can be judged: here" +
-             here;
-    case Agreement::nothing_judged:
-      break;
+constexpr const char* not_shown = "The filed records say, and this one does not show: ";
+
+std::string two_digits(double value) { return write(value, significant_digits(value, 2)); }
+
+/// The mean speed-up of the paper's best variant with one sparse solver, over all its sizes.
+struct Mean {
+  std::string_view family;
+  SpeedUp speed_up;
+};
+
+std::vector<Mean> complete_means(const Record& record) {
+  std::vector<Mean> means;
+  for (const std::string_view family : recorded_families(record)) {
+    const MeanSpeedUp mean =
+        mean_speed_up(record, family, truck_global, papers_best, published_sizes());
+    if (mean.speed_up && mean.sizes == published_sizes().size())
+      means.push_back({family, *mean.speed_up});
   }
-  return "This record cannot say: with no sparse solver were all five truck variants measured at "
-         "one of the paper's sizes.";
+  return means;
 }
 
-// Of the truck's cells of a size, the one that is worth most.
-const CellKey* best_of(const Record& record, std::int64_t size,
-                       const std::function<double(const CellKey&, const Summary&)>& worth) {
-  const CellKey* found = nullptr;
-  double most = 0;
-  for (const auto& [key, cell] : record.cells) {
-    if (key.case_name != variants[truck_global].case_name || key.coordinates != size) continue;
-    const Measured time = measured(record, key);
-    if (!time.seconds) continue;
-    const double its = worth(key, *time.seconds);
-    if (its <= most) continue;
-    found = &key;
-    most = its;
-  }
-  return found;
+/// "cholmod 0.61, umfpack 2.3, klu 0.15"
+std::string list(const std::vector<Mean>& means) {
+  std::string text;
+  for (const auto& [family, speed_up] : means)
+    text += (text.empty() ? "" : ", ") + std::string(family) + " " + two_digits(speed_up.value) +
+            (speed_up.inconclusive() ? " (inconclusive)" : "");
+  return text.empty() ? "not measured" : text;
 }
 
-std::string fastest_of_all(const Record& record) {
-  const std::string_view name = variants[truck_global].case_name;
-  const std::vector<std::int64_t> sizes = recorded_sizes(record, name);
-  if (sizes.empty()) return "The record has no cell of " + std::string(name) + ".";
-  const std::string of_all = "Of everything measured on " + std::string(name) + " with " +
-                             std::to_string(sizes.back()) + " coordinates, ";
-  const CellKey* const global =
-      best_of(record, sizes.back(), [](const CellKey& key, const Summary& seconds) {
-        return key.id.starts_with("global_") ? 1 / seconds.value : 0;
-      });
-  // By what it is worth at least: a time that was disturbed may have any.
-  const CellKey* const best =
-      best_of(record, sizes.back(), [&](const CellKey& key, const Summary& seconds) {
-        if (!global) return 1 / seconds.value;
-        const SpeedUp ratio = *measured_speed_up(record, *global, key).speed_up;
-        return ratio.spread ? ratio.low : ratio.value;
-      });
-  if (!best) return of_all + "nothing has a time.";
-  if (!global) return of_all + best->id + " is the fastest; no global formulation has a time.";
-  if (best == global) return of_all + "the global " + best->id + " is the fastest.";
-  const SpeedUp ratio = *measured_speed_up(record, *global, *best).speed_up;
-  const DigitStyle style = ratio_digits(ratio.value);
-  return of_all + best->id + " is the fastest, " + write(ratio.value, style) +
-         (ratio.spread ? " [" + write(ratio.low, style) + ", " + write(ratio.high, style) + "]"
-                       : "") +
-         (ratio.inconclusive() ? " (inconclusive)" : "") +
-         " times as fast as the fastest global formulation, " + global->id + ".";
+std::string what_the_paper_found(const Record& record) {
+  const std::string name(variants[papers_best].paper_name);
+  return "The paper's best variant, " + name +
+         " (group after group, generated equations, LAPACK), was " +
+         published_speed_up().text("mean", name) +
+         " times as fast as its global formulation with the sparse solver MA27. Here the same "
+         "ratio "
+         "is, by the sparse solver: " +
+         list(complete_means(record)) + ".";
+}
+
+/// Whether solvers differ by a factor of 1.5 or more and generated code is faster, like for like.
+bool shows_the_finding(const Record& record) {
+  const std::vector<Mean> means = complete_means(record);
+  const auto value = [](const Mean& mean) { return mean.speed_up.value; };
+  const std::optional<Best> best = best_generated(record, Batch::none);
+  return !means.empty() && best && best->like_for_like.speed_up &&
+         best->like_for_like.speed_up->value > 1 &&
+         value(*std::ranges::max_element(means, {}, value)) >=
+             1.5 * value(*std::ranges::min_element(means, {}, value));
+}
+
+std::string what_gains(const Record& record) {
+  const std::optional<Best> scalar = best_generated(record, Batch::none),
+                            lanes = best_generated(record, Batch::lanes),
+                            segments = best_generated(record, Batch::segments);
+  const auto times = [](const std::optional<Best>& best, MeasuredSpeedUp Best::*ratio) {
+    return best && (*best.*ratio).speed_up ? two_digits((*best.*ratio).speed_up->value)
+                                           : missing_mark;
+  };
+  const auto like = &Best::like_for_like, paper = &Best::papers_settings;
+  return "On one thread, a generated elimination is " + times(scalar, like) +
+         " times as fast as the fastest global reference with the same guess and tolerance, " +
+         times(lanes, like) + " times with equal parts side by side (lanes), " +
+         times(segments, like) +
+         " times with pieces of a motion known in advance side by side (segments); over the "
+         "reference with the paper's settings " +
+         times(scalar, paper) + ", " + times(lanes, paper) + " and " + times(segments, paper) +
+         " times.";
+}
+
+/// Repetitions of what has the fewest, of the truck's cells with a time; 0 where there is none.
+std::size_t least_repetitions(const Record& record) {
+  std::size_t least = 0;
+  for (const auto& [key, cell] : record.cells)
+    if (const Measured time = measured(record, key);
+        time.seconds && key.case_name == variants[truck_global].case_name)
+      least = least == 0 ? time.seconds->count : std::min(least, time.seconds->count);
+  return least;
 }
 
 }  // namespace
 
 Section answer(const Record& record) {
-  std::string text = question() + " " + answer_of(record) + " " + fastest_of_all(record);
+  Section section{.title = "The answer",
+                  .paragraphs = {},
+                  .tables = {figure_of_speed_ups(record), best_formulations(record)}};
+  if (least_repetitions(record) >= fewest_repetitions) {
+    section.paragraphs = {what_the_paper_found(record),
+                          shows_the_finding(record) ? finding : not_shown + std::string(finding),
+                          what_gains(record)};
+  } else {
+    section.paragraphs = {
+        "Too few repetitions for a figure; run bench/run without --quick. The tables are a first "
+        "look.",
+        finding};
+    for (Table& table : section.tables) table.title += " (first look)";
+  }
   if (const std::size_t count = failures(record).size(); count > 0)
-    text += " " + std::to_string(count) + (count == 1 ? " formulation" : " formulations") +
-            " failed the verification and " + (count == 1 ? "has" : "have") +
-            " no time: the last section says which and why.";
-  return {"The question and its answer", {text}, {}};
+    section.paragraphs.push_back("Failed their verification and have no time: " +
+                                 std::to_string(count) + "; the last section says which and why.");
+  return section;
 }
 
 }  // namespace desmo::report

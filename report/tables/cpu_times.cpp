@@ -2,9 +2,11 @@
 #include <set>
 
 #include "report/digits.h"
+#include "report/entries.h"
 #include "report/measurements.h"
 #include "report/paper.h"
 #include "report/tables/tables.h"
+#include "report/time_words.h"
 #include "report/variants.h"
 
 namespace desmo::report {
@@ -19,10 +21,6 @@ std::set<std::int64_t> rows_of(const Record& record, std::string_view family) {
   return sizes;
 }
 
-constexpr const char* marks =
-    "; in or out of our interval, as printed. On another processor most are out: ratios compare, "
-    "seconds do not";
-
 std::string solver_of_the_paper(std::string_view family) {
   return family == papers_own ? "MA27, too" : "MA27 in place of " + std::string(family);
 }
@@ -34,42 +32,39 @@ Entry published_seconds_entry(const std::string& row, const Variant& variant) {
   const std::string digits = table.text(row, variant.paper_name);
   if (digits.empty()) return note_entry(missing_mark);
   if (!table.number(row, variant.paper_name)) return note_entry(digits);  // "<<0.015"
-  return {digits, {digits, "", "", ""}, {}};
+  return {digits, {digits, "", ""}, {}};
 }
 
 Table cpu_times(const Record& record, std::string_view family) {
   const std::string duration = write_shortest(record.settings.duration_seconds);
   const Sources source = sources(record);
   const TimeWords words = time_words(record);
-  Table table{.name = "table1_" + std::string(family),
-              .title = "Table 1 (" + std::string(family) + "): CPU time in seconds of " + duration +
-                       " s of motion" +
-                       (source.warning.empty() ? "" : " (the " + source.paper + ")") +
-                       ", all coordinates",
-              .notes = {"Ours: " + words.time + " " + words.interval + " of " +
-                            repetitions(record) + ". The paper: " + solver_of_the_paper(family) +
-                            ", MKL's LAPACK, an Intel Core i5-2400" +
-                            (source.warning.empty() ? marks : "") + ".",
-                        "The paper has no row " + std::to_string(largest_four_bar) +
-                            ": it says that FBL-TP takes 1000 coordinates to begin to show times "
-                            "above 0.015 s."},
-              .columns = {{"coordinates", {}}, {"source", {}}},
-              .rows = {}};
+  Table table{
+      .name = "table1_" + std::string(family),
+      .title = "Table 1 (" + std::string(family) + "): CPU time in seconds of " + duration +
+               " s of motion" + (source.warning.empty() ? "" : " (the " + source.paper + ")") +
+               ", all coordinates",
+      .notes = {"Ours: " + words.time + words.beside + " of " + repetitions(record) +
+                    ". The paper: " + solver_of_the_paper(family) +
+                    ", MKL's LAPACK, an Intel Core i5-2400: ratios compare, seconds do not.",
+                "The paper has no row " + std::to_string(largest_four_bar) +
+                    ": it says that FBL-TP takes 1000 coordinates to begin to show times "
+                    "above 0.015 s."},
+      .columns = {{"coordinates", {}}, {"source", {}}},
+      .rows = {}};
   define_time(table, record);
   if (!source.warning.empty()) table.notes.push_back(source.warning);
   for (const Variant& variant : variants)
-    table.columns.push_back(
-        {family_name(variant, family), {"seconds", "low", "high", "repetitions"}});
+    table.columns.push_back({family_name(variant, family), {"seconds", "median", "repetitions"}});
   for (const std::int64_t size : rows_of(record, family)) {
     const std::string row = std::to_string(size);
     std::vector<Entry> ours{text_entry(row), text_entry(source.ours)};
     std::vector<Entry> paper{text_entry(row), text_entry(source.paper)};
     bool published = false;
     for (const Variant& variant : variants) {
-      ours.push_back(interval_entry(measured(record, family_key(variant, size, family))));
+      ours.push_back(median_entry(measured(record, family_key(variant, size, family))));
       paper.push_back(published_seconds_entry(row, variant));
       published = published || paper.back().note != missing_mark;
-      if (source.warning.empty()) paper.back() = compared(paper.back(), ours.back());
     }
     table.rows.push_back(std::move(ours));
     if (published) table.rows.push_back(std::move(paper));

@@ -3,8 +3,10 @@
 #include <limits>
 
 #include "report/digits.h"
+#include "report/entries.h"
 #include "report/measurements.h"
 #include "report/tables/tables.h"
+#include "report/time_words.h"
 #include "report/variants.h"
 
 namespace desmo::report {
@@ -77,8 +79,7 @@ std::string solvers_text(const std::vector<Solver>& solvers) {
 }
 
 std::string failure(const CellKey& key, const std::string& request, const std::string& why) {
-  return std::string(failed_mark) + ": " + key.case_name + "/" + std::to_string(key.coordinates) +
-         "/" + key.id + request + ": " + why;
+  return std::string(failed_mark) + ": " + name_of(key) + request + ": " + why;
 }
 
 }  // namespace
@@ -131,17 +132,18 @@ Table every_formulation(const Record& record, std::string_view case_name,
 
 std::vector<std::string> failures(const Record& record) {
   std::vector<std::string> lines;
-  for (const auto& [key, cell] : record.cells)
-    if (cell.status == Status::failed)
-      lines.push_back(failure(key, "", remark(cell.status, cell.message)));
-  for (const Request& request : record.requests)
-    if (request.status == Status::failed)
-      lines.push_back(failure(request.cell, "/request:" + request.name,
-                              remark(request.status, request.message)));
+  for (const auto* cells : {&record.cells, &record.wall_cells})
+    for (const auto& [key, cell] : *cells)
+      if (cell.status == Status::failed)
+        lines.push_back(failure(key, "", remark(cell.status, cell.message)));
+  for (const auto* requests : {&record.requests, &record.wall_requests})
+    for (const Request& request : *requests)
+      if (request.status == Status::failed)
+        lines.push_back(failure(request.cell, "/request:" + request.name,
+                                remark(request.status, request.message)));
   for (const Peer& peer : record.peers)
     if (peer.cell.status == Status::failed)
-      lines.push_back(failure({peer.case_name, peer.coordinates, "peer:" + peer.name}, "",
-                              remark(peer.cell.status, peer.cell.message)));
+      lines.push_back(failure(key_of(peer), "", remark(peer.cell.status, peer.cell.message)));
   return lines;
 }
 

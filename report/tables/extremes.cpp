@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "report/digits.h"
-#include "report/measurements.h"
+#include "report/entries.h"
 
 namespace desmo::report {
 namespace {

@@ -1,8 +1,10 @@
 // What figures 5 and 6 show, as tables: the designs in report/figures draw these numbers.
 #include "report/digits.h"
+#include "report/entries.h"
 #include "report/measurements.h"
 #include "report/paper.h"
 #include "report/tables/tables.h"
+#include "report/time_words.h"
 #include "report/variants.h"
 
 namespace desmo::report {
@@ -17,7 +19,8 @@ std::string legend(const Variant& variant) {
 }
 
 std::string place(const Record& record) {
-  return "Ours: " + record.machine.cpu + ", " + record.date + ".";
+  return "Ours: " + record.machine.cpu + ", " + record.date.substr(0, 10) + ", " +
+         repetitions(record) + ".";
 }
 
 // One row per size; `entry_of` gives a variant's time at a size.
@@ -37,22 +40,22 @@ Table figure_of_times(const Record& record) {
   const bool same = source.warning.empty();
   const std::string duration = write_shortest(record.settings.duration_seconds) + " s of motion";
   const TimeWords words = time_words(record);
-  const std::string bars = words.interval.substr(1, words.interval.size() - 2);
-  Table table{.name = "figure5",
-              .title = "Figure 5. CPU time over the number of coordinates, by sparse solver",
-              .notes = {place(record), "CPU time of " + duration + ": " + words.time + " of " +
-                                           repetitions(record) + ", bars: " + bars + "."},
-              .columns = {{"sparse solver", {}}, {"coordinates", {}}},
-              .rows = {},
-              .detail = true,
-              .figure = true};
+  Table table{
+      .name = "figure5",
+      .title = "Figure 5. CPU time over the number of coordinates, by sparse solver",
+      .notes = {place(record), "CPU time of " + duration + ": " + words.time + words.beside + "."},
+      .columns = {{"sparse solver", {}}, {"coordinates", {}}},
+      .rows = {},
+      .detail = true,
+      .figure = true};
   if (!same) table.notes.push_back(source.warning);
-  table.notes.insert(table.notes.end(),
-                     {"The paper: Intel Core i5-2400; its FBL-TP, below 0.015 s, has no points.",
-                      "Dashed: four-bar (FBL); solid: truck suspension (TS). Each panel has its "
-                      "own time axis; a gap: failed or not measured."});
+  table.notes.insert(
+      table.notes.end(),
+      {"The paper: Intel Core i5-2400; its FBL-TP, below 0.015 s, has no points.",
+       "Grey: four-bar (FBL). Symbolic groups (TPS) are thin and dashed, over automatic ones "
+       "(TPA). A gap: failed or not measured."});
   for (const Variant& variant : variants)
-    table.columns.push_back({legend(variant), {"seconds", "low", "high", "repetitions"}});
+    table.columns.push_back({legend(variant), {"seconds", "median", "repetitions"}});
   add_panel(table, same ? paper_solver : "MA27 (the " + source.paper + ")",
             [](std::int64_t size, const Variant& variant) {
               return published_seconds_entry(std::to_string(size), variant);
@@ -60,35 +63,32 @@ Table figure_of_times(const Record& record) {
   for (const std::string_view family : recorded_families(record))
     add_panel(table, std::string(family) + (same ? "" : " (" + source.ours + ")"),
               [&](std::int64_t size, const Variant& variant) {
-                return interval_entry(measured(record, family_key(variant, size, family)));
+                return median_entry(measured(record, family_key(variant, size, family)));
               });
   return table;
 }
 
 Table figure_of_speed_ups(const Record& record) {
-  Table table{.name = "figure6",
-              .title = "Figure 6. Mean speed-up over the global formulation, truck suspension",
-              .notes = {place(record),
-                        "Ratio of the " + time_words(record).times + " of " + repetitions(record) +
-                            ", mean of five sizes (* of fewer),",
-                        "with its interval.",
-                        "The same sparse solver stands in the columns named sparse and in the "
-                        "global reference."},
-              .columns = {{"variant", {}}},
-              .rows = {},
-              .detail = true,
-              .figure = true};
+  Table table{
+      .name = "figure6",
+      .title = "Figure 6. Mean speed-up over the global formulation, truck suspension",
+      .notes = {place(record),
+                "Mean of five sizes (* fewer) [interval]; the same solver stands in sparse and "
+                "in the global one."},
+      .columns = {{"variant", {}}},
+      .rows = {},
+      .figure = true};
   if (const Sources source = sources(record); !source.ratio_warning.empty())
     table.notes.push_back(source.ratio_warning);
-  const std::vector<std::string> quantities{"speed_up", "low", "high", "percent"};
+  const std::vector<std::string> quantities{"speed_up", "low", "high"};
   table.columns.push_back({paper_solver, quantities});
   for (const std::string_view family : recorded_families(record))
     table.columns.push_back({std::string(family), quantities});
   for (const std::size_t variant : topological) {
     std::vector<Entry> row{text_entry(legend(variants[variant])),
-                           published_speed_up_entry("mean", variants[variant])};
+                           without_percent(published_speed_up_entry("mean", variants[variant]))};
     for (const std::string_view family : recorded_families(record))
-      row.push_back(mean_speed_up_entry(record, family, variant));
+      row.push_back(without_percent(mean_speed_up_entry(record, family, variant)));
     table.rows.push_back(std::move(row));
   }
   return table;

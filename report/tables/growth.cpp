@@ -1,8 +1,8 @@
 // How the time of a step grows with the size, and where caches end it.
 #include "report/digits.h"
-#include "report/sizes/caches.h"
-#include "report/sizes/curves.h"
-#include "report/tables/sizes.h"
+#include "report/size/caches.h"
+#include "report/size/curves.h"
+#include "report/tables/size.h"
 #include "report/tables/slope.h"
 
 namespace desmo::report {

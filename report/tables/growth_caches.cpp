@@ -2,10 +2,10 @@
 #include <optional>
 
 #include "report/digits.h"
-#include "report/measurements.h"
-#include "report/sizes/caches.h"
-#include "report/sizes/curves.h"
-#include "report/tables/sizes.h"
+#include "report/entries.h"
+#include "report/size/caches.h"
+#include "report/size/curves.h"
+#include "report/tables/size.h"
 
 namespace desmo::report {
 namespace {

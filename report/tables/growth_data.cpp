@@ -1,9 +1,9 @@
 // What the figure of growth shows, as a table: the design in report/figures draws these numbers.
 #include "report/digits.h"
-#include "report/measurements.h"
+#include "report/entries.h"
 #include "report/precision/selection.h"
-#include "report/sizes/caches.h"
-#include "report/tables/sizes.h"
+#include "report/size/caches.h"
+#include "report/tables/size.h"
 
 namespace desmo::report {
 namespace {

@@ -2,9 +2,9 @@
 #include <optional>
 
 #include "report/digits.h"
-#include "report/measurements.h"
-#include "report/sizes/curves.h"
-#include "report/tables/sizes.h"
+#include "report/entries.h"
+#include "report/size/curves.h"
+#include "report/tables/size.h"
 #include "report/tables/slope.h"
 
 namespace desmo::report {
@@ -55,8 +55,8 @@ Table growth_exponents(const std::vector<Curve>& curves) {
       .title = "Growth of the time of a step: log-log slope up to " +
                std::to_string(judged_coordinates) + " coordinates",
       .notes = {"Slope: least squares through the least times, n sizes [95 % interval of Student's "
-                "t, n − 2 degrees of freedom]; inside or outside " +
-                    linear_band() + ".",
+                "t, n − 2 degrees of freedom]; " +
+                    linear_note() + ".",
                 "Dearer: the first size from which on a coordinate costs more than " +
                     write_shortest(dearer) +
                     " times its least, and the KiB that the formulation keeps in memory there. "

@@ -4,9 +4,9 @@
 #include <set>
 
 #include "report/digits.h"
-#include "report/measurements.h"
+#include "report/entries.h"
 #include "report/precision/selection.h"
-#include "report/tables/sizes.h"
+#include "report/tables/size.h"
 #include "report/variants.h"
 
 namespace desmo::report {

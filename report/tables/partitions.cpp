@@ -4,13 +4,15 @@
 #include <set>
 
 #include "report/digits.h"
+#include "report/entries.h"
 #include "report/measurements.h"
 #include "report/tables/tables.h"
+#include "report/time_words.h"
 
 namespace desmo::report {
 namespace {
 
-constexpr std::array<std::string_view, 3> names{"global", "group", "block"};
+constexpr std::array<std::string_view, 3> partition_names{"global", "group", "block"};
 
 // Equations and algebra: what stays the same while the partition changes.
 constexpr std::array<std::string_view, 7> methods{
@@ -111,7 +113,7 @@ Table structure_table(const Record& record) {
               .rows = {}};
   for (const std::string& name : cases_of(record))
     for (const std::int64_t size : sizes_of(record, name))
-      for (const std::string_view partition : names)
+      for (const std::string_view partition : partition_names)
         if (const Structure* found = find(record, name, size, partition))
           table.rows.push_back({text_entry(name), text_entry(std::to_string(size)),
                                 text_entry(std::string(partition)), count_entry(parts_of(*found)),
@@ -147,7 +149,7 @@ Table times_table(const Record& record, const std::string& case_name) {
       std::vector<Entry> row{text_entry(std::to_string(size)), text_entry(std::string(method))};
       std::map<std::string_view, Measured> time;
       bool recorded = false;
-      for (const std::string_view partition : names) {
+      for (const std::string_view partition : partition_names) {
         time[partition] = measured(record, key_of(case_name, size, partition, method));
         recorded = recorded || time[partition].mark != missing_mark;
         row.push_back(seconds_entry(time[partition]));

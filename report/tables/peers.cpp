@@ -4,8 +4,10 @@
 #include <set>
 
 #include "report/digits.h"
+#include "report/entries.h"
 #include "report/measurements.h"
 #include "report/tables/tables.h"
+#include "report/time_words.h"
 #include "report/variants.h"
 
 namespace desmo::report {
@@ -106,7 +108,7 @@ Table times_of(const Record& record, const std::string& case_name) {
   const TimeWords words = time_words(record);
   Table table{
       .name = "peers_" + case_name,
-      .title = "Rivals beside ours: " + case_name,
+      .title = "Curves beside ours: " + case_name,
       .notes =
           {"CPU s: " + words.time +
                " ± half the range, first assembly, all steps and delivery. Times ours: the rival "

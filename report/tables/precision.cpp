@@ -56,7 +56,7 @@ std::vector<Section> precision_sections(const Record& record) {
           {"Initial guesses and Jacobian reuse", what_knobs_gain(record), {knobs(record)}},
           {"Single and mixed precision", {}, {scalars(record), floors(record)}},
           levels(record),
-          {"Sensitivity of the paper's Table 2", what_survives(record), {sensitivity(record)}}};
+          {"Sensitivity of the paper's Table 2", {}, {sensitivity(record)}}};
 }
 
 }  // namespace desmo::report

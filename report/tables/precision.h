@@ -48,12 +48,11 @@ Table outcomes(const Record& record);
 Table floors(const Record& record);
 std::string largest_floor(const Record& record);
 
-/// Table 2 with other steps, tolerances and guesses, and which of its speed-ups survive.
+/// Table 2 with other steps, tolerances and guesses.
 Table sensitivity(const Record& record);
-std::vector<std::string> what_survives(const Record& record);
 
 /// What the choices of desmo tune are worth. The record has promises.
-Section promises(const Record& record);
+Section tuning(const Record& record);
 
 /// What it says of a failure before place and time: "singular Jacobian".
 std::string kind_of_failure(std::string_view message);

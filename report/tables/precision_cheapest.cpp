@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "report/digits.h"
-#include "report/measurements.h"
+#include "report/entries.h"
 #include "report/precision/selection.h"
 #include "report/tables/precision.h"
 

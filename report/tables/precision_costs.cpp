@@ -1,7 +1,6 @@
 // What accuracy costs: the cheapest configuration within an error, what its settings gain, and what
 // they give up.
 #include "report/digits.h"
-#include "report/measurements.h"
 #include "report/precision/selection.h"
 #include "report/tables/precision.h"
 

@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "report/digits.h"
-#include "report/measurements.h"
 #include "report/precision/selection.h"
 #include "report/tables/precision.h"
 

@@ -4,7 +4,7 @@
 #include <limits>
 #include <set>
 
-#include "report/measurements.h"
+#include "report/entries.h"
 #include "report/precision/selection.h"
 #include "report/tables/precision.h"
 

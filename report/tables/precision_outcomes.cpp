@@ -2,7 +2,7 @@
 #include <map>
 
 #include "report/digits.h"
-#include "report/measurements.h"
+#include "report/entries.h"
 #include "report/precision/selection.h"
 #include "report/tables/precision.h"
 

@@ -5,7 +5,6 @@
 #include "report/digits.h"
 #include "report/precision/selection.h"
 #include "report/tables/precision.h"
-#include "report/tables/verdicts.h"
 
 namespace desmo::report {
 namespace {
@@ -135,10 +134,10 @@ Table scalars(const Record& record) {
         add_formulation(table, record, series, own);
     }
   }
-  std::vector<std::string> reasons;
-  for (const auto& [formulation, why] : refused) reasons.push_back(formulation + " (" + why + ")");
-  if (!reasons.empty())
-    table.notes.push_back("Neither is offered by " + enumeration(reasons) + ".");
+  std::string reasons;
+  for (const auto& [formulation, why] : refused)
+    reasons += (reasons.empty() ? "" : ", ") + formulation + " (" + why + ")";
+  if (!reasons.empty()) table.notes.push_back("Offered neither by " + reasons + ".");
   return table;
 }
 

@@ -56,7 +56,6 @@ Table provenance(const Record& record) {
   add("step", write_shortest(settings.step_seconds) + " s");
   add("duration", write_shortest(settings.duration_seconds) + " s, " +
                       std::to_string(settings.instants) + " instants");
-  add("clock", settings.clock);
   if (const auto& allowed = settings.allowed)
     add("errors allowed", "q " + write_shortest(allowed->position) + ", q' " +
                               write_shortest(allowed->velocity) + ", q'' " +

@@ -2,9 +2,11 @@
 #include <algorithm>
 #include <array>
 
+#include "report/entries.h"
 #include "report/measurements.h"
 #include "report/paper.h"
 #include "report/tables/tables.h"
+#include "report/time_words.h"
 
 namespace desmo::report {
 namespace {
@@ -33,15 +35,6 @@ std::vector<CellKey> references_of(const Record& record, const std::string& case
   std::vector<CellKey> keys;
   for (auto& [seconds, key] : found) keys.push_back(std::move(key));
   return keys;
-}
-
-// "6.10 [4.38, 7.41]": the table is wide enough without the improvement.
-Entry without_percent(Entry entry) {
-  if (!entry.has_number()) return entry;
-  const std::size_t begin = entry.shown.find(" ("), end = entry.shown.find(')', begin);
-  entry.shown.erase(begin, end + 1 - begin);
-  entry.digits.pop_back();
-  return entry;
 }
 
 // The paper's own reference, where one of its variants stands for the column.
@@ -77,16 +70,16 @@ std::optional<Table> references(const Record& record, const std::string& case_na
       .name = "references_" + case_name,
       .title = "Which global reference: speed-up over each of them, " + case_name + ", " +
                std::to_string(size) + " coordinates",
-      .notes = {"Fastest reference first, " + words.time + " " + words.interval + " of " +
+      .notes = {"Fastest reference first, " + words.time + words.beside + " of " +
                 repetitions(record) + "; speed-up: ratio of the " + words.times +
                 " [its interval]; " + inconclusive_note() + "."},
-      .columns = {{"global reference", {}}, {"CPU s", {"seconds", "low", "high", "repetitions"}}},
+      .columns = {{"global reference", {}}, {"CPU s", {"seconds", "median", "repetitions"}}},
       .rows = {}};
   define_time(table, record);
   for (const std::string_view id : columns)
     table.columns.push_back({std::string(id), {"speed_up", "low", "high"}});
   for (const CellKey& reference : rows) {
-    std::vector<Entry> row{text_entry(reference.id), interval_entry(measured(record, reference))};
+    std::vector<Entry> row{text_entry(reference.id), median_entry(measured(record, reference))};
     for (const std::string_view id : columns)
       row.push_back(without_percent(speed_up_entry(
           measured_speed_up(record, reference, {case_name, size, std::string(id)}))));

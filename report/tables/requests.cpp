@@ -3,8 +3,10 @@
 #include <set>
 
 #include "report/digits.h"
+#include "report/entries.h"
 #include "report/measurements.h"
 #include "report/tables/tables.h"
+#include "report/time_words.h"
 
 namespace desmo::report {
 namespace {
@@ -56,7 +58,7 @@ std::string repetitions_at(const Record& record, const Place& place) {
   std::size_t least = 0, largest = 0;
   for (const Request& request : record.requests) {
     if (place_of(request) != place || request.status != Status::ok) continue;
-    const std::size_t count = request.cpu_seconds.size();
+    const std::size_t count = request.time.seconds.size();
     least = least == 0 ? count : std::min(least, count);
     largest = std::max(largest, count);
   }

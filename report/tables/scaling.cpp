@@ -3,6 +3,7 @@
 #include "report/paper.h"
 #include "report/tables/slope.h"
 #include "report/tables/tables.h"
+#include "report/time_words.h"
 #include "report/variants.h"
 
 namespace desmo::report {
@@ -34,15 +35,15 @@ SizedTimes measured_points(const Record& record, const Variant& variant, std::st
 }  // namespace
 
 Table scaling(const Record& record) {
-  Table table{.name = "scaling",
-              .title = "Growth of CPU time: log-log slope over the number of coordinates",
-              .notes = {"Least squares through the " + time_words(record).times +
-                        ", one point per size (n sizes, all that "
-                        "were recorded); [95 % interval of Student's t, n − 2 degrees of freedom]; "
-                        "inside or outside " +
-                        linear_band() + "."},
-              .columns = {{"analysis", {}}},
-              .rows = {}};
+  Table table{
+      .name = "scaling",
+      .title = "Growth of CPU time: log-log slope over the number of coordinates",
+      .notes = {"Least squares through the " + time_words(record).times +
+                ", one point per size (n sizes, all that "
+                "were recorded); [95 % interval of Student's t, n − 2 degrees of freedom]; " +
+                linear_note() + "."},
+      .columns = {{"analysis", {}}},
+      .rows = {}};
   table.columns.push_back({"paper (MA27)", slope_quantities});
   for (const std::string_view family : recorded_families(record))
     table.columns.push_back({std::string(family), slope_quantities});

@@ -7,10 +7,9 @@
 #include <set>
 
 #include "report/digits.h"
-#include "report/measurements.h"
+#include "report/entries.h"
 #include "report/precision/selection.h"
 #include "report/tables/precision.h"
-#include "report/tables/verdicts.h"
 #include "report/variants.h"
 
 namespace desmo::report {
@@ -27,7 +26,7 @@ struct Claimed {
 constexpr std::array<Claimed, 5> claimed{{{0, 1}, {2, 3}, {2, 4}, {2, 5}, {2, 6}}};
 
 /// What was chosen otherwise, all else as in the paper.
-struct Choice {
+struct Variation {
   std::string what, value;
   double step;  ///< s
   Configuration settings;
@@ -39,7 +38,7 @@ bool same_settings(const Configuration& a, const Configuration& b) {
          a.tolerance == b.tolerance && a.others == b.others;
 }
 
-std::vector<Choice> choices(const Record& record) {
+std::vector<Variation> variations(const Record& record) {
   const double usual_step = record.settings.step_seconds;
   std::set<double> steps;
   std::map<double, std::string> tolerances{{record.settings.tolerance, ""}};
@@ -49,7 +48,7 @@ std::vector<Choice> choices(const Record& record) {
       tolerances.emplace(std::strtod(c.tolerance.c_str(), nullptr), c.tolerance);
     steps.insert(key.series.step_seconds);
   }
-  std::vector<Choice> all;
+  std::vector<Variation> all;
   for (const double step : steps)
     all.push_back({"step", write_shortest(std::round(step * 1e9) / 1e6) + " ms", step, {}});
   for (auto t = tolerances.rbegin(); t != tolerances.rend(); ++t)
@@ -69,13 +68,13 @@ std::vector<Choice> choices(const Record& record) {
 }
 
 /// Of a formulation at the case's size of the main series; null when it was not tried.
-const NamedPoint* find(const Record& record, const CellKey& cell, const Choice& choice) {
+const NamedPoint* find(const Record& record, const CellKey& cell, const Variation& variation) {
   for (const NamedPoint& point : record.points)
     if (point.first.series.case_name == cell.case_name &&
         point.first.series.coordinates == cell.coordinates &&
-        point.first.series.step_seconds == choice.step &&
+        point.first.series.step_seconds == variation.step &&
         point.second.configuration.formulation == cell.id &&
-        same_settings(point.second.configuration, choice.settings))
+        same_settings(point.second.configuration, variation.settings))
       return &point;
   return nullptr;
 }
@@ -88,57 +87,18 @@ struct Found {
 };
 
 Found found(const Record& record, std::string_view family, const Claimed& claim,
-            const Choice& choice) {
+            const Variation& variation) {
   const Variant &reference = variants[claim.reference], &variant = variants[claim.variant];
   const auto series = main_series(record, variant.case_name);
   if (!series) return {nullptr, nullptr};
-  return {find(record, family_key(reference, series->coordinates, family), choice),
-          find(record, family_key(variant, series->coordinates, family), choice)};
+  return {find(record, family_key(reference, series->coordinates, family), variation),
+          find(record, family_key(variant, series->coordinates, family), variation)};
 }
 
 Entry entry_of(const Found& pair) {
   if (pair.both_solved()) return ratio_entry(speed_up(*pair.reference, *pair.variant));
   const bool tried = pair.reference && pair.variant;
   return note_entry(tried ? failed_mark : missing_mark);
-}
-
-std::vector<SpeedUp> speed_ups_of(const Record& record, std::string_view family,
-                                  const Claimed& claim) {
-  std::vector<SpeedUp> all;
-  for (const Choice& choice : choices(record))
-    if (const Found pair = found(record, family, claim, choice); pair.both_solved())
-      all.push_back(speed_up(*pair.reference, *pair.variant));
-  return all;
-}
-
-/// "TS-TPS_LAP (2.31 to 2.55)"
-std::string with_range(const std::string& name, const std::vector<SpeedUp>& all) {
-  const auto ends = std::ranges::minmax(all, {}, &SpeedUp::value);
-  const std::string least = write(ends.min.value, ratio_digits(ends.min.value)),
-                    largest = write(ends.max.value, ratio_digits(ends.max.value));
-  return name + " (" + least + (largest == least ? "" : " to " + largest) + ")";
-}
-
-std::string survivors(const Record& record, std::string_view family) {
-  std::vector<std::string> above, below, open;
-  for (const Claimed& claim : claimed) {
-    const std::vector<SpeedUp> all = speed_ups_of(record, family, claim);
-    if (all.empty()) continue;
-    const bool faster = std::ranges::all_of(all, [](const SpeedUp& s) { return s.low > 1; });
-    const bool slower = std::ranges::all_of(all, [](const SpeedUp& s) { return s.high < 1; });
-    (faster   ? above
-     : slower ? below
-              : open)
-        .push_back(with_range(family_name(variants[claim.variant], family), all));
-  }
-  std::string text;
-  const auto add = [&text](const std::vector<std::string>& names, const std::string& verdict) {
-    if (!names.empty()) text += (text.empty() ? "" : "; ") + verdict + enumeration(names);
-  };
-  add(above, "faster than the global formulation throughout: ");
-  add(below, "slower throughout: ");
-  add(open, "it depends, or lies within the spread, for ");
-  return text.empty() ? "" : "With " + std::string(family) + ", " + text + ".";
 }
 
 }  // namespace
@@ -158,25 +118,17 @@ Table sensitivity(const Record& record) {
     table.columns.push_back(
         {family_name(variants[claim.variant], "<sparse>"), {"speed_up", "low", "high"}});
   for (const std::string_view family : sparse_families)
-    for (const Choice& choice : choices(record)) {
-      std::vector<Entry> row{text_entry(std::string(family)), text_entry(choice.what),
-                             text_entry(choice.value)};
+    for (const Variation& variation : variations(record)) {
+      std::vector<Entry> row{text_entry(std::string(family)), text_entry(variation.what),
+                             text_entry(variation.value)};
       bool any = false;
       for (const Claimed& claim : claimed) {
-        row.push_back(entry_of(found(record, family, claim, choice)));
+        row.push_back(entry_of(found(record, family, claim, variation)));
         any = any || row.back().shown != missing_mark;
       }
       if (any) table.rows.push_back(std::move(row));
     }
   return table;
-}
-
-std::vector<std::string> what_survives(const Record& record) {
-  std::vector<std::string> lines;
-  for (const std::string_view family : sparse_families)
-    if (std::string line = survivors(record, family); !line.empty())
-      lines.push_back(std::move(line));
-  return lines;
 }
 
 }  // namespace desmo::report

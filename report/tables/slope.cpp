@@ -8,14 +8,15 @@ namespace {
 constexpr double least_linear = 0.9, largest_linear = 1.15;
 
 std::string linearity(const Slope& slope) {
-  if (!is_linear(slope.value)) return "OUTSIDE";
-  return is_linear(slope.low) && is_linear(slope.high) ? "inside" : "inside, interval not";
+  if (!is_linear(slope.value)) return "not linear";
+  return is_linear(slope.low) && is_linear(slope.high) ? "linear" : "uncertain";
 }
 
 }  // namespace
 
-std::string linear_band() {
-  return write_shortest(least_linear) + " ... " + write_shortest(largest_linear);
+std::string linear_note() {
+  return "linear: from " + write_shortest(least_linear) + " to " + write_shortest(largest_linear) +
+         "; uncertain: the interval reaches beyond";
 }
 
 bool is_linear(double slope) { return least_linear <= slope && slope <= largest_linear; }

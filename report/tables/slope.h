@@ -16,14 +16,14 @@ struct SizedTimes {
   std::string mark;  ///< of a size that has no number; empty where there is none
 };
 
-/// "0.9 ... 1.15": slopes between these are called linear.
-std::string linear_band();
+/// What the words of slope_entry mean, for the notes of a table.
+std::string linear_note();
 bool is_linear(double slope);
 
 /// What a slope_entry's numbers are.
 inline const std::vector<std::string> slope_quantities{"slope", "low", "high", "sizes"};
 
-/// "1.012 [0.990, 1.034] n=5 inside", the log-log slope; the number of sizes where there are too
+/// "1.012 [0.990, 1.034] n=5 linear", the log-log slope; the number of sizes where there are too
 /// few for one, or the mark.
 Entry slope_entry(const SizedTimes& times);
 

@@ -1,9 +1,11 @@
 // Table 2 of the paper: S = t_global / t_topological.
 #include <set>
 
+#include "report/entries.h"
 #include "report/measurements.h"
 #include "report/paper.h"
 #include "report/tables/tables.h"
+#include "report/time_words.h"
 #include "report/variants.h"
 
 namespace desmo::report {

@@ -12,8 +12,8 @@
 
 namespace desmo::report {
 
-/// The paper's question, what the numbers answer and what was fastest, in three sentences; a fourth
-/// when something failed its verification.
+/// The answer: three fixed sentences with numbers, the data of figure 6, and the best formulations.
+/// Where fewer than three repetitions were measured, no number stands in a sentence.
 Section answer(const Record& record);
 
 /// Table 1 of the paper for one sparse family: CPU seconds of every analysis, ours above the
@@ -35,13 +35,9 @@ Table figure_of_times(const Record& record);
 Table figure_of_speed_ups(const Record& record);
 
 /// What the paper prints of a variant in a row of its table 1 or 2 ("114" ... "mean"), with the
-/// quantities of ours: {seconds, low, high, repetitions}, {speed_up, low, high, percent}.
+/// quantities of ours: {seconds, median, repetitions}, {speed_up, low, high, percent}.
 Entry published_seconds_entry(const std::string& row, const Variant& variant);
 Entry published_speed_up_entry(const std::string& row, const Variant& variant);
-
-/// What the choice of the sparse solver does to the paper's conclusions: sentences that follow
-/// from the numbers, whatever they are, and the verdicts they rest on.
-Section conclusion(const Record& record);
 
 /// The same formulations over every global reference that has a time, at the largest of the paper's
 /// sizes recorded; nothing when there is no such reference or formulation.
@@ -73,6 +69,10 @@ Section limitations(const Record& record);
 /// What settings and generated code gain over the paper's: a table for each case that was solved
 /// with settings. Without tables when none was.
 Section beyond(const Record& record);
+
+/// What several threads gain over one, by the wall clock: a table for each case that was solved on
+/// several.
+std::vector<Table> threads(const Record& record);
 
 /// What rivals take beside the formulations that start from the same guess: a table for
 /// each case, and one of what they needed to be set up. Without tables when the record has no

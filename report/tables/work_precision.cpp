@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "report/digits.h"
-#include "report/measurements.h"
 #include "report/precision/families.h"
 #include "report/precision/selection.h"
 #include "report/tables/precision.h"

@@ -167,19 +167,18 @@ TEST_F(Driver, TimesAreMeasuredInPairsAndMoreCanBeAdded) {
       << text("err");
   EXPECT_NE(text("err").find("rounds of 1 cells"), std::string::npos) << text("err");
   EXPECT_LE(verdict(), 3) << text("out");
-  EXPECT_EQ(results()["head"]["cells"][0]["cpu_seconds"].size(), 25u);
+  EXPECT_EQ(results()["head"]["paper"]["cells"][0]["time"]["seconds"].size(), 25u);
   EXPECT_EQ(results()["control"]["base"].size(), 25u);
   ASSERT_EQ(check("more " + file("results.json") + " first " + cell), 0) << text("err");
   ASSERT_EQ(check("more " + file("results.json") + " second " + cell), 0) << text("err");
   const Json json = results();
   for (const char* side : {"base", "head"}) {
-    EXPECT_EQ(json[side]["cells"][0]["cpu_seconds"].size(), 50u);
-    EXPECT_EQ(json[side]["cells"][0]["repetitions"], 50);
+    EXPECT_EQ(json[side]["paper"]["cells"][0]["time"]["seconds"].size(), 50u);
     EXPECT_EQ(json["control"][side].size(), 50u);
     EXPECT_EQ(json["second"][cell][side].size(), 25u);
     EXPECT_EQ(json["second"]["control"][side].size(), 25u);
   }
-  EXPECT_NE(json["base"]["cells"][0]["cpu_seconds"], json["head"]["cells"][0]["cpu_seconds"]);
+  EXPECT_NE(json["base"]["paper"]["cells"][0]["time"], json["head"]["paper"]["cells"][0]["time"]);
   EXPECT_LE(verdict(), 3) << text("err");
 }
 

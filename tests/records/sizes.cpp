@@ -112,8 +112,8 @@ TEST(Series, AskBothQuestionsOfBothCases) {
     const auto [least, most] = ranges.at("growth/" + std::string(c.name));
     EXPECT_EQ(least, c.sizes.front());
     EXPECT_GT(most, 99'000);
-    EXPECT_LE(ranges.at("crossing/" + std::string(c.name)).first, 21);
-    EXPECT_GE(ranges.at("crossing/" + std::string(c.name)).second, 500);
+    EXPECT_LE(ranges.at("break_even/" + std::string(c.name)).first, 21);
+    EXPECT_GE(ranges.at("break_even/" + std::string(c.name)).second, 500);
   }
 }
 
@@ -123,7 +123,7 @@ TEST(SizesRecord, IsReadByTheReport) {
                     run = DESMO_BENCH " size --quick --repetitions 2 --record " + record,
                     quiet = " >/dev/null 2>&1";
   const std::string filter =
-      " --filter '(four_bar/(114|225|336)/group_symbolic_explicit|crossing/four_bar/"
+      " --filter '(four_bar/(114|225|336)/group_symbolic_explicit|break_even/four_bar/"
       "[1-3].*/global_automatic_(klu|lapack))$'";
   ASSERT_EQ(std::system((run + filter + quiet).c_str()), 0);
   for (const char* found : {"four_bar *group_symbolic_explicit .* n=3", " four_bar *klu "})

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
+#include "report/measurements.h"
 #include "report/report.h"
 #include "report/tables/tables.h"
 #include "tests/report/sample.h"
@@ -9,28 +12,28 @@ namespace {
 
 Json timed(Json like, const std::string& id, double seconds) {
   like["id"] = id;
-  like["cpu_seconds"] = {seconds, seconds};
-  like.erase("repetitions");
+  like["time"]["seconds"] = {seconds, seconds, seconds};
   return like;
 }
+
+constexpr const char* hermite_lanes = "group_symbolic_explicit/guess:hermite5/lanes:4";
 
 /// The reference with better settings, and generated code with lanes, on everything and a request.
 Json beyond_record() {
   Json json = structured_record();
   const Json cell = cell_of(json, "truck_suspension", 114, "global_automatic_klu");
-  cell_of(json, "truck_suspension", 114, "global_automatic_klu")["cpu_seconds"] = {0.8, 0.8};
-  json["cells"].push_back(timed(cell, "global_automatic_klu/guess:hermite5", 0.4));
-  json["cells"].push_back(timed(cell, "group_symbolic_explicit", 0.1));
-  json["cells"].push_back(timed(cell, "group_symbolic_explicit/lanes:4", 0.05));
-  for (Json& c : json["cells"]) c.erase("repetitions");
-  Json request = json["requests"][0];
+  cell_of(json, "truck_suspension", 114, "global_automatic_klu")["time"]["seconds"] = {0.8, 0.8,
+                                                                                       0.8};
+  json["paper"]["cells"].push_back(timed(cell, "global_automatic_klu/guess:hermite5", 0.4));
+  json["paper"]["cells"].push_back(timed(cell, "group_symbolic_explicit", 0.1));
+  json["paper"]["cells"].push_back(timed(cell, hermite_lanes, 0.05));
+  Json request = json["paper"]["requests"][0];
   request["case"] = "truck_suspension";
   request["coordinates"] = 114;
   request["request"] = "some";
   request["title"] = "some of it";
-  for (const auto& [id, seconds] :
-       {std::pair{"global_automatic_klu", 0.6}, {"group_symbolic_explicit/lanes:4", 0.02}})
-    json["requests"].push_back(timed(request, id, seconds));
+  for (const auto& [id, seconds] : {std::pair{"global_automatic_klu", 0.6}, {hermite_lanes, 0.02}})
+    json["paper"]["requests"].push_back(timed(request, id, seconds));
   return json;
 }
 
@@ -43,15 +46,59 @@ TEST(Beyond, HoldsSettingsBesideTheReferenceThatDeliversTheSame) {
   const auto shown = [&](const char* delivered, const char* id, const char* column) {
     return entry_at(table, {delivered, id}, column).shown;
   };
-  const char *paper = "times the paper's settings", *best = "times its best settings";
+  const char *paper = "times the paper's settings", *alike = "times like for like";
   EXPECT_EQ(shown("everything", "global_automatic_klu", paper), "1.00 reference");
-  EXPECT_EQ(shown("everything", "global_automatic_klu/guess:hermite5", best), "1.00 reference");
+  EXPECT_EQ(shown("everything", "global_automatic_klu", alike), "1.00 reference");
+  EXPECT_EQ(shown("everything", "global_automatic_klu/guess:hermite5", alike), "1.00 reference");
   EXPECT_EQ(shown("everything", "group_symbolic_explicit", paper), "8.00 [8.00, 8.00]");
-  EXPECT_EQ(shown("everything", "group_symbolic_explicit/lanes:4", paper), "16.00 [16.00, 16.00]");
-  EXPECT_EQ(shown("everything", "group_symbolic_explicit/lanes:4", best), "8.00 [8.00, 8.00]");
-  EXPECT_EQ(shown("some of it", "group_symbolic_explicit/lanes:4", paper), "30.00 [30.00, 30.00]");
-  EXPECT_EQ(shown("some of it", "group_symbolic_explicit/lanes:4", best), "30.00 [30.00, 30.00]");
+  EXPECT_EQ(shown("everything", "group_symbolic_explicit", alike), "8.00 [8.00, 8.00]");
+  EXPECT_EQ(shown("everything", hermite_lanes, paper), "16.00 [16.00, 16.00]");
+  EXPECT_EQ(shown("everything", hermite_lanes, alike), "8.00 [8.00, 8.00]");
+  EXPECT_EQ(shown("some of it", hermite_lanes, paper), "30.00 [30.00, 30.00]");
+  EXPECT_EQ(shown("some of it", hermite_lanes, alike), "—");  // no reference with this guess
   EXPECT_EQ(table.rows.size(), 6u);
+}
+
+/// The same on two threads, and, to be compared with, on one by the same clock.
+Json threads_record() {
+  Json json = beyond_record();
+  Json several = cell_of(json, "truck_suspension", 114, hermite_lanes);
+  several["time"]["clock"] = "wall";
+  Json one = timed(several, std::string(hermite_lanes) + "/clock:wall", 0.06);
+  several["id"] = std::string(hermite_lanes) + "/threads:2";
+  several["threads"] = 2;
+  several["time"]["seconds"] = {0.03, 0.03, 0.03};
+  json["paper"]["cells"].push_back(several);
+  json["paper"]["cells"].push_back(one);
+  return json;
+}
+
+TEST(Threads, StandInATableOfTheWallClockAlone) {
+  const Document document = make_report(record_from(threads_record()));
+  const Table table = table_named(document, "threads_truck_suspension");
+  const std::vector<std::string> two{"114", "everything", hermite_lanes, "2"};
+  EXPECT_EQ(entry_at(table, two, "wall s").digits[0], "0.03000");
+  EXPECT_EQ(entry_at(table, two, "times one thread").shown, "2.00 [2.00, 2.00]");
+  EXPECT_EQ(table.rows.size(), 2u);
+  EXPECT_EQ(table_named(document, "beyond_truck_suspension").rows.size(), 6u);
+  for (const Section& section : document.sections)
+    for (const Table& other : section.tables)
+      for (const auto& row : other.rows)
+        for (const Entry& entry : row)
+          EXPECT_TRUE(other.name == table.name || entry.shown.find("threads:") == std::string::npos)
+              << other.name;
+}
+
+TEST(Threads, HaveNoRatioOverCpuTime) {
+  Json json = threads_record();
+  json["paper"]["cells"].erase(json["paper"]["cells"].size() - 1);
+  const Table table = table_named(make_report(record_from(json)), "threads_truck_suspension");
+  EXPECT_EQ(entry_at(table, {"114", "everything", hermite_lanes, "2"}, "times one thread").shown,
+            "one thread not measured");
+  const Record record = record_from(json);
+  EXPECT_THROW(measured_speed_up(measured(record.cells.begin()->second),
+                                 measured(record.wall_cells.begin()->second)),
+               std::logic_error);
 }
 
 TEST(Beyond, IsNotThereWithoutSettings) {
@@ -61,17 +108,17 @@ TEST(Beyond, IsNotThereWithoutSettings) {
 TEST(Beyond, LeavesOutWhatStandsBesidePeers) {
   Json json = structured_record();
   const Json cell = cell_of(json, "truck_suspension", 114, "global_automatic_klu");
-  json["cells"].push_back(timed(cell, "global_automatic_klu/guess:quadratic", 0.4));
+  json["paper"]["cells"].push_back(timed(cell, "global_automatic_klu/guess:quadratic", 0.4));
   EXPECT_EQ(beyond(record_from(json)).tables.size(), 1u);
-  json["peers"] = {{{"case", "truck_suspension"},
-                    {"coordinates", 114},
-                    {"peer", "other"},
-                    {"library", "Other"},
-                    {"library_version", "1"},
-                    {"method", "its own"},
-                    {"guess", "quadratic"},
-                    {"status", "not_run"},
-                    {"message", "too slow"}}};
+  json["paper"]["peers"] = {{{"case", "truck_suspension"},
+                             {"coordinates", 114},
+                             {"peer", "other"},
+                             {"library", "Other"},
+                             {"library_version", "1"},
+                             {"method", "its own"},
+                             {"guess", "quadratic"},
+                             {"status", "not_run"},
+                             {"message", "too slow"}}};
   EXPECT_TRUE(beyond(record_from(json)).tables.empty());
 }
 

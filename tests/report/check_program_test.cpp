@@ -52,11 +52,11 @@ TEST_F(CheckProgram, FilesThatCannotBeJudgedSayWhy) {
   EXPECT_NE(err_.find("results.json: not a complete JSON document"), std::string::npos) << err_;
   EXPECT_EQ(check("nonsense"), 2);
   Json json = check_sample();
-  json["version"] = "2.0.0";
+  json["schema_version"] = "3.0.0";
   EXPECT_EQ(check(json.dump()), 4);
-  EXPECT_NE(err_.find("schema version 2.0.0 is not supported"), std::string::npos) << err_;
+  EXPECT_NE(err_.find("schema version 3.0.0, and only 2.0.0 is read"), std::string::npos) << err_;
   json = check_sample();
-  json["head"]["cells"][0]["machine"] = "other";
+  json["head"]["paper"]["cells"][0]["machine"] = "other";
   EXPECT_EQ(check(json.dump()), 4);
   EXPECT_NE(err_.find("a record is of one machine"), std::string::npos) << err_;
   EXPECT_EQ(report("check " + (folder_ / "no_such.json").string()), 64);

@@ -19,21 +19,20 @@ Json times(double middle, int stride) {
 
 /// The environment and three cells of a recorded run, with made-up times.
 Json side(int stride) {
-  Json record = Json::parse(read_text(data_file("golden/1.3.0.json")));
-  for (const char* list : {"profiles", "structure", "requests"}) record.erase(list);
+  Json record = Json::parse(read_text(data_file("origins.json")));
+  for (const char* list : {"profiles", "structure", "requests"}) record["paper"].erase(list);
   Json cells = Json::array();
   double middle = 0.001;
-  for (const Json& cell : record["cells"]) {
+  for (const Json& cell : record["paper"]["cells"]) {
     const std::string id = cell["id"];
     const bool wanted = cell["case"] == "truck_suspension" && cell["coordinates"] == 114 &&
                         (id == "global_automatic_klu" || id == "group_symbolic_klu" ||
                          id == "group_symbolic_inlined");
     if (!wanted) continue;
     cells.push_back(cell);
-    cells.back()["cpu_seconds"] = times(middle *= 0.7, stride);
-    cells.back()["repetitions"] = rounds;
+    cells.back()["time"]["seconds"] = times(middle *= 0.7, stride);
   }
-  record["cells"] = cells;
+  record["paper"]["cells"] = cells;
   return record;
 }
 
@@ -43,22 +42,22 @@ std::string name_of(const Json& cell) {
 }
 
 Json& cell_named(Json& record, const std::string& name) {
-  for (Json& cell : record["cells"])
+  for (Json& cell : record["paper"]["cells"])
     if (name_of(cell) == name) return cell;
   ADD_FAILURE() << "no cell " << name;
-  return record["cells"][0];
+  return record["paper"]["cells"][0];
 }
 
 }  // namespace
 
 Json check_sample() {
-  Json check = {{"schema", "desmo-check"}, {"version", "1.3.0"}};
+  Json check = {{"schema", "desmo-check"}, {"schema_version", "2.0.0"}};
   check["settings"] = {{"seed", 1}, {"turns", 3}, {"repetitions", 2}};
   check["base"] = side(7);
   check["head"] = side(11);
   check["control"] = {{"base", times(1e-4, 7)}, {"head", times(1e-4, 11)}};
   check["work"] = {{"tool", "valgrind-3.19.0"}, {"steps", 100}, {"iterations", 3}};
-  for (const Json& cell : check["head"]["cells"])
+  for (const Json& cell : check["head"]["paper"]["cells"])
     check["work"]["instructions"][name_of(cell)] = {{"base", 1'000'000}, {"head", 1'000'000}};
   return check;
 }
@@ -72,7 +71,7 @@ Json one_tree_sample() {
 }
 
 void slow_down(Json& check, const std::string& cell, double factor) {
-  for (Json& seconds : cell_named(check["head"], cell)["cpu_seconds"])
+  for (Json& seconds : cell_named(check["head"], cell)["time"]["seconds"])
     seconds = seconds.get<double>() * factor;
 }
 
@@ -85,8 +84,7 @@ void fail_head(Json& check, const std::string& name) {
   Json& cell = cell_named(check["head"], name);
   cell["status"] = "failed";
   cell["message"] = "differs from the quadruple reference";
-  cell.erase("cpu_seconds");
-  cell.erase("repetitions");
+  cell.erase("time");
 }
 
 void leave_out(Json& check, const std::string& side, const std::string& name) {
@@ -101,11 +99,10 @@ void leave_out(Json& check, const std::string& side, const std::string& name) {
 void take_no_times(Json& check) {
   check.erase("control");
   for (const char* side : {"base", "head"})
-    for (Json& cell : check[side]["cells"]) {
+    for (Json& cell : check[side]["paper"]["cells"]) {
       cell["status"] = "not_run";
       cell["message"] = "verified, not timed";
-      cell.erase("cpu_seconds");
-      cell.erase("repetitions");
+      cell.erase("time");
     }
 }
 

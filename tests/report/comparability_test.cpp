@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "report/comparison.h"
 #include "report/record_reader.h"
 #include "tests/report/sample.h"
@@ -10,7 +12,7 @@
 namespace desmo::report::comparability_test {
 namespace {
 
-Json newest() { return Json::parse(read_text(data_file("golden/1.3.0.json"))); }
+Json newest() { return Json::parse(read_text(data_file("origins.json"))); }
 
 std::vector<std::string> reasons(const Json& a, const Json& b) {
   std::vector<std::string> names;
@@ -27,7 +29,7 @@ TEST(Comparability, TwoRunsOfOneMachineAndBuildAreComparable) {
   other["record"]["commit"] = "another";
   other["record"]["build"]["binary"] = std::string(64, 'b');
   other["record"]["machine"]["load_before"] = {5, 5, 5};
-  other["cells"][0]["cpu_seconds"][0] = 1;
+  other["paper"]["cells"][0]["time"]["seconds"][0] = 1;
   EXPECT_EQ(reasons(newest(), other), Names{});
 }
 
@@ -43,7 +45,6 @@ TEST(Comparability, NamesEveryPartOfTheKeyThatDiffers) {
       {"/record/settings/tolerance", 1e-6, "tolerance"},
       {"/record/settings/max_iterations", 5, "iterations at most"},
       {"/record/settings/guess", "none", "first guess"},
-      {"/record/settings/clock", "sundial", "clock"},
   };
   for (const auto& [place, value, name] : changes) {
     Json other = newest();
@@ -66,10 +67,10 @@ TEST(Comparability, NamesBothValues) {
   EXPECT_EQ(describe(found), "BLAS core: " + core + " here, Abacus there\n");
 }
 
-// There is nothing to pair with a record before 1.4.0: both by their medians.
-TEST(Comparability, ARecordWithSegmentsIsComparedByItsMediansWithOneWithout) {
+// There is nothing to pair with a record without windows: both by their medians.
+TEST(Comparability, ARecordWithWindowsIsComparedByItsMediansWithOneWithout) {
   const Json old = newest();
-  const Json record = with_segments(old);
+  const Json record = with_windows(old);
   const auto note = [](const Json& a, const Json& b) {
     return table_named(make_comparison(record_from(a), record_from(b)), "comparison").notes[0];
   };
@@ -89,40 +90,50 @@ Json replaced(const Json& record, const std::string& from, const std::string& to
 
 TEST(Comparability, AnotherMachineModelOrResultIsNamedOnce) {
   const Json record = newest();
-  const std::string cpu = record["record"]["machine"]["cpu"], model = record["cells"][0]["model"],
-                    results = record["cells"][0]["results"];
-  const std::string place = record["cells"][0]["case"].get<std::string>() + "/" +
-                            std::to_string(record["cells"][0]["coordinates"].get<int>());
+  const std::string cpu = record["record"]["machine"]["cpu"],
+                    model = record["paper"]["cells"][0]["model"],
+                    results = record["paper"]["cells"][0]["results"];
+  const std::string place = record["paper"]["cells"][0]["case"].get<std::string>() + "/" +
+                            std::to_string(record["paper"]["cells"][0]["coordinates"].get<int>());
   const std::string other(64, 'f');
   EXPECT_EQ(reasons(record, replaced(record, cpu, "Other CPU")), Names{"CPU model"});
   EXPECT_EQ(reasons(record, replaced(record, model, other)), Names{"model of " + place});
   EXPECT_EQ(reasons(record, replaced(record, results, other)), Names{"results of " + place});
 }
 
-TEST(Comparability, WhatIsNotRecordedIsNotTheSame) {
-  const Json old = Json::parse(read_text(data_file("golden/1.2.0.json")));
-  const auto found = why_incomparable(record_from(old), record_from(old));
-  ASSERT_FALSE(found.empty());
-  for (const Difference& d : found) {
-    EXPECT_EQ(d.first, "not recorded") << d.what;
-    EXPECT_EQ(d.second, "not recorded") << d.what;
-  }
+TEST(Comparability, WhatOnlyOneRecordsIsNotTheSame) {
+  Json other = newest();
+  other["paper"]["cells"][0].erase("results");
+  const auto found = why_incomparable(record_from(newest()), record_from(other));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_TRUE(found[0].what.starts_with("results of ")) << found[0].what;
+  EXPECT_EQ(found[0].second, "not recorded");
+}
+
+/// Peers find other coordinates: no digest is no difference.
+TEST(Comparability, APeerWithoutDigestIsNoDifference) {
+  Json json = newest();
+  const Json cell = json["paper"]["cells"][0];
+  json["paper"]["peers"] = {{{"case", cell["case"]},
+                             {"coordinates", cell["coordinates"]},
+                             {"peer", "tree"},
+                             {"library", "none"},
+                             {"library_version", "1"},
+                             {"method", "by hand"},
+                             {"guess", "previous"},
+                             {"status", "ok"},
+                             {"machine", cell["machine"]},
+                             {"model", cell["model"]},
+                             {"verification", cell["verification"]},
+                             {"time", cell["time"]}}};
+  EXPECT_EQ(reasons(json, json), Names{});
 }
 
 TEST(Comparability, WithoutACellInCommonThereIsNothingToCompare) {
   Json other = newest();
-  for (Json& cell : other["cells"]) cell["id"] = "other_" + cell["id"].get<std::string>();
-  for (Json& request : other["requests"]) request["request"] = "other";
-  EXPECT_EQ(reasons(newest(), other), Names{"cells in common"});
-}
-
-TEST(Comparability, AnotherMajorVersionIsNotComparable) {
-  const Record record = record_from(newest());
-  Record later = record;
-  later.version = "2.0.0";
-  const auto found = why_incomparable(record, later);
-  ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0].what, "schema");
+  for (Json& cell : other["paper"]["cells"]) cell["id"] = "other_" + cell["id"].get<std::string>();
+  for (Json& request : other["paper"]["requests"]) request["request"] = "other";
+  EXPECT_EQ(reasons(newest(), other), Names{"measurements in common"});
 }
 
 TEST(Comparison, GivesTheRatioOfTheMediansAndItsInterval) {
@@ -130,15 +141,13 @@ TEST(Comparison, GivesTheRatioOfTheMediansAndItsInterval) {
   const auto truck = [](Json& record) -> Json& {
     return cell_of(record, "truck_suspension", 114, "global_automatic_klu");
   };
-  truck(a).erase("repetitions");
-  truck(b).erase("repetitions");
-  truck(a)["cpu_seconds"] = {2.02, 1.98, 2.0};
-  truck(b)["cpu_seconds"] = {1.01, 0.99, 1.0};
+  truck(a)["time"]["seconds"] = {2.02, 1.98, 2.0};
+  truck(b)["time"]["seconds"] = {1.01, 0.99, 1.0};
   const Document document = make_comparison(record_from(a), record_from(b));
   const Entry ratio = entry_at(table_named(document, "comparison"),
                                {"truck_suspension", "114", "global_automatic_klu"}, "A over B");
   EXPECT_EQ(ratio.shown, "2.00 [1.96, 2.04] (50.0 %)");
-  truck(b)["cpu_seconds"] = {1.2, 0.9, 1.0};
+  truck(b)["time"]["seconds"] = {1.2, 0.9, 1.0};
   EXPECT_EQ(entry_at(table_named(make_comparison(record_from(a), record_from(b)), "comparison"),
                      {"truck_suspension", "114", "global_automatic_klu"}, "A over B")
                 .note,
@@ -158,13 +167,31 @@ TEST(Comparison, ShowsNoTimeOfWhatFailedInEither) {
   EXPECT_EQ(entry_at(table, row, "remark").shown, "B: velocity differs by 1, 1e-08 is allowed");
 }
 
-TEST(Comparison, MarksWhatOnlyOneOfThemHas) {
+TEST(Comparison, CountsWhatOnlyOneOfThemHas) {
   Json b = newest();
   erase_cell(b, "truck_suspension", 114, "global_automatic_klu");
   const Table table =
       table_named(make_comparison(record_from(newest()), record_from(b)), "comparison");
-  EXPECT_EQ(entry_at(table, {"truck_suspension", "114", "global_automatic_klu"}, "A over B").shown,
-            missing_mark);
+  EXPECT_THROW(entry_at(table, {"truck_suspension", "114", "global_automatic_klu"}, "A"),
+               std::runtime_error);
+  EXPECT_EQ(table.notes[1], "Not shown: 1 in A only, 0 in B only.");
+}
+
+TEST(Comparison, OfTwoMachinesShowsSpeedUpsAndNoSeconds) {
+  const Record a = record_from(newest());
+  Json json = replaced(newest(), a.machine.cpu, "Other CPU");
+  const Record b = record_from(json);
+  EXPECT_TRUE(are_of_two_machines(a, b));
+  EXPECT_FALSE(are_of_two_machines(a, a));
+  EXPECT_TRUE(why_not_the_same_work(a, b).empty());
+  const Table table = table_named(make_comparison_of_machines(a, b), "machines");
+  EXPECT_FALSE(table.rows.empty());
+  for (const Column& column : table.columns)
+    EXPECT_EQ(std::ranges::count(column.quantities, "seconds"), 0) << column.name;
+  const std::vector<std::string> row{"truck_suspension", "114", "group_symbolic_klu"};
+  EXPECT_EQ(entry_at(table, row, "A").shown, entry_at(table, row, "B").shown);
+  set_motion(json, 3);
+  EXPECT_FALSE(why_not_the_same_work(a, record_from(json)).empty());
 }
 
 }  // namespace

@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
 #include <set>
 #include <sstream>
 
+#include "report/record_reader.h"
 #include "report/report.h"
 #include "tests/report/sample.h"
 
@@ -87,6 +89,49 @@ TEST(Terminal, AlignsByCharactersNotBytes) {
   const std::string text = to_terminal(awkward());
   EXPECT_NE(text.find("-1.50 ±0.10\n"), std::string::npos) << text;
   EXPECT_NE(text.find("     FAILED\n"), std::string::npos) << text;
+}
+
+std::size_t widest_line(const std::string& text) {
+  std::istringstream lines(text);
+  std::size_t widest = 0;
+  for (std::string line; std::getline(lines, line);) widest = std::max(widest, characters(line));
+  return widest;
+}
+
+// An id breaks after "/", an interval stays whole.
+TEST(Terminal, WrapsEntriesSoThatARowFits) {
+  Document document = awkward();
+  Table& table = document.sections[0].tables[0];
+  const std::string id = "group_symbolic_explicit/guess:adams8/segments:8/tolerance:1e-10";
+  table.rows[0][0].shown = id + "/" + id;
+  table.rows[0][1].shown = "12.50 [12.25, 13.00] inconclusive";
+  const std::string text = to_terminal(document);
+  EXPECT_LE(widest_line(text), 100u) << text;
+  EXPECT_NE(text.find("[12.25, 13.00]"), std::string::npos) << text;
+  std::string without_spaces = text;
+  std::erase_if(without_spaces, [](char c) { return c == ' ' || c == '\n'; });
+  EXPECT_NE(without_spaces.find("tolerance:1e-10"), std::string::npos) << text;
+}
+
+TEST(Terminal, ShowsInFrontWhatIsMarked) {
+  Document document = awkward();
+  EXPECT_EQ(front_to_terminal(document), "T\n=\n");
+  document.sections[0].front = true;
+  EXPECT_NE(front_to_terminal(document).find("FAILED"), std::string::npos);
+}
+
+// What bench/run prints at its end.
+TEST(Terminal, FrontOfEveryFiledRecordFitsOnAScreen) {
+  int records = 0;
+  for (const auto& file :
+       std::filesystem::directory_iterator(DESMO_SOURCE_DIR "/results/records")) {
+    if (file.path().extension() != ".gz") continue;
+    ++records;
+    const std::string text = front_to_terminal(make_report(read_record(file.path())));
+    EXPECT_LE(std::ranges::count(text, '\n'), 56) << file.path() << "\n" << text;
+    EXPECT_LE(widest_line(text), 100u) << file.path() << "\n" << text;
+  }
+  EXPECT_GE(records, 8);
 }
 
 TEST(Terminal, NamesTheTablesItLeavesOut) {

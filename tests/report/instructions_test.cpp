@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "report/report.h"
-#include "report/tables/sizes.h"
-#include "tests/report/sizes_sample.h"
+#include "report/tables/size.h"
+#include "tests/report/size_sample.h"
 
 namespace desmo::report::instructions_test {
 namespace {
@@ -39,17 +39,18 @@ TEST(Instructions, ThatSayNothingAreRefused) {
     return complaint(json);
   };
   EXPECT_EQ(complaint(instructions_record()), "accepted");
-  EXPECT_NE(with("/instructions/0/instructions_per_step", 0)
-                .find("instructions[0].instructions_per_step: "),
+  EXPECT_NE(with("/instructions/counts/0/instructions_per_step", 0)
+                .find("instructions.counts[0].instructions_per_step: "),
             std::string::npos);
-  EXPECT_NE(with("/instructions/1/id", "global_automatic_klu").find("instructions[1]: "),
-            std::string::npos);
+  EXPECT_NE(
+      with("/instructions/counts/1/id", "global_automatic_klu").find("instructions.counts[1]: "),
+      std::string::npos);
 }
 
 TEST(Instructions, HaveAPageOfTheirOwn) {
   const Document page = make_report(record_from(instructions_record()));
-  EXPECT_EQ(page.title, "desmo: instructions a step");
-  EXPECT_EQ(page.sections.front().title, "Instructions a step");
+  EXPECT_EQ(page.title, "desmo: Instructions");
+  EXPECT_EQ(page.sections.at(1).title, "Instructions a step");
 }
 
 }  // namespace

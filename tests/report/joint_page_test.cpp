@@ -12,15 +12,14 @@ class JointPage : public Program {
   // The newest record of cells and this one of points on one page.
   int joined(const Json& points, const std::string& options = "") {
     std::ofstream(folder_ / "points.json") << points.dump();
-    return tables(data_file("golden/1.3.0.json"),
-                  (folder_ / "points.json").string() + " " + options);
+    return tables(data_file("origins.json"), (folder_ / "points.json").string() + " " + options);
   }
 
   // Made-up points of the machine and build that the cells are of, in a shorter motion.
   Json points() const {
     Json json = points_record();
     const Json settings = json["record"]["settings"];
-    json["record"] = Json::parse(read_text(data_file("golden/1.3.0.json")))["record"];
+    json["record"] = Json::parse(read_text(data_file("origins.json")))["record"];
     for (const char* key : {"step_seconds", "duration_seconds", "instants"})
       json["record"]["settings"][key] = settings[key];
     return json;
@@ -35,10 +34,11 @@ TEST_F(JointPage, HasTheSectionsOfBoth) {
         "work_precision_truck_suspension.vl.json", "provenance.csv", "provenance_2.csv"})
     EXPECT_EQ(files.count(name), 1u) << name;
   for (const char* name : {"tables.txt", "tables.md", "tables.tex", "tables.json", "report.html"})
-    for (const char* title : {"Growth with the number of coordinates", "What accuracy costs"})
+    for (const char* title : {"Which global reference", "What accuracy costs"})
       EXPECT_NE(files.at(name).find(title), std::string::npos) << name;
+  EXPECT_EQ(joined(points(), "--all"), 0);
   const std::string printed = out_;  // the first record is not the foremost
-  EXPECT_EQ(tables(folder_ / "points.json", data_file("golden/1.3.0.json").string()), 0);
+  EXPECT_EQ(tables(folder_ / "points.json", data_file("origins.json").string() + " --all"), 0);
   EXPECT_EQ(out_.substr(0, out_.find("How it was measured")),
             printed.substr(0, printed.find("How it was measured")));
 }
@@ -56,7 +56,7 @@ TEST_F(JointPage, OfRecordsThatDifferIsRefusedWithTheReason) {
 }
 
 TEST_F(JointPage, HasOneRecordOfEachKind) {
-  const std::string cells = data_file("golden/1.3.0.json").string();
+  const std::string cells = data_file("origins.json").string();
   EXPECT_EQ(tables(cells, cells), 4);
   EXPECT_NE(err_.find("one record with cells: "), std::string::npos) << err_;
   EXPECT_EQ(joined(points(), (folder_ / "points.json").string()), 4);
@@ -65,9 +65,9 @@ TEST_F(JointPage, HasOneRecordOfEachKind) {
 
 TEST_F(JointPage, NamesTheFileThatIsWrong) {
   Json json = points();
-  json["precision"][2]["status"] = "fine";
+  json["accuracy"]["points"][2]["status"] = "fine";
   EXPECT_EQ(joined(json), 65);
-  EXPECT_NE(err_.find("points.json: precision[2].status: "), std::string::npos) << err_;
+  EXPECT_NE(err_.find("points.json: accuracy.points[2].status: "), std::string::npos) << err_;
 }
 
 }  // namespace

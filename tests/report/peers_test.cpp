@@ -21,14 +21,14 @@ Json peer(int coordinates, const std::string& name, std::vector<double> seconds)
           {"status", "ok"},
           {"verification",
            {{"instants", 51}, {"position", 2e-11}, {"velocity", 3e-11}, {"acceleration", 4e-10}}},
-          {"cpu_seconds", seconds},
-          {"setup_seconds", 0.001},
+          {"time", {{"clock", "cpu"}, {"seconds", seconds}}},
+          {"setup_time", {{"clock", "cpu"}, {"seconds", {0.001}}}},
           {"iterations_per_step", 1.01}};
 }
 
 Json left_out(int coordinates, const std::string& name) {
   Json json = peer(coordinates, name, {});
-  for (const char* key : {"verification", "cpu_seconds", "setup_seconds", "iterations_per_step"})
+  for (const char* key : {"verification", "time", "setup_time", "iterations_per_step"})
     json.erase(key);
   json["status"] = "not_run";
   json["message"] = "it would take too long";
@@ -38,17 +38,17 @@ Json left_out(int coordinates, const std::string& name) {
 /// Two rivals beside two of ours, which start from the same guess. Made-up numbers.
 Json peers_record() {
   Json json = structured_record();
-  json["version"] = "1.3.0";
+  json["schema_version"] = "2.0.0";
   for (const auto& [id, seconds] :
        {std::pair{"global_automatic_klu", 0.03}, {"block_symbolic_inlined", 0.003}}) {
     Json cell = cell_of(json, "truck_suspension", 114, "global_automatic_klu");
     cell["id"] = std::string(id) + "/guess:quadratic";
-    cell["cpu_seconds"] = {seconds * 0.99, seconds, seconds * 1.01};
+    cell["time"]["seconds"] = {seconds * 0.99, seconds, seconds * 1.01};
     cell["iterations_per_step"] = 2.0;
-    json["cells"].push_back(cell);
+    json["paper"]["cells"].push_back(cell);
   }
-  json["peers"] = {peer(114, "slow", {0.59, 0.6, 0.61}), peer(114, "quick", {0.0015}),
-                   left_out(225, "slow")};
+  json["paper"]["peers"] = {peer(114, "slow", {0.59, 0.6, 0.61}), peer(114, "quick", {0.0015}),
+                            left_out(225, "slow")};
   return json;
 }
 
@@ -76,17 +76,17 @@ TEST(Peers, AreMeasuredAgainstOursWithTheSameGuess) {
 
 TEST(Peers, OfWhichTooLittleIsKnownAreInconclusive) {
   Json json = peers_record();
-  json["peers"][0]["cpu_seconds"] = {0.5, 0.6, 0.7};
+  json["paper"]["peers"][0]["time"]["seconds"] = {0.5, 0.6, 0.7};
   EXPECT_EQ(entry_at(times(json), {"114", "slow"}, "times ours, global").note, inconclusive_mark);
 }
 
 TEST(Peers, OfAnotherMachineOrModelAreRefused) {
   Json json = peers_record();
-  json["peers"][0]["machine"] = "another CPU";
+  json["paper"]["peers"][0]["machine"] = "another CPU";
   EXPECT_NE(complaint(json).find("truck_suspension/114/peer:slow: measured on"), std::string::npos);
   json = peers_record();
-  json["peers"][0]["model"] = std::string(64, 'a');
-  json["peers"][1]["model"] = std::string(64, 'b');
+  json["paper"]["peers"][0]["model"] = std::string(64, 'a');
+  json["paper"]["peers"][1]["model"] = std::string(64, 'b');
   EXPECT_NE(complaint(json).find("peer:quick: solves another model"), std::string::npos);
 }
 
@@ -104,13 +104,13 @@ TEST(Peers, WithoutOursOfTheirGuessHaveNoRatio) {
   const std::vector<std::string> slow{"114", "slow"};
   EXPECT_EQ(entry_at(times(json), slow, "times ours, global").shown, missing_mark);
   EXPECT_EQ(entry_at(times(json), slow, "times ours, fastest").digits[0], "200");
-  json["peers"][0]["guess"] = "previous";
+  json["paper"]["peers"][0]["guess"] = "previous";
   EXPECT_EQ(entry_at(times(json), slow, "times ours, fastest").shown, missing_mark);
 }
 
 TEST(Peers, ThatFailedOrDidNotRunHaveNoTime) {
   Json json = peers_record();
-  json["peers"][0]["verification"]["velocity"] = 2e-8;  // more than is allowed
+  json["paper"]["peers"][0]["verification"]["velocity"] = 2e-8;  // more than is allowed
   const std::vector<std::string> slow{"114", "slow"}, not_run{"225", "slow"};
   for (const char* column : {"CPU s", "times ours, fastest"}) {
     EXPECT_EQ(entry_at(times(json), not_run, column).shown,
@@ -128,7 +128,7 @@ TEST(Peers, ThatFailedOrDidNotRunHaveNoTime) {
 
 TEST(Peers, LeaveThePapersTablesAsTheyAre) {
   Json with = peers_record(), without = structured_record();
-  without["version"] = "1.3.0";
+  without["schema_version"] = "2.0.0";
   const Document a = make_report(record_from(with)), b = make_report(record_from(without));
   for (const Section& section : b.sections)
     for (const Table& table : section.tables)
@@ -143,13 +143,16 @@ TEST(Peers, AreReadWithCare) {
     return complaint(json);
   };
   EXPECT_EQ(complaint(peers_record()), "accepted");
-  EXPECT_EQ(with("/peers/1/peer", "slow"),
-            "peers[1]: truck_suspension/114/peer:slow is given twice");
-  EXPECT_NE(with("/peers/0/status", "fine").find("peers[0].status: "), std::string::npos);
-  EXPECT_NE(with("/peers/0/cpu_seconds", Json::array()).find("peers[0].cpu_seconds: "),
+  EXPECT_EQ(with("/paper/peers/1/peer", "slow"),
+            "paper.peers[1]: truck_suspension/114/peer:slow is given twice");
+  EXPECT_NE(with("/paper/peers/0/status", "fine").find("paper.peers[0].status: "),
             std::string::npos);
-  EXPECT_NE(with("/peers/0/compared", 115).find("peers[0].compared: "), std::string::npos);
-  EXPECT_NE(with("/peers/0/guess", 1).find("peers[0].guess: "), std::string::npos);
+  EXPECT_NE(
+      with("/paper/peers/0/time/seconds", Json::array()).find("paper.peers[0].time.seconds: "),
+      std::string::npos);
+  EXPECT_NE(with("/paper/peers/0/compared", 115).find("paper.peers[0].compared: "),
+            std::string::npos);
+  EXPECT_NE(with("/paper/peers/0/guess", 1).find("paper.peers[0].guess: "), std::string::npos);
 }
 
 }  // namespace

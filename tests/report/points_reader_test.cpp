@@ -32,7 +32,7 @@ TEST(PointsReader, ReadsWhatIsThere) {
 TEST(PointsReader, CellsAndPointsMayStandInOneRecord) {
   Json json = structured_record();
   const Json points = points_record();
-  for (const char* list : {"floors", "precision"}) json[list] = points[list];
+  json["accuracy"] = points["accuracy"];
   const Record record = record_from(json);
   EXPECT_FALSE(record.cells.empty());
   EXPECT_EQ(record.points.size(), 24u);
@@ -54,45 +54,51 @@ TEST(PointsReader, NamesThePlaceOfWhatIsWrong) {
     return complaint(json);
   };
   EXPECT_EQ(complaint(points_record()), "accepted");
-  EXPECT_CONTAINS(with("/precision/1/status", "fine"),
-                  "precision[1].status: \"fine\" is none of \"ok\", \"failed\"");
-  EXPECT_CONTAINS(with("/precision/1/error/position/max", -1), "precision[1].error.position.max: ");
-  EXPECT_CONTAINS(with("/precision/1/error/position/rms", 1),
-                  "precision[1].error.position.rms: it exceeds the largest");
-  EXPECT_CONTAINS(with("/precision/1/seconds_per_step", Json::array()),
-                  "precision[1].seconds_per_step: an \"ok\" point needs at least one sample");
-  EXPECT_CONTAINS(with("/precision/1/seconds_per_step/0", 0), "precision[1].seconds_per_step[0]: ");
-  EXPECT_CONTAINS(with("/precision/1/iterations_per_step", "two"), "precision[1].iterations_per_");
-  EXPECT_CONTAINS(with("/precision/1/step_seconds", 0), "precision[1].step_seconds: ");
-  EXPECT_CONTAINS(with("/precision/1/instants", 1), "precision[1].instants: 1 is not in 2");
-  EXPECT_CONTAINS(with("/floors/0/reference/velocity", "none"), "floors[0].reference.velocity: ");
-  EXPECT_CONTAINS(with("/floors/0/limit/float", 1),
-                  "floors[0].limit.float: an object was expected");
-  EXPECT_CONTAINS(with("/floors/0/condition", 0), "floors[0].condition: ");
+  EXPECT_CONTAINS(with("/accuracy/points/1/status", "fine"),
+                  "accuracy.points[1].status: \"fine\" is none of \"ok\", \"failed\"");
+  EXPECT_CONTAINS(with("/accuracy/points/1/error/position/max", -1),
+                  "accuracy.points[1].error.position.max: ");
+  EXPECT_CONTAINS(with("/accuracy/points/1/error/position/rms", 1),
+                  "accuracy.points[1].error.position.rms: it exceeds the largest");
+  EXPECT_CONTAINS(with("/accuracy/points/1/time_per_step/seconds", Json::array()),
+                  "accuracy.points[1].time_per_step.seconds: at least one sample");
+  EXPECT_CONTAINS(with("/accuracy/points/1/time_per_step/seconds/0", 0),
+                  "accuracy.points[1].time_per_step.seconds[0]: ");
+  EXPECT_CONTAINS(with("/accuracy/points/1/iterations_per_step", "two"),
+                  "accuracy.points[1].iterations_per_");
+  EXPECT_CONTAINS(with("/accuracy/points/1/step_seconds", 0), "accuracy.points[1].step_seconds: ");
+  EXPECT_CONTAINS(with("/accuracy/points/1/instants", 1),
+                  "accuracy.points[1].instants: 1 is not in 2");
+  EXPECT_CONTAINS(with("/accuracy/floors/0/reference/velocity", "none"),
+                  "accuracy.floors[0].reference.velocity: ");
+  EXPECT_CONTAINS(with("/accuracy/floors/0/limit/float", 1),
+                  "accuracy.floors[0].limit.float: an object was expected");
+  EXPECT_CONTAINS(with("/accuracy/floors/0/condition", 0), "accuracy.floors[0].condition: ");
 }
 
 TEST(PointsReader, RefusesIdsThatCannotBeTakenApart) {
   for (const std::string id : {"", "/guess:linear", "a_b_c/guess", "a_b_c/guess:", "a_b_c/:linear",
                                "a_b_c/", "a_b_c/guess:linear/guess:linear"}) {
     Json json = points_record();
-    json["precision"][0]["id"] = id;
-    EXPECT_CONTAINS(complaint(json), "precision[0].id: \"" + id + "\" is not a formulation");
+    json["accuracy"]["points"][0]["id"] = id;
+    EXPECT_CONTAINS(complaint(json), "accuracy.points[0].id: \"" + id + "\" is not a formulation");
   }
 }
 
 TEST(PointsReader, RefusesWhatIsGivenTwiceOrHasNoFloor) {
   Json json = points_record();
-  json["precision"].push_back(json["precision"][0]);
+  json["accuracy"]["points"].push_back(json["accuracy"]["points"][0]);
   EXPECT_CONTAINS(
       complaint(json),
-      "precision[24]: global_automatic_klu of truck_suspension/225 with 101 instants is "
+      "accuracy.points[24]: global_automatic_klu of truck_suspension/225 with 101 instants is "
       "given twice");
   json = points_record();
-  json["floors"].push_back(json["floors"][0]);
-  EXPECT_CONTAINS(complaint(json), "floors[4]: the floor of truck_suspension/225");
+  json["accuracy"]["floors"].push_back(json["accuracy"]["floors"][0]);
+  EXPECT_CONTAINS(complaint(json), "accuracy.floors[4]: the floor of truck_suspension/225");
   json = points_record();
-  json["floors"].erase(0);
-  EXPECT_CONTAINS(complaint(json), "precision[0]: \"floors\" has nothing of truck_suspension/225");
+  json["accuracy"]["floors"].erase(0);
+  EXPECT_CONTAINS(complaint(json),
+                  "accuracy.points[0]: \"floors\" has nothing of truck_suspension/225");
 }
 
 TEST(Configuration, TakesSettingsInAnyOrderAndKeepsWhatItDoesNotKnow) {

@@ -52,12 +52,14 @@ Json solved_point(const std::string& id, double microseconds, double error, doub
   point["error"] = level_errors(error);
   point["violation"] = level_errors(error / 10);
   point["iterations_per_step"] = iterations;
-  point["seconds_per_step"] = {1.5e-6 * microseconds, 1e-6 * microseconds, 1.02e-6 * microseconds};
+  point["time_per_step"]["clock"] = "cpu";
+  point["time_per_step"]["seconds"] = {1.5e-6 * microseconds, 1e-6 * microseconds,
+                                       1.02e-6 * microseconds};
   return point;
 }
 
 Json& point_of(Json& record, const std::string& id) {
-  for (Json& point : record["precision"])
+  for (Json& point : record["accuracy"]["points"])
     if (point["coordinates"] == 225 && point["step_seconds"] == 0.01 && point["id"] == id)
       return point;
   throw std::runtime_error("no point " + id);
@@ -65,12 +67,11 @@ Json& point_of(Json& record, const std::string& id) {
 
 Json points_record() {
   Json record = structured_record();
-  for (const char* key : {"cells", "profiles", "structure", "requests", "peers"}) record.erase(key);
-  record["version"] = "1.5.0";
+  record.erase("paper");
+  record["schema_version"] = "2.0.0";
   record["record"]["command"] = "desmo_precision --synthetic";
   record["record"]["settings"]["tolerance"] = 1e-12;
   set_motion(record, 1);
-  record["cells"] = Json::array();
   const std::string klu = "global_automatic_klu", lapack = "group_symbolic_lapack";
   Json points = {solved_point(klu, 40, 1e-15, 3.03),
                  solved_point(klu + "/iterations:1", 20, 5e-5),
@@ -101,9 +102,9 @@ Json points_record() {
   points.push_back(moved(solved_point(klu, 30, 1e-15, 2.02), fine));
   points.push_back(moved(solved_point(lapack, 75, 1e-14, 2.02), fine));
   points.push_back(moved(solved_point("group_automatic_klu", 36, 1e-14, 2.02), fine));
-  record["floors"] = {floor_of(series("truck_suspension", 225, 0.01, 101)), floor_of(small),
-                      floor_of(bars), floor_of(fine)};
-  record["precision"] = std::move(points);
+  record["accuracy"]["floors"] = {floor_of(series("truck_suspension", 225, 0.01, 101)),
+                                  floor_of(small), floor_of(bars), floor_of(fine)};
+  record["accuracy"]["points"] = std::move(points);
   return record;
 }
 

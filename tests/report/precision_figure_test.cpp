@@ -27,7 +27,7 @@ TEST(WorkPrecision, HasOneFigureForEachCase) {
   EXPECT_EQ(files[0].file_name, "work_precision_four_bar.vl.json");
   EXPECT_EQ(files[1].file_name, "work_precision_truck_suspension.vl.json");
   Json both = structured_record();
-  for (const char* list : {"floors", "precision"}) both[list] = points_record()[list];
+  both["accuracy"] = points_record()["accuracy"];
   both["record"]["settings"]["step_seconds"] = 0.01;
   EXPECT_EQ(figures(record_from(both)).size(), 4u);
 }
@@ -74,8 +74,8 @@ TEST(WorkPrecision, TheFrontIsWhatNothingElseBeatsInBoth) {
 TEST(WorkPrecision, DrawsOfEachFormulationWhatItsOtherSettingsDoNotBeat) {
   Json json = points_record();
   const std::string lapack = "group_symbolic_lapack";
-  json["precision"].push_back(solved_point(lapack + "/guess:linear", 70, 5e-6));
-  json["precision"].push_back(solved_point(lapack + "/guess:quadratic", 110, 1e-15));
+  json["accuracy"]["points"].push_back(solved_point(lapack + "/guess:linear", 70, 5e-6));
+  json["accuracy"]["points"].push_back(solved_point(lapack + "/guess:quadratic", 110, 1e-15));
   const Json spec = figure_of(json);
   EXPECT_NE(mark_of(spec, lapack), nullptr);  // "/guess:hermite5" is faster and more exact
   EXPECT_NE(mark_of(spec, lapack + "/guess:quadratic"), nullptr);
@@ -86,7 +86,7 @@ TEST(WorkPrecision, DrawsOfEachFormulationWhatItsOtherSettingsDoNotBeat) {
 TEST(WorkPrecision, WhatIsInterpolatedIsAFamilyApartFromTheFront) {
   Json json = points_record();
   const Json before = figure_of(json);
-  json["precision"].push_back(solved_point("global_automatic_klu/stride:8", 5, 1e-9));
+  json["accuracy"]["points"].push_back(solved_point("global_automatic_klu/stride:8", 5, 1e-9));
   const Json spec = figure_of(json), mark = mark_of(spec, "global_automatic_klu/stride:8");
   EXPECT_EQ(mark["family"], "interpolated");
   EXPECT_FALSE(mark["front"].get<bool>());
@@ -123,7 +123,7 @@ TEST(WorkPrecision, DrawsTheFloorAndThePredictedLimits) {
     EXPECT_EQ(lines[2]["at"], 6e-5);
   }
   Json json = points_record();
-  json["floors"][0].erase("condition");
+  json["accuracy"]["floors"][0].erase("condition");
   EXPECT_EQ(figure_of(json)["vconcat"][0]["layer"][3]["data"]["values"].size(), 1u);
 }
 
@@ -132,7 +132,7 @@ TEST(WorkPrecision, DrawsEveryErrorWithinItsAxis) {
   Json json = points_record();
   for (const auto& [id, error] :
        {std::pair{"block_automatic_klu", 0.0}, {"block_symbolic_klu", 1e60}})
-    json["precision"].push_back(solved_point(id, 10, error));
+    json["accuracy"]["points"].push_back(solved_point(id, 10, error));
   const Json spec = figure_of(json);
   const Json& domain = spec["vconcat"][0]["layer"][0]["encoding"]["x"]["scale"]["domain"];
   for (const char* id : {"block_automatic_klu", "block_symbolic_klu"}) {
@@ -145,7 +145,7 @@ TEST(WorkPrecision, DrawsEveryErrorWithinItsAxis) {
 
 TEST(WorkPrecision, FamiliesKeepTheirMarksAndUnknownOnesGetACross) {
   Json json = points_record();
-  json["precision"].push_back(solved_point("tearing_symbolic_klu", 10, 1e-9));
+  json["accuracy"]["points"].push_back(solved_point("tearing_symbolic_klu", 10, 1e-9));
   const Json spec = figure_of(json);
   const Json& encoding = spec["vconcat"][0]["layer"][0]["encoding"];
   EXPECT_EQ(encoding["color"]["scale"]["domain"],

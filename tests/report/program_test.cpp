@@ -1,8 +1,10 @@
 // desmo_report and the render script as a user runs them: exit codes, messages, files.
 #include "tests/report/program.h"
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
+#include <vector>
 
 #include "tests/report/sample.h"
 
@@ -11,11 +13,28 @@ namespace {
 
 namespace fs = std::filesystem;
 
-TEST_F(Program, PrintsTheTablesAndWritesNothing) {
+TEST_F(Program, PrintsWhatStandsInFrontAndWritesNothing) {
   EXPECT_EQ(tables("complete.json"), 0);
+  EXPECT_NE(out_.find("The paper's best variant"), std::string::npos);
+  EXPECT_NE(out_.find("--all"), std::string::npos);
+  EXPECT_EQ(out_.find("Table 1 (klu)"), std::string::npos);
+  EXPECT_EQ(err_, "");
+}
+
+TEST_F(Program, PrintsAllTablesOrOne) {
+  EXPECT_EQ(tables("complete.json", "--all"), 0);
   EXPECT_NE(out_.find("Table 1 (klu)"), std::string::npos);
   EXPECT_NE(out_.find("Table 2 (umfpack)"), std::string::npos);
-  EXPECT_EQ(err_, "");
+  const std::string all = out_;
+  EXPECT_EQ(tables("complete.json", "--format terminal"), 0);
+  EXPECT_EQ(out_, all);
+  EXPECT_EQ(tables("complete.json", "--table table1_klu --table best --format markdown"), 0);
+  EXPECT_NE(out_.find("**Table 1"), std::string::npos);
+  EXPECT_NE(out_.find("**One thread over"), std::string::npos);
+  EXPECT_EQ(out_.find("**Table 2"), std::string::npos);
+  EXPECT_EQ(tables("complete.json", "--table chair"), 64);
+  EXPECT_NE(err_.find("no table chair in this report"), std::string::npos) << err_;
+  EXPECT_EQ(out_, "");
 }
 
 TEST_F(Program, TellsItsVersion) {
@@ -29,20 +48,23 @@ TEST_F(Program, WritesEveryFormatTwiceTheSame) {
   const std::string printed = out_;
   EXPECT_EQ(tables("complete.json", "--out " + second.string()), 0);
   EXPECT_EQ(out_, printed);
+  EXPECT_LE(std::ranges::count(printed, '\n'), 60);
   const auto files = files_in(first);
   EXPECT_EQ(files, files_in(second));
-  for (const char* name : {"tables.txt", "tables.json", "tables.md", "tables.tex", "report.html",
-                           "table1_cholmod.csv", "table2_klu.csv", "figure5.vl.json",
-                           "figure6.vl.json", "scaling.csv", "conclusion.csv", "provenance.csv"})
+  for (const char* name :
+       {"tables.txt", "tables.json", "tables.md", "tables.tex", "report.html", "table1_cholmod.csv",
+        "table2_klu.csv", "figure5.vl.json", "figure6.vl.json", "figure6.csv", "best.csv",
+        "scaling.csv", "provenance.csv"})
     EXPECT_EQ(files.count(name), 1u) << name;
-  EXPECT_EQ(files.at("tables.txt"), printed);
+  EXPECT_EQ(tables("complete.json", "--all"), 0);
+  EXPECT_EQ(files.at("tables.txt"), out_);
   EXPECT_EQ(tables("complete.json", "--out " + first.string()), 0);  // over what is there
   EXPECT_EQ(files, files_in(first));
 }
 
 TEST_F(Program, TheOrderOfCellsDoesNotMatter) {
   Json json = complete_record();
-  std::reverse(json["cells"].begin(), json["cells"].end());
+  std::reverse(json["paper"]["cells"].begin(), json["paper"]["cells"].end());
   std::ofstream(folder_ / "reversed.json") << json.dump();
   EXPECT_EQ(tables("complete.json"), 0);
   const std::string printed = out_;
@@ -79,8 +101,10 @@ TEST_F(Program, UsageErrors) {
 
 TEST_F(Program, InvalidRecordsNameFileAndPlace) {
   EXPECT_EQ(tables("unknown_version.json", "--out " + (folder_ / "out").string()), 65);
-  EXPECT_NE(err_.find("unknown_version.json: version: schema version 2.0.0 is not supported"),
-            std::string::npos)
+  EXPECT_NE(
+      err_.find(
+          "unknown_version.json: schema_version: schema version 3.0.0, and only 2.0.0 is read"),
+      std::string::npos)
       << err_;
   EXPECT_EQ(out_, "");
   EXPECT_FALSE(fs::exists(folder_ / "out"));
@@ -135,57 +159,91 @@ TEST_F(Program, WithoutNodeTheMissingFiguresAreNamed) {
   EXPECT_EQ(shell(render + (folder_ / "no_such").string()), 64);
 }
 
-// What is filed of a run stays what its record gives, byte for byte, whatever later schemas add.
-TEST_F(Program, EveryFiledRecordGivesTheReportBesideIt) {
-  int runs = 0;
-  for (const auto& entry : fs::recursive_directory_iterator(DESMO_SOURCE_DIR "/results/runs")) {
-    const fs::path record = entry.path(), report = fs::path(record).replace_extension();
-    if (record.extension() != ".json" || !fs::is_directory(report)) continue;
-    ++runs;
-    const fs::path out = folder_ / std::to_string(runs);
-    ASSERT_EQ(shell(std::string(DESMO_REPORT_PROGRAM) + " tables " + record.string() + " --out " +
-                    out.string()),
-              0);
-    std::map<std::string, std::string> filed = files_in(report);
-    std::erase_if(filed, [](const auto& file) { return file.first.ends_with(".svg"); });
-    filed.erase("report.html");  // with its figures too large to be filed
-    std::map<std::string, std::string> given = files_in(out);
-    EXPECT_EQ(given.erase("report.html"), 1u);
-    EXPECT_EQ(given, filed) << record;
-  }
-  EXPECT_GT(runs, 0);
+// In one line, with a space between words.
+std::string in_one_line(const std::string& text) {
+  std::istringstream words(text);
+  std::string result;
+  for (std::string word; words >> word;) result += (result.empty() ? "" : " ") + word;
+  return result;
 }
 
-// Pages quote recorded runs: each line of their tables is a line of that run's report.
+// A page's text between its comments <!-- measured: RECORD --> and <!-- end of measured -->.
+struct Quotation {
+  std::string record, text;
+};
+
+std::vector<Quotation> quotations(const std::string& page) {
+  const std::string mark = "<!-- measured: ", end_mark = "<!-- end of measured -->";
+  std::vector<Quotation> found;
+  for (std::size_t at = 0; (at = page.find(mark, at)) != std::string::npos;) {
+    const std::size_t path = at + mark.size(), text = page.find(" -->", path) + 4,
+                      end = page.find(end_mark, text);
+    EXPECT_NE(end, std::string::npos) << page.substr(at, 80);
+    if (end == std::string::npos) break;
+    found.push_back({page.substr(path, text - 4 - path), page.substr(text, end - text)});
+    at = end;
+  }
+  return found;
+}
+
+// Pages quote records: each line of their tables is a line of that record's report, and what they
+// quote with ">" is what stands in front of it.
 TEST_F(Program, PagesQuoteTheirRecords) {
   struct Page {
     const char* name;
-    int records, rows;  // quoted; rows at least
+    std::size_t records, rows;  // quoted; rows at least
   };
   const fs::path source = DESMO_SOURCE_DIR;
-  const std::string mark = "<!-- measured: ";
-  for (const Page& page : {Page{"README.md", 5, 60}, Page{"formulations/accuracy.md", 5, 80}}) {
-    const std::string text = read_text(source / page.name);
-    int rows = 0, records = 0;
-    for (std::size_t begin = 0; (begin = text.find(mark, begin)) != std::string::npos; ++records) {
-      const std::size_t path = begin + mark.size(),
-                        end = text.find("<!-- end of measured -->", path);
-      ASSERT_NE(end, std::string::npos) << page.name;
-      const fs::path record = source / text.substr(path, text.find(" -->", path) - path);
-      ASSERT_EQ(shell(std::string(DESMO_REPORT_PROGRAM) + " tables " + record.string() +
-                      " --format markdown"),
-                0);
-      std::istringstream lines(text.substr(begin, end - begin));
+  for (const Page& page : {Page{"README.md", 3, 20}, Page{"formulations/accuracy.md", 5, 80}}) {
+    const std::vector<Quotation> quoted = quotations(read_text(source / page.name));
+    EXPECT_EQ(quoted.size(), page.records) << page.name;
+    std::size_t rows = 0;
+    for (const auto& [record, text] : quoted) {
+      ASSERT_EQ(tables(source / record, "--format markdown"), 0);
+      const std::string report = out_;
+      std::string sentences;
+      std::istringstream lines(text);
       for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with(">")) sentences += line.substr(1) + "\n";
         if (!line.starts_with("|")) continue;
         ++rows;
-        EXPECT_NE(out_.find("\n" + line + "\n"), std::string::npos) << page.name << ": " << line;
+        EXPECT_NE(report.find("\n" + line + "\n"), std::string::npos) << page.name << ": " << line;
       }
-      begin = end;
+      ASSERT_EQ(tables(source / record), 0);
+      EXPECT_NE(in_one_line(out_).find(in_one_line(sentences)), std::string::npos)
+          << page.name << ": " << sentences;
     }
-    EXPECT_EQ(records, page.records) << page.name;
     EXPECT_GE(rows, page.rows) << page.name;
   }
+}
+
+// The front page stays one that is read in minutes: 1000 words and three short tables at most.
+TEST_F(Program, TheFrontPageIsShort) {
+  const std::string page = read_text(fs::path(DESMO_SOURCE_DIR) / "README.md");
+  const std::vector<Quotation> quoted = quotations(page);
+  std::size_t tables = 0, rows = 0;
+  std::istringstream lines(page);
+  std::string words;
+  for (std::string line; std::getline(lines, line);) {
+    const bool generated =
+        line.starts_with("|") && std::ranges::any_of(quoted, [&](const Quotation& quotation) {
+          return quotation.text.find("\n" + line + "\n") != std::string::npos;
+        });
+    if (!generated) {
+      words += line + "\n";
+      rows = 0;
+      continue;
+    }
+    tables += rows++ == 0;
+    EXPECT_LE(rows, 12u) << line;  // ten, the header and the line below it
+  }
+  EXPECT_LE(tables, 3u);
+  const std::string text = in_one_line(words);
+  EXPECT_LE(std::ranges::count(text, ' '), 1000);
+  for (std::istringstream stream(text); stream >> words;)
+    EXPECT_TRUE(words.size() <= 40 || words.find("](") != std::string::npos ||
+                words.find("http") == 0)
+        << words << " belongs in a table or in code";
 }
 
 }  // namespace

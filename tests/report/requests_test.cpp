@@ -14,7 +14,7 @@ constexpr const char* axle = "one axle, everything";
 Table table_of(const Json& json) { return requests(record_from(json)).tables.at(0); }
 
 Json& request_of(Json& json, const std::string& id, const std::string& name) {
-  for (Json& request : json["requests"])
+  for (Json& request : json["paper"]["requests"])
     if (request["id"] == id && request["request"] == name) return request;
   throw std::runtime_error("no request " + id + "/" + name);
 }
@@ -37,10 +37,10 @@ TEST(Requests, CostLessThanEverythingWithTheSameFormulation) {
 
 TEST(Requests, ThatFailedOrDidNotRunHaveNoTime) {
   Json json = structured_record();
-  request_of(json, "global_automatic_klu", "axle")["cpu_seconds"] = {0.001, 0.001};
+  request_of(json, "global_automatic_klu", "axle")["time"]["seconds"] = {0.001, 0.001};
   const Record record = record_from(json);
   for (const Request& request : record.requests)
-    EXPECT_EQ(request.cpu_seconds.empty(), request.status != Status::ok);
+    EXPECT_EQ(request.time.seconds.empty(), request.status != Status::ok);
   const Table table = table_of(json);
   const std::vector<std::string> failed{axle, "acceleration", "global_automatic_klu"};
   for (const char* column : {"CPU s", "times cheaper"})
@@ -88,7 +88,7 @@ TEST(Requests, HaveNoRatioWithoutEverything) {
 
 TEST(Requests, AreLeftOutWhereTheRecordHasNone) {
   Json json = structured_record();
-  json.erase("requests");
+  json["paper"].erase("requests");
   for (const Section& section : make_report(record_from(json)).sections)
     EXPECT_NE(section.title, "What a request costs");
 }
@@ -101,24 +101,28 @@ TEST(Requests, AreCheckedWhenRead) {
   };
   const auto without = [](const char* key) {
     Json json = structured_record();
-    json["requests"][0].erase(key);
+    json["paper"]["requests"][0].erase(key);
     return complaint(json);
   };
-  EXPECT_NE(with("/requests/0/level", "jerk").find("requests[0].level: \"jerk\" is none of"),
+  EXPECT_NE(
+      with("/paper/requests/0/level", "jerk").find("paper.requests[0].level: \"jerk\" is none of"),
+      std::string::npos);
+  EXPECT_NE(with("/paper/requests/0/unknowns", 219)
+                .find("paper.requests[0].unknowns: more unknowns than"),
             std::string::npos);
-  EXPECT_NE(with("/requests/0/unknowns", 219).find("requests[0].unknowns: more unknowns than"),
+  EXPECT_NE(with("/paper/requests/0/request", "../x").find("paper.requests[0].request: "),
             std::string::npos);
-  EXPECT_NE(with("/requests/0/request", "../x").find("requests[0].request: "), std::string::npos);
-  EXPECT_NE(with("/requests/2/cpu_seconds", Json::array()).find("an \"ok\" request needs"),
+  EXPECT_NE(with("/paper/requests/2/time/seconds", Json::array()).find("at least one sample"),
             std::string::npos);
-  EXPECT_NE(without("difference").find("requests[0]: an \"ok\" request needs \"difference\""),
+  EXPECT_NE(without("difference").find("paper.requests[0]: an \"ok\" request needs \"difference\""),
             std::string::npos);
   EXPECT_NE(without("verification").find("\"verification\" is missing"), std::string::npos);
   Json json = structured_record();
-  json["requests"].push_back(json["requests"][2]);
-  EXPECT_NE(complaint(json).find("requests[6]: the request wheel_centre of block_symbolic_inlined "
-                                 "is given twice"),
-            std::string::npos)
+  json["paper"]["requests"].push_back(json["paper"]["requests"][2]);
+  EXPECT_NE(
+      complaint(json).find("paper.requests[6]: the request wheel_centre of block_symbolic_inlined "
+                           "is given twice"),
+      std::string::npos)
       << complaint(json);
 }
 
@@ -128,15 +132,17 @@ TEST(Structure, IsCheckedWhenRead) {
     json[Json::json_pointer(pointer)] = std::move(value);
     return complaint(json);
   };
-  EXPECT_NE(with("/structure/1/parts", Json::array()).find("structure[1].parts: a structure needs"),
+  EXPECT_NE(with("/paper/structure/1/parts", Json::array())
+                .find("paper.structure[1].parts: a structure needs"),
             std::string::npos);
-  EXPECT_NE(with("/structure/1/parts/1/unknowns", 39)
-                .find("structure[1].parts[1].unknowns: the parts do not stand largest first"),
+  EXPECT_NE(with("/paper/structure/1/parts/1/unknowns", 39)
+                .find("paper.structure[1].parts[1].unknowns: the parts do not stand largest first"),
             std::string::npos);
-  EXPECT_NE(with("/structure/0/parts/0/count", 0).find("structure[0].parts[0].count: 0 is not in"),
+  EXPECT_NE(with("/paper/structure/0/parts/0/count", 0)
+                .find("paper.structure[0].parts[0].count: 0 is not in"),
             std::string::npos);
   Json json = structured_record();
-  json["structure"].push_back(json["structure"][0]);
+  json["paper"]["structure"].push_back(json["paper"]["structure"][0]);
   EXPECT_NE(complaint(json).find("truck_suspension/114/global is given twice"), std::string::npos);
 }
 

@@ -4,11 +4,12 @@
 #include <gtest/gtest.h>
 
 #include "report/formats/formats.h"
+#include "report/record_reader.h"
 #include "report/report.h"
 #include "tests/report/points_sample.h"
 #include "tests/report/reading.h"
 #include "tests/report/sample.h"
-#include "tests/report/sizes_sample.h"
+#include "tests/report/size_sample.h"
 
 namespace desmo::report::same_numbers_test {
 namespace {
@@ -123,12 +124,9 @@ TEST(SameNumbers, OfInstructions) {
 TEST(SameNumbers, OfEveryFiledRun) {
   int runs = 0;
   for (const auto& file :
-       std::filesystem::recursive_directory_iterator(DESMO_SOURCE_DIR "/results/runs")) {
-    if (file.path().extension() != ".json" ||
-        !std::filesystem::is_directory(std::filesystem::path(file.path()).replace_extension()))
-      continue;
+       std::filesystem::directory_iterator(DESMO_SOURCE_DIR "/results/records")) {
     SCOPED_TRACE(file.path());
-    expect_same_numbers(make_report(record_from(Json::parse(read_text(file.path())))));
+    expect_same_numbers(make_report(read_record(file.path())), 50);
     ++runs;
   }
   EXPECT_GT(runs, 0);

@@ -24,41 +24,39 @@ std::string read_text(const std::filesystem::path& file) {
 
 Json complete_record() { return Json::parse(read_text(data_file("complete.json"))); }
 
-Json with_segments(Json record, int segments) {
-  record["version"] = "1.4.0";
-  record["record"]["settings"]["segments"] = segments;
+Json with_windows(Json record, int windows) {
+  record["record"]["settings"]["windows"] = windows;
   for (const char* list : {"cells", "requests", "peers"}) {
-    if (!record.contains(list)) continue;
-    for (Json& timed : record[list]) {
-      if (!timed.contains("cpu_seconds")) continue;
-      const auto samples = timed["cpu_seconds"].get<std::vector<double>>();
+    if (!record["paper"].contains(list)) continue;
+    for (Json& timed : record["paper"][list]) {
+      if (!timed.contains("time")) continue;
+      const auto samples = timed["time"]["seconds"].get<std::vector<double>>();
       const double least = *std::ranges::min_element(samples);
-      timed["segment_seconds"] = Json::array();
-      for (int i = 1; i <= segments; ++i)
-        timed["segment_seconds"].push_back(least * 2 * i / (segments * (segments + 1)));
+      Json each = Json::array();
+      for (int i = 1; i <= windows; ++i) each.push_back(least * 2 * i / (windows * (windows + 1)));
+      timed["time"]["windows"] = {{"least", each}};
     }
   }
   return record;
 }
 
-Json with_samples_of_segments(Json record, int segments) {
-  record = with_segments(std::move(record), segments);
-  record["version"] = "1.6.0";
+Json with_samples_of_windows(Json record, int count) {
+  record = with_windows(std::move(record), count);
   for (const char* list : {"cells", "requests"}) {
-    if (!record.contains(list)) continue;
-    for (Json& timed : record[list]) {
-      if (!timed.contains("segment_seconds")) continue;
-      const auto samples = timed["cpu_seconds"].get<std::vector<double>>();
+    if (!record["paper"].contains(list)) continue;
+    for (Json& timed : record["paper"][list]) {
+      if (!timed.contains("time")) continue;
+      const auto samples = timed["time"]["seconds"].get<std::vector<double>>();
       const double least = *std::ranges::min_element(samples);
-      timed["segment_updates"] = Json::array();
-      for (int i = 1; i <= segments; ++i) timed["segment_updates"].push_back(1000 * i);
-      timed["segment_samples"] = Json::array();
+      Json updates = Json::array(), of_all = Json::array();
+      for (int i = 1; i <= count; ++i) updates.push_back(1000 * i);
       for (const double sample : samples) {
         Json of_one = Json::array();
-        for (const double seconds : timed["segment_seconds"])
+        for (const double seconds : timed["time"]["windows"]["least"])
           of_one.push_back(sample == least ? seconds : seconds * (sample / least));
-        timed["segment_samples"].push_back(std::move(of_one));
+        of_all.push_back(std::move(of_one));
       }
+      timed["time"]["windows"] = {{"updates", updates}, {"samples", of_all}};
     }
   }
   return record;
@@ -70,7 +68,7 @@ namespace {
 
 std::size_t position(const Json& record, const std::string& case_name, int coordinates,
                      const std::string& id) {
-  const Json& cells = record["cells"];
+  const Json& cells = record["paper"]["cells"];
   for (std::size_t i = 0; i < cells.size(); ++i)
     if (cells[i]["case"] == case_name && cells[i]["coordinates"] == coordinates &&
         cells[i]["id"] == id)
@@ -81,12 +79,12 @@ std::size_t position(const Json& record, const std::string& case_name, int coord
 }  // namespace
 
 Json& cell_of(Json& record, const std::string& case_name, int coordinates, const std::string& id) {
-  return record["cells"][position(record, case_name, coordinates, id)];
+  return record["paper"]["cells"][position(record, case_name, coordinates, id)];
 }
 
 void erase_cell(Json& record, const std::string& case_name, int coordinates,
                 const std::string& id) {
-  record["cells"].erase(position(record, case_name, coordinates, id));
+  record["paper"]["cells"].erase(position(record, case_name, coordinates, id));
 }
 
 void fail_cell(Json& record, const std::string& case_name, int coordinates, const std::string& id) {
@@ -97,9 +95,11 @@ void fail_cell(Json& record, const std::string& case_name, int coordinates, cons
 
 void erase_family(Json& record, const std::string& family) {
   Json kept = Json::array();
-  for (const Json& cell : record["cells"])
-    if (!cell["id"].get<std::string>().ends_with("_" + family)) kept.push_back(cell);
-  record["cells"] = kept;
+  for (const Json& cell : record["paper"]["cells"]) {
+    const std::string id = cell["id"];
+    if (!id.substr(0, id.find('/')).ends_with("_" + family)) kept.push_back(cell);
+  }
+  record["paper"]["cells"] = kept;
 }
 
 void set_motion(Json& record, double duration, double step) {
@@ -111,7 +111,7 @@ void set_motion(Json& record, double duration, double step) {
 
 void set_samples(Json& record, int coordinates, const std::string& id,
                  std::vector<double> samples) {
-  cell_of(record, "truck_suspension", coordinates, id)["cpu_seconds"] = std::move(samples);
+  cell_of(record, "truck_suspension", coordinates, id)["time"]["seconds"] = std::move(samples);
 }
 
 void set_family(Json& json, const std::string& id, double seconds, double spread) {

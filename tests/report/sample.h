@@ -21,15 +21,15 @@ std::string read_text(const std::filesystem::path& file);
 /// data/complete.json: every family, size and status "ok". Made-up numbers.
 Json complete_record();
 
-/// The record as of schema 1.4.0: the least repetition of everything timed is cut into as many
-/// segments, each longer than the last.
-Json with_segments(Json record, int segments = 25);
+/// The record with timing windows: the least repetition of everything timed is cut into as many,
+/// each longer than the last.
+Json with_windows(Json record, int windows = 25);
 
-/// The same, with samples of the segments: of as many analyses as there are samples of the whole,
+/// The same, with samples of the windows: of as many analyses as there are samples of the whole,
 /// and of work that grows with the updates.
-Json with_samples_of_segments(Json record, int segments = 25);
+Json with_samples_of_windows(Json record, int windows = 25);
 
-/// data/structured.json: small, with structure and requests (schema 1.2.0). Made-up numbers.
+/// data/structured.json: small, with structure and requests. Made-up numbers.
 Json structured_record();
 
 /// A cell of such a record. Fails the test when there is none.

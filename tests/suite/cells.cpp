@@ -14,8 +14,8 @@
 #include "bench/kit/cpu_clock.h"
 #include "bench/kit/phases.h"
 #include "bench/kit/record.h"
-#include "bench/kit/segments.h"
 #include "bench/kit/structure.h"
+#include "bench/kit/timing_windows.h"
 #include "bench/kit/verification.h"
 #include "cases/cases.h"
 #include "formulations/modelling/model.h"
@@ -29,38 +29,38 @@ void spend(double seconds) {
   }
 }
 
-TEST(Segments, KeepTheLeastTimeOfEach) {
-  Segments segments(500);  // 25 of 20 instants
+TEST(TimingWindows, KeepTheLeastTimeOfEach) {
+  TimingWindows windows(500);  // 25 of 20 instants
   for (const int disturbed : {70, 310, -1}) {
-    segments.begin();
+    windows.begin();
     spend(1e-3);  // assembly
     for (int i = 0; i < 500; ++i) {
       spend(2e-6);
       if (i == disturbed) spend(0.05);
-      segments.passed(i < 20 ? 7 : 1);
+      windows.passed(i < 20 ? 7 : 1);
     }
   }
-  ASSERT_EQ(segments.count(), 25u);
-  ASSERT_EQ(segments.samples().size(), 3u);
-  for (const std::vector<double>& sample : segments.samples()) EXPECT_EQ(sample.size(), 25u);
-  EXPECT_EQ(segments.updates()[0], 140);
-  EXPECT_EQ(segments.updates()[24], 20);
-  ASSERT_EQ(segments.least().size(), 25u);
-  EXPECT_GE(segments.least()[0], 1e-3);
-  for (const double seconds : segments.least()) {
+  ASSERT_EQ(windows.count(), 25u);
+  ASSERT_EQ(windows.samples().size(), 3u);
+  for (const std::vector<double>& sample : windows.samples()) EXPECT_EQ(sample.size(), 25u);
+  EXPECT_EQ(windows.updates()[0], 140);
+  EXPECT_EQ(windows.updates()[24], 20);
+  ASSERT_EQ(windows.least().size(), 25u);
+  EXPECT_GE(windows.least()[0], 1e-3);
+  for (const double seconds : windows.least()) {
     EXPECT_GE(seconds, 4e-5);
     EXPECT_LT(seconds, 0.05);
   }
 }
 
-TEST(Segments, AreFewerWhenThereAreFewInstants) {
+TEST(TimingWindows, AreFewerWhenThereAreFewInstants) {
   for (const auto& [instants, count] :
        {std::pair{1, 1}, {3, 2}, {201, 10}, {499, 24}, {3001, 25}}) {
-    Segments segments(instants);
-    segments.begin();
-    for (int i = 0; i < instants; ++i) segments.passed();
-    ASSERT_EQ(segments.least().size(), static_cast<std::size_t>(count));
-    for (const double seconds : segments.least()) EXPECT_LT(seconds, 1) << instants;
+    TimingWindows windows(instants);
+    windows.begin();
+    for (int i = 0; i < instants; ++i) windows.passed();
+    ASSERT_EQ(windows.least().size(), static_cast<std::size_t>(count));
+    for (const double seconds : windows.least()) EXPECT_LT(seconds, 1) << instants;
   }
 }
 
@@ -71,22 +71,22 @@ TEST(Cells, HaveSegmentsThatAreAllOfTheirTime) {
   Cell cell(find_case("truck_suspension"), 114, find_variant("group_symbolic_klu"), o);
   cell.verify(references);
   const auto sum = [](const std::vector<double>& segments) {
-    return std::accumulate(segments.begin(), segments.end(), 0.0);
+    return std::accumulate(windows.begin(), segments.end(), 0.0);
   };
   // Between two segments something else may run and leave the caches cold: not always.
   constexpr int attempts = 50;
   double largest_share = 0;
   int taken = 0;
   while (taken++ < attempts && largest_share < 0.95) {
-    const double least_before = sum(cell.segments.least()), seconds = cell.time_afresh();
-    const double in_segments = sum(cell.segments.samples().back());
-    EXPECT_LE(in_segments, seconds);
-    EXPECT_LE(sum(cell.segments.least()), std::min(least_before, in_segments));
-    largest_share = std::max(largest_share, in_segments / seconds);
+    const double least_before = sum(cell.windows.least()), seconds = cell.time_afresh();
+    const double in_windows = sum(cell.windows.samples().back());
+    EXPECT_LE(in_windows, seconds);
+    EXPECT_LE(sum(cell.windows.least()), std::min(least_before, in_windows));
+    largest_share = std::max(largest_share, in_windows / seconds);
   }
   EXPECT_GE(largest_share, 0.95);
   EXPECT_EQ(cell.state, Timed::State::verified);
-  EXPECT_EQ(cell.segments.samples().size(), static_cast<std::size_t>(taken) - 1);
+  EXPECT_EQ(cell.windows.samples().size(), static_cast<std::size_t>(taken) - 1);
 }
 
 TEST(Cells, AreVerifiedBeforeTheyAreTimed) {

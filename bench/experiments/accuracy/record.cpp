@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "bench/kit/time_json.h"
 #include "formulations/accuracy/condition.h"
 
 namespace desmo::precision {
@@ -87,8 +88,9 @@ Json point_json(const Series& series, const Trial& trial) {
   j["error"] = error_json(trial.error);
   j["violation"] = error_json(trial.violation);
   j["iterations_per_step"] = rounded(trial.iterations_per_step);
-  Json& samples = j["seconds_per_step"] = Json::array();
+  std::vector<double> samples;
   for (const double seconds : trial.seconds_per_step) samples.push_back(rounded(seconds));
+  j["time_per_step"] = suite::time_json(samples);
   return j;
 }
 

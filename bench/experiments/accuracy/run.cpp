@@ -66,7 +66,7 @@ void measure_all(const Options& options, const std::string& command) {
   if (all.empty()) throw std::invalid_argument("no configuration matches " + options.filter);
   suite::Recording recording(options.record, command);
   nlohmann::ordered_json lists = {{"floors", nlohmann::ordered_json::array()},
-                                  {"precision", nlohmann::ordered_json::array()}};
+                                  {"points", nlohmann::ordered_json::array()}};
   TimeGrid usual;
   const int repetitions = options.repetitions > 0 ? options.repetitions : usual_repetitions;
   suite::Progress progress("comparisons and samples", comparisons_and_samples(all, repetitions));
@@ -77,7 +77,7 @@ void measure_all(const Options& options, const std::string& command) {
     const Problem problem = make_problem(make_plan(whole, {}), grid, compared_instants);
     lists["floors"].push_back(floor_json(series, problem));
     for (const Trial& trial : measure(series, problem, repetitions, progress))
-      lists["precision"].push_back(point_json(series, trial));
+      lists["points"].push_back(point_json(series, trial));
   }
   recording.write(usual, lists);
 }

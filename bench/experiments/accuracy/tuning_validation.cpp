@@ -11,6 +11,7 @@
 #include "bench/experiments/accuracy/record.h"
 #include "bench/kit/progress.h"
 #include "bench/kit/recording.h"
+#include "bench/kit/time_json.h"
 #include "cases/cases.h"
 #include "cases/files.h"
 #include "formulations/modelling/model.h"
@@ -44,7 +45,8 @@ std::vector<Named> scenes(const std::vector<std::string>& named) {
 }
 
 Json rival_json(const Rival& rival) {
-  return {{"id", rival.id}, {"error", rival.error}, {"seconds_per_step", rival.seconds}};
+  return {
+      {"id", rival.id}, {"error", rival.error}, {"time_per_step", suite::time_json(rival.seconds)}};
 }
 
 void add_promises(Json& list, const Named& named, suite::Progress& progress) {
@@ -76,10 +78,10 @@ void validate_tuning(const std::string& record, const std::string& command,
                      const std::vector<std::string>& mechanisms) {
   const std::vector<Named> all = scenes(mechanisms);
   suite::Recording recording(record, command);
-  Json lists = {{"promises", Json::array()}};
+  Json lists = {{"tuning", Json::array()}};
   {
     suite::Progress progress("searches", static_cast<int>(all.size() * (1 + budgets.size())));
-    for (const Named& named : all) add_promises(lists["promises"], named, progress);
+    for (const Named& named : all) add_promises(lists["tuning"], named, progress);
   }
   recording.write(all.front().scene.grid, lists);
 }

@@ -61,20 +61,20 @@ bool measure(const Options& options, const std::string& command) {
                       .cases = std::regex(options.cases),
                       .without = left_out(options.without)};
   suite::Recording recording(options.record, command);
-  nlohmann::ordered_json lists = {{"extreme_rows", nlohmann::ordered_json::array()},
-                                  {"extremes", nlohmann::ordered_json::array()}};
+  nlohmann::ordered_json lists = {{"rows", nlohmann::ordered_json::array()},
+                                  {"results", nlohmann::ordered_json::array()}};
   std::size_t defects = 0;
   for (const Extreme* row : rows) {
     selection.say = [&](const std::string& name) {
       std::cerr << "row " << row->number << ": " << name << '\n';
     };
     const std::vector<Result> results = row_results(*row, selection);
-    lists["extreme_rows"].push_back(row_json(*row));
-    for (const Result& result : results) lists["extremes"].push_back(result_json(result));
+    lists["rows"].push_back(row_json(*row));
+    for (const Result& result : results) lists["results"].push_back(result_json(result));
     std::cout << summary(*row, results) << std::flush;
     defects += count(results, Verdict::defect);
   }
-  if (lists["extremes"].empty()) throw std::invalid_argument("nothing matches --filter and --case");
+  if (lists["results"].empty()) throw std::invalid_argument("nothing matches --filter and --case");
   recording.write(time_grid(30, 0.01), lists);
   return defects == 0;
 }

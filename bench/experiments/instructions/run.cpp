@@ -50,7 +50,7 @@ nlohmann::ordered_json counts_json(const std::vector<StepCount>& counts, const s
                     {"instructions_per_step", c.instructions},
                     {"steps", c.steps},
                     {"tool", tool}});
-  return {{"instructions", std::move(list)}};
+  return {{"counts", std::move(list)}};
 }
 
 /// Whether every claim holds; one that does not is named.

@@ -45,8 +45,8 @@ class CollectingReporter final : public benchmark::ConsoleReporter {
     for (const Run& run : runs) {
       const auto it = timed_.find(run.run_name.function_name);
       if (it != timed_.end() && run.run_type == Run::RT_Iteration && !run.error_occurred)
-        it->second->cpu_seconds.push_back(run.real_accumulated_time /
-                                          static_cast<double>(run.iterations));
+        it->second->seconds.push_back(run.real_accumulated_time /
+                                      static_cast<double>(run.iterations));
       if (run.error_occurred || run.repetitions == 1 || run.aggregate_name == "median" ||
           run.aggregate_name == "cv")
         shown.push_back(shown_as_cpu_time(run));

@@ -185,7 +185,7 @@ int run(const experiments::CommandLine& line) {
   record.load_after = load_averages();
   if (file)
     file->write(record_text(record, chosen.front()->grid, all_lists,
-                            static_cast<int>(chosen.front()->segments.count())));
+                            static_cast<int>(chosen.front()->windows.count())));
   return failed ? 1 : 0;
 }
 

@@ -5,6 +5,7 @@
 #include "bench/kit/environment_json.h"
 #include "bench/kit/record_layout.h"
 #include "bench/kit/structure.h"
+#include "bench/kit/time_json.h"
 
 namespace desmo::sizes {
 
@@ -29,8 +30,10 @@ nlohmann::ordered_json entry_json(const Series& series, const Problem& problem,
   // q, q̇ and q̈
   j["state_bytes"] = 3 * sizeof(double) * static_cast<std::size_t>(m.state_size());
   if (contender.bytes > 0) j["bytes"] = contender.bytes;
+  std::vector<double> samples;
   for (const double seconds : contender.seconds_per_step)
-    j["seconds_per_step"].push_back(suite::rounded(seconds));
+    samples.push_back(suite::rounded(seconds));
+  j["time_per_step"] = suite::time_json(samples);
   return j;
 }
 

@@ -7,7 +7,8 @@
 
 namespace desmo::sizes {
 
-/// A contender's entry in `growth` or `crossing` of the record (results/record.schema.json).
+/// Returns a contender's entry in `growth` or `break_even` of the record
+/// (results/record.schema.json).
 nlohmann::ordered_json entry_json(const Series& series, const Problem& problem,
                                   const Contender& contender);
 

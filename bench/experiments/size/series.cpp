@@ -21,7 +21,7 @@ constexpr std::array<std::string_view, 6> growing{"group_symbolic_explicit",
                                                   "block_symbolic_klu",
                                                   "global_automatic_klu"};
 
-constexpr std::array<std::string_view, 6> crossing{
+constexpr std::array<std::string_view, 6> break_even{
     "global_automatic_lapack",  "global_automatic_eigen",   "global_automatic_klu",
     "global_automatic_umfpack", "global_automatic_cholmod", "global_automatic_ma27"};
 
@@ -35,7 +35,7 @@ constexpr int any_number = 1'000'000;
 
 /// Long enough that entering the segments of a motion costs little beside solving them.
 constexpr int growth_instants = 401;
-constexpr int crossing_instants = 51;
+constexpr int break_even_instants = 51;
 
 /// Rounding leaves more in the equations of points far from the origin, and the more coordinates
 /// there are, the further the last ones are: the paper's tolerance up to 200 of them, and beyond
@@ -64,13 +64,13 @@ void add(std::vector<Series>& all, Question question, const Case& c, int size,
 Mechanism largest(const Case& c) { return make_mechanism(describe(c, c.sizes.back())); }
 
 /// Each number of unknowns once: the first entities may need more than they were asked for.
-void add_crossings(std::vector<Series>& all, const Case& c, int most_unknowns) {
+void add_break_even(std::vector<Series>& all, const Case& c, int most_unknowns) {
   const Mechanism whole = largest(c);
   int last = 0;
   for (const int least : unknowns) {
     if (least > most_unknowns) return;
     const int found = suite::moving_unknowns(cut_to(whole, least));
-    if (found != last) add(all, Question::crossing, c, last = found, crossing);
+    if (found != last) add(all, Question::break_even, c, last = found, break_even);
   }
 }
 
@@ -79,7 +79,7 @@ std::vector<Series> series_up_to(int most_coordinates, int most_unknowns) {
   for (const Case& c : cases()) {
     for (const int n : coordinates)
       if (n <= most_coordinates) add(all, Question::growth, c, n, growing);
-    add_crossings(all, c, most_unknowns);
+    add_break_even(all, c, most_unknowns);
   }
   return all;
 }
@@ -87,15 +87,15 @@ std::vector<Series> series_up_to(int most_coordinates, int most_unknowns) {
 }  // namespace
 
 std::string_view name_of(Question question) {
-  return question == Question::growth ? "growth" : "crossing";
+  return question == Question::growth ? "growth" : "break_even";
 }
 
 Problem Series::problem() const {
   if (question == Question::growth)
     return make_problem(make_mechanism(describe(*definition, size)),
                         begin_of(*definition, growth_instants), tolerance_of(size));
-  return make_problem(cut_to(largest(*definition), size), begin_of(*definition, crossing_instants),
-                      Settings{}.tolerance);
+  return make_problem(cut_to(largest(*definition), size),
+                      begin_of(*definition, break_even_instants), Settings{}.tolerance);
 }
 
 std::vector<Series> all_series() { return series_up_to(any_number, any_number); }

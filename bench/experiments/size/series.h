@@ -12,14 +12,14 @@ namespace desmo::sizes {
 
 /// What is measured: how time grows with the number of coordinates, and where it costs the same to
 /// solve all unknowns at once with dense and with sparse matrices.
-enum class Question { growth, crossing };
+enum class Question { growth, break_even };
 std::string_view name_of(Question question);
 
 /// Formulations that solve the same problem and are timed in turn.
 struct Series {
   Question question;
   const Case* definition;
-  int size;  ///< coordinates of growth; unknowns of a crossing
+  int size;  ///< coordinates of growth; unknowns of break_even
   std::vector<std::string_view> ids;
 
   Problem problem() const;
@@ -33,7 +33,7 @@ std::vector<Series> all_series();
 std::vector<Series> quick_series();
 
 /// What is left of them when only formulations are kept in whose
-/// <growth|crossing>/<case>/<size>/<id> the expression is found; series with none are left out.
+/// <growth|break_even>/<case>/<size>/<id> the expression is found; series with none are left out.
 std::vector<Series> matching(std::vector<Series> all, const std::regex& expression);
 
 }  // namespace desmo::sizes

@@ -42,6 +42,43 @@ async function focusByKeyboard(page, id) {
   return 0;
 }
 
+// Opens every section: what is folded has no width.
+async function unfold(page) {
+  await page.evaluate(() => document.querySelectorAll('details').forEach(one => one.open = true));
+}
+
+// Where the first table, figure and sentences end, and what is folded, before anything is opened.
+function firstScreen() {
+  const bottom = selector =>
+      Math.max(...[...document.querySelectorAll(selector)].map(e => e.getBoundingClientRect().bottom));
+  return {
+    words: bottom('.front .words'), figure: bottom('.front .drawing'), table: bottom('.front > .scroll'),
+    folded: document.querySelectorAll('details.section:not([open])').length,
+  };
+}
+
+// Tables that reach beyond the page without a scroller of their own; all that does of the page.
+function sideways() {
+  const width = document.documentElement.clientWidth;
+  const reaches = element => element.getBoundingClientRect().right > width + 1;
+  return {
+    overflow: document.documentElement.scrollWidth - width,
+    outside: [...document.querySelectorAll('table')]
+                 .filter(table => reaches(table.closest('.scroll') ?? table)).map(table => table.id),
+    tables: [...document.querySelectorAll('table')].filter(table => table.offsetWidth > 0).length,
+  };
+}
+
+// Tables of which paper does not show everything: not shown, beyond its edge, or cut in a cell.
+function cut() {
+  const width = document.documentElement.clientWidth;
+  const isCut = cell => cell.scrollWidth > cell.clientWidth + 1 ||
+      cell.getBoundingClientRect().right > width + 1;
+  return [...document.querySelectorAll('table')]
+      .filter(table => table.offsetWidth === 0 || [...table.querySelectorAll('th, td')].some(isCut))
+      .map(table => table.id);
+}
+
 async function live(page) {
   await page.waitForFunction(
       () => [...document.querySelectorAll('figure')].every(figure => figure.dataset.state === 'live'));
@@ -94,15 +131,29 @@ try {
   page.on('request', request => request.url() !== address && result.requests.push(request.url()));
   page.on('console', message => message.type() === 'error' && result.errors.push(message.text()));
   page.on('pageerror', error => result.errors.push(error.message));
+  await page.setViewportSize({width: 1400, height: 900});
   await page.goto(address);
+  await page.waitForFunction(
+      () => [...document.querySelectorAll('.front figure')].every(f => f.dataset.state === 'live'));
+  result.first_screen = await page.evaluate(firstScreen);
+  await page.setViewportSize({width: 1280, height: 900});
+  await unfold(page);
   await live(page);
   for (const figure of await page.locator('figure').all())
     result.figures.push(await look(page, figure));
-  await page.setViewportSize({width: 360, height: 700});
+  result.layout = {};
+  for (const width of [1400, 800, 400]) {
+    await page.setViewportSize({width, height: 900});
+    await page.reload();
+    await unfold(page);
+    await live(page);
+    result.layout[width] = await page.evaluate(sideways);
+  }
+  await page.setViewportSize({width: 1031, height: 703});  // A4 across, less its margins
   await page.reload();
-  await live(page);
-  result.overflow = await page.evaluate(
-      () => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+  await page.emulateMedia({media: 'print'});
+  await page.evaluate(() => window.dispatchEvent(new Event('beforeprint')));
+  result.cut_in_print = await page.evaluate(cut);
 } finally {
   await browser.close();
 }

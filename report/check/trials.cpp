@@ -1,0 +1,144 @@
+#include "report/check/trials.h"
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "report/check/check_reader.h"
+#include "report/check/judgement.h"
+#include "report/json_document.h"
+#include "report/json_node.h"
+#include "report/output_files.h"
+
+namespace desmo::report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* schema = "desmo-certificate";
+
+const char* name_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::pass:
+      return "pass";
+    case Verdict::regression:
+      return "regression";
+    case Verdict::invalid:
+      return "invalid";
+    case Verdict::inconclusive:
+      return "inconclusive";
+    case Verdict::incomparable:
+      break;
+  }
+  return "incomparable";
+}
+
+std::vector<std::string> read_cells(const JsonNode& line, const char* key) {
+  std::vector<std::string> cells;
+  if (const auto list = line.find(key))
+    for (const JsonNode& cell : list->elements()) cells.push_back(cell.text());
+  return cells;
+}
+
+TrialsHead read_head(const JsonNode& line) {
+  check_schema(line, schema);
+  return {line["date"].utc(), line["cpu"].text(), line["compiler"].text(), line["flags"].text(),
+          line["cores"].integer(1)};
+}
+
+Trial read_trial(const JsonNode& line) {
+  const JsonNode trial = line["trial"];
+  return {trial["kind"].text(),         trial["load"].text(),       trial["cell"].text(),
+          line["verdict"].text(),       read_cells(line, "slower"), read_cells(line, "faster"),
+          read_cells(line, "more_work")};
+}
+
+void read_line(Trials& trials, const std::string& text) {
+  const nlohmann::json line = parse_json(text);
+  const JsonNode node(line);
+  if (trials.head)
+    trials.all.push_back(read_trial(node));
+  else
+    trials.head = read_head(node);
+}
+
+template <class Findings>
+void add_cells(Json& line, const char* key, const Findings& findings, Outcome outcome) {
+  for (const auto& finding : findings)
+    if (finding.outcome == outcome) line[key].push_back(finding.cell);
+}
+
+Json head_line(const Record& head) {
+  return {{"schema", schema},
+          {"schema_version", schema_version},
+          {"date", head.date},
+          {"cpu", head.machine.cpu},
+          {"cores", head.machine.cores},
+          {"compiler", head.build.compiler},
+          {"flags", head.build.flags}};
+}
+
+Json trial_line(const nlohmann::json& trial, const Judgement& judgement) {
+  Json line{{"trial",
+             {{"kind", trial["kind"]},
+              {"load", trial["load"]},
+              {"number", trial["number"]},
+              {"cell", trial["cell"]}}},
+            {"verdict", name_of(judgement.verdict)}};
+  add_cells(line, "slower", judgement.time.cells, Outcome::regression);
+  add_cells(line, "faster", judgement.time.cells, Outcome::gain);
+  add_cells(line, "more_work", judgement.work.cells, Outcome::regression);
+  return line;
+}
+
+std::optional<TrialsHead> head_of(const std::filesystem::path& certificate) {
+  if (!std::filesystem::exists(certificate)) return std::nullopt;
+  return read_trials(read_whole(certificate)).head;
+}
+
+void require_same_machine(const TrialsHead& head, const Record& record) {
+  if (head.cpu != record.machine.cpu || head.compiler != record.build.compiler ||
+      head.flags != record.build.flags)
+    throw MixedRecord("trials of different machines or compilers do not make one certificate");
+}
+
+}  // namespace
+
+Trials read_trials(const std::string& text) {
+  Trials trials;
+  int number = 0;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const std::string line = text.substr(begin, end - begin);
+    begin = end + 1;
+    ++number;
+    if (line.find_first_not_of(" \t\r") == line.npos) continue;  // as JSON Lines are read elsewhere
+    const auto named = [&](const InvalidRecord& error) {
+      return "line " + std::to_string(number) + ": " + error.what();
+    };
+    try {
+      read_line(trials, line);
+    } catch (const UnsupportedVersion& error) {
+      throw UnsupportedVersion(named(error));
+    } catch (const InvalidRecord& error) {
+      throw InvalidRecord(named(error));
+    }
+  }
+  return trials;
+}
+
+void add_trial(const std::filesystem::path& certificate, const std::filesystem::path& trial) {
+  const nlohmann::json document = parse_json(read_whole(trial));
+  const JsonNode node(document), what = node["trial"];
+  for (const char* key : {"kind", "load", "cell"}) what[key].text();
+  what["number"].integer(1);
+  const CheckRecord check = read_check(node["check"]);
+  const std::optional<TrialsHead> head = head_of(certificate);
+  if (head) require_same_machine(*head, check.head);
+  std::string text = head ? "" : head_line(check.head).dump() + "\n";
+  text += trial_line(document["trial"], judge(check)).dump() + "\n";
+  std::ofstream out(certificate, std::ios::app);
+  out << text << std::flush;
+  if (!out) throw OutputError(certificate.string() + " cannot be written");
+}
+
+}  // namespace desmo::report

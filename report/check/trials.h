@@ -1,0 +1,40 @@
+// The file of a certificate: where its trials were made, and then a line for each.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace desmo::report {
+
+/// Where trials were made: those of two machines or compilers do not make one certificate.
+struct TrialsHead {
+  std::string date;  ///< of the first
+  std::string cpu, compiler, flags;
+  std::int64_t cores = 0;
+};
+
+/// What was done to the check, and what it said.
+struct Trial {
+  std::string kind, load, cell;
+  std::string verdict;                                 ///< "pass", "regression" ...
+  std::vector<std::string> slower, faster, more_work;  ///< cells that it named
+};
+
+struct Trials {
+  std::optional<TrialsHead> head;  ///< nothing where there is no trial
+  std::vector<Trial> all;
+};
+
+/// Reads the text of a certificate, blank lines aside. Throws InvalidRecord, naming the line.
+Trials read_trials(const std::string& text);
+
+/// Judges the check of a trial, {"trial": {"kind", "load", "number", "cell"}, "check": ...}, and
+/// adds a line to a certificate, which is begun where there is none.
+///
+/// Throws InvalidRecord; MixedRecord for a trial of another machine or compiler; OutputError.
+void add_trial(const std::filesystem::path& certificate, const std::filesystem::path& trial);
+
+}  // namespace desmo::report

@@ -1,0 +1,25 @@
+// What stands in front of the sections of an experiment: a fixed sentence and a few rows of its
+// tables. Pure functions of the record.
+#pragma once
+
+#include "report/document.h"
+#include "report/record.h"
+
+namespace desmo::report {
+
+/// The record has points.
+Section accuracy_in_short(const Record& record);
+
+/// The record has tuning.
+Section tuning_in_short(const Record& record);
+
+/// The record has growth or break_even.
+Section size_in_short(const Record& record);
+
+/// The record has instructions.
+Section instructions_in_short(const Record& record);
+
+/// The record has extremes.
+Section extremes_in_short(const Record& record);
+
+}  // namespace desmo::report
