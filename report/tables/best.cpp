@@ -42,7 +42,8 @@ std::int64_t size_compared(const Record& record) {
   const std::vector<std::int64_t> sizes = recorded_sizes(record, truck_case);
   std::int64_t size = 0;
   for (const auto& [key, cell] : record.cells)
-    if (key.case_name == truck_case && has_settings(key.id)) size = std::max(size, key.coordinates);
+    if (key.case_name == truck_case && has_settings(key.id) && !is_beside_peers(record, key.id))
+      size = std::max(size, key.coordinates);
   return size > 0 || sizes.empty() ? size : sizes.back();
 }
 
@@ -52,7 +53,9 @@ std::optional<CellKey> fastest(const Record& record, const Holds& holds) {
   std::optional<CellKey> found;
   double least = 0;
   for (const auto& [key, cell] : record.cells) {
-    if (key.case_name != truck_case || key.coordinates != size || !holds(key.id)) continue;
+    if (key.case_name != truck_case || key.coordinates != size || !holds(key.id) ||
+        is_beside_peers(record, key.id))
+      continue;
     const Measured time = measured(record, key);
     if (!time.seconds || (found && time.seconds->value >= least)) continue;
     found = key;
