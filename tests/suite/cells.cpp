@@ -1,4 +1,4 @@
-// Cells of desmo_bench: segments, verification before timing, structure.
+// Cells of desmo_bench: timing windows, verification before timing, structure.
 
 #include <gtest/gtest.h>
 
