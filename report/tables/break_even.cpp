@@ -89,25 +89,6 @@ Table break_even_sizes(const std::vector<Curve>& curves, const std::set<std::str
   return table;
 }
 
-std::string words(const CurveComparison& r) {
-  if (!r.second_faster_at_largest) return "not even with " + write_shortest(r.largest);
-  return "from " +
-         (r.break_even ? write_fixed(r.break_even->unknowns, 0)
-                       : write_shortest(r.smallest) + " or less") +
-         " on";
-}
-
-std::string sentence(const CaseCurves& of_case, const std::string& name) {
-  std::string text;
-  for (const std::string_view family : measured_families(of_case))
-    if (const CurveComparison r = compare(of_case.faster_dense(), of_case.of(family)); r.sizes > 0)
-      text += (text.empty() ? "" : ", ") + std::string(family) + " " + words(r);
-  return text.empty()
-             ? name + ": nothing to compare."
-             : "Unknowns with which sparse matrices are faster than dense ones in " + name + ": " +
-                   text + "; the paper says from about " + published_break_even + " on.";
-}
-
 }  // namespace
 
 Section dense_or_sparse(const Record& record) {
@@ -115,10 +96,7 @@ Section dense_or_sparse(const Record& record) {
   std::set<std::string> cases;
   for (const Curve& curve : curves) cases.insert(curve.case_name);
   Section section{"Dense or sparse", {}, {break_even_sizes(curves, cases)}};
-  for (const std::string& name : cases) {
-    section.paragraphs.push_back(sentence(CaseCurves(curves, name), name));
-    section.tables.push_back(break_even_times(record, name));
-  }
+  for (const std::string& name : cases) section.tables.push_back(break_even_times(record, name));
   return section;
 }
 

@@ -12,7 +12,7 @@
 namespace desmo::report {
 namespace {
 
-// What stands beside rivals is shown there. Fastest first; what has no time comes last, by
+// What stands beside peers is shown there. Fastest first; what has no time comes last, by
 // id.
 std::vector<CellKey> ordered_keys(const Record& record, std::string_view case_name,
                                   std::int64_t coordinates) {

@@ -186,40 +186,6 @@ std::string knowledge(const Structure& group, const Structure& block) {
          share + " % of the work";
 }
 
-std::string listing(const std::string& what, const std::vector<std::string>& items) {
-  std::string text;
-  for (const std::string& item : items) text += (text.empty() ? "" : ", ") + item;
-  return items.empty() ? "" : what + " " + text;
-}
-
-// What it is worth: blocks over groups, mean over the sizes where both were measured.
-std::string worth(const Record& record, const std::string& case_name) {
-  std::vector<std::string> faster, slower, even;
-  for (const std::string_view method : methods) {
-    std::vector<SpeedUp> found;
-    for (const std::int64_t size : sizes_of(record, case_name))
-      if (const auto one = measured_speed_up(record, key_of(case_name, size, "group", method),
-                                             key_of(case_name, size, "block", method));
-          one.speed_up)
-        found.push_back(*one.speed_up);
-    if (found.empty()) continue;
-    const SpeedUp ratio = mean(found);
-    (ratio.low > 1    ? faster
-     : ratio.high < 1 ? slower
-                      : even)
-        .push_back(std::string(method) + " (" + write(ratio.value, ratio_digits(ratio.value)) +
-                   " times)");
-  }
-  std::string text;
-  for (const std::string& clause : {listing("faster with", faster), listing("slower with", slower),
-                                    listing("undecided within the spread with", even)})
-    if (!clause.empty()) text += (text.empty() ? "" : "; ") + clause;
-  if (text.empty()) return "No block was timed beside its group.";
-  return "Solving block by block instead of group by group is, by the mean speed-up over the "
-         "sizes, " +
-         text + ".";
-}
-
 }  // namespace
 
 Section partitions(const Record& record) {
@@ -233,7 +199,7 @@ Section partitions(const Record& record) {
     const Structure* block = find(record, name, size, "block");
     if (group && block)
       section.paragraphs.push_back("In " + name + ", " + std::to_string(size) + " coordinates, " +
-                                   knowledge(*group, *block) + ". " + worth(record, name));
+                                   knowledge(*group, *block) + ".");
   }
   section.tables.push_back(structure_table(record));
   for (const std::string& name : cases_of(record))

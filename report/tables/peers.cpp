@@ -1,4 +1,4 @@
-// What a user would pick instead: rivals beside the formulations that start from the same guess.
+// What a user would pick instead: peers beside the formulations that start from the same guess.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -17,7 +17,7 @@ using Place = std::pair<std::string, std::int64_t>;  // case and size
 
 Place place_of(const Peer& peer) { return {peer.case_name, peer.coordinates}; }
 
-/// Ours with the guess of the rivals at one place: all of them, and those that ratios are over.
+/// Ours with the guess of the peers at one place: all of them, and those that ratios are over.
 struct Ours {
   std::vector<CellKey> all;
   std::optional<CellKey> global, fastest;  // the fastest that solves globally, and of all
@@ -53,7 +53,7 @@ Entry peer_ratio(const Record& record, const std::optional<CellKey>& reference,
   return peer_ratio(record, reference, measured(record, key));
 }
 
-/// From the time on, what rivals and ours have alike.
+/// From the time on, what peers and ours have alike.
 std::vector<Entry> row(const Record& record, const Place& place, const std::string& who,
                        const Cell& cell, const Measured& time, Entry over_global,
                        Entry over_fastest) {
@@ -111,12 +111,12 @@ Table times_of(const Record& record, const std::string& case_name) {
       .title = "Curves beside ours: " + case_name,
       .notes =
           {"CPU s: " + words.time +
-               " ± half the range, first assembly, all steps and delivery. Times ours: the rival "
+               " ± half the range, first assembly, all steps and delivery. Times ours: the peer "
                "over our fastest global formulation, and over our fastest, with the same guess in "
                "the same run; ratio of the " +
                words.times + " [its interval]; " + inconclusive_note() + ".",
-           "Iterations: of each rival's own method. Errors: largest difference from the "
-           "quadruple-precision reference, in the coordinates that the rival finds."},
+           "Iterations: of each peer's own method. Errors: largest difference from the "
+           "quadruple-precision reference, in the coordinates that the peer finds."},
       .columns = {{"coordinates", {}},
                   {"solved by", {}},
                   {"CPU s", {"seconds", "half_range", "repetitions"}},
@@ -139,12 +139,12 @@ Table times_of(const Record& record, const std::string& case_name) {
 
 Table setups(const Record& record) {
   Table table{.name = "peer_setups",
-              .title = "What each rival needed to be set up",
+              .title = "What each peer needed to be set up",
               .notes = {"Set-up s: CPU time of making the model, not in the times above. Compared: "
-                        "coordinates of ours that the rival finds, too."},
+                        "coordinates of ours that the peer finds, too."},
               .columns = {{"case", {}},
                           {"coordinates", {}},
-                          {"rival", {}},
+                          {"peer", {}},
                           {"set-up", {}},
                           {"compared", {"coordinates"}},
                           {"set-up s", {"seconds"}}},
@@ -168,7 +168,7 @@ Table setups(const Record& record) {
 }  // namespace
 
 Section peers(const Record& record) {
-  Section section{.title = "What rivals take", .paragraphs = {}, .tables = {}};
+  Section section{.title = "What peers take", .paragraphs = {}, .tables = {}};
   if (record.peers.empty()) return section;
   std::map<std::string, std::string> methods;
   std::set<std::string> cases;
@@ -183,7 +183,7 @@ Section peers(const Record& record) {
       "the same guess: each extrapolates in its own coordinates (quadratic: q + q' h + q'' h²/2 of "
       "the last instant; hermite5: the quintic through q, q' and q'' of the last two; adams8: from "
       "the last q, the polynomial through q' and q'' of the last four). A ratio "
-      "above 1 is a rival that takes longer.");
+      "above 1 is a peer that takes longer.");
   for (const auto& [name, method] : methods) section.paragraphs.push_back(method);
   for (const std::string& name : cases) section.tables.push_back(times_of(record, name));
   section.tables.push_back(setups(record));

@@ -74,7 +74,7 @@ Section beyond(const Record& record);
 /// several.
 std::vector<Table> threads(const Record& record);
 
-/// What rivals take beside the formulations that start from the same guess: a table for
+/// What peers take beside the formulations that start from the same guess: a table for
 /// each case, and one of what they needed to be set up. Without tables when the record has no
 /// peers.
 Section peers(const Record& record);

@@ -131,7 +131,7 @@ TEST(Bench, RecordsAreReadByTheReport) {
     ASSERT_EQ(
         run_bench("--duration=0.02 --record=" + record + " '--benchmark_filter=" + filter + "'"),
         0);
-    EXPECT_EQ(std::system((report + " && " DESMO_REPORT " tables " + record +
+    EXPECT_EQ(std::system((report + " && " DESMO_REPORT " tables --all " + record +
                            " | grep -q 'What a request costs'")
                               .c_str()),
               0);

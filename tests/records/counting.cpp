@@ -70,7 +70,8 @@ TEST(CountingRecord, IsReadByTheReport) {
       "'truck.*/(global_automatic_klu|group_symbolic_explicit(/(lanes|segments):4|/monitored)?)$'";
   ASSERT_EQ(std::system((run + filter + quiet).c_str()), 0);
   const auto is_reported = [&](const std::string& line) {
-    return std::system((DESMO_REPORT " tables " + record + " | grep -Eq '" + line + "'").c_str()) ==
+    return std::system(
+               (DESMO_REPORT " tables --all " + record + " | grep -Eq '" + line + "'").c_str()) ==
            0;
   };
   EXPECT_TRUE(is_reported(" global_automatic_klu *TS-G_klu *[1-9][0-9]{5} *1.00 reference"));

@@ -202,7 +202,7 @@ TEST(PrecisionRecord, IsReadByTheReport) {
   ASSERT_EQ(std::system((run + " --filter 'four_bar/114/group_symbolic_inlined$'" + quiet).c_str()),
             0);
   const std::string outcome = " | grep -q 'four_bar *114 *0.01 *101 *solved *1 *$'";
-  EXPECT_EQ(std::system((DESMO_REPORT " tables " + record + outcome).c_str()), 0);
+  EXPECT_EQ(std::system((DESMO_REPORT " tables --all " + record + outcome).c_str()), 0);
   EXPECT_NE(std::system((run + " --filter no_such_formulation" + quiet).c_str()), 0);
   EXPECT_NE(std::system((run + " --filter '('" + quiet).c_str()), 0);
   std::remove(record.c_str());

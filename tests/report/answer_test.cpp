@@ -69,7 +69,7 @@ TEST(Answer, QuotesNoMeanOfFewerThanThreeRepetitions) {
   EXPECT_EQ(section.paragraphs,
             (std::vector<std::string>{"Too few repetitions for a figure; run bench/run without "
                                       "--quick. The tables are a first look.",
-                                      finding}));
+                                      "The filed records say: " + std::string(finding)}));
   for (const Table& table : section.tables) EXPECT_TRUE(table.title.ends_with(" (first look)"));
 }
 

@@ -35,7 +35,7 @@ Json left_out(int coordinates, const std::string& name) {
   return json;
 }
 
-/// Two rivals beside two of ours, which start from the same guess. Made-up numbers.
+/// Two peers beside two of ours, which start from the same guess. Made-up numbers.
 Json peers_record() {
   Json json = structured_record();
   json["schema_version"] = "2.0.0";

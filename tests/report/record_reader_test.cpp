@@ -102,36 +102,6 @@ TEST(RecordReader, NamesTheMissingKey) {
                   "paper.profiles[1].time_per_step.phases: the required key \"solve\" is missing");
 }
 
-TEST(RecordReader, RefusesAClockThatIsNotTheFormulations) {
-  Json json = complete_record();
-  json["paper"]["cells"][2]["time"]["clock"] = "sundial";
-  EXPECT_CONTAINS(complaint(json), "paper.cells[2].time.clock: \"sundial\" is none of \"cpu\"");
-  json["paper"]["cells"][2]["time"]["clock"] = "wall";
-  EXPECT_CONTAINS(complaint(json), " is measured by \"cpu\"");
-  const std::string id = json["paper"]["cells"][2]["id"];
-  for (const char* suffix : {"/threads:2", "/clock:wall"}) {
-    json["paper"]["cells"][2]["id"] = id + suffix;
-    json["paper"]["cells"][2]["time"]["clock"] = "cpu";
-    EXPECT_CONTAINS(complaint(json), suffix + std::string(" is measured by \"wall\""));
-    json["paper"]["cells"][2]["time"]["clock"] = "wall";
-    const Record record = record_from(json);
-    EXPECT_EQ(record.wall_cells.size(), 1u);
-    EXPECT_EQ(record.wall_cells.begin()->second.time.clock, Clock::wall);
-    EXPECT_FALSE(record.cells.contains(record.wall_cells.begin()->first));
-  }
-}
-
-TEST(RecordReader, RefusesSamplesThatAreNoTimes) {
-  for (const char* sample : {"0", "-0.1", "1e-30", "1e30", "\"0.1\"", "null", "[0.1]"}) {
-    Json json = complete_record();
-    json["paper"]["cells"][2]["time"]["seconds"][1] = Json::parse(sample);
-    EXPECT_CONTAINS(complaint(json), "paper.cells[2].time.seconds[1]: ");
-  }
-  Json json = complete_record();
-  json["paper"]["cells"][2]["time"]["seconds"] = Json::array();
-  EXPECT_CONTAINS(complaint(json), "paper.cells[2].time.seconds: at least one sample");
-}
-
 TEST(RecordReader, RefusesNotANumberAndInfinity) {
   const std::string text = complete_record().dump();
   for (const char* value : {"NaN", "Infinity", "1e999"}) {
@@ -230,86 +200,6 @@ TEST(RecordReader, ReadsWhatAMeasurementIsOf) {
 }
 
 Json newest_record() { return Json::parse(read_text(data_file("origins.json"))); }
-
-TEST(RecordReader, ReadsTheWindowsOfEverythingTimed) {
-  const Record record = record_from(with_windows(structured_record()));
-  EXPECT_EQ(record.settings.windows, 25);
-  for (const auto& [key, cell] : record.cells)
-    EXPECT_EQ(cell.time.windows.least.size(), cell.status == Status::ok ? 25u : 0u) << key.id;
-  for (const Request& request : record.requests)
-    EXPECT_EQ(request.time.windows.least.size(), request.status == Status::ok ? 25u : 0u);
-  EXPECT_TRUE(record_from(structured_record()).cells.begin()->second.time.windows.least.empty());
-}
-
-TEST(RecordReader, TakesAsAWholeWhatTheWallClockMeasured) {
-  Json json = with_windows(complete_record());
-  Json& cell = json["paper"]["cells"][3];
-  cell["id"] = cell["id"].get<std::string>() + "/threads:2";
-  cell["threads"] = 2;
-  cell["time"]["clock"] = "wall";
-  cell["time"].erase("windows");
-  const std::vector<double> seconds = cell["time"]["seconds"];
-  const Record record = record_from(json);
-  ASSERT_EQ(record.wall_cells.size(), 1u);
-  const Cell& several = record.wall_cells.begin()->second;
-  EXPECT_EQ(several.threads, 2);
-  EXPECT_EQ(several.time.seconds, seconds);
-  ASSERT_EQ(several.time.windows.samples.size(), seconds.size());
-  for (std::size_t r = 0; r < seconds.size(); ++r)
-    EXPECT_EQ(several.time.windows.samples[r], std::vector{seconds[r]});
-  EXPECT_DOUBLE_EQ(undisturbed(several.time.windows), std::ranges::min(seconds));
-}
-
-TEST(RecordReader, RefusesWindowsThatAreNotAll) {
-  const Json record = with_windows(complete_record());
-  Json json = record;
-  json["paper"]["cells"][3]["time"]["windows"]["least"].erase(7);
-  EXPECT_CONTAINS(complaint(json), "paper.cells[3].time.windows.least: 24 windows of 25");
-  json["paper"]["cells"][3]["time"]["windows"].erase("least");
-  EXPECT_CONTAINS(complaint(json), "paper.cells[3].time.windows: the required key \"least\"");
-  json["paper"]["cells"][3]["time"].erase("windows");
-  EXPECT_CONTAINS(complaint(json), "paper.cells[3].time: the required key \"windows\" is missing");
-  json = record;
-  json["paper"]["cells"][3]["time"]["windows"]["least"][7] = 0;
-  EXPECT_CONTAINS(complaint(json), "paper.cells[3].time.windows.least[7]: ");
-  json["paper"]["cells"][3]["time"]["windows"]["least"][7] = 100;
-  EXPECT_CONTAINS(complaint(json), "paper.cells[3].time.windows: together they are longer than");
-  json = record;
-  json["record"]["settings"]["windows"] = 1;
-  EXPECT_CONTAINS(complaint(json), "record.settings.windows: 1 is not in 2");
-}
-
-TEST(RecordReader, ReadsTheSamplesOfWindows) {
-  const Record record = record_from(with_samples_of_windows(structured_record()));
-  for (const auto& [key, cell] : record.cells) {
-    EXPECT_EQ(cell.time.windows.samples.size(), cell.time.seconds.size()) << key.id;
-    if (cell.status != Status::ok) continue;
-    EXPECT_EQ(cell.time.windows.updates.size(), 25u);
-    EXPECT_EQ(
-        std::accumulate(cell.time.windows.instants.begin(), cell.time.windows.instants.end(), 0.0),
-        static_cast<double>(record.settings.instants));
-  }
-}
-
-TEST(RecordReader, RefusesSamplesOfWindowsThatDoNotBelongTogether) {
-  const Json record = with_samples_of_windows(complete_record());
-  const std::string place = "paper.cells[3].time.windows";
-  Json json = record;
-  json["paper"]["cells"][3]["time"]["windows"]["samples"][0].erase(7);
-  EXPECT_CONTAINS(complaint(json), place + ".samples[0]: 24 windows of 25");
-  json = record;
-  json["paper"]["cells"][3]["time"]["windows"]["updates"].push_back(1);
-  EXPECT_CONTAINS(complaint(json), place + ".updates: 26 windows of 25");
-  json = record;
-  json["paper"]["cells"][3]["time"]["windows"]["updates"][2] = -1;
-  EXPECT_CONTAINS(complaint(json), place + ".updates[2]: ");
-  json = record;
-  json["paper"]["cells"][3]["time"]["windows"].erase("updates");
-  EXPECT_CONTAINS(complaint(json), "the required key \"updates\" is missing");
-  json = record;
-  json["paper"]["cells"][3]["time"]["windows"]["samples"] = Json::array();
-  EXPECT_CONTAINS(complaint(json), place + ".samples: there is none");
-}
 
 TEST(RecordReader, ReadsCompressedRecords) {
   const Record plain = read_record(data_file("complete.json"));

@@ -9,7 +9,7 @@
 namespace desmo::report::tuning_test {
 namespace {
 
-Json rival(const std::string& id, double error, double microseconds) {
+Json candidate(const std::string& id, double error, double microseconds) {
   return {{"id", id},
           {"error", error},
           {"time_per_step",
@@ -27,8 +27,8 @@ Json promise(double allowed, const Json& choice, const Json& best) {
 Json promises_record() {
   Json record = points_record();
   record.erase("accuracy");
-  const Json fast = rival("block_symbolic_inlined/iterations:1", 3e-4, 2),
-             faster = rival("group_symbolic_inlined/iterations:1", 4e-4, 1.6);
+  const Json fast = candidate("block_symbolic_inlined/iterations:1", 3e-4, 2),
+             faster = candidate("group_symbolic_inlined/iterations:1", 4e-4, 1.6);
   record["accuracy"]["tuning"] = {promise(1e-3, fast, faster), promise(1e-9, fast, fast)};
   return record;
 }

@@ -1,4 +1,4 @@
-// Cells of desmo_bench: segments, verification before timing, structure.
+// Cells of desmo_bench: timing windows, verification before timing, structure.
 
 #include <gtest/gtest.h>
 
@@ -64,16 +64,16 @@ TEST(TimingWindows, AreFewerWhenThereAreFewInstants) {
   }
 }
 
-TEST(Cells, HaveSegmentsThatAreAllOfTheirTime) {
+TEST(Cells, HaveWindowsThatAreAllOfTheirTime) {
   Options o;
   o.duration = 2;
   ReferenceCache references;
   Cell cell(find_case("truck_suspension"), 114, find_variant("group_symbolic_klu"), o);
   cell.verify(references);
-  const auto sum = [](const std::vector<double>& segments) {
-    return std::accumulate(windows.begin(), segments.end(), 0.0);
+  const auto sum = [](const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0);
   };
-  // Between two segments something else may run and leave the caches cold: not always.
+  // Between two windows something else may run and leave the caches cold: not always.
   constexpr int attempts = 50;
   double largest_share = 0;
   int taken = 0;
