@@ -69,7 +69,7 @@ Json points_record() {
   Json record = structured_record();
   record.erase("paper");
   record["schema_version"] = "2.0.0";
-  record["record"]["command"] = "desmo_precision --synthetic";
+  record["record"]["command"] = "desmo_bench accuracy --synthetic";
   record["record"]["settings"]["tolerance"] = 1e-12;
   set_motion(record, 1);
   const std::string klu = "global_automatic_klu", lapack = "group_symbolic_lapack";

@@ -310,7 +310,7 @@ TEST(PrecisionReport, StandsAloneOrBesideTheExperiment) {
   EXPECT_EQ(entry_at(table_named(both, "provenance"), {"command"}, "value").shown,
             "desmo_bench --synthetic");
   EXPECT_EQ(entry_at(table_named(both, "provenance_2"), {"command"}, "value").shown,
-            "desmo_precision --synthetic");
+            "desmo_bench accuracy --synthetic");
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ Json timed_size(const std::string& case_name, int coordinates, const std::string
 }
 
 Json sizes_record() {
-  Json record = without_cells("desmo_growth --synthetic");
+  Json record = without_cells("desmo_bench size --synthetic");
   const std::string bars = "four_bar", klu = "global_automatic_klu";
   for (const auto& [n, nanoseconds] :
        {std::pair{10, 10}, {100, 10}, {1000, 10}, {10'000, 15}, {100'000, 20}}) {
