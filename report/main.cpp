@@ -178,7 +178,7 @@ int main(int argc, char** argv) {
   check_app->add_flag("--pending", check.pending, "List what has still to be measured");
   CertificateCommand certificate;
   CLI::App* certificate_app =
-      app.add_subcommand("certificate", "What the trials of bench/certify show of the check");
+      app.add_subcommand("certificate", "What the trials of bench/check --certify show");
   certificate_app->add_option("file", certificate.file, "The trials")->required();
   certificate_app->add_option("--add", certificate.added,
                               "Judge the check of this trial and add a line to the file");
