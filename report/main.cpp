@@ -144,6 +144,7 @@ ExitCode compare(const CompareCommand& command) {
 
 int main(int argc, char** argv) {
   CLI::App app{"The paper's tables and figures from records, comparisons and verdicts"};
+  app.set_version_flag("--version", "desmo_report " DESMO_VERSION);
   app.require_subcommand(1);
   TablesCommand command;
   CLI::App* tables_app = app.add_subcommand(
