@@ -144,6 +144,7 @@ ExitCode compare(const CompareCommand& command) {
 
 int main(int argc, char** argv) {
   CLI::App app{"The paper's tables and figures from records, comparisons and verdicts"};
+  app.set_version_flag("--version", "desmo_report " DESMO_VERSION);
   app.require_subcommand(1);
   TablesCommand command;
   CLI::App* tables_app = app.add_subcommand(
@@ -178,7 +179,7 @@ int main(int argc, char** argv) {
   check_app->add_flag("--pending", check.pending, "List what has still to be measured");
   CertificateCommand certificate;
   CLI::App* certificate_app =
-      app.add_subcommand("certificate", "What the trials of bench/certify show of the check");
+      app.add_subcommand("certificate", "What the trials of bench/check --certify show");
   certificate_app->add_option("file", certificate.file, "The trials")->required();
   certificate_app->add_option("--add", certificate.added,
                               "Judge the check of this trial and add a line to the file");

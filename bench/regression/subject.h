@@ -34,6 +34,12 @@ class Subject {
 
   const Settings& settings() const { return configuration_.settings; }
   int last_instant() const { return grid_.instants - 1; }
+
+  // For what runs it in another way.
+  Formulation& formulation() { return *formulation_; }
+  const TimeGrid& grid() const { return grid_; }
+  Sink& delivery() { return delivery_; }
+
   const Mechanism& mechanism() const { return mechanism_; }
 
  private:

@@ -1,4 +1,4 @@
-// What the trials of bench/certify show of the check itself.
+// What the trials of bench/check --certify show of the check itself.
 #pragma once
 
 #include <filesystem>

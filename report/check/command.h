@@ -19,7 +19,7 @@ struct CheckCommand {
 int run(const CheckCommand& command);
 
 struct CertificateCommand {
-  std::string file;   ///< the trials
+  std::string file;   ///< the trials of bench/check --certify
   std::string added;  ///< a trial to be judged and added; empty: none
   std::string format = "terminal";
 };

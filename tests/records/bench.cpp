@@ -1,8 +1,9 @@
-// desmo_bench as a program: exit codes, records, settings.
+// desmo_bench as a program: experiments, exit codes, records, settings.
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -53,6 +54,52 @@ TEST(Bench, ExitCodesSayWhatHappened) {
   EXPECT_FALSE(std::filesystem::exists(record + ".unfinished"));
   EXPECT_EQ(run_bench("--duration=0.2 --record=/dev/null" + one), 0);
   EXPECT_FALSE(std::filesystem::is_regular_file("/dev/null"));
+}
+
+/// What it says, on standard output and standard error.
+std::string said(const std::string& arguments) {
+  FILE* const pipe = popen((DESMO_BENCH " " + arguments + " 2>&1").c_str(), "r");
+  std::string text;
+  for (int c; (c = std::fgetc(pipe)) != EOF;) text += static_cast<char>(c);
+  pclose(pipe);
+  return text;
+}
+
+TEST(Bench, HasEveryExperimentByItsName) {
+  EXPECT_TRUE(said("--version").starts_with("desmo_bench 0."));
+  const std::string help = said("--help");
+  for (const char* name : {"paper", "accuracy", "size", "instructions", "extremes"}) {
+    EXPECT_NE(help.find("\n  " + std::string(name) + " "), std::string::npos) << name;
+    const std::string options = said(name + std::string(" --help"));
+    for (const char* common : {"--record FILE", "--quick", "--filter REGEX"})
+      EXPECT_NE(options.find(common), std::string::npos) << name << ' ' << common;
+    EXPECT_EQ(run_bench(name + std::string(" --no_such_flag")), 64) << name;
+  }
+  EXPECT_EQ(run_bench("precision --quick"), 64);
+  EXPECT_NE(said("precision").find("no experiment 'precision'; there are paper, accuracy"),
+            std::string::npos);
+  EXPECT_NE(said("size --bodies").find("unknown argument '--bodies'"), std::string::npos);
+  EXPECT_NE(said("accuracy four_bar/114").find("unknown argument 'four_bar/114'"),
+            std::string::npos);
+  EXPECT_NE(said("accuracy --quick").find("--record FILE is missing"), std::string::npos);
+}
+
+TEST(Bench, MeasuresDrift) {
+  const std::string drift = "accuracy --drift four_bar/24 group_symbolic_inlined";
+  EXPECT_EQ(run_bench(drift + " 3000"), 0);
+  EXPECT_NE(said(drift + " 2500 1e-10").find("2500 steps of 0.01 s"), std::string::npos);
+  EXPECT_EQ(run_bench(drift + " many"), 64);
+  EXPECT_EQ(run_bench("accuracy --drift four_bar/24"), 64);
+  EXPECT_EQ(run_bench("accuracy --drift no_such_mechanism group_symbolic_inlined"), 64);
+  EXPECT_EQ(run_bench(drift + " --record drift.json"), 64);
+}
+
+TEST(Bench, ValidatesTuningOfMechanismsThatItHas) {
+  const std::string record = testing::TempDir() + "desmo_validation.json";
+  EXPECT_EQ(run_bench("accuracy --validate-tuning --mechanism abacus --record " + record), 64);
+  EXPECT_EQ(run_bench("accuracy --validate-tuning --quick --record " + record), 64);
+  EXPECT_EQ(run_bench("accuracy --mechanism rssr --record " + record), 64);
+  EXPECT_FALSE(std::filesystem::exists(record));
 }
 
 TEST(Bench, RunsFormulationsWithSettingsBesideTheTable) {

@@ -1,4 +1,4 @@
-// desmo_extremes: its exit codes, and a record that desmo_report reads.
+// desmo_bench extremes: its exit codes, and a record that desmo_report reads.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -17,7 +17,7 @@ int run(const std::string& command) {
 class ExtremesProgram : public testing::Test {
  protected:
   int extremes(const std::string& arguments) const {
-    return run(DESMO_EXTREMES " --short --record " + record_ + " " + arguments);
+    return run(DESMO_BENCH " extremes --quick --record " + record_ + " " + arguments);
   }
   ~ExtremesProgram() override { std::filesystem::remove(record_); }
 
@@ -26,12 +26,12 @@ class ExtremesProgram : public testing::Test {
 };
 
 TEST_F(ExtremesProgram, RecordsWhatTheReportReads) {
-  EXPECT_EQ(extremes("--row 10 --row 13 --formulation '^group_.*_eigen$'"), 0);
+  EXPECT_EQ(extremes("--row 10 --row 13 --filter '^group_.*_eigen$'"), 0);
   EXPECT_EQ(run(DESMO_REPORT " tables " + record_), 0);
 }
 
 TEST_F(ExtremesProgram, EndsWithOneWhereAnythingIsWrongWithoutAFlag) {
-  const std::string dead_points = "--row 3 --formulation '^global_automatic_klu$'";
+  const std::string dead_points = "--row 3 --filter '^global_automatic_klu$'";
   EXPECT_EQ(extremes(dead_points), 0);
   std::filesystem::remove(record_);
   EXPECT_EQ(extremes(dead_points + " --without bounds"), 1);
@@ -40,8 +40,8 @@ TEST_F(ExtremesProgram, EndsWithOneWhereAnythingIsWrongWithoutAFlag) {
 
 TEST_F(ExtremesProgram, ComplainsOfMistakes) {
   EXPECT_EQ(extremes("--row 15"), 64);
-  EXPECT_EQ(extremes("--row 14 --formulation ma27"), 64);
-  EXPECT_EQ(extremes("--row 14 --formulation '('"), 64);
+  EXPECT_EQ(extremes("--row 14 --filter ma27"), 64);
+  EXPECT_EQ(extremes("--row 14 --filter '('"), 64);
   EXPECT_EQ(extremes("--row 3 --case 'no such case'"), 64);
   EXPECT_EQ(extremes("--row 3 --without luck"), 64);
   EXPECT_FALSE(std::filesystem::exists(record_));

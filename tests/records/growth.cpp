@@ -16,7 +16,7 @@ struct Row {
 };
 
 TEST(FileGrowth, IsNearLinearUpToTenThousandBodies) {
-  FILE* pipe = popen(DESMO_GROWTH, "r");
+  FILE* pipe = popen(DESMO_BENCH " size --files", "r");
   ASSERT_NE(pipe, nullptr);
   std::string output;
   for (int c; (c = std::fgetc(pipe)) != EOF;) output += static_cast<char>(c);

@@ -177,7 +177,7 @@ TEST(Search, GivesTheMostAccurateWithinABudget) {
   EXPECT_FALSE(search(motion, {Level::position, 0, 1e-12}, effort).choice);
 }
 
-// The short form of desmo_promises.
+// The short form of desmo_bench accuracy --validate-tuning.
 TEST(Promises, AreMeasuredBesideTheBestOfEverything) {
   const Scene scene = library_scene("slider_crank");
   const TunedMotion motion = begin_and_whole(scene);
@@ -197,7 +197,7 @@ TEST(Promises, AreMeasuredBesideTheBestOfEverything) {
 // A record of the program is one that the report reads, and has what the filter lets through.
 TEST(PrecisionRecord, IsReadByTheReport) {
   const std::string record = testing::TempDir() + "desmo_precision_record.json",
-                    run = DESMO_PRECISION " --quick --repetitions 1 --record " + record,
+                    run = DESMO_BENCH " accuracy --quick --repetitions 1 --record " + record,
                     quiet = " >/dev/null 2>&1";
   ASSERT_EQ(std::system((run + " --filter 'four_bar/114/group_symbolic_inlined$'" + quiet).c_str()),
             0);

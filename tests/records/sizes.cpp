@@ -120,7 +120,7 @@ TEST(Series, AskBothQuestionsOfBothCases) {
 // A record of the program is one that the report reads, and has what the filter lets through.
 TEST(SizesRecord, IsReadByTheReport) {
   const std::string record = testing::TempDir() + "desmo_growth_record.json",
-                    run = DESMO_GROWTH " --quick --repetitions 2 --record " + record,
+                    run = DESMO_BENCH " size --quick --repetitions 2 --record " + record,
                     quiet = " >/dev/null 2>&1";
   const std::string filter =
       " --filter '(four_bar/(114|225|336)/group_symbolic_explicit|break_even/four_bar/"
@@ -132,10 +132,12 @@ TEST(SizesRecord, IsReadByTheReport) {
         << found;
   EXPECT_EQ(WEXITSTATUS(std::system((run + " --filter no_such_formulation" + quiet).c_str())), 64);
   EXPECT_EQ(WEXITSTATUS(std::system((run + " --filter '('" + quiet).c_str())), 64);
-  EXPECT_EQ(WEXITSTATUS(std::system((run + " 100" + quiet).c_str())), 64);  // a table, or a record
-  EXPECT_EQ(WEXITSTATUS(std::system((DESMO_GROWTH " 3" + quiet).c_str())), 64);
+  EXPECT_EQ(WEXITSTATUS(std::system((run + " 100" + quiet).c_str())), 64);
+  // A table, or a record.
+  EXPECT_EQ(WEXITSTATUS(std::system((run + " --files" + quiet).c_str())), 64);
+  EXPECT_EQ(WEXITSTATUS(std::system((DESMO_BENCH " size --files 3" + quiet).c_str())), 64);
   EXPECT_EQ(WEXITSTATUS(std::system(
-                (DESMO_GROWTH " --quick --record /nonexistent/record.json" + quiet).c_str())),
+                (DESMO_BENCH " size --quick --record /nonexistent/record.json" + quiet).c_str())),
             74);
   std::remove(record.c_str());
 }

@@ -120,13 +120,13 @@ TEST(Page, TellsVerdictsFromNumbers) {
   EXPECT_NE(page.find("<span class=\"failed\">FAILED</span>"), std::string::npos);
 }
 
-// With Node.js and Chromium (bench/prepare browser), as a reader's computer has it.
+// With Node.js and Chromium (bench/setup browser), as a reader's computer has it.
 class PageInBrowser : public Program {
  protected:
   // Whether the packages of a folder's lock file are there; the reason in out_ when not.
   bool installed(const std::string& lock_folder, const std::string& work) {
     const fs::path source = DESMO_SOURCE_DIR;
-    return shell((source / "report/figures/packages").string() + " " +
+    return shell(std::string(DESMO_REPORT_RENDER) + " --packages " +
                  (source / lock_folder).string() + " " + (DESMO_BUILD_DIR "/" + work)) == 0;
   }
 

@@ -37,6 +37,11 @@ TEST_F(Program, PrintsAllTablesOrOne) {
   EXPECT_EQ(out_, "");
 }
 
+TEST_F(Program, TellsItsVersion) {
+  EXPECT_EQ(shell(std::string(DESMO_REPORT_PROGRAM) + " --version"), 0);
+  EXPECT_TRUE(out_.starts_with("desmo_report 0.")) << out_;
+}
+
 TEST_F(Program, WritesEveryFormatTwiceTheSame) {
   const fs::path first = folder_ / "a/deep", second = folder_ / "b";
   EXPECT_EQ(tables("complete.json", "--out " + first.string()), 0);

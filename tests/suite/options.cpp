@@ -1,4 +1,4 @@
-// Flags of desmo_bench.
+// Options of the paper's experiment.
 
 #include "bench/experiments/paper/options.h"
 
@@ -32,11 +32,22 @@ TEST(BenchOptions, TakeTheirOwnAndLeaveTheRest) {
   EXPECT_EQ(rest, (std::vector<std::string>{"x", "--benchmark_filter=a"}));
 }
 
+TEST(BenchOptions, StandForFlagsOfGoogleBenchmarkThatTheUserMayGiveHimself) {
+  std::vector<std::string> rest;
+  const Options quick = parse({"--benchmark_repetitions=7", "--quick", "--filter", "klu"}, &rest);
+  EXPECT_EQ(quick.duration, 1.5);
+  EXPECT_EQ(rest, (std::vector<std::string>{"--benchmark_filter=klu", "--benchmark_repetitions=2",
+                                            "--benchmark_repetitions=7"}));
+  EXPECT_EQ(parse({"--quick", "--duration=3", "--repetitions", "4"}, &rest).duration, 3);
+  EXPECT_EQ(rest, std::vector<std::string>{"--benchmark_repetitions=4"});
+}
+
 TEST(BenchOptions, RefuseWhatIsNotAPositiveNumber) {
   for (const char* bad : {"--step=0", "--step=-1", "--step=nan", "--step=inf", "--step=1x",
                           "--step=", "--dense-limit=2.5", "--duration=1e999"})
     EXPECT_THROW(parse({"x", bad}), std::invalid_argument) << bad;
   EXPECT_THROW(parse({"x", "--record"}), std::invalid_argument);
+  EXPECT_THROW(parse({"x", "--quick=yes"}), std::invalid_argument);
 }
 
 }  // namespace

@@ -1,27 +1,20 @@
-// desmo_drift MECHANISM ID [STEPS [TOLERANCE]]: does the error grow in a long run? Errors of the
-// first and the last 1000 of so many steps (10⁶), relative to the mechanism's scales, against the
-// quadruple reference. MECHANISM is <case>/<coordinates> or a mechanism of the library, ID a
-// formulation. The step is the scene's; the motion goes on beyond the scene's end.
-
-#include "formulations/accuracy/drift.h"
+#include "bench/experiments/accuracy/drift.h"
 
 #include <charconv>
 #include <cstdio>
-#include <exception>
-#include <iostream>
 #include <stdexcept>
-#include <string>
 #include <string_view>
 
 #include "cases/cases.h"
 #include "cases/files.h"
 #include "cases/library.h"
+#include "formulations/accuracy/drift.h"
 #include "formulations/modelling/model.h"
 #include "formulations/variants.h"
 
-namespace {
+namespace desmo::precision {
 
-using namespace desmo;
+namespace {
 
 constexpr int window = 1000;
 
@@ -45,13 +38,13 @@ Scene find_scene(std::string_view name) {
   return parse_scene(l->scene, std::string(name) + ".scene.json", "");
 }
 
-int measure(const Scene& scene, const Variant& variant, int steps, double tolerance) {
+bool measure(const Scene& scene, const Variant& variant, int steps, double tolerance) {
   const Mechanism m = make_mechanism(scene);
   const auto f = make_formulation(variant, m, {.tolerance = tolerance});
   const Drift d = measure_drift(*f, {scene.grid.start, scene.grid.step, steps + 1}, window);
   std::printf("%s, %d coordinates, %s, %d steps of %g s: %s\n", m.name.c_str(), m.coordinates(),
               variant.id.c_str(), steps, scene.grid.step, describe(d.summary, m).c_str());
-  if (!d.summary.ok()) return 1;
+  if (!d.summary.ok()) return false;
   std::printf("%-14s %12s %12s %12s %12s %12s\n", "", "first max", "last max", "first rms",
               "last rms", "floor");
   constexpr const char* names[] = {"position", "velocity", "acceleration"};
@@ -59,24 +52,18 @@ int measure(const Scene& scene, const Variant& variant, int steps, double tolera
     std::printf("%-14s %12.2e %12.2e %12.2e %12.2e %12.2e\n", names[static_cast<int>(level)],
                 d.first[level].max, d.last[level].max, d.first[level].rms, d.last[level].rms,
                 d.floor[level]);
-  return 0;
+  return true;
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  try {
-    if (argc < 3 || argc > 5)
-      throw std::invalid_argument("usage: desmo_drift MECHANISM ID [STEPS [TOLERANCE]]");
-    const Scene scene = find_scene(argv[1]);
-    return measure(scene, find_variant(argv[2]),
-                   argc > 3 ? parse<int>(argv[3], "a number of steps", 1) : 1'000'000,
-                   argc > 4 ? parse<double>(argv[4], "a tolerance", 0) : scene.tolerance);
-  } catch (const std::invalid_argument& e) {
-    std::cerr << "desmo_drift: " << e.what() << '\n';
-    return 64;
-  } catch (const std::exception& e) {
-    std::cerr << "desmo_drift: " << e.what() << '\n';
-    return 1;
-  }
+bool print_drift(const std::vector<std::string>& words) {
+  if (words.size() < 2 || words.size() > 4)
+    throw std::invalid_argument("--drift takes MECHANISM ID [STEPS [TOLERANCE]]");
+  const Scene scene = find_scene(words[0]);
+  return measure(scene, find_variant(words[1]),
+                 words.size() > 2 ? parse<int>(words[2], "a number of steps", 1) : 1'000'000,
+                 words.size() > 3 ? parse<double>(words[3], "a tolerance", 0) : scene.tolerance);
 }
+
+}  // namespace desmo::precision

@@ -1,9 +1,12 @@
 #include "bench/experiments/instructions/step_counts.h"
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
+#include "bench/experiments/instructions/monitored.h"
 #include "bench/kit/beyond.h"
 #include "bench/regression/callgrind.h"
 #include "formulations/id.h"
@@ -15,9 +18,14 @@ namespace {
 
 constexpr int warm_up = 5;  // of desmo_steps, not counted
 constexpr int steps = 50;
-/// Where more than one instant is solved at once, assembly and entry are counted, too: what is left
-/// of a long motion less a shorter one is steps.
+/// Where more than one instant is solved at once, and where a run is monitored, assembly and entry
+/// are counted, too: what is left of a long motion less a shorter one is steps. What monitors take
+/// is the difference of two such, so that both are of the same steps.
 constexpr int few_steps = 100, many_steps = 300;
+
+/// What the monitors of a run cost is counted with these.
+constexpr std::array monitored{"global_automatic_klu", "group_symbolic_inlined",
+                               "group_symbolic_explicit"};
 
 /// Whose solvers are chosen by measurement may have others, and other instructions, every time.
 bool is_counted(const Variant& v) {
@@ -40,21 +48,44 @@ std::vector<std::string> counted_ids() {
     ids.push_back(id);
   for (const std::string_view id : suite::beyond_the_paper)
     if (is_counted(id)) ids.emplace_back(id);
+  for (const char* id : monitored) ids.push_back(id + std::string(monitored_suffix));
   return ids;
 }
 
+/// Counts steps of one case at one size.
+class Counter {
+ public:
+  Counter(const StepCount& one, std::string desmo_steps)
+      : desmo_steps_(std::move(desmo_steps)),
+        case_name_(one.case_name),
+        coordinates_(std::to_string(one.coordinates)) {}
+
+  std::int64_t step(const std::string& id) const { return counted(id, warm_up + steps) / steps; }
+  /// All that a longer motion takes more.
+  std::int64_t more(const std::string& id) const {
+    return counted(id, many_steps) - counted(id, few_steps);
+  }
+
+ private:
+  std::int64_t counted(const std::string& id, int taken) const {
+    return regression::count_steps(
+        {desmo_steps_, case_name_, coordinates_, id, std::to_string(taken)});
+  }
+  std::string desmo_steps_, case_name_, coordinates_;
+};
+
 void count(StepCount& one, const std::string& desmo_steps) {
-  const auto counted = [&](int taken) {
-    return regression::count_steps({desmo_steps, one.case_name, std::to_string(one.coordinates),
-                                    one.id, std::to_string(taken)});
-  };
-  const Settings settings = parse_id(one.id).settings;
-  if (settings.segments > 1 || settings.stride > 1) {
-    one.steps = many_steps - few_steps;
-    one.instructions = (counted(many_steps) - counted(few_steps)) / one.steps;
+  const Counter counter(one, desmo_steps);
+  const std::string bare(formulation_of(one.id));
+  const Settings settings = parse_id(bare).settings;
+  one.steps = many_steps - few_steps;
+  if (is_monitored(one.id)) {
+    one.instructions = counter.step(bare) + (counter.more(one.id) - counter.more(bare)) / one.steps;
+  } else if (settings.segments > 1 || settings.stride > 1) {
+    one.instructions = counter.more(one.id) / one.steps;
   } else {
+    one.instructions = counter.step(one.id);
     one.steps = steps;
-    one.instructions = counted(warm_up + steps) / one.steps;
   }
 }
 

@@ -12,7 +12,7 @@ namespace desmo::counting {
 struct StepCount {
   std::string case_name;
   int coordinates;
-  std::string id;
+  std::string id;                 ///< with monitored_suffix where the run is monitored
   std::int64_t instructions = 0;  ///< per step, with as many Newton iterations as it takes
   int steps = 0;                  ///< that were counted
 
@@ -20,8 +20,9 @@ struct StepCount {
 };
 
 /// What is counted, not counted yet: of both cases, at so many coordinates or (0) at the largest of
-/// the paper's sizes, everything but blocks, dense global solves and SPQR, and what goes beyond the
-/// paper. Throws std::invalid_argument, saying which sizes exist, when one has not that many.
+/// the paper's sizes, everything but blocks, dense global solves and SPQR, what goes beyond the
+/// paper, and what it costs to monitor a run. Throws std::invalid_argument, saying which sizes
+/// exist, when one has not that many.
 std::vector<StepCount> to_be_counted(int coordinates);
 
 /// Counts with the program desmo_steps, as count_steps does. Throws std::runtime_error, naming the

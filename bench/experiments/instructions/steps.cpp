@@ -2,17 +2,20 @@
 // of 10 ms, nothing else, for instruction counts and profilers. With ITERATIONS every step takes
 // exactly so many Newton iterations; 0: as many as it needs. PERCENT repeats that share of the
 // steps: a slowdown on purpose, for tests of what is to find one. The steps after the first few are
-// all in desmo_counted_steps. With an id that solves more than one instant at once, the whole
-// motion is in it, assembly included.
+// all in desmo_counted_steps. With an id that solves more than one instant at once, or that ends in
+// /monitored, the whole motion is in it, assembly included.
 
 #include <algorithm>
 #include <charconv>
 #include <exception>
 #include <iostream>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 
+#include "bench/experiments/instructions/monitored.h"
 #include "bench/regression/subject.h"
+#include "formulations/safety/safe_run.h"
 
 namespace {
 
@@ -29,10 +32,22 @@ int whole(std::string_view text) {
   return value;
 }
 
+/// Runs the whole motion under all monitors. Throws std::runtime_error where one of them finds
+/// something: that is not the motion whose instructions are asked for.
+desmo::Summary run_monitored(Subject& subject) {
+  const desmo::SafeSummary s =
+      run_safely(subject.formulation(), subject.grid(), {}, subject.delivery(), {});
+  if (s.ok() && s.outcome() != desmo::Outcome::converged)
+    throw std::runtime_error("the motion is not an ordinary one: " +
+                             describe_accuracy(s.condition, s.bound, desmo::Level::acceleration));
+  return s;
+}
+
 }  // namespace
 
-extern "C" [[gnu::noinline]] desmo::Summary desmo_counted_steps(Subject& subject, int first,
-                                                                int last, int repeated) {
+extern "C" [[gnu::noinline]] desmo::Summary desmo_counted_steps(Subject& subject, bool monitored,
+                                                                int first, int last, int repeated) {
+  if (monitored) return run_monitored(subject);
   if (subject.runs_at_once()) return subject.analyse();
   const desmo::Summary s = subject.walk(first, last);
   return s.ok() && repeated > 0 ? subject.walk(last - 1, last - repeated) : s;
@@ -49,11 +64,13 @@ int main(int argc, char** argv) {
     Settings settings;
     if (argc > 5) settings.fixed_iterations = whole(argv[5]);
     const int first = std::min(warm_up, steps);
-    Subject subject({argv[1], whole(argv[2]), argv[3]}, steps + 1, settings);
+    const bool monitored = counting::is_monitored(argv[3]);
+    const std::string id(counting::formulation_of(argv[3]));
+    Subject subject({argv[1], whole(argv[2]), id}, steps + 1, settings);
     Summary s;
-    if (!subject.runs_at_once()) s = subject.walk(0, first);
+    if (!monitored && !subject.runs_at_once()) s = subject.walk(0, first);
     if (s.ok() && first < steps)
-      s = desmo_counted_steps(subject, first + 1, steps,
+      s = desmo_counted_steps(subject, monitored, first + 1, steps,
                               regression::extra_steps(steps - first, repeated));
     if (s.ok() && s.residual > subject.settings().tolerance)  // possible with fixed iterations only
       s.status = Status::not_converged;

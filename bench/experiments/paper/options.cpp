@@ -1,11 +1,6 @@
 #include "bench/experiments/paper/options.h"
 
-#include <charconv>
-#include <cmath>
-#include <functional>
-#include <stdexcept>
-#include <string_view>
-#include <utility>
+#include <list>
 
 #include "cases/cases.h"
 
@@ -13,78 +8,63 @@ namespace desmo::suite {
 
 namespace {
 
-template <class Number>
-Number positive(std::string_view option, std::string_view text) {
-  Number value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || !(value > 0) ||
-      !std::isfinite(static_cast<double>(value)))
-    throw std::invalid_argument(std::string(option) + ": '" + std::string(text) +
-                                "' is not a positive number");
-  return value;
+constexpr double quick_duration = 1.5;  // s
+constexpr int quick_repetitions = 2;
+
+void add_options(OptionTable& table, Options& o) {
+  experiments::add_common(table, o,
+                          {.quick = "1.5 s of motion and 2 repetitions",
+                           .filtered = "<case>/<coordinates>/<id>",
+                           .repetitions = "as many as take 2 s together, 3 to 20"});
+  table.positive("--step", "SECONDS", o.step, "Time step (the case's, 0.01)");
+  table.positive("--duration", "SECONDS", o.duration, "Motion analysed (the case's, 30)");
+  table.positive("--dense-limit", "N", o.dense_limit,
+                 "Coordinates up to which dense global solves run (114)");
+  table.positive("--slow-limit", "N", o.slow_limit,
+                 "Coordinates up to which SPQR, and UMFPACK and SparseLU\nin blocks, run (114)");
+  table.positive("--peer-limit", "SECONDS", o.peer_limit,
+                 "CPU time a rival may take for the motion (60)");
+  table.texts("--formulation", "ID", o.formulations,
+              "Add a formulation with settings as suffixes, such as\n"
+              "global_automatic_klu/guess:hermite5; more than once where wanted");
+}
+
+/// A flag for Google Benchmark, which keeps no copy of its own.
+char* lasting(std::string flag) {
+  static std::list<std::string> flags;
+  return flags.emplace_back(std::move(flag)).data();
 }
 
 }  // namespace
 
-const char* const usage =
-    "desmo_bench: verifies, then times, every case, size and formulation.\n"
-    "A benchmark is named <case>/<coordinates>/<id>; one iteration is the whole analysis.\n"
-    "<case>/<coordinates>/<id>/request:<name> solves only what that request needs.\n"
-    "<case>/<coordinates>/peer:<name> is solved by a rival: by hand, or, where built "
-    "(DESMO_PEERS),\n"
-    "by a library.\n\n"
-    "  --step=SECONDS           time step (default: the case's, 0.01)\n"
-    "  --duration=SECONDS       motion analysed (default: the case's, 30)\n"
-    "  --dense-limit=N          coordinates up to which dense global solves run (default 114)\n"
-    "  --slow-limit=N           coordinates up to which SPQR, and UMFPACK and SparseLU in blocks,\n"
-    "                           run (default 114)\n"
-    "  --peer-limit=SECONDS     CPU time a rival may take for the motion (default 60)\n"
-    "  --formulation=ID         adds a formulation with settings as suffixes, such as\n"
-    "                           global_automatic_klu/guess:hermite5; may be given more than once\n"
-    "  --record=FILE            write the results record (see results/README.md)\n\n"
-    "Exit code: 0 all verified and timed; 1 some formulation failed; 64 usage, or no benchmark\n"
-    "matches; 74 the record could not be written. Flags of Google Benchmark (repetitions,\n"
-    "in random order, default to as many as take 2.5 s together, 3 to 20):\n\n";
+std::string usage() {
+  Options unused;
+  OptionTable table(
+      "desmo_bench paper: verifies, then times, every case, size and formulation.\n"
+      "A benchmark is named <case>/<coordinates>/<id>; one iteration is the whole analysis.\n"
+      "<case>/<coordinates>/<id>/request:<name> solves only what that request needs.\n"
+      "<case>/<coordinates>/peer:<name> is solved by a rival: by hand, or, where built\n"
+      "(DESMO_PEERS), by a library.");
+  add_options(table, unused);
+  return table.help() +
+         "\nExit code: 0 all verified and timed; 1 some formulation failed; 64 usage, or no\n"
+         "benchmark matches; 74 the record could not be written. Flags of Google Benchmark:\n\n";
+}
 
 Options take_options(std::vector<char*>& arguments) {
   Options o;
-  using Setter = std::function<void(std::string_view, std::string_view)>;
-  const auto real = [](double& target) -> Setter {
-    return [&](auto name, auto text) { target = positive<double>(name, text); };
-  };
-  const auto whole = [](int& target) -> Setter {
-    return [&](auto name, auto text) { target = positive<int>(name, text); };
-  };
-  const std::pair<std::string_view, Setter> table[] = {
-      {"--step", real(o.step)},
-      {"--duration", real(o.duration)},
-      {"--dense-limit", whole(o.dense_limit)},
-      {"--slow-limit", whole(o.slow_limit)},
-      {"--peer-limit", real(o.peer_limit)},
-      {"--formulation", [&](auto, auto text) { o.formulations.emplace_back(text); }},
-      {"--record", [&](auto, auto text) { o.record = text; }},
-  };
-
-  std::vector<char*> rest;
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    const std::string_view argument = arguments[i];
-    const std::string_view name = argument.substr(0, argument.find('='));
-    const Setter* setter = nullptr;
-    for (const auto& [option, set] : table)
-      if (name == option) setter = &set;
-    if (argument == "--help" || argument == "-h") {
-      o.help = true;
-    } else if (!setter) {
-      rest.push_back(arguments[i]);
-    } else if (name.size() < argument.size()) {
-      (*setter)(name, argument.substr(name.size() + 1));
-    } else if (i + 1 < arguments.size()) {
-      (*setter)(name, arguments[++i]);
-    } else {
-      throw std::invalid_argument(std::string(name) + ": a value is missing");
-    }
-  }
-  arguments = std::move(rest);
+  OptionTable table("");
+  add_options(table, o);
+  arguments = table.take(arguments);
+  o.help = table.asks_for_help();
+  if (o.quick && o.duration == 0) o.duration = quick_duration;
+  const int repetitions = o.repetitions > 0 ? o.repetitions : o.quick ? quick_repetitions : 0;
+  // First, so that flags of Google Benchmark that the user gives win.
+  if (repetitions > 0)
+    arguments.insert(arguments.begin(),
+                     lasting("--benchmark_repetitions=" + std::to_string(repetitions)));
+  if (!o.filter.empty())
+    arguments.insert(arguments.begin(), lasting("--benchmark_filter=" + o.filter));
   return o;
 }
 

@@ -1,6 +1,5 @@
-// desmo_instructions: instructions a step, counted by callgrind: repeatable where times are not.
-// Beside them stands what an early prototype took.
-#include <CLI/CLI.hpp>
+// desmo_bench instructions: instructions a step, counted by callgrind: repeatable where times are
+// not. Beside them stands what an early prototype took.
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
@@ -11,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/experiments/common_options.h"
 #include "bench/experiments/instructions/claims.h"
 #include "bench/experiments/instructions/step_counts.h"
 #include "bench/kit/recording.h"
@@ -20,8 +20,9 @@ namespace desmo::counting {
 
 namespace {
 
-struct Options {
-  std::string record, command, filter;
+constexpr int quick_coordinates = 114;
+
+struct Options : experiments::CommonOptions {
   int coordinates = 0;
 };
 
@@ -53,16 +54,18 @@ nlohmann::ordered_json counts_json(const std::vector<StepCount>& counts, const s
 }
 
 /// Whether every claim holds; one that does not is named.
-bool run(const Options& options) {
+bool measure(const Options& options, const std::string& command) {
   const std::regex expression(options.filter);
-  std::vector<StepCount> counts = to_be_counted(options.coordinates);
+  const int coordinates = options.quick ? quick_coordinates : 0;
+  std::vector<StepCount> counts =
+      to_be_counted(options.coordinates > 0 ? options.coordinates : coordinates);
   std::erase_if(counts,
                 [&](const StepCount& c) { return !std::regex_search(c.name(), expression); });
   if (counts.empty()) throw std::invalid_argument("nothing matches " + options.filter);
   const std::string tool = regression::counting_tool();
   if (tool.empty()) throw std::runtime_error("valgrind, which counts, cannot be run");
   std::optional<suite::Recording> recording;
-  if (!options.record.empty()) recording.emplace(options.record, options.command);
+  if (!options.record.empty()) recording.emplace(options.record, command);
   count(counts, desmo_steps());
   print(counts);
   if (recording) recording->write(cases().front().describe(1).grid, counts_json(counts, tool));
@@ -71,21 +74,23 @@ bool run(const Options& options) {
   return broken.empty();
 }
 
+int run(const experiments::CommandLine& line) {
+  Options options;
+  suite::OptionTable table("desmo_bench instructions: instructions a step, counted by callgrind");
+  experiments::add_common(table, options,
+                          {.quick = std::to_string(quick_coordinates) + " coordinates",
+                           .filtered = "<case>/<coordinates>/<id>",
+                           .repetitions = {}});
+  table.positive("--coordinates", "N", options.coordinates,
+                 "Of both cases (the largest of the paper's sizes)");
+  if (!experiments::read_options(table, line)) return 0;
+  return measure(options, line.text) ? 0 : 1;
+}
+
 }  // namespace
 
 }  // namespace desmo::counting
 
-int main(int argc, char** argv) {
-  using namespace desmo::counting;
-  CLI::App program{"Instructions a step, counted by callgrind", "desmo_instructions"};
-  Options options;
-  program.add_option("--record", options.record, "Write the results record to this file");
-  program
-      .add_option("--coordinates", options.coordinates,
-                  "Of both cases; the largest of the paper's sizes if not given")
-      ->check(CLI::PositiveNumber);
-  program.add_option("--filter", options.filter,
-                     "Only where this regular expression is found in <case>/<coordinates>/<id>");
-  options.command = desmo::suite::command_line(argc, argv);
-  return desmo::suite::record_main(program, argc, argv, [&] { return run(options); });
+int desmo::experiments::run_instructions(const CommandLine& line) {
+  return desmo::counting::run(line);
 }

@@ -1,7 +1,6 @@
-// desmo_growth: how the time of a step grows with the size of a mechanism, and where solving all of
-// it at once costs the same with dense and with sparse matrices, into a record; without one, how
-// reading, analysing and solving a mechanism file grow, as a table.
-#include <CLI/CLI.hpp>
+// desmo_bench size: how the time of a step grows with the size of a mechanism, and where solving
+// all of it at once costs the same with dense and with sparse matrices.
+#include <charconv>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -9,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/experiments/common_options.h"
 #include "bench/experiments/size/analysis.h"
 #include "bench/experiments/size/record.h"
 #include "bench/kit/kept_memory.h"
@@ -20,15 +20,9 @@ namespace desmo::sizes {
 
 namespace {
 
+constexpr int usual_repetitions = 5;
 constexpr double least_seconds = 0.02;  // of a sample
 constexpr double dear_seconds = 1;      // a motion that takes longer has two samples only
-
-struct Options {
-  std::string record, command, filter;
-  int repetitions = 5;
-  bool quick = false;
-  std::vector<int> bodies{100, 1000, 10'000};
-};
 
 bool is_sampled(const Contender& contender, const Problem& problem) {
   const std::vector<double>& samples = contender.seconds_per_step;
@@ -82,18 +76,18 @@ bool all_right(const nlohmann::ordered_json& lists) {
   return right;
 }
 
-bool run(const Options& options) {
-  suite::keep_freed_memory();
-  set_blas_threads(1);  // the clock is the thread's own
+/// Returns whether all that was measured is right.
+bool measure_all(const experiments::CommonOptions& options, const std::string& command) {
   const std::vector<Series> all =
       matching(options.quick ? quick_series() : all_series(), std::regex(options.filter));
   if (all.empty()) throw std::invalid_argument("nothing matches " + options.filter);
-  suite::Recording recording(options.record, options.command);
+  suite::Recording recording(options.record, command);
   nlohmann::ordered_json lists;
   {
+    const int repetitions = options.repetitions > 0 ? options.repetitions : usual_repetitions;
     Work work(all);
     for (const Series& series : all) {
-      measure(series, options.repetitions, lists[std::string(name_of(series.question))]);
+      measure(series, repetitions, lists[std::string(name_of(series.question))]);
       work.done(series);
     }
   }
@@ -107,34 +101,53 @@ bool analyse(const std::vector<int>& bodies) {
     print_analysis(bodies);
     return true;
   } catch (const std::runtime_error& error) {
-    std::cerr << "desmo_growth: " << error.what() << '\n';
+    std::cerr << "desmo_bench: " << error.what() << '\n';
     return false;
   }
+}
+
+/// Turns words into numbers of bodies. Throws std::invalid_argument, naming one that is none.
+std::vector<int> bodies_of(const std::vector<std::string>& words) {
+  if (words.empty()) return {100, 1000, 10'000};
+  std::vector<int> all;
+  for (const std::string& word : words) {
+    int bodies = 0;
+    const char* const end = word.data() + word.size();
+    if (std::from_chars(word.data(), end, bodies).ptr != end || bodies < 20 || bodies > 1'000'000)
+      throw std::invalid_argument("'" + word + "' is not a number of bodies from 20 to 1000000");
+    all.push_back(bodies);
+  }
+  return all;
+}
+
+int run(const experiments::CommandLine& line) {
+  experiments::CommonOptions options;
+  bool analyses_files = false;
+  suite::OptionTable table(
+      "desmo_bench size: how time grows with the size of a mechanism.\n"
+      "desmo_bench size --files [BODIES...]");
+  experiments::add_common(table, options,
+                          {.quick = "small sizes only",
+                           .filtered = "<question>/<case>/<size>/<id>, such as\n"
+                                       "growth/four_bar/114/group_symbolic_inlined",
+                           .repetitions = std::to_string(usual_repetitions)});
+  table.flag("--files", analyses_files,
+             "Instead: how reading, analysing and solving a mechanism file\n"
+             "grow with its bodies (100 1000 10000), as a table");
+  std::vector<std::string> words;
+  if (!experiments::read_options(table, line, &words)) return 0;
+  if (!analyses_files && !words.empty())
+    throw std::invalid_argument("unknown argument '" + words.front() + "'");
+  if (analyses_files && !options.record.empty())
+    throw std::invalid_argument("--files prints a table; it goes into no --record");
+  suite::keep_freed_memory();
+  set_blas_threads(1);  // the clock is the thread's own
+  const bool right = analyses_files ? analyse(bodies_of(words)) : measure_all(options, line.text);
+  return right ? 0 : 1;
 }
 
 }  // namespace
 
 }  // namespace desmo::sizes
 
-int main(int argc, char** argv) {
-  using namespace desmo::sizes;
-  CLI::App program{"How time grows with the size of a mechanism", "desmo_growth"};
-  Options options;
-  const auto* record =
-      program.add_option("--record", options.record, "Write the results record to this file");
-  program.add_option("--repetitions", options.repetitions, "Samples of each time")
-      ->check(CLI::PositiveNumber);
-  program.add_flag("--quick", options.quick, "Small sizes only");
-  program.add_option("--filter", options.filter,
-                     "Only where this regular expression is found in "
-                     "<growth|break_even>/<case>/<size>/<id>");
-  program
-      .add_option("bodies", options.bodies,
-                  "Without --record: numbers of bodies of the files that are read and analysed")
-      ->check(CLI::Range(20, 1'000'000))
-      ->excludes("--record");
-  options.command = desmo::suite::command_line(argc, argv);
-  return desmo::suite::record_main(program, argc, argv, [&] {
-    return record->empty() ? analyse(options.bodies) : run(options);
-  });
-}
+int desmo::experiments::run_size(const CommandLine& line) { return desmo::sizes::run(line); }

@@ -1,6 +1,5 @@
-// desmo_promises: what the choices of desmo tune are worth. Is the error that was asked for held at
-// every instant of the motion? How much slower is the choice than the best there is?
-#include <CLI/CLI.hpp>
+#include "bench/experiments/accuracy/tuning_validation.h"
+
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
@@ -10,13 +9,11 @@
 
 #include "bench/experiments/accuracy/promise.h"
 #include "bench/experiments/accuracy/record.h"
-#include "bench/kit/kept_memory.h"
 #include "bench/kit/progress.h"
 #include "bench/kit/recording.h"
 #include "bench/kit/time_json.h"
 #include "cases/cases.h"
 #include "cases/files.h"
-#include "formulations/algebra/blas.h"
 #include "formulations/modelling/model.h"
 
 namespace desmo::precision {
@@ -33,14 +30,17 @@ struct Named {
   Scene scene;
 };
 
-/// All there are, or those named, at least one. Throws std::invalid_argument where there is none.
+/// Returns the scenes of all mechanisms, or of those named. Throws std::invalid_argument, naming
+/// one that is not among them.
 std::vector<Named> scenes(const std::vector<std::string>& named) {
   std::vector<Named> all;
   for (const Case& c : cases()) all.push_back({std::string(c.name), describe(c, c.sizes.front())});
   for (const char* name : library) all.push_back({name, library_scene(name)});
+  for (const std::string& name : named)
+    if (!std::ranges::count(all, name, &Named::name))
+      throw std::invalid_argument("--mechanism: '" + name + "' is none of those tried");
   if (!named.empty())
     std::erase_if(all, [&](const Named& n) { return !std::ranges::count(named, n.name); });
-  if (all.empty()) throw std::invalid_argument("there is no such mechanism among those tried");
   return all;
 }
 
@@ -72,9 +72,11 @@ void add_promises(Json& list, const Named& named, suite::Progress& progress) {
   }
 }
 
-void run(const std::string& record, const std::string& command, const std::vector<Named>& all) {
-  suite::keep_freed_memory();
-  set_blas_threads(1);  // the clock is the thread's own
+}  // namespace
+
+void validate_tuning(const std::string& record, const std::string& command,
+                     const std::vector<std::string>& mechanisms) {
+  const std::vector<Named> all = scenes(mechanisms);
   suite::Recording recording(record, command);
   Json lists = {{"tuning", Json::array()}};
   {
@@ -84,19 +86,4 @@ void run(const std::string& record, const std::string& command, const std::vecto
   recording.write(all.front().scene.grid, lists);
 }
 
-}  // namespace
-
 }  // namespace desmo::precision
-
-int main(int argc, char** argv) {
-  CLI::App program{"What the choices of desmo tune are worth", "desmo_promises"};
-  std::string record;
-  program.add_option("--record", record, "Write the results record to this file")->required();
-  std::vector<std::string> mechanisms;
-  program.add_option("--mechanism", mechanisms, "Only these, not all");
-  const std::string command = desmo::suite::command_line(argc, argv);
-  return desmo::suite::record_main(program, argc, argv, [&] {
-    desmo::precision::run(record, command, desmo::precision::scenes(mechanisms));
-    return true;
-  });
-}

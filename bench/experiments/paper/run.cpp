@@ -1,5 +1,5 @@
-// desmo_bench: every case × size × formulation, and every request, as a Google Benchmark, verified
-// before it is timed.
+// desmo_bench paper: every case × size × formulation, and every request, as a Google Benchmark,
+// verified before it is timed.
 
 #include <benchmark/benchmark.h>
 
@@ -16,6 +16,7 @@
 #include <string_view>
 #include <vector>
 
+#include "bench/experiments/experiments.h"
 #include "bench/experiments/paper/measurement.h"
 #include "bench/experiments/paper/options.h"
 #include "bench/kit/cell.h"
@@ -88,24 +89,24 @@ void require_one_grid(const std::vector<Timed*>& all) {
 }
 
 /// What is compared with each other: all of one case and size.
-struct Experiment {
+struct Comparison {
   std::string name;  ///< "truck_suspension/558"
   std::vector<Timed*> timed;
 };
 
 /// together: as one.
-std::vector<Experiment> experiments_of(const std::vector<Timed*>& all, bool together) {
+std::vector<Comparison> comparisons_of(const std::vector<Timed*>& all, bool together) {
   if (together) return {{"desmo_bench", all}};
-  std::vector<Experiment> experiments;
+  std::vector<Comparison> comparisons;
   for (Timed* timed : all) {
     const std::string name = timed->name(), of = name.substr(0, name.find('/', name.find('/') + 1));
-    const auto it = std::ranges::find(experiments, of, &Experiment::name);
-    if (it == experiments.end())
-      experiments.push_back({of, {timed}});
+    const auto it = std::ranges::find(comparisons, of, &Comparison::name);
+    if (it == comparisons.end())
+      comparisons.push_back({of, {timed}});
     else
       it->timed.push_back(timed);
   }
-  return experiments;
+  return comparisons;
 }
 
 /// Google Benchmark writes it anew in every process.
@@ -119,23 +120,23 @@ bool is_listing(std::string_view argument) {
   return argument.starts_with("--benchmark_list_tests") && !argument.ends_with("=false");
 }
 
-int run(int argc, char** argv) {
+int run(const experiments::CommandLine& line) {
   keep_freed_memory();
-  std::vector<char*> arguments(argv, argv + argc);
+  std::vector<char*> arguments = line.arguments;
   for (const std::string_view a : arguments)
     if (a.starts_with("--benchmark_report_aggregates_only") || a.starts_with("--benchmark_format"))
       throw std::invalid_argument(std::string(a) +
                                   ": not here, every sample is recorded; see --record and "
                                   "--benchmark_out");
   const Options options = take_options(arguments);
-  if (options.help) std::cout << usage;
+  if (options.help) std::cout << usage();
 
   // Defaults first, so that the user's flags win. An iteration is a whole analysis, and a
   // repetition is one iteration: the least time is met by the first.
   std::string interleave = "--benchmark_enable_random_interleaving=true";
   std::string least_time = "--benchmark_min_time=1e-6";
   std::string help = "--help";
-  arguments.insert(arguments.begin() + 1, {interleave.data(), least_time.data()});
+  arguments.insert(arguments.begin(), {line.program, interleave.data(), least_time.data()});
   if (options.help) arguments.push_back(help.data());
   // Before Google Benchmark takes its flags away.
   const std::optional<int> asked_repetitions = repetitions_of(arguments);
@@ -147,7 +148,7 @@ int run(int argc, char** argv) {
   set_blas_threads(1);  // the clock is the thread's own
   for (const std::string& note : faulty_libraries()) std::cerr << "desmo_bench: " << note << '\n';
 
-  Run record{utc_now(), command_line(argc, argv), load_averages(), {}};
+  Run record{utc_now(), line.text, load_averages(), {}};
   const auto cells = make_cells(options);
   const auto requests = make_requests(options);
   const auto beside_peers = make_cells_beside_peers(options);
@@ -166,14 +167,14 @@ int run(int argc, char** argv) {
 
   Json all_lists;
   bool failed = false;
-  const auto experiments = experiments_of(chosen, together);
+  const auto comparisons = comparisons_of(chosen, together);
   RunProgress progress(static_cast<int>(chosen.size()));
-  for (const Experiment& experiment : experiments) {
-    const bool first = &experiment == &experiments.front();
-    const Json measured = in_own_process(experiment.name, [&] {
-      return measure(experiment.timed, asked_repetitions, first, progress);
+  for (const Comparison& comparison : comparisons) {
+    const bool first = &comparison == &comparisons.front();
+    const Json measured = in_own_process(comparison.name, [&] {
+      return measure(comparison.timed, asked_repetitions, first, progress);
     });
-    progress.passed(static_cast<int>(experiment.timed.size()));
+    progress.passed(static_cast<int>(comparison.timed.size()));
     failed = failed || measured["failed"];
     for (const auto& [name, list] : measured["lists"].items()) {
       Json& all_of_it = all_lists.emplace(name, Json::array()).first.value();
@@ -192,14 +193,4 @@ int run(int argc, char** argv) {
 
 }  // namespace desmo::suite
 
-int main(int argc, char** argv) {
-  try {
-    return desmo::suite::run(argc, argv);
-  } catch (const std::invalid_argument& e) {
-    std::cerr << "desmo_bench: " << e.what() << '\n';
-    return 64;
-  } catch (const std::exception& e) {
-    std::cerr << "desmo_bench: " << e.what() << '\n';
-    return 74;
-  }
-}
+int desmo::experiments::run_paper(const CommandLine& line) { return desmo::suite::run(line); }

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace desmo::experiments {
+
+/// What an experiment is called with.
+struct CommandLine {
+  std::string text;              ///< for the record: program, experiment and arguments
+  char* program;                 ///< its path, as Google Benchmark wants it
+  std::vector<char*> arguments;  ///< without program and experiment
+};
+
+/// An experiment: `desmo_bench NAME [OPTION...]`.
+struct Experiment {
+  std::string_view name;
+  std::string_view help;  ///< one line
+  /// Measures, and returns the exit code: 0, or 1 where something that was measured is wrong.
+  /// Throws std::invalid_argument and std::regex_error for a mistake in the command line, any
+  /// other exception where something cannot be measured or written.
+  int (*run)(const CommandLine&);
+};
+
+/// Returns all experiments, the paper's first.
+std::span<const Experiment> all_experiments();
+
+// Each stands in its folder.
+int run_paper(const CommandLine&);
+int run_accuracy(const CommandLine&);
+int run_size(const CommandLine&);
+int run_instructions(const CommandLine&);
+int run_extremes(const CommandLine&);
+
+}  // namespace desmo::experiments

@@ -1,0 +1,75 @@
+// desmo_bench [EXPERIMENT] [OPTION...]: measures what an experiment measures; without a name the
+// paper's.
+
+#include <algorithm>
+#include <exception>
+#include <iostream>
+#include <regex>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "bench/experiments/experiments.h"
+#include "bench/kit/record.h"
+
+namespace {
+
+using namespace desmo::experiments;
+
+enum ExitCode { success = 0, usage_error = 64, not_written = 74 };
+
+/// Returns the experiment that the first argument names. Throws std::invalid_argument for a name
+/// that no experiment has.
+const Experiment& named(std::string_view name) {
+  const std::span<const Experiment> all = all_experiments();
+  const auto it = std::ranges::find(all, name, &Experiment::name);
+  if (it != all.end()) return *it;
+  std::string names;
+  for (const Experiment& e : all) names += (names.empty() ? "" : ", ") + std::string(e.name);
+  throw std::invalid_argument("there is no experiment '" + std::string(name) + "'; there are " +
+                              names);
+}
+
+void print_experiments() {
+  std::cout << "desmo_bench [EXPERIMENT] [OPTION...]: measures, and writes a record. Experiments:\n"
+               "\n";
+  for (const Experiment& e : all_experiments()) {
+    std::string name(e.name);
+    name.resize(14, ' ');
+    std::cout << "  " << name << e.help << '\n';
+  }
+  std::cout << "\ndesmo_bench EXPERIMENT --help lists an experiment's options; --version says which"
+               "\nversion this is. Without an experiment it is the paper's.\n\n";
+}
+
+int run(int argc, char** argv) {
+  const std::string_view first = argc > 1 ? argv[1] : "";
+  if (first == "--version") {
+    std::cout << "desmo_bench " DESMO_VERSION "\n";
+    return success;
+  }
+  const bool has_name = argc > 1 && !first.starts_with('-');
+  if (first == "--help" || first == "-h") print_experiments();
+  const Experiment& experiment = has_name ? named(first) : all_experiments().front();
+  return experiment.run(
+      {desmo::suite::command_line(argc, argv), argv[0], {argv + (has_name ? 2 : 1), argv + argc}});
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const auto failed = [](const std::string& message, ExitCode code) {
+    std::cerr << "desmo_bench: " << message << '\n';
+    return code;
+  };
+  try {
+    return run(argc, argv);
+  } catch (const std::regex_error& error) {
+    return failed(std::string("not a regular expression: ") + error.what(), usage_error);
+  } catch (const std::invalid_argument& error) {
+    return failed(error.what(), usage_error);
+  } catch (const std::exception& error) {
+    return failed(error.what(), not_written);
+  }
+}
