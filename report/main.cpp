@@ -151,7 +151,7 @@ int main(int argc, char** argv) {
       "tables", "Tables 1 and 2, figures 5 and 6, time against error, and the rest");
   tables_app
       ->add_option("records", command.records,
-                   "The record of an experiment of desmo_bench, .json or .json.gz, or one of each")
+                   "The record of an experiment, .json or .json.gz, or one of each")
       ->required();
   tables_app->add_option("--out", command.folder,
                          "Write the files of every format, and the figures, into this folder");
