@@ -127,8 +127,9 @@ TEST(SizesRecord, IsReadByTheReport) {
       "[1-3].*/global_automatic_(klu|lapack))$'";
   ASSERT_EQ(std::system((run + filter + quiet).c_str()), 0);
   for (const char* found : {"four_bar *group_symbolic_explicit .* n=3", " four_bar *klu "})
-    EXPECT_EQ(
-        std::system((DESMO_REPORT " tables --all " + record + " | grep -Eq '" + found + "'").c_str()), 0)
+    EXPECT_EQ(std::system(
+                  (DESMO_REPORT " tables --all " + record + " | grep -Eq '" + found + "'").c_str()),
+              0)
         << found;
   EXPECT_EQ(WEXITSTATUS(std::system((run + " --filter no_such_formulation" + quiet).c_str())), 64);
   EXPECT_EQ(WEXITSTATUS(std::system((run + " --filter '('" + quiet).c_str())), 64);
