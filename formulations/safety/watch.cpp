@@ -82,9 +82,12 @@ struct Watch::State {
     const double growth = growth_at(instant);
     const double residual = has(Monitor::residual) ? instant.residual : 0;
     const Assessment expected = expectation(growth, residual);
-    const std::optional<Crossing> jump = find_jump(instant);
+    const bool in_doubt = is_in_doubt(instant);
+    const std::optional<Crossing> jump = in_doubt ? find_jump(instant) : std::nullopt;
     const bool known_before = rates_are_known();
-    if (jump || is_due(growth, residual, expected))
+    // A doubt that shorter steps have argued away is one: next to where solutions meet they too
+    // end anywhere.
+    if (in_doubt || is_due(growth, residual, expected))
       assess(j, growth, residual);
     else
       j.assessment = expectation.with_margin(expected);
@@ -132,8 +135,11 @@ struct Watch::State {
   /// Of the last assessment, well enough for Continuity.
   bool rates_are_known() const { return !exceeds(last.bound, {noise, noise, noise}); }
 
+  bool is_in_doubt(const Instant& instant) const {
+    return has(Monitor::continuity) && continuity.in_doubt(instant, gain.weights());
+  }
+
   std::optional<Crossing> find_jump(const Instant& instant) {
-    if (!has(Monitor::continuity) || !continuity.in_doubt(instant, gain.weights())) return {};
     const auto jump = continuity.find_jump(instant, gain.weights(), assessor);
     if (!jump) return {};
     return Crossing{jump->after, jump->before, mechanism.entities[entity[jump->coordinate]].group,
