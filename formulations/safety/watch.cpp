@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "formulations/accuracy/condition.h"
-#include "formulations/characteristic_lengths.h"
 #include "formulations/safety/assessor.h"
+#include "formulations/safety/branch_signs.h"
 #include "formulations/safety/condition_monitor.h"
 #include "formulations/safety/continuity.h"
 #include "formulations/safety/expectation.h"
@@ -28,15 +28,10 @@ constexpr double worth_correcting = 10, allowed_error = 100;
 /// Bounds up to so many times what conditioning allows (accuracy_limit) are not corrected either.
 constexpr double over_floor = 10;
 constexpr double unit_roundoff = 0x1p-53;
-/// Blocks of so few unknowns have two solutions at most, mirror images with determinants of
-/// different sign: a point by two distances in the plane, with the angle of one; by three in space.
-constexpr int mirrored = 3;
 /// Bounds of rates above which it cannot be told whether they lead on.
 constexpr double noise = 1e-3;
 /// By how much a bound may rise above what correcting could reach.
 constexpr double worse = 2;
-/// Of the distance to another solution, how far an estimate may be off.
-constexpr double near = 0.4;
 
 }  // namespace
 
@@ -50,11 +45,11 @@ struct Watch::State {
   ConditionMonitor conditioning;
   Continuity continuity;
   Expectation expectation{};
+  BranchSigns signs;
   std::vector<EntityId> entity;  // of each coordinate
 
   Assessment last{};             // that was made
   PerLevel<double> reachable{};  // bounds that correcting has led to, or might
-  std::vector<signed char> orientation{};
   double last_time = 0;
   bool started = false, degraded = false;
   bool after_gap = false;
@@ -73,6 +68,7 @@ struct Watch::State {
         gain(m, assessor.levels(), assessor.system().magnitudes()),
         conditioning(m, assessor.system()),
         continuity(m, assessor.system().magnitudes()),
+        signs(m, assessor.system()),
         entity(entity_of_coordinate(m)) {}
 
   bool has(Monitor monitor) const { return !(options.without & static_cast<unsigned>(monitor)); }
@@ -155,7 +151,7 @@ struct Watch::State {
   }
 
   void assess(Judgement& j, double growth, double residual) {
-    if (!started && has(Monitor::orientation)) declare_branch(j.instant);
+    if (!started && has(Monitor::orientation)) signs.declare(j.instant);
     last = assessor(j.instant, scales.with(j.instant));
     const Assessment given = last;
     ++assessed;
@@ -199,56 +195,11 @@ struct Watch::State {
     return share;
   }
 
-  /// The estimate has the signs that the first instant should have.
-  void declare_branch(const Instant& instant) {
-    std::vector<double> state = mechanism.estimate;
-    state.insert(state.end(), mechanism.fixed_values.begin(), mechanism.fixed_values.end());
-    for (const Driver& d : mechanism.drivers) {
-      const int i = mechanism.entities[d.coordinate].first;
-      state[i] = instant.q[i];
-    }
-    if (!assessor.system().factorise(state)) return;
-    const auto declared = assessor.system().orientation();
-    orientation.assign(declared.begin(), declared.end());
-  }
-
   std::optional<Crossing> crossing(const Instant& instant) {
     if (!has(Monitor::orientation)) return {};
-    const auto now = assessor.system().orientation();
-    const double time = instant.time;
-    const bool anew = !started || after_gap;
-    std::optional<Crossing> found;
-    if (!started && !is_near_estimate(instant))
-      found = {time, time, last.group, Crossing::Kind::not_declared};
-    for (std::size_t b = 0; b < orientation.size() && !found; ++b)
-      if (now[b] != orientation[b])
-        found = {anew ? time : last_time, time,
-                 assessor.system().group_of_block(static_cast<int>(b)),
-                 anew ? Crossing::Kind::not_declared : Crossing::Kind::passed};
-    orientation.assign(now.begin(), now.end());
-    return found;
-  }
-
-  /// Whether the way from the estimate is short, but for what the drivers have moved since: against
-  /// a link where two mirror images are all that there is, which signs tell apart, and else against
-  /// the distance of the next singular position, of the order of 1 / κ. Links are as long as they
-  /// are where they have been assembled: an estimate that is far off stretches them.
-  bool is_near_estimate(const Instant& instant) {
-    const std::vector<double> magnitude =
-        CharacteristicLengths(mechanism, instant.q).of_coordinates();
-    const auto moved = [&](int i) {
-      return std::abs(instant.q[i] - mechanism.estimate[i]) / magnitude[i];
-    };
-    double by_drivers = 0;
-    for (const Driver& d : mechanism.drivers)
-      by_drivers = std::max(by_drivers, moved(mechanism.entities[d.coordinate].first));
-    const ScaledSystem& system = assessor.system();
-    for (int j = 0; j < system.size(); ++j) {
-      const double nearest = system.block_size(j) <= mirrored ? 1 : 1 / last.condition;
-      if (moved(system.unknowns()[j]) > near * nearest + 2 * gain.largest() * by_drivers)
-        return false;
-    }
-    return true;
+    return !started    ? signs.at_first(instant, last, gain.largest())
+           : after_gap ? signs.after_gap(instant)
+                       : signs.since(last_time, instant);
   }
 };
 

@@ -8,6 +8,7 @@
 
 #include "formulations/formulation.h"
 #include "formulations/safety/assessment.h"
+#include "formulations/safety/crossing.h"
 
 namespace desmo {
 
@@ -32,20 +33,6 @@ inline constexpr std::array monitor_names{
     MonitorName{Monitor::bounds, "bounds"},
     MonitorName{Monitor::orientation, "orientation"},
     MonitorName{Monitor::continuity, "continuity"},
-};
-
-/// From here on the assembly branch is not the one that continuity and the estimate declare, or
-/// nobody knows.
-struct Crossing {
-  enum class Kind {
-    passed,        ///< a singular position: a block's determinant has changed its sign
-    jumped,        ///< the later instant is not what the motion from the earlier leads to
-    not_declared,  ///< assembled with other signs of determinants than the estimate has, or too far
-                   ///< from it for these to mean anything
-  };
-  double after, before;  ///< s
-  GroupId group;
-  Kind kind;
 };
 
 /// How right the instants of a motion are, at little cost: one is assessed (Assessor) when it is
