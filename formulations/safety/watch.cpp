@@ -115,7 +115,8 @@ struct Watch::State {
       const PerLevel<double> shown =
           backward_error(instant, assessor.system(), scales.now(), expected.condition);
       if (instant.interpolated) bound.position += shown_by * shown.position;
-      double before = instant.interpolated ? bound.position : shown.position;
+      // Of solved positions the residual tells, with what they make of rates.
+      double before = instant.interpolated ? bound.position : 0;
       for (const Level l : {Level::velocity, Level::acceleration}) {
         before = shown_by * shown[l] + expected.condition * before;
         bound[l] += before;
