@@ -1,6 +1,7 @@
 #include "bench/cli/run_notes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <vector>
 
@@ -17,14 +18,39 @@ std::string moment(double time) {
   return text;
 }
 
+/// "t = 1 s to 2 s"; one moment where both are the same in print.
+std::string interval(double from, double to) {
+  char first[24], last[24];
+  std::snprintf(first, sizeof first, "%.12g", from);
+  std::snprintf(last, sizeof last, "%.12g", to);
+  const std::string begin = "t = " + std::string(first) + " s";
+  return std::string_view(first) == last ? begin : begin + " to " + last + " s";
+}
+
 std::string group_text(GroupId group, const Mechanism& m) {
   if (group < 0) return "";
   return "group '" + m.groups[group].name + "' (" + enumerate(m.groups[group].bodies, 8) + "), ";
 }
 
+const char* limit_text(Limit limit) {
+  switch (limit) {
+    case Limit::singular_position:
+      return "so near a singular position that ";
+    case Limit::drivers:
+      return "rounding of the drivers, so late or after so many turns: ";
+    case Limit::origin:
+      return "rounding of the coordinates, so far from the origin: ";
+    case Limit::sizes:
+      return "rounding, with lengths of so different sizes: ";
+    case Limit::rounding:
+      break;
+  }
+  return "rounding, which is more than the tolerance allows: ";
+}
+
 std::string degradation_text(const Degradation& d, Level level, const Mechanism& m) {
-  return group_text(d.assessment.group, m) + moment(d.time) +
-         ": so near a singular position that " +
+  return group_text(d.assessment.group, m) + moment(d.time) + ": " +
+         limit_text(d.assessment.limit) +
          describe_accuracy(d.assessment.condition, d.assessment.bound, level);
 }
 
@@ -33,9 +59,7 @@ std::string crossing_text(const Crossing& c, const Mechanism& m) {
   if (c.kind == Crossing::Kind::not_declared)
     return group + moment(c.before) +
            ": assembled on another branch than the one that its estimate declares";
-  char ends[60];
-  std::snprintf(ends, sizeof ends, "t = %.9g s to %.9g s: ", c.after, c.before);
-  return group + ends +
+  return group + interval(c.after, c.before) + ": " +
          (c.kind == Crossing::Kind::jumped ? "the motion jumps onto another assembly branch"
                                            : "it passes a singular position, where branches meet");
 }
@@ -48,6 +72,9 @@ std::string deficit_text(const std::optional<Deficit>& d, const Mechanism& m) {
   return "; at the nearest to it '" + m.constraints[d->constraint].name + "' is off by " + amount +
          (has_unit ? " " + m.length_unit : "");
 }
+
+/// Newton's method has failed, and there is no deficit.
+constexpr const char* not_reached = "a position exists, but was not found from the one before";
 
 /// A residual below which a position is found but for rounding: no step, however small, helps.
 constexpr double near_rounding = 1e-11;
@@ -106,15 +133,14 @@ std::string note_on_accuracy(const SafeSummary& s, Level level, const Mechanism&
 
 std::string note_on_gaps(const SafeSummary& s, const Mechanism& m) {
   std::string note;
-  for (const Gap& gap : s.gaps) {
-    char times[120];
-    std::snprintf(times, sizeof times, "t = %.12g s to %.12g s%s: ", gap.from, gap.to,
-                  gap.ends ? "" : ", the end");
-    note += "accuracy: not assembled: " + group_text(gap.failure.group, m) + times +
-            (gap.failure.status == Status::singular ? "the position is singular"
-                                                    : "no position was found") +
+  for (const Gap& gap : s.gaps)
+    note += "accuracy: not assembled: " + group_text(gap.failure.group, m) +
+            interval(gap.from, gap.to) + (gap.ends ? "" : ", the end") + ": " +
+            (gap.failure.status == Status::singular     ? "the position is singular"
+             : gap.failure.status == Status::not_finite ? "the equations are not finite"
+             : gap.deficit                              ? "no position was found"
+                                                        : not_reached) +
             deficit_text(gap.deficit, m) + '\n';
-  }
   return note;
 }
 
@@ -147,15 +173,18 @@ std::string failure_text(const SafeSummary& s, const Mechanism& m) {
       : s.status == Status::not_converged && s.residual < near_rounding
           ? Reason{"the tolerance was not met, being near or below what rounding leaves",
                    "ask for a larger tolerance"}
+      : s.status == Status::not_converged && !s.deficit
+          ? Reason{not_reached, "take smaller steps, or start elsewhere"}
       : s.status == Status::not_converged
           ? Reason{"no position was found", "keep the motion within reach, or take smaller steps"}
           : Reason{"the equations are not finite", "check the motion and the estimates"};
   std::string place = group_text(s.group, m);
   if (s.constraint >= 0) place += "constraint '" + m.constraints[s.constraint].name + "', ";
-  char numbers[160];
-  std::snprintf(numbers, sizeof numbers, "t = %.9g s: %s (residual %.1e)", s.time, reason.what,
-                s.residual);
-  return place + numbers + deficit_text(s.deficit, m) + "; " + reason.remedy;
+  char residual[40] = "";  // none where an instant between those solved is not right
+  if (std::isfinite(s.residual))
+    std::snprintf(residual, sizeof residual, " (residual %.1e)", s.residual);
+  return place + moment(s.time) + ": " + reason.what + residual + deficit_text(s.deficit, m) +
+         "; " + reason.remedy;
 }
 
 }  // namespace desmo::cli

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "formulations/safety/backward_error.h"
+
 namespace desmo {
 
 namespace {
@@ -28,6 +30,7 @@ std::vector<Level> all_levels(const Mechanism& m, std::span<const Level> given) 
 Assessor::Assessor(const Mechanism& m, std::span<const Level> levels)
     : mechanism_(m),
       levels_(all_levels(m, levels)),
+      row_levels_(levels_of_rows(m, levels_)),
       system_(m),
       motion_(m, levels_),
       of_system_(system_.size()),
@@ -44,12 +47,6 @@ Assessor::Assessor(const Mechanism& m, std::span<const Level> levels)
       phi_(system_.size()),
       phi_motion_(system_.size()) {
   std::ranges::copy(m.fixed_values, state_.begin() + m.coordinates());
-  for (const Constraint& c : m.constraints) {  // to which level a row has all that it joins
-    Level level = Level::acceleration;
-    for (const EntityId e : c.operands)
-      if (!m.entities[e].fixed) level = std::min(level, levels_[m.entities[e].first]);
-    row_levels_.insert(row_levels_.end(), kept_rows(c), level);
-  }
   for (const int i : system_.unknowns()) group_.push_back(motion_.group(i));
   for (const Level level : desmo::levels) corrected_[level].resize(m.coordinates());
 }
@@ -89,6 +86,33 @@ Assessment Assessor::operator()(const Instant& instant, const Scales& scales) {
   equations_of(Level::acceleration);
   a.bound.acceleration = share * of_outputs(Level::acceleration, scales).whole;
   return a;
+}
+
+Limit Assessor::limit(const Instant& instant, const Scales& scales, const Assessment& a) {
+  constexpr double near_singular = 1e3;  // condition number, in lengths of the bodies themselves
+  constexpr double far = 100;            // times the size
+  constexpr double share = 0.1;          // of a bound, that tells where it comes from
+  double longest = 0, shortest = INFINITY;
+  for (const int i : system_.unknowns())
+    if (is_length(motion_.kind(i))) {
+      longest = std::max(longest, system_.magnitude(i));
+      shortest = std::min(shortest, system_.magnitude(i));
+    }
+  const double spread = std::max(1.0, longest / shortest);  // which no position is to blame for
+  weights_.setOnes();
+  change_.setOnes();
+  const double own = system_.size() > 0 ? of_change_(system_, weights_, change_).value : 1;
+  if (own > near_singular * spread) return Limit::singular_position;
+  motion_.take(instant);
+  for (const Level level : desmo::levels)
+    if (a.condition * motion_.of_drivers(level, scales) > share * a.bound[level] &&
+        a.bound[level] > 0)
+      return Limit::drivers;
+  for (const Entity& e : mechanism_.entities)
+    if (!e.fixed && e.kind == EntityKind::point)
+      for (int i = e.first; i < e.first + e.size; ++i)
+        if (std::abs(instant.q[i]) > far * nominal_size(mechanism_)) return Limit::origin;
+  return std::max(spread, a.condition / own) > far ? Limit::sizes : Limit::rounding;
 }
 
 /// off_ = what that order of the equations is off by, over R, and unknown_ = how much more or less

@@ -39,6 +39,9 @@ class Assessor {
   /// the heap but by KLU.
   Assessment operator()(const Instant& instant, const Scales& scales);
 
+  /// What limits the instant assessed last, of these bounds.
+  Limit limit(const Instant& instant, const Scales& scales, const Assessment& assessment);
+
   /// An instant with the corrections that factors at its own position make, and then another, as
   /// long as they shrink: as right as the conditioning allows. Its numbers are valid until the
   /// next.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "formulations/safety/running_scales.h"
+
 namespace desmo {
 
 namespace {
@@ -29,24 +31,32 @@ Eigen::Map<const Eigen::ArrayXd> array(std::span<const double> values) {
 
 }  // namespace
 
-Continuity::Continuity(const Mechanism& m, std::span<const double> magnitude) : mechanism_(m) {
+Continuity::Continuity(const Mechanism& m, const TimeGrid& grid, std::span<const double> magnitude)
+    : mechanism_(m) {
   for (const Driver& d : m.drivers) {
     const int i = m.entities[d.coordinate].first;
     driven_.push_back({i, 1 / magnitude[i]});
+    for (const double t : looks_ahead(grid))
+      if (const double v = std::abs(sample(d.motion, t).velocity / magnitude[i]); std::isfinite(v))
+        fastest_ = std::max(fastest_, v);
   }
   for (Node* node : {&last_, &reached_, &next_})
     for (std::vector<double>* values : {&node->state.q, &node->state.qd, &node->state.qdd})
       values->resize(m.coordinates());
 }
 
-void Continuity::take(const Instant& instant) {
-  last_.time = instant.time;
+void Continuity::Node::take(const Instant& instant) {
   const auto copy = [](std::span<const double> from, std::vector<double>& to) {
     std::copy_n(from.data(), from.size(), to.data());
   };
-  copy(instant.q, last_.state.q);
-  copy(instant.qd, last_.state.qd);
-  copy(instant.qdd, last_.state.qdd);
+  time = instant.time;
+  copy(instant.q, state.q);
+  copy(instant.qd, state.qd);
+  copy(instant.qdd, state.qdd);
+}
+
+void Continuity::take(const Instant& instant) {
+  last_.take(instant);
   known_ = true;
   if (!instant.qd.empty()) fastest_ = std::max(fastest_, fastest_driver(instant));
 }
@@ -127,13 +137,32 @@ void Continuity::lead_on(double t, const Instant& like, Assessor& assessor) {
 std::optional<Continuity::Jump> Continuity::find_jump(const Instant& instant,
                                                       const Eigen::ArrayXd& weights,
                                                       Assessor& assessor) {
+  return go(instant, End::given, weights, assessor);
+}
+
+std::optional<Instant> Continuity::solve_anew(const Instant& instant, const Eigen::ArrayXd& weights,
+                                              Assessor& assessor) {
+  if (!known_ || instant.qd.empty() || weights.size() == 0) return {};
+  if (go(instant, End::solved, weights, assessor)) return {};
+  return view(next_, instant);
+}
+
+Instant Continuity::driven(const Instant& instant) {
+  next_.take(instant);
+  drive(mechanism_, instant.time, next_.state);
+  return view(next_, instant);
+}
+
+std::optional<Continuity::Jump> Continuity::go(const Instant& instant, End end,
+                                               const Eigen::ArrayXd& weights, Assessor& assessor) {
   const double whole = instant.time - last_.time;
   reached_ = last_;
   double step = whole / 2;
   for (int i = 0; i < most_steps; ++i) {
     const bool to_end = std::abs(step) >= std::abs(instant.time - reached_.time);
-    if (!to_end) lead_on(reached_.time + step, instant, assessor);
-    const Instant next = to_end ? instant : view(next_, instant);
+    const bool is_given = to_end && end == End::given;
+    if (!is_given) lead_on(to_end ? instant.time : reached_.time + step, instant, assessor);
+    const Instant next = is_given ? instant : view(next_, instant);
     const Instant from = view(reached_, instant);
     const double moved = std::max(growth(from, weights), growth(next, weights));
     const bool rates_agree = mismatch(from, next, weights) <= smooth * moved;

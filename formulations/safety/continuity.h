@@ -17,8 +17,9 @@ namespace desmo {
 /// polynomial leads: an end that they do not lead to lies on another assembly branch.
 class Continuity {
  public:
-  /// magnitudes: of each coordinate. The mechanism must outlive it.
-  Continuity(const Mechanism& mechanism, std::span<const double> magnitudes);
+  /// grid: of the motion, which tells how fast drivers will be. magnitudes: of each coordinate. The
+  /// mechanism must outlive it.
+  Continuity(const Mechanism& mechanism, const TimeGrid& grid, std::span<const double> magnitudes);
 
   /// Whether the step from the instant taken last is in doubt. weights: of each coordinate, 1 over
   /// what it moves when the drivers move by their magnitudes (GainMonitor).
@@ -33,6 +34,14 @@ class Continuity {
   std::optional<Jump> find_jump(const Instant& instant, const Eigen::ArrayXd& weights,
                                 Assessor& assessor);
 
+  /// An instant solved anew, with its own drivers, from the instant taken last on, in steps as
+  /// find_jump() takes them. Nothing where rates are not solved, or no such way is found. Valid
+  /// until the next call; overwrites what the assessor has factorised.
+  std::optional<Instant> solve_anew(const Instant& instant, const Eigen::ArrayXd& weights,
+                                    Assessor& assessor);
+  /// An instant with the drivers of its own time. Valid until the next call.
+  Instant driven(const Instant& instant);
+
   /// The instant is the one to go on from.
   void take(const Instant& instant);
   void forget() { known_ = false; }
@@ -42,6 +51,7 @@ class Continuity {
   struct Node {
     double time = 0;
     State state;
+    void take(const Instant& instant);
   };
   double fastest_driver(const Instant& instant) const;
   template <class Found>
@@ -53,6 +63,9 @@ class Continuity {
   double growth(const Instant& instant, const Eigen::ArrayXd& weights) const;
   Instant view(const Node& node, const Instant& like) const;
   void lead_on(double t, const Instant& like, Assessor& assessor);
+  enum class End { given, solved };
+  std::optional<Jump> go(const Instant& instant, End end, const Eigen::ArrayXd& weights,
+                         Assessor& assessor);
 
   const Mechanism& mechanism_;
   struct Driven {
@@ -61,7 +74,7 @@ class Continuity {
   };
   std::vector<Driven> driven_;  // side by side, for they are looked at in every step
   bool known_ = false;
-  double fastest_ = 0;  // of the drivers so far, magnitudes over s
+  double fastest_ = 0;  // of the drivers, magnitudes over s
   Node last_, reached_, next_;
 };
 

@@ -48,6 +48,14 @@ void approach(const DenseGroup& group, const std::vector<double>& magnitudes,
   }
 }
 
+/// Whether a group is assembled there, though Newton's method may not have found the position, or
+/// not accept it as it is singular.
+bool holds(const DenseGroup& group, const std::vector<double>& state, const Settings& settings) {
+  constexpr double rounding = 1e-12;  // of residuals over their magnitudes, at most
+  return group.weights().cwiseProduct(group.residual(state)).norm() <
+         std::max(settings.tolerance, rounding);
+}
+
 /// What it would take to satisfy one equation alone.
 Deficit shortfall(const Mechanism& m, const Equation& equation, const std::vector<double>& state) {
   const Constraint& c = m.constraints[equation.constraint];
@@ -82,6 +90,10 @@ std::optional<Deficit> find_deficit(const Mechanism& m, std::vector<double> stat
     std::vector<double> nearest = state;
     if (group.solve(state, settings) < 0) continue;
     approach(group, natural_magnitudes(m), nearest);
+    if (holds(group, nearest, settings)) {
+      state = nearest;
+      continue;
+    }
     const int row = worst_row(group.weights().cwiseProduct(group.residual(nearest)));
     return shortfall(m, definition.equations[row], nearest);
   }

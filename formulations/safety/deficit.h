@@ -20,8 +20,9 @@ struct Deficit {
 
 /// The deficit of the first group that cannot be assembled, at the position nearest to assembly in
 /// the least squares of its equations, each over its magnitude, that Levenberg and Marquardt's
-/// method finds from there. Nothing when all groups can be. Not for timed code: it allocates.
-/// state: as of the last instant solved, with the drivers of the one that failed.
+/// method finds from there. Nothing when all groups can be, in singular positions too. Not for
+/// timed code: it allocates. state: as of the last instant solved, with the drivers of the one that
+/// failed.
 std::optional<Deficit> find_deficit(const Mechanism& mechanism, std::vector<double> state,
                                     const Settings& settings);
 

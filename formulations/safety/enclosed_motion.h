@@ -36,8 +36,9 @@ class EnclosedMotion {
   std::span<const Jet<Rounded>> state() const { return state_; }
   std::span<const Rounded> positions();  ///< of state()
   double scale(int coordinate, Level level, const Scales& scales) const {
-    return scales.of(mechanism_.entities[entity_[coordinate]].kind, level);
+    return scales.of(kind(coordinate), level);
   }
+  EntityKind kind(int coordinate) const { return mechanism_.entities[entity_[coordinate]].kind; }
   int size_of_output(int coordinate) const { return mechanism_.entities[entity_[coordinate]].size; }
   GroupId group(int coordinate) const { return mechanism_.entities[entity_[coordinate]].group; }
   bool is_solved(int coordinate, Level level) const { return levels_[coordinate] >= level; }

@@ -27,6 +27,13 @@ struct Largest {
 
 }  // namespace
 
+std::vector<double> looks_ahead(const TimeGrid& grid) {
+  std::vector<double> times;
+  for (int i = 0; i <= looks; ++i)
+    times.push_back(grid.start + i * (grid.step * std::max(0, grid.instants - 1) / looks));
+  return times;
+}
+
 RunningScales::RunningScales(const Mechanism& m, const TimeGrid& grid)
     : is_length_(m.coordinates()) {
   for (const Entity& e : m.entities)
@@ -34,8 +41,7 @@ RunningScales::RunningScales(const Mechanism& m, const TimeGrid& grid)
   const double size = nominal_size(m);
   Largest length, rotation;
   for (const Driver& d : m.drivers)
-    for (int i = 0; i <= looks; ++i) {
-      const double t = grid.start + i * (grid.step * std::max(0, grid.instants - 1) / looks);
+    for (const double t : looks_ahead(grid)) {
       const MotionSample<double> z = sample(d.motion, t);
       (is_length(m.entities[d.coordinate].kind) ? length : rotation)
           .take(z.velocity, z.acceleration);

@@ -7,6 +7,9 @@
 
 namespace desmo {
 
+/// Times of a grid, spread evenly, at which drivers are looked at beforehand [s].
+std::vector<double> looks_ahead(const TimeGrid& grid);
+
 /// The scales of a motion (see Scales) while it is being solved: at least those that its drivers
 /// will have, and those of the instants so far, components standing for norms.
 class RunningScales {

@@ -1,8 +1,10 @@
 #include "formulations/safety/safe_run.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
+#include "formulations/guarded_part.h"
 #include "formulations/safety/watched_sink.h"
 
 namespace desmo {
@@ -11,6 +13,15 @@ namespace {
 
 /// To which the ends of an interval that cannot be assembled are found, s.
 constexpr double bracket = 1e-9;
+
+/// What a watch has to know of a formulation.
+Watch::Options with_pivots(Watch::Options options, const Formulation& f) {
+  const auto reuses = [](const Formulation::DefinedPart& part) {
+    return part.algebra == "klu" && !dynamic_cast<const GuardedPart*>(part.solver.get());
+  };
+  options.reuses_pivots |= std::ranges::any_of(f.parts(), reuses);
+  return options;
+}
 
 /// One run, stretch by stretch between the intervals that cannot be assembled.
 class Run {
@@ -21,22 +32,28 @@ class Run {
         grid_(grid),
         request_(request),
         options_(options),
-        watch_(formulation.mechanism(), grid, options),
+        watch_(formulation.mechanism(), grid, with_pivots(options, formulation)),
         sink_(watch_, options_, sink, summary_) {}
 
   SafeSummary operator()() {
     watched([&] { static_cast<Summary&>(summary_) = formulation_.run(grid_, request_, sink_); });
-    tried_ = static_cast<int>(summary_.instants);
+    tried_ = static_cast<int>(summary_.instants);  // all before it were handed on
+    if (!summary_.ok() && grid_.time(tried_) < summary_.time) {
+      summary_.status = Status::converged;  // a stride was too long: in steps from there
+      watched([&] { go_on(tried_, From::last); });
+    }
     measure_deficit();
     while (!summary_.ok() && options_.past_failures) {
       const int again = pass_gap();
-      watched([&] { go_on(again); });
+      watched([&] { go_on(again, From::estimate); });
       measure_deficit();
     }
     summary_.condition = watch_.condition();
     summary_.bound = watch_.bound();
     summary_.assessed = watch_.assessed();
     summary_.corrected = watch_.corrected();
+    summary_.degraded = watch_.degraded();
+    summary_.first_degraded = watch_.first_degraded();
     return summary_;
   }
 
@@ -49,6 +66,9 @@ class Run {
     }
   }
 
+  /// Whether the run ended between two instants that could be solved.
+  bool was_interpolated() const { return summary_.residual == INFINITY; }
+
   void measure_deficit() {
     if (summary_.status != Status::not_converged) return;
     const Mechanism& m = formulation_.mechanism();
@@ -58,13 +78,19 @@ class Run {
     state.qd = state.qdd = state.q;
     drive(m, summary_.time, state);
     summary_.deficit = find_deficit(m, state.q, {.tolerance = options_.tolerance});
+    // Continued from the row before, in ever shorter steps, and stuck all the same.
+    if (!summary_.deficit && was_interpolated()) summary_.status = Status::singular;
   }
 
   /// From the instant that failed to the first that can be assembled again.
   int pass_gap() {
     const double end = grid_.time(grid_.instants - 1);
     Gap gap{summary_.time, end, false, summary_, summary_.deficit};
-    if (tried_ > 0) gap.from = last_solved(grid_.time(tried_ - 1), gap.from);
+    if (tried_ > 0) {
+      const double good = grid_.time(tried_ - 1);
+      if (was_interpolated()) formulation_.assemble(good);  // it has been beyond
+      gap.from = last_solved(good, gap.from);
+    }
     int again = tried_ + 1;
     const auto assembled = [&] { return formulation_.assemble(grid_.time(again)).ok(); };
     while (again < grid_.instants && !assembled()) ++again;
@@ -90,11 +116,13 @@ class Run {
     return good;
   }
 
-  void go_on(int first) {
+  enum class From { estimate, last };
+  void go_on(int first, From from) {
     for (tried_ = first; tried_ < grid_.instants; ++tried_) {
       const double t = summary_.time = grid_.time(tried_);
-      const Summary s = tried_ == first ? formulation_.assemble(t, request_.level)
-                                        : formulation_.step(t, request_.level);
+      const Summary s = tried_ == first && from == From::estimate
+                            ? formulation_.assemble(t, request_.level)
+                            : formulation_.step(t, request_.level);
       summary_.iterations += s.iterations;
       if (!s.ok()) {
         summary_.status = s.status;

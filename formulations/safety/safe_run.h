@@ -14,16 +14,10 @@ namespace desmo {
 /// How a run ends.
 enum class Outcome {
   converged,  ///< every instant as right as its tolerance asks for
-  degraded,   ///< solved, but conditioning let some instants be no better than the bounds say, a
-              ///< singular position was passed, or an interval that cannot be assembled
+  degraded,   ///< solved, but conditioning let some instants be no better than the bounds say,
+              ///< relative to the scales of the motion, a singular position was passed, or an
+              ///< interval that cannot be assembled
   failed,     ///< up to the instant that the summary names
-};
-
-/// An instant that conditioning does not let be as right as its tolerance asks for.
-struct Degradation {
-  int index;
-  double time;  ///< s
-  Assessment assessment;
 };
 
 /// An interval in which a mechanism could not be assembled, to 1e-9 s at either end.

@@ -5,10 +5,12 @@
 #include <vector>
 
 #include "formulations/accuracy/condition.h"
-#include "formulations/characteristic_lengths.h"
 #include "formulations/safety/assessor.h"
+#include "formulations/safety/backward_error.h"
+#include "formulations/safety/branch_signs.h"
 #include "formulations/safety/condition_monitor.h"
 #include "formulations/safety/continuity.h"
+#include "formulations/safety/degradations.h"
 #include "formulations/safety/expectation.h"
 #include "formulations/safety/gain_monitor.h"
 #include "formulations/safety/limits.h"
@@ -22,58 +24,53 @@ namespace {
 constexpr double factor = 4;
 /// Instants from one look at the scales to the next: they grow slowly, and small ones are safe.
 constexpr int look_every = 16;
-/// Limits of the bounds, over the tolerance, and their square and cube at the other levels: above
-/// the first an instant is corrected, and above the second, after that, it is degraded.
-constexpr double worth_correcting = 10, allowed_error = 100;
-/// Bounds up to so many times what conditioning allows (accuracy_limit) are not corrected either.
-constexpr double over_floor = 10;
-constexpr double unit_roundoff = 0x1p-53;
-/// Blocks of so few unknowns have two solutions at most, mirror images with determinants of
-/// different sign: a point by two distances in the plane, with the angle of one; by three in space.
-constexpr int mirrored = 3;
 /// Bounds of rates above which it cannot be told whether they lead on.
 constexpr double noise = 1e-3;
 /// By how much a bound may rise above what correcting could reach.
 constexpr double worse = 2;
-/// Of the distance to another solution, how far an estimate may be off.
-constexpr double near = 0.4;
+/// What residuals show of errors at an estimated condition number, times this, bounds them.
+constexpr double shown_by = 10;
 
 }  // namespace
 
 struct Watch::State {
   const Mechanism& mechanism;
   const Options options;
-  const PerLevel<double> limit, correctable;
+  const Limits limits;
   Assessor assessor;
   RunningScales scales;
   GainMonitor gain;
   ConditionMonitor conditioning;
   Continuity continuity;
+  BackwardError backward_error;
   Expectation expectation{};
+  BranchSigns signs;
   std::vector<EntityId> entity;  // of each coordinate
 
   Assessment last{};             // that was made
   PerLevel<double> reachable{};  // bounds that correcting has led to, or might
-  std::vector<signed char> orientation{};
   double last_time = 0;
   bool started = false, degraded = false;
   bool after_gap = false;
   int since = 0;  // instants since the last assessment
   double condition = 0;
   PerLevel<double> worst{};
+  Degradations degradations;
   long assessed = 0, corrected = 0;
 
   State(const Mechanism& m, const TimeGrid& grid, const Options& o)
       : mechanism(m),
         options(o),
-        limit(powers(allowed_error, o.tolerance)),
-        correctable(powers(worth_correcting, o.tolerance)),
+        limits(o.tolerance),
         assessor(m, o.levels),
         scales(m, grid),
         gain(m, assessor.levels(), assessor.system().magnitudes()),
         conditioning(m, assessor.system()),
-        continuity(m, assessor.system().magnitudes()),
-        entity(entity_of_coordinate(m)) {}
+        continuity(m, grid, assessor.system().magnitudes()),
+        backward_error(m, assessor.levels()),
+        signs(m, assessor.system()),
+        entity(entity_of_coordinate(m)),
+        degradations(limits.degraded) {}
 
   bool has(Monitor monitor) const { return !(options.without & static_cast<unsigned>(monitor)); }
 
@@ -82,19 +79,55 @@ struct Watch::State {
     const double growth = growth_at(instant);
     const double residual = has(Monitor::residual) ? instant.residual : 0;
     const Assessment expected = expectation(growth, residual);
-    const std::optional<Crossing> jump = find_jump(instant);
+    const Statement statement = state(instant, expected);
+    const bool in_doubt = is_in_doubt(instant);
+    std::optional<Crossing> jump;
+    if (in_doubt && !instant.interpolated) jump = find_jump(instant);
     const bool known_before = rates_are_known();
-    if (jump || is_due(growth, residual, expected))
+    // A doubt that shorter steps have argued away is one: next to where solutions meet they too
+    // end anywhere.
+    if (in_doubt || !statement.holds || is_due(growth, residual, expected))
       assess(j, growth, residual);
     else
-      j.assessment = expectation.with_margin(expected);
+      j.assessment = statement.assessment;
+    if (in_doubt && instant.interpolated && !j.solved_anew) jump = find_jump(j.instant);
     // From rates that are noise nothing can be told; from signs of determinants it can.
     if (jump && known_before && rates_are_known()) j.crossing = jump;
-    if (++since % look_every == 0) look_at_scales(instant);
+    if (++since % look_every == 0) look_at_scales(j.instant);
     continuity.take(j.instant);
+    if (j.assessment.singular) return j;  // which is not delivered
     condition = std::max(condition, j.assessment.condition);
     for (const Level l : levels) worst[l] = std::max(worst[l], j.assessment.bound[l]);
+    if (j.degraded) degradations.add({j.instant.index, j.instant.time, j.assessment});
     return j;
+  }
+
+  /// What is said of an instant that is not assessed, and whether it may be said.
+  struct Statement {
+    Assessment assessment;
+    bool holds;
+  };
+  Statement state(const Instant& instant, const Assessment& expected) {
+    Statement s{expectation.with_margin(expected), true};
+    if (!has(Monitor::bounds) || !started) return s;
+    PerLevel<double>& bound = s.assessment.bound;
+    if (instant.interpolated || (options.reuses_pivots && has(Monitor::residual))) {
+      const PerLevel<double> shown =
+          backward_error(instant, assessor.system(), scales.now(), expected.condition);
+      if (instant.interpolated) bound.position += shown_by * shown.position;
+      // Of solved positions the residual tells, with what they make of rates.
+      double before = instant.interpolated ? bound.position : 0;
+      for (const Level l : {Level::velocity, Level::acceleration}) {
+        before = shown_by * shown[l] + expected.condition * before;
+        bound[l] += before;
+      }
+      // Rates of pivots that have gone bad are worth correcting as any are.
+      s.holds = instant.interpolated ||
+                !exceeds({0, shown_by * shown.velocity, shown_by * shown.acceleration},
+                         limits.worth_correcting(expected.condition));
+    }
+    s.holds = s.holds && !exceeds(bound, limits.degraded);
+    return s;
   }
 
   /// Of the condition number since the last assessment, as far as it shows.
@@ -114,7 +147,7 @@ struct Watch::State {
 
   /// Whether bounds are so large that correcting would help.
   bool is_correctable(const Assessment& a, double growth) const {
-    const PerLevel<double> least = worth_correcting_at(a.condition);
+    const PerLevel<double> least = limits.worth_correcting(a.condition);
     double powers_of_growth = worse;
     return std::ranges::any_of(levels, [&](Level l) {
       powers_of_growth *= growth;
@@ -122,18 +155,14 @@ struct Watch::State {
     });
   }
 
-  /// The bounds above which an instant of that condition number is corrected.
-  PerLevel<double> worth_correcting_at(double kappa) const {
-    PerLevel<double> least = accuracy_limit(kappa, over_floor * unit_roundoff);
-    for (const Level l : levels) least[l] = std::max(least[l], correctable[l]);
-    return least;
-  }
-
   /// Of the last assessment, well enough for Continuity.
   bool rates_are_known() const { return !exceeds(last.bound, {noise, noise, noise}); }
 
+  bool is_in_doubt(const Instant& instant) const {
+    return has(Monitor::continuity) && continuity.in_doubt(instant, gain.weights());
+  }
+
   std::optional<Crossing> find_jump(const Instant& instant) {
-    if (!has(Monitor::continuity) || !continuity.in_doubt(instant, gain.weights())) return {};
     const auto jump = continuity.find_jump(instant, gain.weights(), assessor);
     if (!jump) return {};
     return Crossing{jump->after, jump->before, mechanism.entities[entity[jump->coordinate]].group,
@@ -146,22 +175,28 @@ struct Watch::State {
     rescale(worst, before, scales.now());
     rescale(reachable, before, scales.now());
     expectation.rescale(before, scales.now());
+    degradations.rescale(before, scales.now());
   }
 
   void assess(Judgement& j, double growth, double residual) {
-    if (!started && has(Monitor::orientation)) declare_branch(j.instant);
+    if (!started && has(Monitor::orientation)) signs.declare(j.instant);
     last = assessor(j.instant, scales.with(j.instant));
     const Assessment given = last;
     ++assessed;
     since = 0;
     const bool tries =
-        has(Monitor::bounds) && exceeds(given.bound, worth_correcting_at(given.condition));
-    const bool is_better = tries && correct(j.instant);
+        has(Monitor::bounds) && exceeds(given.bound, limits.worth_correcting(given.condition));
+    const bool is_better = tries && improve(j);
     look_at_scales(j.instant);
     reachable = tries ? last.bound : PerLevel<double>{};
-    expectation.learn(given, growth, residual);
+    if (j.instant.interpolated)  // nothing follows for solved ones but from what it has become
+      expectation.learn(last, INFINITY, 0);
+    else
+      expectation.learn(given, growth, residual);
     if (is_better) expectation.learn(last, 1, 0);
-    degraded = has(Monitor::bounds) && exceeds(last.bound, limit);
+    degraded = has(Monitor::bounds) && exceeds(last.bound, limits.degraded);
+    if (degraded && last.condition < INFINITY)
+      last.limit = assessor.limit(j.instant, scales.now(), last);
     if (!has(Monitor::bounds)) last.singular = false;
     j.degraded = degraded;
     j.assessment = last;
@@ -175,9 +210,19 @@ struct Watch::State {
     last_time = j.instant.time;
   }
 
-  /// Whether it has become better.
-  bool correct(Instant& instant) {
-    const Instant better = assessor.corrected(instant);
+  /// Whether it has become better. What was interpolated, and is not even near a solution, is
+  /// solved.
+  bool improve(Judgement& j) {
+    if (j.instant.interpolated && exceeds(last.bound, limits.degraded)) {
+      if (const auto solved = continuity.solve_anew(j.instant, gain.weights(), assessor))
+        return j.solved_anew = take_if_better(j.instant, *solved);
+      assessor(j.instant, scales.with(j.instant));  // its factors, after those of other instants
+    }
+    const Instant start = j.instant.interpolated ? continuity.driven(j.instant) : j.instant;
+    return take_if_better(j.instant, assessor.corrected(start));
+  }
+
+  bool take_if_better(Instant& instant, const Instant& better) {
     const Assessment then = assessor(better, scales.with(better));
     if (!(worst_share(then) < worst_share(last))) return false;
     instant = better;
@@ -189,60 +234,15 @@ struct Watch::State {
   /// The largest bound over its limit.
   double worst_share(const Assessment& a) const {
     double share = 0;
-    for (const Level l : levels) share = std::max(share, a.bound[l] / limit[l]);
+    for (const Level l : levels) share = std::max(share, a.bound[l] / limits.degraded[l]);
     return share;
-  }
-
-  /// The estimate has the signs that the first instant should have.
-  void declare_branch(const Instant& instant) {
-    std::vector<double> state = mechanism.estimate;
-    state.insert(state.end(), mechanism.fixed_values.begin(), mechanism.fixed_values.end());
-    for (const Driver& d : mechanism.drivers) {
-      const int i = mechanism.entities[d.coordinate].first;
-      state[i] = instant.q[i];
-    }
-    if (!assessor.system().factorise(state)) return;
-    const auto declared = assessor.system().orientation();
-    orientation.assign(declared.begin(), declared.end());
   }
 
   std::optional<Crossing> crossing(const Instant& instant) {
     if (!has(Monitor::orientation)) return {};
-    const auto now = assessor.system().orientation();
-    const double time = instant.time;
-    const bool anew = !started || after_gap;
-    std::optional<Crossing> found;
-    if (!started && !is_near_estimate(instant))
-      found = {time, time, last.group, Crossing::Kind::not_declared};
-    for (std::size_t b = 0; b < orientation.size() && !found; ++b)
-      if (now[b] != orientation[b])
-        found = {anew ? time : last_time, time,
-                 assessor.system().group_of_block(static_cast<int>(b)),
-                 anew ? Crossing::Kind::not_declared : Crossing::Kind::passed};
-    orientation.assign(now.begin(), now.end());
-    return found;
-  }
-
-  /// Whether the way from the estimate is short, but for what the drivers have moved since: against
-  /// a link where two mirror images are all that there is, which signs tell apart, and else against
-  /// the distance of the next singular position, of the order of 1 / κ. Links are as long as they
-  /// are where they have been assembled: an estimate that is far off stretches them.
-  bool is_near_estimate(const Instant& instant) {
-    const std::vector<double> magnitude =
-        CharacteristicLengths(mechanism, instant.q).of_coordinates();
-    const auto moved = [&](int i) {
-      return std::abs(instant.q[i] - mechanism.estimate[i]) / magnitude[i];
-    };
-    double by_drivers = 0;
-    for (const Driver& d : mechanism.drivers)
-      by_drivers = std::max(by_drivers, moved(mechanism.entities[d.coordinate].first));
-    const ScaledSystem& system = assessor.system();
-    for (int j = 0; j < system.size(); ++j) {
-      const double nearest = system.block_size(j) <= mirrored ? 1 : 1 / last.condition;
-      if (moved(system.unknowns()[j]) > near * nearest + 2 * gain.largest() * by_drivers)
-        return false;
-    }
-    return true;
+    return !started    ? signs.at_first(instant, last, gain.largest())
+           : after_gap ? signs.after_gap(instant)
+                       : signs.since(last_time, instant);
   }
 };
 
@@ -259,5 +259,7 @@ long Watch::assessed() const { return state_->assessed; }
 long Watch::corrected() const { return state_->corrected; }
 double Watch::condition() const { return state_->condition; }
 const PerLevel<double>& Watch::bound() const { return state_->worst; }
+long Watch::degraded() const { return state_->degradations.count(); }
+std::optional<Degradation> Watch::first_degraded() const { return state_->degradations.first(); }
 
 }  // namespace desmo

@@ -8,6 +8,7 @@
 
 #include "formulations/formulation.h"
 #include "formulations/safety/assessment.h"
+#include "formulations/safety/crossing.h"
 
 namespace desmo {
 
@@ -34,20 +35,6 @@ inline constexpr std::array monitor_names{
     MonitorName{Monitor::continuity, "continuity"},
 };
 
-/// From here on the assembly branch is not the one that continuity and the estimate declare, or
-/// nobody knows.
-struct Crossing {
-  enum class Kind {
-    passed,        ///< a singular position: a block's determinant has changed its sign
-    jumped,        ///< the later instant is not what the motion from the earlier leads to
-    not_declared,  ///< assembled with other signs of determinants than the estimate has, or too far
-                   ///< from it for these to mean anything
-  };
-  double after, before;  ///< s
-  GroupId group;
-  Kind kind;
-};
-
 /// How right the instants of a motion are, at little cost: one is assessed (Assessor) when it is
 /// the first or the clock has come round, and when a cheap signal has moved by a factor of four
 /// since the last assessment, or by less where what is expected of it (Expectation) is worth
@@ -56,7 +43,12 @@ struct Crossing {
 ///   gain       the largest rate of an unknown of a group over that of the drivers; it grows as
 ///              the condition number does, which is the inverse of the distance to a dead point,
 ///              unless the motion happens not to show it (ConditionMonitor)
-///   residual   ‖Φ‖, to which the error of position is proportional
+///   residual   ‖Φ‖, to which the error of position is proportional; where pivots are reused, what
+///              Φ̇ and Φ̈ are off by as well (BackwardError)
+///
+/// Interpolated instants are judged by what Φ, Φ̇ and Φ̈ are off by; what exceeds the limits of
+/// *degraded* is solved from the instant before. What is stated of an instant that is not assessed
+/// never exceeds these limits: otherwise it is assessed.
 ///
 /// An instant whose bounds exceed 10 times the tolerance in position, 10² and 10³ times in velocity
 /// and acceleration (as a condition number's powers go), and ten times what conditioning allows
@@ -71,6 +63,7 @@ class Watch {
     double tolerance = default_tolerance;  ///< that positions are solved to
     std::span<const Level> levels{};       ///< as far as each coordinate is solved (Plan::levels)
     int every = usual;                     ///< instants from one assessment to the next, at most
+    bool reuses_pivots = false;            ///< rates may come from pivots of another position
     unsigned without = 0;                  ///< monitors left out, for tests of what each finds
   };
 
@@ -82,10 +75,12 @@ class Watch {
   struct Judgement {
     Instant instant;  ///< corrected, perhaps; valid until the next
     bool degraded = false;
+    bool solved_anew = false;  ///< it was interpolated, and that was not good enough
     std::optional<Crossing> crossing{};
     Assessment assessment{};  ///< of this instant, or a guess after the last one assessed
   };
-  /// Instants in order of time. Nothing is taken from the heap but by KLU.
+  /// Instants in order of time. Nothing is taken from the heap but by KLU, and for
+  /// degraded instants.
   Judgement judge(const Instant& instant);
 
   /// The next instant does not follow the last: it is assessed.
@@ -98,6 +93,10 @@ class Watch {
   /// instants, those between assessments by their signals.
   double condition() const;
   const PerLevel<double>& bound() const;
+  /// Instants that are degraded relative to the motion so far, and the first of them: what rates
+  /// were at rest, early in a motion, may have been rounding compared with what they became.
+  long degraded() const;
+  std::optional<Degradation> first_degraded() const;
 
  private:
   struct State;

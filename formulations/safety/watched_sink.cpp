@@ -1,23 +1,22 @@
 #include "formulations/safety/watched_sink.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace desmo {
 
 void WatchedSink::accept(const Instant& instant) {
-  if (instant.interpolated) return hand_on(instant);
   const Watch::Judgement j = watch_.judge(instant);
   summary_.time = instant.time;
   if (j.assessment.singular) {
-    summary_.status = Status::singular;
+    // What was interpolated is nowhere near a solution.
+    summary_.status = instant.interpolated ? Status::not_converged : Status::singular;
     summary_.group = j.assessment.group;
     summary_.constraint = -1;
-    summary_.residual = instant.residual;
+    summary_.residual = instant.interpolated ? INFINITY : instant.residual;
     throw Ended{};
   }
   if (j.crossing && !summary_.crossing) summary_.crossing = j.crossing;
-  if (j.degraded && summary_.degraded++ == 0)
-    summary_.first_degraded = {instant.index, instant.time, j.assessment};
   summary_.refused = options_.strict && (j.degraded || j.crossing);
   if (summary_.refused) throw Ended{};
   summary_.updates += instant.updates;

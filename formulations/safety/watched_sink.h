@@ -7,9 +7,8 @@ namespace desmo {
 /// Ends a run from within its sink.
 struct Ended {};
 
-/// Hands on what a watch has judged, and counts it in a summary; what is interpolated between
-/// solved instants it hands on as it is. Throws Ended, the summary saying why, at an instant that
-/// is singular or, being strict, degraded.
+/// Hands on what a watch has judged, and counts it in a summary. Throws Ended, the summary saying
+/// why, at an instant that is singular or, being strict, degraded.
 class WatchedSink final : public Sink {
  public:
   /// All must outlive it.

@@ -59,5 +59,37 @@ TEST_F(Cli, GoesOnPastWhatCannotBeAssembled) {
   EXPECT_EQ(desmo("solve locks.json --past-failures --strict"), 64);
 }
 
+/// What lies between two solved instants is not lost with a stride, nor does a gap end before it
+/// begins.
+TEST_F(Cli, SaysOfAStrideWhatItSaysOfSteps) {
+  write("locks.json", locks);
+  const std::string solve = "solve locks.json --past-failures -o out/motion.csv --formulation ";
+  ASSERT_EQ(desmo(solve + "group_automatic_lapack/stride:4"), 0) << err_;
+  out_ = text_of(out("motion.csv"));
+  EXPECT_EQ(lines().size(), 1u + 11 + 21 + 11);
+  for (const char* text :
+       {"t = 0.10241638", " s to 0.39758361", "t = 0.60241638", " s to 0.89758361"})
+    EXPECT_TRUE(says(text)) << text << "\n" << err_;
+}
+
+/// A step of a turn and more, of angles whose rates do not tell whole turns.
+TEST_F(Cli, NamesOneMomentWhereAnIntervalHasNoLength) {
+  write("long.json", R"({"format": "desmo-scene", "version": 1,
+    "mechanism": {"library": "andrews"}, "time": {"end": 4, "step": 1}})");
+  ASSERT_EQ(desmo("solve long.json"), 0) << err_;
+  EXPECT_TRUE(says(", t = 1 s: the motion jumps onto another assembly branch")) << err_;
+}
+
+TEST_F(Cli, BlamesRoundedDriversAtLateTimes) {
+  write("late.json", R"({"format": "desmo-scene", "version": 1,
+    "mechanism": {"library": "slider_crank"},
+    "time": {"start": 67108864, "end": 67108865, "step": 0.125}})");
+  ASSERT_EQ(desmo("solve late.json"), 0) << err_;
+  EXPECT_TRUE(
+      says("t = 67108864 s: rounding of the drivers, so late or after so many turns: condition "))
+      << err_;
+  EXPECT_FALSE(says("singular")) << err_;
+}
+
 }  // namespace
 }  // namespace desmo::accuracy_test

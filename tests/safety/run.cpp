@@ -13,14 +13,10 @@
 #include "formulations/variants.h"
 #include "tests/accuracy/scenes.h"
 #include "tests/dead_point.h"
+#include "tests/safety/discard.h"
 
 namespace desmo::run_test {
 namespace {
-
-class Discard final : public Sink {
- public:
-  void accept(const Instant&) override {}
-};
 
 SafeSummary run(const Mechanism& m, const TimeGrid& grid, const char* id, Sink& sink,
                 SafetyOptions options = {}, const Settings& settings = {}) {

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "bench/experiments/extremes/chain_solution.h"
 #include "bench/experiments/extremes/floor.h"
@@ -15,8 +16,10 @@ namespace desmo::extreme {
 namespace {
 
 /// Conditions and floors of what is right. conditions: those of a closed form, if they are to be
-/// used, which know better than the equations how far a long chain passes an error on.
-void judge_by(Answers& a, const std::vector<double>& conditions) {
+/// used, which know better than the equations how far a long chain passes an error on. motion: what
+/// errors are relative to, if not to what is compared.
+void judge_by(Answers& a, const std::vector<double>& conditions,
+              std::vector<ReferenceInstant> motion = {}) {
   std::optional<ConditionNumber> number;
   if (conditions.empty()) number.emplace(a.mechanism);
   for (std::size_t i = 0; i < a.right.size(); ++i) {
@@ -27,10 +30,10 @@ void judge_by(Answers& a, const std::vector<double>& conditions) {
     floor = floor_at(a.mechanism, right.q, condition);
     a.condition = std::max(a.condition, condition);
   }
-  std::vector<ReferenceInstant> known;
-  std::ranges::copy_if(a.right, std::back_inserter(known),
-                       [](const ReferenceInstant& r) { return !r.q.empty(); });
-  a.scales = make_scales(a.mechanism, known);
+  if (motion.empty())
+    std::ranges::copy_if(a.right, std::back_inserter(motion),
+                         [](const ReferenceInstant& r) { return !r.q.empty(); });
+  a.scales = make_scales(a.mechanism, motion);
 }
 
 std::vector<int> coordinates_of(const Mechanism& part, const Mechanism& whole) {
@@ -80,6 +83,7 @@ Answers chain_answers(Problem& p, std::size_t index) {
   a.chain_length = longest * static_cast<double>(links) / size;
   ChainSolution solution(chain, a.mechanism);
   std::vector<double> conditions;
+  std::vector<ReferenceInstant> motion;  // what is said of errors is relative to all of it
   std::vector<double> start(a.mechanism.coordinates());
   std::size_t next = 0;
   bool before = true;
@@ -96,12 +100,13 @@ Answers chain_answers(Problem& p, std::size_t index) {
     }
     before = solved;
     if (!solved) p.solvable[i] = false;
+    if (solved && c.bound == Bound::estimates) motion.push_back(solution.instant());
     if (next == p.compared.size() || p.compared[next] != static_cast<int>(i)) continue;
     ++next;
     a.right.push_back(solved ? solution.instant() : ReferenceInstant{t, {}, {}, {}});
     if (c.bound == Bound::length) conditions.push_back(solution.condition());
   }
-  judge_by(a, conditions);
+  judge_by(a, conditions, std::move(motion));
   // An angle's error is what it moves the end of its link by, or long chains would leave it less
   // than the rounding of that point.
   if (c.bound == Bound::length) a.scales.rotation.position = size / longest;

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "formulations/formulation.h"
+
+namespace desmo {
+
+/// A sink for runs of which only the summary matters.
+class Discard final : public Sink {
+ public:
+  void accept(const Instant&) override {}
+};
+
+}  // namespace desmo

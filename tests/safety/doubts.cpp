@@ -1,0 +1,32 @@
+// What follows from a step that does not look continuous.
+
+#include <gtest/gtest.h>
+
+#include "cases/cases.h"
+#include "formulations/modelling/model.h"
+#include "formulations/safety/safe_run.h"
+#include "formulations/variants.h"
+#include "tests/safety/discard.h"
+#include "tests/safety/scott_russell.h"
+
+namespace desmo {
+namespace {
+
+/// At the change point shorter steps lead where the long one did, for they too end anywhere.
+TEST(Doubts, EndInAnAssessmentWhereShorterStepsArgueThemAway) {
+  for (const double degrees : {2, 1}) {
+    const Scene scene = scott_russell(degrees / 30);
+    const Mechanism m = make_mechanism(scene);
+    for (const Variant& v : variants()) {
+      if (!not_here(v.id).empty()) continue;
+      Discard sink;
+      const SafeSummary s = run_safely(*make_formulation(v, m, {}), scene.grid, {}, sink, {});
+      EXPECT_NE(s.outcome(), Outcome::converged) << v.id << " in steps of " << degrees;
+      EXPECT_NEAR(s.time, 2, 1e-9) << v.id;
+      EXPECT_EQ(s.status, Status::singular) << v.id;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace desmo

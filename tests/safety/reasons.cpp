@@ -1,0 +1,74 @@
+// What is said of failures and of what is not right: numbers and reasons that agree.
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "formulations/safety/limits.h"
+#include "formulations/safety/safe_run.h"
+#include "formulations/variants.h"
+#include "tests/accuracy/scenes.h"
+#include "tests/dead_point.h"
+#include "tests/safety/discard.h"
+
+namespace desmo {
+namespace {
+
+TEST(Reasons, AreNoDeficitWhereAPositionExists) {
+  const Mechanism m = locking_four_bar(Polynomial{{dead_point}});
+  std::vector<double> state = m.estimate;
+  state.insert(state.end(), m.fixed_values.begin(), m.fixed_values.end());
+  EXPECT_FALSE(find_deficit(m, state, {}));
+}
+
+/// A crank that begins to turn as t⁵: the trapezoid rule leads nowhere, however short the step.
+TEST(Reasons, AreNoJumpWhereAMotionStartsAtRest) {
+  const Mechanism m = locking_four_bar(Polynomial{{0.5, 0, 0, 0, 0, 1}});
+  for (const char* id : {"global_automatic_klu", "group_symbolic_explicit"}) {
+    Discard sink;
+    const SafeSummary s =
+        run_safely(*make_formulation(find_variant(id), m, {}), {0, 0.01, 101}, {}, sink, {});
+    EXPECT_FALSE(s.crossing) << id;
+    EXPECT_EQ(s.outcome(), Outcome::converged) << id;
+  }
+}
+
+/// Of a motion at late times its drivers are to blame, at a condition number of ten.
+TEST(Reasons, NameRoundedDriversAtLateTimes) {
+  Mechanism m = four_bar_mechanism(1);
+  Discard sink;
+  const SafeSummary s = run_safely(*make_formulation(find_variant("group_symbolic_inlined"), m, {}),
+                                   {0x1p26, 0.125, 9}, {}, sink, {});
+  ASSERT_TRUE(s.first_degraded);
+  EXPECT_EQ(s.first_degraded->assessment.limit, Limit::drivers);
+}
+
+TEST(Reasons, NameASingularPositionNearADeadPoint) {
+  const Mechanism m = locking_four_bar(Polynomial{{dead_point - 1e-11}});
+  Discard sink;
+  const SafeSummary s = run_safely(*make_formulation(find_variant("group_symbolic_inlined"), m, {}),
+                                   {0, 1, 1}, {}, sink, {});
+  ASSERT_TRUE(s.first_degraded);
+  EXPECT_EQ(s.first_degraded->assessment.limit, Limit::singular_position);
+}
+
+/// Outcome and bounds are one: what is stated beyond the limits is degraded, and only that.
+TEST(Reasons, StateBoundsThatAgreeWithTheOutcome) {
+  for (const std::size_t power : {1, 2, 3, 5}) {
+    std::vector<double> coefficients{0.5, 0, 0, 0, 0, 0};
+    coefficients[power] = 0.5;
+    const Mechanism m = locking_four_bar(Polynomial{coefficients});
+    for (const char* id : {"global_automatic_klu", "group_automatic_lapack",
+                           "group_symbolic_inlined", "group_symbolic_explicit"}) {
+      Discard sink;
+      const SafeSummary s =
+          run_safely(*make_formulation(find_variant(id), m, {}), {0, 0.01, 101}, {}, sink, {});
+      EXPECT_FALSE(s.crossing) << id << ", t^" << power;
+      EXPECT_EQ(s.degraded > 0, exceeds(s.bound, Limits(1e-12).degraded)) << id << ", t^" << power;
+      EXPECT_EQ(s.degraded > 0, s.first_degraded.has_value()) << id << ", t^" << power;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace desmo

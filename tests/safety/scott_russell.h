@@ -1,0 +1,39 @@
+#pragma once
+
+#include "cases/files.h"
+
+namespace desmo {
+
+/// A crank OM of 1 and a bar C–M–T with M in its middle, MC of 1, C on the x axis through O, drawn
+/// at 30° and driven at 30° a second until 180°. At 90°, after 2 s, C meets O: a change point, that
+/// C passes as 2 cos θ and with T could also rest at.
+inline Scene scott_russell(double step) {
+  Scene scene = parse_scene(R"({
+    "format": "desmo-scene", "version": 1,
+    "mechanism": {
+      "format": "desmo-mechanism", "version": 1, "name": "scott_russell", "dimension": 2,
+      "units": {"angle": "deg"},
+      "points": {"O": [0, 0], "M": [0.8660254037844387, 0.5], "C": [1.7320508075688774, 0],
+                 "T": [0, 1]},
+      "vectors": {"x": [1, 0]},
+      "ground": {"points": ["O"], "vectors": ["x"]},
+      "bodies": {"crank": {"points": ["O", "M"]}, "bar": {"points": ["C", "M", "T"]},
+                 "slider": {"points": ["C"], "vectors": ["x"]}},
+      "joints": [
+        {"type": "revolute", "bodies": ["ground", "crank"], "points": ["O"]},
+        {"type": "revolute", "bodies": ["crank", "bar"], "points": ["M"]},
+        {"type": "revolute", "bodies": ["bar", "slider"], "points": ["C"]},
+        {"type": "prismatic", "bodies": ["ground", "slider"], "vectors": ["x"],
+         "points": ["O", "C"]}],
+      "coordinates": {"theta": {"angle": ["O", "M"]},
+                      "s": {"distance": ["O", "C"], "along": "x"}},
+      "drivers": ["theta"]},
+    "units": {"angle": "deg"},
+    "motion": {"theta": {"type": "polynomial", "coefficients": [30, 30]}},
+    "time": {"end": 5, "step": 1}})",
+                            "scott_russell.scene.json", "");
+  scene.grid = {0, step, static_cast<int>(5 / step + 1.5)};
+  return scene;
+}
+
+}  // namespace desmo
