@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "formulations/equations/lane_kernel.h"
-#include "formulations/guess.h"
+#include "formulations/prediction/guess.h"
 
 namespace desmo {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "formulations/settings.h"
+#include "formulations/base/settings.h"
 #include "formulations/variants.h"
 
 namespace desmo {

@@ -6,15 +6,15 @@
 #include <utility>
 
 #include "formulations/algebra/backend.h"
-#include "formulations/explicit_part.h"
+#include "formulations/batch/on_lanes.h"
+#include "formulations/batch/parallel_motion.h"
+#include "formulations/batch/time_lanes.h"
 #include "formulations/id.h"
-#include "formulations/inlined_part.h"
-#include "formulations/magnitudes.h"
-#include "formulations/on_lanes.h"
-#include "formulations/own_unit_part.h"
-#include "formulations/parallel_motion.h"
-#include "formulations/schedule.h"
-#include "formulations/time_lanes.h"
+#include "formulations/parts/explicit_part.h"
+#include "formulations/parts/inlined_part.h"
+#include "formulations/parts/own_unit_part.h"
+#include "formulations/scaling/magnitudes.h"
+#include "formulations/structure/schedule.h"
 #include "formulations/variants.h"
 
 namespace desmo {

@@ -7,11 +7,11 @@
 #include <utility>
 #include <vector>
 
-#include "cases/mechanism.h"
-#include "formulations/formulation.h"
-#include "formulations/part.h"
-#include "formulations/partition.h"
-#include "formulations/profile.h"
+#include "formulations/base/part.h"
+#include "formulations/model/mechanism.h"
+#include "formulations/parts/profile.h"
+#include "formulations/stepping/formulation.h"
+#include "formulations/structure/partition.h"
 
 namespace desmo {
 

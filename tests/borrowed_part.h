@@ -1,6 +1,6 @@
 #pragma once
 
-#include "formulations/part.h"
+#include "formulations/base/part.h"
 
 namespace desmo {
 

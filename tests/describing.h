@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "cases/describe.h"
+#include "cases/mechanism/describe.h"
 #include "formulations/modelling/model.h"
 #include "formulations/variants.h"
 

@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-#include "formulations/formulation.h"
+#include "formulations/stepping/formulation.h"
 
 namespace desmo {
 

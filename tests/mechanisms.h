@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
-#include "cases/cases.h"
-#include "cases/files.h"
-#include "cases/library.h"
+#include "cases/generators/cases.h"
+#include "cases/io/files.h"
+#include "cases/library/library.h"
 #include "formulations/modelling/model.h"
 
 namespace desmo {

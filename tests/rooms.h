@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "formulations/formulation.h"
+#include "formulations/stepping/formulation.h"
 
 namespace desmo {
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "cases/scene.h"
-#include "formulations/formulation.h"
-#include "formulations/plan.h"
+#include "cases/mechanism/scene.h"
+#include "formulations/planning/plan.h"
+#include "formulations/stepping/formulation.h"
 
 namespace desmo::cli {
 

@@ -7,7 +7,7 @@
 #include "bench/cli/output.h"
 #include "bench/cli/progress.h"
 #include "bench/cli/series.h"
-#include "formulations/branch_monitor.h"
+#include "formulations/verification/branch_monitor.h"
 
 namespace desmo::cli {
 

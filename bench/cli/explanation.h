@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "formulations/plan.h"
+#include "formulations/planning/plan.h"
 
 namespace desmo::cli {
 

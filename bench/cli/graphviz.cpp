@@ -10,7 +10,7 @@
 #include <memory>
 
 #include "bench/cli/errors.h"
-#include "formulations/load/file_actions.h"
+#include "formulations/runtime/file_actions.h"
 
 extern char** environ;
 

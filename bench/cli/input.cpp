@@ -10,12 +10,12 @@
 #include <optional>
 
 #include "bench/cli/errors.h"
-#include "cases/cases.h"
-#include "cases/files.h"
-#include "cases/files/json_document.h"
-#include "cases/files/text_file.h"
-#include "cases/library.h"
-#include "cases/names.h"
+#include "cases/generators/cases.h"
+#include "cases/io/files.h"
+#include "cases/io/json_document.h"
+#include "cases/io/text_file.h"
+#include "cases/library/library.h"
+#include "cases/mechanism/names.h"
 
 namespace desmo::cli {
 namespace {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "cases/scene.h"
+#include "cases/mechanism/scene.h"
 #include "formulations/modelling/model.h"
 
 namespace desmo::cli {

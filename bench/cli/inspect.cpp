@@ -6,7 +6,7 @@
 #include "bench/cli/graphviz.h"
 #include "bench/cli/inspection.h"
 #include "bench/cli/output.h"
-#include "cases/names.h"
+#include "cases/mechanism/names.h"
 
 namespace desmo::cli {
 namespace {

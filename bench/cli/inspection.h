@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bench/cli/input.h"
-#include "formulations/partition.h"
+#include "formulations/structure/partition.h"
 
 namespace desmo::cli {
 

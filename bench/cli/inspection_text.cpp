@@ -3,7 +3,7 @@
 
 #include "bench/cli/inspection.h"
 #include "bench/cli/text.h"
-#include "cases/names.h"
+#include "cases/mechanism/names.h"
 
 namespace desmo::cli {
 namespace {

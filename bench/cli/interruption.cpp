@@ -7,7 +7,7 @@
 #include <csignal>
 #include <cstring>
 
-#include "formulations/load/program.h"
+#include "formulations/runtime/program.h"
 
 namespace desmo::cli {
 namespace {

@@ -7,8 +7,8 @@
 #include "bench/cli/input.h"
 #include "bench/cli/output.h"
 #include "bench/cli/text.h"
-#include "cases/cases.h"
-#include "cases/names.h"
+#include "cases/generators/cases.h"
+#include "cases/mechanism/names.h"
 #include "formulations/variants.h"
 
 namespace desmo::cli {

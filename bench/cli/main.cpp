@@ -9,7 +9,7 @@
 #include "bench/cli/errors.h"
 #include "bench/cli/interruption.h"
 #include "bench/cli/output.h"
-#include "cases/names.h"
+#include "cases/mechanism/names.h"
 
 namespace {
 

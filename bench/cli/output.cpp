@@ -10,7 +10,7 @@
 #include <random>
 
 #include "bench/cli/errors.h"
-#include "cases/names.h"
+#include "cases/mechanism/names.h"
 
 namespace desmo::cli {
 namespace fs = std::filesystem;

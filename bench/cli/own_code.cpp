@@ -6,7 +6,7 @@
 
 #include "bench/cli/commands.h"
 #include "bench/cli/text.h"
-#include "cases/names.h"
+#include "cases/mechanism/names.h"
 
 namespace desmo::cli {
 

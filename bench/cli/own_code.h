@@ -6,7 +6,7 @@
 
 #include "formulations/equations/kernel_table.h"
 #include "formulations/id.h"
-#include "formulations/load/own_kernels.h"
+#include "formulations/runtime/own_kernels.h"
 
 namespace desmo::cli {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bench/cli/text.h"
-#include "formulations/guarded_part.h"
+#include "formulations/parts/guarded_part.h"
 
 namespace desmo::cli {
 

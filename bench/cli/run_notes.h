@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "formulations/safety/safe_run.h"
 #include "formulations/variants.h"
+#include "formulations/verification/monitor/safe_run.h"
 
 namespace desmo::cli {
 

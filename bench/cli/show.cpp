@@ -5,8 +5,8 @@
 #include "bench/cli/errors.h"
 #include "bench/cli/input.h"
 #include "bench/cli/output.h"
-#include "cases/library.h"
-#include "cases/names.h"
+#include "cases/library/library.h"
+#include "cases/mechanism/names.h"
 
 namespace desmo::cli {
 namespace {

@@ -16,7 +16,7 @@
 #include "bench/cli/input.h"
 #include "bench/cli/own_code.h"
 #include "bench/cli/run_notes.h"
-#include "cases/names.h"
+#include "cases/mechanism/names.h"
 #include "formulations/id.h"
 #include "formulations/variants.h"
 

@@ -13,9 +13,9 @@
 #include "bench/cli/own_code.h"
 #include "bench/cli/text.h"
 #include "bench/experiments/accuracy/search.h"
-#include "cases/files/scene_text.h"
-#include "cases/files/text_file.h"
-#include "formulations/accuracy/condition.h"
+#include "cases/io/scene_text.h"
+#include "cases/io/text_file.h"
+#include "formulations/verification/condition.h"
 
 namespace desmo::cli {
 namespace {

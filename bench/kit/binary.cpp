@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string_view>
 
-#include "formulations/digest.h"
+#include "formulations/runtime/digest.h"
 
 namespace desmo::suite {
 

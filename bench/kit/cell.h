@@ -10,7 +10,7 @@
 #include "bench/kit/phases.h"
 #include "bench/kit/timed.h"
 #include "bench/kit/verification.h"
-#include "cases/cases.h"
+#include "cases/generators/cases.h"
 #include "formulations/id.h"
 #include "formulations/variants.h"
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <span>
 
-#include "formulations/formulation.h"
+#include "formulations/stepping/formulation.h"
 
 namespace desmo::suite {
 

@@ -5,7 +5,7 @@
 #include "bench/kit/record.h"
 #include "bench/kit/schema_version.h"
 #include "bench/kit/verification.h"
-#include "cases/motion.h"
+#include "cases/mechanism/motion.h"
 
 namespace desmo::suite {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <variant>
 
-#include "formulations/digest.h"
+#include "formulations/runtime/digest.h"
 
 namespace desmo::suite {
 

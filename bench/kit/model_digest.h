@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "cases/mechanism.h"
+#include "formulations/model/mechanism.h"
 
 namespace desmo::suite {
 

@@ -9,7 +9,7 @@
 #include "bench/kit/cell.h"
 #include "bench/kit/timed.h"
 #include "bench/peers/peer.h"
-#include "cases/cases.h"
+#include "cases/generators/cases.h"
 
 namespace desmo::suite {
 

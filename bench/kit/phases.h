@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "cases/motion.h"
+#include "cases/mechanism/motion.h"
 #include "formulations/variants.h"
 
 namespace desmo::suite {

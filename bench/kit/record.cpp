@@ -18,7 +18,7 @@
 #include "bench/kit/request.h"
 #include "bench/kit/structure.h"
 #include "bench/kit/time_json.h"
-#include "formulations/guess.h"
+#include "formulations/prediction/guess.h"
 
 namespace desmo::suite {
 

@@ -13,8 +13,8 @@
 #include "bench/kit/cpu_clock.h"
 #include "bench/kit/model_digest.h"
 #include "bench/kit/structure.h"
-#include "cases/files.h"
-#include "cases/library.h"
+#include "cases/io/files.h"
+#include "cases/library/library.h"
 #include "formulations/modelling/model.h"
 
 namespace desmo::suite {

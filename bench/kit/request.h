@@ -10,11 +10,11 @@
 
 #include "bench/experiments/paper/options.h"
 #include "bench/kit/timed.h"
-#include "cases/cases.h"
-#include "cases/motion.h"
-#include "cases/scene.h"
+#include "cases/generators/cases.h"
+#include "cases/mechanism/motion.h"
+#include "cases/mechanism/scene.h"
 #include "formulations/id.h"
-#include "formulations/plan.h"
+#include "formulations/planning/plan.h"
 #include "formulations/variants.h"
 
 namespace desmo::suite {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "formulations/digest.h"
+#include "formulations/runtime/digest.h"
 
 namespace desmo::suite {
 

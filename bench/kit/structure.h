@@ -3,9 +3,9 @@
 #include <string_view>
 #include <vector>
 
-#include "cases/cases.h"
-#include "cases/mechanism.h"
-#include "formulations/partition.h"
+#include "cases/generators/cases.h"
+#include "formulations/model/mechanism.h"
+#include "formulations/structure/partition.h"
 
 namespace desmo::suite {
 

@@ -8,8 +8,8 @@
 
 #include "bench/kit/timing_windows.h"
 #include "bench/kit/verification.h"
-#include "cases/motion.h"
-#include "formulations/formulation.h"
+#include "cases/mechanism/motion.h"
+#include "formulations/stepping/formulation.h"
 
 namespace desmo::suite {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bench/kit/clock.h"
-#include "formulations/formulation.h"
+#include "formulations/stepping/formulation.h"
 
 namespace desmo::suite {
 

@@ -11,8 +11,8 @@
 
 #include "bench/kit/delivery.h"
 #include "bench/kit/result_digest.h"
-#include "formulations/formulation.h"
-#include "formulations/reference.h"
+#include "formulations/stepping/formulation.h"
+#include "formulations/verification/reference/reference.h"
 
 namespace desmo::suite {
 

@@ -11,8 +11,8 @@
 #include <string>
 
 #include "bench/peers/peer.h"
-#include "formulations/guess.h"
-#include "formulations/magnitudes.h"
+#include "formulations/prediction/guess.h"
+#include "formulations/scaling/magnitudes.h"
 #include "formulations/variants.h"
 
 namespace desmo {

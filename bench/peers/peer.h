@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
-#include "cases/mechanism.h"
-#include "cases/motion.h"
-#include "cases/scene.h"
-#include "formulations/settings.h"
+#include "cases/mechanism/motion.h"
+#include "cases/mechanism/scene.h"
+#include "formulations/base/settings.h"
+#include "formulations/model/mechanism.h"
 
 namespace desmo {
 

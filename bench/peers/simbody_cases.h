@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "bench/peers/simbody_solver.h"
-#include "cases/mechanism.h"
-#include "cases/scene.h"
+#include "cases/mechanism/scene.h"
+#include "formulations/model/mechanism.h"
 
 namespace desmo::simbody {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "cases/cases.h"
+#include "cases/generators/cases.h"
 #include "formulations/modelling/model.h"
 
 namespace desmo::regression {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "cases/extremes/rows.h"
-#include "cases/files.h"
+#include "cases/io/files.h"
 
 namespace desmo::extreme {
 

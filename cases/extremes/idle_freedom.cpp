@@ -1,6 +1,6 @@
 // Row 12: a coupler between two spherical joints may spin, which moves nothing else.
 #include "cases/extremes/rows.h"
-#include "cases/files.h"
+#include "cases/io/files.h"
 
 namespace desmo::extreme {
 

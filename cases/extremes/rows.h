@@ -3,7 +3,7 @@
 #include <numbers>
 #include <vector>
 
-#include "cases/extremes.h"
+#include "cases/extremes/extremes.h"
 
 /// The cases of the rows of the table, one .cpp each.
 namespace desmo::extreme {

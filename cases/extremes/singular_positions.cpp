@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "cases/extremes/rows.h"
-#include "cases/files.h"
+#include "cases/io/files.h"
 
 namespace desmo::extreme {
 

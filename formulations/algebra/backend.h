@@ -7,9 +7,9 @@
 
 #include "formulations/algebra/absence.h"
 #include "formulations/algebra/linear_solver.h"
+#include "formulations/base/settings.h"
 #include "formulations/equations/pattern.h"
-#include "formulations/newton_part.h"
-#include "formulations/settings.h"
+#include "formulations/parts/newton_part.h"
 
 namespace desmo {
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "formulations/algebra/linear_solver.h"
+#include "formulations/base/settings.h"
 #include "formulations/equations/pattern.h"
-#include "formulations/settings.h"
 
 namespace desmo {
 

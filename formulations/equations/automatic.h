@@ -3,9 +3,9 @@
 #include <memory>
 #include <vector>
 
-#include "cases/mechanism.h"
 #include "formulations/equations/equations.h"
-#include "formulations/partition.h"
+#include "formulations/model/mechanism.h"
+#include "formulations/structure/partition.h"
 
 namespace desmo {
 

@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "cases/mechanism.h"
-#include "formulations/partition.h"
+#include "formulations/model/mechanism.h"
+#include "formulations/structure/partition.h"
 
 namespace desmo {
 

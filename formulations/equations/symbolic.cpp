@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "formulations/part_type.h"
+#include "formulations/structure/part_type.h"
 
 namespace desmo {
 

@@ -4,11 +4,11 @@
 #include <string_view>
 #include <vector>
 
-#include "cases/mechanism.h"
 #include "formulations/equations/equations.h"
 #include "formulations/equations/kernel.h"
 #include "formulations/equations/kernel_table.h"
-#include "formulations/partition.h"
+#include "formulations/model/mechanism.h"
+#include "formulations/structure/partition.h"
 
 namespace desmo {
 

@@ -4,10 +4,10 @@
 #include <stdexcept>
 #include <string>
 
-#include "formulations/modelling/candidates.h"
-#include "formulations/modelling/representable.h"
-#include "formulations/modelling/rigid_bodies.h"
-#include "formulations/modelling/structure.h"
+#include "formulations/modelling/bodies/representable.h"
+#include "formulations/modelling/bodies/rigid_bodies.h"
+#include "formulations/modelling/equations/candidates.h"
+#include "formulations/modelling/groups/structure.h"
 
 namespace desmo {
 

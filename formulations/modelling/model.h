@@ -2,10 +2,10 @@
 
 #include <vector>
 
-#include "cases/mechanism.h"
-#include "cases/scene.h"
-#include "formulations/modelling/idle_freedoms.h"
-#include "formulations/modelling/independence.h"
+#include "cases/mechanism/scene.h"
+#include "formulations/model/mechanism.h"
+#include "formulations/modelling/groups/idle_freedoms.h"
+#include "formulations/modelling/independence/independence.h"
 
 namespace desmo {
 

@@ -1,15 +1,15 @@
 // Conditioning against matrices inverted by hand, and as a prediction of what double can reach.
 
-#include "formulations/accuracy/condition.h"
+#include "formulations/verification/condition.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <iostream>
 
-#include "formulations/accuracy/error.h"
-#include "formulations/reference.h"
 #include "formulations/variants.h"
+#include "formulations/verification/error.h"
+#include "formulations/verification/reference/reference.h"
 #include "tests/accuracy/scenes.h"
 
 namespace desmo::condition_test {

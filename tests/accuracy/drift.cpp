@@ -1,6 +1,6 @@
 // A long run in short: what its error grows by is the rounding of the angle that drives it.
 
-#include "formulations/accuracy/drift.h"
+#include "formulations/verification/reference/drift.h"
 
 #include <gtest/gtest.h>
 

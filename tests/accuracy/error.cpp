@@ -1,14 +1,14 @@
 // What the error measure says of errors that are known.
 
-#include "formulations/accuracy/error.h"
+#include "formulations/verification/error.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "formulations/reference.h"
 #include "formulations/variants.h"
+#include "formulations/verification/reference/reference.h"
 #include "tests/accuracy/scenes.h"
 
 namespace desmo::error_test {

@@ -1,15 +1,15 @@
 // The quadruple reference: two formulations that share nothing but residuals agree to 1e-25, and
 // both are what closed forms say.
 
-#include "formulations/reference.h"
+#include "formulations/verification/reference/reference.h"
 
 #include <gtest/gtest.h>
 
 #include <iostream>
 
-#include "formulations/accuracy/disagreement.h"
-#include "formulations/accuracy/global_solver.h"
-#include "formulations/accuracy/groupwise_solver.h"
+#include "formulations/groupwise/groupwise_solver.h"
+#include "formulations/verification/reference/disagreement.h"
+#include "formulations/verification/reference/global_solver.h"
 #include "tests/accuracy/scenes.h"
 #include "tests/library/jet.h"
 

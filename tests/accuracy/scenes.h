@@ -5,9 +5,9 @@
 #include <variant>
 #include <vector>
 
-#include "cases/cases.h"
-#include "cases/files.h"
-#include "cases/library.h"
+#include "cases/generators/cases.h"
+#include "cases/io/files.h"
+#include "cases/library/library.h"
 #include "formulations/modelling/model.h"
 
 namespace desmo {

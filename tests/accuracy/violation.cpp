@@ -1,11 +1,11 @@
 // Constraint violation at each level, apart from the error.
 
-#include "formulations/accuracy/violation.h"
+#include "formulations/verification/violation.h"
 
 #include <gtest/gtest.h>
 
-#include "formulations/reference.h"
 #include "formulations/variants.h"
+#include "formulations/verification/reference/reference.h"
 #include "tests/accuracy/scenes.h"
 
 namespace desmo::violation_test {

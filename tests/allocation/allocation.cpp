@@ -14,12 +14,12 @@
 #include <vector>
 
 #include "bench/peers/peer.h"
-#include "cases/cases.h"
-#include "formulations/accuracy/error.h"
-#include "formulations/accuracy/violation.h"
+#include "cases/generators/cases.h"
 #include "formulations/id.h"
-#include "formulations/reference.h"
 #include "formulations/variants.h"
+#include "formulations/verification/error.h"
+#include "formulations/verification/reference/reference.h"
+#include "formulations/verification/violation.h"
 #include "tests/every_variant.h"
 #include "tests/mechanisms.h"
 

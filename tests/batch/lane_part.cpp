@@ -1,7 +1,7 @@
 // Copies of a piece of a mechanism in lanes: which are taken for copies, and what becomes of those
 // that the code refuses.
 
-#include "formulations/lane_part.h"
+#include "formulations/batch/lane_part.h"
 
 #include <gtest/gtest.h>
 
@@ -12,9 +12,9 @@
 #include <span>
 #include <vector>
 
-#include "cases/cases.h"
-#include "formulations/explicit_part.h"
-#include "formulations/magnitudes.h"
+#include "cases/generators/cases.h"
+#include "formulations/parts/explicit_part.h"
+#include "formulations/scaling/magnitudes.h"
 #include "formulations/variants.h"
 #include "tests/borrowed_part.h"
 #include "tests/mechanisms.h"

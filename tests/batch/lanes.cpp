@@ -15,13 +15,13 @@
 #include <string>
 #include <vector>
 
-#include "cases/cases.h"
+#include "cases/generators/cases.h"
+#include "formulations/base/lane_values.h"
+#include "formulations/batch/lane_transport.h"
 #include "formulations/equations/turned_angle.h"
 #include "formulations/id.h"
-#include "formulations/lane_motion.h"
-#include "formulations/lane_transport.h"
-#include "formulations/lane_values.h"
-#include "formulations/motions_ahead.h"
+#include "formulations/prediction/lane_motion.h"
+#include "formulations/prediction/motions_ahead.h"
 #include "formulations/variants.h"
 #include "tests/everything.h"
 #include "tests/lanes_here.h"

@@ -1,7 +1,7 @@
 // Stretches of a motion on several threads: the same instants as step by step, or step by step
 // after all.
 
-#include "formulations/parallel_motion.h"
+#include "formulations/batch/parallel_motion.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include <thread>
 #include <vector>
 
-#include "cases/cases.h"
+#include "cases/generators/cases.h"
 #include "formulations/algebra/blas.h"
 #include "formulations/id.h"
 #include "formulations/variants.h"

@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "cases/cases.h"
+#include "cases/generators/cases.h"
 #include "formulations/id.h"
-#include "formulations/keeper.h"
+#include "formulations/stepping/keeper.h"
 #include "formulations/variants.h"
 #include "tests/everything.h"
 #include "tests/lanes_here.h"

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "cases/cases.h"
+#include "cases/generators/cases.h"
 #include "formulations/id.h"
 #include "formulations/variants.h"
 #include "tests/borrowed_part.h"

@@ -8,8 +8,8 @@
 #include <string>
 
 #include "bench/kit/peer_cell.h"
-#include "cases/cases.h"
-#include "formulations/guess.h"
+#include "cases/generators/cases.h"
+#include "formulations/prediction/guess.h"
 #include "formulations/variants.h"
 
 namespace desmo::suite::peer_cells_test {

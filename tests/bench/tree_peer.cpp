@@ -8,7 +8,7 @@
 #include <string>
 
 #include "bench/kit/peer_cell.h"
-#include "cases/cases.h"
+#include "cases/generators/cases.h"
 #include "formulations/modelling/model.h"
 #include "formulations/variants.h"
 #include "tests/peers.h"

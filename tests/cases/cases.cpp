@@ -1,4 +1,4 @@
-#include "cases/cases.h"
+#include "cases/generators/cases.h"
 
 #include <gtest/gtest.h>
 

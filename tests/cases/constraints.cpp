@@ -2,7 +2,7 @@
 // has no truncation and no cancellation. And what the kinds mean, in configurations whose residual
 // is known.
 
-#include "cases/constraints.h"
+#include "formulations/constraints/constraints.h"
 
 #include <gtest/gtest.h>
 

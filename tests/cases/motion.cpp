@@ -1,7 +1,7 @@
 // Motions against closed forms, and their derivatives against derivatives that share no code with
 // them.
 
-#include "cases/motion.h"
+#include "cases/mechanism/motion.h"
 
 #include <gtest/gtest.h>
 

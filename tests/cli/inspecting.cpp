@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "cases/library.h"
+#include "cases/library/library.h"
 #include "tests/cli/program.h"
 
 namespace desmo::inspecting_test {

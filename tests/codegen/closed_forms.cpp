@@ -7,10 +7,10 @@
 #include <cmath>
 #include <random>
 
-#include "formulations/generate/closed_form.h"
-#include "formulations/generate/inputs.h"
-#include "formulations/generate/opposite.h"
-#include "formulations/generate/tearing.h"
+#include "formulations/codegen/order/closed_form.h"
+#include "formulations/codegen/order/opposite.h"
+#include "formulations/codegen/order/tearing.h"
+#include "formulations/codegen/record/inputs.h"
 
 namespace desmo::generate::closed_forms_test {
 namespace {

@@ -6,13 +6,13 @@
 #include <cmath>
 #include <random>
 
-#include "cases/cases.h"
+#include "cases/generators/cases.h"
 #include "formulations/equations/automatic.h"
 #include "formulations/equations/symbolic.h"
-#include "formulations/part_type.h"
-#include "formulations/partition.h"
-#include "formulations/reference.h"
+#include "formulations/structure/part_type.h"
+#include "formulations/structure/partition.h"
 #include "formulations/variants.h"
+#include "formulations/verification/reference/reference.h"
 #include "tests/mechanisms.h"
 
 namespace desmo::equations_test {

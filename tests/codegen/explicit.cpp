@@ -14,12 +14,12 @@
 #include <string>
 #include <string_view>
 
-#include "cases/cases.h"
 #include "cases/extremes/rows.h"
+#include "cases/generators/cases.h"
 #include "formulations/equations/turned_angle.h"
-#include "formulations/explicit_part.h"
 #include "formulations/id.h"
-#include "formulations/magnitudes.h"
+#include "formulations/parts/explicit_part.h"
+#include "formulations/scaling/magnitudes.h"
 #include "formulations/variants.h"
 #include "tests/borrowed_part.h"
 #include "tests/mechanisms.h"

@@ -1,14 +1,14 @@
 // Parts of one kernel behind each other, solved in one call: as each by itself, whatever becomes of
 // one of them.
 
-#include "formulations/explicit_run.h"
+#include "formulations/parts/explicit_run.h"
 
 #include <gtest/gtest.h>
 
 #include <memory>
 #include <vector>
 
-#include "formulations/magnitudes.h"
+#include "formulations/scaling/magnitudes.h"
 #include "formulations/variants.h"
 #include "tests/borrowed_part.h"
 #include "tests/mechanisms.h"

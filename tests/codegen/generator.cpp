@@ -12,11 +12,11 @@
 #include <sstream>
 #include <string>
 
-#include "cases/cases.h"
-#include "formulations/generate/elimination.h"
-#include "formulations/generate/emission.h"
-#include "formulations/generate/kernel_source.h"
-#include "formulations/part_type.h"
+#include "cases/generators/cases.h"
+#include "formulations/codegen/eliminate/elimination.h"
+#include "formulations/codegen/emit/emission.h"
+#include "formulations/codegen/emit/kernel_source.h"
+#include "formulations/structure/part_type.h"
 #include "tests/mechanisms.h"
 
 namespace desmo::generate::generator_test {

@@ -1,4 +1,4 @@
-#include <desmo/cases/cases.h>
+#include <desmo/cases/generators/cases.h>
 #include <desmo/formulations/modelling/model.h>
 #include <desmo/formulations/variants.h>
 

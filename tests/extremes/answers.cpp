@@ -12,11 +12,11 @@
 #include "bench/experiments/extremes/chain_solution.h"
 #include "bench/experiments/extremes/problem.h"
 #include "cases/extremes/rows.h"
-#include "formulations/accuracy/condition.h"
-#include "formulations/accuracy/error.h"
-#include "formulations/accuracy/scales.h"
-#include "formulations/accuracy/wide_instant.h"
-#include "formulations/reference.h"
+#include "formulations/scaling/scales.h"
+#include "formulations/verification/condition.h"
+#include "formulations/verification/error.h"
+#include "formulations/verification/reference/reference.h"
+#include "formulations/verification/reference/wide_instant.h"
 
 namespace desmo::extreme::answers_test {
 namespace {

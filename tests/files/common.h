@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "cases/files.h"
+#include "cases/io/files.h"
 
 namespace desmo {
 

@@ -5,8 +5,8 @@
 #include <ctime>
 #include <random>
 
-#include "cases/description.h"
-#include "cases/library.h"
+#include "cases/library/library.h"
+#include "cases/mechanism/description.h"
 #include "tests/files/common.h"
 
 namespace desmo::large_and_damaged_test {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "cases/description.h"
+#include "cases/mechanism/description.h"
 #include "tests/files/common.h"
 
 namespace desmo::mechanism_file_test {

@@ -1,6 +1,6 @@
 // Names: the nearest ones, patterns, and how they are shown.
 
-#include "cases/names.h"
+#include "cases/mechanism/names.h"
 
 #include <gtest/gtest.h>
 

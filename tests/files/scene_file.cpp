@@ -7,8 +7,8 @@
 #include <fstream>
 #include <numbers>
 
-#include "cases/cases.h"
-#include "cases/library.h"
+#include "cases/generators/cases.h"
+#include "cases/library/library.h"
 #include "tests/files/common.h"
 
 namespace desmo::scene_file_test {

@@ -1,6 +1,6 @@
 // What is changed in the text of a scene, and what stays.
 
-#include "cases/files/scene_text.h"
+#include "cases/io/scene_text.h"
 
 #include <gtest/gtest.h>
 

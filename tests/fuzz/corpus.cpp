@@ -5,7 +5,7 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "cases/library.h"
+#include "cases/library/library.h"
 #include "tests/fuzz/tree.h"
 
 namespace desmo::fuzz {

@@ -8,12 +8,12 @@
 #include <optional>
 #include <typeinfo>
 
-#include "cases/files.h"
-#include "cases/names.h"
-#include "formulations/load/unavailable.h"
-#include "formulations/load/wanted_types.h"
+#include "cases/io/files.h"
+#include "cases/mechanism/names.h"
 #include "formulations/modelling/model.h"
-#include "formulations/plan.h"
+#include "formulations/planning/plan.h"
+#include "formulations/runtime/unavailable.h"
+#include "formulations/runtime/wanted_types.h"
 #include "tests/fuzz/tree.h"
 
 namespace desmo::fuzz {

@@ -1,7 +1,7 @@
 // Where Newton–Raphson starts: less work for the same answers, and nothing extrapolated that was
 // not solved.
 
-#include "formulations/guess.h"
+#include "formulations/prediction/guess.h"
 
 #include <gtest/gtest.h>
 

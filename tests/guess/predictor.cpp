@@ -1,7 +1,7 @@
 // Guesses from the rates of the last four instants: exact where theory says so, and left alone
 // where those instants are not known.
 
-#include "formulations/predictor.h"
+#include "formulations/prediction/predictor.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "formulations/part.h"
+#include "formulations/base/part.h"
 
 namespace desmo::predictor_test {
 namespace {

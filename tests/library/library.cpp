@@ -1,7 +1,7 @@
 // Every mechanism of the library, with every formulation, against its independent solution; the
 // independent solutions against themselves; structural groups against those found by hand.
 
-#include "cases/library.h"
+#include "cases/library/library.h"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@
 #include <tuple>
 #include <vector>
 
-#include "cases/files.h"
+#include "cases/io/files.h"
 #include "formulations/modelling/model.h"
 #include "formulations/variants.h"
 #include "tests/every_variant.h"

@@ -1,6 +1,6 @@
 // Files of the cache that are not as they were written, and several writers.
 
-#include "formulations/load/cache.h"
+#include "formulations/runtime/cache.h"
 
 #include <sys/wait.h>
 #include <unistd.h>

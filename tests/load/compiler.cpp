@@ -1,6 +1,6 @@
 // Compilers that are missing, fail or take too long, and how programs are run.
 
-#include "formulations/load/compiler.h"
+#include "formulations/runtime/compiler.h"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -8,8 +8,8 @@
 #include <sstream>
 #include <system_error>
 
-#include "formulations/load/descriptor.h"
-#include "formulations/load/program.h"
+#include "formulations/runtime/descriptor.h"
+#include "formulations/runtime/program.h"
 #include "tests/load/loading.h"
 
 namespace desmo::load::compiler_test {

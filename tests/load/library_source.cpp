@@ -1,6 +1,6 @@
 // The text of generated libraries, and tables of several.
 
-#include "formulations/generate/library_source.h"
+#include "formulations/codegen/emit/library_source.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <array>
 #include <memory>
 
-#include "cases/cases.h"
+#include "cases/generators/cases.h"
 #include "formulations/equations/kernel_sets.h"
 #include "formulations/equations/kernel_table.h"
 #include "formulations/equations/symbolic.h"

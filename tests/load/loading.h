@@ -13,11 +13,11 @@
 #include <string>
 #include <vector>
 
-#include "cases/cases.h"
-#include "cases/files.h"
+#include "cases/generators/cases.h"
+#include "cases/io/files.h"
 #include "formulations/id.h"
-#include "formulations/load/own_kernels.h"
 #include "formulations/modelling/model.h"
+#include "formulations/runtime/own_kernels.h"
 #include "tests/own_mechanism.h"
 
 namespace desmo::load {

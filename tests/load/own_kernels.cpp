@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "formulations/explicit_part.h"
-#include "formulations/lane_part.h"
+#include "formulations/batch/lane_part.h"
+#include "formulations/parts/explicit_part.h"
 #include "tests/load/loading.h"
 
 namespace desmo::load::own_kernels_test {

@@ -7,9 +7,9 @@
 #include <random>
 #include <set>
 
-#include "cases/cases.h"
-#include "cases/files.h"
-#include "cases/library.h"
+#include "cases/generators/cases.h"
+#include "cases/io/files.h"
+#include "cases/library/library.h"
 #include "formulations/modelling/model.h"
 #include "tests/modelling/common.h"
 

@@ -1,6 +1,6 @@
 // Freedoms that move nothing are named; what they do move is under-constrained.
 
-#include "formulations/modelling/idle_freedoms.h"
+#include "formulations/modelling/groups/idle_freedoms.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "cases/files.h"
+#include "cases/io/files.h"
 #include "formulations/modelling/model.h"
 #include "tests/modelling/common.h"
 

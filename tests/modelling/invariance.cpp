@@ -7,7 +7,7 @@
 #include <random>
 #include <set>
 
-#include "cases/cases.h"
+#include "cases/generators/cases.h"
 #include "formulations/modelling/model.h"
 #include "tests/modelling/common.h"
 

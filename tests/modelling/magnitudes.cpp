@@ -1,16 +1,16 @@
 // The norm that the tolerance is on: independent of units, local, never divided by nothing.
 
-#include "formulations/magnitudes.h"
+#include "formulations/scaling/magnitudes.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "cases/cases.h"
-#include "cases/files.h"
-#include "cases/library.h"
-#include "formulations/length_powers.h"
+#include "cases/generators/cases.h"
+#include "cases/io/files.h"
+#include "cases/library/library.h"
+#include "formulations/scaling/length_powers.h"
 #include "formulations/variants.h"
 #include "tests/every_variant.h"
 #include "tests/mechanisms.h"

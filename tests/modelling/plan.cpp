@@ -1,14 +1,14 @@
 // What a request needs is solved as far as it is needed, and nothing else; what it delivers is what
 // the whole solution delivers.
 
-#include "formulations/plan.h"
+#include "formulations/planning/plan.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
 
-#include "cases/cases.h"
+#include "cases/generators/cases.h"
 #include "formulations/variants.h"
 #include "tests/every_variant.h"
 #include "tests/mechanisms.h"

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "cases/extremes/rows.h"
-#include "formulations/characteristic_lengths.h"
 #include "formulations/modelling/model.h"
+#include "formulations/scaling/characteristic_lengths.h"
 #include "formulations/variants.h"
 #include "tests/modelling/common.h"
 

@@ -14,8 +14,8 @@
 
 #include "bench/experiments/accuracy/knobs.h"
 #include "bench/experiments/accuracy/promise.h"
-#include "cases/cases.h"
-#include "cases/files.h"
+#include "cases/generators/cases.h"
+#include "cases/io/files.h"
 #include "formulations/modelling/model.h"
 
 namespace desmo::precision::precision_test {

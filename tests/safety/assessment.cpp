@@ -7,11 +7,11 @@
 #include <array>
 #include <cmath>
 
-#include "formulations/accuracy/condition.h"
-#include "formulations/accuracy/error.h"
-#include "formulations/reference.h"
-#include "formulations/safety/assessor.h"
 #include "formulations/variants.h"
+#include "formulations/verification/condition.h"
+#include "formulations/verification/error.h"
+#include "formulations/verification/monitor/assessor.h"
+#include "formulations/verification/reference/reference.h"
 #include "tests/accuracy/scenes.h"
 #include "tests/dead_point.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "formulations/formulation.h"
+#include "formulations/stepping/formulation.h"
 
 namespace desmo {
 

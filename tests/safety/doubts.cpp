@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "cases/cases.h"
+#include "cases/generators/cases.h"
 #include "formulations/modelling/model.h"
-#include "formulations/safety/safe_run.h"
 #include "formulations/variants.h"
+#include "formulations/verification/monitor/safe_run.h"
 #include "tests/safety/discard.h"
 #include "tests/safety/scott_russell.h"
 

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "cases/library.h"
-#include "formulations/guarded_part.h"
-#include "formulations/safety/safe_run.h"
+#include "cases/library/library.h"
+#include "formulations/parts/guarded_part.h"
 #include "formulations/variants.h"
+#include "formulations/verification/monitor/safe_run.h"
 #include "tests/mechanisms.h"
 
 namespace desmo::fallbacks_test {

@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include "cases/files.h"
-#include "formulations/accuracy/error.h"
+#include "cases/io/files.h"
 #include "formulations/modelling/model.h"
-#include "formulations/reference.h"
-#include "formulations/safety/safe_run.h"
 #include "formulations/variants.h"
+#include "formulations/verification/error.h"
+#include "formulations/verification/monitor/safe_run.h"
+#include "formulations/verification/reference/reference.h"
 #include "tests/accuracy/scenes.h"
 
 namespace desmo {

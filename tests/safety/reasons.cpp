@@ -4,9 +4,9 @@
 
 #include <string>
 
-#include "formulations/safety/limits.h"
-#include "formulations/safety/safe_run.h"
 #include "formulations/variants.h"
+#include "formulations/verification/monitor/limits.h"
+#include "formulations/verification/monitor/safe_run.h"
 #include "tests/accuracy/scenes.h"
 #include "tests/dead_point.h"
 #include "tests/safety/discard.h"

@@ -7,10 +7,10 @@
 #include <numbers>
 #include <vector>
 
-#include "formulations/accuracy/error.h"
-#include "formulations/reference.h"
-#include "formulations/safety/safe_run.h"
 #include "formulations/variants.h"
+#include "formulations/verification/error.h"
+#include "formulations/verification/monitor/safe_run.h"
+#include "formulations/verification/reference/reference.h"
 #include "tests/accuracy/scenes.h"
 #include "tests/dead_point.h"
 #include "tests/safety/discard.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cases/files.h"
+#include "cases/io/files.h"
 
 namespace desmo {
 

@@ -6,10 +6,10 @@
 #include <limits>
 #include <numbers>
 
-#include "cases/cases.h"
-#include "cases/files.h"
-#include "formulations/branch_monitor.h"
+#include "cases/generators/cases.h"
+#include "cases/io/files.h"
 #include "formulations/modelling/model.h"
+#include "formulations/verification/branch_monitor.h"
 #include "tests/describing.h"
 
 namespace desmo::branch_test {

@@ -1,6 +1,6 @@
 // Instants between those solved: the orders that theory promises, and solved ones as they were.
 
-#include "formulations/dense_output.h"
+#include "formulations/stepping/dense_output.h"
 
 #include <gtest/gtest.h>
 

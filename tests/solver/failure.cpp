@@ -9,12 +9,12 @@
 #include <numbers>
 #include <vector>
 
-#include "cases/cases.h"
 #include "cases/extremes/rows.h"
+#include "cases/generators/cases.h"
 #include "formulations/algebra/backend.h"
-#include "formulations/inlined_part.h"
-#include "formulations/magnitudes.h"
 #include "formulations/modelling/model.h"
+#include "formulations/parts/inlined_part.h"
+#include "formulations/scaling/magnitudes.h"
 #include "formulations/variants.h"
 #include "tests/dead_point.h"
 #include "tests/every_variant.h"

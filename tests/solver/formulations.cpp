@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "bench/kit/cell.h"
-#include "cases/cases.h"
-#include "formulations/reference.h"
+#include "cases/generators/cases.h"
 #include "formulations/variants.h"
+#include "formulations/verification/reference/reference.h"
 #include "tests/every_variant.h"
 #include "tests/mechanisms.h"
 

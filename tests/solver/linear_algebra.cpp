@@ -9,12 +9,12 @@
 #include <limits>
 #include <set>
 
-#include "cases/cases.h"
+#include "cases/generators/cases.h"
 #include "formulations/algebra/backend.h"
 #include "formulations/algebra/klu_factors.h"
-#include "formulations/magnitudes.h"
-#include "formulations/reference.h"
+#include "formulations/scaling/magnitudes.h"
 #include "formulations/variants.h"
+#include "formulations/verification/reference/reference.h"
 #include "tests/mechanisms.h"
 
 namespace desmo::linear_algebra_test {

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "cases/cases.h"
-#include "formulations/incidence.h"
-#include "formulations/partition.h"
+#include "cases/generators/cases.h"
+#include "formulations/structure/incidence.h"
+#include "formulations/structure/partition.h"
 #include "tests/mechanisms.h"
 #include "tests/structure/linkages.h"
 

@@ -6,8 +6,8 @@
 #include <map>
 #include <set>
 
-#include "cases/cases.h"
-#include "formulations/modelling/structure.h"
+#include "cases/generators/cases.h"
+#include "formulations/modelling/groups/structure.h"
 #include "tests/describing.h"
 #include "tests/mechanisms.h"
 #include "tests/structure/linkages.h"

@@ -17,7 +17,7 @@
 #include "bench/kit/structure.h"
 #include "bench/kit/timing_windows.h"
 #include "bench/kit/verification.h"
-#include "cases/cases.h"
+#include "cases/generators/cases.h"
 #include "formulations/modelling/model.h"
 #include "formulations/variants.h"
 

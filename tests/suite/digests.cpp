@@ -16,9 +16,9 @@
 #include "bench/kit/model_digest.h"
 #include "bench/kit/result_digest.h"
 #include "bench/kit/verification.h"
-#include "cases/cases.h"
-#include "formulations/digest.h"
+#include "cases/generators/cases.h"
 #include "formulations/modelling/model.h"
+#include "formulations/runtime/digest.h"
 #include "formulations/variants.h"
 
 namespace desmo::suite::digests_test {

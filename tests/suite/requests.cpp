@@ -10,9 +10,9 @@
 #include "bench/experiments/paper/options.h"
 #include "bench/kit/request.h"
 #include "bench/kit/verification.h"
-#include "cases/cases.h"
-#include "cases/files.h"
-#include "cases/library.h"
+#include "cases/generators/cases.h"
+#include "cases/io/files.h"
+#include "cases/library/library.h"
 #include "formulations/variants.h"
 
 namespace desmo::suite::requests_test {

@@ -5,12 +5,12 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "cases/cases.h"
-#include "cases/files.h"
-#include "cases/library.h"
-#include "formulations/accuracy/drift.h"
+#include "cases/generators/cases.h"
+#include "cases/io/files.h"
+#include "cases/library/library.h"
 #include "formulations/modelling/model.h"
 #include "formulations/variants.h"
+#include "formulations/verification/reference/drift.h"
 
 namespace desmo::precision {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "formulations/settings.h"
+#include "formulations/base/settings.h"
 #include "formulations/variants.h"
 
 namespace desmo::precision {

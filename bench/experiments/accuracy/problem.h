@@ -1,9 +1,9 @@
 #pragma once
 
-#include "cases/motion.h"
+#include "cases/mechanism/motion.h"
 #include "formulations/equations/kernel_table.h"
-#include "formulations/plan.h"
-#include "formulations/reference.h"
+#include "formulations/planning/plan.h"
+#include "formulations/verification/reference/reference.h"
 
 namespace desmo::precision {
 

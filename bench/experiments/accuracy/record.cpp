@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/kit/time_json.h"
-#include "formulations/accuracy/condition.h"
+#include "formulations/verification/condition.h"
 
 namespace desmo::precision {
 

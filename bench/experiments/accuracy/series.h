@@ -3,7 +3,7 @@
 #include <regex>
 #include <vector>
 
-#include "cases/cases.h"
+#include "cases/generators/cases.h"
 #include "formulations/id.h"
 
 namespace desmo::precision {

@@ -7,7 +7,7 @@
 
 #include "bench/kit/cpu_clock.h"
 #include "bench/kit/delivery.h"
-#include "formulations/accuracy/violation.h"
+#include "formulations/verification/violation.h"
 
 namespace desmo::precision {
 

@@ -12,8 +12,8 @@
 #include "bench/kit/progress.h"
 #include "bench/kit/recording.h"
 #include "bench/kit/time_json.h"
-#include "cases/cases.h"
-#include "cases/files.h"
+#include "cases/generators/cases.h"
+#include "cases/io/files.h"
 #include "formulations/modelling/model.h"
 
 namespace desmo::precision {

@@ -9,7 +9,7 @@
 
 #include "bench/experiments/extremes/chain_solution.h"
 #include "bench/experiments/extremes/floor.h"
-#include "formulations/reference.h"
+#include "formulations/verification/reference/reference.h"
 
 namespace desmo::extreme {
 

@@ -6,7 +6,7 @@
 
 #include "bench/experiments/extremes/problem.h"
 #include "formulations/id.h"
-#include "formulations/safety/safe_run.h"
+#include "formulations/verification/monitor/safe_run.h"
 
 namespace desmo::extreme {
 

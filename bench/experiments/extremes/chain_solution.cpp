@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "formulations/accuracy/scales.h"
+#include "formulations/scaling/scales.h"
 
 namespace desmo::extreme {
 

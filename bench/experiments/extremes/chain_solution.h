@@ -3,10 +3,10 @@
 #include <span>
 #include <vector>
 
-#include "cases/dyad_chain.h"
-#include "cases/mechanism.h"
-#include "formulations/accuracy/reference_instant.h"
-#include "formulations/accuracy/wide_instant.h"
+#include "cases/generators/dyad_chain.h"
+#include "formulations/base/reference_instant.h"
+#include "formulations/model/mechanism.h"
+#include "formulations/verification/reference/wide_instant.h"
 
 namespace desmo::extreme {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "formulations/accuracy/error.h"
+#include "formulations/verification/error.h"
 
 namespace desmo::extreme {
 

@@ -2,8 +2,8 @@
 
 #include <span>
 
-#include "formulations/accuracy/condition.h"
-#include "formulations/accuracy/scales.h"
+#include "formulations/scaling/scales.h"
+#include "formulations/verification/condition.h"
 
 namespace desmo::extreme {
 

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "cases/extremes.h"
-#include "formulations/accuracy/per_level.h"
-#include "formulations/accuracy/reference_instant.h"
-#include "formulations/accuracy/scales.h"
+#include "cases/extremes/extremes.h"
+#include "formulations/base/per_level.h"
+#include "formulations/base/reference_instant.h"
 #include "formulations/modelling/model.h"
+#include "formulations/scaling/scales.h"
 
 namespace desmo::extreme {
 

@@ -13,7 +13,7 @@
 #include "bench/experiments/extremes/table.h"
 #include "bench/kit/kept_memory.h"
 #include "bench/kit/recording.h"
-#include "cases/cases.h"
+#include "cases/generators/cases.h"
 #include "formulations/algebra/blas.h"
 
 namespace desmo::extreme {

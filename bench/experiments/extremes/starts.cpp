@@ -3,7 +3,7 @@
 #include <cmath>
 #include <random>
 
-#include "formulations/accuracy/scales.h"
+#include "formulations/scaling/scales.h"
 
 namespace desmo::extreme {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "cases/extremes.h"
-#include "cases/mechanism.h"
+#include "cases/extremes/extremes.h"
+#include "formulations/model/mechanism.h"
 
 namespace desmo::extreme {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bench/experiments/extremes/judgement.h"
-#include "cases/extremes.h"
+#include "cases/extremes/extremes.h"
 
 namespace desmo::extreme {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "cases/cases.h"
+#include "cases/generators/cases.h"
 
 namespace desmo::counting {
 

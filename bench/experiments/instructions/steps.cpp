@@ -15,7 +15,7 @@
 
 #include "bench/experiments/instructions/monitored.h"
 #include "bench/regression/subject.h"
-#include "formulations/safety/safe_run.h"
+#include "formulations/verification/monitor/safe_run.h"
 
 namespace {
 

@@ -2,7 +2,7 @@
 
 #include <list>
 
-#include "cases/cases.h"
+#include "cases/generators/cases.h"
 
 namespace desmo::suite {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "bench/experiments/common_options.h"
-#include "cases/motion.h"
+#include "cases/mechanism/motion.h"
 
 namespace desmo::suite {
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "bench/kit/cpu_clock.h"
-#include "cases/cases.h"
-#include "cases/files.h"
+#include "cases/generators/cases.h"
+#include "cases/io/files.h"
 #include "formulations/modelling/model.h"
 #include "formulations/variants.h"
 

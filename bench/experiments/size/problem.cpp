@@ -5,8 +5,8 @@
 
 #include "bench/kit/structure.h"
 #include "bench/kit/verification.h"
-#include "formulations/plan.h"
-#include "formulations/reference.h"
+#include "formulations/planning/plan.h"
+#include "formulations/verification/reference/reference.h"
 
 namespace desmo::sizes {
 

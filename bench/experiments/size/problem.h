@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "cases/mechanism.h"
-#include "cases/motion.h"
-#include "formulations/accuracy/reference_instant.h"
+#include "cases/mechanism/motion.h"
+#include "formulations/base/reference_instant.h"
+#include "formulations/model/mechanism.h"
 
 namespace desmo::sizes {
 

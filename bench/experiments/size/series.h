@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bench/experiments/size/problem.h"
-#include "cases/cases.h"
+#include "cases/generators/cases.h"
 
 namespace desmo::sizes {
 

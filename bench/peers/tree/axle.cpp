@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "bench/peers/tree/nominal.h"
-#include "formulations/settings.h"
+#include "formulations/base/settings.h"
 
 namespace desmo::tree {
 

@@ -6,8 +6,8 @@
 
 #include "bench/peers/tree/delivery.h"
 #include "bench/peers/tree/moving.h"
-#include "cases/description.h"
-#include "cases/motion.h"
+#include "cases/mechanism/description.h"
+#include "cases/mechanism/motion.h"
 
 namespace desmo::tree {
 

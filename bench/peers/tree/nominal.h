@@ -4,7 +4,7 @@
 
 #include "bench/peers/named.h"
 #include "bench/peers/tree/moving.h"
-#include "cases/description.h"
+#include "cases/mechanism/description.h"
 
 namespace desmo::tree {
 

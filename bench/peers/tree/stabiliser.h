@@ -5,7 +5,7 @@
 
 #include "bench/peers/tree/axle.h"
 #include "bench/peers/tree/delivery.h"
-#include "cases/description.h"
+#include "cases/mechanism/description.h"
 
 namespace desmo::tree {
 

@@ -11,9 +11,9 @@
 #include "bench/peers/tree/damper.h"
 #include "bench/peers/tree/stabiliser.h"
 #include "bench/peers/tree/tree_peer.h"
-#include "formulations/motions_ahead.h"
-#include "formulations/part.h"
-#include "formulations/predictor.h"
+#include "formulations/base/part.h"
+#include "formulations/prediction/motions_ahead.h"
+#include "formulations/prediction/predictor.h"
 
 namespace desmo::tree {
 

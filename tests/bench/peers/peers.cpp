@@ -12,7 +12,7 @@
 #include <string>
 
 #include "bench/kit/peer_cell.h"
-#include "cases/cases.h"
+#include "cases/generators/cases.h"
 #include "formulations/modelling/model.h"
 
 namespace desmo::peers_test {

@@ -1,0 +1,47 @@
+#include "cases/generators/cases.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace desmo {
+
+std::span<const Case> cases() {
+  // 1002 coordinates: where the paper says that the four-bar's times begin to show.
+  static const std::array table{
+      Case{"four_bar", "dyads", &four_bar, 3, 3, {114, 225, 336, 447, 558}, {1002}},
+      Case{"truck_suspension", "axles", &truck_suspension, 3, 111, {114, 225, 336, 447, 558}, {}},
+  };
+  return table;
+}
+
+const Case& find_case(std::string_view name) {
+  const auto it = std::ranges::find(cases(), name, &Case::name);
+  if (it != cases().end()) return *it;
+  std::string known;
+  for (const Case& c : cases()) known += (known.empty() ? "" : ", ") + std::string(c.name);
+  throw std::invalid_argument("unknown case '" + std::string(name) + "'; there are: " + known);
+}
+
+Scene describe(const Case& c, int coordinates) {
+  const int units = (coordinates - c.base_coordinates) / c.coordinates_per_unit;
+  if (units < 1 || c.base_coordinates + units * c.coordinates_per_unit != coordinates)
+    throw std::invalid_argument(std::string(c.name) + ": no size has " +
+                                std::to_string(coordinates) + " coordinates; they are " +
+                                std::to_string(c.base_coordinates) + " + " +
+                                std::to_string(c.coordinates_per_unit) + " k, k = 1, 2, …");
+  return c.describe(units);
+}
+
+TimeGrid time_grid(double seconds, double step) {
+  const double intervals = std::round(seconds / step);
+  if (!(seconds > 0) || !(step > 0) || !std::isfinite(seconds) || !(intervals >= 1) ||
+      !(intervals <= 1e9 - 1))
+    throw std::invalid_argument(
+        "time grid: duration and step must be positive, with 2 to 1e9 instants");
+  return {0, step, static_cast<int>(intervals) + 1};
+}
+
+}  // namespace desmo

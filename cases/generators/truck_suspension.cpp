@@ -1,0 +1,168 @@
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include "cases/generators/cases.h"
+#include "cases/mechanism/describe.h"
+
+namespace desmo {
+
+namespace {
+
+using Vec = Description::Vec;
+using enum Description::JointType;
+using enum Description::CoordinateType;
+
+Vec operator+(const Vec& a, const Vec& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+Vec operator-(const Vec& a, const Vec& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+Vec operator-(const Vec& a) { return {-a[0], -a[1], -a[2]}; }
+Vec unit(const Vec& a) {
+  const double n = std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
+  return {a[0] / n, a[1] / n, a[2] / n};
+}
+/// The unit vector along a × b.
+Vec normal(const Vec& a, const Vec& b) {
+  return unit({a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]});
+}
+
+constexpr Vec x_axis{1, 0, 0}, y_axis{0, 1, 0}, z_axis{0, 0, 1};
+
+/// Describes one axle after the other; positions are relative to the axle's origin.
+class Builder {
+ public:
+  Builder() : d_("truck_suspension", 3), y1_(d_.vector("y1", y_axis)) {
+    d_.carry(Describer::ground, {}, {y1_});
+  }
+
+  void add_axle(int a) {
+    axle_ = "axle" + std::to_string(a + 1) + "/";
+    origin_ = {-1.4 * a, 0, 0.5};
+    add_axle_and_arms(a);
+    add_stabiliser("6", "8", +1);
+    add_stabiliser("7", "9", -1);
+    add_damper("10", "11", +1);
+    add_damper("12", "13", -1);
+  }
+
+  Scene scene() {
+    return {"truck_suspension", d_.take(), std::move(motions_), time_grid(30, 0.01), {}, {}};
+  }
+
+ private:
+  int point(const std::string& name, const Vec& at) { return d_.point(axle_ + name, origin_ + at); }
+  int ground_point(const std::string& name, const Vec& at) {
+    const int p = point(name, at);
+    d_.carry(Describer::ground, {p});
+    return p;
+  }
+  int vector(const std::string& name, const Vec& direction) {
+    return d_.vector(axle_ + name, direction);
+  }
+
+  /// Bodies 2 to 5: the rigid axle, the upper arm and the lower rods.
+  void add_axle_and_arms(int a) {
+    const Vec s{0, 0, 0.25}, c4{0, 0.5, -0.15}, c5{0, -0.5, -0.15};
+    const Vec r{0.6, 0, 0.30}, g4{0.8, 0.45, -0.15}, g5{0.8, -0.45, -0.15};
+    const Vec nominal_u4 = normal(z_axis, c4 - g4), nominal_u5 = normal(y_axis, c5 - g5);
+
+    const int WL = point("WL", {0, 1, 0}), S = point("S", s);
+    const int C4 = point("C4", c4), C5 = point("C5", c5), WR = point("WR", {0, -1, 0});
+    const int R = ground_point("R", r), G4 = ground_point("G4", g4), G5 = ground_point("G5", g5);
+    x2_ = vector("x2", x_axis);
+    y2_ = vector("y2", y_axis);
+    z2_ = vector("z2", z_axis);
+    const int n3 = vector("n3", normal(y_axis, s - r));
+    const int u4 = vector("u4", nominal_u4), n4 = vector("n4", normal(c4 - g4, nominal_u4));
+    const int u5 = vector("u5", nominal_u5), n5 = vector("n5", normal(c5 - g5, nominal_u5));
+
+    rigid_axle_ = d_.body(axle_ + "2", {WL, S, C4, C5, WR}, {x2_, y2_, z2_});
+    const int arm = d_.body(axle_ + "3", {R, S}, {y1_, n3});
+    const int rod4 = d_.body(axle_ + "4", {G4, C4}, {u4, n4});
+    const int rod5 = d_.body(axle_ + "5", {G5, C5}, {u5, n5});
+    d_.joint(spherical, rigid_axle_, arm, {S});
+    d_.joint(revolute, Describer::ground, arm, {R}, {y1_});
+    d_.joint(universal, rigid_axle_, rod4, {C4}, {z2_, u4});
+    d_.joint(universal, rigid_axle_, rod5, {C5}, {y2_, u5});
+    d_.joint(spherical, Describer::ground, rod4, {G4});
+    d_.joint(spherical, Describer::ground, rod5, {G5});
+
+    constexpr double turn = 2 * std::numbers::pi;
+    drive_height("zL", WL, {0.05, turn * 1.0, -0.3 * a});
+    drive_height("zR", WR, {0.05, turn * 1.3, 0.7 - 0.3 * a});
+  }
+
+  void drive_height(const std::string& name, int wheel_centre, const HarmonicSum::Term& term) {
+    Description::Coordinate& height = d_.coordinate(axle_ + name, component);
+    height.point = wheel_centre;
+    height.axis = 2;
+    height.driven = true;
+    motions_.push_back(HarmonicSum{0.5, {term}});
+  }
+
+  /// Lever and link of the stabiliser bar; side is +1 on the left.
+  void add_stabiliser(const std::string& lever, const std::string& link, int side) {
+    const Vec a{-0.2, side * 0.6, 0}, b{-0.5, side * 0.6, 0.05}, g{-0.5, side * 0.65, 0.45};
+    const Vec nominal_e = unit(b - a), nominal_u = normal(nominal_e, b - g);
+
+    const int A = point("A" + lever, a), B = point("B" + lever, b);
+    const int G = ground_point("G" + link, g);
+    const int e = d_.vector_along(axle_ + "e" + lever, nominal_e, A, B);
+    const int n = vector("n" + lever, normal(y_axis, b - a));
+    const int u = vector("u" + link, nominal_u), m = vector("n" + link, normal(b - g, nominal_u));
+    d_.carry(rigid_axle_, {A});
+    const int lever_body = d_.body(axle_ + lever, {A, B}, {y2_, e, n});
+    const int link_body = d_.body(axle_ + link, {B, G}, {u, m});
+    d_.joint(revolute, rigid_axle_, lever_body, {A}, {y2_});
+    d_.joint(universal, lever_body, link_body, {B}, {e, u});
+    d_.joint(spherical, Describer::ground, link_body, {G});
+
+    Description::Coordinate& phi = d_.coordinate(axle_ + "phi" + lever, angle);
+    phi.of = {-1, A, B};
+    phi.from = {x2_};
+    phi.opposite = true;
+    phi.towards = {z2_};
+  }
+
+  /// Rod and tube of a damper; side is +1 on the left.
+  void add_damper(const std::string& rod, const std::string& tube, int side) {
+    const Vec a{0.15, side * 0.7, 0.05}, t{0.1, side * 0.6, 0.65};
+    const Vec nominal_d = unit(t - a), nominal_u = normal(nominal_d, x_axis);
+    const Vec nominal_n = normal(nominal_d, nominal_u);
+
+    const int A = point("A" + rod, a), T = ground_point("T" + tube, t);
+    const int axis = vector("d" + rod, nominal_d), u = vector("u" + rod, nominal_u);
+    const int n = vector("n" + rod, nominal_n), m = vector("n" + tube, -nominal_n);
+    d_.carry(rigid_axle_, {A});
+    const int rod_body = d_.body(axle_ + rod, {A}, {axis, u, n});
+    const int tube_body = d_.body(axle_ + tube, {T}, {axis, u, m});
+    d_.joint(universal, rigid_axle_, rod_body, {A}, {x2_, u});
+    d_.joint(prismatic, rod_body, tube_body, {A, T}, {axis, u});
+    d_.joint(spherical, Describer::ground, tube_body, {T});
+
+    Description::Coordinate& s = d_.coordinate(axle_ + "s" + rod, along);
+    s.of = {-1, A, T};
+    s.vector = axis;
+  }
+
+  Describer d_;
+  int y1_;
+  std::vector<Motion> motions_;
+  std::string axle_;  ///< prefix of the names of the axle under construction
+  Vec origin_{};      ///< its origin
+  int rigid_axle_ = 0, x2_ = 0, y2_ = 0, z2_ = 0;
+};
+
+}  // namespace
+
+Scene truck_suspension(int axles) {
+  if (axles < 1 || axles > 100'000)
+    throw std::invalid_argument("truck_suspension: from 1 to 100000 axles, not " +
+                                std::to_string(axles));
+  Builder builder;
+  for (int a = 0; a < axles; ++a) builder.add_axle(a);
+  return builder.scene();
+}
+
+}  // namespace desmo

@@ -1,0 +1,104 @@
+#include <array>
+
+#include "cases/io/mechanism_reader.h"
+#include "cases/mechanism/names.h"
+
+namespace desmo {
+namespace {
+
+using Coordinate = Description::Coordinate;
+using Type = Description::CoordinateType;
+
+class CoordinateReader {
+ public:
+  CoordinateReader(int dimension, const Units& units, const Names& names)
+      : dimension_(dimension), units_(units), names_(names) {}
+
+  Coordinate read(const JsonValue& value) const {
+    Coordinate c;
+    c.name = checked_name(value, value.key());
+    value.allow({"angle", "distance", "component", "from", "towards", "along", "axis", "estimate"});
+    const auto angle = value.find("angle"), distance = value.find("distance"),
+               component = value.find("component");
+    if (angle.has_value() + distance.has_value() + component.has_value() != 1)
+      value.complain("must measure one thing; give angle, distance or component, one of them");
+    if (angle) read_angle(value, c);
+    if (distance) read_distance(value, c);
+    if (component) read_component(value, c);
+    if (const auto estimate = value.find("estimate"))
+      c.estimate = estimate->number() * (c.type == Type::angle ? units_.angle : units_.length);
+    return c;
+  }
+
+ private:
+  void read_angle(const JsonValue& value, Coordinate& c) const {
+    value.allow({"angle", "from", "towards", "estimate"});
+    c.type = Type::angle;
+    c.of = read_direction(value["angle"], names_);
+    if (dimension_ == 2) {
+      if (const auto towards = value.find("towards"))
+        towards->complain("is for space, this mechanism is plane; leave it out");
+      if (const auto from = value.find("from")) c.from = read_direction(*from, names_);
+      return;
+    }
+    const JsonValue from = value["from"];
+    std::string_view name = from.text();
+    c.opposite = name.starts_with('-');
+    if (c.opposite) name.remove_prefix(1);
+    c.from.vector = names_.vectors.find(from, name);
+    c.towards.vector = names_.vectors.find(value["towards"]);
+  }
+
+  void read_distance(const JsonValue& value, Coordinate& c) const {
+    value.allow({"distance", "along", "estimate"});
+    c.type = Type::distance;
+    const auto [from, to] = names_.points.find_pair(value["distance"]);
+    c.of.from = from;
+    c.of.to = to;
+    const auto along = value.find("along");
+    if (!along) return;
+    c.type = Type::along;
+    c.vector = names_.vectors.find(*along);
+  }
+
+  void read_component(const JsonValue& value, Coordinate& c) const {
+    value.allow({"component", "axis", "estimate"});
+    c.type = Type::component;
+    c.point = names_.points.find(value["component"]);
+    const JsonValue axis = value["axis"];
+    const std::string_view name = axis.text();
+    c.axis = name == "x" ? 0 : name == "y" ? 1 : name == "z" ? 2 : -1;
+    if (c.axis < 0) axis.complain("unknown axis " + in_quotes(name) + "; there are 'x', 'y', 'z'");
+    if (c.axis >= dimension_)
+      axis.complain("there is no z in the plane; give 'x' or 'y', or the mechanism dimension 3");
+  }
+
+  int dimension_;
+  const Units& units_;
+  const Names& names_;
+};
+
+void read_drivers(const JsonValue& list, const Names& names, std::vector<Coordinate>& coordinates) {
+  for (const JsonValue& value : list.elements()) {
+    Coordinate& c = coordinates[names.coordinates.find(value)];
+    if (c.driven) value.complain("names " + in_quotes(c.name) + " twice; name it once");
+    c.driven = true;
+  }
+}
+
+}  // namespace
+
+std::vector<Coordinate> read_coordinates(const JsonValue& root, int dimension, const Units& units,
+                                         Names& names) {
+  std::vector<Coordinate> coordinates;
+  const CoordinateReader reader(dimension, units, names);
+  if (const auto list = root.find("coordinates"))
+    for (const JsonValue& value : list->members()) {
+      coordinates.push_back(reader.read(value));
+      names.coordinates.add(value.key());
+    }
+  if (const auto drivers = root.find("drivers")) read_drivers(*drivers, names, coordinates);
+  return coordinates;
+}
+
+}  // namespace desmo

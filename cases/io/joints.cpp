@@ -1,0 +1,72 @@
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "cases/io/mechanism_reader.h"
+#include "cases/mechanism/joint_forms.h"
+#include "cases/mechanism/names.h"
+
+namespace desmo {
+namespace {
+
+Description::JointType read_type(const JsonValue& value) {
+  const auto form = std::ranges::find(joint_forms(), value.text(), &JointForm::name);
+  if (form != joint_forms().end()) return form->type;
+  std::vector<std::string_view> names;
+  for (const JointForm& known : joint_forms())
+    if (std::ranges::find(names, known.name) == names.end()) names.push_back(known.name);
+  value.complain("unknown type of joint " + in_quotes(value.text()) + "; " +
+                 suggestion(value.text(), names));
+}
+
+Description::Joint read_joint(const JsonValue& value, const Names& names) {
+  value.allow({"name", "type", "bodies", "points", "vectors"});
+  Description::Joint joint;
+  if (const auto name = value.find("name")) joint.name = checked_name(*name, name->text());
+  joint.type = read_type(value["type"]);
+  joint.bodies = names.bodies.find_pair(value["bodies"]);
+  if (const auto points = value.find("points")) joint.points = names.points.find_each(*points);
+  if (const auto vectors = value.find("vectors")) joint.vectors = names.vectors.find_each(*vectors);
+  return joint;
+}
+
+// type/first body/second body, numbered from the second of these on.
+class DefaultNames {
+ public:
+  explicit DefaultNames(const std::vector<Description::Joint>& joints) {
+    for (const Description::Joint& joint : joints) taken_.insert(joint.name);
+  }
+
+  std::string next(const std::string& stem) {
+    int& count = counts_[stem];
+    std::string name;
+    do {
+      name = ++count == 1 ? stem : stem + "/" + std::to_string(count);
+    } while (!taken_.insert(name).second);
+    return name;
+  }
+
+ private:
+  std::set<std::string> taken_;
+  std::map<std::string, int> counts_;
+};
+
+}  // namespace
+
+std::vector<Description::Joint> read_joints(const JsonValue& root,
+                                            const std::vector<Description::Body>& bodies,
+                                            const Names& names) {
+  std::vector<Description::Joint> joints;
+  const JsonValue list = root["joints"];
+  const std::vector<JsonValue> values = list.elements();
+  for (const JsonValue& value : values) joints.push_back(read_joint(value, names));
+  DefaultNames defaults(joints);
+  for (std::size_t i = 0; i < joints.size(); ++i)
+    if (joints[i].name.empty())
+      joints[i].name =
+          defaults.next(std::string(values[i]["type"].text()) + "/" +
+                        bodies[joints[i].bodies[0]].name + "/" + bodies[joints[i].bodies[1]].name);
+  return joints;
+}
+
+}  // namespace desmo

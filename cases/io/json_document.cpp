@@ -1,0 +1,316 @@
+#include "cases/io/json_document.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "cases/io/files.h"
+#include "cases/io/text_file.h"
+#include "cases/mechanism/names.h"
+
+namespace desmo {
+namespace {
+
+constexpr std::size_t deepest_nesting = 32;
+constexpr std::size_t most_values = 10'000'000;
+
+bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
+
+std::string line_and_column(std::string_view text, std::size_t at) {
+  const std::string_view before = text.substr(0, at);
+  const std::size_t line_end = before.rfind('\n');
+  const std::string_view line =
+      line_end == std::string_view::npos ? before : before.substr(line_end + 1);
+  const auto lines = std::ranges::count(before, '\n');
+  const auto columns = std::ranges::count_if(line, [](char c) { return !continues_character(c); });
+  return "line " + std::to_string(lines + 1) + ", column " + std::to_string(columns + 1);
+}
+
+// The word or number around a position.
+std::string word_at(std::string_view text, std::size_t at) {
+  const auto belongs = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) || c == '+' || c == '-' || c == '.';
+  };
+  std::size_t begin = at, end = at;
+  while (begin > 0 && belongs(text[begin - 1])) --begin;
+  while (end < text.size() && belongs(text[end])) ++end;
+  std::string word(text.substr(begin, end - begin));
+  for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return word;
+}
+
+bool is_not_finite(std::string_view word) {
+  if (word.starts_with('-') || word.starts_with('+')) word.remove_prefix(1);
+  return word == "nan" || word == "inf" || word == "infinity";
+}
+
+// "[json.exception.parse_error.101] parse error at line 1, column 5: syntax error while parsing
+// value - unexpected ']'; expected …" without its preliminaries and the text it read last, which
+// can be of any length.
+std::string library_message(const char* what) {
+  std::string_view message = what;
+  if (const auto id = message.find("] "); id != message.npos) message.remove_prefix(id + 2);
+  if (message.starts_with("parse error at line"))
+    message.remove_prefix(std::min(message.size(), message.find(": ") + 2));
+  const auto last_read = message.find("; last read: '");
+  if (last_read == message.npos) return printable(message, 200);
+  const auto expected = message.rfind("'; expected ");
+  std::string shortened(message.substr(0, last_read));
+  if (expected != message.npos && expected > last_read) shortened += message.substr(expected + 1);
+  return printable(shortened, 200);
+}
+
+std::string syntax_complaint(std::string_view text, std::size_t at, int library_id,
+                             const char* library_what) {
+  constexpr int number_overflow = 406;
+  if (at >= text.size())
+    return "the text ends before its value is complete; is the file truncated?";
+  if (is_not_finite(word_at(text, at)))
+    return "NaN and Infinity are not numbers of JSON; give a finite number";
+  if (library_id == number_overflow) return "the number is too large; give one below 1e100";
+  if (text[at] == '/' || text[at] == '#') return "JSON has no comments; leave them out";
+  const std::string message = library_message(library_what);
+  if (message.find("UTF-8") != message.npos)
+    return "the text is not UTF-8; save the file in that encoding";
+  return message + "; correct the JSON there";
+}
+
+std::string pointer_token(std::string_view key) {
+  std::string token;
+  for (const char c : printable(key)) {
+    if (c == '~')
+      token += "~0";
+    else if (c == '/')
+      token += "~1";
+    else
+      token += c;
+  }
+  return "/" + token;
+}
+
+}  // namespace
+
+// Receives the events of nlohmann's parser. Its own tree of values would be slow to search and, in
+// the order of the file, take quadratic time to build.
+class JsonDocument::Builder {
+ public:
+  Builder(JsonDocument& document, std::string_view text) : document_(document), text_(text) {}
+
+  bool null() { return add(Kind::null); }
+  bool boolean(bool value) { return add(Kind::boolean, value ? 1 : 0); }
+  bool number_integer(std::int64_t value) { return add(Kind::number, static_cast<double>(value)); }
+  bool number_unsigned(std::uint64_t value) {
+    return add(Kind::number, static_cast<double>(value));
+  }
+  bool number_float(double value, const std::string&) { return add(Kind::number, value); }
+  bool string(const std::string& value) { return add(Kind::string, 0, store(value)); }
+  bool binary(const std::vector<std::uint8_t>&) { return false; }  // not in text
+
+  bool start_object(std::size_t) { return open(Kind::object); }
+  bool end_object() { return close(); }
+  bool start_array(std::size_t) { return open(Kind::array); }
+  bool end_array() { return close(); }
+
+  bool key(const std::string& key) {
+    if (!open_.back().keys.insert(key).second)
+      document_.complain(document_.pointer(open_.back().node) + pointer_token(key),
+                         "the key is given twice in one object; keep one");
+    key_ = store(key);
+    return true;
+  }
+
+  bool parse_error(std::size_t position, const std::string&,
+                   const nlohmann::json::exception& error) {
+    const std::size_t at = std::min(position > 0 ? position - 1 : 0, text_.size());
+    document_.complain(line_and_column(text_, at),
+                       syntax_complaint(text_, at, error.id, error.what()));
+  }
+
+ private:
+  struct Open {
+    std::uint32_t node;
+    std::set<std::string> keys;
+  };
+
+  Span store(const std::string& text) {
+    const Span span{static_cast<std::uint32_t>(document_.texts_.size()),
+                    static_cast<std::uint32_t>(text.size())};
+    document_.texts_ += text;
+    return span;
+  }
+
+  bool add(Kind kind, double number = 0, Span text = {}) {
+    std::vector<Node>& nodes = document_.nodes_;
+    if (nodes.size() == most_values)
+      document_.complain(
+          document_.pointer(static_cast<std::uint32_t>(nodes.size() - 1)),
+          "has more than " + std::to_string(most_values) + " values up to here; divide the file");
+    nodes.push_back({number, text, key_, static_cast<std::uint32_t>(nodes.size() + 1), kind});
+    key_ = {};
+    return true;
+  }
+
+  bool open(Kind kind) {
+    const auto node = static_cast<std::uint32_t>(document_.nodes_.size());
+    add(kind);
+    document_.nodes_.back().end = 0;
+    if (open_.size() == deepest_nesting)
+      document_.complain(document_.pointer(node), "is nested more than " +
+                                                      std::to_string(deepest_nesting) +
+                                                      " levels deep; write it flatter");
+    open_.push_back({node, {}});
+    return true;
+  }
+
+  bool close() {
+    document_.nodes_[open_.back().node].end = static_cast<std::uint32_t>(document_.nodes_.size());
+    open_.pop_back();
+    return true;
+  }
+
+  JsonDocument& document_;
+  std::string_view text_;
+  std::vector<Open> open_;
+  Span key_;  // of the next value
+};
+
+JsonDocument::JsonDocument(std::string_view text, std::string file_name)
+    : file_name_(std::move(file_name)) {
+  if (text.size() > largest_file)
+    complain("top level", "the text is larger than 64 MiB; divide it");
+  if (text.find_first_not_of(" \t\r\n") == text.npos)
+    complain("top level", "the text is empty; give one JSON object");
+  Builder builder(*this, text);
+  nlohmann::json::sax_parse(text, &builder);
+}
+
+JsonValue JsonDocument::root() const { return {this, 0}; }
+
+// From the root down: what contains the node is the last child that begins before or at it.
+std::string JsonDocument::pointer(std::uint32_t node) const {
+  std::string path;
+  for (std::uint32_t at = 0; at != node;) {
+    std::uint32_t child = at + 1;
+    std::size_t position = 0;
+    for (; nodes_[child].end != 0 && nodes_[child].end <= node; ++position)
+      child = nodes_[child].end;
+    path += nodes_[at].kind == Kind::array ? "/" + std::to_string(position)
+                                           : pointer_token(view(nodes_[child].key));
+    at = child;
+  }
+  return path;
+}
+
+void JsonDocument::complain(const std::string& place, const std::string& what) const {
+  throw InputError(printable(file_name_, 300) + ": " + (place.empty() ? "top level" : place) +
+                   ": " + what);
+}
+
+std::string_view JsonValue::key() const { return document_->view(node().key); }
+
+std::vector<JsonValue> JsonValue::children() const {
+  std::vector<JsonValue> result;
+  for (std::uint32_t at = node_ + 1; at < node().end; at = document_->nodes_[at].end)
+    result.push_back({document_, at});
+  return result;
+}
+
+std::vector<JsonValue> JsonValue::members() const {
+  expect(JsonDocument::Kind::object, "an object, { … }");
+  return children();
+}
+
+std::vector<JsonValue> JsonValue::elements() const {
+  expect(JsonDocument::Kind::array, "a list, [ … ]");
+  return children();
+}
+
+std::optional<JsonValue> JsonValue::find(std::string_view key) const {
+  expect(JsonDocument::Kind::object, "an object, { … }");
+  for (std::uint32_t at = node_ + 1; at < node().end; at = document_->nodes_[at].end)
+    if (document_->view(document_->nodes_[at].key) == key) return JsonValue(document_, at);
+  return std::nullopt;
+}
+
+JsonValue JsonValue::operator[](std::string_view key) const {
+  if (auto member = find(key)) return *member;
+  complain("the key " + in_quotes(key) + " is missing; add it");
+}
+
+void JsonValue::allow(std::initializer_list<std::string_view> keys) const {
+  for (const JsonValue& member : members())
+    if (std::ranges::find(keys, member.key()) == keys.end())
+      member.complain("unknown key " + in_quotes(member.key()) + "; " +
+                      suggestion(member.key(), {keys.begin(), keys.size()}));
+}
+
+std::string_view JsonValue::text() const {
+  expect(JsonDocument::Kind::string, "a text");
+  return document_->view(node().text);
+}
+
+std::string_view JsonValue::line() const {
+  constexpr std::size_t longest_line = 200;
+  const std::string_view line = text();
+  if (line.empty()) complain("is empty; give a text");
+  const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
+  if (std::ranges::any_of(line, is_control))
+    complain(in_quotes(line) + " has control characters; leave them out");
+  const auto characters =
+      std::ranges::count_if(line, [](char c) { return !continues_character(c); });
+  if (characters > static_cast<std::ptrdiff_t>(longest_line))
+    complain(in_quotes(line) + " is longer than " + std::to_string(longest_line) +
+             " characters; shorten it");
+  return line;
+}
+
+double JsonValue::number() const {
+  constexpr double largest_number = 1e100;
+  expect(JsonDocument::Kind::number, "a number");
+  if (!(std::abs(node().number) <= largest_number))
+    complain("the number is too large; give one below 1e100");
+  return node().number;
+}
+
+int JsonValue::whole_number(int least, int most) const {
+  const double value = number();
+  if (value != std::floor(value) || value < least || value > most)
+    complain("must be a whole number from " + std::to_string(least) + " to " +
+             std::to_string(most) + "; choose one");
+  return static_cast<int>(value);
+}
+
+bool JsonValue::boolean() const {
+  expect(JsonDocument::Kind::boolean, "true or false");
+  return node().number != 0;
+}
+
+void JsonValue::complain(const std::string& what) const {
+  document_->complain(document_->pointer(node_), what);
+}
+
+void JsonValue::expect(JsonDocument::Kind expected, const char* what) const {
+  if (kind() == expected) return;
+  const auto name = [this]() -> const char* {
+    switch (kind()) {
+      case JsonDocument::Kind::null:
+        return "null";
+      case JsonDocument::Kind::boolean:
+        return node().number != 0 ? "true" : "false";
+      case JsonDocument::Kind::number:
+        return "a number";
+      case JsonDocument::Kind::string:
+        return "a text";
+      case JsonDocument::Kind::array:
+        return "a list";
+      case JsonDocument::Kind::object:
+        return "an object";
+    }
+    return "something else";
+  };
+  complain(std::string("is ") + name() + "; give " + what);
+}
+
+}  // namespace desmo

@@ -1,0 +1,110 @@
+#include <nlohmann/json.hpp>
+
+#include "cases/io/files.h"
+#include "cases/mechanism/names.h"
+
+namespace desmo {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Direction = Description::Direction;
+
+class Writer {
+ public:
+  explicit Writer(const Description& d) : d_(d) {}
+
+  Json write() const {
+    Json j = {{"format", "desmo-mechanism"}, {"version", 1}, {"name", d_.name}};
+    if (!d_.title.empty()) j["title"] = d_.title;
+    j["dimension"] = d_.dimension;
+    if (d_.length_unit != "m") j["units"] = {{"length", d_.length_unit}};
+    j["points"] = Json::object();
+    for (const Description::Point& p : d_.points) j["points"][p.name] = components(p.position);
+    if (!d_.vectors.empty()) j["vectors"] = Json::object();
+    for (const Description::Vector& v : d_.vectors)
+      j["vectors"][v.name] = v.along ? Json{{"along", {point((*v.along)[0]), point((*v.along)[1])}}}
+                                     : Json(components(v.direction));
+    j["ground"] = body(d_.bodies.front());
+    j["bodies"] = Json::object();
+    for (std::size_t b = 1; b < d_.bodies.size(); ++b)
+      j["bodies"][d_.bodies[b].name] = body(d_.bodies[b]);
+    j["joints"] = Json::array();
+    for (const Description::Joint& joint : d_.joints) j["joints"].push_back(write(joint));
+    j["coordinates"] = Json::object();
+    j["drivers"] = Json::array();
+    for (const Description::Coordinate& c : d_.coordinates) {
+      j["coordinates"][c.name] = write(c);
+      if (c.driven) j["drivers"].push_back(c.name);
+    }
+    return j;
+  }
+
+ private:
+  const std::string& point(int p) const { return d_.points[p].name; }
+
+  Json components(const Description::Vec& v) const {
+    Json list = Json::array();
+    for (int i = 0; i < d_.dimension; ++i) list.push_back(v[i]);
+    return list;
+  }
+
+  Json body(const Description::Body& b) const {
+    Json j = Json::object();
+    for (const int p : b.points) j["points"].push_back(point(p));
+    for (const int v : b.vectors) j["vectors"].push_back(d_.vectors[v].name);
+    if (b.length) j["length"] = *b.length;
+    return j;
+  }
+
+  Json write(const Description::Joint& joint) const {
+    Json j = Json::object();
+    if (is_name(joint.name)) j["name"] = joint.name;  // one made of long names may be too long
+    j["type"] = joint_types[static_cast<int>(joint.type)];
+    j["bodies"] = {d_.bodies[joint.bodies[0]].name, d_.bodies[joint.bodies[1]].name};
+    for (const int p : joint.points) j["points"].push_back(point(p));
+    for (const int v : joint.vectors) j["vectors"].push_back(d_.vectors[v].name);
+    return j;
+  }
+
+  Json direction(const Direction& d) const {
+    if (d.is_segment()) return Json::array({point(d.from), point(d.to)});
+    return d_.vectors[d.vector].name;
+  }
+
+  Json write(const Description::Coordinate& c) const {
+    using enum Description::CoordinateType;
+    Json j;
+    switch (c.type) {
+      case angle:
+        j["angle"] = direction(c.of);
+        if (c.opposite)
+          j["from"] = "-" + d_.vectors[c.from.vector].name;
+        else if (c.from.is_given())
+          j["from"] = direction(c.from);
+        if (c.towards.is_given()) j["towards"] = direction(c.towards);
+        break;
+      case distance:
+      case along:
+        j["distance"] = direction(c.of);
+        if (c.type == along) j["along"] = d_.vectors[c.vector].name;
+        break;
+      case component:
+        j["component"] = point(c.point);
+        j["axis"] = std::string(1, "xyz"[c.axis]);
+    }
+    if (c.estimate) j["estimate"] = *c.estimate;
+    return j;
+  }
+
+  static constexpr const char* joint_types[] = {"revolute",    "prismatic", "revolute_on_slider",
+                                                "cylindrical", "universal", "spherical",
+                                                "fixed"};
+
+  const Description& d_;
+};
+
+}  // namespace
+
+std::string write_mechanism(const Description& d) { return Writer(d).write().dump(1) + "\n"; }
+
+}  // namespace desmo

@@ -1,0 +1,178 @@
+#include "cases/io/motions.h"
+
+#include <array>
+#include <cstdio>
+#include <numbers>
+#include <optional>
+#include <stdexcept>
+
+#include "cases/io/name_table.h"
+#include "cases/mechanism/names.h"
+
+namespace desmo {
+namespace {
+
+constexpr std::size_t most_coefficients = 100;
+
+std::vector<double> read_numbers(const JsonValue& list, double unit) {
+  std::vector<double> numbers;
+  for (const JsonValue& value : list.elements()) numbers.push_back(value.number() * unit);
+  return numbers;
+}
+
+// What is open is refused where it would be used.
+[[noreturn]] void complain_of_open_unit(const JsonValue& value, const std::string& kind,
+                                        std::string_view name) {
+  value.complain("the mechanism has its " + kind + "s in '" + std::string(name) +
+                 "', and the scene does not say in what this is; give \"version\": 2, in which the "
+                 "mechanism's units hold, or \"units\": {\"" +
+                 kind + "\": \"" + std::string(name) + "\"}");
+}
+
+double angle_unit(const JsonValue& value, const Units& units) {
+  if (units.angle_is_open) complain_of_open_unit(value, "angle", units.angle_name);
+  return units.angle;
+}
+
+double length_unit(const JsonValue& value, const Units& units) {
+  if (units.length_is_open) complain_of_open_unit(value, "length", units.length_name);
+  return units.length;
+}
+
+Motion read_constant(const JsonValue& value, double unit) {
+  value.allow({"type", "value"});
+  return Polynomial{{value["value"].number() * unit}};
+}
+
+Motion read_polynomial(const JsonValue& value, double unit) {
+  value.allow({"type", "coefficients"});
+  const JsonValue coefficients = value["coefficients"];
+  const std::size_t count = coefficients.elements().size();
+  if (count < 1 || count > most_coefficients)
+    coefficients.complain("has " + std::to_string(count) + " coefficients; give 1 to " +
+                          std::to_string(most_coefficients));
+  return Polynomial{read_numbers(coefficients, unit)};
+}
+
+Motion read_harmonic(const JsonValue& value, double unit, const Units& units) {
+  value.allow({"type", "mean", "terms"});
+  HarmonicSum sum;
+  if (const auto mean = value.find("mean")) sum.mean = mean->number() * unit;
+  const JsonValue terms = value["terms"];
+  for (const JsonValue& term : terms.elements()) {
+    term.allow({"amplitude", "frequency", "phase"});
+    HarmonicSum::Term& t = sum.terms.emplace_back();
+    t.amplitude = term["amplitude"].number() * unit;
+    t.angular_frequency = 2 * std::numbers::pi * term["frequency"].number();
+    if (const auto phase = term.find("phase"))
+      t.phase = phase->number() * angle_unit(*phase, units);
+  }
+  if (sum.terms.empty()) terms.complain("has no terms; give one, or a motion of type 'constant'");
+  return sum;
+}
+
+SplineEnds read_ends(const JsonValue& value) {
+  constexpr std::array<std::string_view, 3> names{"natural", "clamped", "periodic"};
+  constexpr std::array ends{SplineEnds::natural, SplineEnds::clamped, SplineEnds::periodic};
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (value.text() == names[i]) return ends[i];
+  value.complain("unknown ends " + in_quotes(value.text()) + "; " +
+                 suggestion(value.text(), names));
+}
+
+Motion read_table(const JsonValue& value, double unit) {
+  value.allow({"type", "times", "values", "ends"});
+  const JsonValue times = value["times"], values = value["values"];
+  std::vector<double> t = read_numbers(times, 1), z = read_numbers(values, unit);
+  if (t.size() != z.size())
+    values.complain("has " + std::to_string(z.size()) + " values for " + std::to_string(t.size()) +
+                    " times; give as many");
+  if (t.size() < 2)
+    times.complain("has " + std::to_string(t.size()) + " times; a table needs 2 or more");
+  for (std::size_t i = 1; i < t.size(); ++i)
+    if (!(t[i] > t[i - 1]))
+      times.elements()[i].complain("is not after the time before it; give ascending times");
+  const auto given = value.find("ends");
+  try {
+    return make_spline(std::move(t), std::move(z), given ? read_ends(*given) : SplineEnds::natural);
+  } catch (const std::invalid_argument& error) {
+    value.complain(std::string(error.what()) + "; change the table or its ends");
+  }
+}
+
+std::vector<int> driven_coordinates(const Description& mechanism) {
+  std::vector<int> driven;
+  for (int i = 0; i < static_cast<int>(mechanism.coordinates.size()); ++i)
+    if (mechanism.coordinates[i].driven) driven.push_back(i);
+  return driven;
+}
+
+[[noreturn]] void complain_not_driven(const JsonValue& value, const Description& mechanism,
+                                      const NameTable& drivers) {
+  for (const Description::Coordinate& c : mechanism.coordinates)
+    if (c.name == value.key())
+      value.complain("the coordinate " + in_quotes(c.name) +
+                     " is not driven; name it in the mechanism's drivers or leave its motion out");
+  drivers.find(value, value.key());
+  value.complain("is not driven; leave it out");
+}
+
+}  // namespace
+
+Motion read_motion(const JsonValue& value, Description::CoordinateType coordinate,
+                   const Units& units) {
+  const double unit = coordinate == Description::CoordinateType::angle ? angle_unit(value, units)
+                                                                       : length_unit(value, units);
+  const JsonValue type = value["type"];
+  const std::string_view name = type.text();
+  if (name == "constant") return read_constant(value, unit);
+  if (name == "polynomial") return read_polynomial(value, unit);
+  if (name == "harmonic") return read_harmonic(value, unit, units);
+  if (name == "table") return read_table(value, unit);
+  constexpr std::array<std::string_view, 4> types{"constant", "polynomial", "harmonic", "table"};
+  type.complain("unknown type of motion " + in_quotes(name) + "; " + suggestion(name, types));
+}
+
+std::vector<Motion> read_motions(const JsonValue& root, const Description& mechanism,
+                                 const Units& units, std::vector<Motion> known) {
+  const std::vector<int> driven = driven_coordinates(mechanism);
+  std::vector<bool> has_motion(driven.size(), known.size() == driven.size());
+  known.resize(driven.size());
+  const auto given = root.find("motion");
+  if (given) {
+    NameTable drivers("driven coordinate");
+    for (const int c : driven) drivers.add(mechanism.coordinates[c].name);
+    for (const JsonValue& value : given->members()) {
+      const auto i = drivers.position(value.key());
+      if (!i) complain_not_driven(value, mechanism, drivers);
+      known[*i] = read_motion(value, mechanism.coordinates[driven[*i]].type, units);
+      has_motion[*i] = true;
+    }
+  }
+  for (std::size_t i = 0; i < driven.size(); ++i)
+    if (!has_motion[i])
+      given.value_or(root).complain("the driven coordinate " +
+                                    in_quotes(mechanism.coordinates[driven[i]].name) +
+                                    " has no motion; give one in \"motion\"");
+  return known;
+}
+
+void check_tables(const JsonValue& root, const Description& mechanism,
+                  const std::vector<Motion>& motions, const TimeGrid& grid) {
+  const std::vector<int> driven = driven_coordinates(mechanism);
+  const double rounding = 1e-6 * grid.step;
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    const auto* const spline = std::get_if<Spline>(&motions[i]);
+    if (!spline || (grid.time(0) >= spline->first_time() - rounding &&
+                    grid.time(grid.instants - 1) <= spline->last_time() + rounding))
+      continue;
+    const std::string& name = mechanism.coordinates[driven[i]].name;
+    char range[80];
+    std::snprintf(range, sizeof range, "from %g s to %g s", spline->first_time(),
+                  spline->last_time());
+    root.find("time").value_or(root).complain("the table of " + in_quotes(name) + " reaches only " +
+                                              range + "; analyse no other times or extend it");
+  }
+}
+
+}  // namespace desmo

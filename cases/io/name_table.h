@@ -1,0 +1,38 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cases/io/json_document.h"
+
+namespace desmo {
+
+/// The names of one kind of thing and their positions. The texts must outlive it.
+class NameTable {
+ public:
+  explicit NameTable(std::string kind) : kind_(std::move(kind)) {}
+
+  /// At the next position. A name that is already there keeps its position.
+  void add(std::string_view name);
+
+  std::optional<int> position(std::string_view name) const;
+  /// Of what a text of the document names; complains, with the nearest names, when there is none.
+  int find(const JsonValue& value) const { return find(value, value.text()); }
+  int find(const JsonValue& place, std::string_view name) const;
+  std::vector<int> find_each(const JsonValue& list) const;
+  /// Two different names.
+  std::array<int, 2> find_pair(const JsonValue& list) const;
+
+  const std::vector<std::string_view>& names() const { return names_; }
+
+ private:
+  std::string kind_;
+  std::vector<std::string_view> names_;
+  std::map<std::string_view, int> positions_;
+};
+
+}  // namespace desmo

@@ -1,0 +1,207 @@
+#include "cases/io/request.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+
+#include "cases/io/name_table.h"
+#include "cases/mechanism/carriers.h"
+#include "cases/mechanism/names.h"
+
+namespace desmo {
+namespace {
+
+using Kind = Wanted::Kind;
+
+constexpr int most_patterns = 100;  // each is compared with every name
+constexpr int not_wanted = -1;
+
+template <class Entry>
+std::vector<bool> carried(const std::vector<Entry>& entries, const Carriers& carriers) {
+  std::vector<bool> result(entries.size(), false);
+  for (const Carriers::Pair& pair : carriers.pairs()) result[pair.entity] = true;
+  return result;
+}
+
+// One key of a request: what can be asked for under it, by name and position.
+class Selection {
+ public:
+  Selection(std::string key, const std::string& kind) : key_(std::move(key)), table_(kind) {}
+
+  void add(std::string_view name, int position) {
+    table_.add(name);
+    positions_.push_back(position);
+  }
+
+  const std::string& key() const { return key_; }
+  bool has(std::string_view name) const { return table_.position(name).has_value(); }
+  int find(const JsonValue& value) const { return positions_[table_.find(value)]; }
+
+  std::vector<int> match(const JsonValue& pattern) const {
+    std::vector<int> found;
+    for (std::size_t i = 0; i < positions_.size(); ++i)
+      if (matches(pattern.text(), table_.names()[i])) found.push_back(positions_[i]);
+    if (found.empty())
+      pattern.complain("the pattern " + in_quotes(pattern.text()) + " matches none of the " + key_ +
+                       "; " + suggestion(pattern.text(), table_.names()));
+    return found;
+  }
+
+ private:
+  std::string key_;
+  NameTable table_;
+  std::vector<int> positions_;
+};
+
+class RequestReader {
+ public:
+  explicit RequestReader(const Description& d)
+      : d_(d),
+        point_is_carried_(carried(d.points, Carriers(d, &Description::Body::points))),
+        vector_is_carried_(carried(d.vectors, Carriers(d, &Description::Body::vectors))),
+        levels_{std::vector<int>(d.points.size(), not_wanted),
+                std::vector<int>(d.vectors.size(), not_wanted),
+                std::vector<int>(d.coordinates.size(), not_wanted)},
+        body_levels_(d.bodies.size(), not_wanted) {
+    fill_selections();
+  }
+
+  std::vector<Wanted> read(const JsonValue& list) {
+    const std::vector<JsonValue> entries = list.elements();
+    if (entries.empty()) list.complain("asks for nothing; leave it out to ask for everything");
+    for (const JsonValue& entry : entries) read_entry(entry);
+    for (Wanted& wanted : wanted_)
+      wanted.level = static_cast<Level>(levels_[static_cast<int>(wanted.kind)][wanted.index]);
+    return std::move(wanted_);
+  }
+
+ private:
+  void fill_selections() {
+    using enum Description::CoordinateType;
+    for (std::size_t i = 0; i < d_.points.size(); ++i)
+      if (point_is_carried_[i]) points_.add(d_.points[i].name, static_cast<int>(i));
+    for (std::size_t i = 0; i < d_.vectors.size(); ++i)
+      if (vector_is_carried_[i]) vectors_.add(d_.vectors[i].name, static_cast<int>(i));
+    for (std::size_t i = 0; i < d_.coordinates.size(); ++i)
+      (d_.coordinates[i].type == angle ? angles_ : distances_)
+          .add(d_.coordinates[i].name, static_cast<int>(i));
+    for (std::size_t i = 0; i < d_.bodies.size(); ++i)
+      bodies_.add(d_.bodies[i].name, static_cast<int>(i));
+  }
+
+  void read_entry(const JsonValue& entry) {
+    entry.allow({"points", "vectors", "angles", "distances", "bodies", "everything", "level"});
+    const auto level_given = entry.find("level");
+    const int level = level_given ? read_level(*level_given) : static_cast<int>(Level::position);
+    if (const auto everything = entry.find("everything")) {
+      if (!everything->boolean()) everything->complain("is false; make it true or leave it out");
+      if (entry.members().size() > (level_given ? 2u : 1u))
+        entry.complain("asks for everything and more; leave the rest out");
+      return want_everything(level);
+    }
+    if (entry.members().size() == (level_given ? 1u : 0u))
+      entry.complain(
+          "asks for nothing; give points, vectors, angles, distances, bodies or "
+          "\"everything\": true");
+    const auto want_kind = [&](Kind kind) {
+      return [this, kind, level](int i) { want(kind, i, level); };
+    };
+    read_names(entry, points_, want_kind(Kind::point));
+    read_names(entry, vectors_, want_kind(Kind::vector));
+    read_names(entry, angles_, want_kind(Kind::coordinate));
+    read_names(entry, distances_, want_kind(Kind::coordinate));
+    read_names(entry, bodies_, [&](int i) { want_body(i, level); });
+  }
+
+  static int read_level(const JsonValue& value) {
+    constexpr std::array<std::string_view, 3> names{"position", "velocity", "acceleration"};
+    const auto found = std::ranges::find(names, value.text());
+    if (found != names.end()) return static_cast<int>(found - names.begin());
+    value.complain("unknown level " + in_quotes(value.text()) + "; " +
+                   suggestion(value.text(), names));
+  }
+
+  void read_names(const JsonValue& entry, const Selection& selection,
+                  const std::function<void(int)>& want) {
+    const auto list = entry.find(selection.key());
+    if (!list) return;
+    const std::vector<JsonValue> names = list->elements();
+    if (names.empty()) list->complain("is an empty list; name something or leave it out");
+    for (const JsonValue& name : names) {
+      if (name.text().find('*') != std::string_view::npos) {
+        check_pattern(name);
+        for (const int i : selection.match(name)) want(i);
+      } else {
+        check_kind(name, selection);
+        want(selection.find(name));
+      }
+    }
+  }
+
+  void check_pattern(const JsonValue& pattern) {
+    if (pattern.text().size() > longest_name)
+      pattern.complain("the pattern is longer than " + std::to_string(longest_name) +
+                       " characters; shorten it");
+    if (++patterns_ > most_patterns)
+      pattern.complain("the request has more than " + std::to_string(most_patterns) +
+                       " patterns with *; join some");
+  }
+
+  // A name of another kind is more likely meant than a similar one of this kind.
+  void check_kind(const JsonValue& name, const Selection& selection) const {
+    if (selection.has(name.text())) return;
+    for (const Selection* other : {&points_, &vectors_, &angles_, &distances_, &bodies_})
+      if (other->has(name.text()))
+        name.complain(in_quotes(name.text()) + " is none of the " + selection.key() +
+                      "; ask for it under \"" + other->key() + "\"");
+    const auto is_named = [&](const auto& entry) { return entry.name == name.text(); };
+    if (std::ranges::any_of(d_.points, is_named) || std::ranges::any_of(d_.vectors, is_named))
+      name.complain(in_quotes(name.text()) +
+                    " is carried by no body and has no motion; list it in a body");
+  }
+
+  void want(Kind kind, int index, int level) {
+    int& known = levels_[static_cast<int>(kind)][index];
+    if (known == not_wanted) wanted_.push_back({kind, index, Level::position});
+    known = std::max(known, level);
+  }
+
+  // Once at each level: a request can name a body with many points many times.
+  void want_body(int body, int level) {
+    if (body_levels_[body] >= level) return;
+    body_levels_[body] = level;
+    for (const int point : d_.bodies[body].points) want(Kind::point, point, level);
+    for (const int vector : d_.bodies[body].vectors) want(Kind::vector, vector, level);
+  }
+
+  void want_everything(int level) {
+    if (everything_level_ >= level) return;
+    everything_level_ = level;
+    for (int i = 0; i < static_cast<int>(d_.points.size()); ++i)
+      if (point_is_carried_[i]) want(Kind::point, i, level);
+    for (int i = 0; i < static_cast<int>(d_.vectors.size()); ++i)
+      if (vector_is_carried_[i]) want(Kind::vector, i, level);
+    for (int i = 0; i < static_cast<int>(d_.coordinates.size()); ++i)
+      want(Kind::coordinate, i, level);
+  }
+
+  const Description& d_;
+  std::vector<bool> point_is_carried_, vector_is_carried_;
+  std::array<std::vector<int>, 3> levels_;  // by Kind
+  std::vector<int> body_levels_;
+  int everything_level_ = not_wanted;
+  int patterns_ = 0;
+  std::vector<Wanted> wanted_;
+  Selection points_{"points", "point"}, vectors_{"vectors", "vector"}, angles_{"angles", "angle"},
+      distances_{"distances", "distance"}, bodies_{"bodies", "body"};
+};
+
+}  // namespace
+
+std::vector<Wanted> read_request(const JsonValue& root, const Description& mechanism) {
+  const auto list = root.find("request");
+  if (!list) return {};
+  return RequestReader(mechanism).read(*list);
+}
+
+}  // namespace desmo

@@ -1,0 +1,209 @@
+#include <cmath>
+#include <optional>
+
+#include "cases/generators/cases.h"
+#include "cases/io/files.h"
+#include "cases/io/mechanism_reader.h"
+#include "cases/io/motions.h"
+#include "cases/io/request.h"
+#include "cases/io/text_file.h"
+#include "cases/library/library.h"
+#include "cases/mechanism/names.h"
+
+namespace desmo {
+namespace {
+
+constexpr int most_units = 100'000;  // of a generator, from a file
+constexpr double most_instants = 1e9;
+
+constexpr int latest_version = 2;
+
+// What the mechanism brings: motions and times as well when it is a library or a scalable one.
+struct Start {
+  Description mechanism;
+  Units units;  // of the mechanism's file
+  std::vector<Motion> motions;
+  std::optional<TimeGrid> grid;
+};
+
+Start without_motion(ReadMechanism read) {
+  return {std::move(read.description), std::move(read.units), {}, {}};
+}
+
+// A library's own scene names its mechanism as any scene does, but does not start from itself.
+enum class LibraryGives { mechanism, scene };
+
+Scene scene_from(const JsonValue& root, const std::filesystem::path& folder, LibraryGives gives);
+
+Start from_library(const JsonValue& value, LibraryGives gives) {
+  value.allow({"library"});
+  const JsonValue name = value["library"];
+  const LibraryMechanism* const found = find_library(name.text());
+  if (!found) {
+    std::vector<std::string_view> names;
+    for (const LibraryMechanism& known : library()) names.push_back(known.name);
+    name.complain("unknown library mechanism " + in_quotes(name.text()) + "; " +
+                  suggestion(name.text(), names));
+  }
+  const std::string file_name = "library/" + std::string(found->name);
+  const JsonDocument mechanism(found->mechanism, file_name + ".json");
+  Start start = without_motion(mechanism_from(mechanism.root()));
+  if (gives == LibraryGives::mechanism) return start;
+  const JsonDocument document(found->scene, file_name + ".scene.json");
+  Scene scene = scene_from(document.root(), {}, LibraryGives::mechanism);
+  start.motions = std::move(scene.motions);
+  start.grid = scene.grid;
+  return start;
+}
+
+Start from_generator(const JsonValue& value) {
+  const JsonValue name = value["generator"];
+  std::vector<std::string_view> names;
+  for (const Case& c : cases()) {
+    names.push_back(c.name);
+    if (c.name != name.text()) continue;
+    value.allow({"generator", c.unit_name});
+    const JsonValue units = value[c.unit_name];
+    const int count = units.whole_number(1, most_units);
+    try {
+      Scene scene = c.describe(count);
+      Units units;
+      units.length_unit = units.length_name = scene.mechanism.length_unit;
+      return {std::move(scene.mechanism), units, std::move(scene.motions), scene.grid};
+    } catch (const std::invalid_argument& error) {
+      units.complain(std::string(error.what()) + "; choose another number");
+    }
+  }
+  name.complain("unknown generator " + in_quotes(name.text()) + "; " +
+                suggestion(name.text(), names));
+}
+
+ReadMechanism from_file(const JsonValue& value, const std::filesystem::path& folder) {
+  const std::string_view name = value.text();
+  if (name.empty() || name.find('\0') != name.npos)
+    value.complain(in_quotes(name) + " is no file name; give that of a mechanism file");
+  const std::filesystem::path file = (folder / name).lexically_normal();
+  std::string text;
+  try {
+    text = read_text(file);
+  } catch (const UnreadableFile& error) {
+    value.complain("the mechanism file '" + printable(file.string(), 300) + "': " + error.what());
+  }
+  const JsonDocument document(text, file.string());
+  return mechanism_from(document.root());
+}
+
+Start read_start(const JsonValue& value, const std::filesystem::path& folder, LibraryGives gives) {
+  if (value.is_string()) return without_motion(from_file(value, folder));
+  if (!value.is_object())
+    value.complain(
+        "is no mechanism; give a file name, a mechanism, {\"library\": name} or "
+        "{\"generator\": name}");
+  if (value.find("library")) return from_library(value, gives);
+  if (value.find("generator")) return from_generator(value);
+  return without_motion(mechanism_from(value));
+}
+
+// The unit of length goes with that of the mechanism: a free one is no number of metres.
+Units units_of_motion(const JsonValue& root, int version, const Units& mechanism) {
+  Units units = read_units(root, mechanism);
+  if (units.length_unit != mechanism.length_unit)
+    root["units"]["length"].complain(
+        mechanism.length_unit == "1"
+            ? "the mechanism's unit of length is '1', any one unit; give '1' here as well"
+            : "the mechanism has lengths in metres; give 'm', 'mm', 'cm' or 'in'");
+  if (version > 1) return units;
+  const auto given = root.find("units");
+  units.length_is_open = mechanism.length != 1 && !(given && given->find("length"));
+  units.angle_is_open = mechanism.angle != 1 && !(given && given->find("angle"));
+  return units;
+}
+
+TimeGrid read_time(const JsonValue& value) {
+  value.allow({"start", "end", "step"});
+  const auto start_given = value.find("start");
+  const double start = start_given ? start_given->number() : 0;
+  const JsonValue end_given = value["end"], step_given = value["step"];
+  const double end = end_given.number(), step = step_given.number();
+  if (!(step > 0))
+    step_given.complain("the step is not above 0; give seconds from instant to instant");
+  if (!(end > start)) end_given.complain("the end is not after the start; give a later one");
+  const double intervals = (end - start) / step;
+  if (!(intervals <= most_instants - 1))
+    step_given.complain("gives more than 1e9 instants; choose a longer step or an earlier end");
+  constexpr double rounding = 1e-3;  // of a step: for steps such as 0.3333
+  if (intervals < 1 - rounding || std::abs(intervals - std::round(intervals)) > rounding)
+    step_given.complain(
+        "from start to end is not a whole number of steps; choose another step or "
+        "end");
+  if (!(start + step > start) || !(end - step < end))
+    step_given.complain("the step vanishes beside such large times; choose a longer step");
+  TimeGrid grid = time_grid(end - start, step);
+  grid.start = start;
+  return grid;
+}
+
+std::string read_formulation(const JsonValue& value) {
+  constexpr const char* allowed =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_/:.-";
+  const std::string_view id = value.text();
+  constexpr std::size_t longest_id = 200;
+  if (id.empty() || id.size() > longest_id || id.find_first_not_of(allowed) != id.npos)
+    value.complain(in_quotes(id) + " is no formulation; give an id that 'desmo list' shows");
+  return std::string(id);
+}
+
+double read_tolerance(const JsonValue& value) {
+  const double tolerance = value.number();
+  if (!(tolerance > 0)) value.complain("the tolerance is not above 0; give one such as 1e-10");
+  return tolerance;
+}
+
+Scene scene_from(const JsonValue& root, const std::filesystem::path& folder, LibraryGives gives) {
+  const int version = check_format(root, "desmo-scene", latest_version);
+  root.allow({"$schema", "format", "version", "name", "mechanism", "units", "motion", "time",
+              "request", "formulation", "tolerance"});
+  Start start = read_start(root["mechanism"], folder, gives);
+  Scene scene;
+  scene.mechanism = std::move(start.mechanism);
+  const auto name = root.find("name");
+  scene.name = name ? std::string(name->line()) : scene.mechanism.name;
+  const Units units = units_of_motion(root, version, start.units);
+  scene.motions = read_motions(root, scene.mechanism, units, std::move(start.motions));
+  const auto time = root.find("time");
+  scene.grid = time || !start.grid ? read_time(root["time"]) : *start.grid;
+  check_tables(root, scene.mechanism, scene.motions, scene.grid);
+  scene.request = read_request(root, scene.mechanism);
+  if (const auto id = root.find("formulation")) scene.formulation = read_formulation(*id);
+  if (const auto given = root.find("tolerance")) scene.tolerance = read_tolerance(*given);
+  return scene;
+}
+
+}  // namespace
+
+Scene parse_scene(std::string_view text, const std::string& file_name,
+                  const std::filesystem::path& folder) {
+  const JsonDocument document(text, file_name);
+  return scene_from(document.root(), folder, LibraryGives::scene);
+}
+
+Scene read_scene(const std::filesystem::path& file) {
+  std::string text;
+  try {
+    text = read_text(file);
+  } catch (const UnreadableFile& error) {
+    throw InputError(printable(file.string(), 300) + ": " + error.what());
+  }
+  return parse_scene(text, file.string(), file.parent_path());
+}
+
+Scene library_scene(std::string_view name) {
+  const LibraryMechanism* found = find_library(name);
+  if (found) return parse_scene(found->scene, std::string(name), {});
+  std::vector<std::string_view> known;
+  for (const LibraryMechanism& l : library()) known.push_back(l.name);
+  throw std::invalid_argument("the library has no mechanism " + in_quotes(name) + "; " +
+                              suggestion(name, known));
+}
+
+}  // namespace desmo

@@ -1,0 +1,123 @@
+#include <algorithm>
+#include <cmath>
+
+#include "cases/mechanism/checks.h"
+#include "cases/mechanism/directions.h"
+#include "cases/mechanism/names.h"
+
+namespace desmo {
+namespace {
+
+using Part = DescriptionError::Part;
+
+bool is_same_line(const Description::Direction& a, const Description::Direction& b) {
+  if (!a.is_given() || a.is_segment() != b.is_segment()) return false;
+  if (!a.is_segment()) return a.vector == b.vector;
+  return std::minmax(a.from, a.to) == std::minmax(b.from, b.to);
+}
+
+class CoordinateCheck {
+ public:
+  CoordinateCheck(const Description& d, const Carriers& points, const Carriers& vectors, int index)
+      : d_(d), points_(points), vectors_(vectors), index_(index), c_(d.coordinates[index]) {}
+
+  void run() const {
+    using enum Description::CoordinateType;
+    if (c_.estimate && !std::isfinite(*c_.estimate))
+      complain("the estimate is not finite; give a finite number");
+    switch (c_.type) {
+      case angle:
+        return check_angle();
+      case distance:
+        return check_segment(c_.of);
+      case along:
+        check_segment(c_.of);
+        return check_vector(c_.vector);
+      case component:
+        check_point(c_.point);
+        if (c_.axis < 0 || c_.axis >= d_.dimension)
+          complain("has an axis beyond the mechanism's dimension; choose one of its axes");
+        return;
+    }
+    complain("has a type that does not exist");
+  }
+
+ private:
+  [[noreturn]] void complain(const std::string& what) const {
+    refuse(d_, Part::coordinate, index_, what);
+  }
+
+  void check_point(int point) const {
+    if (!is_in(point, d_.points)) complain("refers to a point that does not exist");
+    if (!points_.is_carried(point))
+      complain("the point " + in_quotes(d_.points[point].name) +
+               " is carried by no body; list it in one");
+  }
+
+  void check_vector(int vector) const {
+    if (!is_in(vector, d_.vectors)) complain("refers to a vector that does not exist");
+    if (!vectors_.is_carried(vector))
+      complain("the vector " + in_quotes(d_.vectors[vector].name) +
+               " is carried by no body; list it in one");
+  }
+
+  void check_segment(const Description::Direction& segment) const {
+    check_point(segment.from);
+    check_point(segment.to);
+    if (segment.from == segment.to)
+      complain("its two points are both " + in_quotes(d_.points[segment.from].name) +
+               "; name two different ones");
+  }
+
+  Description::Vec check_direction(const Description::Direction& of) const {
+    if (!of.is_segment()) {
+      check_vector(of.vector);
+      return d_.vectors[of.vector].direction;
+    }
+    check_segment(of);
+    const Description::Point &from = d_.points[of.from], &to = d_.points[of.to];
+    const auto unit = direction(from.position, to.position);
+    if (!unit)
+      complain("the points " + in_quotes(from.name) + " and " + in_quotes(to.name) +
+               " coincide and have no direction; give them different positions");
+    return *unit;
+  }
+
+  void check_apart(const Description::Direction& other) const {
+    if (is_same_line(c_.of, other))
+      complain("is an angle between a direction and itself, which never changes; name two");
+  }
+
+  void check_angle() const {
+    check_direction(c_.of);
+    check_apart(c_.from);
+    check_apart(c_.towards);
+    if (d_.dimension == 2) {
+      if (c_.towards.is_given())
+        complain("is towards a direction, which is for space only; leave that out");
+      if (c_.from.is_given()) check_direction(c_.from);
+      return;
+    }
+    if (!c_.from.is_given() || !c_.towards.is_given())
+      complain("an angle in space needs the directions where it is 0 and π/2; give both");
+    if (c_.from.is_segment() || c_.towards.is_segment())
+      complain("the directions where it is 0 and π/2 must be vectors in space; declare vectors");
+    const Description::Vec u = check_direction(c_.from), v = check_direction(c_.towards);
+    if (std::abs(u[0] * v[0] + u[1] * v[1] + u[2] * v[2]) > 1e-6)
+      complain("the directions where it is 0 and π/2 are not at a right angle; choose another");
+  }
+
+  const Description& d_;
+  const Carriers &points_, &vectors_;
+  int index_;
+  const Description::Coordinate& c_;
+};
+
+}  // namespace
+
+void check_coordinates(const Description& d, const Carriers& points, const Carriers& vectors) {
+  for (int i = 0; i < static_cast<int>(d.coordinates.size()); ++i)
+    CoordinateCheck(d, points, vectors, i).run();
+}
+
+}  // namespace desmo

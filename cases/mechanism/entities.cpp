@@ -1,0 +1,135 @@
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string_view>
+
+#include "cases/mechanism/checks.h"
+#include "cases/mechanism/directions.h"
+#include "cases/mechanism/names.h"
+
+namespace desmo {
+namespace {
+
+using Part = DescriptionError::Part;
+
+constexpr double unit_length_rounding = 1e-9;
+
+bool finite(const Description::Vec& x) {
+  return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
+}
+
+template <class Entry>
+void check_unique(const Description& d, Part part, const std::vector<Entry>& entries,
+                  std::set<std::string_view>& taken, const char* among) {
+  for (int i = 0; i < static_cast<int>(entries.size()); ++i) {
+    if (entries[i].name.empty()) refuse(d, part, i, "has no name; give one");
+    if (!taken.insert(entries[i].name).second)
+      refuse(d, part, i, std::string("the name is given twice among ") + among + "; rename one");
+  }
+}
+
+void check_points(const Description& d) {
+  for (int i = 0; i < static_cast<int>(d.points.size()); ++i) {
+    const Description::Vec& x = d.points[i].position;
+    if (!finite(x)) refuse(d, Part::point, i, "the position is not finite; give finite numbers");
+    if (d.dimension == 2 && x[2] != 0)
+      refuse(d, Part::point, i, "has a third component that is not 0; in the plane it must be");
+  }
+}
+
+void check_along(const Description& d, int i, const Carriers& points, const Carriers& vectors) {
+  const auto [p, q] = *d.vectors[i].along;
+  if (!is_in(p, d.points) || !is_in(q, d.points))
+    refuse(d, Part::vector, i, "points along points that do not exist");
+  if (!direction(d.points[p].position, d.points[q].position))
+    refuse(d, Part::vector, i,
+           "points from " + in_quotes(d.points[p].name) + " to " + in_quotes(d.points[q].name) +
+               ", which coincide; give them different positions");
+  const auto carriers = vectors.of(i);
+  const bool carried = std::ranges::any_of(carriers, [&, p = p, q = q](const Carriers::Pair& v) {
+    return points.carries(v.body, p) && points.carries(v.body, q);
+  });
+  if (!carriers.empty() && !carried)
+    refuse(d, Part::vector, i,
+           "no body that carries it carries " + in_quotes(d.points[p].name) + " and " +
+               in_quotes(d.points[q].name) + "; add the points to the body");
+}
+
+void check_vectors(const Description& d) {
+  for (int i = 0; i < static_cast<int>(d.vectors.size()); ++i) {
+    const Description::Vec& u = d.vectors[i].direction;
+    const double length = std::sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
+    if (!(std::abs(length - 1) <= unit_length_rounding))
+      refuse(d, Part::vector, i, "is not of length 1; divide it by its length");
+    if (d.dimension == 2 && u[2] != 0)
+      refuse(d, Part::vector, i, "has a third component that is not 0; in the plane it must be");
+  }
+}
+
+template <class Entry>
+void check_carried(const Description& d, int body, std::vector<int> carried,
+                   const std::vector<Entry>& entries, const char* kind) {
+  for (const int entity : carried)
+    if (!is_in(entity, entries))
+      refuse(d, Part::body, body, std::string("carries a ") + kind + " that does not exist");
+  std::ranges::sort(carried);
+  const auto twice = std::ranges::adjacent_find(carried);
+  if (twice != carried.end())
+    refuse(d, Part::body, body,
+           std::string("lists the ") + kind + " " + in_quotes(entries[*twice].name) +
+               " twice; list it once");
+}
+
+void check_length(const Description& d, int i) {
+  const Description::Body& body = d.bodies[i];
+  if (body.points.size() != 2)
+    refuse(d, Part::body, i,
+           "has a length but " + std::to_string(body.points.size()) +
+               " points; a length is for a body of exactly two, leave it out");
+  if (!std::isfinite(*body.length) || !(*body.length > 0))
+    refuse(d, Part::body, i, "the length is not above 0; give the distance of its two points");
+  const Description::Point &p = d.points[body.points[0]], &q = d.points[body.points[1]];
+  if (!direction(p.position, q.position))
+    refuse(d, Part::body, i,
+           "its points " + in_quotes(p.name) + " and " + in_quotes(q.name) +
+               " coincide; estimate different positions");
+}
+
+// A body that carries points alone is where they are apart.
+void check_extent(const Description& d, int i) {
+  const Description::Body& body = d.bodies[i];
+  if (i == 0 || body.points.size() < 2 || !body.vectors.empty()) return;
+  for (const int p : body.points)
+    if (direction(d.points[body.points[0]].position, d.points[p].position)) return;
+  refuse(d, Part::body, i, "all its points coincide, a link of zero length; move them apart");
+}
+
+}  // namespace
+
+void check_names(const Description& d) {
+  std::set<std::string_view> bodies, joints, quantities;
+  check_unique(d, Part::body, d.bodies, bodies, "the bodies (the first is the ground)");
+  check_unique(d, Part::joint, d.joints, joints, "the joints");
+  const char* const among = "the points, vectors and coordinates";
+  check_unique(d, Part::point, d.points, quantities, among);
+  check_unique(d, Part::vector, d.vectors, quantities, among);
+  check_unique(d, Part::coordinate, d.coordinates, quantities, among);
+}
+
+void check_entities(const Description& d) {
+  check_points(d);
+  check_vectors(d);
+  for (int i = 0; i < static_cast<int>(d.bodies.size()); ++i) {
+    check_carried(d, i, d.bodies[i].points, d.points, "point");
+    check_carried(d, i, d.bodies[i].vectors, d.vectors, "vector");
+    if (d.bodies[i].length) check_length(d, i);
+    check_extent(d, i);
+  }
+}
+
+void check_vectors_along(const Description& d, const Carriers& points, const Carriers& vectors) {
+  for (int i = 0; i < static_cast<int>(d.vectors.size()); ++i)
+    if (d.vectors[i].along) check_along(d, i, points, vectors);
+}
+
+}  // namespace desmo

@@ -1,0 +1,148 @@
+#include "cases/mechanism/names.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <numeric>
+
+namespace desmo {
+namespace {
+
+constexpr int largest_distance = 3;
+constexpr std::size_t most_suggestions = 3;
+constexpr std::size_t most_listed = 8;
+
+bool is_name_character(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+         c == '.' || c == '/' || c == '-';
+}
+
+// Levenshtein's distance, or limit + 1 when it is larger. Only a band of 2 limit + 1 diagonals is
+// evaluated: the search for a misspelt name visits every name of a mechanism.
+int edit_distance(std::string_view a, std::string_view b, int limit) {
+  const int rows = static_cast<int>(a.size()), columns = static_cast<int>(b.size());
+  if (std::abs(rows - columns) > limit) return limit + 1;
+  std::vector<int> distance(b.size() + 1);  // of the first i letters of a and j letters of b
+  std::iota(distance.begin(), distance.end(), 0);
+  for (int i = 1; i <= rows; ++i) {
+    const int first = std::max(1, i - limit), last = std::min(columns, i + limit);
+    int diagonal = distance[first - 1];
+    distance[first - 1] = first == 1 ? i : limit + 1;
+    for (int j = first; j <= last; ++j) {
+      const int replaced = diagonal + (a[i - 1] != b[j - 1]);
+      diagonal = distance[j];
+      distance[j] = std::min({replaced, distance[j] + 1, distance[j - 1] + 1});
+    }
+  }
+  return std::min(distance[columns], limit + 1);
+}
+
+struct CodePoint {
+  char32_t value = 0;
+  std::size_t bytes = 0;  // 0: not UTF-8
+};
+
+CodePoint decode(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char lead = byte(0);
+  if (lead < 0x80) return {lead, 1};
+  const std::size_t bytes = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
+  if (lead < 0xc2 || lead > 0xf4 || text.size() < bytes) return {};
+  char32_t value = lead & (0x7f >> bytes);
+  for (std::size_t i = 1; i < bytes; ++i) {
+    if ((byte(i) & 0xc0) != 0x80) return {};
+    value = value << 6 | (byte(i) & 0x3f);
+  }
+  constexpr char32_t smallest[] = {0, 0, 0x80, 0x800, 0x10000};
+  const bool surrogate = value >= 0xd800 && value <= 0xdfff;
+  if (value < smallest[bytes] || value > 0x10ffff || surrogate) return {};
+  return {value, bytes};
+}
+
+// Control characters, and those that show nothing or reverse the direction of writing.
+bool misleads(char32_t c) {
+  const auto in = [c](char32_t first, char32_t last) { return c >= first && c <= last; };
+  return c < 0x20 || in(0x7f, 0x9f) || c == 0xad || c == 0x61c || in(0x200b, 0x200f) ||
+         in(0x2028, 0x202e) || in(0x2060, 0x206f) || c == 0xfeff || in(0xfff9, 0xfffb) ||
+         in(0xe0000, 0xe0fff);
+}
+
+std::string list(std::span<const std::string_view> names) {
+  std::string text;
+  for (const std::string_view name : names) text += (text.empty() ? "" : ", ") + in_quotes(name);
+  return text;
+}
+
+}  // namespace
+
+bool is_name(std::string_view text) {
+  return !text.empty() && text.size() <= longest_name && text.front() != '-' &&
+         std::ranges::all_of(text, is_name_character);
+}
+
+bool matches(std::string_view pattern, std::string_view name) {
+  std::size_t p = 0, n = 0;
+  std::size_t star = std::string_view::npos, resume = 0;  // the last *, and what it leaves over
+  while (n < name.size()) {
+    if (p < pattern.size() && pattern[p] == '*') {
+      star = p++;
+      resume = n;
+    } else if (p < pattern.size() && pattern[p] == name[n]) {
+      ++p, ++n;
+    } else if (star != std::string_view::npos) {
+      p = star + 1;
+      n = ++resume;
+    } else {
+      return false;
+    }
+  }
+  return pattern.find_first_not_of('*', p) == std::string_view::npos;
+}
+
+std::vector<std::string_view> nearest_names(std::string_view name,
+                                            std::span<const std::string_view> known) {
+  if (name.size() > longest_name) return {};
+  const int limit = std::clamp(static_cast<int>(name.size()) / 2, 1, largest_distance);
+  std::vector<std::pair<int, std::string_view>> near;
+  for (const std::string_view candidate : known) {
+    const int distance = edit_distance(name, candidate, limit);
+    if (distance <= limit) near.emplace_back(distance, candidate);
+  }
+  std::ranges::stable_sort(near, {}, &std::pair<int, std::string_view>::first);
+  if (near.size() > most_suggestions) near.resize(most_suggestions);
+  std::vector<std::string_view> names;
+  for (const auto& [distance, candidate] : near) names.push_back(candidate);
+  return names;
+}
+
+std::string enumeration(std::span<const std::string_view> known) {
+  if (known.empty()) return "there are none";
+  if (known.size() <= most_listed) return "there are " + list(known);
+  return "there are " + std::to_string(known.size()) + ", the first are " +
+         list(known.first(most_listed));
+}
+
+std::string suggestion(std::string_view name, std::span<const std::string_view> known) {
+  const std::vector<std::string_view> near = nearest_names(name, known);
+  return near.empty() ? enumeration(known) : "did you mean " + list(near) + "?";
+}
+
+std::string printable(std::string_view text, std::size_t limit) {
+  std::string shown;
+  for (std::size_t characters = 0; !text.empty(); ++characters) {
+    if (characters == limit) return shown + "...";
+    const CodePoint c = decode(text);
+    const std::size_t bytes = std::max<std::size_t>(c.bytes, 1);
+    char escape[16] = "";
+    if (c.bytes == 0)
+      std::snprintf(escape, sizeof escape, "\\x%02x", static_cast<unsigned char>(text[0]));
+    else if (misleads(c.value))
+      std::snprintf(escape, sizeof escape, "\\u%04x", static_cast<unsigned>(c.value));
+    shown += *escape ? std::string_view(escape) : text.substr(0, bytes);
+    text.remove_prefix(bytes);
+  }
+  return shown;
+}
+
+std::string in_quotes(std::string_view text) { return "'" + printable(text) + "'"; }
+
+}  // namespace desmo

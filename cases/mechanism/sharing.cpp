@@ -1,0 +1,73 @@
+#include <numeric>
+
+#include "cases/mechanism/checks.h"
+#include "cases/mechanism/joint_forms.h"
+#include "cases/mechanism/names.h"
+
+namespace desmo {
+namespace {
+
+using Part = DescriptionError::Part;
+
+class Partition {
+ public:
+  explicit Partition(std::size_t size) : parent_(size) {
+    std::iota(parent_.begin(), parent_.end(), 0);
+  }
+
+  int find(int x) {
+    while (parent_[x] != x) x = parent_[x] = parent_[parent_[x]];
+    return x;
+  }
+  void unite(int x, int y) { parent_[find(x)] = find(y); }
+
+ private:
+  std::vector<int> parent_;
+};
+
+// Bodies that move as one.
+Partition fixed_bodies(const Description& d) {
+  Partition fixed(d.bodies.size());
+  for (const Description::Joint& joint : d.joints)
+    if (joint.type == Description::JointType::fixed) fixed.unite(joint.bodies[0], joint.bodies[1]);
+  return fixed;
+}
+
+// The parts of an entity's carriers that joints connect must be one part.
+void check(const Description& d, Part part, const Carriers& carriers,
+           std::vector<int> Description::Joint::*joined, int JointForm::*common, Partition& fixed) {
+  const auto pairs = carriers.pairs();
+  Partition shared(pairs.size());
+  for (const Description::Joint& joint : d.joints) {
+    const JointForm& form = *find_joint_form(joint.type, d.dimension);
+    for (int k = 0; k < form.*common; ++k) {
+      const int entity = (joint.*joined)[k];
+      shared.unite(carriers.find({entity, joint.bodies[0]}),
+                   carriers.find({entity, joint.bodies[1]}));
+    }
+  }
+  std::vector<int> last(d.bodies.size(), -1);  // pair of a fixed set of bodies
+  for (int i = 0; i < static_cast<int>(pairs.size()); ++i) {
+    int& previous = last[fixed.find(pairs[i].body)];
+    if (previous >= 0 && pairs[previous].entity == pairs[i].entity) shared.unite(previous, i);
+    previous = i;
+  }
+  for (int i = 1; i < static_cast<int>(pairs.size()); ++i) {
+    if (pairs[i].entity != pairs[i - 1].entity || shared.find(i) == shared.find(i - 1)) continue;
+    refuse(d, part, pairs[i].entity,
+           "is carried by " + in_quotes(d.bodies[pairs[i - 1].body].name) + " and " +
+               in_quotes(d.bodies[pairs[i].body].name) +
+               ", but no joints say that these share it; add a joint there, or give each body " +
+               (part == Part::point ? "a point" : "a vector") + " of its own");
+  }
+}
+
+}  // namespace
+
+void check_sharing(const Description& d, const Carriers& points, const Carriers& vectors) {
+  Partition fixed = fixed_bodies(d);
+  check(d, Part::point, points, &Description::Joint::points, &JointForm::common_points, fixed);
+  check(d, Part::vector, vectors, &Description::Joint::vectors, &JointForm::common_vectors, fixed);
+}
+
+}  // namespace desmo

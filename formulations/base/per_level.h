@@ -1,0 +1,27 @@
+#pragma once
+
+#include <array>
+
+#include "cases/mechanism/level.h"
+
+namespace desmo {
+
+inline constexpr std::array levels{Level::position, Level::velocity, Level::acceleration};
+
+/// One value for each level.
+template <class T>
+struct PerLevel {
+  T position{}, velocity{}, acceleration{};
+
+  T& operator[](Level level) { return at(*this, level); }
+  const T& operator[](Level level) const { return at(*this, level); }
+
+ private:
+  static auto& at(auto& values, Level level) {
+    return level == Level::position   ? values.position
+           : level == Level::velocity ? values.velocity
+                                      : values.acceleration;
+  }
+};
+
+}  // namespace desmo

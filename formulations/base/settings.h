@@ -1,0 +1,85 @@
+#pragma once
+
+#include "cases/mechanism/scene.h"
+
+namespace desmo {
+
+/// Where Newton–Raphson starts in a step (see formulations/prediction/guess.h).
+enum class Guess {
+  previous,   ///< q of the last instant
+  linear,     ///< its tangent, from q̇
+  quadratic,  ///< Taylor, from q̇ and q̈
+  hermite3,   ///< the cubic through q and q̇ of the last two instants
+  hermite5,   ///< the quintic through their q, q̇ and q̈
+  adams8,     ///< from the last q, the polynomial through q̇ and q̈ of the last four
+};
+
+/// When Φ_φ is factorised (see formulations/parts/newton_solver.h).
+enum class JacobianUpdate {
+  newton,  ///< in every iteration, and at the solved position for velocity and acceleration
+  step,    ///< at the solved position, for velocity, acceleration and the next step's iterations
+  chord,   ///< when the factors at hand, several steps old, have become too slow
+};
+
+/// What numbers are made of.
+enum class Scalar {
+  double_precision,
+  single_precision,  ///< the state, the equations and the linear systems
+  mixed,             ///< the factors alone are single; what is solved with them is refined
+};
+
+/// What a factorisation at the solved position serves.
+enum class Factorisation {
+  shared,     ///< velocity and acceleration
+  per_level,  ///< one of them: each level makes its own
+};
+
+/// Whether KLU brings a matrix into block triangular form before it factorises the blocks.
+enum class BlockTriangularForm { on, off };
+
+inline constexpr int largest_stride = 64;
+inline constexpr int most_threads = 64;
+
+/// What an analysis may use. The defaults are the paper's. Not every formulation offers every
+/// combination (see why_not in formulations/variants.h).
+struct Settings {
+  /// On ‖Φ‖₂ of the whole mechanism, each equation divided by its natural magnitude (see
+  /// formulations/scaling/magnitudes.h): relative, whatever the units are. Of the paper's two cases
+  /// this asks what 1e-10 in metres and their squares does.
+  double tolerance = default_tolerance;
+  int max_iterations = 25;  ///< of Newton–Raphson, a step
+  Guess guess = Guess::previous;
+  /// 0: iterate until the tolerance is met. Otherwise exactly so many iterations a step, whatever
+  /// ‖Φ‖₂ is, so that a step's work does not depend on rounding; an assembly repeats them until
+  /// the tolerance is met or max_iterations times.
+  int fixed_iterations = 0;
+  JacobianUpdate jacobian = JacobianUpdate::newton;
+  Factorisation factorisation = Factorisation::shared;
+  BlockTriangularForm btf = BlockTriangularForm::on;  ///< of KLU alone
+  Scalar scalar = Scalar::double_precision;
+  /// How many copies of a piece of the mechanism, or parts of one type, may be solved at once, on
+  /// wide registers, by variants that have code for it: 4 or, where the processor has AVX-512, 8.
+  /// 1: none.
+  int lanes = 1;
+  /// Into how many segments a motion known in advance is cut, to be solved at once on wide
+  /// registers, by variants that have code for it: as many as lanes. 1: it is solved step by step.
+  int segments = 1;
+  /// Into how many stretches a motion known in advance is cut, to be solved on as many threads at
+  /// once, 1 … most_threads; fewer where there is little to do. 1: all is done on the caller's.
+  int threads = 1;
+  /// Of a motion known in advance every so manieth instant is solved, and the last; those between
+  /// are interpolated (see formulations/stepping/dense_output.h), 2 … largest_stride. 1: all are
+  /// solved, as they are when instants are asked for one at a time.
+  int stride = 1;
+};
+
+/// Those of one part, with the tolerance on its own equations.
+struct PartSettings : Settings {
+  PartSettings(const Settings& settings) : Settings(settings) {}
+
+  /// The tolerance is not one that was asked for but what rounding leaves: once below it, Newton's
+  /// method makes one correction more, which takes it as far as rounding lets it.
+  bool at_rounding = false;
+};
+
+}  // namespace desmo

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "formulations/batch/lane_batch.h"
+#include "formulations/parts/guarded_part.h"
+#include "formulations/stepping/keeper.h"
+
+namespace desmo {
+
+/// Copies of one and the same piece of a mechanism, none of which needs another, solved several at
+/// once by explicit code on wide registers: parts of one type, or each copy several parts, whose
+/// results stay in lanes. A copy that has no position yet, or of which the code refuses a part, is
+/// solved alone, by its own parts.
+class LanePart final : public GuardedPart, public Keeper {
+ public:
+  /// kernels: one or more, each for more lanes than the one before. copies: two or more, as alike
+  /// as are_copies() says. kinds: of each position in the state. guess: from which a step starts.
+  LanePart(std::vector<CopyKernels> kernels, std::vector<Copy> copies,
+           const std::vector<StateKind>& kinds, Guess guess);
+
+  PartResult solve(State& state, std::span<const double> last, Level level) override;
+  /// Of the copy that is left over, if one is: what is kept starts from there.
+  std::vector<int> starts_from(const std::vector<int>& unknowns) const override;
+  std::vector<int> stays_near() const override;
+  void write_only(const std::vector<bool>& read) override;
+  void forget() override;
+  Keeper* keeper() override { return this; }
+
+  std::vector<int> drivers() const override;
+  std::vector<int> reads() const override;
+  void begin_step(const Past& past, const MotionRow& row) override;
+  void write_last(std::span<double> q) const override;
+  void write(State& state) const override;
+  void prepare_rooms(std::span<int> slots, bool drivers_too) override;
+  void fill(const Room& room, Level level) const override;
+
+  /// Of its members.
+  long fallbacks() const override;
+  long branch_changes() const override;
+
+ private:
+  /// Of several copies or parts.
+  struct Result {
+    PartResult all;
+    void add(const PartResult& one);
+  };
+  void solve(LaneBatch& batch, State& state, std::span<const double> last, Level level,
+             Result& result);
+  static void solve_alone(Copy& copy, State& state, std::span<const double> last, Level level,
+                          Result& result);
+
+  std::vector<Copy> copies_;
+  std::vector<LaneBatch> batches_;
+  Copy* left_over_ = nullptr;  // a copy that would be alone in a batch
+  std::vector<double> last_;   // positions of the instant before, where a copy is solved alone
+};
+
+}  // namespace desmo

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <vector>
+
+#include "formulations/base/lane_values.h"
+#include "formulations/equations/lane_kernel.h"
+#include "formulations/parts/explicit_part.h"
+
+namespace desmo {
+
+/// Parts of one type, one in each lane, bound to a kernel for so many.
+class LaneStage {
+ public:
+  /// lanes: as many as the kernel's, bound to the explicit kernel of its type; a part may stand in
+  /// several. They outlive the stage. in: where each local input stands in the arrays that solve()
+  /// is given.
+  LaneStage(const LaneKernel& kernel, std::vector<ExplicitPart*> lanes, std::vector<int> in);
+  LaneStage(LaneStage&&) = default;  // what the binding points to comes along
+
+  /// Solves positions, velocities and accelerations, which lanes hold side by side. residual2: as
+  /// many as lanes, ‖Φ‖₂² of each. What is not accepted leaves positions as they were, rates
+  /// unspecified.
+  LaneResult solve(LaneState& state, double* residual2) const {
+    return kernel_.solve(state.q.data(), state.qd.data(), state.qdd.data(), binding_, residual2);
+  }
+
+  /// The branches are those that the parts have now, and angles have no anchors.
+  void take_branches();
+
+  bool assembled() const;
+  const LaneKernel& kernel() const { return kernel_; }
+
+ private:
+  const LaneKernel& kernel_;
+  std::vector<ExplicitPart*> lanes_;
+  std::vector<int> in_;
+  LaneValues c_, f_, w_, branch_, anchors_;
+  ExplicitBinding<double> binding_;
+};
+
+}  // namespace desmo

@@ -1,0 +1,313 @@
+#include "formulations/batch/time_lanes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "formulations/batch/lane_transport.h"
+#include "formulations/batch/same_position.h"
+#include "formulations/stepping/straight_way.h"
+
+namespace desmo {
+
+TimeLanes::TimeLanes(const Mechanism& mechanism, std::vector<Parts> parts, const Settings& settings,
+                     const KernelTable& table)
+    : mechanism_(mechanism),
+      settings_(settings),
+      lanes_(static_cast<int>(parts.size())),
+      motions_(driver_motions(mechanism), lanes_, side_by_side(lanes_)),
+      parts_(std::move(parts)),
+      residual2_(lanes_),
+      delivered_(lanes_),
+      ways_(lanes_) {
+  const std::size_t size = mechanism_.state_size();
+  for (LaneState* s : {&now_, &before_})
+    for (LaneValues* values : {&s->q, &s->qd, &s->qdd}) values->resize(size * lanes_);
+  entered_.resize(size * lanes_);
+  for (std::vector<double>* values : {&alone_.q, &alone_.qd, &alone_.qdd, &last_alone_})
+    values->resize(size);
+  for (State& s : delivered_)
+    for (std::vector<double>* values : {&s.q, &s.qd, &s.qdd})
+      values->resize(mechanism_.coordinates());
+
+  std::vector<int> started_from;
+  for (std::size_t i = 0; i < parts_[0].size(); ++i) {
+    const PartDefinition& definition = parts_[0][i].definition;
+    if (definition.constant) continue;
+    stages_.push_back(make_stage(i, table));
+    // What is solved lane by lane may start from any of its unknowns.
+    std::ranges::copy(stages_.back().together
+                          ? parts_[0][i].solver->starts_from(definition.unknowns)
+                          : definition.unknowns,
+                      std::back_inserter(started_from));
+    if (stages_.back().together)
+      std::ranges::copy(parts_[0][i].solver->stays_near(), std::back_inserter(near_));
+  }
+  std::ranges::sort(started_from);
+  std::vector<CoordinateRun> runs = runs_of(started_from);
+  for (CoordinateRun& run : runs) run = {run.first * lanes_, run.end * lanes_};
+  predictor_ = Predictor(settings_.guess, std::move(runs));
+}
+
+TimeLanes::Stage TimeLanes::make_stage(std::size_t part, const KernelTable& table) const {
+  Stage stage;
+  stage.unknowns = parts_[0][part].definition.unknowns;
+  std::vector<ExplicitPart*> members;
+  for (const Parts& parts : parts_) {
+    stage.members.push_back(parts[part].solver.get());
+    members.push_back(dynamic_cast<ExplicitPart*>(stage.members.back()));
+  }
+  if (const ExplicitPart* const any = members.front())
+    if (const LaneKernel* k = table.find_lane_kernel(any->kernel().fingerprint, lanes_))
+      stage.together.emplace(*k, std::move(members),
+                             std::vector<int>(any->inputs().begin(), any->inputs().end()));
+  return stage;
+}
+
+std::optional<Summary> TimeLanes::run(const TimeGrid& grid, const Request& request, State& state,
+                                      Sink& sink) {
+  const int length = (grid.instants + lanes_ - 1) / lanes_;
+  if (length < shortest_segment || !enter(grid, length, state)) return {};
+  const auto rooms = sink.rooms();
+  wanted_ = coordinates_in_room(rooms ? rooms->coordinates : std::span<const int>(),
+                                mechanism_.coordinates());
+  for (int& coordinate : wanted_) coordinate *= lanes_;
+  rooms_.clear();
+  used_ = 0;
+
+  Summary total;
+  double largest_residual2 = 0;
+  for (int i = 0; i <= length; ++i) {  // up to the first instant of the next segment
+    guess(grid.interval(), i);
+    drive(grid, length, i);
+    const Step step = solve();
+    if (!step.ok) return {};
+    largest_residual2 = std::max(largest_residual2, *std::ranges::max_element(residual2_));
+    if (i == 0) entered_ = now_.q;
+    if (i == length) break;
+    total.iterations += static_cast<long>(step.iterations) * lanes_;
+    total.updates += step.updates * lanes_;
+    deliver(grid, length, i, request, step, sink);
+  }
+  if (!meet()) return {};
+  total.instants = grid.instants;
+  total.time = grid.time(grid.instants - 1);
+  total.residual = std::sqrt(largest_residual2);
+  for (std::size_t k = 0; k < state.q.size(); ++k) {
+    const std::size_t last = (k + 1) * lanes_ - 1;
+    state.q[k] = now_.q[last];
+    state.qd[k] = now_.qd[last];
+    state.qdd[k] = now_.qdd[last];
+  }
+  return total;
+}
+
+/// Each lane at the position from which the first instant of its segment is solved.
+bool TimeLanes::enter(const TimeGrid& grid, int length, const State& first) {
+  if (enter_together(grid, length, first)) return true;
+  for (int l = 0; l < lanes_; ++l) {
+    for (const Formulation::DefinedPart& part : parts_[l]) part.solver->forget();
+    alone_ = first;
+    const auto solve = [&](State& state, std::span<const double> last) {
+      return solve_alone(l, state, last);
+    };
+    if (!go_straight(mechanism_, grid.time(l * length), alone_, solve)) return false;
+    pack(l, alone_);
+  }
+  take_branches();
+  return are_assembled();
+}
+
+/// The ways to all segments at once, as a motion that takes a unit of time. False where one has to
+/// be gone in shorter pieces.
+bool TimeLanes::enter_together(const TimeGrid& grid, int length, const State& first) {
+  for (int l = 0; l < lanes_; ++l) {
+    for (const Formulation::DefinedPart& part : parts_[l]) part.solver->forget();
+    alone_ = first;
+    if (!solve_alone(l, alone_, first.q)) return false;  // finds the branches
+    pack(l, alone_);
+    ways_[l] = straight_way(mechanism_, first, grid.time(l * length));
+  }
+  take_branches();
+  if (!are_assembled()) return false;
+  constexpr double piece = 1.0 / pieces_of_a_way;
+  for (int i = 0; i <= pieces_of_a_way; ++i) {
+    guess(piece, i);
+    for (std::size_t d = 0; d < mechanism_.drivers.size(); ++d) {
+      const int driven = mechanism_.entities[mechanism_.drivers[d].coordinate].first;
+      for (int l = 0; l < lanes_; ++l) {
+        const std::size_t k = static_cast<std::size_t>(driven) * lanes_ + l;
+        now_.q[k] = first.q[driven] + i * piece * ways_[l][d];
+        now_.qd[k] = ways_[l][d];
+        now_.qdd[k] = 0;
+      }
+    }
+    if (!solve().ok) return false;
+  }
+  return true;
+}
+
+bool TimeLanes::are_assembled() const {
+  return std::ranges::all_of(
+      stages_, [](const Stage& stage) { return !stage.together || stage.together->assembled(); });
+}
+
+bool TimeLanes::solve_alone(int lane, State& state, std::span<const double> last) {
+  for (const Stage& stage : stages_)
+    if (stage.members[lane]->solve(state, last, Level::position).status != Status::converged)
+      return false;
+  return true;
+}
+
+void TimeLanes::pack(int lane, const State& from) {
+  for (std::size_t k = 0; k < from.q.size(); ++k)
+    now_.q[k * lanes_ + lane] = before_.q[k * lanes_ + lane] = from.q[k];  // some never move
+}
+
+void TimeLanes::take_branches() {
+  for (Stage& stage : stages_)
+    if (stage.together) stage.together->take_branches();
+}
+
+/// Leaves the last instant in before_ and in now_ what solvers start from; the rest of now_ is of
+/// the instant before. known: how many instants were solved.
+void TimeLanes::guess(double h, int known) {
+  std::swap(now_, before_);
+  const LaneState &last = before_, &one_before = now_;
+  const Past past{h, h, known > 0 ? std::optional(Level::acceleration) : std::nullopt,
+                  known > 1 ? std::optional(Level::acceleration) : std::nullopt};
+  if (!predictor_.empty()) predictor_(past, last, one_before, now_.q.data());
+  for (const int i : near_) {
+    const std::size_t first = static_cast<std::size_t>(i) * lanes_;
+    std::copy_n(&before_.q[first], lanes_, &now_.q[first]);
+  }
+}
+
+void TimeLanes::drive(const TimeGrid& grid, int length, int i) {
+  std::array<double, most_lanes> of_lanes;
+  for (int l = 0; l < lanes_; ++l)
+    of_lanes[l] = grid.time(std::min(l * length + i, grid.instants - 1));
+  motions_({of_lanes.data(), of_lanes.data() + lanes_}, now_.q.data(), now_.qd.data(),
+           now_.qdd.data());
+}
+
+TimeLanes::Step TimeLanes::solve() {
+  const unsigned every_lane = (1u << lanes_) - 1;
+  Step step;
+  std::ranges::fill(residual2_, 0.0);
+  for (Stage& stage : stages_) {
+    unsigned accepted = 0;
+    if (stage.together) {
+      alignas(64) std::array<double, most_lanes> residual2;
+      const LaneResult r = stage.together->solve(now_, residual2.data());
+      accepted = r.accepted;
+      step.iterations = std::max(step.iterations, r.iterations);
+      step.updates += static_cast<long>(r.iterations) * std::ssize(stage.unknowns);
+      for (int l = 0; l < lanes_; ++l)
+        if (accepted >> l & 1) residual2_[l] += residual2[l];
+    }
+    if (accepted == every_lane) continue;
+    for (int l = 0; l < lanes_; ++l)
+      if (!(accepted >> l & 1)) solve_lane(stage, l, step);
+    if (!step.ok) break;
+    if (stage.together) stage.together->take_branches();
+  }
+  return step;
+}
+
+/// What code for lanes has refused starts from its last position; that of others was guessed.
+void TimeLanes::solve_lane(Stage& stage, int lane, Step& step) {
+  for (std::size_t k = 0; k < alone_.q.size(); ++k) {
+    const std::size_t in_lane = k * lanes_ + lane;
+    alone_.q[k] = now_.q[in_lane];
+    alone_.qd[k] = now_.qd[in_lane];
+    alone_.qdd[k] = now_.qdd[in_lane];
+  }
+  for (const int k : stage.unknowns) last_alone_[k] = before_.q[k * lanes_ + lane];
+  if (stage.together)
+    for (const int k : stage.unknowns) alone_.q[k] = last_alone_[k];
+  const PartResult r = stage.members[lane]->solve(alone_, last_alone_, Level::acceleration);
+  step.ok = step.ok && r.status == Status::converged;
+  step.iterations = std::max(step.iterations, r.iterations);
+  residual2_[lane] += r.residual2;
+  for (const int k : stage.unknowns) {
+    const std::size_t in_lane = static_cast<std::size_t>(k) * lanes_ + lane;
+    now_.q[in_lane] = alone_.q[k];
+    now_.qd[in_lane] = alone_.qd[k];
+    now_.qdd[in_lane] = alone_.qdd[k];
+  }
+}
+
+/// Whether each segment ended where the next had begun.
+bool TimeLanes::meet() const {
+  const auto coordinates = static_cast<std::size_t>(mechanism_.coordinates());
+  std::vector<double> ended(coordinates), begun(coordinates);
+  for (int l = 0; l + 1 < lanes_; ++l) {
+    for (std::size_t k = 0; k < coordinates; ++k) {
+      ended[k] = now_.q[k * lanes_ + l];
+      begun[k] = entered_[k * lanes_ + l + 1];
+    }
+    if (!same_position(mechanism_, ended, begun)) return false;
+  }
+  return true;
+}
+
+/// A room for the instant of each lane that lies within the motion.
+std::span<const Room> TimeLanes::take_rooms(const TimeGrid& grid, int length, int i, int at_once,
+                                            Sink& sink) {
+  const auto count = [&](int step) {
+    return std::min<std::size_t>(lanes_, (grid.instants - step + length - 1) / length);
+  };
+  if (used_ == rooms_.size()) {
+    const int last = std::min(length, i + std::max(1, at_once / lanes_));
+    indices_.clear();
+    for (int step = i; step < last; ++step)
+      for (std::size_t l = 0; l < count(step); ++l)
+        indices_.push_back(static_cast<int>(l) * length + step);
+    rooms_.resize(indices_.size());
+    sink.take_rooms(indices_, rooms_);
+    used_ = 0;
+  }
+  const std::size_t first = used_;
+  used_ += count(i);
+  return {&rooms_[first], count(i)};
+}
+
+/// Into the room that the sink has for each instant, what it asks for; where it has none, all in
+/// coordinate order. What lies beyond the end of the motion goes nowhere.
+void TimeLanes::deliver(const TimeGrid& grid, int length, int i, const Request& request,
+                        const Step& step, Sink& sink) {
+  std::array<Room, most_lanes> rooms;
+  for (int l = 0; l < lanes_; ++l) {
+    State& own = delivered_[l];
+    rooms[l] = {own.q.data(), own.qd.data(), own.qdd.data()};
+  }
+  const std::optional<RoomShape> shape = sink.rooms();
+  if (shape) std::ranges::copy(take_rooms(grid, length, i, shape->at_once, sink), rooms.begin());
+  const Level as_far_as = shape ? std::min(shape->level, request.level) : request.level;
+  const auto unpacked = [&](Level level, const LaneValues& from, double* Room::*to) {
+    if (as_far_as < level) return;
+    std::array<double*, most_lanes> lanes;
+    for (int l = 0; l < lanes_; ++l) lanes[l] = rooms[l].*to;
+    unpack(from.data(), wanted_, {lanes.data(), lanes.data() + lanes_});
+  };
+  unpacked(Level::position, now_.q, &Room::q);
+  unpacked(Level::velocity, now_.qd, &Room::qd);
+  unpacked(Level::acceleration, now_.qdd, &Room::qdd);
+  for (int l = 0; l < lanes_; ++l) {
+    const int index = l * length + i;
+    if (index >= grid.instants) break;
+    Instant instant{index, grid.time(index), {}, {}, {}, step.updates, std::sqrt(residual2_[l])};
+    if (shape) instant.room = rooms[l];
+    if (!shape) {
+      instant.q = delivered_[l].q;
+      if (request.level >= Level::velocity) instant.qd = delivered_[l].qd;
+      if (request.level >= Level::acceleration) instant.qdd = delivered_[l].qdd;
+    }
+    sink.accept(instant);
+  }
+}
+
+}  // namespace desmo

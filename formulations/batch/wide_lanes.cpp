@@ -1,0 +1,121 @@
+#include "formulations/batch/wide_lanes.h"
+
+#if defined(__x86_64__) && defined(__GNUC__)
+
+#include <immintrin.h>
+
+#include <array>
+#include <cstddef>
+
+// These functions are compiled for wide registers, and not the file: what the language's headers
+// define in it would be, too, and the linker might choose that for everybody.
+#define DESMO_WIDE [[gnu::target("arch=x86-64-v4")]]
+
+namespace desmo {
+
+namespace {
+
+/// Four numbers of two lanes, one lane behind the other, from pairs of two numbers.
+DESMO_WIDE inline __m512d lower_pairs(__m512d ab, __m512d cd) {
+  return _mm512_permutex2var_pd(ab, _mm512_set_epi64(11, 10, 3, 2, 9, 8, 1, 0), cd);
+}
+DESMO_WIDE inline __m512d upper_pairs(__m512d ab, __m512d cd) {
+  return _mm512_permutex2var_pd(ab, _mm512_set_epi64(15, 14, 7, 6, 13, 12, 5, 4), cd);
+}
+
+/// Where the lanes that are used go.
+template <std::size_t used>
+using Targets = std::array<double*, used>;
+
+/// Eight numbers of a lane and of the next but one, from two registers with four of each.
+template <std::size_t lane, std::size_t used>
+DESMO_WIDE inline void put(__m512d first, __m512d second, const Targets<used>& to, std::size_t k) {
+  if constexpr (lane < used)
+    _mm512_storeu_pd(to[lane] + k, _mm512_shuffle_f64x2(first, second, 0x44));
+  if constexpr (lane + 2 < used)
+    _mm512_storeu_pd(to[lane + 2] + k, _mm512_shuffle_f64x2(first, second, 0xee));
+}
+
+/// Eight numbers to element k and the seven behind it.
+template <std::size_t used>
+DESMO_WIDE inline void unpack_eight(const double* from, const int* offsets, const Targets<used>& to,
+                                    std::size_t k) {
+  const __m512d a = _mm512_load_pd(from + offsets[0]), b = _mm512_load_pd(from + offsets[1]),
+                c = _mm512_load_pd(from + offsets[2]), d = _mm512_load_pd(from + offsets[3]),
+                e = _mm512_load_pd(from + offsets[4]), f = _mm512_load_pd(from + offsets[5]),
+                g = _mm512_load_pd(from + offsets[6]), h = _mm512_load_pd(from + offsets[7]);
+  const __m512d even_ab = _mm512_unpacklo_pd(a, b), odd_ab = _mm512_unpackhi_pd(a, b),
+                even_cd = _mm512_unpacklo_pd(c, d), odd_cd = _mm512_unpackhi_pd(c, d),
+                even_ef = _mm512_unpacklo_pd(e, f), odd_ef = _mm512_unpackhi_pd(e, f),
+                even_gh = _mm512_unpacklo_pd(g, h), odd_gh = _mm512_unpackhi_pd(g, h);
+  put<0>(lower_pairs(even_ab, even_cd), lower_pairs(even_ef, even_gh), to, k);
+  put<1>(lower_pairs(odd_ab, odd_cd), lower_pairs(odd_ef, odd_gh), to, k);
+  put<4>(upper_pairs(even_ab, even_cd), upper_pairs(even_ef, even_gh), to, k);
+  put<5>(upper_pairs(odd_ab, odd_cd), upper_pairs(odd_ef, odd_gh), to, k);
+}
+
+/// Two numbers of a lane, the pair that stands at `lane / 2` in a register.
+template <std::size_t lane, std::size_t used>
+DESMO_WIDE inline void put_pair(__m512d pairs, const Targets<used>& to, std::size_t k) {
+  if constexpr (lane < used)
+    _mm_storeu_pd(to[lane] + k, _mm512_extractf64x2_pd(pairs, static_cast<int>(lane / 2)));
+}
+
+/// Two numbers to element k and the one behind it.
+template <std::size_t used>
+DESMO_WIDE inline void unpack_two(const double* from, const int* offsets, const Targets<used>& to,
+                                  std::size_t k) {
+  const __m512d a = _mm512_load_pd(from + offsets[0]), b = _mm512_load_pd(from + offsets[1]);
+  const __m512d even = _mm512_unpacklo_pd(a, b), odd = _mm512_unpackhi_pd(a, b);
+  put_pair<0>(even, to, k), put_pair<1>(odd, to, k);
+  put_pair<2>(even, to, k), put_pair<3>(odd, to, k);
+  put_pair<4>(even, to, k), put_pair<5>(odd, to, k);
+  put_pair<6>(even, to, k), put_pair<7>(odd, to, k);
+}
+
+/// target(l): where lane l goes.
+template <std::size_t used, class Target>
+DESMO_WIDE void unpack_lanes(const double* from, std::span<const int> offsets, Target target) {
+  Targets<used> to;  // of its own: stores might change what they are read from
+  for (std::size_t l = 0; l < used; ++l) to[l] = target(l);
+  std::size_t k = 0;
+  for (; k + wide <= offsets.size(); k += wide) unpack_eight(from, &offsets[k], to, k);
+  for (; k + 2 <= offsets.size(); k += 2) unpack_two(from, &offsets[k], to, k);
+  if (k < offsets.size())
+    for (std::size_t l = 0; l < used; ++l) to[l][k] = from[offsets[k] + l];
+}
+
+template <std::size_t used>
+DESMO_WIDE void unpack_copies(std::span<const LaneCopy> copies, std::span<const int> offsets,
+                              const int* places) {
+  for (const auto& [from, to] : copies)
+    unpack_lanes<used>(from, offsets, [to = to, places](std::size_t l) { return to + places[l]; });
+}
+
+}  // namespace
+
+void unpack_wide(const double* from, std::span<const int> offsets, std::span<double* const> to) {
+  unpack_lanes<wide>(from, offsets, [to](std::size_t l) { return to[l]; });
+}
+
+void unpack_wide(std::span<const LaneCopy> copies, std::span<const int> offsets,
+                 std::span<const int> places) {
+  using Unpack = void(std::span<const LaneCopy>, std::span<const int>, const int*);
+  static constexpr std::array<Unpack*, wide> by_lanes{
+      unpack_copies<1>, unpack_copies<2>, unpack_copies<3>, unpack_copies<4>,
+      unpack_copies<5>, unpack_copies<6>, unpack_copies<7>, unpack_copies<8>};
+  by_lanes[places.size() - 1](copies, offsets, places.data());
+}
+
+}  // namespace desmo
+
+#else
+
+namespace desmo {
+
+void unpack_wide(const double*, std::span<const int>, std::span<double* const>) {}
+void unpack_wide(std::span<const LaneCopy>, std::span<const int>, std::span<const int>) {}
+
+}  // namespace desmo
+
+#endif

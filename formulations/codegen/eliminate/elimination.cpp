@@ -1,0 +1,207 @@
+#include "formulations/codegen/eliminate/elimination.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <tuple>
+
+namespace desmo::generate {
+
+namespace {
+
+using Rows = std::vector<std::map<int, Expr>>;
+
+// Of a pivot beside the largest entry of its column. A constant costs nothing to divide by, and
+// what it lets through is bounded: KLU prefers its diagonal down to the same ratio.
+constexpr double least_constant = 1e-3, least_variable = 0.1;
+
+/// The ratio of an entry to the largest of its column, over the sample points.
+struct RelativeSize {
+  double worst = 1;
+  double share = 0;  ///< of the samples: where it is at least `least_constant`
+};
+
+struct Candidate {
+  int row = -1, column = -1;
+  bool is_sound = false;  // large enough at every sample
+  RelativeSize size;
+  std::tuple<bool, int, double> rank;  // smaller is better
+};
+
+RelativeSize relative_size(const Rows& rows, int row, int column) {
+  const std::vector<double>& pivot = Graph::current().samples(rows[row].at(column).id());
+  RelativeSize size;
+  for (std::size_t s = 0; s < pivot.size(); ++s) {
+    double largest = std::abs(pivot[s]);
+    for (const auto& r : rows)
+      if (const auto it = r.find(column); it != r.end())
+        largest = std::max(largest, std::abs(Graph::current().samples(it->second.id())[s]));
+    const double ratio = largest > 0 ? std::abs(pivot[s]) / largest : 0.0;
+    size.worst = std::min(size.worst, ratio);
+    size.share += (ratio >= least_constant) / static_cast<double>(pivot.size());
+  }
+  return size;
+}
+
+Candidate choose_pivot(const Rows& rows) {
+  std::map<int, int> column_count;
+  for (const auto& r : rows)
+    for (const auto& entry : r) ++column_count[entry.first];
+
+  Candidate best, largest;
+  for (int i = 0; i < static_cast<int>(rows.size()); ++i)
+    for (const auto& [j, value] : rows[i]) {
+      const int fill = (static_cast<int>(rows[i].size()) - 1) * (column_count[j] - 1);
+      const RelativeSize size = relative_size(rows, i, j);
+      const Candidate c{i, j, true, size, {!value.is_constant(), fill, -size.worst}};
+      if (size.worst >= (value.is_constant() ? least_constant : least_variable) &&
+          (best.row < 0 || c.rank < best.rank))
+        best = c;
+      const Candidate l{i, j, false, size, {false, 0, -size.worst}};
+      if (largest.row < 0 || l.rank < largest.rank) largest = l;
+    }
+  return best.row >= 0 ? best : largest;
+}
+
+/// The largest |a| / |b| over the sample points, except where it is not finite: where the order of
+/// the pivots fails, the monitors shall refuse it.
+double largest_ratio(Expr a, Expr b) {
+  const auto& x = Graph::current().samples(a.id());
+  const auto& y = Graph::current().samples(b.id());
+  double largest = 0;
+  for (std::size_t s = 0; s < x.size(); ++s)
+    if (const double ratio = std::abs(x[s] / y[s]); std::isfinite(ratio))
+      largest = std::max(largest, ratio);
+  return largest;
+}
+
+/// The share of the samples that a pivot has to serve. Where even the best does not, parts of the
+/// type point different ways; a single sample is left to the monitors.
+constexpr double least_share = 0.9;
+
+/// Where an elimination was before its first pivot that is not sound.
+struct Mark {
+  Rows rows;
+  std::size_t steps, monitors;
+};
+
+std::vector<int> columns_of(const Rows& rows) {
+  std::set<int> columns;
+  for (const auto& r : rows)
+    for (const auto& entry : r) columns.insert(entry.first);
+  return {columns.begin(), columns.end()};
+}
+
+/// How much worse than the worst sample a pivot may become before it is distrusted.
+constexpr double magnification_allowed = 1e3, cancellation_allowed = 1e6;
+
+/// A bound that ratios of that size are far from, the power of two below it: the text of the code
+/// does not change with every digit of the samples.
+double bound(double allowed, double largest) {
+  return std::exp2(std::floor(std::log2(allowed * (1 + largest))));
+}
+
+}  // namespace
+
+Elimination::Elimination(Rows rows) {
+  const std::size_t n = rows.size();
+  std::optional<Mark> mark;
+  while (steps_.size() < n) {
+    const Candidate pivot = choose_pivot(rows);
+    if (pivot.row < 0) throw std::invalid_argument("the Jacobian is structurally singular");
+    const std::size_t open = n - steps_.size();
+    if (!pivot.is_sound && !mark && open >= Adjugate::least && open <= Adjugate::most)
+      mark = {rows, steps_.size(), monitors_.size()};
+    if (mark && pivot.size.share < least_share) {
+      steps_.resize(mark->steps);
+      monitors_.resize(mark->monitors);
+      solve_last_by_adjugate(mark->rows);
+      break;
+    }
+    std::map<int, Expr> pivot_row = std::move(rows[pivot.row]);
+    rows[pivot.row].clear();
+    const Expr p = pivot_row.at(pivot.column);
+    pivot_row.erase(pivot.column);
+
+    Step step{pivot.row, pivot.column, Expr(1) / p, {}, {pivot_row.begin(), pivot_row.end()}};
+    PivotMonitor monitor{p, {}, {}};
+    for (int i = 0; i < static_cast<int>(n); ++i) {
+      const auto it = rows[i].find(pivot.column);
+      if (it == rows[i].end()) continue;
+      const Expr multiplier = it->second * step.reciprocal;
+      rows[i].erase(it);
+      for (const auto& [j, upper] : pivot_row) {
+        const Expr updated = rows[i][j] - multiplier * upper;
+        if (updated.is_zero())
+          rows[i].erase(j);
+        else
+          rows[i][j] = updated;
+      }
+      step.lower.emplace_back(i, multiplier);
+      if (!multiplier.is_constant())
+        monitor.magnified.push_back(
+            {multiplier, bound(magnification_allowed, largest_ratio(multiplier, Expr(1)))});
+    }
+    for (const Step& earlier : steps_)
+      for (const auto& [j, value] : earlier.upper)
+        if (j == pivot.column)
+          monitor.against.push_back(
+              {value, 1 / bound(cancellation_allowed, largest_ratio(value, p))});
+    if (!p.is_constant()) monitors_.push_back(std::move(monitor));
+    steps_.push_back(std::move(step));
+  }
+}
+
+void Elimination::solve_last_by_adjugate(const Rows& rows) {
+  std::vector<int> open, columns = columns_of(rows);
+  for (int i = 0; i < static_cast<int>(rows.size()); ++i)
+    if (!rows[i].empty()) open.push_back(i);
+  if (open.size() != columns.size() || open.size() + steps_.size() != rows.size())
+    throw std::invalid_argument("the Jacobian is structurally singular");
+  std::vector<std::vector<Expr>> matrix;
+  for (const int i : open) {
+    matrix.emplace_back();
+    for (const int j : columns) {
+      const auto entry = rows[i].find(j);
+      matrix.back().push_back(entry == rows[i].end() ? Expr(0) : entry->second);
+    }
+  }
+  last_.emplace(Last{std::move(open), std::move(columns), Adjugate(matrix)});
+
+  const auto watch = [&](Expr what, Expr against) {
+    monitors_.push_back(
+        {what, {}, {{against, 1 / bound(cancellation_allowed, largest_ratio(against, what))}}});
+  };
+  watch(last_->inverse.determinant(), last_->inverse.magnitude());
+  // What is left of a column beside the entries that it was eliminated with.
+  for (std::size_t k = 0; k < last_->columns.size(); ++k) {
+    Expr size = 0, before = 0;
+    for (const std::vector<Expr>& row : matrix) size = size + abs(row[k]);
+    for (const Step& earlier : steps_)
+      for (const auto& [j, value] : earlier.upper)
+        if (j == last_->columns[k]) before = before + abs(value);
+    if (!before.is_zero()) watch(size, before);
+  }
+}
+
+std::vector<Expr> Elimination::solve(std::vector<Expr> b) const {
+  for (const Step& s : steps_)
+    for (const auto& [i, multiplier] : s.lower) b[i] = b[i] - multiplier * b[s.row];
+  std::vector<Expr> x(b.size());
+  if (last_) {
+    std::vector<Expr> right;
+    for (const int i : last_->rows) right.push_back(b[i]);
+    const std::vector<Expr> left = last_->inverse.solve(right);
+    for (std::size_t k = 0; k < left.size(); ++k) x[last_->columns[k]] = left[k];
+  }
+  for (auto s = steps_.rbegin(); s != steps_.rend(); ++s) {
+    Expr sum = b[s->row];
+    for (const auto& [j, value] : s->upper) sum = sum - value * x[j];
+    x[s->column] = sum * s->reciprocal;
+  }
+  return x;
+}
+
+}  // namespace desmo::generate

@@ -1,0 +1,52 @@
+#include "formulations/codegen/eliminate/monitors.h"
+
+namespace desmo::generate {
+
+std::vector<Expr> monitored(const std::vector<PivotMonitor>& monitors) {
+  std::vector<Expr> result;
+  for (const PivotMonitor& m : monitors)
+    for (const auto* list : {&m.magnified, &m.against})
+      for (const PivotMonitor::Bound& bound : *list) result.push_back(bound.value);
+  for (const PivotMonitor& m : monitors) result.push_back(m.pivot);
+  return result;
+}
+
+std::vector<Expr> monitored(const std::vector<SizeMonitor>& monitors) {
+  std::vector<Expr> result;
+  for (const SizeMonitor& m : monitors) {
+    result.push_back(m.value);
+    result.push_back(m.bound * m.against);
+  }
+  return result;
+}
+
+std::vector<std::string> conditions(const Emitter& emitter,
+                                    const std::vector<PivotMonitor>& monitors) {
+  const std::string& functions = emitter.style().functions;
+  std::vector<std::string> result;
+  for (const PivotMonitor& m : monitors) {
+    for (const auto& [multiplier, bound] : m.magnified)
+      result.push_back("(" + functions + "abs(" + emitter.text(multiplier) + ") < " +
+                       literal(bound) + ")");
+    for (const auto& [above, bound] : m.against)
+      result.push_back("(" + functions + "abs(" + emitter.text(m.pivot) + ") > " + literal(bound) +
+                       " * " + functions + "abs(" + emitter.text(above) + "))");
+  }
+  return result;
+}
+
+std::vector<std::string> conditions(const Emitter& emitter,
+                                    const std::vector<SizeMonitor>& monitors) {
+  std::vector<std::string> result;
+  for (const SizeMonitor& m : monitors)
+    result.push_back("(" + emitter.text(m.value) + " > " + emitter.text(m.bound * m.against) + ")");
+  return result;
+}
+
+std::string all_of(const std::vector<std::string>& conditions) {
+  std::string result;
+  for (const std::string& c : conditions) result += (result.empty() ? "" : "\n        & ") + c;
+  return result.empty() ? "true" : result;
+}
+
+}  // namespace desmo::generate

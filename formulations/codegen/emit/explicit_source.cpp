@@ -1,0 +1,107 @@
+#include "formulations/codegen/emit/explicit_source.h"
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+#include "formulations/codegen/emit/emission.h"
+#include "formulations/codegen/emit/explicit_plan.h"
+#include "formulations/codegen/emit/explicit_solve.h"
+#include "formulations/codegen/order/order_text.h"
+
+namespace desmo::generate {
+
+namespace {
+
+void write_comment(std::ostream& out, const ExplicitPlan& plan) {
+  out << "// " << plan.type.fingerprint << "\n//\n";
+  std::istringstream lines(describe(plan.type, plan.order));
+  for (std::string line; std::getline(lines, line);) out << "// " << line << "\n";
+  out << "\n";
+}
+
+void write_branches(std::ostream& out, const ExplicitPlan& plan) {
+  out << "constexpr std::array<std::string_view, " << plan.roots.size() << "> branches{{\n";
+  for (const Stretch& s : plan.order)
+    for (const Definition& d : s.definitions)
+      for (std::size_t k = 0; k < d.form.roots.size(); ++k)
+        out << "    \"" << names_of(plan.type, d.unknowns) << "\",\n";
+  out << "}};\n\n";
+
+  std::vector<Expr> pivots;
+  for (const Root& root : plan.roots) pivots.push_back(root.pivot);
+  out << "void find_branches(const double* q, const int* in, const double* c, double* branch) {\n";
+  std::set<int> declared;
+  plan.load(out, pivots, "const double", declared);
+  Emitter emitter(out, "  ", pivots);
+  emitter.prepare(pivots);
+  for (std::size_t k = 0; k < pivots.size(); ++k)
+    out << "  branch[" << k << "] = " << emitter.text(pivots[k]) << " < 0 ? -1 : 1;\n";
+  out << "}\n\n";
+}
+
+void write_fold(std::ostream& out, const std::vector<Expr>& folded) {
+  out << "constexpr int folded = " << folded.size() << ";\n"
+      << "void fold(const double* c, double* f) {\n";
+  Emitter emitter(out, "  ", folded);
+  emitter.prepare(folded);
+  for (std::size_t k = 0; k < folded.size(); ++k)
+    out << "  f[" << k << "] = " << emitter.text(folded[k]) << ";\n";
+  out << "}\n\n";
+}
+
+void write_list(std::ostream& out, const char* name, const std::vector<int>& inputs) {
+  out << "constexpr std::array<int, " << inputs.size() << "> " << name << "{";
+  for (std::size_t k = 0; k < inputs.size(); ++k) out << (k > 0 ? ", " : "") << inputs[k];
+  out << "};\n";
+}
+
+/// What a caller who brings inputs together has to bring, and what it gets.
+void write_lists(std::ostream& out, const ExplicitPlan& plan) {
+  const std::vector<int> torn = plan.torn(), angles = plan.angles();
+  const auto has = [](const std::vector<int>& inputs, int input) {
+    return std::ranges::find(inputs, input) != inputs.end();
+  };
+  std::vector<int> read, unknowns;
+  for (std::size_t i = 0; i < plan.type.inputs.size(); ++i) {
+    const int input = static_cast<int>(i);
+    const Role role = plan.type.inputs[i].role;
+    if (role != Role::unknown || has(torn, input) || has(angles, input)) read.push_back(input);
+    if (role == Role::unknown) unknowns.push_back(input);
+  }
+  write_list(out, "torn", torn);
+  write_list(out, "angles", angles);
+  write_list(out, "read", read);
+  write_list(out, "unknowns", unknowns);
+}
+
+}  // namespace
+
+void write_explicit_kernel(std::ostream& out, const std::string& name, const PartType& type,
+                           const std::vector<SamplePoint>& samples) {
+  const Graph graph(static_cast<int>(samples.size()));
+  const RecordedPart part = record(type, samples);
+  const ExplicitPlan plan(type, part);
+  out << "namespace " << name << " {\n\n";
+  write_comment(out, plan);
+  write_branches(out, plan);
+  write_fold(out, write_solve(out, plan));
+  write_lists(out, plan);
+  out << "}  // namespace " << name << "\n\n";
+}
+
+void write_explicit_table_row(std::ostream& out, const std::string& name, const PartType& type) {
+  out << "    {\"" << name << "\", \"" << type.fingerprint << "\", " << name << "::branches, "
+      << name << "::unknowns, " << name << "::torn, " << name << "::angles,\n     " << name
+      << "::folded, " << name << "::fold, " << name << "::find_branches,\n     {";
+  for (const char* level : {"position", "velocity", "acceleration"})
+    out << "solve_run<" << name << "::solve<double, Level::" << level << ">>,\n      ";
+  out << "}},\n";
+}
+
+void write_lane_table_row(std::ostream& out, const std::string& name, const PartType& type) {
+  out << "    {lanes, \"" << type.fingerprint << "\", " << name << "::read, " << name
+      << "::unknowns,\n     solve_lanes<" << name << "::solve<Lanes, Level::acceleration>>},\n";
+}
+
+}  // namespace desmo::generate

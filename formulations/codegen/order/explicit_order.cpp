@@ -1,0 +1,139 @@
+#include "formulations/codegen/order/explicit_order.h"
+
+#include <algorithm>
+#include <set>
+
+#include "formulations/codegen/order/angle_separation.h"
+#include "formulations/codegen/order/opposite.h"
+#include "formulations/codegen/order/tearing.h"
+#include "formulations/codegen/order/type_blocks.h"
+#include "formulations/codegen/record/inputs.h"
+
+namespace desmo::generate {
+
+namespace {
+
+/// Inputs that some expressions need.
+class Needs {
+ public:
+  explicit Needs(const std::vector<Expr>& wanted) {
+    for (const Expr e : wanted) add(e);
+  }
+  void add(Expr e) {
+    for (const Expr input : moving_inputs(e)) inputs_.insert(input.id());
+  }
+  bool include(Expr input) const { return inputs_.contains(input.id()); }
+
+ private:
+  std::set<int> inputs_;
+};
+
+struct Solved {
+  ClosedForm form;
+  std::vector<Expr> x;
+};
+
+class OrderMaker {
+ public:
+  OrderMaker(const PartType& type, const RecordedPart& part) : type_(type), part_(part) {}
+
+  std::vector<Stretch> make() {
+    for (Block& block : blocks_of(type_, part_)) {
+      const std::vector<Said> all = block.equations;
+      add(std::move(block));
+      for (const Said& s : all) facts_.learn(s.equation);
+    }
+    return std::move(order_);
+  }
+
+ private:
+  void add(Block block) {
+    std::vector<Definition> angles;
+    for (const int i : std::vector<int>(block.unknowns))
+      if (auto separated = separate_angle(block, i, type_, part_)) {
+        auto& [rest, angle] = *separated;
+        std::erase_if(block.equations, [&](const Said& s) {
+          return std::ranges::find(rest.rows, s.rows.front()) != rest.rows.end();
+        });
+        block.equations.push_back(std::move(rest));
+        std::erase(block.unknowns, i);
+        angles.push_back(std::move(angle));
+      }
+    std::vector<Expr> equations;
+    for (const Said& s : block.equations) equations.push_back(s.equation);
+    add(block, Tearing(equations, positions(part_, block.unknowns), facts_).best());
+    for (Definition& d : angles) order_.push_back({{}, {std::move(d)}, {}, {}, {}});
+  }
+
+  /// Equations of earlier definitions hold when later ones are evaluated, in a core as well.
+  void solve_knowing_more(const Block& block, Torn& torn) {
+    for (Placed& p : torn.placed) {
+      Task task{{}, {}, facts_};
+      for (const int u : p.unknowns) task.x.push_back(part_.q[block.unknowns[u]]);
+      for (const int e : p.equations) task.equations.push_back(block.equations[e].equation);
+      p.form = by_earlier(solve_closed(task).value());
+      solved_.push_back({p.form, task.x});
+      for (const Expr e : task.equations) facts_.learn(e);
+      for (const auto& [e, value] : p.form.consequences) facts_.learn(e, value);
+    }
+  }
+
+  /// What is known but for its sign is not solved for again.
+  ClosedForm by_earlier(ClosedForm form) const {
+    for (const Solved& earlier : solved_)
+      if (auto opposite = as_earlier_or_opposite(form, earlier.form, earlier.x)) return *opposite;
+    return form;
+  }
+
+  void add(const Block& block, Torn torn) {
+    solve_knowing_more(block, torn);
+    Stretch core;
+    for (const int t : torn.torn) core.torn.push_back(block.unknowns[t]);
+    for (const int e : torn.left_over) {
+      core.residuals.push_back(block.equations[e].equation);
+      core.residual_rows.push_back(block.equations[e].rows);
+      core.residual_names.push_back(names(block.equations[e].rows));
+    }
+    // Backwards: what the residuals need belongs to the core, the rest follows it.
+    Needs needs(core.residuals);
+    std::vector<Definition> after;
+    for (auto p = torn.placed.rbegin(); p != torn.placed.rend(); ++p) {
+      Definition d{std::move(p->form), {}, {}};
+      bool needed = false;
+      for (const int u : p->unknowns) {
+        d.unknowns.push_back(block.unknowns[u]);
+        needed = needed || needs.include(part_.q[d.unknowns.back()]);
+      }
+      for (const int e : p->equations) d.because.push_back(names(block.equations[e].rows));
+      if (needed) {
+        for (const int e : p->equations) needs.add(block.equations[e].equation);
+        for (const Expr v : d.form.values) needs.add(v);
+      }
+      (needed ? core.definitions : after).push_back(std::move(d));
+    }
+    std::ranges::reverse(core.definitions);
+    std::ranges::reverse(after);
+    if (!core.torn.empty()) order_.push_back(std::move(core));
+    for (Definition& d : after) order_.push_back({{}, {std::move(d)}, {}, {}, {}});
+  }
+
+  std::string names(const std::vector<int>& rows) const {
+    std::string result;
+    for (const int r : rows) result += (result.empty() ? "" : " and ") + type_.row_names[r];
+    return result;
+  }
+
+  const PartType& type_;
+  const RecordedPart& part_;
+  Facts facts_;
+  std::vector<Solved> solved_;  // in closed form, in order
+  std::vector<Stretch> order_;
+};
+
+}  // namespace
+
+std::vector<Stretch> explicit_order(const PartType& type, const RecordedPart& part) {
+  return OrderMaker(type, part).make();
+}
+
+}  // namespace desmo::generate

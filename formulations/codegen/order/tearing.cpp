@@ -1,0 +1,154 @@
+#include "formulations/codegen/order/tearing.h"
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+#include <tuple>
+
+namespace desmo::generate {
+
+namespace {
+
+/// Below this, a closed form would be singular not far from where it was sampled.
+constexpr double least_quality = 0.03;
+/// From here on, one is as good as another.
+constexpr double good_quality = 0.25;
+
+constexpr std::size_t largest_set = 4, largest_tried = 3, most_tried = 3000;
+
+std::vector<int> members(const auto& set, std::size_t n) {
+  std::vector<int> result;
+  for (std::size_t i = 0; i < n; ++i)
+    if (set[i]) result.push_back(static_cast<int>(i));
+  return result;
+}
+
+/// Smaller is better.
+auto rank(const Torn& t) {
+  return std::tuple(t.unplaced, -std::min(t.quality, good_quality), t.cost, -t.quality);
+}
+
+}  // namespace
+
+Tearing::Tearing(const std::vector<Expr>& equations, const std::vector<Expr>& unknowns,
+                 const Facts& facts)
+    : unknowns_(unknowns.size()), matcher_(equations, unknowns, facts), reads_(equations.size()) {
+  if (unknowns_ > most_unknowns)
+    throw std::invalid_argument("too many unknowns in one irreducible block to be torn");
+  for (std::size_t e = 0; e < equations.size(); ++e)
+    for (const int i : matcher_.read_by(static_cast<int>(e))) reads_[e].set(i);
+}
+
+/// Adds equations after the last until the set has as many unknowns as equations.
+bool Tearing::extend(Walk& w, Torn& order, std::vector<int>& equations, const Set& unknowns,
+                     std::size_t size) {
+  if (equations.size() == size) {
+    if (unknowns.count() != size) return false;
+    const std::vector<int> found = members(unknowns, unknowns_);
+    const Match& m = matcher_.match(found, equations);
+    if (!m.form || m.quality < least_quality) return false;
+    order.placed.push_back({*m.form, found, equations});
+    order.quality = std::min(order.quality, m.quality);
+    order.cost += m.form->cost;
+    w.open &= ~unknowns;
+    for (const int e : equations) w.used[e] = true;
+    for (Set& reads : w.reads) reads &= w.open;
+    return true;
+  }
+  const int first = equations.empty() ? 0 : equations.back() + 1;
+  for (int e = first; e < static_cast<int>(reads_.size()); ++e) {
+    if (w.used[e] || w.reads[e].none()) continue;
+    const Set all = unknowns | w.reads[e];
+    if (all.count() > size) continue;
+    equations.push_back(e);
+    if (extend(w, order, equations, all, size)) return true;
+    equations.pop_back();
+  }
+  return false;
+}
+
+bool Tearing::place_next(Walk& w, Torn& order) {
+  for (std::size_t size = 1; size <= largest_set; ++size) {
+    std::vector<int> equations;
+    if (extend(w, order, equations, {}, size)) return true;
+  }
+  return false;
+}
+
+Torn Tearing::walk(const std::vector<int>& torn) {
+  Walk w{{}, std::vector<bool>(reads_.size(), false), reads_};
+  for (std::size_t i = 0; i < unknowns_; ++i) w.open.set(i);
+  for (const int t : torn) w.open.reset(t);
+  for (Set& reads : w.reads) reads &= w.open;
+  Torn order;
+  order.torn = torn;
+  while (w.open.any() && place_next(w, order)) {
+  }
+  order.unplaced = static_cast<int>(w.open.count());
+  w.used.flip();
+  order.left_over = members(w.used, w.used.size());
+  return order;
+}
+
+std::optional<Torn> Tearing::best_of_size(std::size_t size) {
+  const int n = static_cast<int>(unknowns_);
+  std::vector<int> torn(size);
+  std::iota(torn.begin(), torn.end(), 0);
+  std::optional<Torn> best;
+  for (;;) {
+    Torn order = walk(torn);
+    if (order.unplaced == 0 && (!best || rank(order) < rank(*best))) best = std::move(order);
+    int k = static_cast<int>(size) - 1;  // the next combination
+    while (k >= 0 && torn[k] == n - static_cast<int>(size) + k) --k;
+    if (k < 0) return best;
+    ++torn[k];
+    for (std::size_t i = k + 1; i < size; ++i) torn[i] = torn[i - 1] + 1;
+  }
+}
+
+Torn Tearing::greedy() {
+  Torn order = walk({});
+  while (order.unplaced > 0) {
+    std::optional<Torn> best;
+    for (int i = 0; i < static_cast<int>(unknowns_); ++i) {
+      const bool placed = std::ranges::any_of(order.placed, [&](const Placed& p) {
+        return std::ranges::find(p.unknowns, i) != p.unknowns.end();
+      });
+      if (placed || std::ranges::find(order.torn, i) != order.torn.end()) continue;
+      std::vector<int> torn = order.torn;
+      torn.push_back(i);
+      Torn candidate = walk(torn);
+      if (!best || rank(candidate) < rank(*best)) best = std::move(candidate);
+    }
+    order = std::move(*best);
+  }
+  for (std::size_t k = 0; k < order.torn.size();) {  // those that later ones made superfluous
+    std::vector<int> torn = order.torn;
+    torn.erase(torn.begin() + static_cast<std::ptrdiff_t>(k));
+    Torn fewer = walk(torn);
+    if (fewer.unplaced == 0)
+      order = std::move(fewer);
+    else
+      ++k;
+  }
+  return order;
+}
+
+Torn Tearing::best() {
+  Torn order = walk({});
+  if (order.unplaced == 0) return order;
+  std::vector<int> all(unknowns_);
+  std::iota(all.begin(), all.end(), 0);
+  if (all.size() <= largest_set)
+    if (const Match& m = matcher_.match(all, all); m.form)
+      return {{}, {{*m.form, all, all}}, {}, 0, m.quality, m.form->cost};
+  std::size_t combinations = 1;
+  for (std::size_t size = 1; size <= largest_tried && size < all.size(); ++size) {
+    combinations = combinations * (all.size() - size + 1) / size;
+    if (combinations > most_tried) break;
+    if (std::optional<Torn> found = best_of_size(size)) return *found;
+  }
+  return greedy();
+}
+
+}  // namespace desmo::generate

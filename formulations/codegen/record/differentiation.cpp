@@ -1,0 +1,107 @@
+#include "formulations/codegen/record/differentiation.h"
+
+#include <stdexcept>
+
+namespace desmo::generate {
+
+namespace {
+
+/// Each of these computes one quantity of every node that is asked for, once. A second derivative
+/// is linear in the second derivatives of inputs, like a first one, plus twice what `Quadratic`
+/// gives: so that the factor two is multiplied by once.
+class Linear {
+ public:
+  explicit Linear(const std::map<int, Expr>& of_input) : of_input_(of_input) {}
+
+  Expr operator()(Expr e) {
+    if (const auto it = done_.find(e.id()); it != done_.end()) return it->second;
+    return done_.emplace(e.id(), compute(e)).first->second;
+  }
+
+ private:
+  Expr compute(Expr e) {
+    const Node n = Graph::current().node(e.id());  // a copy: the graph grows
+    if (!n.moves) return 0;
+    if (n.op == Op::input) {
+      const auto it = of_input_.find(e.id());
+      return it == of_input_.end() ? Expr(0) : it->second;
+    }
+    Linear& d = *this;
+    const Expr a = Expr::node(n.a), b = Expr::node(n.b < 0 ? n.a : n.b);
+    switch (n.op) {
+      case Op::add:
+        return d(a) + d(b);
+      case Op::subtract:
+        return d(a) - d(b);
+      case Op::negate:
+        return -d(a);
+      case Op::multiply:
+        return n.a == n.b ? 2 * (a * d(a)) : d(a) * b + a * d(b);
+      case Op::divide:
+        return (d(a) - e * d(b)) / b;
+      case Op::sine:
+        return cos(a) * d(a);
+      case Op::cosine:
+        return -(sin(a) * d(a));
+      default:
+        throw std::logic_error("an equation contains what has no derivative");
+    }
+  }
+
+  const std::map<int, Expr>& of_input_;
+  std::map<int, Expr> done_;
+};
+
+class QuadraticTerm {
+ public:
+  explicit QuadraticTerm(const std::map<int, Expr>& first_of_input) : first_(first_of_input) {}
+
+  Expr operator()(Expr e) {
+    if (const auto it = done_.find(e.id()); it != done_.end()) return it->second;
+    return done_.emplace(e.id(), compute(e)).first->second;
+  }
+
+ private:
+  Expr compute(Expr e) {
+    const Node n = Graph::current().node(e.id());
+    if (!n.moves || n.op == Op::input) return 0;
+    QuadraticTerm& h = *this;
+    const Expr a = Expr::node(n.a), b = Expr::node(n.b < 0 ? n.a : n.b);
+    switch (n.op) {
+      case Op::add:
+        return h(a) + h(b);
+      case Op::subtract:
+        return h(a) - h(b);
+      case Op::negate:
+        return -h(a);
+      case Op::multiply:
+        return n.a == n.b ? first_(a) * first_(a) + 2 * (a * h(a))
+                          : h(a) * b + first_(a) * first_(b) + a * h(b);
+      case Op::divide:
+        return (h(a) - first_(e) * first_(b) - e * h(b)) / b;
+      case Op::sine:
+        return cos(a) * h(a) - 0.5 * (e * (first_(a) * first_(a)));
+      case Op::cosine:
+        return -(sin(a) * h(a)) - 0.5 * (e * (first_(a) * first_(a)));
+      default:
+        throw std::logic_error("an equation contains what has no derivative");
+    }
+  }
+
+  Linear first_;
+  std::map<int, Expr> done_;
+};
+
+}  // namespace
+
+Expr partial(Expr e, Expr input) {
+  Rates rates;
+  rates.set_first(input, 1);
+  return rates.first(e);
+}
+
+Expr Rates::first(Expr e) const { return Linear(first_)(e); }
+
+Expr Rates::second(Expr e) const { return Linear(second_)(e) + 2 * QuadraticTerm(first_)(e); }
+
+}  // namespace desmo::generate

@@ -1,0 +1,172 @@
+#include "formulations/codegen/record/expression.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace desmo::generate {
+
+namespace {
+
+Graph* current_graph = nullptr;
+
+double apply(Op op, double a, double b) {
+  switch (op) {
+    case Op::add:
+      return a + b;
+    case Op::subtract:
+      return a - b;
+    case Op::multiply:
+      return a * b;
+    case Op::divide:
+      return a / b;
+    case Op::negate:
+      return -a;
+    case Op::sine:
+      return std::sin(a);
+    case Op::cosine:
+      return std::cos(a);
+    case Op::square_root:
+      return std::sqrt(a);
+    case Op::magnitude:
+      return std::abs(a);
+    case Op::constant:
+    case Op::input:
+      break;
+  }
+  throw std::logic_error("not an operation");
+}
+
+/// Multiplication by it is exact.
+bool is_power_of_two(double value) {
+  int exponent;
+  return std::abs(std::frexp(value, &exponent)) == 0.5;
+}
+
+}  // namespace
+
+Graph::Graph(int samples) : sample_count_(samples) {
+  if (current_graph) throw std::logic_error("one graph at a time");
+  current_graph = this;
+}
+
+Graph::~Graph() { current_graph = nullptr; }
+
+Graph& Graph::current() { return *current_graph; }
+
+int Graph::add(Node node, std::vector<double> sample_values) {
+  nodes_.push_back(std::move(node));
+  samples_.push_back(std::move(sample_values));
+  return size() - 1;
+}
+
+int Graph::input(std::string name, std::vector<double> sample_values, bool moves) {
+  return add({Op::input, -1, -1, 0, std::move(name), moves}, std::move(sample_values));
+}
+
+int Graph::constant(double value) {
+  if (value == 0) value = 0;  // no negative zero
+  const auto it = constants_.find(value);
+  if (it != constants_.end()) return it->second;
+  return constants_[value] = add({Op::constant, -1, -1, value, {}, false},
+                                 std::vector<double>(sample_count_, value));
+}
+
+bool Graph::is(int id, double value) const {
+  return nodes_[id].op == Op::constant && nodes_[id].value == value;
+}
+
+int Graph::find_or_add(Op op, int a, int b) {
+  const auto it = operations_.find({op, a, b});
+  if (it != operations_.end()) return it->second;
+  std::vector<double> values(sample_count_);
+  for (int s = 0; s < sample_count_; ++s)
+    values[s] = apply(op, samples_[a][s], b < 0 ? 0 : samples_[b][s]);
+  const bool moves = nodes_[a].moves || (b >= 0 && nodes_[b].moves);
+  return operations_[{op, a, b}] = add({op, a, b, 0, {}, moves}, std::move(values));
+}
+
+Graph::Scaled Graph::as_scaled(int id) const {
+  const Node& n = nodes_[id];
+  if (n.op != Op::multiply) return {-1, id};
+  if (nodes_[n.a].op == Op::constant) return {n.a, n.b};
+  if (nodes_[n.b].op == Op::constant) return {n.b, n.a};
+  return {-1, id};
+}
+
+double Graph::factor(int id) const {
+  if (nodes_[id].op == Op::negate) return factor(nodes_[id].a);
+  const int factor = as_scaled(id).factor;
+  return factor < 0 ? 1 : nodes_[factor].value;
+}
+
+bool Graph::is_reciprocal(int id, int of) const {
+  const Node& n = nodes_[id];
+  return n.op == Op::divide && is(n.a, 1) && n.b == of;
+}
+
+int Graph::unary(Op op, int a) {
+  const Node n = nodes_[a];
+  if (n.op == Op::constant) return constant(apply(op, n.value, 0));
+  if (op == Op::negate && n.op == Op::negate) return n.a;
+  return find_or_add(op, a, -1);
+}
+
+int Graph::binary(Op op, int a, int b) {
+  const Node l = nodes_[a], r = nodes_[b];
+  if (l.op == Op::constant && r.op == Op::constant) return constant(apply(op, l.value, r.value));
+  const bool left_negated = l.op == Op::negate, right_negated = r.op == Op::negate;
+  const Scaled scaled_l = as_scaled(a), scaled_r = as_scaled(b);
+  const bool common = scaled_l.factor >= 0 && scaled_l.factor == scaled_r.factor;
+  switch (op) {
+    case Op::add:
+      if (is(a, 0)) return b;
+      if (is(b, 0)) return a;
+      if (right_negated) return binary(Op::subtract, a, r.a);
+      if (left_negated) return binary(Op::subtract, b, l.a);
+      if (common)
+        return binary(Op::multiply, scaled_l.factor, binary(Op::add, scaled_l.of, scaled_r.of));
+      break;
+    case Op::subtract:
+      if (is(b, 0)) return a;
+      if (is(a, 0)) return unary(Op::negate, b);
+      if (a == b) return constant(0);
+      if (right_negated) return binary(Op::add, a, r.a);
+      if (left_negated) return unary(Op::negate, binary(Op::add, l.a, b));
+      if (common)
+        return binary(Op::multiply, scaled_l.factor,
+                      binary(Op::subtract, scaled_l.of, scaled_r.of));
+      if (const auto opposite = operations_.find({op, b, a}); opposite != operations_.end())
+        return unary(Op::negate, opposite->second);
+      break;
+    case Op::multiply:
+      if (is(a, 0) || is(b, 0)) return constant(0);
+      if (is(a, 1)) return b;
+      if (is(b, 1)) return a;
+      if (is(a, -1)) return unary(Op::negate, b);
+      if (is(b, -1)) return unary(Op::negate, a);
+      if (is_reciprocal(a, b) || is_reciprocal(b, a)) return constant(1);
+      if (left_negated) return unary(Op::negate, binary(Op::multiply, l.a, b));
+      if (right_negated) return unary(Op::negate, binary(Op::multiply, a, r.a));
+      if (l.op == Op::constant && scaled_r.factor >= 0 && is_power_of_two(l.value))
+        return binary(Op::multiply, binary(Op::multiply, a, scaled_r.factor), scaled_r.of);
+      if (r.op == Op::constant && scaled_l.factor >= 0 && is_power_of_two(r.value))
+        return binary(Op::multiply, binary(Op::multiply, b, scaled_l.factor), scaled_l.of);
+      break;
+    case Op::divide:
+      if (is(a, 0)) return constant(0);
+      if (is(b, 1)) return a;
+      if (is(b, -1)) return unary(Op::negate, a);
+      if (left_negated) return unary(Op::negate, binary(Op::divide, l.a, b));
+      if (right_negated) return unary(Op::negate, binary(Op::divide, a, r.a));
+      if (r.op == Op::constant && is_power_of_two(r.value))
+        return binary(Op::multiply, a, constant(1 / r.value));
+      break;
+    default:
+      break;
+  }
+  if ((op == Op::add || op == Op::multiply) && a > b) std::swap(a, b);
+  return find_or_add(op, a, b);
+}
+
+}  // namespace desmo::generate

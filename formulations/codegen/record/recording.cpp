@@ -1,0 +1,88 @@
+#include "formulations/codegen/record/recording.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "formulations/constraints/constraints.h"
+
+namespace desmo::generate {
+
+namespace {
+
+std::string identifier(std::string name) {
+  for (char& c : name)
+    if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+  return name;
+}
+
+}  // namespace
+
+std::string variable_name(const PartType& type, int input) {
+  const std::string name = "_" + identifier(type.inputs[input].name);
+  for (int i = 0; i < input; ++i)
+    if ("_" + identifier(type.inputs[i].name) == name) return name + "_" + std::to_string(input);
+  return name;
+}
+
+std::vector<Expr> positions(const RecordedPart& part, const std::vector<int>& inputs) {
+  std::vector<Expr> result;
+  for (const int i : inputs) result.push_back(part.q[i]);
+  return result;
+}
+
+RecordedPart record(const PartType& type, const std::vector<SamplePoint>& samples) {
+  Graph& graph = Graph::current();
+  RecordedPart g;
+  const std::vector<double> unsampled(samples.size(), 0.0);  // rates: no pivot depends on them
+  const int inputs = static_cast<int>(type.inputs.size());
+  for (int i = 0; i < inputs; ++i) {
+    const std::string name = variable_name(type, i);
+    const bool fixed = type.inputs[i].role == Role::fixed;
+    std::vector<double> values;
+    for (const SamplePoint& s : samples) values.push_back(s.q[i]);
+    g.q.push_back(Expr::node(graph.input("q" + name, std::move(values))));
+    g.qd.push_back(fixed ? Expr(0) : Expr::node(graph.input("qd" + name, unsampled)));
+    g.qdd.push_back(fixed ? Expr(0) : Expr::node(graph.input("qdd" + name, unsampled)));
+  }
+  std::vector<Expr> constants;
+  for (std::size_t i = 0; i < type.constants.size(); ++i) {
+    std::vector<double> values;
+    for (const SamplePoint& s : samples) values.push_back(s.constants[i]);
+    // That it is zero belongs to the type (see describe_type).
+    constants.push_back(
+        type.constants[i] == 0
+            ? Expr(0)
+            : Expr::node(graph.input("c[" + std::to_string(i) + "]", std::move(values), false)));
+  }
+
+  for (const PartType::Constraint& constraint : type.constraints) {
+    visit_kind(constraint.kind, [&]<class Kind>(Kind) {
+      std::array<const Expr*, Kind::operand_sizes.size()> x, v;
+      for (std::size_t k = 0; k < x.size(); ++k) {
+        x[k] = g.q.data() + constraint.operands[k];
+        v[k] = g.qd.data() + constraint.operands[k];
+      }
+      const Expr* c = constants.data() + constraint.first_constant;
+      std::array<Expr, Kind::rows> phi, gamma;
+      Kind::residual(x.data(), c, phi.data());
+      Kind::quadratic(x.data(), v.data(), c, gamma.data());
+      std::array<int, Kind::rows> row;
+      row.fill(-1);
+      for (const int r : constraint.rows) {
+        row[r] = static_cast<int>(g.phi.size());
+        g.phi.push_back(phi[r]);
+        g.gamma.push_back(gamma[r]);
+      }
+      Kind::jacobian(x.data(), c, [&](int r, int operand, int component, Expr value) {
+        const int input = constraint.operands[operand] + component;
+        const Role role = type.inputs[input].role;
+        if (role == Role::fixed || row[r] < 0) return;
+        auto& list = !value.moves() ? g.constant : role == Role::unknown ? g.dependent : g.known;
+        list.push_back({row[r], input, value});
+      });
+    });
+  }
+  return g;
+}
+
+}  // namespace desmo::generate

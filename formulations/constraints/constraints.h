@@ -1,0 +1,81 @@
+#pragma once
+
+// The constraint kinds in natural and mixed coordinates (García de Jalón & Bayo), each written
+// once and templated on the scalar: double evaluates, an extended type checks, a recording scalar
+// yields the expression from which code is generated.
+//
+// A kind has
+//   name            stable, part of the fingerprint of a group
+//   operand_sizes   components of each entity it joins, in order
+//   constants       how many dimensions of the mechanism it takes
+//   rows            how many scalar equations it contributes
+//   entries         how many partial derivatives it emits
+//   linear          true when all partial derivatives are constant; jacobian then reads no x
+//   modulo_pi       true, where it is given, when Φ determines its last operand, an angle, modulo π
+//                   only; where the angle is the one meant, the derivative by it is negative
+// and three functions, where x[k] points at the first component of operand k, v[k] at its
+// velocity and c at the constants:
+//   residual(x, c, phi)        phi[rows] = Φ, overwritten
+//   jacobian(x, c, entry)      entry(row, operand, component, ∂Φ_row/∂x[operand][component]),
+//                              always the same entries in the same order
+//   quadratic(x, v, c, gamma)  gamma[rows] = Φ̇_q q̇, the quadratic velocity term of eq. (4),
+//                              overwritten
+// The operands of a constraint are different entities. Lengths are in the unit of the mechanism,
+// angles in radians.
+
+#include <cstddef>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+#include "formulations/constraints/coordinates.h"
+#include "formulations/constraints/joints.h"
+#include "formulations/constraints/rigid_body.h"
+#include "formulations/constraints/scalar_definitions.h"
+
+namespace desmo {
+
+/// Every kind there is: the one list that evaluation, recording and tests iterate. A constraint
+/// stores its kind as a position in this list.
+using ConstraintKinds =
+    std::tuple<Length<2>, Length<3>, Unit<3>, Dot<3>, Projection<3>, Rigid<3, 0>, Rigid<3, 1>,
+               Rigid<3, 2>, Rigid<3, 3>, Along<3>, Component<3, 2>, PlanarAngle,
+               FrameAngle<-1, true>, Unit<2>, Rigid<2, 0>, Rigid<2, 1>, Combination<3, 1>,
+               Combination<3, 2>, Combination<3, 3>, Combination<3, 4>, PlanarRelation<true, false>,
+               PlanarRelation<true, true>, PlanarRelation<false, false>,
+               PlanarRelation<false, true>, Along<2>, Offset, Component<2, 0>, Component<2, 1>,
+               Component<3, 0>, Component<3, 1>, Distance<2>, Distance<3>, PlanarDirection,
+               PlanarTurn<false, false>, PlanarTurn<false, true>, PlanarTurn<true, false>,
+               PlanarTurn<true, true>, PlanarTurnAtPoint, FrameAngle<-1, false>,
+               FrameAngle<1, true>, FrameAngle<1, false>, Reach<2>, Reach<3>, PlanarBearing<false>,
+               PlanarBearing<true>, PlanarBearingFrom<false, false>, PlanarBearingFrom<false, true>,
+               PlanarBearingFrom<true, false>, PlanarBearingFrom<true, true>, PlanarBearingAtPoint>;
+
+inline constexpr int constraint_kind_count = std::tuple_size_v<ConstraintKinds>;
+
+template <class Kind>
+inline constexpr bool holds_modulo_pi = requires {
+  requires Kind::modulo_pi;
+};
+
+/// Position of Kind in ConstraintKinds.
+template <class Kind>
+constexpr int kind_index() {
+  return []<std::size_t... I>(std::index_sequence<I...>) {
+    int index = -1;
+    ((std::is_same_v<Kind, std::tuple_element_t<I, ConstraintKinds>> ? (index = I) : 0), ...);
+    return index;
+  }
+  (std::make_index_sequence<constraint_kind_count>{});
+}
+
+/// Calls f with a default-constructed tag of the kind at that position of ConstraintKinds.
+template <class F>
+void visit_kind(int kind, F&& f) {
+  [&]<std::size_t... I>(std::index_sequence<I...>) {
+    ((kind == static_cast<int>(I) ? f(std::tuple_element_t<I, ConstraintKinds>{}) : void()), ...);
+  }
+  (std::make_index_sequence<constraint_kind_count>{});
+}
+
+}  // namespace desmo

@@ -1,0 +1,340 @@
+#pragma once
+
+// What relative coordinates measure: components, distances and angles. A kind is described in
+// formulations/constraints/constraints.h.
+
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "formulations/constraints/vec.h"
+
+namespace desmo {
+
+/// A scalar coordinate equal to component Axis of a point: p_Axis − h = 0. Operands p, h.
+template <int D, int Axis>
+struct Component {
+  static constexpr std::string_view name = [] {
+    constexpr std::string_view names[2][3] = {{"component2_x", "component2_y", ""},
+                                              {"component3_x", "component3_y", "component3_z"}};
+    return names[D - 2][Axis];
+  }();
+  static constexpr std::array operand_sizes{D, 1};
+  static constexpr int constants = 0, rows = 1, entries = 2;
+  static constexpr bool linear = true;
+
+  template <class S>
+  static void residual(const S* const* x, const S*, S* phi) {
+    phi[0] = x[0][Axis] - x[1][0];
+  }
+  template <class S, class Entry>
+  static void jacobian(const S* const*, const S*, Entry&& entry) {
+    entry(0, 0, Axis, S(1));
+    entry(0, 1, 0, S(-1));
+  }
+  template <class S>
+  static void quadratic(const S* const*, const S* const*, const S*, S* gamma) {
+    gamma[0] = S(0);
+  }
+};
+
+/// Distance s of points a, b: ‖b − a‖² − s² = 0. Operands a, b, s. It holds for −s as well, and
+/// does not determine ṡ at s = 0.
+template <int D>
+struct Distance {
+  static constexpr std::string_view name = D == 2 ? "distance2" : "distance3";
+  static constexpr std::array operand_sizes{D, D, 1};
+  static constexpr int constants = 0, rows = 1, entries = 2 * D + 1;
+  static constexpr bool linear = false;
+
+  template <class S>
+  static void residual(const S* const* x, const S*, S* phi) {
+    const auto s = vec::segment<D>(x[0], x[1]);
+    phi[0] = vec::dot<D>(s.data(), s.data()) - x[2][0] * x[2][0];
+  }
+  template <class S, class Entry>
+  static void jacobian(const S* const* x, const S*, Entry&& entry) {
+    for (int i = 0; i < D; ++i) {
+      const S d = S(2) * (x[1][i] - x[0][i]);
+      entry(0, 0, i, -d);
+      entry(0, 1, i, d);
+    }
+    entry(0, 2, 0, S(-2) * x[2][0]);
+  }
+  template <class S>
+  static void quadratic(const S* const*, const S* const* v, const S*, S* gamma) {
+    const auto s = vec::segment<D>(v[0], v[1]);
+    gamma[0] = S(2) * (vec::dot<D>(s.data(), s.data()) - v[2][0] * v[2][0]);
+  }
+};
+
+/// Angle θ of a plane segment from the x axis: b − a − L (cos θ, sin θ) = 0, two equations.
+/// Operands a, b, θ; c = {L}.
+struct PlanarAngle {
+  static constexpr std::string_view name = "planar_angle";
+  static constexpr std::array operand_sizes{2, 2, 1};
+  static constexpr int constants = 1, rows = 2, entries = 6;
+  static constexpr bool linear = false;
+
+  template <class S>
+  static void residual(const S* const* x, const S* c, S* phi) {
+    using std::cos;
+    using std::sin;
+    phi[0] = x[1][0] - x[0][0] - c[0] * cos(x[2][0]);
+    phi[1] = x[1][1] - x[0][1] - c[0] * sin(x[2][0]);
+  }
+  template <class S, class Entry>
+  static void jacobian(const S* const* x, const S* c, Entry&& entry) {
+    using std::cos;
+    using std::sin;
+    for (int i = 0; i < 2; ++i) {
+      entry(i, 0, i, S(-1));
+      entry(i, 1, i, S(1));
+    }
+    entry(0, 2, 0, c[0] * sin(x[2][0]));
+    entry(1, 2, 0, -(c[0] * cos(x[2][0])));
+  }
+  template <class S>
+  static void quadratic(const S* const* x, const S* const* v, const S* c, S* gamma) {
+    using std::cos;
+    using std::sin;
+    const S rate2 = v[2][0] * v[2][0];
+    gamma[0] = c[0] * cos(x[2][0]) * rate2;
+    gamma[1] = c[0] * sin(x[2][0]) * rate2;
+  }
+};
+
+/// Angle θ of a plane unit vector from the x axis: u − (cos θ, sin θ) = 0, two equations. Operands
+/// u, θ. It makes u a unit vector, too.
+struct PlanarDirection {
+  static constexpr std::string_view name = "planar_direction";
+  static constexpr std::array operand_sizes{2, 1};
+  static constexpr int constants = 0, rows = 2, entries = 4;
+  static constexpr bool linear = false;
+
+  template <class S>
+  static void residual(const S* const* x, const S*, S* phi) {
+    using std::cos;
+    using std::sin;
+    phi[0] = x[0][0] - cos(x[1][0]);
+    phi[1] = x[0][1] - sin(x[1][0]);
+  }
+  template <class S, class Entry>
+  static void jacobian(const S* const* x, const S*, Entry&& entry) {
+    using std::cos;
+    using std::sin;
+    entry(0, 0, 0, S(1));
+    entry(1, 0, 1, S(1));
+    entry(0, 1, 0, sin(x[1][0]));
+    entry(1, 1, 0, -cos(x[1][0]));
+  }
+  template <class S>
+  static void quadratic(const S* const* x, const S* const* v, const S*, S* gamma) {
+    using std::cos;
+    using std::sin;
+    const S rate2 = v[1][0] * v[1][0];
+    gamma[0] = cos(x[1][0]) * rate2;
+    gamma[1] = sin(x[1][0]) * rate2;
+  }
+};
+
+namespace vec {
+
+/// r R(θ): turns a plane vector by θ counter-clockwise and stretches it by r.
+template <class S>
+struct Turn {
+  S cosine, sine;  ///< r cos θ, r sin θ
+
+  Turn(const S& ratio, const S& angle) {
+    using std::cos;
+    using std::sin;
+    cosine = ratio * cos(angle);
+    sine = ratio * sin(angle);
+  }
+  std::array<S, 2> operator()(const std::array<S, 2>& e) const {
+    return {cosine * e[0] - sine * e[1], sine * e[0] + cosine * e[1]};
+  }
+  /// Row i, column `other` ≠ i of r R(θ).
+  S across(int i) const { return i == 0 ? -sine : sine; }
+};
+
+/// The quadratic term of −r R(θ) e: with f = r R(θ) e, g = r R(θ) ė and J the quarter turn,
+/// θ̇² f − 2 θ̇ J g.
+template <class S>
+void quadratic_of_turn(const std::array<S, 2>& f, const std::array<S, 2>& g, const S& rate,
+                       S* gamma) {
+  gamma[0] = rate * (rate * f[0] + S(2) * g[1]);
+  gamma[1] = rate * (rate * f[1] - S(2) * g[0]);
+}
+
+}  // namespace vec
+
+/// Angle θ of a plane direction d from a direction e, counter-clockwise: d − r R(θ) e = 0, two
+/// equations, where R(θ) turns by θ and r is the constant ratio ‖d‖/‖e‖. Operands those of d, those
+/// of e, θ; those of a direction are its vector or, with OfSegment (d) and FromSegment (e), the two
+/// points of its segment, start first; c = {r}. All operands must differ, as in every kind: for
+/// segments with a common start there is PlanarTurnAtPoint.
+template <bool OfSegment, bool FromSegment>
+struct PlanarTurn {
+  static constexpr std::string_view name =
+      OfSegment
+          ? (FromSegment ? "planar_turn_segment_from_segment" : "planar_turn_segment_from_vector")
+          : (FromSegment ? "planar_turn_vector_from_segment" : "planar_turn_vector_from_vector");
+  /// First operand of e, and operand θ.
+  static constexpr int e = vec::direction_operands<OfSegment>;
+  static constexpr int theta = e + vec::direction_operands<FromSegment>;
+  static constexpr std::array<int, theta + 1> operand_sizes = [] {
+    std::array<int, theta + 1> sizes{};
+    sizes.fill(2);
+    sizes[theta] = 1;
+    return sizes;
+  }();
+  static constexpr int constants = 1, rows = 2;
+  static constexpr int entries = 2 * ((OfSegment ? 2 : 1) + (FromSegment ? 4 : 2) + 1);
+  static constexpr bool linear = false;
+
+  template <class S>
+  static void residual(const S* const* x, const S* c, S* phi) {
+    const vec::Turn<S> turn(c[0], x[theta][0]);
+    const auto d = vec::direction<2, OfSegment>(x);
+    const auto f = turn(vec::direction<2, FromSegment>(x + e));
+    for (int i = 0; i < 2; ++i) phi[i] = d[i] - f[i];
+  }
+  template <class S, class Entry>
+  static void jacobian(const S* const* x, const S* c, Entry&& entry) {
+    const vec::Turn<S> turn(c[0], x[theta][0]);
+    const auto f = turn(vec::direction<2, FromSegment>(x + e));
+    for (int i = 0; i < 2; ++i) {
+      const int other = 1 - i;
+      if constexpr (OfSegment) entry(i, 0, i, S(-1));
+      entry(i, e - 1, i, S(1));
+      if constexpr (FromSegment) {
+        entry(i, e, i, turn.cosine);
+        entry(i, e, other, turn.across(i));
+      }
+      entry(i, theta - 1, i, -turn.cosine);
+      entry(i, theta - 1, other, -turn.across(i));
+    }
+    entry(0, theta, 0, f[1]);
+    entry(1, theta, 0, -f[0]);
+  }
+  template <class S>
+  static void quadratic(const S* const* x, const S* const* v, const S* c, S* gamma) {
+    const vec::Turn<S> turn(c[0], x[theta][0]);
+    vec::quadratic_of_turn(turn(vec::direction<2, FromSegment>(x + e)),
+                           turn(vec::direction<2, FromSegment>(v + e)), v[theta][0], gamma);
+  }
+};
+
+/// The same of two segments from one point o, to b and to a: (b − o) − r R(θ) (a − o) = 0, two
+/// equations. Operands o, b, a, θ; c = {r}, the constant ratio ‖b − o‖/‖a − o‖.
+struct PlanarTurnAtPoint {
+  static constexpr std::string_view name = "planar_turn_at_point";
+  static constexpr std::array operand_sizes{2, 2, 2, 1};
+  static constexpr int constants = 1, rows = 2, entries = 12;
+  static constexpr bool linear = false;
+
+  template <class S>
+  static void residual(const S* const* x, const S* c, S* phi) {
+    const vec::Turn<S> turn(c[0], x[3][0]);
+    const auto d = vec::segment<2>(x[0], x[1]);
+    const auto f = turn(vec::segment<2>(x[0], x[2]));
+    for (int i = 0; i < 2; ++i) phi[i] = d[i] - f[i];
+  }
+  template <class S, class Entry>
+  static void jacobian(const S* const* x, const S* c, Entry&& entry) {
+    const vec::Turn<S> turn(c[0], x[3][0]);
+    const auto f = turn(vec::segment<2>(x[0], x[2]));
+    for (int i = 0; i < 2; ++i) {
+      const int other = 1 - i;
+      entry(i, 0, i, turn.cosine - S(1));
+      entry(i, 0, other, turn.across(i));
+      entry(i, 1, i, S(1));
+      entry(i, 2, i, -turn.cosine);
+      entry(i, 2, other, -turn.across(i));
+    }
+    entry(0, 3, 0, f[1]);
+    entry(1, 3, 0, -f[0]);
+  }
+  template <class S>
+  static void quadratic(const S* const* x, const S* const* v, const S* c, S* gamma) {
+    const vec::Turn<S> turn(c[0], x[3][0]);
+    vec::quadratic_of_turn(turn(vec::segment<2>(x[0], x[2])), turn(vec::segment<2>(v[0], v[2])),
+                           v[3][0], gamma);
+  }
+};
+
+/// Angle φ of a direction w in the plane of x and z, from Sign·x towards z:
+/// cos φ z·w − Sign sin φ x·w = 0. Operands x, z, then w, a vector or (Segment) the points a, b
+/// with w = b − a, then φ. It holds modulo π; the initial estimate picks the branch.
+template <int Sign, bool Segment>
+struct FrameAngle {
+  static_assert(Sign == 1 || Sign == -1);
+  static constexpr std::string_view name =
+      Sign < 0 ? (Segment ? "frame_angle" : "frame_angle_of_vector")
+               : (Segment ? "frame_angle_from_x" : "frame_angle_from_x_of_vector");
+  /// Operand φ.
+  static constexpr int angle = 2 + vec::direction_operands<Segment>;
+  static constexpr std::array<int, angle + 1> operand_sizes = [] {
+    std::array<int, angle + 1> sizes{};
+    sizes.fill(3);
+    sizes[angle] = 1;
+    return sizes;
+  }();
+  static constexpr int constants = 0, rows = 1, entries = 3 * angle + 1;
+  static constexpr bool linear = false, modulo_pi = true;
+
+  template <class S>
+  static void residual(const S* const* q, const S*, S* phi) {
+    using std::cos;
+    using std::sin;
+    const auto w = vec::direction<3, Segment>(q + 2);
+    phi[0] = cos(q[angle][0]) * vec::dot<3>(q[1], w.data()) +
+             opposite(sin(q[angle][0])) * vec::dot<3>(q[0], w.data());
+  }
+  template <class S, class Entry>
+  static void jacobian(const S* const* q, const S*, Entry&& entry) {
+    using std::cos;
+    using std::sin;
+    const S cosine = cos(q[angle][0]), sine = sin(q[angle][0]);
+    const auto w = vec::direction<3, Segment>(q + 2);
+    for (int i = 0; i < 3; ++i) {
+      const S along = cosine * q[1][i] + opposite(sine) * q[0][i];
+      entry(0, 0, i, opposite(sine) * w[i]);
+      entry(0, 1, i, cosine * w[i]);
+      if constexpr (Segment) entry(0, 2, i, -along);
+      entry(0, angle - 1, i, along);
+    }
+    entry(0, angle, 0,
+          opposite(cosine) * vec::dot<3>(q[0], w.data()) - sine * vec::dot<3>(q[1], w.data()));
+  }
+  template <class S>
+  static void quadratic(const S* const* q, const S* const* v, const S*, S* gamma) {
+    using std::cos;
+    using std::sin;
+    const S cosine = cos(q[angle][0]), sine = sin(q[angle][0]), rate = v[angle][0];
+    const auto w = vec::direction<3, Segment>(q + 2);
+    const auto w_rate = vec::direction<3, Segment>(v + 2);
+    // P = z·w and R = x·w, so that Φ = cos φ P − Sign sin φ R.
+    const S p = vec::dot<3>(q[1], w.data()),
+            p_rate = vec::dot<3>(v[1], w.data()) + vec::dot<3>(q[1], w_rate.data());
+    const S r = vec::dot<3>(q[0], w.data()),
+            r_rate = vec::dot<3>(v[0], w.data()) + vec::dot<3>(q[0], w_rate.data());
+    gamma[0] = S(2) * (cosine * vec::dot<3>(v[1], w_rate.data()) +
+                       opposite(sine) * vec::dot<3>(v[0], w_rate.data())) +
+               S(2) * rate * (opposite(cosine) * r_rate - sine * p_rate) -
+               rate * rate * (cosine * p + opposite(sine) * r);
+  }
+
+ private:
+  /// −Sign s
+  template <class S>
+  static S opposite(const S& s) {
+    if constexpr (Sign < 0)
+      return s;
+    else
+      return -s;
+  }
+};
+
+}  // namespace desmo

@@ -1,0 +1,71 @@
+#pragma once
+
+// What joints ask of the points and vectors of two bodies, beyond what makes one body rigid
+// (formulations/constraints/rigid_body.h). A kind is described in
+// formulations/constraints/constraints.h.
+
+#include <array>
+#include <string_view>
+
+#include "formulations/constraints/vec.h"
+
+namespace desmo {
+
+/// Distance along a vector: b − a − s d = 0, D equations. Operands a, b, d, s.
+template <int D>
+struct Along {
+  static constexpr std::string_view name = D == 2 ? "along2" : "along3";
+  static constexpr std::array operand_sizes{D, D, D, 1};
+  static constexpr int constants = 0, rows = D, entries = 4 * D;
+  static constexpr bool linear = false;
+
+  template <class S>
+  static void residual(const S* const* x, const S*, S* phi) {
+    for (int i = 0; i < D; ++i) phi[i] = x[1][i] - x[0][i] - x[3][0] * x[2][i];
+  }
+  template <class S, class Entry>
+  static void jacobian(const S* const* x, const S*, Entry&& entry) {
+    for (int i = 0; i < D; ++i) {
+      entry(i, 0, i, S(-1));
+      entry(i, 1, i, S(1));
+      entry(i, 2, i, -x[3][0]);
+      entry(i, 3, 0, -x[2][i]);
+    }
+  }
+  template <class S>
+  static void quadratic(const S* const*, const S* const* v, const S*, S* gamma) {
+    for (int i = 0; i < D; ++i) gamma[i] = S(-2) * (v[3][0] * v[2][i]);
+  }
+};
+
+/// Planar point p at a constant distance, to the left when positive, from the line through o along
+/// the unit vector u: u × (p − o) − c = 0. Operands u, o, p; c = {distance}.
+struct Offset {
+  static constexpr std::string_view name = "offset";
+  static constexpr std::array operand_sizes{2, 2, 2};
+  static constexpr int constants = 1, rows = 1, entries = 6;
+  static constexpr bool linear = false;
+
+  template <class S>
+  static void residual(const S* const* x, const S* c, S* phi) {
+    const auto s = vec::segment<2>(x[1], x[2]);
+    phi[0] = vec::cross(x[0], s.data()) - c[0];
+  }
+  template <class S, class Entry>
+  static void jacobian(const S* const* x, const S*, Entry&& entry) {
+    const auto s = vec::segment<2>(x[1], x[2]);
+    entry(0, 0, 0, s[1]);
+    entry(0, 0, 1, -s[0]);
+    entry(0, 1, 0, x[0][1]);
+    entry(0, 1, 1, -x[0][0]);
+    entry(0, 2, 0, -x[0][1]);
+    entry(0, 2, 1, x[0][0]);
+  }
+  template <class S>
+  static void quadratic(const S* const*, const S* const* v, const S*, S* gamma) {
+    const auto s = vec::segment<2>(v[1], v[2]);
+    gamma[0] = S(2) * vec::cross(v[0], s.data());
+  }
+};
+
+}  // namespace desmo

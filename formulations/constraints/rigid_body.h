@@ -1,0 +1,245 @@
+#pragma once
+
+// What makes bodies rigid: constant lengths, angles and combinations of points and vectors. A kind
+// is described in formulations/constraints/constraints.h.
+
+#include <array>
+#include <string_view>
+
+#include "formulations/constraints/vec.h"
+
+namespace desmo {
+
+/// Points a, b at constant distance: ‖b − a‖² − L² = 0.   c = {L²}
+template <int D>
+struct Length {
+  static constexpr std::string_view name = D == 2 ? "length2" : "length3";
+  static constexpr std::array operand_sizes{D, D};
+  static constexpr int constants = 1, rows = 1, entries = 2 * D;
+  static constexpr bool linear = false;
+
+  template <class S>
+  static void residual(const S* const* x, const S* c, S* phi) {
+    const auto s = vec::segment<D>(x[0], x[1]);
+    phi[0] = vec::dot<D>(s.data(), s.data()) - c[0];
+  }
+  template <class S, class Entry>
+  static void jacobian(const S* const* x, const S*, Entry&& entry) {
+    for (int i = 0; i < D; ++i) {
+      const S d = S(2) * (x[1][i] - x[0][i]);
+      entry(0, 0, i, -d);
+      entry(0, 1, i, d);
+    }
+  }
+  template <class S>
+  static void quadratic(const S* const*, const S* const* v, const S*, S* gamma) {
+    const auto s = vec::segment<D>(v[0], v[1]);
+    gamma[0] = S(2) * vec::dot<D>(s.data(), s.data());
+  }
+};
+
+/// Unit vector u: u·u − 1 = 0.
+template <int D>
+struct Unit {
+  static constexpr std::string_view name = D == 2 ? "unit2" : "unit3";
+  static constexpr std::array operand_sizes{D};
+  static constexpr int constants = 0, rows = 1, entries = D;
+  static constexpr bool linear = false;
+
+  template <class S>
+  static void residual(const S* const* x, const S*, S* phi) {
+    phi[0] = vec::dot<D>(x[0], x[0]) - S(1);
+  }
+  template <class S, class Entry>
+  static void jacobian(const S* const* x, const S*, Entry&& entry) {
+    for (int i = 0; i < D; ++i) entry(0, 0, i, S(2) * x[0][i]);
+  }
+  template <class S>
+  static void quadratic(const S* const*, const S* const* v, const S*, S* gamma) {
+    gamma[0] = S(2) * vec::dot<D>(v[0], v[0]);
+  }
+};
+
+/// Vectors u, v at a constant angle: u·v − c = 0.   c = {cosine of the angle}
+template <int D>
+struct Dot {
+  static constexpr std::string_view name = D == 2 ? "dot2" : "dot3";
+  static constexpr std::array operand_sizes{D, D};
+  static constexpr int constants = 1, rows = 1, entries = 2 * D;
+  static constexpr bool linear = false;
+
+  template <class S>
+  static void residual(const S* const* x, const S* c, S* phi) {
+    phi[0] = vec::dot<D>(x[0], x[1]) - c[0];
+  }
+  template <class S, class Entry>
+  static void jacobian(const S* const* x, const S*, Entry&& entry) {
+    for (int i = 0; i < D; ++i) {
+      entry(0, 0, i, x[1][i]);
+      entry(0, 1, i, x[0][i]);
+    }
+  }
+  template <class S>
+  static void quadratic(const S* const*, const S* const* v, const S*, S* gamma) {
+    gamma[0] = S(2) * vec::dot<D>(v[0], v[1]);
+  }
+};
+
+/// Vector u and points a, b with constant projection: u·(b − a) − c = 0.   c = {projection}
+template <int D>
+struct Projection {
+  static constexpr std::string_view name = D == 2 ? "projection2" : "projection3";
+  static constexpr std::array operand_sizes{D, D, D};
+  static constexpr int constants = 1, rows = 1, entries = 3 * D;
+  static constexpr bool linear = false;
+
+  template <class S>
+  static void residual(const S* const* x, const S* c, S* phi) {
+    const auto s = vec::segment<D>(x[1], x[2]);
+    phi[0] = vec::dot<D>(x[0], s.data()) - c[0];
+  }
+  template <class S, class Entry>
+  static void jacobian(const S* const* x, const S*, Entry&& entry) {
+    for (int i = 0; i < D; ++i) {
+      entry(0, 0, i, x[2][i] - x[1][i]);
+      entry(0, 1, i, -x[0][i]);
+      entry(0, 2, i, x[0][i]);
+    }
+  }
+  template <class S>
+  static void quadratic(const S* const*, const S* const* v, const S*, S* gamma) {
+    const auto s = vec::segment<D>(v[1], v[2]);
+    gamma[0] = S(2) * vec::dot<D>(v[0], s.data());
+  }
+};
+
+/// Rigid combination: p − o − Σ cᵢ vᵢ = 0 for T vectors, D equations. Operands p, o, v₁ … v_T;
+/// c = {c₁ … c_T}. With T = 0, p coincides with o (a point, or a vector held in a direction).
+template <int D, int T>
+struct Rigid {
+  static constexpr std::string_view name = [] {
+    constexpr std::string_view names[2][4] = {{"rigid2_0", "rigid2_1", "rigid2_2", "rigid2_3"},
+                                              {"rigid3_0", "rigid3_1", "rigid3_2", "rigid3_3"}};
+    return names[D - 2][T];
+  }();
+  static constexpr std::array<int, T + 2> operand_sizes = [] {
+    std::array<int, T + 2> sizes{};
+    sizes.fill(D);
+    return sizes;
+  }();
+  static constexpr int constants = T, rows = D, entries = D * (T + 2);
+  static constexpr bool linear = true;
+
+  template <class S>
+  static void residual(const S* const* x, const S* c, S* phi) {
+    for (int i = 0; i < D; ++i) {
+      phi[i] = x[0][i] - x[1][i];
+      for (int k = 0; k < T; ++k) phi[i] = phi[i] - c[k] * x[k + 2][i];
+    }
+  }
+  template <class S, class Entry>
+  static void jacobian(const S* const*, const S* c, Entry&& entry) {
+    for (int i = 0; i < D; ++i) {
+      entry(i, 0, i, S(1));
+      entry(i, 1, i, S(-1));
+      for (int k = 0; k < T; ++k) entry(i, k + 2, i, -c[k]);
+    }
+  }
+  template <class S>
+  static void quadratic(const S* const*, const S* const*, const S*, S* gamma) {
+    for (int i = 0; i < D; ++i) gamma[i] = S(0);
+  }
+};
+
+/// Combination of T vectors or points: p − Σ cᵢ eᵢ = 0, D equations. Operands p, e₁ … e_T;
+/// c = {c₁ … c_T}. A point is a combination of points when Σ cᵢ = 1.
+template <int D, int T>
+struct Combination {
+  static constexpr std::string_view name = [] {
+    constexpr std::string_view names[2][4] = {
+        {"combination2_1", "combination2_2", "combination2_3", "combination2_4"},
+        {"combination3_1", "combination3_2", "combination3_3", "combination3_4"}};
+    return names[D - 2][T - 1];
+  }();
+  static constexpr std::array<int, T + 1> operand_sizes = [] {
+    std::array<int, T + 1> sizes{};
+    sizes.fill(D);
+    return sizes;
+  }();
+  static constexpr int constants = T, rows = D, entries = D * (T + 1);
+  static constexpr bool linear = true;
+
+  template <class S>
+  static void residual(const S* const* x, const S* c, S* phi) {
+    for (int i = 0; i < D; ++i) {
+      phi[i] = x[0][i];
+      for (int k = 0; k < T; ++k) phi[i] = phi[i] - c[k] * x[k + 1][i];
+    }
+  }
+  template <class S, class Entry>
+  static void jacobian(const S* const*, const S* c, Entry&& entry) {
+    for (int i = 0; i < D; ++i) {
+      entry(i, 0, i, S(1));
+      for (int k = 0; k < T; ++k) entry(i, k + 1, i, -c[k]);
+    }
+  }
+  template <class S>
+  static void quadratic(const S* const*, const S* const*, const S*, S* gamma) {
+    for (int i = 0; i < D; ++i) gamma[i] = S(0);
+  }
+};
+
+/// A point or a vector p of a planar body by a direction d of that body, two equations. J is the
+/// quarter turn counter-clockwise, J (x, y) = (−y, x); c = {c₁, c₂}.
+///   Point:      p − a − c₁ d − c₂ J d = 0
+///   not Point:  p − c₁ d − c₂ J d = 0
+/// Operands p, then the origin a (of a point), then d: a vector x; or, with Segment, the points a
+/// and b, d = b − a. The segment of a point starts at its origin, which is listed once: p, a, b.
+template <bool Point, bool Segment>
+struct PlanarRelation {
+  static constexpr std::string_view name =
+      Point ? (Segment ? "planar_point_by_segment" : "planar_point_by_vector")
+            : (Segment ? "planar_vector_by_segment" : "planar_vector_by_vector");
+  /// Operand that is the vector, or the start of the segment.
+  static constexpr int first = Point && !Segment ? 2 : 1;
+  static constexpr std::array<int, first + vec::direction_operands<Segment>> operand_sizes = [] {
+    std::array<int, first + vec::direction_operands<Segment>> sizes{};
+    sizes.fill(2);
+    return sizes;
+  }();
+  static constexpr int constants = 2, rows = 2;
+  static constexpr int entries = Segment ? 10 : Point ? 8 : 6;
+  static constexpr bool linear = true;
+
+  template <class S>
+  static void residual(const S* const* x, const S* c, S* phi) {
+    const auto d = vec::direction<2, Segment>(x + first);
+    phi[0] = x[0][0] - c[0] * d[0] + c[1] * d[1];
+    phi[1] = x[0][1] - c[0] * d[1] - c[1] * d[0];
+    if constexpr (Point)
+      for (int i = 0; i < 2; ++i) phi[i] = phi[i] - x[1][i];
+  }
+  template <class S, class Entry>
+  static void jacobian(const S* const*, const S* c, Entry&& entry) {
+    for (int i = 0; i < 2; ++i) {
+      const int other = 1 - i;
+      const S across = i == 0 ? c[1] : -c[1];  // −c₂ J
+      entry(i, 0, i, S(1));
+      if constexpr (Point && !Segment) entry(i, 1, i, S(-1));
+      if constexpr (Segment) {
+        entry(i, first, i, Point ? c[0] - S(1) : c[0]);
+        entry(i, first, other, -across);
+      }
+      constexpr int last = operand_sizes.size() - 1;
+      entry(i, last, i, -c[0]);
+      entry(i, last, other, across);
+    }
+  }
+  template <class S>
+  static void quadratic(const S* const*, const S* const*, const S*, S* gamma) {
+    gamma[0] = S(0);
+    gamma[1] = S(0);
+  }
+};
+
+}  // namespace desmo

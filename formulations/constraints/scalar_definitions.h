@@ -1,0 +1,227 @@
+#pragma once
+
+// What relative coordinates measure, in one equation each: for directions that other equations keep
+// at their length, and points that others keep on their line. A definition of several equations
+// (formulations/constraints/coordinates.h, joints.h) says that as well; of these, one alone would
+// be singular in some positions and hold in wrong ones. A kind is described in
+// formulations/constraints/constraints.h.
+
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "formulations/constraints/coordinates.h"
+#include "formulations/constraints/joints.h"
+#include "formulations/constraints/vec.h"
+
+namespace desmo {
+
+/// Distance s from a to b along the unit vector u: u·(b − a) − s = 0. Operands a, b, u, s.
+template <int D>
+struct Reach {
+  static constexpr std::string_view name = D == 2 ? "reach2" : "reach3";
+  static constexpr std::array operand_sizes{D, D, D, 1};
+  static constexpr int constants = 0, rows = 1, entries = 3 * D + 1;
+  static constexpr bool linear = false;
+
+  template <class S>
+  static void residual(const S* const* x, const S*, S* phi) {
+    const auto d = vec::segment<D>(x[0], x[1]);
+    phi[0] = vec::dot<D>(x[2], d.data()) - x[3][0];
+  }
+  template <class S, class Entry>
+  static void jacobian(const S* const* x, const S*, Entry&& entry) {
+    for (int i = 0; i < D; ++i) {
+      entry(0, 0, i, -x[2][i]);
+      entry(0, 1, i, x[2][i]);
+      entry(0, 2, i, x[1][i] - x[0][i]);
+    }
+    entry(0, 3, 0, S(-1));
+  }
+  template <class S>
+  static void quadratic(const S* const*, const S* const* v, const S*, S* gamma) {
+    const auto d = vec::segment<D>(v[0], v[1]);
+    gamma[0] = S(2) * vec::dot<D>(v[2], d.data());
+  }
+};
+
+namespace vec {
+
+/// f × d = 0 for plane directions d and f = r R(θ) e: its derivatives, given f and those of e.
+template <class S>
+struct Parallel {
+  std::array<S, 2> f, d;
+
+  S residual() const { return cross(f.data(), d.data()); }
+  /// ∂/∂d_i
+  S of_d(int i) const { return i == 0 ? -f[1] : f[0]; }
+  S of_theta() const { return -dot<2>(f.data(), d.data()); }
+  /// ∂/∂e_i, f turned and stretched from e by `turn`
+  S of_e(const Turn<S>& turn, int i) const {
+    return i == 0 ? turn.cosine * d[1] - turn.sine * d[0]
+                  : -(turn.sine * d[1] + turn.cosine * d[0]);
+  }
+  /// g: r R(θ) ė
+  S quadratic(const std::array<S, 2>& g, const std::array<S, 2>& d_rate, const S& rate) const {
+    std::array<S, 2> minus_f2;  // −f̈
+    quadratic_of_turn(f, g, rate, minus_f2.data());
+    const std::array<S, 2> f1{g[0] - rate * f[1], g[1] + rate * f[0]};
+    return S(2) * cross(f1.data(), d_rate.data()) - cross(minus_f2.data(), d.data());
+  }
+};
+
+}  // namespace vec
+
+/// Angle θ of a plane direction d from the x axis: (cos θ, sin θ) × d = 0. Operands those of d, a
+/// vector or, with Segment, the points a, b with d = b − a, then θ. It holds modulo π.
+template <bool Segment>
+struct PlanarBearing {
+  static constexpr std::string_view name = Segment ? "planar_bearing" : "planar_bearing_of_vector";
+  static constexpr int theta = vec::direction_operands<Segment>;
+  static constexpr std::array<int, theta + 1> operand_sizes = [] {
+    std::array<int, theta + 1> sizes{};
+    sizes.fill(2);
+    sizes[theta] = 1;
+    return sizes;
+  }();
+  static constexpr int constants = 0, rows = 1, entries = 2 * theta + 1;
+  static constexpr bool linear = false, modulo_pi = true;
+
+  template <class S>
+  static void residual(const S* const* x, const S*, S* phi) {
+    phi[0] = parallel(x).residual();
+  }
+  template <class S, class Entry>
+  static void jacobian(const S* const* x, const S*, Entry&& entry) {
+    const vec::Parallel<S> p = parallel(x);
+    for (int i = 0; i < 2; ++i) {
+      if constexpr (Segment) entry(0, 0, i, -p.of_d(i));
+      entry(0, theta - 1, i, p.of_d(i));
+    }
+    entry(0, theta, 0, p.of_theta());
+  }
+  template <class S>
+  static void quadratic(const S* const* x, const S* const* v, const S*, S* gamma) {
+    gamma[0] = parallel(x).quadratic({S(0), S(0)}, vec::direction<2, Segment>(v), v[theta][0]);
+  }
+
+ private:
+  template <class S>
+  static vec::Parallel<S> parallel(const S* const* x) {
+    using std::cos;
+    using std::sin;
+    return {{cos(x[theta][0]), sin(x[theta][0])}, vec::direction<2, Segment>(x)};
+  }
+};
+
+/// Angle θ of a plane direction d from a direction e, counter-clockwise: r R(θ) e × d = 0.
+/// Operands, r and R(θ) as in PlanarTurn; c = {r}. It holds modulo π.
+template <bool OfSegment, bool FromSegment>
+struct PlanarBearingFrom {
+  static constexpr std::string_view name =
+      OfSegment ? (FromSegment ? "planar_bearing_segment_from_segment"
+                               : "planar_bearing_segment_from_vector")
+                : (FromSegment ? "planar_bearing_vector_from_segment"
+                               : "planar_bearing_vector_from_vector");
+  using Turn = PlanarTurn<OfSegment, FromSegment>;
+  static constexpr int e = Turn::e, theta = Turn::theta;
+  static constexpr auto operand_sizes = Turn::operand_sizes;
+  static constexpr int constants = 1, rows = 1, entries = 2 * theta + 1;
+  static constexpr bool linear = false, modulo_pi = true;
+
+  template <class S>
+  static void residual(const S* const* x, const S* c, S* phi) {
+    phi[0] = parallel(x, vec::Turn<S>(c[0], x[theta][0])).residual();
+  }
+  template <class S, class Entry>
+  static void jacobian(const S* const* x, const S* c, Entry&& entry) {
+    const vec::Turn<S> turn(c[0], x[theta][0]);
+    const vec::Parallel<S> p = parallel(x, turn);
+    for (int i = 0; i < 2; ++i) {
+      if constexpr (OfSegment) entry(0, 0, i, -p.of_d(i));
+      entry(0, e - 1, i, p.of_d(i));
+      if constexpr (FromSegment) entry(0, e, i, -p.of_e(turn, i));
+      entry(0, theta - 1, i, p.of_e(turn, i));
+    }
+    entry(0, theta, 0, p.of_theta());
+  }
+  template <class S>
+  static void quadratic(const S* const* x, const S* const* v, const S* c, S* gamma) {
+    const vec::Turn<S> turn(c[0], x[theta][0]);
+    gamma[0] = parallel(x, turn).quadratic(turn(vec::direction<2, FromSegment>(v + e)),
+                                           vec::direction<2, OfSegment>(v), v[theta][0]);
+  }
+
+ private:
+  template <class S>
+  static vec::Parallel<S> parallel(const S* const* x, const vec::Turn<S>& turn) {
+    return {turn(vec::direction<2, FromSegment>(x + e)), vec::direction<2, OfSegment>(x)};
+  }
+};
+
+/// The same of two segments from one point o, to b and to a: r R(θ) (a − o) × (b − o) = 0. Operands
+/// o, b, a, θ; c = {r}, as in PlanarTurnAtPoint. It holds modulo π.
+struct PlanarBearingAtPoint {
+  static constexpr std::string_view name = "planar_bearing_at_point";
+  static constexpr std::array operand_sizes{2, 2, 2, 1};
+  static constexpr int constants = 1, rows = 1, entries = 7;
+  static constexpr bool linear = false, modulo_pi = true;
+
+  template <class S>
+  static void residual(const S* const* x, const S* c, S* phi) {
+    phi[0] = parallel(x, vec::Turn<S>(c[0], x[3][0])).residual();
+  }
+  template <class S, class Entry>
+  static void jacobian(const S* const* x, const S* c, Entry&& entry) {
+    const vec::Turn<S> turn(c[0], x[3][0]);
+    const vec::Parallel<S> p = parallel(x, turn);
+    for (int i = 0; i < 2; ++i) {
+      const S of_e = p.of_e(turn, i);
+      entry(0, 0, i, -p.of_d(i) - of_e);
+      entry(0, 1, i, p.of_d(i));
+      entry(0, 2, i, of_e);
+    }
+    entry(0, 3, 0, p.of_theta());
+  }
+  template <class S>
+  static void quadratic(const S* const* x, const S* const* v, const S* c, S* gamma) {
+    const vec::Turn<S> turn(c[0], x[3][0]);
+    gamma[0] = parallel(x, turn).quadratic(turn(vec::segment<2>(v[0], v[2])),
+                                           vec::segment<2>(v[0], v[1]), v[3][0]);
+  }
+
+ private:
+  template <class S>
+  static vec::Parallel<S> parallel(const S* const* x, const vec::Turn<S>& turn) {
+    return {turn(vec::segment<2>(x[0], x[2])), vec::segment<2>(x[0], x[1])};
+  }
+};
+
+/// The kind that defines a relative coordinate in one equation, of the same operands and of the
+/// first of the constants, where other equations say the rest of Kind; void: there is none.
+template <class Kind>
+struct ScalarDefinition {
+  using type = void;
+};
+template <int D>
+struct ScalarDefinition<Along<D>> {
+  using type = Reach<D>;
+};
+template <>
+struct ScalarDefinition<PlanarAngle> {
+  using type = PlanarBearing<true>;
+};
+template <>
+struct ScalarDefinition<PlanarDirection> {
+  using type = PlanarBearing<false>;
+};
+template <bool OfSegment, bool FromSegment>
+struct ScalarDefinition<PlanarTurn<OfSegment, FromSegment>> {
+  using type = PlanarBearingFrom<OfSegment, FromSegment>;
+};
+template <>
+struct ScalarDefinition<PlanarTurnAtPoint> {
+  using type = PlanarBearingAtPoint;
+};
+
+}  // namespace desmo

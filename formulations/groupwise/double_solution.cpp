@@ -1,0 +1,20 @@
+#include "formulations/groupwise/double_solution.h"
+
+#include "formulations/groupwise/groupwise_solver.h"
+#include "formulations/groupwise/walk.h"
+
+namespace desmo {
+
+std::vector<ReferenceInstant> double_solution(const Mechanism& m, std::span<const double> times) {
+  std::vector<ReferenceInstant> result;
+  GroupwiseSolver<double> solver(m);
+  walk(
+      times, [&](double t) { solver.solve_positions(t); },
+      [&](double t) {
+        solver.solve_rates();
+        result.push_back({t, solver.q(), solver.qd(), solver.qdd()});
+      });
+  return result;
+}
+
+}  // namespace desmo

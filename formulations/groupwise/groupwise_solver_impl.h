@@ -1,0 +1,74 @@
+// Instantiated once for each scalar: groupwise_double.cpp, groupwise_quadruple.cpp.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "cases/mechanism/motion.h"
+#include "formulations/groupwise/dense_lu.h"
+#include "formulations/groupwise/groupwise_solver.h"
+#include "formulations/groupwise/part_system.h"
+#include "formulations/groupwise/settling.h"
+#include "formulations/scaling/scales.h"
+
+namespace desmo {
+
+template <class S>
+GroupwiseSolver<S>::GroupwiseSolver(const Mechanism& m)
+    : m_(m),
+      parts_(make_partition(m, Partition::group)),
+      magnitude_(natural_magnitudes(m)),
+      state_(m.state_size()) {
+  std::ranges::copy(m.estimate, state_.q.begin());
+  std::ranges::copy(m.fixed_values, state_.q.begin() + m.coordinates());
+}
+
+template <class S>
+void GroupwiseSolver<S>::solve_positions(double t) {
+  for (const Driver& d : m_.drivers) {
+    const int i = m_.entities[d.coordinate].first;
+    const MotionSample<S> z = sample(d.motion, S(t));
+    state_.q[i] = z.position;
+    state_.qd[i] = z.velocity;
+    state_.qdd[i] = z.acceleration;
+  }
+  for (const PartDefinition& part : parts_) solve_positions(part, t);
+}
+
+template <class S>
+void GroupwiseSolver<S>::solve_rates() {
+  for (const PartDefinition& part : parts_) {
+    const PartSystem<S> before(m_, part, state_);
+    const DenseLu<S> lu(before.jacobian, before.n);
+    const std::vector<S> velocity = lu.solve(before.velocity);
+    for (std::size_t j = 0; j < before.n; ++j) state_.qd[part.unknowns[j]] = velocity[j];
+    const PartSystem<S> after(m_, part, state_);  // Φ̇_q q̇ depends on the velocities just found
+    const std::vector<S> acceleration = lu.solve(after.acceleration);
+    for (std::size_t j = 0; j < after.n; ++j) state_.qdd[part.unknowns[j]] = acceleration[j];
+  }
+}
+
+template <class S>
+void GroupwiseSolver<S>::solve_positions(const PartDefinition& part, double t) {
+  Settling<S> settled;
+  for (int iteration = 0; iteration < 50; ++iteration) {
+    PartSystem<S> system(m_, part, state_);
+    const std::vector<S> step =
+        DenseLu<S>(std::move(system.jacobian), system.n).solve(std::move(system.phi));
+    double correction = 0;
+    for (std::size_t j = 0; j < step.size(); ++j) {
+      const int i = part.unknowns[j];
+      state_.q[i] -= step[j];
+      const double relative_step = std::abs(static_cast<double>(step[j])) / magnitude_[i];
+      if (!(relative_step <= correction)) correction = relative_step;  // NaN stays
+    }
+    if (settled(correction)) return;
+  }
+  throw std::runtime_error(m_.name + ", group '" + m_.groups[part.groups.front()].name +
+                           "': no reference solution at t = " + std::to_string(t) + " s");
+}
+
+}  // namespace desmo

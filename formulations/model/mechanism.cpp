@@ -1,0 +1,134 @@
+#include "formulations/model/mechanism.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <unordered_set>
+
+namespace desmo {
+
+namespace {
+
+void require(bool condition, const std::string& message) {
+  if (!condition) throw std::invalid_argument(message);
+}
+
+bool all_finite(std::span<const double> values) {
+  return std::ranges::all_of(values, [](double v) { return std::isfinite(v); });
+}
+
+}  // namespace
+
+int Mechanism::structural_groups() const {
+  return static_cast<int>(std::ranges::count(groups, false, &Group::constant));
+}
+
+EntityId Mechanism::find(const std::string& entity_name) const {
+  const auto it = by_name_.find(entity_name);
+  require(it != by_name_.end(), name + ": there is no entity '" + entity_name + "'");
+  return it->second;
+}
+
+GroupId Mechanism::add_group(std::string group_name, std::vector<std::string> bodies) {
+  groups.push_back({std::move(group_name), std::move(bodies), {}, {}, false});
+  return static_cast<GroupId>(groups.size()) - 1;
+}
+
+EntityId Mechanism::add_entity(Entity entity) {
+  const EntityId id = static_cast<EntityId>(entities.size());
+  by_name_.try_emplace(entity.name, id);
+  entities.push_back(std::move(entity));
+  return id;
+}
+
+EntityId Mechanism::add(EntityKind kind, std::string entity_name,
+                        std::span<const double> initial_estimate, GroupId group) {
+  const EntityId id = add_entity({std::move(entity_name), kind, false, coordinates(),
+                                  static_cast<int>(initial_estimate.size()), group});
+  estimate.insert(estimate.end(), initial_estimate.begin(), initial_estimate.end());
+  return id;
+}
+
+EntityId Mechanism::add_fixed(EntityKind kind, std::string entity_name,
+                              std::span<const double> values) {
+  const EntityId id =
+      add_entity({std::move(entity_name), kind, true, static_cast<int>(fixed_values.size()),
+                  static_cast<int>(values.size()), -1});
+  fixed_values.insert(fixed_values.end(), values.begin(), values.end());
+  return id;
+}
+
+void Mechanism::drive(EntityId coordinate, Motion motion) {
+  const Entity& e = entities.at(coordinate);
+  require(e.size == 1 && !e.fixed, "driver of '" + e.name + "': not a scalar coordinate");
+  drivers.push_back({coordinate, motion});
+}
+
+void Mechanism::add_constraint(Constraint constraint, std::span<const int> operand_sizes) {
+  const std::string where = "constraint '" + constraint.name + "'";
+  for (std::size_t k = 0; k < operand_sizes.size(); ++k) {
+    const Entity& e = entities.at(constraint.operands[k]);
+    require(e.size == operand_sizes[k], where + ": '" + e.name + "' has " + std::to_string(e.size) +
+                                            " components, not " + std::to_string(operand_sizes[k]));
+  }
+  require(all_finite(constraint.constants), where + ": a dimension is not finite");
+  constraints.push_back(std::move(constraint));
+}
+
+std::vector<EntityId> entity_of_coordinate(const Mechanism& m) {
+  std::vector<EntityId> result(m.coordinates());
+  for (EntityId e = 0; e < static_cast<EntityId>(m.entities.size()); ++e)
+    for (int i = 0; !m.entities[e].fixed && i < m.entities[e].size; ++i)
+      result[m.entities[e].first + i] = e;
+  return result;
+}
+
+std::vector<bool> independent_coordinates(const Mechanism& m) {
+  std::vector<bool> independent(m.coordinates(), false);
+  for (const Driver& d : m.drivers) independent[m.entities[d.coordinate].first] = true;
+  return independent;
+}
+
+int rows(const Constraint& constraint) {
+  int result = 0;
+  visit_kind(constraint.kind, [&](auto kind) { result = kind.rows; });
+  return result;
+}
+
+int kept_rows(const Constraint& constraint) {
+  return rows(constraint) - std::popcount(constraint.left_out);
+}
+
+std::vector<int> unknowns(const Mechanism& m, GroupId group) {
+  const std::vector<bool> independent = independent_coordinates(m);
+  std::vector<int> result;
+  for (const Entity& e : m.entities) {
+    if (e.fixed || e.group != group) continue;
+    for (int i = e.first; i < e.first + e.size; ++i)
+      if (!independent[i]) result.push_back(i);
+  }
+  return result;
+}
+
+void validate(const Mechanism& m) {
+  std::unordered_set<std::string> names;
+  for (const Entity& e : m.entities)
+    require(names.insert(e.name).second, m.name + ": two entities are named '" + e.name + "'");
+  require(all_finite(m.estimate), m.name + ": the initial estimate is not finite");
+  require(all_finite(m.fixed_values), m.name + ": a fixed point or vector is not finite");
+  require(std::ranges::is_sorted(m.constraints, {}, &Constraint::group),
+          m.name + ": constraints are not in the order of their groups");
+
+  std::vector<int> equations(m.groups.size(), 0), found(m.groups.size(), 0);
+  for (const Constraint& c : m.constraints) equations.at(c.group) += kept_rows(c);
+  const std::vector<bool> independent = independent_coordinates(m);
+  for (const Entity& e : m.entities)
+    for (int i = 0; !e.fixed && i < e.size; ++i) found.at(e.group) += !independent[e.first + i];
+  for (std::size_t g = 0; g < m.groups.size(); ++g)
+    require(equations[g] == found[g],
+            m.name + ", group '" + m.groups[g].name + "': " + std::to_string(equations[g]) +
+                " equations for " + std::to_string(found[g]) + " unknowns (" +
+                (equations[g] > found[g] ? "over" : "under") + "-constrained)");
+}
+
+}  // namespace desmo

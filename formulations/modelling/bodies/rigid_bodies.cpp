@@ -1,0 +1,176 @@
+#include "formulations/modelling/bodies/rigid_bodies.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
+
+namespace desmo {
+
+namespace nominal {
+
+Vec direction(const Description& d, const RigidBody& body, const Description::Direction& segment) {
+  Vec v = direction(d, segment);
+  for (const auto& [a, b, length] : body.lengths)
+    if (segment.is_segment() && std::minmax({segment.from, segment.to}) == std::minmax({a, b})) {
+      const double scale = length / norm(v);
+      for (double& x : v) x *= scale;
+    }
+  return v;
+}
+
+}  // namespace nominal
+
+namespace {
+
+using nominal::Vec;
+
+/// Adds to an orthonormal set what is new in a direction; false when the angle between it and
+/// their span has no larger sine than that.
+bool extend(std::vector<Vec>& orthonormal, Vec v, double least_sine) {
+  const double length = nominal::norm(v);
+  if (length == 0) return false;
+  for (int pass = 0; pass < 2; ++pass)
+    for (const Vec& u : orthonormal) {
+      const double along = nominal::dot(u, v);
+      for (int i = 0; i < 3; ++i) v[i] -= along * u[i];
+    }
+  const double rest = nominal::norm(v);
+  if (rest < least_sine * length) return false;
+  for (double& x : v) x /= rest;
+  orthonormal.push_back(v);
+  return true;
+}
+
+Basis choose_basis(const Description& d, const RigidBody& body) {
+  const std::size_t enough = d.dimension == 2 ? 1 : 3;
+  Basis basis;
+  std::vector<Vec> orthonormal;
+  if (!body.points.empty()) basis.origin = body.points.front();
+  // Directions nearly in the span of others make bad coordinates: only where there is no choice.
+  for (const double least_sine : {0.1, 1e-6}) {
+    for (const int v : body.vectors)
+      if (!follows_from_points(d, body, v) && orthonormal.size() < enough && !basis.has_vector(v) &&
+          extend(orthonormal, d.vectors[v].direction, least_sine))
+        basis.directions.push_back({v});
+    for (const int p : body.points) {
+      const Description::Direction segment{-1, basis.origin, p};
+      if (orthonormal.size() < enough && !basis.has_point(p) &&
+          extend(orthonormal, nominal::direction(d, segment), least_sine))
+        basis.directions.push_back(segment);
+    }
+  }
+  std::ranges::stable_partition(basis.directions, [](const auto& x) { return !x.is_segment(); });
+  return basis;
+}
+
+int count_freedoms(int dimension, const Basis& basis) {
+  const int translations = basis.origin >= 0 ? dimension : 0;
+  const int directions = static_cast<int>(basis.directions.size());
+  if (dimension == 2) return translations + directions;
+  return translations + (directions < 2 ? 2 * directions : 3);
+}
+
+/// Lists what bodies carry, each once, one rigid body after the other.
+class Carried {
+ public:
+  explicit Carried(std::size_t count) : last_(count, -1) {}
+
+  void add(const std::vector<int>& carried, int rigid_body, std::vector<int>& list) {
+    for (const int x : carried)
+      if (std::exchange(last_[x], rigid_body) != rigid_body) list.push_back(x);
+  }
+
+ private:
+  std::vector<int> last_;  // rigid body that each was listed for
+};
+
+/// For each body the first of those that it moves with.
+std::vector<int> merge_fixed(const Description& d) {
+  std::vector<int> first(d.bodies.size());
+  std::iota(first.begin(), first.end(), 0);
+  const auto root = [&](int b) {
+    while (first[b] != b) b = first[b] = first[first[b]];
+    return b;
+  };
+  for (const Description::Joint& j : d.joints) {
+    if (j.type != Description::JointType::fixed) continue;
+    const auto [a, b] = std::minmax({root(j.bodies[0]), root(j.bodies[1])});
+    first[b] = a;
+  }
+  for (int b = 0; b < static_cast<int>(first.size()); ++b) first[b] = root(b);
+  return first;
+}
+
+/// Where a fixed joint adds other points to a link, all have their places in the nominal position.
+void require_nominal_lengths(const Description& d, const RigidBody& body) {
+  for (const auto& [a, b, given] : body.lengths) {
+    const double actual = nominal::norm(nominal::direction(d, {-1, a, b}));
+    if (std::abs(actual - given) > 1e-9 * given)
+      throw std::invalid_argument(
+          "body '" + d.bodies[body.bodies.front()].name + "': the length of '" + d.points[a].name +
+          "'-'" + d.points[b].name +
+          "' is not that of the nominal positions, but a fixed joint joins it to other points; "
+          "give nominal positions with that length");
+  }
+}
+
+}  // namespace
+
+bool Basis::has_point(int point) const {
+  return point == origin || std::ranges::any_of(directions, [&](const auto& d) {
+           return d.is_segment() && d.to == point;
+         });
+}
+
+bool Basis::has_vector(int vector) const {
+  return std::ranges::any_of(directions,
+                             [&](const auto& d) { return !d.is_segment() && d.vector == vector; });
+}
+
+bool follows_from_points(const Description& d, const RigidBody& body, int vector) {
+  const auto& along = d.vectors[vector].along;
+  const auto carries = [&](int point) {
+    return std::ranges::find(body.points, point) != body.points.end();
+  };
+  return along && carries((*along)[0]) && carries((*along)[1]);
+}
+
+RigidBodies find_rigid_bodies(const Description& d) {
+  RigidBodies rigid;
+  const std::vector<int> first = merge_fixed(d);
+  rigid.of_body.resize(d.bodies.size());
+  for (int b = 0; b < static_cast<int>(d.bodies.size()); ++b) {
+    if (first[b] == b) {
+      rigid.of_body[b] = static_cast<int>(rigid.list.size());
+      rigid.list.emplace_back();
+    }
+    rigid.of_body[b] = rigid.of_body[first[b]];
+    rigid.list[rigid.of_body[b]].bodies.push_back(b);
+  }
+  rigid.of_point.resize(d.points.size());
+  rigid.of_vector.resize(d.vectors.size());
+  Carried points(d.points.size()), vectors(d.vectors.size());
+  for (int r = 0; r < static_cast<int>(rigid.list.size()); ++r) {
+    RigidBody& body = rigid.list[r];
+    for (const int b : body.bodies) {
+      const Description::Body& part = d.bodies[b];
+      points.add(part.points, r, body.points);
+      vectors.add(part.vectors, r, body.vectors);
+      if (part.length) body.lengths.push_back({part.points[0], part.points[1], *part.length});
+    }
+    if (r == 0 || body.points.size() > 2) require_nominal_lengths(d, body);
+    for (const int p : body.points) rigid.of_point[p].push_back(r);
+    for (const int v : body.vectors) rigid.of_vector[v].push_back(r);
+    if (r == 0) continue;
+    body.basis = choose_basis(d, body);
+    body.freedoms = count_freedoms(d.dimension, body.basis);
+    if (body.freedoms == 0)
+      throw std::invalid_argument("body '" + d.bodies[body.bodies.front()].name +
+                                  "' carries no point and no vector: nothing can tell where it is");
+  }
+  return rigid;
+}
+
+}  // namespace desmo

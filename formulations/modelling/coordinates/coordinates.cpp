@@ -1,0 +1,181 @@
+#include "formulations/modelling/coordinates/coordinates.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "formulations/modelling/coordinates/declared_slides.h"
+#include "formulations/modelling/coordinates/placement.h"
+#include "formulations/modelling/groups/group_names.h"
+
+namespace desmo {
+
+namespace {
+
+using nominal::Vec;
+
+class Modeller {
+ public:
+  Modeller(const Description& d, const RigidBodies& rigid, const Structure& structure,
+           const std::vector<Motion>& motions)
+      : d_(d),
+        rigid_(rigid),
+        structure_(structure),
+        placement_(place_entities(d, rigid, structure)),
+        motions_(motions),
+        m_(result_.mechanism) {
+    result_.points.assign(d.points.size(), -1);
+    result_.vectors.assign(d.vectors.size(), -1);
+    m_.name = d.name;
+    m_.length_unit = d.length_unit;
+  }
+
+  Coordinates make() {
+    add_ground();
+    place_coordinates();
+    add_groups();
+    drive();
+    list_group_entities();
+    return std::move(result_);
+  }
+
+ private:
+  void add_ground() {
+    const RigidBody& ground = rigid_.list.front();
+    for (const int p : ground.points)
+      result_.points[p] =
+          m_.add_fixed(EntityKind::point, d_.points[p].name, components(d_.points[p].position));
+    for (const int v : ground.vectors) {
+      const std::string& name = d_.vectors[v].name;
+      const std::span<const double> value = components(d_.vectors[v].direction);
+      if (rigid_.of_vector[v].size() == 1) {
+        result_.vectors[v] = m_.add_fixed(EntityKind::vector, name, value);
+        continue;
+      }
+      const GroupId g = m_.add_group("ground/" + name, {d_.bodies.front().name});
+      m_.groups[g].constant = true;
+      result_.vectors[v] = m_.add(EntityKind::vector, name, value, g);
+      m_.groups[g].entities = {result_.vectors[v]};
+    }
+    constant_groups_ = static_cast<int>(m_.groups.size());
+  }
+
+  /// Relative coordinates: those declared, and the distances of spatial sliding joints.
+  void place_coordinates() {
+    result_.measured = d_.coordinates;
+    const DeclaredSlides declared(d_);
+    for (const Description::Joint& j : d_.joints)
+      if (d_.dimension == 3 && DeclaredSlides::slides(j) && !declared.contain(j)) {
+        Description::Coordinate& c = result_.measured.emplace_back();
+        c.name = j.name + "/distance";
+        c.type = Description::CoordinateType::along;
+        c.of = {-1, j.points[0], j.points[1]};
+        c.vector = j.vectors[0];
+      }
+    result_.coordinates.assign(result_.measured.size(), -1);
+    measured_by_.resize(structure_.groups.size());
+    for (std::size_t c = 0; c < result_.measured.size(); ++c) {
+      const int group = placement_.of(result_.measured[c]);
+      if (group < 0)
+        throw std::invalid_argument(
+            "coordinate '" + result_.measured[c].name +
+            "' measures nothing that can move; measure something that moves, or "
+            "leave it out");
+      measured_by_[group].push_back(static_cast<int>(c));
+    }
+  }
+
+  void add_groups() {
+    GroupNames names;
+    for (std::size_t position = 0; position < structure_.groups.size(); ++position) {
+      const StructuralGroup& group = structure_.groups[position];
+      std::vector<int> order;
+      for (const int r : group.bodies)
+        order.insert(order.end(), rigid_.list[r].bodies.begin(), rigid_.list[r].bodies.end());
+      std::ranges::sort(order);
+      std::vector<std::string> bodies;
+      for (const int b : order) bodies.push_back(d_.bodies[b].name);
+      const std::string name = names.next(bodies);
+      const GroupId g = m_.add_group(name, std::move(bodies));
+      for (const int a : group.after) m_.groups[g].after.push_back(constant_groups_ + a);
+      for (const int b : order) add_entities(b, static_cast<int>(position), g);
+      for (const int c : measured_by_[position]) {
+        const bool angle = result_.measured[c].type == Description::CoordinateType::angle;
+        const double start = result_.measured[c].estimate ? *result_.measured[c].estimate
+                                                          : nominal::value(d_, result_.measured[c]);
+        result_.coordinates[c] = m_.add(angle ? EntityKind::angle : EntityKind::distance,
+                                        result_.measured[c].name, std::array{start}, g);
+      }
+    }
+  }
+
+  /// Of what a body carries, that which this group finds.
+  void add_entities(int body, int position, GroupId g) {
+    for (const int p : d_.bodies[body].points)
+      if (result_.points[p] < 0 && placement_.of_point[p] == position)
+        result_.points[p] =
+            m_.add(EntityKind::point, d_.points[p].name, components(d_.points[p].position), g);
+    for (const int v : d_.bodies[body].vectors)
+      if (result_.vectors[v] < 0 && placement_.of_vector[v] == position)
+        result_.vectors[v] =
+            m_.add(EntityKind::vector, d_.vectors[v].name, components(d_.vectors[v].direction), g);
+  }
+
+  void drive() {
+    std::size_t motion = 0;
+    for (std::size_t c = 0; c < d_.coordinates.size(); ++c)
+      if (d_.coordinates[c].driven) m_.drive(result_.coordinates[c], motions_.at(motion++));
+  }
+
+  /// As the paper counts: what the bodies carry and the joints name, unless a later group finds it.
+  void list_group_entities() {
+    std::vector<std::set<EntityId>> seen(m_.groups.size());
+    const auto list = [&](GroupId g, EntityId e) {
+      if (m_.entities[e].group <= g && seen[g].insert(e).second) m_.groups[g].entities.push_back(e);
+    };
+    const auto group_of = [&](int body) {
+      const int r = rigid_.of_body[body];
+      return r == 0 ? -1 : constant_groups_ + structure_.of_body[r];
+    };
+    for (int b = 1; b < static_cast<int>(d_.bodies.size()); ++b) {
+      const GroupId g = group_of(b);
+      if (g < 0) continue;
+      for (const int p : d_.bodies[b].points) list(g, result_.points[p]);
+      for (const int v : d_.bodies[b].vectors) list(g, result_.vectors[v]);
+    }
+    for (const Description::Joint& j : d_.joints) {
+      const GroupId g = std::max(group_of(j.bodies[0]), group_of(j.bodies[1]));
+      if (g < 0) continue;
+      for (const int p : j.points) list(g, result_.points[p]);
+      for (const int v : j.vectors) list(g, result_.vectors[v]);
+    }
+    for (const EntityId c : result_.coordinates) list(m_.entities[c].group, c);
+  }
+
+  std::span<const double> components(const Vec& v) const {
+    return {v.data(), static_cast<std::size_t>(d_.dimension)};
+  }
+
+  const Description& d_;
+  const RigidBodies& rigid_;
+  const Structure& structure_;
+  const Placement placement_;
+  const std::vector<Motion>& motions_;
+  Coordinates result_;
+  Mechanism& m_;  // result_.mechanism
+  int constant_groups_ = 0;
+  std::vector<std::vector<int>> measured_by_;  // positions in `measured`, by structural group
+};
+
+}  // namespace
+
+Coordinates make_coordinates(const Description& d, const RigidBodies& rigid,
+                             const Structure& structure, const std::vector<Motion>& motions) {
+  return Modeller(d, rigid, structure, motions).make();
+}
+
+}  // namespace desmo

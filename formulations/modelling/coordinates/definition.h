@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+
+#include "formulations/modelling/equations/equation_writer.h"
+
+namespace desmo {
+
+/// The definition of a relative coordinate, about to be written.
+struct Definition {
+  EquationWriter& writer;
+  const Description::Coordinate& coordinate;
+  EntityId value;  ///< the coordinate's
+
+  /// Writes it as a constraint of this kind.
+  template <class Kind>
+  void as(const std::array<EntityId, Kind::operand_sizes.size()>& operands,
+          const std::array<double, Kind::constants>& constants = {}) const {
+    writer.constrain<Kind>(Origin::coordinate, coordinate.name + ": definition", operands,
+                           constants);
+  }
+};
+
+/// Writes the definition of an angle in the plane. Throws std::invalid_argument, naming the
+/// coordinate, when no body keeps the length of one of its segments.
+void define_planar_angle(const Definition& definition);
+
+/// Writes the definition of an angle in space. Throws std::invalid_argument, naming the coordinate,
+/// when what turns is not in the plane of the angle in the nominal position.
+void define_spatial_angle(const Definition& definition);
+
+}  // namespace desmo

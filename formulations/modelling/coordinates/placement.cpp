@@ -1,0 +1,79 @@
+#include "formulations/modelling/coordinates/placement.h"
+
+#include <algorithm>
+
+namespace desmo {
+
+namespace {
+
+using Direction = Description::Direction;
+
+/// What drivers are measured from, and so is needed by the first group that carries it.
+struct NeededByDrivers {
+  explicit NeededByDrivers(const Description& d)
+      : points(d.points.size(), false), vectors(d.vectors.size(), false) {
+    for (const Description::Coordinate& c : d.coordinates) {
+      if (!c.driven) continue;
+      for (const Direction* direction : {&c.of, &c.from, &c.towards}) {
+        if (direction->is_segment())
+          points[direction->from] = points[direction->to] = true;
+        else if (direction->is_given())
+          vectors[direction->vector] = true;
+      }
+      if (c.point >= 0) points[c.point] = true;
+      if (c.vector >= 0) vectors[c.vector] = true;
+    }
+  }
+  std::vector<bool> points, vectors;
+};
+
+/// The structural group that finds what these bodies carry; -1: none does.
+template <class InBasis>
+int finder(const RigidBodies& rigid, const Structure& structure, const std::vector<int>& carriers,
+           bool needed_by_driver, InBasis&& in_basis) {
+  if (carriers.empty() || carriers.front() == 0) return -1;
+  std::vector<int> building, following;  // groups of the bodies that build on it, and the others
+  for (const int r : carriers)
+    (in_basis(rigid.list[r].basis) ? building : following).push_back(structure.of_body[r]);
+  std::ranges::sort(building);
+  std::ranges::sort(following);
+  if (building.empty()) return following.front();
+  if (following.empty() || building.front() <= following.front()) return building.front();
+  // An earlier body carries it, too. It can wait for the later group that builds on it, when
+  // that is the only one and nothing needs it before.
+  const bool one_builds = building.front() == building.back();
+  const bool needed_before =
+      needed_by_driver ||
+      std::ranges::upper_bound(following, building.front()) - following.begin() > 1;
+  return one_builds && !needed_before ? building.front() : following.front();
+}
+
+}  // namespace
+
+int Placement::of(const Description::Coordinate& c) const {
+  int last = -1;
+  for (const Direction* d : {&c.of, &c.from, &c.towards}) {
+    if (d->is_segment())
+      last = std::max({last, of_point[d->from], of_point[d->to]});
+    else if (d->is_given())
+      last = std::max(last, of_vector[d->vector]);
+  }
+  if (c.vector >= 0) last = std::max(last, of_vector[c.vector]);
+  if (c.point >= 0) last = std::max(last, of_point[c.point]);
+  return last;
+}
+
+Placement place_entities(const Description& d, const RigidBodies& rigid,
+                         const Structure& structure) {
+  const NeededByDrivers needed(d);
+  Placement result;
+  for (int p = 0; p < static_cast<int>(d.points.size()); ++p)
+    result.of_point.push_back(finder(rigid, structure, rigid.of_point[p], needed.points[p],
+                                     [&](const Basis& b) { return b.has_point(p); }));
+  for (int v = 0; v < static_cast<int>(d.vectors.size()); ++v)
+    result.of_vector.push_back(finder(rigid, structure, rigid.of_vector[v], needed.vectors[v],
+                                      [&](const Basis& b) { return b.has_vector(v); }));
+  return result;
+}
+
+}  // namespace desmo

@@ -1,0 +1,75 @@
+#include "formulations/modelling/equations/equation_writer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <span>
+
+namespace desmo {
+
+namespace {
+
+double largest_coordinate(const Description& d) {
+  double largest = 0;
+  for (const Description::Point& p : d.points)
+    for (const double x : p.position) largest = std::max(largest, std::abs(x));
+  return largest;
+}
+
+}  // namespace
+
+EquationWriter::EquationWriter(const Description& d, const RigidBodies& bodies,
+                               Coordinates coordinates)
+    : description(d),
+      rigid(bodies),
+      reach(largest_coordinate(d)),
+      coordinates_(std::move(coordinates)) {}
+
+EntityId EquationWriter::add_fixed_vector(std::string name, const Description::Vec& direction) {
+  return coordinates_.mechanism.add_fixed(EntityKind::vector, std::move(name),
+                                          std::span(direction).first(description.dimension));
+}
+
+bool EquationWriter::note_product(const Description::Direction& a, const Description::Direction& b,
+                                  double product) {
+  const auto key = [](const Description::Direction& d) {
+    return d.is_segment() ? Key{1, std::min(d.from, d.to), std::max(d.from, d.to)}
+                          : Key{0, d.vector, d.vector};
+  };
+  const auto [it, is_new] = products_.emplace(std::minmax({key(a), key(b)}), product);
+  return is_new ||
+         std::abs(std::abs(it->second) - std::abs(product)) > 1e-12 * std::max(1.0, reach * reach);
+}
+
+std::string EquationWriter::text(const Description::Direction& d) const {
+  return d.is_segment() ? description.points[d.from].name + "-" + description.points[d.to].name
+                        : description.vectors[d.vector].name;
+}
+
+Candidates EquationWriter::take() {
+  Mechanism& m = coordinates_.mechanism;
+  std::vector<int> order(origins_.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, {}, [&](int c) { return m.constraints[c].group; });
+  std::vector<Constraint> constraints;
+  std::vector<Origin> origins;
+  for (const int c : order) {
+    constraints.push_back(std::move(m.constraints[c]));
+    origins.push_back(origins_[c]);
+  }
+  m.constraints = std::move(constraints);
+  return {std::move(m), std::move(origins)};
+}
+
+GroupId EquationWriter::last_group(const std::vector<EntityId>& operands) const {
+  GroupId g = -1;
+  for (const EntityId e : operands) g = std::max(g, coordinates_.mechanism.entities.at(e).group);
+  return g;
+}
+
+double snap(double value, double magnitude) {
+  return std::abs(value) <= 16 * std::numeric_limits<double>::epsilon() * magnitude ? 0 : value;
+}
+
+}  // namespace desmo

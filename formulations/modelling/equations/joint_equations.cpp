@@ -1,0 +1,46 @@
+#include "formulations/modelling/equations/joint_equations.h"
+
+#include "formulations/modelling/coordinates/declared_slides.h"
+
+namespace desmo {
+
+namespace {
+
+using nominal::Vec;
+using nominal::operator-;
+
+/// What slides stays at the same offset from the line along which it does.
+void keep_offset(EquationWriter& w, const Description::Joint& j) {
+  const Description& d = w.description;
+  const Vec u = d.vectors[j.vectors[0]].direction;
+  const Vec s = d.points[j.points[1]].position - d.points[j.points[0]].position;
+  w.constrain<Offset>(Origin::joint, j.name + ": offset",
+                      {w.vector(j.vectors[0]), w.point(j.points[0]), w.point(j.points[1])},
+                      {snap(u[0] * s[1] - u[1] * s[0], w.reach)});
+}
+
+/// The axes of a universal joint stay at the same angle.
+void keep_angle(EquationWriter& w, const Description::Joint& j) {
+  const Description::Direction a{j.vectors[0]}, b{j.vectors[1]};
+  const double product = snap(
+      nominal::dot(nominal::direction(w.description, a), nominal::direction(w.description, b)), 1);
+  if (w.note_product(a, b, product))
+    w.constrain<Dot<3>>(Origin::joint, j.name + ": " + w.text(a) + " with " + w.text(b),
+                        {w.vector(a.vector), w.vector(b.vector)}, {product});
+}
+
+}  // namespace
+
+void write_joint_equations(EquationWriter& w) {
+  const DeclaredSlides declared(w.description);
+  for (const Description::Joint& j : w.description.joints) {
+    if (w.rigid.of_body[j.bodies[0]] == w.rigid.of_body[j.bodies[1]]) continue;
+    if (w.description.dimension == 2) {
+      if (DeclaredSlides::slides(j) && !declared.contain(j)) keep_offset(w, j);
+    } else if (j.type == Description::JointType::universal) {
+      keep_angle(w, j);
+    }
+  }
+}
+
+}  // namespace desmo

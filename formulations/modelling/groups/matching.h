@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vector>
+
+#include "formulations/modelling/groups/group_order.h"
+#include "formulations/modelling/groups/restrictions.h"
+#include "formulations/structure/csparse.h"
+
+namespace desmo {
+
+/// A maximum matching between the restrictions of a mechanism and the freedoms of its bodies, as
+/// the Dulmage–Mendelsohn decomposition of which restriction concerns which freedom.
+class Matching {
+ public:
+  /// The restrictions must outlive it.
+  Matching(const RigidBodies& rigid, const std::vector<Restriction>& restrictions);
+
+  /// How many freedoms nothing determines.
+  int undetermined() const { return form_->cc[1]; }
+  /// The rigid bodies among which they are, ascending.
+  std::vector<int> undetermined_bodies() const { return bodies_of_columns(0, form_->cc[2]); }
+
+  /// One for each irreducible block; bodies with too many restrictions are one wherever a
+  /// restriction joins them.
+  Components components() const;
+
+ private:
+  void add_irreducible(Components& components) const;
+  void add_surplus(Components& components) const;
+  std::vector<int> bodies_of_columns(int begin, int end) const;
+
+  const std::vector<Restriction>& all_;
+  int bodies_;
+  std::vector<int> body_of_freedom_, restriction_of_row_;
+  CSparseForm form_;
+};
+
+}  // namespace desmo

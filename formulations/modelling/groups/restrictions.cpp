@@ -1,0 +1,88 @@
+#include "formulations/modelling/groups/restrictions.h"
+
+#include <algorithm>
+#include <iterator>
+#include <stdexcept>
+
+namespace desmo {
+
+namespace {
+
+/// Freedoms that a joint removes.
+int freedoms_removed(Description::JointType type, int dimension) {
+  using enum Description::JointType;
+  switch (type) {
+    case revolute:
+      return dimension == 2 ? 2 : 5;
+    case prismatic:
+      return dimension == 2 ? 2 : 5;
+    case revolute_on_slider:
+      return 1;
+    case cylindrical:
+      return 4;
+    case universal:
+      return 4;
+    case spherical:
+      return 3;
+    case fixed:
+      return dimension == 2 ? 3 : 6;
+  }
+  return 0;
+}
+
+}  // namespace
+
+std::vector<Restriction> find_restrictions(const Description& d, const RigidBodies& rigid) {
+  std::vector<Restriction> all;
+  for (const Description::Joint& j : d.joints) {
+    Restriction r{{}, freedoms_removed(j.type, d.dimension)};
+    for (const int b : j.bodies)
+      if (rigid.of_body[b] != 0) r.bodies.push_back(rigid.of_body[b]);
+    std::ranges::sort(r.bodies);
+    const bool one_body = rigid.of_body[j.bodies[0]] == rigid.of_body[j.bodies[1]];
+    if (!one_body) all.push_back(std::move(r));
+  }
+  for (const Description::Coordinate& c : d.coordinates) {
+    if (!c.driven) continue;
+    all.push_back({bodies_related(rigid, c), 1});
+    if (all.back().bodies.empty())
+      throw std::invalid_argument("driver '" + c.name + "' measures nothing that can move");
+  }
+  return all;
+}
+
+std::vector<int> bodies_related(const RigidBodies& rigid, const Description::Coordinate& c) {
+  std::vector<int> result;
+  const auto add = [&](const std::vector<int>& carriers) {
+    if (!carriers.empty() && carriers.front() != 0) result.push_back(carriers.front());
+  };
+  const auto add_direction = [&](const Description::Direction& direction) {
+    if (!direction.is_given()) return;
+    if (!direction.is_segment()) return add(rigid.of_vector[direction.vector]);
+    const std::vector<int>&a = rigid.of_point[direction.from], &b = rigid.of_point[direction.to];
+    std::vector<int> both;
+    std::ranges::set_intersection(a, b, std::back_inserter(both));
+    if (!both.empty()) return add(both);
+    add(a);
+    add(b);
+  };
+  if (c.type == Description::CoordinateType::along) {
+    // What slides along the vector are the bodies that carry it, as far as they do.
+    for (const int point : {c.of.from, c.of.to}) {
+      std::vector<int> both;
+      std::ranges::set_intersection(rigid.of_point[point], rigid.of_vector[c.vector],
+                                    std::back_inserter(both));
+      add(both.empty() ? rigid.of_point[point] : both);
+    }
+  } else {
+    add_direction(c.of);
+  }
+  add_direction(c.from);
+  add_direction(c.towards);
+  if (c.point >= 0) add(rigid.of_point[c.point]);
+  std::ranges::sort(result);
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+}  // namespace desmo

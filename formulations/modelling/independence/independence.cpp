@@ -1,0 +1,84 @@
+#include "formulations/modelling/independence/independence.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "formulations/modelling/independence/contradiction.h"
+#include "formulations/modelling/independence/judged_positions.h"
+#include "formulations/modelling/independence/refusal.h"
+#include "formulations/modelling/independence/row_selection.h"
+#include "formulations/modelling/independence/row_space.h"
+
+namespace desmo {
+
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// The constraints of which a row is a combination.
+std::vector<std::string> sources(const Mechanism& m, const GroupSystem& s,
+                                 const SelectedRows& selected, int row) {
+  const MatrixXd& j = selected.jacobians[1];
+  std::vector<int> taken;
+  for (std::size_t i = 0; i < selected.taken.size(); ++i)
+    if (selected.taken[i]) taken.push_back(static_cast<int>(i));
+  MatrixXd basis(s.unknowns, static_cast<int>(taken.size()));
+  for (std::size_t k = 0; k < taken.size(); ++k)
+    basis.col(k) = j.row(taken[k]).head(s.unknowns).transpose();
+  std::vector<std::string> names;
+  if (basis.size() == 0) return names;
+  const VectorXd weights =
+      basis.colPivHouseholderQr().solve(j.row(row).head(s.unknowns).transpose());
+  for (std::size_t k = 0; k < taken.size(); ++k) {
+    const std::string& name = m.constraints[s.rows[taken[k]].first].name;
+    if (std::abs(weights[k]) > dependent_below && (names.empty() || names.back() != name))
+      names.push_back(name);
+  }
+  return names;
+}
+
+/// Marks what was not selected in the mechanism.
+void mark_left_out(Mechanism& m, const GroupSystem& s, const SelectedRows& selected, bool redundant,
+                   std::vector<LeftOut>& left_out) {
+  for (std::size_t i = 0; i < selected.taken.size(); ++i) {
+    if (selected.taken[i]) continue;
+    const auto [c, row] = s.rows[i];
+    m.constraints[c].left_out |= 1u << row;
+    const bool another_row = !left_out.empty() && left_out.back().group == s.group &&
+                             left_out.back().equation == m.constraints[c].name;
+    if (!another_row) left_out.push_back({m.constraints[c].name, {}, s.group, {}, redundant});
+    left_out.back().rows.push_back(row);
+    for (const std::string& name : sources(m, s, selected, static_cast<int>(i)))
+      if (std::ranges::find(left_out.back().follows_from, name) ==
+          left_out.back().follows_from.end())
+        left_out.back().follows_from.push_back(name);
+  }
+}
+
+}  // namespace
+
+std::vector<LeftOut> leave_out_dependent(Candidates& candidates, const std::vector<int>& surplus) {
+  Mechanism& m = candidates.mechanism;
+  std::vector<GroupSystem> systems = group_systems(m);
+  Lineariser lineariser(m);
+  const JudgedPositions positions = assemble_positions(m, systems, lineariser);
+  RowSelector selector(candidates, positions, lineariser);
+  std::vector<LeftOut> left_out;
+  for (GroupSystem& s : systems) {
+    SelectedRows selected = selector.select(s);
+    std::optional<Contradiction> contradiction;
+    if (surplus[s.group] > 0 && s.drivers() > 0)
+      contradiction = find_contradiction(m, s, positions[1], lineariser);
+    // Of whole definitions: parts of them contradict nothing.
+    require_determined(m, s, selected, contradiction);
+    selector.shorten(s, selected);
+    mark_left_out(m, s, selected, surplus[s.group] > 0, left_out);
+  }
+  return left_out;
+}
+
+}  // namespace desmo

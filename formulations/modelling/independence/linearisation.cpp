@@ -1,0 +1,64 @@
+#include "formulations/modelling/independence/linearisation.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "formulations/scaling/characteristic_lengths.h"
+#include "formulations/scaling/scales.h"
+
+namespace desmo {
+
+Lineariser::Lineariser(const Mechanism& mechanism)
+    : m_(mechanism), scale_(mechanism.state_size(), 1.0), column_(mechanism.state_size(), -1) {
+  const CharacteristicLengths lengths(m_);
+  for (EntityId e = 0; e < static_cast<EntityId>(m_.entities.size()); ++e) {
+    if (!is_length(m_.entities[e].kind)) continue;
+    std::fill_n(scale_.begin() + m_.state_index(e), m_.entities[e].size,
+                std::ldexp(1, std::ilogb(lengths.of(e))));
+  }
+}
+
+Linearisation Lineariser::at(const std::vector<double>& state, const GroupSystem& s) {
+  const int n = static_cast<int>(s.rows.size());
+  Eigen::VectorXd phi(n), length = Eigen::VectorXd::Zero(n);
+  Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(n, static_cast<int>(s.columns.size()));
+  for (std::size_t j = 0; j < s.columns.size(); ++j) column_[s.columns[j]] = static_cast<int>(j);
+  int row = 0;
+  for (int c = s.first_constraint; c < s.end_constraint; ++c) {
+    const Constraint& constraint = m_.constraints[c];
+    visit_kind(constraint.kind, [&]<class Kind>(Kind) {
+      std::array<const double*, Kind::operand_sizes.size()> x;
+      std::array<int, Kind::operand_sizes.size()> first;
+      for (std::size_t k = 0; k < x.size(); ++k) {
+        first[k] = m_.state_index(constraint.operands[k]);
+        x[k] = state.data() + first[k];
+      }
+      Kind::residual(x.data(), constraint.constants.data(), &phi[row]);
+      Kind::jacobian(x.data(), constraint.constants.data(),
+                     [&](int r, int operand, int i, double value) {
+                       const int at = first[operand] + i;
+                       const double scaled = value * scale_[at];
+                       length[row + r] = std::hypot(length[row + r], scaled);
+                       if (column_[at] >= 0) jacobian(row + r, column_[at]) += scaled;
+                     });
+      row += Kind::rows;
+    });
+  }
+  for (const int i : s.columns) column_[i] = -1;
+  for (int i = 0; i < n; ++i) {
+    if (length[i] == 0) continue;
+    phi[i] /= length[i];
+    jacobian.row(i) /= length[i];
+  }
+  return {std::move(phi), std::move(jacobian)};
+}
+
+void Lineariser::move(std::vector<double>& state, const GroupSystem& s,
+                      const Eigen::VectorXd& step) const {
+  for (std::size_t j = 0; j < s.columns.size(); ++j)
+    state[s.columns[j]] += scale_[s.columns[j]] * step[j];
+}
+
+}  // namespace desmo

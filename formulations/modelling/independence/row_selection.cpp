@@ -1,0 +1,111 @@
+#include "formulations/modelling/independence/row_selection.h"
+
+#include <algorithm>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+#include "formulations/modelling/independence/row_space.h"
+#include "formulations/structure/incidence.h"
+
+namespace desmo {
+
+namespace {
+
+/// Whether the constraint is a definition of several equations, replaced by the one that says the
+/// same.
+bool make_scalar(Constraint& constraint) {
+  bool shorter = false;
+  visit_kind(constraint.kind, [&]<class Kind>(Kind) {
+    using Scalar = typename ScalarDefinition<Kind>::type;
+    if constexpr (!std::is_void_v<Scalar>) {
+      constraint.kind = kind_index<Scalar>();
+      constraint.constants.resize(Scalar::constants);
+      shorter = true;
+    }
+  });
+  return shorter;
+}
+
+}  // namespace
+
+RowSelector::RowSelector(Candidates& candidates, const JudgedPositions& positions,
+                         Lineariser& lineariser)
+    : m_(candidates.mechanism),
+      origins_(candidates.origins),
+      positions_(positions),
+      lineariser_(lineariser),
+      moves_(m_.state_size()) {
+  for (EntityId e = 0; e < static_cast<EntityId>(m_.entities.size()); ++e)
+    std::fill_n(moves_.begin() + m_.state_index(e), m_.entities[e].size, !m_.rests(e));
+}
+
+void RowSelector::shorten(GroupSystem& s, SelectedRows& selected) {
+  for (;;) {
+    const auto first = m_.constraints.begin() + s.first_constraint,
+               end = m_.constraints.begin() + s.end_constraint;
+    const std::vector<Constraint> before(first, end);
+    if (!shorten_definitions(s, selected.taken)) return;
+    list_rows(m_, s);
+    SelectedRows shortened = select(s);
+    if (std::ranges::count(shortened.taken, true) < std::ranges::count(selected.taken, true)) {
+      std::ranges::copy(before, first);
+      list_rows(m_, s);
+      return;
+    }
+    selected = std::move(shortened);
+  }
+}
+
+/// At the most general of the positions, the perturbed ones first, for a pose with lower rank is a
+/// special one.
+SelectedRows RowSelector::select(const GroupSystem& s) {
+  SelectedRows selected;
+  for (std::size_t p = 0; p < positions_.size(); ++p)
+    selected.jacobians[p] = lineariser_.at(positions_[p], s).jacobian;
+  const std::vector<int> order = preference(s);
+  int best_rank = -1;
+  for (const int p : {1, 2, 0}) {
+    std::vector<bool> taken(s.rows.size(), false);
+    RowSpace space(s.unknowns);
+    for (const int i : order)
+      taken[i] = space.add(selected.jacobians[p].row(i).head(s.unknowns).transpose());
+    if (space.rank() <= best_rank) continue;
+    best_rank = space.rank();
+    selected.taken = std::move(taken);
+    if (best_rank == s.unknowns) break;
+  }
+  return selected;
+}
+
+/// Rows, in the order in which they are taken.
+std::vector<int> RowSelector::preference(const GroupSystem& s) const {
+  using Rank = std::tuple<bool, int, Origin, int>;
+  std::vector<Rank> ranks;
+  for (int c = s.first_constraint; c < s.end_constraint; ++c) {
+    const Constraint& constraint = m_.constraints[c];
+    std::vector<int> entries(rows(constraint), 0);
+    visit_incidence(m_, constraint, [&](int row, int state) { entries[row] += moves_[state]; });
+    bool linear = false;
+    visit_kind(constraint.kind, [&](auto kind) { linear = kind.linear; });
+    for (const int n : entries)
+      ranks.emplace_back(!linear, n, origins_[c], static_cast<int>(ranks.size()));
+  }
+  std::ranges::sort(ranks);
+  std::vector<int> order;
+  for (const Rank& r : ranks) order.push_back(std::get<3>(r));
+  return order;
+}
+
+/// Whether there was any.
+bool RowSelector::shorten_definitions(const GroupSystem& s, const std::vector<bool>& taken) {
+  std::vector<int> rows_taken(s.end_constraint - s.first_constraint, 0);
+  for (std::size_t i = 0; i < taken.size(); ++i)
+    rows_taken[s.rows[i].first - s.first_constraint] += taken[i];
+  bool any = false;
+  for (int c = s.first_constraint; c < s.end_constraint; ++c)
+    if (rows_taken[c - s.first_constraint] == 1) any = make_scalar(m_.constraints[c]) || any;
+  return any;
+}
+
+}  // namespace desmo

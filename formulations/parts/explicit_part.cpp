@@ -1,0 +1,110 @@
+#include "formulations/parts/explicit_part.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "formulations/parts/explicit_run.h"
+
+namespace desmo {
+
+namespace {
+
+/// The equations of definitions carry on what is left in those of a core; that it be no more than
+/// the tolerance costs less than an iteration.
+constexpr double core_share = 1.0 / 8;
+
+}  // namespace
+
+ExplicitPart::ExplicitPart(const ExplicitKernel& kernel, const BoundKernel& bound,
+                           std::span<const double> weights, const Settings& settings,
+                           std::unique_ptr<Part> fallback)
+    : kernel_(kernel),
+      fallback_(std::move(fallback)),
+      tolerance_(settings.tolerance),
+      inputs_(bound.inputs),
+      constants_(bound.constants.size()),
+      equations_(weights.size()) {
+  const std::size_t branches = kernel.branches.size(),
+                    folded = static_cast<std::size_t>(kernel.folded),
+                    anchors = kernel.angles.size() * anchor_size;
+  numbers_.resize(constants_ + folded + equations_ + 2 * branches + anchors);
+  double *const c = numbers_.data(), *const f = c + constants_, *const w = f + folded;
+  branch_ = w + equations_;
+  branch_before_ = branch_ + branches;
+  anchors_ = {branch_before_ + branches, anchors};
+  std::ranges::copy(bound.constants, c);
+  std::ranges::copy(weights, w);
+  kernel_.fold(c, f);
+
+  const double tolerance2 = settings.tolerance * settings.tolerance;
+  const ExplicitLimits limits =
+      settings.fixed_iterations > 0
+          ? ExplicitLimits{std::numeric_limits<double>::infinity(), 0, settings.fixed_iterations}
+          : ExplicitLimits{tolerance2, core_share * core_share * tolerance2,
+                           settings.max_iterations};
+  binding_ = {inputs_.data(), c, f, branch_, w, anchors_.data(), limits};
+}
+
+PartResult ExplicitPart::solve(State& s, std::span<const double> last, Level level) {
+  if (!assembled_) return fall_back(s, last, level);
+  ExplicitKernel::Solve* const solve = kernel_.solve[static_cast<std::size_t>(level)];
+  const ExplicitRunResult r = solve(s.q.data(), s.qd.data(), s.qdd.data(), &binding_, 1);
+  if (r.accepted == 0) return solve_refused(s, last, level);
+  return {Status::converged, r.iterations, r.residual2};
+}
+
+/// Apart, for the registers that it needs would have to be saved in every step.
+[[gnu::noinline]] PartResult ExplicitPart::solve_refused(State& s, std::span<const double> last,
+                                                         Level level) {
+  ++fallbacks_;
+  std::ranges::copy(branches(), branch_before_);
+  const PartResult result = fall_back(s, last, level);
+  branch_changes_ += !std::ranges::equal(branches(), std::span(branch_before_, branches().size()));
+  return result;
+}
+
+[[gnu::noinline]] PartResult ExplicitPart::fall_back(State& s, std::span<const double> last,
+                                                     Level level) {
+  for (const int input : kernel_.unknowns) s.q[inputs_[input]] = last[inputs_[input]];
+  const PartResult result = fallback_->solve(s, last, level);
+  // After a fixed number of iterations a position may still be on its way to a branch.
+  if (result.status == Status::converged && result.residual2 < tolerance_ * tolerance_) {
+    kernel_.find_branches(s.q.data(), binding_.in, binding_.c, branch_);
+    std::ranges::fill(anchors_, 0.0);
+    assembled_ = true;
+  }
+  return result;
+}
+
+/// Ascending.
+std::vector<int> ExplicitPart::places_of(std::span<const int> inputs) const {
+  std::vector<int> result;
+  for (const int input : inputs) result.push_back(inputs_[input]);
+  std::ranges::sort(result);
+  return result;
+}
+
+std::vector<int> ExplicitPart::starts_from(const std::vector<int>&) const {
+  return places_of(kernel_.torn);
+}
+
+std::vector<int> ExplicitPart::stays_near() const { return places_of(kernel_.angles); }
+
+std::unique_ptr<PartRun> ExplicitPart::make_run(std::span<Part* const> parts) {
+  std::vector<const ExplicitPart*> members;
+  for (Part* const part : parts) {
+    const auto* const next = dynamic_cast<const ExplicitPart*>(part);
+    if (!next || &next->kernel_ != &kernel_) break;
+    members.push_back(next);
+  }
+  if (members.size() < 2) return nullptr;
+  return std::make_unique<ExplicitRun>(std::move(members));
+}
+
+void ExplicitPart::forget() {
+  assembled_ = false;
+  fallback_->forget();
+}
+
+}  // namespace desmo

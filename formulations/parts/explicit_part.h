@@ -1,0 +1,67 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "formulations/equations/explicit_kernel.h"
+#include "formulations/equations/symbolic.h"
+#include "formulations/parts/guarded_part.h"
+
+namespace desmo {
+
+/// One group or block solved by generated code in explicit order. The first position after
+/// forget() is found from its estimate by `fallback`, iterating on the original equations; on which
+/// side of each square root it lies is the assembly branch, which later steps keep. A step that the
+/// code refuses, where a root or a divisor is too small or the original equations are not
+/// satisfied, is left to `fallback` as well, from the last position, and the branches are those of
+/// its solution.
+class ExplicitPart final : public GuardedPart {
+ public:
+  /// bound: inputs and dimensions of the part, as for its other kernel. weights: 1/magnitude of
+  /// each equation (see magnitudes.h); settings: with the tolerance on ‖Φ‖₂ of the part's own
+  /// equations, so weighted.
+  ExplicitPart(const ExplicitKernel& kernel, const BoundKernel& bound,
+               std::span<const double> weights, const Settings& settings,
+               std::unique_ptr<Part> fallback);
+
+  PartResult solve(State& state, std::span<const double> last, Level level) override;
+  /// Closed forms start from nothing. Before any position, all start from the last.
+  std::vector<int> starts_from(const std::vector<int>& unknowns) const override;
+  std::vector<int> stays_near() const override;
+  /// Of those behind each other that have the same kernel.
+  std::unique_ptr<PartRun> make_run(std::span<Part* const> parts) override;
+  void forget() override;
+
+  long fallbacks() const override { return fallbacks_; }
+  long branch_changes() const override { return branch_changes_; }
+  /// Whether a position was found since forget(), so that the kernel may go on from it.
+  bool assembled() const { return assembled_; }
+  const ExplicitKernel& kernel() const { return kernel_; }
+  const ExplicitBinding<double>& binding() const { return binding_; }
+  /// Positions in the state of all that the kernel reads or writes there.
+  std::span<const int> inputs() const { return inputs_; }
+  std::size_t constants() const { return constants_; }
+  std::size_t equations() const { return equations_; }
+  /// The branches kept, ±1 each, in the order of ExplicitKernel::branches; 0 before any position.
+  std::span<const double> branches() const { return {branch_, kernel_.branches.size()}; }
+
+ private:
+  std::vector<int> places_of(std::span<const int> inputs) const;
+  PartResult solve_refused(State& state, std::span<const double> last, Level level);
+  PartResult fall_back(State& state, std::span<const double> last, Level level);
+
+  const ExplicitKernel& kernel_;
+  ExplicitBinding<double> binding_;
+  bool assembled_ = false;
+  long fallbacks_ = 0, branch_changes_ = 0;
+  std::unique_ptr<Part> fallback_;
+  double tolerance_;
+  std::vector<int> inputs_;
+  std::size_t constants_, equations_;
+  std::vector<double> numbers_;  // what binding_ points to, side by side, and branches before
+  double *branch_, *branch_before_;
+  std::span<double> anchors_;
+};
+
+}  // namespace desmo

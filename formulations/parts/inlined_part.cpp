@@ -1,0 +1,54 @@
+#include "formulations/parts/inlined_part.h"
+
+#include <limits>
+
+namespace desmo {
+
+InlinedPart::InlinedPart(BoundKernel bound, std::vector<double> weights,
+                         const PartSettings& settings, std::unique_ptr<Part> fallback,
+                         std::vector<int> unknowns)
+    : bound_(std::move(bound)),
+      weights_(std::move(weights)),
+      tolerance2_(settings.tolerance * settings.tolerance),
+      max_iterations_(settings.max_iterations),
+      accepted2_(tolerance2_),
+      at_rounding_(settings.at_rounding),
+      fallback_(std::move(fallback)),
+      unknowns_(std::move(unknowns)),
+      start_(unknowns_.size()) {
+  if (settings.fixed_iterations == 0) return;
+  tolerance2_ = 0;
+  max_iterations_ = settings.fixed_iterations;
+  accepted2_ = std::numeric_limits<double>::infinity();
+}
+
+/// Apart, for the registers that it needs would have to be saved in every step.
+[[gnu::noinline]] InlinedResult InlinedPart::once_more(State& s, int iterations) const {
+  InlinedResult position = bound_.kernel->position(s.q.data(), bound_.inputs.data(),
+                                                   bound_.constants.data(), weights_.data(), 0, 1);
+  position.iterations += iterations;
+  return position;
+}
+
+PartResult InlinedPart::solve(State& s, std::span<const double> last, Level level) {
+  const int* in = bound_.inputs.data();
+  const double* c = bound_.constants.data();
+  for (std::size_t i = 0; i < unknowns_.size(); ++i) start_[i] = s.q[unknowns_[i]];
+
+  InlinedResult position =
+      bound_.kernel->position(s.q.data(), in, c, weights_.data(), tolerance2_, max_iterations_);
+  if (at_rounding_ && position.residual2 < tolerance2_) [[unlikely]]
+    position = once_more(s, position.iterations);
+  bool good = position.residual2 < accepted2_;  // false for NaN, too
+  if (good && level != Level::position) {
+    double* acc = level == Level::acceleration ? s.qdd.data() : nullptr;
+    good = bound_.kernel->rates(s.q.data(), s.qd.data(), acc, in, c);
+  }
+  if (good) return {Status::converged, position.iterations, position.residual2};
+
+  ++fallbacks_;
+  for (std::size_t i = 0; i < unknowns_.size(); ++i) s.q[unknowns_[i]] = start_[i];
+  return fallback_->solve(s, last, level);
+}
+
+}  // namespace desmo

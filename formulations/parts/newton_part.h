@@ -1,0 +1,43 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "formulations/base/part.h"
+#include "formulations/equations/symbolic.h"
+#include "formulations/parts/profile.h"
+#include "formulations/structure/partition.h"
+
+namespace desmo {
+
+struct Backend;
+
+/// The state in single precision, shared by the parts of a formulation.
+struct SinglePrecisionState {
+  std::vector<float> q, qd, qdd;
+
+  explicit SinglePrecisionState(int size) : q(size), qd(size), qdd(size) {}
+};
+
+/// All that a Newton part is made from.
+struct PartContext {
+  const Mechanism& mechanism;
+  const PartDefinition& definition;
+  std::vector<double> weights;  ///< 1/magnitude of each equation of the part (see magnitudes.h)
+  /// Kernels of the symbolic equations, by bind_kernels(). Without them the equations are
+  /// automatic.
+  std::optional<std::vector<BoundKernel>> kernels;
+  PartSettings settings;       ///< with the tolerance on ‖Φ‖₂ of the part's own equations
+  Profile* profile = nullptr;  ///< where phases are measured, or null for the timed code
+  std::shared_ptr<SinglePrecisionState> single{};  ///< where the scalar is single
+  std::vector<double> magnitudes{};                ///< of the unknowns; none: all are 1
+};
+
+/// Makes the part that a context describes: Newton–Raphson (see NewtonSolver) with linear systems
+/// solved by `backend`, in the precision of context.settings.scalar. In single precision the
+/// equations are automatic. Throws std::invalid_argument when the backend cannot analyse the
+/// part's Jacobian.
+std::unique_ptr<Part> make_newton_part(const PartContext& context, const Backend& backend);
+
+}  // namespace desmo

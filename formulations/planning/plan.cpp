@@ -1,0 +1,202 @@
+#include "formulations/planning/plan.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "formulations/structure/partition.h"
+
+namespace desmo {
+
+namespace {
+
+/// Finds what is upstream of what is asked.
+class Upstream {
+ public:
+  explicit Upstream(const Mechanism& m)
+      : blocks(make_partition(m, Partition::block)),
+        block_level(blocks.size()),
+        entity_level(m.entities.size()),
+        constraint_kept(m.constraints.size(), false),
+        serves(m.entities.size(), -1),
+        m_(m),
+        owner_(entity_of_coordinate(m)),
+        block_of_coordinate_(m.coordinates(), -1),
+        blocks_of_constraint_(m.constraints.size()) {
+    for (int b = 0; b < static_cast<int>(blocks.size()); ++b) {
+      for (const int i : blocks[b].unknowns) block_of_coordinate_[i] = b;
+      for (const Equation& e : blocks[b].equations)
+        blocks_of_constraint_[e.constraint].push_back(b);
+    }
+  }
+
+  void ask(const Asked& asked) {
+    need(asked.entity, asked.level, asked.entity);
+    while (!waiting_.empty()) {
+      const auto [b, level] = waiting_.back();
+      waiting_.pop_back();
+      if (block_level[b] && *block_level[b] >= level) continue;
+      block_level[b] = level;
+      for (const int i : blocks[b].unknowns) need(owner_[i], level, asked.entity);
+      for (const Equation& e : blocks[b].equations) {
+        constraint_kept[e.constraint] = true;
+        for (const int other : blocks_of_constraint_[e.constraint])
+          waiting_.emplace_back(other, level);
+        for (const EntityId operand : m_.constraints[e.constraint].operands)
+          need(operand, level, asked.entity);
+      }
+    }
+  }
+
+  /// Keeps the constraints left out whole that speak of what is kept: they can be checked.
+  void keep_consequences() {
+    for (std::size_t c = 0; c < m_.constraints.size(); ++c) {
+      const Constraint& constraint = m_.constraints[c];
+      if (kept_rows(constraint) > 0) continue;
+      constraint_kept[c] = std::ranges::all_of(constraint.operands, [&](EntityId id) {
+        return m_.entities[id].fixed || entity_level[id];
+      });
+      if (!constraint_kept[c]) continue;
+      for (const EntityId id : constraint.operands)
+        if (m_.entities[id].fixed) need(id, Level::position, constraint.operands.front());
+    }
+  }
+
+  std::vector<PartDefinition> blocks;
+  std::vector<std::optional<Level>> block_level;  // none: not needed
+  std::vector<std::optional<Level>> entity_level;
+  std::vector<bool> constraint_kept;
+  std::vector<EntityId> serves;  // the first asked entity that needs each
+
+ private:
+  void need(EntityId id, Level level, EntityId for_whom) {
+    if (entity_level[id] && *entity_level[id] >= level) return;
+    entity_level[id] = level;
+    if (serves[id] < 0) serves[id] = for_whom;
+    const Entity& e = m_.entities[id];
+    for (int i = e.first; !e.fixed && i < e.first + e.size; ++i)
+      if (block_of_coordinate_[i] >= 0) waiting_.emplace_back(block_of_coordinate_[i], level);
+  }
+
+  const Mechanism& m_;
+  std::vector<EntityId> owner_;
+  std::vector<int> block_of_coordinate_;  // -1: driven
+  std::vector<std::vector<int>> blocks_of_constraint_;
+  std::vector<std::pair<int, Level>> waiting_;
+};
+
+/// The part of a mechanism that is needed, and where its entities went (-1: dropped).
+std::pair<Mechanism, std::vector<EntityId>> reduce(const Mechanism& whole, const Upstream& up) {
+  Mechanism m;
+  m.name = whole.name;
+  m.length_unit = whole.length_unit;
+  std::vector<GroupId> group(whole.groups.size(), -1);
+  for (std::size_t e = 0; e < whole.entities.size(); ++e)
+    if (up.entity_level[e] && !whole.entities[e].fixed) group[whole.entities[e].group] = 0;
+  for (std::size_t g = 0; g < group.size(); ++g) {
+    if (group[g] < 0) continue;
+    group[g] = m.add_group(whole.groups[g].name, whole.groups[g].bodies);
+    m.groups[group[g]].constant = whole.groups[g].constant;
+    for (const GroupId a : whole.groups[g].after)
+      if (group[a] >= 0) m.groups[group[g]].after.push_back(group[a]);
+  }
+
+  std::vector<EntityId> entity(whole.entities.size(), -1);
+  for (std::size_t i = 0; i < whole.entities.size(); ++i) {
+    if (!up.entity_level[i]) continue;
+    const Entity& e = whole.entities[i];
+    const std::vector<double>& values = e.fixed ? whole.fixed_values : whole.estimate;
+    const std::span<const double> own(values.data() + e.first, e.size);
+    entity[i] =
+        e.fixed ? m.add_fixed(e.kind, e.name, own) : m.add(e.kind, e.name, own, group[e.group]);
+  }
+  for (std::size_t g = 0; g < group.size(); ++g)
+    for (const EntityId e : whole.groups[g].entities)
+      if (group[g] >= 0 && entity[e] >= 0) m.groups[group[g]].entities.push_back(entity[e]);
+
+  for (std::size_t c = 0; c < whole.constraints.size(); ++c) {
+    if (!up.constraint_kept[c]) continue;
+    Constraint constraint = whole.constraints[c];
+    for (EntityId& operand : constraint.operands) operand = entity[operand];
+    constraint.group = group[constraint.group];
+    m.constraints.push_back(std::move(constraint));
+  }
+  for (const Driver& d : whole.drivers)
+    if (entity[d.coordinate] >= 0) m.drive(entity[d.coordinate], d.motion);
+  validate(m);
+  return {std::move(m), std::move(entity)};
+}
+
+std::vector<Plan::GroupUse> describe_use(const Mechanism& whole, const Upstream& up,
+                                         std::span<const Asked> asked) {
+  std::vector<Plan::GroupUse> uses(whole.groups.size());
+  for (std::size_t g = 0; g < uses.size(); ++g) uses[g].name = whole.groups[g].name;
+  std::vector<bool> is_asked(whole.entities.size(), false);
+  for (const Asked& a : asked) is_asked[a.entity] = true;
+  for (std::size_t b = 0; b < up.blocks.size(); ++b) {
+    Plan::GroupUse& use = uses[up.blocks[b].groups.front()];
+    const int n = static_cast<int>(up.blocks[b].unknowns.size());
+    use.unknowns += n;
+    ++use.blocks;
+    if (!up.block_level[b]) continue;
+    use.kept_unknowns += n;
+    ++use.kept_blocks;
+    use.level = std::max(use.level, *up.block_level[b]);
+  }
+  for (std::size_t i = 0; i < whole.entities.size(); ++i) {
+    const Entity& e = whole.entities[i];
+    if (e.fixed) continue;
+    Plan::GroupUse& use = uses[e.group];
+    (up.entity_level[i] ? use.kept : use.dropped).push_back(e.name);
+    if (up.entity_level[i] && !is_asked[i] && use.serves.empty())
+      use.serves = whole.entities[up.serves[i]].name;
+  }
+  return uses;
+}
+
+}  // namespace
+
+Level Plan::level() const {
+  Level highest = Level::position;
+  for (const Asked& a : outputs) highest = std::max(highest, a.level);
+  return highest;
+}
+
+Plan make_plan(const Mechanism& whole, std::span<const Asked> asked) {
+  std::vector<Asked> everything;
+  if (asked.empty()) {
+    for (EntityId e = 0; e < static_cast<EntityId>(whole.entities.size()); ++e)
+      everything.push_back({e, Level::acceleration});
+    asked = everything;
+  }
+  Upstream up(whole);
+  for (const Asked& a : asked) up.ask(a);
+  up.keep_consequences();
+
+  Plan plan;
+  auto [mechanism, entity] = reduce(whole, up);
+  plan.mechanism = std::move(mechanism);
+  plan.levels.resize(plan.mechanism.coordinates());
+  for (std::size_t i = 0; i < entity.size(); ++i) {
+    if (entity[i] < 0 || whole.entities[i].fixed) continue;
+    const Entity& e = plan.mechanism.entities[entity[i]];
+    for (int k = e.first; k < e.first + e.size; ++k) plan.levels[k] = *up.entity_level[i];
+  }
+  for (const Asked& a : asked) plan.outputs.push_back({entity[a.entity], a.level});
+  plan.groups = describe_use(whole, up, asked);
+  return plan;
+}
+
+std::vector<Asked> asked_by(const Scene& scene, const Mechanism& whole) {
+  std::vector<Asked> result;
+  for (const Wanted& w : scene.request) {
+    const std::string& name = w.kind == Wanted::Kind::point ? scene.mechanism.points[w.index].name
+                              : w.kind == Wanted::Kind::vector
+                                  ? scene.mechanism.vectors[w.index].name
+                                  : scene.mechanism.coordinates[w.index].name;
+    result.push_back({whole.find(name), w.level});
+  }
+  return result;
+}
+
+}  // namespace desmo

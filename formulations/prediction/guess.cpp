@@ -1,0 +1,91 @@
+#include "formulations/prediction/guess.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace desmo {
+
+namespace {
+
+/// The levels to which the last instant and the one before must have been solved.
+struct Needs {
+  Level last;
+  std::optional<Level> before{};
+};
+
+Needs needs(Guess guess) {
+  switch (guess) {
+    case Guess::previous:
+      return {Level::position};
+    case Guess::linear:
+      return {Level::velocity};
+    case Guess::quadratic:
+      return {Level::acceleration};
+    case Guess::hermite3:
+      return {Level::velocity, Level::velocity};
+    case Guess::hermite5:
+    case Guess::adams8:
+      return {Level::acceleration, Level::acceleration};
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string_view guess_name(Guess guess) {
+  switch (guess) {
+    case Guess::previous:
+      return "previous";
+    case Guess::linear:
+      return "linear";
+    case Guess::quadratic:
+      return "quadratic";
+    case Guess::hermite3:
+      return "hermite3";
+    case Guess::hermite5:
+      return "hermite5";
+    case Guess::adams8:
+      return "adams8";
+  }
+  return {};
+}
+
+Guess best_guess(Guess wanted, const Past& past) {
+  const bool apart = std::abs(past.h) < longest_stretch * std::abs(past.h_before);
+  for (const Guess guess : {Guess::hermite5, Guess::hermite3, Guess::quadratic, Guess::linear}) {
+    const auto [last, before] = needs(guess);
+    if (guess <= wanted && past.last >= last && (!before || (apart && past.before >= before)))
+      return guess;
+  }
+  return Guess::previous;
+}
+
+Extrapolation::Extrapolation(Guess guess, const Past& past) : guess_(guess) {
+  const double h = past.h, k = past.h_before, r = h / k, s = 1 + r;
+  // Hermite's basis on [0, 1] at s, factored about its zeros at 1 so that nothing cancels there.
+  switch (guess_) {
+    case Guess::previous:
+    case Guess::adams8:
+      return;
+    case Guess::linear:
+      w_v1_ = h;
+      return;
+    case Guess::quadratic:
+      w_v1_ = h;
+      w_a1_ = h * h / 2;
+      return;
+    case Guess::hermite3:
+      w_q_ = r * r * (3 + 2 * r);
+      w_v0_ = k * s * r * r;
+      w_v1_ = h * s * s;
+      return;
+    case Guess::hermite5:
+      w_q_ = -r * r * r * (10 + r * (15 + 6 * r));
+      w_v0_ = -k * r * r * r * s * (4 + 3 * r);
+      w_a0_ = -k * k / 2 * r * r * r * s * s;
+      w_v1_ = h * s * s * s * (1 - 3 * r);
+      w_a1_ = h * h / 2 * s * s * s;
+  }
+}
+
+}  // namespace desmo

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "cases/mechanism/motion.h"
+#include "formulations/model/mechanism.h"
+
+namespace desmo {
+
+/// Motions, and where each belongs in arrays of what they give.
+struct PlacedMotions {
+  std::vector<const Motion*> motions;
+  std::vector<int> places;
+};
+/// Of the drivers of a mechanism, which outlives them, in its state.
+PlacedMotions driver_motions(const Mechanism& mechanism);
+/// One behind the other.
+PlacedMotions in_order(std::vector<const Motion*> motions);
+
+/// Where samples of several times go: that of time l to place · of_place + l · of_time.
+struct SampleStrides {
+  int of_place = 1, of_time = 1;  ///< one of them is 1
+};
+inline SampleStrides side_by_side(int times) { return {.of_place = times}; }
+inline SampleStrides in_rows(int of_row) { return {.of_time = of_row}; }
+
+/// Several motions at one time or at several, as all drivers of a mechanism are wanted at each
+/// instant. Of harmonic sums a sin(ωt + φ) is taken apart into a cos φ sin ωt + a sin φ cos ωt:
+/// motions of one frequency share sine and cosine.
+class MotionSampler {
+ public:
+  /// times: how many at once, one or a multiple of four. The motions outlive the sampler,
+  /// unchanged.
+  explicit MotionSampler(PlacedMotions placed, int times = 1, SampleStrides strides = {});
+
+  /// Writes z, ż and z̈ of each motion at these times (s), what sample() gives but for rounding.
+  void operator()(std::span<const double> times, double* z, double* zd, double* zdd);
+
+ private:
+  /// Of each of four motions a sin(ωt + φ) = of_sine sin ωt + of_cosine cos ωt, and these times ω
+  /// and ω²; zeros where it has no term of this frequency.
+  struct Term {
+    int frequency;
+    std::array<double, 4> of_sine{}, of_cosine{}, w_of_sine{}, w_of_cosine{}, w2_of_sine{},
+        w2_of_cosine{};
+  };
+  /// Four motions that go with much the same frequencies. Where fewer are left the last fills up.
+  struct Sums {
+    int size;
+    std::array<int, 4> place;
+    bool in_order;  // places of four, one behind the other
+    std::array<double, 4> mean;
+    std::vector<Term> terms;
+  };
+
+  Sums sums(std::span<const int> motions);
+  int frequency(double w);
+  void find_waves(std::span<const double> times);
+  void sample_others(std::span<const double> times, double* z, double* zd, double* zdd) const;
+  void add_up_by_four_motions(double* z, double* zd, double* zdd) const;
+  void add_up_by_four_times(double* z, double* zd, double* zdd) const;
+
+  PlacedMotions placed_;
+  int times_;
+  SampleStrides strides_;
+  std::vector<int> others_;  // motions that are no harmonic sum
+  std::vector<Sums> sums_;
+  std::vector<double> frequencies_;      // each once
+  std::vector<double> sines_, cosines_;  // of each at each time
+};
+
+}  // namespace desmo

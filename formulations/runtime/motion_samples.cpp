@@ -1,0 +1,49 @@
+#include "formulations/runtime/motion_samples.h"
+
+#include <algorithm>
+
+#include "formulations/codegen/record/sampled_type.h"
+#include "formulations/variants.h"
+
+namespace desmo::load {
+
+namespace {
+
+using generate::sample_count;
+
+constexpr int most_steps = 400;
+constexpr double tolerance = 1e-6;  // of what only sizes are looked at
+
+class Sampler final : public Sink {
+ public:
+  Sampler(const Mechanism& mechanism, int instants) : m_(mechanism), instants_(instants) {}
+
+  void accept(const Instant& instant) override {
+    const int samples = static_cast<int>(states.size());
+    if (instant.index < (instants_ - 1) * samples / (sample_count - 1)) return;
+    std::vector<double>& state = states.emplace_back(instant.q.begin(), instant.q.end());
+    state.insert(state.end(), m_.fixed_values.begin(), m_.fixed_values.end());
+  }
+
+  std::vector<std::vector<double>> states;
+
+ private:
+  const Mechanism& m_;
+  int instants_;
+};
+
+}  // namespace
+
+std::vector<std::vector<double>> sample_motion(const Mechanism& m, const TimeGrid& grid) {
+  TimeGrid coarse = grid;
+  if (grid.instants - 1 > most_steps) {
+    coarse.instants = most_steps + 1;
+    coarse.step = (grid.instants - 1) * grid.step / most_steps;
+  }
+  Sampler sampler(m, coarse.instants);
+  make_formulation(find_variant("group_automatic_klu"), m, Settings{.tolerance = tolerance})
+      ->run(coarse, Request{Level::position}, sampler);
+  return std::move(sampler.states);
+}
+
+}  // namespace desmo::load

@@ -1,0 +1,104 @@
+#include "formulations/runtime/own_kernels.h"
+
+#include <algorithm>
+#include <exception>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "formulations/codegen/emit/library_source.h"
+#include "formulations/equations/lane_kernel.h"
+#include "formulations/runtime/cache.h"
+#include "formulations/runtime/compiler.h"
+#include "formulations/runtime/digest.h"
+#include "formulations/runtime/shared_library.h"
+#include "formulations/runtime/unavailable.h"
+
+namespace desmo::load {
+
+namespace {
+
+using generate::LibraryContents, generate::SampledType;
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+std::string_view bytes(const std::vector<double>& values) {
+  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(double)};
+}
+
+/// Of all that decides what a library's source is.
+std::string digest_of(const std::vector<SampledType>& types, LibraryContents contents) {
+  Digest digest;
+  digest.add(generate::generator_digest());
+  if (contents.lanes > 1) digest.add(std::to_string(contents.lanes));
+  digest.add(contents.lanes > 1 ? "lanes" : contents.explicit_order ? "explicit" : "inlined");
+  for (const SampledType& t : types)
+    for (const auto* samples : {&t.samples, &t.pivot_samples}) {
+      digest.add("\n" + t.type.fingerprint + "\n" + std::to_string(samples->size()) + "\n");
+      for (const generate::SamplePoint& s : *samples)
+        digest.add(bytes(s.q)).add(bytes(s.constants));
+    }
+  return digest.hex();
+}
+
+/// The library made of the types' code, from the cache or by the compiler.
+std::shared_ptr<const KernelLibrary> make_library(const std::vector<SampledType>& types,
+                                                  LibraryContents contents,
+                                                  std::chrono::milliseconds compile_time,
+                                                  OwnKernels& told) {
+  const Compiler compiler = Compiler::find(contents.lanes);
+  told.compiler = compiler.file() + " (" + compiler.version() + ")";
+  const Cache cache = Cache::open();
+  told.folder = cache.folder().string();
+
+  const std::string source_name = digest_of(types, contents) + ".cpp";
+  std::optional<std::string> source = cache.read(source_name);
+  if (!source) {
+    source = generate::library_source(types, contents);
+    cache.write(source_name, *source);
+  }
+  if (source->empty()) throw Unavailable("the generator has no code for parts like these");
+
+  const std::string library_name = Digest().add(compiler.identity()).add(*source).hex() + ".so";
+  if (!cache.read(library_name)) {
+    const Clock::time_point start = Clock::now();
+    cache.write(library_name, cache.content_made_by([&](const std::string& name) {
+      compiler.compile(source_name, name, cache.descriptor(), compile_time);
+    }));
+    told.seconds_compiling = seconds_since(start);
+    told.compiled = true;
+  }
+  try {
+    return load_library(cache.folder() / library_name);
+  } catch (const Unavailable&) {
+    cache.remove(library_name);
+    throw;
+  }
+}
+
+}  // namespace
+
+OwnKernels add_own_kernels(KernelTable& table, const Variant& v, const Settings& settings,
+                           const Mechanism& m, const TimeGrid& grid,
+                           std::chrono::milliseconds compile_time) {
+  OwnKernels told;
+  const Clock::time_point start = Clock::now();
+  const int lanes = std::max(settings.lanes, settings.segments);
+  const LibraryContents contents{v.explicit_order, has_lanes(lanes) ? lanes : 1};
+  try {
+    WantedTypes wanted = wanted_types(v, contents, m, grid, table);
+    told.parts_too_large = wanted.parts_too_large;
+    told.types = std::move(wanted.uses);
+    if (!wanted.types.empty()) table.add(make_library(wanted.types, contents, compile_time, told));
+  } catch (const std::exception& error) {
+    told.problem = error.what();
+  }
+  told.seconds = seconds_since(start);
+  return told;
+}
+
+}  // namespace desmo::load

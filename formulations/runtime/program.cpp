@@ -1,0 +1,167 @@
+#include "formulations/runtime/program.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <system_error>
+
+#include "formulations/runtime/descriptor.h"
+#include "formulations/runtime/file_actions.h"
+
+namespace desmo::load {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t most_output = std::size_t{1} << 16;
+
+// It leads a process group of the same number.
+std::atomic<pid_t> running{0};
+static_assert(std::atomic<pid_t>::is_always_lock_free);
+
+[[noreturn]] void fail(int error, const std::string& what) {
+  throw std::system_error(error, std::generic_category(), what);
+}
+
+std::vector<std::string> environment() {
+  std::vector<std::string> variables{"LC_ALL=C"};
+  for (const char* name : {"PATH", "HOME", "TMPDIR"})
+    if (const char* value = std::getenv(name)) variables.push_back(std::string(name) + "=" + value);
+  return variables;
+}
+
+std::vector<char*> pointers(const std::vector<std::string>& texts) {
+  std::vector<char*> result;
+  for (const std::string& text : texts) result.push_back(const_cast<char*>(text.c_str()));
+  result.push_back(nullptr);
+  return result;
+}
+
+/// A process group of its own, so that what it starts ends with it, and signals as they are for a
+/// program that was started by hand.
+struct Attributes {
+  Attributes() {
+    sigset_t none, all;
+    ::sigemptyset(&none);
+    ::sigfillset(&all);
+    ::posix_spawnattr_init(&values);
+    ::posix_spawnattr_setpgroup(&values, 0);
+    ::posix_spawnattr_setsigmask(&values, &none);
+    ::posix_spawnattr_setsigdefault(&values, &all);
+    ::posix_spawnattr_setflags(
+        &values, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
+  }
+  Attributes(const Attributes&) = delete;
+  Attributes& operator=(const Attributes&) = delete;
+  ~Attributes() { ::posix_spawnattr_destroy(&values); }
+  posix_spawnattr_t values;
+};
+
+/// Holds interruptions back: one that came after a program was started, and before it is known to
+/// run, would leave it running.
+class Uninterrupted {
+ public:
+  Uninterrupted() {
+    sigset_t interruptions;
+    ::sigemptyset(&interruptions);
+    for (const int s : {SIGINT, SIGTERM, SIGHUP}) ::sigaddset(&interruptions, s);
+    ::pthread_sigmask(SIG_BLOCK, &interruptions, &before_);
+  }
+  Uninterrupted(const Uninterrupted&) = delete;
+  Uninterrupted& operator=(const Uninterrupted&) = delete;
+  ~Uninterrupted() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+
+ private:
+  sigset_t before_;
+};
+
+/// Starts a program, which from then on is `running`.
+pid_t start(const std::vector<std::string>& arguments, int folder, int output) {
+  FileActions actions;
+  ::posix_spawn_file_actions_addopen(&actions.list, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  ::posix_spawn_file_actions_adddup2(&actions.list, output, STDOUT_FILENO);
+  ::posix_spawn_file_actions_adddup2(&actions.list, output, STDERR_FILENO);
+  ::posix_spawn_file_actions_addfchdir_np(&actions.list, folder);
+  const Attributes attributes;
+  const std::vector<std::string> variables = environment();
+  pid_t child = 0;
+  const Uninterrupted until_it_is_known;
+  const int error = ::posix_spawn(&child, arguments[0].c_str(), &actions.list, &attributes.values,
+                                  pointers(arguments).data(), pointers(variables).data());
+  if (error != 0) fail(error, arguments[0]);
+  return running = child;
+}
+
+/// Milliseconds until then, rounded up, and not less than 0.
+int remaining(Clock::time_point end) {
+  const auto time = std::chrono::ceil<std::chrono::milliseconds>(end - Clock::now());
+  return static_cast<int>(std::max<std::chrono::milliseconds::rep>(time.count(), 0));
+}
+
+/// Reads until everyone who could write has closed the other end; false when the time is over.
+bool read_all(int from, Clock::time_point end, std::string& text) {
+  std::array<char, 4096> buffer;
+  for (;;) {
+    pollfd wanted{from, POLLIN, 0};
+    const int ready = ::poll(&wanted, 1, remaining(end));
+    if (ready < 0 && errno == EINTR) continue;
+    if (ready <= 0) return false;
+    const ssize_t size = ::read(from, buffer.data(), buffer.size());
+    if (size < 0 && errno == EINTR) continue;
+    if (size <= 0) return true;
+    text.append(buffer.data(), std::min(static_cast<std::size_t>(size), most_output - text.size()));
+  }
+}
+
+/// Whether the child has ended before then; if so, how.
+bool wait_until(pid_t child, Clock::time_point end, int& status) {
+  constexpr int pause = 2;  // ms
+  for (;;) {
+    const pid_t ended = ::waitpid(child, &status, WNOHANG);
+    // Where SIGCHLD is ignored nobody learns how it ended: what it has made will show.
+    if (ended == child || (ended < 0 && errno == ECHILD)) return true;
+    const int left = remaining(end);
+    if (left == 0) return false;
+    ::poll(nullptr, 0, std::min(pause, left));
+  }
+}
+
+}  // namespace
+
+Ending run_program(const std::vector<std::string>& arguments, int folder,
+                   std::chrono::milliseconds time) {
+  std::array<int, 2> ends{};
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) fail(errno, "pipe");
+  Descriptor read_end(ends[0]), write_end(ends[1]);
+  const Clock::time_point end = Clock::now() + time;
+  const pid_t child = start(arguments, folder, write_end.number());
+  write_end.close();
+
+  Ending ending;
+  int status = 0;
+  ending.late = !read_all(read_end.number(), end, ending.output) || !wait_until(child, end, status);
+  if (ending.late) {
+    ::kill(-child, SIGKILL);
+    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
+  }
+  running = 0;
+  ending.good = !ending.late && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  return ending;
+}
+
+void end_running_program() noexcept {
+  if (const pid_t group = running; group > 0) ::kill(-group, SIGTERM);
+}
+
+}  // namespace desmo::load

@@ -1,0 +1,76 @@
+#include "formulations/scaling/characteristic_lengths.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "formulations/scaling/scales.h"
+
+namespace desmo {
+
+namespace {
+
+/// The largest distance between points of a constraint, or of its distance operands.
+double extent(const Mechanism& m, std::span<const double> q, const Constraint& c) {
+  double largest = 0;
+  const auto at_least = [&](double length) {
+    if (length > largest && std::isfinite(length)) largest = length;
+  };
+  const auto position = [&](EntityId e) {
+    return (m.entities[e].fixed ? m.fixed_values.data() : q.data()) + m.entities[e].first;
+  };
+  for (const EntityId a : c.operands) {
+    const double* x = position(a);
+    if (m.entities[a].kind == EntityKind::distance) at_least(std::abs(*x));
+    if (m.entities[a].kind != EntityKind::point) continue;
+    for (const EntityId b : c.operands) {
+      if (m.entities[b].kind != EntityKind::point) continue;
+      const double* y = position(b);
+      double distance = 0;
+      for (int i = 0; i < m.entities[a].size; ++i) distance = std::hypot(distance, y[i] - x[i]);
+      at_least(distance);
+    }
+  }
+  return largest;
+}
+
+}  // namespace
+
+CharacteristicLengths::CharacteristicLengths(const Mechanism& m)
+    : CharacteristicLengths(m, m.estimate) {}
+
+CharacteristicLengths::CharacteristicLengths(const Mechanism& m, std::span<const double> q)
+    : m_(m), about_(m.entities.size()), of_group_(m.groups.size()) {
+  for (const Constraint& c : m.constraints) {
+    const double length = extent(m, q, c);
+    for (const EntityId e : c.operands) about_[e] = std::max(about_[e], length);
+    of_group_[c.group] = std::max(of_group_[c.group], length);
+    of_all_ = std::max(of_all_, length);
+  }
+}
+
+double CharacteristicLengths::or_wider(double length, GroupId group) const {
+  if (length > 0) return length;
+  if (group >= 0 && of_group_[group] > 0) return of_group_[group];
+  return of_all_ > 0 ? of_all_ : 1;
+}
+
+double CharacteristicLengths::of(EntityId e) const {
+  return or_wider(about_[e], m_.entities[e].group);
+}
+
+std::vector<double> CharacteristicLengths::of_coordinates() const {
+  std::vector<double> result(m_.coordinates(), 1);
+  for (EntityId e = 0; e < static_cast<EntityId>(m_.entities.size()); ++e)
+    if (const Entity& entity = m_.entities[e]; !entity.fixed && is_length(entity.kind))
+      std::fill_n(result.begin() + entity.first, entity.size, of(e));
+  return result;
+}
+
+double CharacteristicLengths::of(const Constraint& c) const {
+  double longest = 0;
+  for (const EntityId e : c.operands)
+    if (is_length(m_.entities[e].kind)) longest = std::max(longest, about_[e]);
+  return or_wider(longest, c.group);
+}
+
+}  // namespace desmo

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "formulations/stepping/formulation.h"
+
+namespace desmo {
+
+/// Hands every instant of a grid to a sink, given every stride-th and the last of them, solved at
+/// every level and in order of time. Solved ones are handed on as they are; those between are on
+/// the quintic through q, q̇ and q̈ of the two solved about them (Hermite interpolation; as dense
+/// output: Hairer, Nørsett & Wanner, Solving Ordinary Differential Equations I, II.6). Where the
+/// motion is smooth its errors are O(h⁶) in position, O(h⁵) in velocity, O(h⁴) in acceleration,
+/// h being the time from one solved instant to the next. Errors of the solved positions go into
+/// velocities divided by h and into accelerations divided by h².
+class DenseOutput final : public Sink {
+ public:
+  /// grid: of all instants. coordinates: how many there are, of which those are interpolated that
+  /// the request names. The sink must outlive this.
+  DenseOutput(const TimeGrid& grid, int stride, const Request& request, int coordinates,
+              Sink& sink);
+
+  /// The index counts solved instants. Allocates nothing.
+  void accept(const Instant& solved) override;
+
+  int delivered() const { return last_index_ + 1; }
+
+ private:
+  /// Of what is known at both ends of an interval.
+  struct Weights {
+    double q0, change, v0, v1, a0, a1;  // of q₀, q₁ − q₀, q̇₀, q̇₁, q̈₀, q̈₁
+  };
+
+  static Weights of_position(double s, double h);
+  static Weights of_velocity(double s, double h);
+  static Weights of_acceleration(double s, double h);
+
+  void interpolate_to(const Instant& next, int index);
+  void combine(Weights w, const Instant& next, std::vector<double>& result) const;
+  void hand_on(const Instant& instant) const;
+  void keep(const Instant& solved);
+
+  const TimeGrid grid_;
+  const int stride_;
+  const Level level_;
+  const std::vector<CoordinateRun> runs_;
+  Sink& sink_;
+  State last_;           // the instant solved last
+  int last_index_ = -1;  // of it, in the grid
+  State between_;
+};
+
+}  // namespace desmo

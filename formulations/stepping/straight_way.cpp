@@ -1,0 +1,59 @@
+#include "formulations/stepping/straight_way.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <vector>
+
+#include "cases/mechanism/motion.h"
+
+namespace desmo {
+
+namespace {
+
+/// A piece that cannot be solved is halved, down to the shortest.
+constexpr double longest_piece = 1.0 / pieces_of_a_way, shortest_piece = longest_piece / 16;
+
+double shortest_way(const Mechanism& m, const Driver& d, double from, double to) {
+  const double way = to - from;
+  return m.entities[d.coordinate].kind == EntityKind::angle
+             ? std::remainder(way, 2 * std::numbers::pi)
+             : way;
+}
+
+}  // namespace
+
+std::vector<double> straight_way(const Mechanism& m, const State& from, double t) {
+  std::vector<double> way;
+  for (const Driver& d : m.drivers)
+    way.push_back(
+        shortest_way(m, d, from.q[m.entities[d.coordinate].first], sample(d.motion, t).position));
+  return way;
+}
+
+bool go_straight(const Mechanism& m, double t, State& state,
+                 const std::function<bool(State&, std::span<const double> last)>& solve) {
+  const std::vector<double> way = straight_way(m, state, t);
+  const State start = state;
+  State reached = state;
+  double done = 0, piece = 0;  // first where it is
+  while (true) {
+    for (std::size_t d = 0; d < way.size(); ++d) {
+      const int driven = m.entities[m.drivers[d].coordinate].first;
+      state.q[driven] = start.q[driven] + (done + piece) * way[d];
+    }
+    if (solve(state, reached.q)) {
+      reached = state;
+      done += piece;
+      if (done >= 1) return true;
+      piece = std::min(longest_piece, 1 - done);
+    } else {
+      state = reached;
+      piece /= 2;
+      if (piece < shortest_piece) return false;
+    }
+  }
+}
+
+}  // namespace desmo

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <array>
+
+#include "formulations/model/mechanism.h"
+
+namespace desmo {
+
+/// Calls visit(row, state) for each partial derivative of a constraint that is not zero by
+/// structure: the row of the constraint, the component of the state.
+template <class Visit>
+void visit_incidence(const Mechanism& m, const Constraint& constraint, Visit&& visit) {
+  visit_kind(constraint.kind, [&]<class Kind>(Kind) {
+    // The structure does not depend on the values, so that any will do.
+    static constexpr std::array<double, 3> any{1, 1, 1};
+    std::array<const double*, Kind::operand_sizes.size()> x;
+    x.fill(any.data());
+    Kind::jacobian(x.data(), constraint.constants.data(),
+                   [&](int row, int operand, int component, double) {
+                     visit(row, m.state_index(constraint.operands[operand]) + component);
+                   });
+  });
+}
+
+}  // namespace desmo

@@ -1,0 +1,80 @@
+#include "formulations/verification/error.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace desmo {
+
+namespace {
+
+std::vector<Asked> everything(const Mechanism& m) {
+  std::vector<Asked> all;
+  for (EntityId e = 0; e < static_cast<EntityId>(m.entities.size()); ++e)
+    all.push_back({e, Level::acceleration});
+  return all;
+}
+
+}  // namespace
+
+void ErrorSum::add(double error) {
+  max_ = std::max(max_, error);
+  squares_ += error * error;
+  ++compared_;
+}
+
+LevelError ErrorSum::result() const {
+  if (compared_ == 0) return {};
+  return {max_, std::isinf(max_) ? max_ : std::sqrt(squares_ / static_cast<double>(compared_)),
+          compared_};
+}
+
+ErrorMeasure::ErrorMeasure(const Mechanism& m, std::span<const ReferenceInstant> reference,
+                           const Scales& scales)
+    : ErrorMeasure(m, reference, scales, everything(m)) {}
+
+ErrorMeasure::ErrorMeasure(const Mechanism& m, std::span<const ReferenceInstant> reference,
+                           const Scales& scales, std::span<const Asked> outputs)
+    : reference_(reference) {
+  for (const auto& [id, level] : outputs) {
+    const Entity& e = m.entities[id];
+    if (e.fixed) continue;
+    Output o{e.first, e.size, level, {}};
+    for (const Level l : levels) o.scale[l] = scales.of(e.kind, l);
+    outputs_.push_back(o);
+  }
+}
+
+void ErrorMeasure::accept(const Instant& instant) {
+  while (next_ < reference_.size() && reference_[next_].time < instant.time) ++next_;
+  if (next_ == reference_.size() || reference_[next_].time != instant.time) return;
+  const ReferenceInstant& r = reference_[next_++];
+  ++instants_;
+  compare(Level::position, instant.q, r.q, r.rest.q);
+  compare(Level::velocity, instant.qd, r.qd, r.rest.qd);
+  compare(Level::acceleration, instant.qdd, r.qdd, r.rest.qdd);
+}
+
+void ErrorMeasure::compare(Level level, std::span<const double> found,
+                           std::span<const double> reference, std::span<const double> rest) {
+  if (found.empty()) return;  // beyond the level requested
+  for (const Output& o : outputs_) {
+    if (o.level < level) continue;
+    double squares = 0;
+    for (int i = o.first; i < o.first + o.size; ++i) {
+      // Neighbours subtract exactly, so that the rest of the reference still counts.
+      const double difference = (found[i] - reference[i]) - (rest.empty() ? 0 : rest[i]);
+      const double error = relative(difference, o.scale[level]);
+      squares += error * error;
+    }
+    sums_[level].add(std::sqrt(squares));
+  }
+}
+
+Error ErrorMeasure::error() const {
+  Error e;
+  for (const Level level : levels) e[level] = sums_[level].result();
+  e.instants = instants_;
+  return e;
+}
+
+}  // namespace desmo

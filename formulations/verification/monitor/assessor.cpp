@@ -1,0 +1,248 @@
+#include "formulations/verification/monitor/assessor.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "formulations/verification/monitor/backward_error.h"
+
+namespace desmo {
+
+namespace {
+
+/// What the estimate of a norm may miss.
+constexpr double missed = 3;
+
+Assessment undetermined(Assessment a, GroupId group) {
+  a.singular = true;
+  a.group = group;
+  for (const Level level : levels) a.bound[level] = INFINITY;
+  return a;
+}
+
+std::vector<Level> all_levels(const Mechanism& m, std::span<const Level> given) {
+  std::vector<Level> result(given.begin(), given.end());
+  result.resize(m.coordinates(), Level::acceleration);
+  return result;
+}
+
+}  // namespace
+
+Assessor::Assessor(const Mechanism& m, std::span<const Level> levels)
+    : mechanism_(m),
+      levels_(all_levels(m, levels)),
+      row_levels_(levels_of_rows(m, levels_)),
+      system_(m),
+      motion_(m, levels_),
+      of_system_(system_.size()),
+      of_change_(of_system_),
+      to_outputs_{of_system_, of_system_, of_system_},
+      to_errors_(to_outputs_),
+      weights_(system_.size()),
+      off_(system_.size()),
+      unknown_(system_.size()),
+      change_(system_.size()),
+      error_(system_.size()),
+      largest_(m.groups.size()),
+      state_(m.state_size()),
+      phi_(system_.size()),
+      phi_motion_(system_.size()) {
+  std::ranges::copy(m.fixed_values, state_.begin() + m.coordinates());
+  for (const int i : system_.unknowns()) group_.push_back(motion_.group(i));
+  for (const Level level : desmo::levels) corrected_[level].resize(m.coordinates());
+}
+
+Assessment Assessor::operator()(const Instant& instant, const Scales& scales) {
+  Assessment a;
+  motion_.take(instant);
+  std::ranges::copy(instant.q, state_.begin());
+  if (!system_.factorise(state_)) {
+    a.condition = INFINITY;
+    return undetermined(a, system_.singular_group());
+  }
+  if (system_.size() > 0) {
+    const WorstCase worst = of_system_(system_, system_.unknown_shares(), system_.row_shares());
+    a.condition = worst.value;
+    a.group = motion_.group(system_.unknowns()[worst.unknown]);
+  }
+
+  equations_of(Level::position);
+  const Bound position = of_outputs(Level::position, scales);
+  a.rounding = position.rounding;
+  enclose(Level::position);
+  widen(Level::position, 2);
+  const double closeness = contraction();  // η
+  if (!(closeness < 0.5)) return undetermined(a, a.group);
+  const double share = 1 / (1 - closeness);
+  a.bound.position = share * position.whole;
+  widen(Level::position, share);
+  if (instant.qd.empty()) return a;
+
+  equations_of(Level::velocity);
+  a.bound.velocity = share * of_outputs(Level::velocity, scales).whole;
+  enclose(Level::velocity);
+  widen(Level::velocity, share);
+  if (instant.qdd.empty()) return a;
+
+  equations_of(Level::acceleration);
+  a.bound.acceleration = share * of_outputs(Level::acceleration, scales).whole;
+  return a;
+}
+
+Limit Assessor::limit(const Instant& instant, const Scales& scales, const Assessment& a) {
+  constexpr double near_singular = 1e3;  // condition number, in lengths of the bodies themselves
+  constexpr double far = 100;            // times the size
+  constexpr double share = 0.1;          // of a bound, that tells where it comes from
+  double longest = 0, shortest = INFINITY;
+  for (const int i : system_.unknowns())
+    if (is_length(motion_.kind(i))) {
+      longest = std::max(longest, system_.magnitude(i));
+      shortest = std::min(shortest, system_.magnitude(i));
+    }
+  const double spread = std::max(1.0, longest / shortest);  // which no position is to blame for
+  weights_.setOnes();
+  change_.setOnes();
+  const double own = system_.size() > 0 ? of_change_(system_, weights_, change_).value : 1;
+  if (own > near_singular * spread) return Limit::singular_position;
+  motion_.take(instant);
+  for (const Level level : desmo::levels)
+    if (a.condition * motion_.of_drivers(level, scales) > share * a.bound[level] &&
+        a.bound[level] > 0)
+      return Limit::drivers;
+  for (const Entity& e : mechanism_.entities)
+    if (!e.fixed && e.kind == EntityKind::point)
+      for (int i = e.first; i < e.first + e.size; ++i)
+        if (std::abs(instant.q[i]) > far * nominal_size(mechanism_)) return Limit::origin;
+  return std::max(spread, a.condition / own) > far ? Limit::sizes : Limit::rounding;
+}
+
+/// off_ = what that order of the equations is off by, over R, and unknown_ = how much more or less
+/// it may be, for all lower orders in question.
+void Assessor::equations_of(Level level) {
+  const auto put = [&](int row, const Rounded& phi) {
+    off_[row] = phi.value / system_.row_sums()[row];
+    unknown_[row] = phi.radius / system_.row_sums()[row];
+  };
+  if (level == Level::position) {
+    system_.equations().residual<Rounded>(motion_.positions(), phi_);
+    for (int r = 0; r < system_.size(); ++r) put(r, phi_[r]);
+    return;
+  }
+  system_.equations().residual<Jet<Rounded>>(motion_.state(), phi_motion_);
+  for (int r = 0; r < system_.size(); ++r)
+    put(r, row_levels_[r] >= level ? phi_motion_[r].*order_of<Rounded>(level) : Rounded());
+}
+
+/// max |A⁻¹ off_| + max |A⁻¹| unknown_ over all outputs, each relative to its scale, and the
+/// drivers' own errors; the second alone. off_ = A⁻¹ off_.
+Assessor::Bound Assessor::of_outputs(Level level, const Scales& scales) {
+  double known = 0;
+  if (system_.size() > 0) {
+    system_.solve(off_.data());
+    for (int j = 0; j < system_.size(); ++j) {
+      const int i = system_.unknowns()[j];
+      const double scale = motion_.scale(i, level, scales);
+      weights_[j] = scale > 0 && motion_.is_solved(i, level)
+                        ? system_.magnitude(i) * std::sqrt(motion_.size_of_output(i)) / scale
+                        : 0;
+    }
+    known = (weights_ * off_.abs()).maxCoeff<Eigen::PropagateNaN>();
+  }
+  const double rounding = missed * to_outputs_[level](system_, weights_, unknown_).value;
+  const double drivers = motion_.of_drivers(level, scales);
+  return {std::max(known + rounding, drivers), std::max(rounding, drivers)};
+}
+
+/// error_ ≥ |off_| + |A⁻¹| unknown_, the same for all unknowns of a group: of the second, what
+/// signs without a pattern show of each, and as many times that as it takes.
+void Assessor::enclose(Level level) {
+  constexpr int probes = 2;
+  std::ranges::fill(largest_, 0.0);
+  unsigned bits = 0;
+  for (int probe = 0; probe < probes && system_.size() > 0; ++probe) {
+    for (int r = 0; r < system_.size(); ++r) {
+      bits += 2654435769u;
+      change_[r] = bits >> 31 ? -unknown_[r] : unknown_[r];
+    }
+    system_.solve(change_.data());
+    at_least(change_);
+  }
+  for (int j = 0; j < system_.size(); ++j) error_[j] = largest_[group_[j]];
+  error_ *= missed * to_errors_[level](system_, inverse(error_), unknown_).value;
+  std::ranges::fill(largest_, 0.0);
+  at_least(off_);
+  for (int j = 0; j < system_.size(); ++j) error_[j] += largest_[group_[j]];
+}
+
+void Assessor::at_least(const Eigen::ArrayXd& errors) {
+  for (int j = 0; j < system_.size(); ++j)
+    largest_[group_[j]] = std::max(largest_[group_[j]], std::abs(errors[j]));
+}
+
+/// 1 / errors; 0 of what is exact.
+const Eigen::ArrayXd& Assessor::inverse(const Eigen::ArrayXd& errors) {
+  weights_ = (errors > 0).select(errors.inverse(), 0);
+  return weights_;
+}
+
+/// By how much Φ_φ changes at most within the errors of position, against itself, in the norm in
+/// which these are equal.
+double Assessor::contraction() {
+  change_.setZero();
+  system_.equations().jacobian<Rounded>(
+      motion_.positions(), [&](int row, int i, const Rounded& value) {
+        if (system_.is_unknown(i))
+          change_[row] += value.radius * system_.magnitude(i) * error_[system_.column(i)];
+      });
+  change_ /= system_.row_sums();
+  return of_change_(system_, inverse(error_), change_).value;
+}
+
+/// Unknowns may be wrong by so many times their errors.
+void Assessor::widen(Level level, double times) {
+  for (int j = 0; j < system_.size(); ++j)
+    change_[j] = times * error_[j] * system_.magnitude(system_.unknowns()[j]);
+  motion_.widen(level, system_.unknowns(), change_);
+}
+
+/// values −= Φ_φ⁻¹ of that order of the equations; the largest correction in their magnitudes.
+double Assessor::correct(Level level, std::vector<double>& values) {
+  if (system_.size() == 0) return 0;
+  equations_of(level);
+  system_.solve(off_.data());
+  for (int j = 0; j < system_.size(); ++j) {
+    const int i = system_.unknowns()[j];
+    if (motion_.is_solved(i, level)) values[i] -= system_.magnitude(i) * off_[j];
+  }
+  return off_.abs().maxCoeff<Eigen::PropagateNaN>();
+}
+
+Instant Assessor::corrected(const Instant& instant) {
+  constexpr int most_corrections = 10;
+  auto& [q, qd, qdd] = corrected_;
+  Instant result = instant;
+  const auto put = [](std::span<const double> from, std::vector<double>& to) {
+    std::ranges::copy(from, to.begin());
+    return from.empty() ? from : std::span<const double>(to);
+  };
+  result.q = put(instant.q, q);
+  result.qd = put(instant.qd, qd);
+  result.qdd = put(instant.qdd, qdd);
+  double before = INFINITY;
+  for (int i = 0; i < most_corrections; ++i) {
+    std::ranges::copy(q, state_.begin());
+    if (!system_.factorise(state_)) return instant;
+    motion_.take(result);
+    const double correction = correct(Level::position, q);
+    if (!(correction < before / 2)) break;
+    before = correction;
+  }
+  for (int pass = 0; pass < 2; ++pass)  // the second refines what the first has solved
+    for (const Level level : {Level::velocity, Level::acceleration})
+      if (!(level == Level::velocity ? result.qd : result.qdd).empty()) {
+        motion_.take(result);
+        correct(level, corrected_[level]);
+      }
+  return result;
+}
+
+}  // namespace desmo

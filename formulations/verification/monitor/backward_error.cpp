@@ -1,0 +1,61 @@
+#include "formulations/verification/monitor/backward_error.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "formulations/scaling/scales.h"
+
+namespace desmo {
+
+std::vector<Level> levels_of_rows(const Mechanism& m, std::span<const Level> levels) {
+  std::vector<Level> result;
+  for (const Constraint& c : m.constraints) {
+    Level level = Level::acceleration;
+    for (const EntityId e : c.operands)
+      if (!m.entities[e].fixed) level = std::min(level, levels[m.entities[e].first]);
+    result.insert(result.end(), kept_rows(c), level);
+  }
+  return result;
+}
+
+BackwardError::BackwardError(const Mechanism& m, std::span<const Level> levels)
+    : mechanism_(m),
+      levels_(levels),
+      row_levels_(levels_of_rows(m, levels)),
+      size_(nominal_size(m)),
+      state_(m.state_size()),
+      phi_(row_levels_.size()) {
+  for (std::size_t i = 0; i < m.fixed_values.size(); ++i)
+    state_[m.coordinates() + i] = m.fixed_values[i];
+}
+
+PerLevel<double> BackwardError::operator()(const Instant& instant, const ScaledSystem& system,
+                                           const Scales& scales, double condition) {
+  const auto rate = [&](std::span<const double> values, Level level, int i) {
+    return values.empty() || levels_[i] < level ? 0 : values[i];
+  };
+  for (int i = 0; i < mechanism_.coordinates(); ++i)
+    state_[i] = {instant.q[i], rate(instant.qd, Level::velocity, i),
+                 rate(instant.qdd, Level::acceleration, i)};
+  system.equations().residual<Jet<double>>(state_, phi_);
+  PerLevel<double> off;  // the largest of each level, in magnitudes of the whole mechanism
+  for (int r = 0; r < system.size(); ++r) {
+    const double sum = system.row_sums()[r] * system.row_shares()[r];
+    const auto add = [&](Level level, double value) {
+      if (sum > 0 && row_levels_[r] >= level)
+        off[level] = std::max(off[level], std::isnan(value) ? INFINITY : std::abs(value) / sum);
+    };
+    add(Level::position, phi_[r].value);
+    if (!instant.qd.empty()) add(Level::velocity, phi_[r].first);
+    if (!instant.qdd.empty()) add(Level::acceleration, phi_[r].second);
+  }
+  const auto in_scale = [](double magnitude, double scale) {
+    return scale > 0 ? magnitude / scale : 0;
+  };
+  for (const Level level : levels)
+    off[level] *= condition * std::max(in_scale(size_, scales.length[level]),
+                                       in_scale(1, scales.rotation[level]));
+  return off;
+}
+
+}  // namespace desmo

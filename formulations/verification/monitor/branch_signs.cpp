@@ -1,0 +1,70 @@
+#include "formulations/verification/monitor/branch_signs.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "formulations/scaling/characteristic_lengths.h"
+
+namespace desmo {
+
+namespace {
+
+/// Blocks of so few unknowns have two solutions at most, mirror images with determinants of
+/// different sign: a point by two distances in the plane, with the angle of one; by three in space.
+constexpr int mirrored = 3;
+/// Of the distance to another solution, how far an estimate may be off.
+constexpr double near = 0.4;
+
+}  // namespace
+
+void BranchSigns::declare(const Instant& first) {
+  std::vector<double> state = mechanism_.estimate;
+  state.insert(state.end(), mechanism_.fixed_values.begin(), mechanism_.fixed_values.end());
+  for (const Driver& d : mechanism_.drivers) {
+    const int i = mechanism_.entities[d.coordinate].first;
+    state[i] = first.q[i];
+  }
+  if (!system_.factorise(state)) return;
+  const auto declared = system_.orientation();
+  signs_.assign(declared.begin(), declared.end());
+}
+
+std::optional<Crossing> BranchSigns::at_first(const Instant& instant, const Assessment& assessment,
+                                              double gain) {
+  const std::optional<Crossing> other = change(instant.time, {});
+  if (is_near_estimate(instant, assessment.condition, gain)) return other;
+  return Crossing{instant.time, instant.time, assessment.group, Crossing::Kind::not_declared};
+}
+
+std::optional<Crossing> BranchSigns::change(double time, std::optional<double> since) {
+  const auto now = system_.orientation();
+  std::optional<Crossing> found;
+  for (std::size_t b = 0; b < signs_.size() && !found; ++b)
+    if (now[b] != signs_[b])
+      found = {since.value_or(time), time, system_.group_of_block(static_cast<int>(b)),
+               since ? Crossing::Kind::passed : Crossing::Kind::not_declared};
+  signs_.assign(now.begin(), now.end());
+  return found;
+}
+
+/// Whether the way from the estimate is short, but for what the drivers have moved since: against
+/// a link where two mirror images are all that there is, which signs tell apart, and else against
+/// the distance of the next singular position, of the order of 1 / κ. Links are as long as they
+/// are where they have been assembled: an estimate that is far off stretches them.
+bool BranchSigns::is_near_estimate(const Instant& instant, double condition, double gain) const {
+  const std::vector<double> magnitude =
+      CharacteristicLengths(mechanism_, instant.q).of_coordinates();
+  const auto moved = [&](int i) {
+    return std::abs(instant.q[i] - mechanism_.estimate[i]) / magnitude[i];
+  };
+  double by_drivers = 0;
+  for (const Driver& d : mechanism_.drivers)
+    by_drivers = std::max(by_drivers, moved(mechanism_.entities[d.coordinate].first));
+  for (int j = 0; j < system_.size(); ++j) {
+    const double nearest = system_.block_size(j) <= mirrored ? 1 : 1 / condition;
+    if (moved(system_.unknowns()[j]) > near * nearest + 2 * gain * by_drivers) return false;
+  }
+  return true;
+}
+
+}  // namespace desmo

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "formulations/stepping/formulation.h"
+#include "formulations/verification/monitor/assessment.h"
+#include "formulations/verification/monitor/crossing.h"
+#include "formulations/verification/monitor/scaled_system.h"
+
+namespace desmo {
+
+/// Whether a motion stays on the assembly branch that its mechanism's estimate declares: the signs
+/// of the determinants of irreducible blocks, from one assessed instant to the next.
+class BranchSigns {
+ public:
+  /// Both must outlive it.
+  BranchSigns(const Mechanism& mechanism, ScaledSystem& system)
+      : mechanism_(mechanism), system_(system) {}
+
+  /// The estimate, with the drivers of the first instant, has the signs that this should have.
+  /// Overwrites what the system has factorised.
+  void declare(const Instant& first);
+
+  /// What an assessed instant shows, whose factors the system has. gain: of the drivers at most
+  /// (GainMonitor::largest).
+  std::optional<Crossing> at_first(const Instant& instant, const Assessment& assessment,
+                                   double gain);
+  /// After an interval that was left out.
+  std::optional<Crossing> after_gap(const Instant& instant) { return change(instant.time, {}); }
+  /// last: the time of the instant assessed before [s].
+  std::optional<Crossing> since(double last, const Instant& instant) {
+    return change(instant.time, last);
+  }
+
+ private:
+  std::optional<Crossing> change(double time, std::optional<double> since);
+  bool is_near_estimate(const Instant& instant, double condition, double gain) const;
+
+  const Mechanism& mechanism_;
+  ScaledSystem& system_;
+  std::vector<signed char> signs_;
+};
+
+}  // namespace desmo

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "formulations/verification/monitor/assessment.h"
+#include "formulations/verification/monitor/limits.h"
+
+namespace desmo {
+
+/// The degraded instants of a motion. Bounds are relative to the motion so far: what is beyond its
+/// limit where a motion starts at rest need not stay so.
+class Degradations {
+ public:
+  /// limit: above which a bound makes an instant degraded.
+  explicit Degradations(const PerLevel<double>& limit) : limit_(limit) {}
+
+  void add(const Degradation& degradation) {
+    if (kept_.size() < most_kept)
+      kept_.push_back(degradation);
+    else
+      ++others_;
+  }
+  /// The scales that rates are relative to have grown.
+  void rescale(const Scales& from, const Scales& to) {
+    for (Degradation& d : kept_) desmo::rescale(d.assessment.bound, from, to);
+    std::erase_if(kept_,
+                  [&](const Degradation& d) { return !exceeds(d.assessment.bound, limit_); });
+  }
+
+  long count() const { return static_cast<long>(kept_.size()) + others_; }
+  std::optional<Degradation> first() const {
+    return kept_.empty() ? std::nullopt : std::optional(kept_.front());
+  }
+
+ private:
+  static constexpr std::size_t most_kept = 10000;  // the others stay as they were found
+
+  PerLevel<double> limit_;
+  std::vector<Degradation> kept_;
+  long others_ = 0;
+};
+
+}  // namespace desmo

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "formulations/groupwise/jet.h"
+#include "formulations/scaling/scales.h"
+#include "formulations/stepping/formulation.h"
+#include "formulations/verification/monitor/rounded.h"
+
+namespace desmo {
+
+/// The order of a jet that belongs to a level.
+template <class S>
+constexpr S Jet<S>::*order_of(Level level) {
+  return level == Level::position   ? &Jet<S>::value
+         : level == Level::velocity ? &Jet<S>::first
+                                    : &Jet<S>::second;
+}
+
+/// A solved instant with what is not known of it: of drivers, what rounding makes of their motions;
+/// of unknowns, the errors that they may have. Levels that are not solved are zero.
+class EnclosedMotion {
+ public:
+  /// levels: as far as each coordinate is solved; it and the mechanism must outlive this.
+  EnclosedMotion(const Mechanism& mechanism, std::span<const Level> levels);
+
+  /// Starts anew: unknowns as they are.
+  void take(const Instant& instant);
+  /// Gives unknowns, as far as they are solved, the errors that they may have, in their own units.
+  void widen(Level level, std::span<const int> unknowns, const Eigen::ArrayXd& errors);
+  /// The largest error of a driver relative to its scale.
+  double of_drivers(Level level, const Scales& scales) const;
+
+  std::span<const Jet<Rounded>> state() const { return state_; }
+  std::span<const Rounded> positions();  ///< of state()
+  double scale(int coordinate, Level level, const Scales& scales) const {
+    return scales.of(kind(coordinate), level);
+  }
+  EntityKind kind(int coordinate) const { return mechanism_.entities[entity_[coordinate]].kind; }
+  int size_of_output(int coordinate) const { return mechanism_.entities[entity_[coordinate]].size; }
+  GroupId group(int coordinate) const { return mechanism_.entities[entity_[coordinate]].group; }
+  bool is_solved(int coordinate, Level level) const { return levels_[coordinate] >= level; }
+
+ private:
+  const Mechanism& mechanism_;
+  std::span<const Level> levels_;
+  std::vector<EntityId> entity_;  // of each coordinate
+  std::vector<Jet<Rounded>> state_;
+  std::vector<Rounded> positions_;
+};
+
+}  // namespace desmo

@@ -1,0 +1,265 @@
+#include "formulations/verification/monitor/watch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "formulations/verification/condition.h"
+#include "formulations/verification/monitor/assessor.h"
+#include "formulations/verification/monitor/backward_error.h"
+#include "formulations/verification/monitor/branch_signs.h"
+#include "formulations/verification/monitor/condition_monitor.h"
+#include "formulations/verification/monitor/continuity.h"
+#include "formulations/verification/monitor/degradations.h"
+#include "formulations/verification/monitor/expectation.h"
+#include "formulations/verification/monitor/gain_monitor.h"
+#include "formulations/verification/monitor/limits.h"
+#include "formulations/verification/monitor/running_scales.h"
+
+namespace desmo {
+
+namespace {
+
+/// By how much the gain may grow before an instant is assessed.
+constexpr double factor = 4;
+/// Instants from one look at the scales to the next: they grow slowly, and small ones are safe.
+constexpr int look_every = 16;
+/// Bounds of rates above which it cannot be told whether they lead on.
+constexpr double noise = 1e-3;
+/// By how much a bound may rise above what correcting could reach.
+constexpr double worse = 2;
+/// What residuals show of errors at an estimated condition number, times this, bounds them.
+constexpr double shown_by = 10;
+
+}  // namespace
+
+struct Watch::State {
+  const Mechanism& mechanism;
+  const Options options;
+  const Limits limits;
+  Assessor assessor;
+  RunningScales scales;
+  GainMonitor gain;
+  ConditionMonitor conditioning;
+  Continuity continuity;
+  BackwardError backward_error;
+  Expectation expectation{};
+  BranchSigns signs;
+  std::vector<EntityId> entity;  // of each coordinate
+
+  Assessment last{};             // that was made
+  PerLevel<double> reachable{};  // bounds that correcting has led to, or might
+  double last_time = 0;
+  bool started = false, degraded = false;
+  bool after_gap = false;
+  int since = 0;  // instants since the last assessment
+  double condition = 0;
+  PerLevel<double> worst{};
+  Degradations degradations;
+  long assessed = 0, corrected = 0;
+
+  State(const Mechanism& m, const TimeGrid& grid, const Options& o)
+      : mechanism(m),
+        options(o),
+        limits(o.tolerance),
+        assessor(m, o.levels),
+        scales(m, grid),
+        gain(m, assessor.levels(), assessor.system().magnitudes()),
+        conditioning(m, assessor.system()),
+        continuity(m, grid, assessor.system().magnitudes()),
+        backward_error(m, assessor.levels()),
+        signs(m, assessor.system()),
+        entity(entity_of_coordinate(m)),
+        degradations(limits.degraded) {}
+
+  bool has(Monitor monitor) const { return !(options.without & static_cast<unsigned>(monitor)); }
+
+  Judgement judge(const Instant& instant) {
+    Judgement j{instant};
+    const double growth = growth_at(instant);
+    const double residual = has(Monitor::residual) ? instant.residual : 0;
+    const Assessment expected = expectation(growth, residual);
+    const Statement statement = state(instant, expected);
+    const bool in_doubt = is_in_doubt(instant);
+    std::optional<Crossing> jump;
+    if (in_doubt && !instant.interpolated) jump = find_jump(instant);
+    const bool known_before = rates_are_known();
+    // A doubt that shorter steps have argued away is one: next to where solutions meet they too
+    // end anywhere.
+    if (in_doubt || !statement.holds || is_due(growth, residual, expected))
+      assess(j, growth, residual);
+    else
+      j.assessment = statement.assessment;
+    if (in_doubt && instant.interpolated && !j.solved_anew) jump = find_jump(j.instant);
+    // From rates that are noise nothing can be told; from signs of determinants it can.
+    if (jump && known_before && rates_are_known()) j.crossing = jump;
+    if (++since % look_every == 0) look_at_scales(j.instant);
+    continuity.take(j.instant);
+    if (j.assessment.singular) return j;  // which is not delivered
+    condition = std::max(condition, j.assessment.condition);
+    for (const Level l : levels) worst[l] = std::max(worst[l], j.assessment.bound[l]);
+    if (j.degraded) degradations.add({j.instant.index, j.instant.time, j.assessment});
+    return j;
+  }
+
+  /// What is said of an instant that is not assessed, and whether it may be said.
+  struct Statement {
+    Assessment assessment;
+    bool holds;
+  };
+  Statement state(const Instant& instant, const Assessment& expected) {
+    Statement s{expectation.with_margin(expected), true};
+    if (!has(Monitor::bounds) || !started) return s;
+    PerLevel<double>& bound = s.assessment.bound;
+    if (instant.interpolated || (options.reuses_pivots && has(Monitor::residual))) {
+      const PerLevel<double> shown =
+          backward_error(instant, assessor.system(), scales.now(), expected.condition);
+      if (instant.interpolated) bound.position += shown_by * shown.position;
+      // Of solved positions the residual tells, with what they make of rates.
+      double before = instant.interpolated ? bound.position : 0;
+      for (const Level l : {Level::velocity, Level::acceleration}) {
+        before = shown_by * shown[l] + expected.condition * before;
+        bound[l] += before;
+      }
+      // Rates of pivots that have gone bad are worth correcting as any are.
+      s.holds = instant.interpolated ||
+                !exceeds({0, shown_by * shown.velocity, shown_by * shown.acceleration},
+                         limits.worth_correcting(expected.condition));
+    }
+    s.holds = s.holds && !exceeds(bound, limits.degraded);
+    return s;
+  }
+
+  /// Of the condition number since the last assessment, as far as it shows.
+  double growth_at(const Instant& instant) {
+    if (!has(Monitor::gain)) return 1;
+    const double of_rates = gain.growth(instant);
+    if (!has(Monitor::clock)) return of_rates;
+    conditioning.go_on(instant);
+    if (conditioning.is_due()) conditioning.look(instant, assessor.system());
+    return std::max(of_rates, conditioning.growth());
+  }
+
+  bool is_due(double growth, double residual, const Assessment& expected) const {
+    return !started || degraded || after_gap || (has(Monitor::clock) && since >= options.every) ||
+           !(growth <= factor) || expectation.is_new(residual) || is_correctable(expected, growth);
+  }
+
+  /// Whether bounds are so large that correcting would help.
+  bool is_correctable(const Assessment& a, double growth) const {
+    const PerLevel<double> least = limits.worth_correcting(a.condition);
+    double powers_of_growth = worse;
+    return std::ranges::any_of(levels, [&](Level l) {
+      powers_of_growth *= growth;
+      return !(a.bound[l] <= std::max(least[l], powers_of_growth * reachable[l]));
+    });
+  }
+
+  /// Of the last assessment, well enough for Continuity.
+  bool rates_are_known() const { return !exceeds(last.bound, {noise, noise, noise}); }
+
+  bool is_in_doubt(const Instant& instant) const {
+    return has(Monitor::continuity) && continuity.in_doubt(instant, gain.weights());
+  }
+
+  std::optional<Crossing> find_jump(const Instant& instant) {
+    const auto jump = continuity.find_jump(instant, gain.weights(), assessor);
+    if (!jump) return {};
+    return Crossing{jump->after, jump->before, mechanism.entities[entity[jump->coordinate]].group,
+                    Crossing::Kind::jumped};
+  }
+
+  void look_at_scales(const Instant& instant) {
+    const Scales before = scales.now();
+    if (!scales.take(instant)) return;
+    rescale(worst, before, scales.now());
+    rescale(reachable, before, scales.now());
+    expectation.rescale(before, scales.now());
+    degradations.rescale(before, scales.now());
+  }
+
+  void assess(Judgement& j, double growth, double residual) {
+    if (!started && has(Monitor::orientation)) signs.declare(j.instant);
+    last = assessor(j.instant, scales.with(j.instant));
+    const Assessment given = last;
+    ++assessed;
+    since = 0;
+    const bool tries =
+        has(Monitor::bounds) && exceeds(given.bound, limits.worth_correcting(given.condition));
+    const bool is_better = tries && improve(j);
+    look_at_scales(j.instant);
+    reachable = tries ? last.bound : PerLevel<double>{};
+    if (j.instant.interpolated)  // nothing follows for solved ones but from what it has become
+      expectation.learn(last, INFINITY, 0);
+    else
+      expectation.learn(given, growth, residual);
+    if (is_better) expectation.learn(last, 1, 0);
+    degraded = has(Monitor::bounds) && exceeds(last.bound, limits.degraded);
+    if (degraded && last.condition < INFINITY)
+      last.limit = assessor.limit(j.instant, scales.now(), last);
+    if (!has(Monitor::bounds)) last.singular = false;
+    j.degraded = degraded;
+    j.assessment = last;
+    if (last.condition < INFINITY) {
+      gain.reset(j.instant, assessor.system());
+      conditioning.reset(assessor.system());
+      j.crossing = crossing(j.instant);
+      started = true;
+    }
+    after_gap = false;
+    last_time = j.instant.time;
+  }
+
+  /// Whether it has become better. What was interpolated, and is not even near a solution, is
+  /// solved.
+  bool improve(Judgement& j) {
+    if (j.instant.interpolated && exceeds(last.bound, limits.degraded)) {
+      if (const auto solved = continuity.solve_anew(j.instant, gain.weights(), assessor))
+        return j.solved_anew = take_if_better(j.instant, *solved);
+      assessor(j.instant, scales.with(j.instant));  // its factors, after those of other instants
+    }
+    const Instant start = j.instant.interpolated ? continuity.driven(j.instant) : j.instant;
+    return take_if_better(j.instant, assessor.corrected(start));
+  }
+
+  bool take_if_better(Instant& instant, const Instant& better) {
+    const Assessment then = assessor(better, scales.with(better));
+    if (!(worst_share(then) < worst_share(last))) return false;
+    instant = better;
+    last = then;
+    ++corrected;
+    return true;
+  }
+
+  /// The largest bound over its limit.
+  double worst_share(const Assessment& a) const {
+    double share = 0;
+    for (const Level l : levels) share = std::max(share, a.bound[l] / limits.degraded[l]);
+    return share;
+  }
+
+  std::optional<Crossing> crossing(const Instant& instant) {
+    if (!has(Monitor::orientation)) return {};
+    return !started    ? signs.at_first(instant, last, gain.largest())
+           : after_gap ? signs.after_gap(instant)
+                       : signs.since(last_time, instant);
+  }
+};
+
+Watch::Watch(const Mechanism& m, const TimeGrid& grid, const Options& options)
+    : state_(std::make_unique<State>(m, grid, options)) {}
+Watch::~Watch() = default;
+
+Watch::Judgement Watch::judge(const Instant& instant) { return state_->judge(instant); }
+void Watch::resume() {
+  state_->after_gap = true;
+  state_->continuity.forget();
+}
+long Watch::assessed() const { return state_->assessed; }
+long Watch::corrected() const { return state_->corrected; }
+double Watch::condition() const { return state_->condition; }
+const PerLevel<double>& Watch::bound() const { return state_->worst; }
+long Watch::degraded() const { return state_->degradations.count(); }
+std::optional<Degradation> Watch::first_degraded() const { return state_->degradations.first(); }
+
+}  // namespace desmo

@@ -1,0 +1,33 @@
+#include "formulations/verification/monitor/watched_sink.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace desmo {
+
+void WatchedSink::accept(const Instant& instant) {
+  const Watch::Judgement j = watch_.judge(instant);
+  summary_.time = instant.time;
+  if (j.assessment.singular) {
+    // What was interpolated is nowhere near a solution.
+    summary_.status = instant.interpolated ? Status::not_converged : Status::singular;
+    summary_.group = j.assessment.group;
+    summary_.constraint = -1;
+    summary_.residual = instant.interpolated ? INFINITY : instant.residual;
+    throw Ended{};
+  }
+  if (j.crossing && !summary_.crossing) summary_.crossing = j.crossing;
+  summary_.refused = options_.strict && (j.degraded || j.crossing);
+  if (summary_.refused) throw Ended{};
+  summary_.updates += instant.updates;
+  summary_.residual = largest_residual_ = std::max(largest_residual_, instant.residual);
+  if (options_.judged) options_.judged(j);
+  hand_on(j.instant);
+}
+
+void WatchedSink::hand_on(const Instant& instant) {
+  next_.accept(instant);
+  ++summary_.instants;
+}
+
+}  // namespace desmo

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <span>
+
+#include "formulations/model/mechanism.h"
+#include "formulations/scaling/scales.h"
+#include "formulations/verification/reference/wide_instant.h"
+
+namespace desmo {
+
+/// Largest difference of two solutions at the same instants, over all outputs (see ErrorMeasure),
+/// relative to the scales; taken in quadruple precision.
+PerLevel<double> disagreement(const Mechanism& mechanism, std::span<const WideInstant> a,
+                              std::span<const WideInstant> b, const Scales& scales);
+
+}  // namespace desmo

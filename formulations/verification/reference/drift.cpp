@@ -1,0 +1,40 @@
+#include "formulations/verification/reference/drift.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace desmo {
+
+namespace {
+
+class Ends final : public Sink {
+ public:
+  Ends(const Mechanism& m, const Reference& reference, std::size_t window)
+      : first_(m, std::span(reference.instants).first(window), reference.scales),
+        last_(m, std::span(reference.instants).subspan(window), reference.scales) {}
+
+  void accept(const Instant& instant) override {
+    first_.accept(instant);
+    last_.accept(instant);
+  }
+  Error first() const { return first_.error(); }
+  Error last() const { return last_.error(); }
+
+ private:
+  ErrorMeasure first_, last_;
+};
+
+}  // namespace
+
+Drift measure_drift(Formulation& formulation, const TimeGrid& grid, int window) {
+  window = std::min(window, grid.instants / 2);
+  std::vector<double> times;
+  for (int i = 0; i < window; ++i) times.push_back(grid.time(i));
+  for (int i = grid.instants - window; i < grid.instants; ++i) times.push_back(grid.time(i));
+  const Reference reference = make_reference(formulation.mechanism(), times);
+  Ends ends(formulation.mechanism(), reference, window);
+  const Summary summary = formulation.run(grid, {}, ends);
+  return {summary, ends.first(), ends.last(), reference.floor};
+}
+
+}  // namespace desmo

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "formulations/groupwise/jet.h"
+#include "formulations/model/mechanism.h"
+#include "formulations/verification/reference/whole_system.h"
+
+namespace desmo {
+
+/// Solves all equations of a mechanism at once with a sparse LU factorisation, in the scalar S.
+/// Nothing but the residuals decides what is found: velocities and accelerations are those that
+/// make the time derivatives of Φ vanish, which jets evaluate. The partial derivatives that the
+/// kinds state only lead there, and the partition and the quadratic terms are not used. S is
+/// Quadruple, or double for positions alone.
+template <class S>
+class GlobalSolver {
+ public:
+  /// Starts at the mechanism's estimate. The mechanism must outlive the solver.
+  explicit GlobalSolver(const Mechanism& mechanism);
+  ~GlobalSolver();
+
+  /// Newton starts there next: the positions of another solver.
+  template <class T>
+  void start_at(const GlobalSolver<T>& other) {
+    for (std::size_t i = 0; i < state_.size(); ++i) state_[i].value = S(other.state()[i].value);
+  }
+
+  /// Solves as exactly as S allows, from where it is. Throws std::runtime_error, naming the
+  /// instant, when Newton's method does not converge or a matrix is singular.
+  void solve_positions(double t);
+
+  /// Solves velocities and accelerations at the positions solved last. The equations are linear in
+  /// each: the first pass finds q̇, the second q̈, and each is refined by the next.
+  void solve_rates();
+
+  /// The instant solved last, in coordinate order.
+  std::vector<S> q() const { return coordinates(&Jet<S>::value); }
+  std::vector<S> qd() const { return coordinates(&Jet<S>::first); }
+  std::vector<S> qdd() const { return coordinates(&Jet<S>::second); }
+  const std::vector<Jet<S>>& state() const { return state_; }
+
+ private:
+  struct Linear;  // Φ_φ and its factors
+
+  void factorise();
+  double correct(S Jet<S>::*order);
+
+  std::vector<S> coordinates(S Jet<S>::*order) const {
+    std::vector<S> values;
+    for (int i = 0; i < m_.coordinates(); ++i) values.push_back(state_[i].*order);
+    return values;
+  }
+
+  const Mechanism& m_;
+  WholeSystem system_;
+  std::vector<double> magnitude_;  // of each coordinate
+  std::vector<Jet<S>> state_;
+  std::vector<S> positions_;
+  std::vector<Jet<S>> phi_;
+  std::unique_ptr<Linear> linear_;
+  double time_ = 0;  // at hand, for messages, s
+};
+
+}  // namespace desmo

@@ -1,0 +1,8 @@
+#include "formulations/groupwise/groupwise_solver_impl.h"
+#include "formulations/verification/reference/wide_instant.h"
+
+namespace desmo {
+
+template class GroupwiseSolver<Quadruple>;
+
+}  // namespace desmo

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <vector>
+
+#include "formulations/model/mechanism.h"
+
+namespace desmo {
+
+/// All equations of a mechanism at once, whatever the partitions make of them: rows are those of
+/// the constraints in their order, without those left out; columns are the coordinates that are
+/// not driven, ascending.
+class WholeSystem {
+ public:
+  /// The mechanism must outlive it.
+  explicit WholeSystem(const Mechanism& m) : m_(m), column_(m.state_size(), -1) {
+    const std::vector<bool> driven = independent_coordinates(m);
+    for (int i = 0; i < m.coordinates(); ++i)
+      if (!driven[i]) {
+        column_[i] = static_cast<int>(unknowns_.size());
+        unknowns_.push_back(i);
+      }
+    for (const Constraint& c : m.constraints) rows_ += kept_rows(c);
+  }
+
+  int rows() const { return rows_; }
+  const std::vector<int>& unknowns() const { return unknowns_; }  ///< coordinate of each column
+  int column(int state) const { return column_[state]; }          ///< -1: not an unknown
+
+  /// phi[rows()] = Φ of a state, in any scalar, overwritten.
+  template <class S>
+  void residual(std::span<const S> state, std::span<S> phi) const {
+    int row = 0;
+    for (const Constraint& constraint : m_.constraints)
+      visit_kind(constraint.kind, [&]<class Kind>(Kind) {
+        std::array<S, Kind::constants + 1> constants;
+        std::ranges::transform(constraint.constants, constants.begin(), scalar<S>);
+        std::array<S, Kind::rows> all;
+        Kind::residual(operands<Kind>(constraint, state).data(), constants.data(), all.data());
+        for (int r = 0; r < Kind::rows; ++r)
+          if (!(constraint.left_out >> r & 1)) phi[row++] = all[r];
+      });
+  }
+
+  /// Calls entry(row, state component, ∂Φ_row/∂component), always in the same order; components of
+  /// driven and fixed entities too.
+  template <class S, class Entry>
+  void jacobian(std::span<const S> state, Entry&& entry) const {
+    int row = 0;
+    for (const Constraint& constraint : m_.constraints)
+      visit_kind(constraint.kind, [&]<class Kind>(Kind) {
+        std::array<S, Kind::constants + 1> constants;
+        std::ranges::transform(constraint.constants, constants.begin(), scalar<S>);
+        std::array<int, Kind::rows> place;
+        for (int r = 0; r < Kind::rows; ++r) place[r] = constraint.left_out >> r & 1 ? -1 : row++;
+        Kind::jacobian(operands<Kind>(constraint, state).data(), constants.data(),
+                       [&](int r, int operand, int i, const S& value) {
+                         if (place[r] >= 0)
+                           entry(place[r], m_.state_index(constraint.operands[operand]) + i, value);
+                       });
+      });
+  }
+
+ private:
+  template <class S>
+  static S scalar(double x) {
+    return S(x);
+  }
+  template <class Kind, class S>
+  auto operands(const Constraint& constraint, std::span<const S> state) const {
+    std::array<const S*, Kind::operand_sizes.size()> x;
+    for (std::size_t k = 0; k < x.size(); ++k)
+      x[k] = state.data() + m_.state_index(constraint.operands[k]);
+    return x;
+  }
+
+  const Mechanism& m_;
+  std::vector<int> unknowns_, column_;
+  int rows_ = 0;
+};
+
+}  // namespace desmo
