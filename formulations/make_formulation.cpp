@@ -30,7 +30,7 @@ const Backend& pivoting_backend() {
 
 /// What all parts of a formulation are made of.
 struct Common {
-  const Mechanism& m;
+  const Model& m;
   const Variant& v;
   const Settings settings;  // with a part's share of the tolerance
   const Magnitudes magnitudes;
@@ -107,7 +107,7 @@ std::vector<DefinedPart> make_parts(const Common& common, std::vector<PartDefini
 }
 
 /// Formulations that differ from what is to be made in that each has one thread alone.
-std::unique_ptr<WholeMotion> on_threads(const Variant& v, const Mechanism& m, Settings settings,
+std::unique_ptr<WholeMotion> on_threads(const Variant& v, const Model& m, Settings settings,
                                         const KernelTable& table) {
   std::vector<std::unique_ptr<Formulation>> workers(settings.threads);
   settings.threads = settings.stride = 1;
@@ -117,7 +117,7 @@ std::unique_ptr<WholeMotion> on_threads(const Variant& v, const Mechanism& m, Se
 
 }  // namespace
 
-std::unique_ptr<Formulation> make_formulation(const Variant& v, const Mechanism& m,
+std::unique_ptr<Formulation> make_formulation(const Variant& v, const Model& m,
                                               const Settings& settings, Profile* profile,
                                               const KernelTable* added) {
   if (const std::string reason = why_not(v, settings); !reason.empty())

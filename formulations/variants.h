@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "formulations/base/part.h"
-#include "formulations/model/mechanism.h"
+#include "formulations/model/model.h"
 #include "formulations/parts/profile.h"
 #include "formulations/stepping/formulation.h"
 #include "formulations/structure/partition.h"
@@ -70,7 +70,7 @@ std::vector<std::string> faulty_libraries();
 /// desmo was built with; both must outlive the formulation. Throws std::invalid_argument, naming
 /// the place, for a mechanism that it cannot solve, and with the reason for settings that it does
 /// not offer (why_not, not_here).
-std::unique_ptr<Formulation> make_formulation(const Variant& variant, const Mechanism& mechanism,
+std::unique_ptr<Formulation> make_formulation(const Variant& variant, const Model& model,
                                               const Settings& settings = {},
                                               Profile* profile = nullptr,
                                               const KernelTable* table = nullptr);

@@ -15,8 +15,8 @@ inline const double dead_point = std::acos((4.0 + 64 - 81) / 32);
 
 /// Returns the four-bar with the rocker's pin above that line, and a crank that turns as it is
 /// told: by default as the case's own, π/3 + t. The estimate is the position at t = 0.
-inline Mechanism locking_four_bar(const Motion& crank = Polynomial{{std::numbers::pi / 3, 1}}) {
-  Mechanism m = four_bar_mechanism(1);
+inline Model locking_four_bar(const Motion& crank = Polynomial{{std::numbers::pi / 3, 1}}) {
+  Model m = four_bar_model(1);
   m.drivers[0].motion = crank;
   for (Constraint& c : m.constraints)
     if (c.name.starts_with("dyad1/coupler")) c.constants[0] = 3 * 3;

@@ -13,15 +13,15 @@
 #include <utility>
 #include <vector>
 
-#include "cases/mechanism/describe.h"
-#include "formulations/modelling/model.h"
+#include "cases/mechanism/builder.h"
+#include "formulations/modelling/modelling.h"
 #include "formulations/variants.h"
 
 namespace desmo {
 
-using Vec = Description::Vec;
-using JointType = Description::JointType;
-using CoordinateType = Description::CoordinateType;
+using Vec = Mechanism::Vec;
+using JointType = Mechanism::JointType;
+using CoordinateType = Mechanism::CoordinateType;
 
 /// The motion of a driver that stands at 1.
 inline const Motion still = Polynomial{{1}};
@@ -39,11 +39,11 @@ inline Vec polar(double r, double angle) { return {r * std::cos(angle), r * std:
 /// The angle of b from a, counter-clockwise.
 inline double turn(const Vec& a, const Vec& b) { return std::atan2(cross(a, b)[2], dot(a, b)); }
 
-/// A Describer with words for what tests describe again and again. Joints take entities that both
-/// bodies carry already.
-class Sketch : public Describer {
+/// A MechanismBuilder with words for what tests describe again and again. Joints take entities that
+/// both bodies carry already.
+class Sketch : public MechanismBuilder {
  public:
-  using Describer::Describer;
+  using MechanismBuilder::MechanismBuilder;
 
   int ground_point(const std::string& name, const Vec& at) {
     const int p = point(name, at);
@@ -58,26 +58,26 @@ class Sketch : public Describer {
   void revolute(int a, int b, int point) { joint(JointType::revolute, a, b, {point}); }
   void weld(int a, int b) { joint(JointType::fixed, a, b, {}); }
 
-  Description::Coordinate& angle(const std::string& name, const Description::Direction& of,
-                                 const Description::Direction& from = {}) {
-    Description::Coordinate& c = coordinate(name, CoordinateType::angle);
+  Mechanism::Coordinate& angle(const std::string& name, const Mechanism::Direction& of,
+                               const Mechanism::Direction& from = {}) {
+    Mechanism::Coordinate& c = coordinate(name, CoordinateType::angle);
     c.of = of;
     c.from = from;
     return c;
   }
-  Description::Coordinate& distance(const std::string& name, int from, int to) {
-    Description::Coordinate& c = coordinate(name, CoordinateType::distance);
+  Mechanism::Coordinate& distance(const std::string& name, int from, int to) {
+    Mechanism::Coordinate& c = coordinate(name, CoordinateType::distance);
     c.of = {-1, from, to};
     return c;
   }
-  Description::Coordinate& along(const std::string& name, int from, int to, int vector) {
-    Description::Coordinate& c = coordinate(name, CoordinateType::along);
+  Mechanism::Coordinate& along(const std::string& name, int from, int to, int vector) {
+    Mechanism::Coordinate& c = coordinate(name, CoordinateType::along);
     c.of = {-1, from, to};
     c.vector = vector;
     return c;
   }
-  Description::Coordinate& component(const std::string& name, int point, int axis) {
-    Description::Coordinate& c = coordinate(name, CoordinateType::component);
+  Mechanism::Coordinate& component(const std::string& name, int point, int axis) {
+    Mechanism::Coordinate& c = coordinate(name, CoordinateType::component);
     c.point = point;
     c.axis = axis;
     return c;
@@ -85,14 +85,14 @@ class Sketch : public Describer {
 };
 
 /// From one point to another.
-inline Description::Direction segment(int from, int to) { return {-1, from, to}; }
+inline Mechanism::Direction segment(int from, int to) { return {-1, from, to}; }
 
 /// A mechanism solved at some instants.
 class Solved {
  public:
-  Solved(Mechanism mechanism, std::span<const double> times,
-         std::string_view id = "global_automatic_eigen", double tolerance = 1e-13)
-      : m_(std::move(mechanism)) {
+  Solved(Model model, std::span<const double> times, std::string_view id = "global_automatic_eigen",
+         double tolerance = 1e-13)
+      : m_(std::move(model)) {
     const auto f = make_formulation(find_variant(id), m_, Settings{tolerance, 50});
     for (const double t : times) {
       const Summary s = f->step(t);
@@ -102,10 +102,10 @@ class Solved {
       qdd_.emplace_back(f->qdd().begin(), f->qdd().end());
     }
   }
-  Solved(const Description& d, const std::vector<Motion>& motions, std::span<const double> times)
-      : Solved(model(d, motions).mechanism, times) {}
+  Solved(const Mechanism& d, const std::vector<Motion>& motions, std::span<const double> times)
+      : Solved(model_mechanism(d, motions).model, times) {}
 
-  const Mechanism& mechanism() const { return m_; }
+  const Model& model() const { return m_; }
   int instants() const { return static_cast<int>(q_.size()); }
 
   /// Of a point, a vector or (first component) a scalar.
@@ -130,7 +130,7 @@ class Solved {
     return result;
   }
 
-  Mechanism m_;
+  Model m_;
   std::vector<std::vector<double>> q_, qd_, qdd_;
 };
 
@@ -154,7 +154,7 @@ inline std::vector<double> instants(double end, double step = 0.01) {
 
 /// Nothing on a body moves relative to anything else on it: distances, products and, in space, the
 /// handedness are those of the nominal position. Recomputed from points, whatever the equations.
-inline void expect_rigid(const Description& d, const std::vector<int>& points,
+inline void expect_rigid(const Mechanism& d, const std::vector<int>& points,
                          const std::vector<int>& vectors, const Solved& solved, int instant,
                          double tolerance) {
   std::vector<std::pair<Vec, Vec>> directions;  // nominal and solved
@@ -187,18 +187,18 @@ inline void expect_rigid(const Description& d, const std::vector<int>& points,
 }
 
 /// Every body of a description whose dimensions are the nominal ones is rigid at every instant.
-inline void expect_rigid_bodies(const Description& d, const Solved& solved, double tolerance) {
+inline void expect_rigid_bodies(const Mechanism& d, const Solved& solved, double tolerance) {
   for (int k = 0; k < solved.instants() && !testing::Test::HasFailure(); ++k)
-    for (const Description::Body& b : d.bodies) {
+    for (const Mechanism::Body& b : d.bodies) {
       if (!b.length) expect_rigid(d, b.points, b.vectors, solved, k, tolerance);
     }
 }
 
 /// A description is refused with a message that holds all of these.
-inline void expect_refused(const Description& d, const std::vector<Motion>& motions,
+inline void expect_refused(const Mechanism& d, const std::vector<Motion>& motions,
                            std::initializer_list<std::string_view> parts) {
   try {
-    model(d, motions);
+    model_mechanism(d, motions);
     ADD_FAILURE() << d.name << ": accepted";
   } catch (const std::invalid_argument& e) {
     for (const std::string_view part : parts)

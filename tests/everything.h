@@ -44,7 +44,7 @@ inline void expect_to_step_on_alike(Formulation& f, Formulation& g, double t) {
     if (step > 0) {
       ASSERT_TRUE(f.step(t).ok() && g.step(t).ok());
     }
-    for (int i = 0; i < f.mechanism().coordinates(); ++i) {
+    for (int i = 0; i < f.model().coordinates(); ++i) {
       EXPECT_NEAR(f.q()[i], g.q()[i], 1e-10) << t;
       EXPECT_NEAR(f.qdd()[i], g.qdd()[i], 1e-7) << t;
     }

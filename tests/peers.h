@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "bench/peers/peer.h"
-#include "formulations/modelling/model.h"
+#include "formulations/modelling/modelling.h"
 
 namespace desmo {
 
@@ -18,8 +18,8 @@ inline const PeerDefinition& find_peer(std::string_view name) {
 
 /// What it needed for a scene.
 inline std::string setup_by(std::string_view name, const Scene& scene) {
-  const Mechanism mechanism = make_mechanism(scene);
-  return find_peer(name).make(scene, mechanism)->setup();
+  const Model model = make_model(scene);
+  return find_peer(name).make(scene, model)->setup();
 }
 
 }  // namespace desmo

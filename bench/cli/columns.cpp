@@ -22,7 +22,7 @@ std::string unit_of(const Entity& e, Level level, const std::string& length_unit
   return length_unit + per_time[order];
 }
 
-void add_entity(const Mechanism& m, const Asked& asked, std::vector<Column>& columns) {
+void add_entity(const Model& m, const Asked& asked, std::vector<Column>& columns) {
   const Entity& e = m.entities[asked.entity];
   for (int order = 0; order <= static_cast<int>(asked.level); ++order) {
     const auto level = static_cast<Level>(order);
@@ -44,8 +44,8 @@ void add_entity(const Mechanism& m, const Asked& asked, std::vector<Column>& col
 std::vector<Column> make_columns(const Plan& plan, const Scene& scene) {
   std::vector<Column> columns;
   for (const Asked& asked : plan.outputs)
-    if (!scene.request.empty() || !plan.mechanism.rests(asked.entity))
-      add_entity(plan.mechanism, asked, columns);
+    if (!scene.request.empty() || !plan.model.rests(asked.entity))
+      add_entity(plan.model, asked, columns);
   return columns;
 }
 

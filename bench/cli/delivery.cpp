@@ -24,7 +24,7 @@ Delivery::Delivery(SeriesHeading heading, std::unique_ptr<SeriesFormat> format, 
 
 void Delivery::accept(const Instant& instant) {
   if (const int c = monitor_.violated(instant); c >= 0)
-    throw NotToDeliver{instant.index, branch_text(c, instant.time, plan_.mechanism)};
+    throw NotToDeliver{instant.index, branch_text(c, instant.time, plan_.model)};
   const auto finite = [&](const Column& column) { return std::isfinite(column.value(instant)); };
   if (const auto c = std::ranges::find_if_not(heading_.columns, finite);
       c != heading_.columns.end())

@@ -39,7 +39,7 @@ std::string arrows_to(const Inspection& inspection, GroupId g) {
   std::string text;
   if (group.on_ground) text += arrow("ground", node(g));
   for (const GroupId a : group.joined_to) text += arrow(node(a), node(g));
-  for (const GroupId a : inspection.mechanism().groups[g].after)
+  for (const GroupId a : inspection.model().groups[g].after)
     if (std::ranges::find(group.joined_to, a) == group.joined_to.end())
       text += arrow(node(a), node(g), " [style=dashed]");
   return text;
@@ -48,7 +48,7 @@ std::string arrows_to(const Inspection& inspection, GroupId g) {
 }  // namespace
 
 std::string to_dot(const Inspection& inspection) {
-  const Mechanism& m = inspection.mechanism();
+  const Model& m = inspection.model();
   std::string nodes, arrows;
   for (GroupId g = 0; g < static_cast<GroupId>(m.groups.size()); ++g) {
     if (m.groups[g].constant) continue;

@@ -24,10 +24,9 @@ std::string group_text(const Plan::GroupUse& use) {
   return text;
 }
 
-std::vector<std::string> drivers_not_needed(const Plan& plan, const Mechanism& whole) {
+std::vector<std::string> drivers_not_needed(const Plan& plan, const Model& whole) {
   std::set<std::string> kept;
-  for (const Driver& d : plan.mechanism.drivers)
-    kept.insert(plan.mechanism.entities[d.coordinate].name);
+  for (const Driver& d : plan.model.drivers) kept.insert(plan.model.entities[d.coordinate].name);
   std::vector<std::string> names;
   for (const Driver& d : whole.drivers)
     if (!kept.contains(whole.entities[d.coordinate].name))
@@ -37,7 +36,7 @@ std::vector<std::string> drivers_not_needed(const Plan& plan, const Mechanism& w
 
 }  // namespace
 
-std::string explain(const Plan& plan, const Mechanism& whole) {
+std::string explain(const Plan& plan, const Model& whole) {
   int kept = 0, all = 0;
   std::string groups;
   std::vector<std::string> not_needed;
@@ -53,7 +52,7 @@ std::string explain(const Plan& plan, const Mechanism& whole) {
     groups += "  " + wrap("groups not needed: " + enumerate(not_needed, names_shown), 4) + "\n";
   std::string text =
       "solved: " + fraction(kept, all, "unknown") + ", " +
-      fraction(plan.mechanism.degrees_of_freedom(), whole.degrees_of_freedom(), "driver") + "\n" +
+      fraction(plan.model.degrees_of_freedom(), whole.degrees_of_freedom(), "driver") + "\n" +
       groups;
   if (const auto unused = drivers_not_needed(plan, whole); !unused.empty())
     text += "  " + wrap("drivers not needed: " + enumerate(unused, names_shown), 4) + "\n";

@@ -8,6 +8,6 @@
 namespace desmo::cli {
 
 /// Group by group: what a plan keeps, as far as which level, for whom, and what it drops.
-std::string explain(const Plan& plan, const Mechanism& whole);
+std::string explain(const Plan& plan, const Model& whole);
 
 }  // namespace desmo::cli

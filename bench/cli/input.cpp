@@ -37,10 +37,10 @@ std::string read_standard_input(const std::string& source) {
 }
 
 /// Drivers at rest: what does not depend on motion needs some value all the same.
-Scene at_rest(Description mechanism) {
+Scene at_rest(Mechanism mechanism) {
   Scene scene;
   scene.name = mechanism.name;
-  for (const Description::Coordinate& c : mechanism.coordinates)
+  for (const Mechanism::Coordinate& c : mechanism.coordinates)
     if (c.driven) scene.motions.push_back(Polynomial{{c.estimate.value_or(0)}});
   scene.mechanism = std::move(mechanism);
   return scene;
@@ -121,9 +121,9 @@ Input load_scene(const std::string& argument) { return load(argument, false); }
 
 Input load_mechanism(const std::string& argument) { return load(argument, true); }
 
-Model model(const Input& input) {
+ModellingResult model_mechanism(const Input& input) {
   try {
-    return desmo::model(input.scene.mechanism, input.scene.motions);
+    return desmo::model_mechanism(input.scene.mechanism, input.scene.motions);
   } catch (const std::invalid_argument& error) {
     throw InputError(input.source + ": " + error.what());
   }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cases/mechanism/scene.h"
-#include "formulations/modelling/model.h"
+#include "formulations/modelling/modelling.h"
 
 namespace desmo::cli {
 
@@ -25,7 +25,7 @@ Input load_scene(const std::string& argument);
 Input load_mechanism(const std::string& argument);
 
 /// Models it. Throws InputError, naming the source.
-Model model(const Input& input);
+ModellingResult model_mechanism(const Input& input);
 
 /// Names of the library, in alphabetical order.
 std::vector<std::string_view> library_names();

@@ -12,7 +12,7 @@ namespace {
 constexpr GroupId ground = -1;
 
 /// The group of each rigid body.
-std::vector<GroupId> group_of_rigid_bodies(const Mechanism& m, const Description& d,
+std::vector<GroupId> group_of_rigid_bodies(const Model& m, const Mechanism& d,
                                            const RigidBodies& rigid) {
   std::map<std::string, GroupId> by_name;
   for (GroupId g = 0; g < static_cast<GroupId>(m.groups.size()); ++g)
@@ -24,12 +24,12 @@ std::vector<GroupId> group_of_rigid_bodies(const Mechanism& m, const Description
   return groups;
 }
 
-void find_neighbours(const Description& d, Inspection& result) {
+void find_neighbours(const Mechanism& d, Inspection& result) {
   const RigidBodies rigid = find_rigid_bodies(d);
-  const std::vector<GroupId> group = group_of_rigid_bodies(result.mechanism(), d, rigid);
+  const std::vector<GroupId> group = group_of_rigid_bodies(result.model(), d, rigid);
   for (std::size_t r = 1; r < group.size(); ++r) ++result.groups[group[r]].moving_bodies;
   std::vector<std::set<GroupId>> joined(result.groups.size());
-  for (const Description::Joint& joint : d.joints) {
+  for (const Mechanism::Joint& joint : d.joints) {
     const auto [first, last] =
         std::minmax(group[rigid.of_body[joint.bodies[0]]], group[rigid.of_body[joint.bodies[1]]]);
     if (first == last) continue;
@@ -45,18 +45,18 @@ void find_neighbours(const Description& d, Inspection& result) {
 }  // namespace
 
 int Inspection::constant_parts() const {
-  return static_cast<int>(std::ranges::count(mechanism().groups, true, &Group::constant));
+  return static_cast<int>(std::ranges::count(model().groups, true, &Group::constant));
 }
 
 Inspection inspect(const Input& input) {
-  const Description& d = input.scene.mechanism;
+  const Mechanism& d = input.scene.mechanism;
   Inspection result{d.title,
                     d.dimension,
                     static_cast<int>(d.bodies.size()) - 1,
                     static_cast<int>(d.joints.size()),
-                    model(input),
+                    model_mechanism(input),
                     {}};
-  const Mechanism& m = result.mechanism();
+  const Model& m = result.model();
   result.groups.resize(m.groups.size());
   for (const Driver& driver : m.drivers)
     result.groups[m.entities[driver.coordinate].group].drivers.push_back(
@@ -74,7 +74,7 @@ Inspection inspect(const Input& input) {
   return result;
 }
 
-std::string coordinate_name(const Mechanism& m, EntityId owner, int coordinate) {
+std::string coordinate_name(const Model& m, EntityId owner, int coordinate) {
   const Entity& e = m.entities[owner];
   return e.size == 1 ? e.name : e.name + "." + "xyz"[coordinate - e.first];
 }

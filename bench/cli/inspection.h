@@ -22,10 +22,10 @@ struct Inspection {
   std::string title;
   int dimension;
   int bodies, joints;  ///< the ground left out
-  Model model;
+  ModellingResult modelled;
   std::vector<InspectedGroup> groups;  ///< of each group of the mechanism
 
-  const Mechanism& mechanism() const { return model.mechanism; }
+  const Model& model() const { return modelled.model; }
   int constant_parts() const;
 };
 
@@ -33,7 +33,7 @@ struct Inspection {
 Inspection inspect(const Input& input);
 
 /// "theta", "C.x": the name of a coordinate.
-std::string coordinate_name(const Mechanism& mechanism, EntityId owner, int coordinate);
+std::string coordinate_name(const Model& model, EntityId owner, int coordinate);
 
 std::string to_text(const Inspection& inspection);
 std::string to_json(const Inspection& inspection);

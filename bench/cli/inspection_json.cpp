@@ -7,20 +7,20 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json names_of(const Mechanism& m, const std::vector<EntityId>& entities) {
+Json names_of(const Model& m, const std::vector<EntityId>& entities) {
   Json names = Json::array();
   for (const EntityId e : entities) names.push_back(m.entities[e].name);
   return names;
 }
 
-Json names_of_groups(const Mechanism& m, const std::vector<GroupId>& groups) {
+Json names_of_groups(const Model& m, const std::vector<GroupId>& groups) {
   Json names = Json::array();
   for (const GroupId g : groups) names.push_back(m.groups[g].name);
   return names;
 }
 
 /// Each constraint with the rows that are equations.
-Json equations_json(const Mechanism& m, const std::vector<Equation>& equations) {
+Json equations_json(const Model& m, const std::vector<Equation>& equations) {
   Json list = Json::array();
   for (std::size_t i = 0; i < equations.size(); ++i) {
     if (i == 0 || equations[i - 1].constraint != equations[i].constraint)
@@ -31,7 +31,7 @@ Json equations_json(const Mechanism& m, const std::vector<Equation>& equations) 
   return list;
 }
 
-Json blocks_json(const Mechanism& m, const std::vector<EntityId>& owner,
+Json blocks_json(const Model& m, const std::vector<EntityId>& owner,
                  const std::vector<PartDefinition>& blocks) {
   Json list = Json::array();
   for (const PartDefinition& block : blocks) {
@@ -43,7 +43,7 @@ Json blocks_json(const Mechanism& m, const std::vector<EntityId>& owner,
 }
 
 Json groups_json(const Inspection& inspection) {
-  const Mechanism& m = inspection.mechanism();
+  const Model& m = inspection.model();
   const std::vector<EntityId> owner = entity_of_coordinate(m);
   Json list = Json::array();
   for (std::size_t g = 0; g < m.groups.size(); ++g) {
@@ -67,17 +67,17 @@ Json groups_json(const Inspection& inspection) {
 }  // namespace
 
 std::string to_json(const Inspection& inspection) {
-  const Mechanism& m = inspection.mechanism();
+  const Model& m = inspection.model();
   Json drivers = Json::array(), left_out = Json::array();
   for (const Driver& d : m.drivers) drivers.push_back(m.entities[d.coordinate].name);
-  for (const LeftOut& l : inspection.model.left_out)
+  for (const LeftOut& l : inspection.modelled.left_out)
     left_out.push_back({{"equation", l.equation},
                         {"rows", l.rows},
                         {"group", m.groups[l.group].name},
                         {"follows_from", l.follows_from},
                         {"redundant", l.redundant}});
   Json idle = Json::array();
-  for (const IdleFreedom& f : inspection.model.idle)
+  for (const IdleFreedom& f : inspection.modelled.idle)
     idle.push_back({{"body", f.body}, {"about", f.about}});
   const Json all = {{"name", m.name},
                     {"title", inspection.title},

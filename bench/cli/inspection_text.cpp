@@ -30,15 +30,14 @@ std::string line(const std::string& label, const std::string& text) {
   return "    " + label + std::string(indent - 4 - label.size(), ' ') + wrap(text, indent) + "\n";
 }
 
-std::vector<std::string> coordinate_names(const Mechanism& m,
-                                          const std::vector<EntityId>& entities) {
+std::vector<std::string> coordinate_names(const Model& m, const std::vector<EntityId>& entities) {
   std::vector<std::string> names;
   for (const EntityId e : entities) names.push_back(m.entities[e].name);
   return names;
 }
 
 std::string group_text(const Inspection& inspection, GroupId g) {
-  const Mechanism& m = inspection.mechanism();
+  const Model& m = inspection.model();
   const Group& group = m.groups[g];
   const InspectedGroup& inspected = inspection.groups[g];
   std::vector<std::string> after;
@@ -57,7 +56,7 @@ std::string group_text(const Inspection& inspection, GroupId g) {
   return text;
 }
 
-std::string left_out_text(const LeftOut& left_out, const Mechanism& m) {
+std::string left_out_text(const LeftOut& left_out, const Model& m) {
   const bool in_part = std::ranges::any_of(m.constraints, [&](const Constraint& c) {
     return c.name == left_out.equation && kept_rows(c) > 0;
   });
@@ -73,7 +72,7 @@ std::string left_out_text(const LeftOut& left_out, const Mechanism& m) {
 }  // namespace
 
 std::string to_text(const Inspection& inspection) {
-  const Mechanism& m = inspection.mechanism();
+  const Model& m = inspection.model();
   std::vector<std::string> drivers;
   for (const Driver& d : m.drivers) drivers.push_back(m.entities[d.coordinate].name);
   const int independent = m.degrees_of_freedom();
@@ -97,13 +96,13 @@ std::string to_text(const Inspection& inspection) {
     if (m.groups[g].constant) text += group_text(inspection, g);
 
   text += "\nConstraints left out, because they follow from others: " +
-          std::to_string(inspection.model.left_out.size()) + "\n";
-  for (const LeftOut& l : inspection.model.left_out) text += left_out_text(l, m);
+          std::to_string(inspection.modelled.left_out.size()) + "\n";
+  for (const LeftOut& l : inspection.modelled.left_out) text += left_out_text(l, m);
 
-  if (inspection.model.idle.empty()) return text;
+  if (inspection.modelled.idle.empty()) return text;
   text += "\nIdle freedoms, which move nothing that is modelled: " +
-          std::to_string(inspection.model.idle.size()) + "\n";
-  for (const IdleFreedom& f : inspection.model.idle)
+          std::to_string(inspection.modelled.idle.size()) + "\n";
+  for (const IdleFreedom& f : inspection.modelled.idle)
     text += "  " + wrap(f.body + ": free to spin about " + f.about, 4) + "\n";
   return text;
 }

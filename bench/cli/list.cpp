@@ -28,8 +28,8 @@ Json mechanisms() {
   Json list = Json::array();
   for (const std::string_view name : library_names()) {
     const Input input = load_mechanism(std::string(name));
-    const Mechanism m = model(input).mechanism;
-    const Description& d = input.scene.mechanism;
+    const Model m = model_mechanism(input).model;
+    const Mechanism& d = input.scene.mechanism;
     list.push_back({{"name", name},
                     {"title", d.title},
                     {"dimension", d.dimension},

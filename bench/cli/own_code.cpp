@@ -21,12 +21,12 @@ void add_options(CLI::App& command, OwnCode& wanted) {
       ->check(CLI::Range(0.001, 86400.0));
 }
 
-void add_own_code(KernelTable& table, const Configuration& formulation, const Mechanism& mechanism,
+void add_own_code(KernelTable& table, const Configuration& formulation, const Model& model,
                   const TimeGrid& grid, const OwnCode& wanted, bool quiet) {
   if (wanted.none) return;
   const std::chrono::duration<double> limit(wanted.compile_limit);
   const load::OwnKernels own =
-      load::add_own_kernels(table, *formulation.variant, formulation.settings, mechanism, grid,
+      load::add_own_kernels(table, *formulation.variant, formulation.settings, model, grid,
                             std::chrono::ceil<std::chrono::milliseconds>(limit));
   if (!quiet) std::fputs(note_on(own).c_str(), stderr);
 }

@@ -21,7 +21,7 @@ void add_options(CLI::App& command, OwnCode& wanted);
 
 /// Adds to the table what a formulation needs that the program does not bring; unless quiet, says
 /// on standard error what became of it.
-void add_own_code(KernelTable& table, const Configuration& formulation, const Mechanism& mechanism,
+void add_own_code(KernelTable& table, const Configuration& formulation, const Model& model,
                   const TimeGrid& grid, const OwnCode& wanted, bool quiet);
 
 /// What was generated for a formulation and how long it took, or why it was not; empty when it

@@ -27,7 +27,7 @@ std::string interval(double from, double to) {
   return std::string_view(first) == last ? begin : begin + " to " + last + " s";
 }
 
-std::string group_text(GroupId group, const Mechanism& m) {
+std::string group_text(GroupId group, const Model& m) {
   if (group < 0) return "";
   return "group '" + m.groups[group].name + "' (" + enumerate(m.groups[group].bodies, 8) + "), ";
 }
@@ -48,13 +48,13 @@ const char* limit_text(Limit limit) {
   return "rounding, which is more than the tolerance allows: ";
 }
 
-std::string degradation_text(const Degradation& d, Level level, const Mechanism& m) {
+std::string degradation_text(const Degradation& d, Level level, const Model& m) {
   return group_text(d.assessment.group, m) + moment(d.time) + ": " +
          limit_text(d.assessment.limit) +
          describe_accuracy(d.assessment.condition, d.assessment.bound, level);
 }
 
-std::string crossing_text(const Crossing& c, const Mechanism& m) {
+std::string crossing_text(const Crossing& c, const Model& m) {
   const std::string group = group_text(c.group, m);
   if (c.kind == Crossing::Kind::not_declared)
     return group + moment(c.before) +
@@ -64,7 +64,7 @@ std::string crossing_text(const Crossing& c, const Mechanism& m) {
                                            : "it passes a singular position, where branches meet");
 }
 
-std::string deficit_text(const std::optional<Deficit>& d, const Mechanism& m) {
+std::string deficit_text(const std::optional<Deficit>& d, const Model& m) {
   if (!d || d->constraint < 0) return "";
   char amount[24];
   std::snprintf(amount, sizeof amount, "%.1e", d->amount);
@@ -121,7 +121,7 @@ std::string note_on_steps(const Formulation& f) {
   return "note: solved step by step, for the motion is short or could not be solved in segments\n";
 }
 
-std::string note_on_accuracy(const SafeSummary& s, Level level, const Mechanism& m) {
+std::string note_on_accuracy(const SafeSummary& s, Level level, const Model& m) {
   std::string note = "accuracy: " + describe_accuracy(s.condition, s.bound, level) + '\n';
   if (s.first_degraded)
     note += "accuracy: degraded: " + count(s.degraded, "instant") + " of " +
@@ -131,7 +131,7 @@ std::string note_on_accuracy(const SafeSummary& s, Level level, const Mechanism&
   return note;
 }
 
-std::string note_on_gaps(const SafeSummary& s, const Mechanism& m) {
+std::string note_on_gaps(const SafeSummary& s, const Model& m) {
   std::string note;
   for (const Gap& gap : s.gaps)
     note += "accuracy: not assembled: " + group_text(gap.failure.group, m) +
@@ -144,13 +144,13 @@ std::string note_on_gaps(const SafeSummary& s, const Mechanism& m) {
   return note;
 }
 
-std::string refusal_text(const SafeSummary& s, Level level, const Mechanism& m) {
+std::string refusal_text(const SafeSummary& s, Level level, const Model& m) {
   return (s.first_degraded ? degradation_text(*s.first_degraded, level, m)
                            : crossing_text(*s.crossing, m)) +
          "; choose a motion that avoids it, or solve without --strict";
 }
 
-std::string branch_text(int constraint, double time, const Mechanism& m) {
+std::string branch_text(int constraint, double time, const Model& m) {
   return "constraint '" + m.constraints[constraint].name + "', " + moment(time) +
          ": solved on another branch than the one it means, such as an angle turns away, or where "
          "constraints left out do not follow from the others; take smaller time steps, or model it "
@@ -163,7 +163,7 @@ std::string overflow_text(const std::string& column, double time) {
          "holds; choose another motion";
 }
 
-std::string failure_text(const SafeSummary& s, const Mechanism& m) {
+std::string failure_text(const SafeSummary& s, const Model& m) {
   struct Reason {
     const char *what, *remedy;
   };

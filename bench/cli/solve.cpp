@@ -86,16 +86,15 @@ void solve(const SolveOptions& options) {
   const Configuration chosen = choose_formulation(options, input);
   const auto& [variant, settings] = chosen;
   Output output(options.output);
-  const Mechanism whole = model(input).mechanism;
+  const Model whole = model_mechanism(input).model;
   const Plan plan = make_plan(whole, asked_by(input.scene, whole));
   if (options.explain) say(explain(plan, whole));
   KernelTable kernels;
   // For the program's own choice nobody waits for a compiler.
   const bool named = !options.formulation.empty() || !input.scene.formulation.empty();
   if (named)
-    add_own_code(kernels, chosen, plan.mechanism, input.scene.grid, options.own_code,
-                 options.quiet);
-  const auto formulation = make_formulation(*variant, plan.mechanism, settings, nullptr, &kernels);
+    add_own_code(kernels, chosen, plan.model, input.scene.grid, options.own_code, options.quiet);
+  const auto formulation = make_formulation(*variant, plan.model, settings, nullptr, &kernels);
   formulation->solve_only(plan.levels);
   if (!options.quiet) say(note_on_code(*formulation, named));
 
@@ -121,13 +120,13 @@ void solve(const SolveOptions& options) {
   if (all || output.is_standard_output()) delivery.flush();
   if (wrong) fail(wrong->what, wrong->index, input, output);
   if (summary.refused)
-    fail(refusal_text(summary, plan.level(), plan.mechanism), summary.instants, input, output);
-  if (!all) fail(failure_text(summary, plan.mechanism), summary.instants, input, output);
+    fail(refusal_text(summary, plan.level(), plan.model), summary.instants, input, output);
+  if (!all) fail(failure_text(summary, plan.model), summary.instants, input, output);
   output.finish();
   if (!options.quiet)
     say(note_on_tolerance(*formulation, settings.tolerance) + note_on_refusals(*formulation) +
-        note_on_steps(*formulation) + note_on_gaps(summary, plan.mechanism) +
-        note_on_accuracy(summary, plan.level(), plan.mechanism));
+        note_on_steps(*formulation) + note_on_gaps(summary, plan.model) +
+        note_on_accuracy(summary, plan.level(), plan.model));
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ std::string evidence(const precision::Found& found) {
 
 /// What conditioning lets double precision reach, as a prediction of its order.
 double floor_of(const precision::Problem& problem, Level level) {
-  ConditionNumber number(problem.plan.mechanism);
+  ConditionNumber number(problem.plan.model);
   double largest = 0;
   for (const ReferenceInstant& i : problem.reference.instants)
     largest = std::max(largest, number(i.q));
@@ -101,7 +101,7 @@ void write_scene(const std::string& path, const std::string& id) {
 KernelTable make_kernels(const Plan& plan, const TimeGrid& grid, const TuneOptions& options) {
   KernelTable kernels;
   for (const char* id : {"group_symbolic_explicit/lanes:4", "block_symbolic_explicit/lanes:4"})
-    add_own_code(kernels, parse_id(id), plan.mechanism, grid, options.own_code, options.quiet);
+    add_own_code(kernels, parse_id(id), plan.model, grid, options.own_code, options.quiet);
   return kernels;
 }
 
@@ -112,8 +112,8 @@ void tune(const TuneOptions& options) {
   if (options.write && !input.is_file)
     throw Error(usage_error, "--write: " + input.source + " is not a scene file; save it first " +
                                  "('desmo show NAME --scene') and tune that");
-  const Mechanism model_of_all = model(input).mechanism;
-  const Plan plan = make_plan(model_of_all, asked_by(input.scene, model_of_all));
+  const Model whole_model = model_mechanism(input).model;
+  const Plan plan = make_plan(whole_model, asked_by(input.scene, whole_model));
   const precision::Goal goal = options.goal();
   if (plan.level() < goal.level)
     throw Error(usage_error, "--level " + options.level + ": the scene does not ask for any");

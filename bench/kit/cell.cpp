@@ -6,7 +6,7 @@
 #include "bench/kit/beyond.h"
 #include "bench/kit/cpu_clock.h"
 #include "bench/kit/model_digest.h"
-#include "formulations/modelling/model.h"
+#include "formulations/modelling/modelling.h"
 
 namespace desmo::suite {
 
@@ -63,24 +63,24 @@ void Cell::verify(ReferenceCache& references) {
   if (state != State::untouched) return;
   if (const std::string reason = not_here(settings); !reason.empty()) return leave_out(reason);
   try {
-    mechanism_ = std::make_unique<Mechanism>(make_mechanism(describe(definition, coordinates)));
-    model = model_digest(*mechanism_);
-    groups = mechanism_->structural_groups();
-    degrees_of_freedom = mechanism_->degrees_of_freedom();
+    model_ = std::make_unique<Model>(make_model(describe(definition, coordinates)));
+    model = model_digest(*model_);
+    groups = model_->structural_groups();
+    degrees_of_freedom = model_->degrees_of_freedom();
     const double before_setup = cpu_now();
-    formulation_ = make_formulation(variant, *mechanism_, settings);
+    formulation_ = make_formulation(variant, *model_, settings);
     setup_seconds = cpu_now() - before_setup;
     if (const std::string missing = missing_code(*formulation_); !missing.empty())
       return fail(missing);
 
-    const auto reference = references.get(*mechanism_, grid);
+    const auto reference = references.get(*model_, grid);
     VerifyingSink sink(reference);
     const double start = now(clock);
     const Summary summary = formulation_->run(grid, {}, sink);
     analysis_seconds = now(clock) - start;
     errors = sink.errors();
     results = sink.results();
-    conclude(summary, *mechanism_, reference.size());
+    conclude(summary, *model_, reference.size());
   } catch (const std::exception& e) {
     fail(e.what());
   }
@@ -95,11 +95,11 @@ void Cell::profile() {
   if (variant.partition == Partition::block) return;
   TimeGrid first = grid;
   first.instants = std::min(grid.instants, profiled_instants);
-  phases = measure_phases(variant, settings, *mechanism_, first);
+  phases = measure_phases(variant, settings, *model_, first);
 }
 
 void Cell::make() {
-  formulation_ = make_formulation(variant, *mechanism_, settings);
+  formulation_ = make_formulation(variant, *model_, settings);
   formulation_->assemble(grid.time(0));
   Delivery elsewhere(coordinates);
   wake_threads([&] { formulation_->run(grid, {}, elsewhere); });
@@ -108,7 +108,7 @@ void Cell::make() {
 Summary Cell::analyse() {
   windows.begin();
   const Summary summary = formulation_->run(grid, {}, delivery_);
-  if (!summary.ok()) fail(describe(summary, *mechanism_));
+  if (!summary.ok()) fail(describe(summary, *model_));
   return summary;
 }
 

@@ -45,7 +45,7 @@ class Cell final : public Timed {
   void make() override;
   void discard() override { formulation_.reset(); }
 
-  std::unique_ptr<Mechanism> mechanism_;  // the formulation refers to it
+  std::unique_ptr<Model> model_;  // the formulation refers to it
   std::unique_ptr<Formulation> formulation_;
   WindowedDelivery<Delivery> delivery_;
 };

@@ -13,17 +13,17 @@ namespace desmo::suite {
 namespace {
 
 /// Writes a model as text that depends on nothing else: a word and numbers a line.
-class Description {
+class Mechanism {
  public:
-  Description& word(std::string_view text) {
+  Mechanism& word(std::string_view text) {
     text_ += text;
     text_ += ' ';
     return *this;
   }
 
-  Description& whole(long long value) { return word(std::to_string(value)); }
+  Mechanism& whole(long long value) { return word(std::to_string(value)); }
 
-  Description& real(double value) {
+  Mechanism& real(double value) {
     std::array<char, 400> digits;  // the largest double has 309 before the point
     const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value,
                                    std::chars_format::fixed, 9)
@@ -32,13 +32,13 @@ class Description {
     return word(written == "-0.000000000" ? written.substr(1) : written);
   }
 
-  Description& reals(std::span<const double> values) {
+  Mechanism& reals(std::span<const double> values) {
     whole(static_cast<long long>(values.size()));
     for (const double value : values) real(value);
     return *this;
   }
 
-  Description& wholes(std::span<const int> values) {
+  Mechanism& wholes(std::span<const int> values) {
     whole(static_cast<long long>(values.size()));
     for (const int value : values) whole(value);
     return *this;
@@ -52,17 +52,17 @@ class Description {
   std::string text_;
 };
 
-void describe(Description& d, const Polynomial& motion) {
+void describe(Mechanism& d, const Polynomial& motion) {
   d.word("polynomial").reals(motion.coefficients);
 }
 
-void describe(Description& d, const HarmonicSum& motion) {
+void describe(Mechanism& d, const HarmonicSum& motion) {
   d.word("harmonics").real(motion.mean);
   for (const HarmonicSum::Term& term : motion.terms)
     d.real(term.amplitude).real(term.angular_frequency).real(term.phase);
 }
 
-void describe(Description& d, const Spline& motion) {
+void describe(Mechanism& d, const Spline& motion) {
   d.word("spline").reals(motion.knots());
   for (const Spline::Piece& piece : motion.pieces()) d.reals(piece);
 }
@@ -75,8 +75,8 @@ std::string_view kind_name(int kind) {
 
 }  // namespace
 
-std::string model_digest(const Mechanism& m) {
-  Description d;
+std::string model_digest(const Model& m) {
+  Mechanism d;
   d.word("mechanism").word(m.name).word(m.length_unit).end_line();
   for (const Entity& e : m.entities) {
     d.word("entity").whole(static_cast<int>(e.kind)).whole(e.fixed).whole(e.first).whole(e.size);

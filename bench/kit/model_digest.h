@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "formulations/model/mechanism.h"
+#include "formulations/model/model.h"
 
 namespace desmo::suite {
 
@@ -14,6 +14,6 @@ namespace desmo::suite {
 /// Values are rounded to 9 decimals of their unit, no coarser than what a formulation may differ
 /// from the reference, so that the last bit of a sine, which is the compiler's and the C library's
 /// choice, makes no other model of it.
-std::string model_digest(const Mechanism& mechanism);
+std::string model_digest(const Model& model);
 
 }  // namespace desmo::suite

@@ -9,7 +9,7 @@
 
 #include "bench/kit/cpu_clock.h"
 #include "bench/kit/model_digest.h"
-#include "formulations/modelling/model.h"
+#include "formulations/modelling/modelling.h"
 
 namespace desmo::suite {
 
@@ -70,15 +70,15 @@ void PeerCell::verify(ReferenceCache& references) {
   if (state != State::untouched) return;
   try {
     scene_ = describe(definition, coordinates);
-    mechanism_ = std::make_unique<Mechanism>(make_mechanism(scene_));
-    model = model_digest(*mechanism_);
+    model_ = std::make_unique<Model>(make_model(scene_));
+    model = model_digest(*model_);
     const double before_setup = cpu_now();
-    peer_ = peer.make(scene_, *mechanism_);
+    peer_ = peer.make(scene_, *model_);
     setup_seconds = cpu_now() - before_setup;
     setup = peer_->setup();
     compared = static_cast<int>(peer_->answer().coordinates.size());
 
-    const auto reference = references.get(*mechanism_, grid);
+    const auto reference = references.get(*model_, grid);
     const double start = cpu_now();
     for (int i = 0; i < grid.instants; ++i) {
       solve(*peer_, grid, i);
@@ -101,7 +101,7 @@ void PeerCell::verify(ReferenceCache& references) {
 }
 
 void PeerCell::make() {
-  peer_ = peer.make(scene_, *mechanism_);
+  peer_ = peer.make(scene_, *model_);
   peer_->assemble(grid.time(0));
 }
 

@@ -41,7 +41,7 @@ class PeerCell final : public Timed {
 
   const double limit_;  // CPU seconds of the whole motion
   Scene scene_;
-  std::unique_ptr<Mechanism> mechanism_;  // the peer refers to both
+  std::unique_ptr<Model> model_;  // the peer refers to both
   std::unique_ptr<Peer> peer_;
   std::vector<double> q_, qd_, qdd_;  // where answers are delivered
 };

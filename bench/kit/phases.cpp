@@ -29,12 +29,12 @@ double clock_seconds() {
 /// One pass over the grid.
 PhaseTimes one_pass(Formulation& formulation, Profile& profile, const TimeGrid& grid,
                     double clock) {
-  Delivery sink(formulation.mechanism().coordinates());
+  Delivery sink(formulation.model().coordinates());
   profile = {};
   const auto start = std::chrono::steady_clock::now();
   const Summary summary = formulation.run(grid, {}, sink);
   const std::chrono::duration<double> total = std::chrono::steady_clock::now() - start;
-  if (!summary.ok()) throw std::runtime_error(describe(summary, formulation.mechanism()));
+  if (!summary.ok()) throw std::runtime_error(describe(summary, formulation.model()));
 
   const long calls = std::accumulate(profile.calls.begin(), profile.calls.end(), 0L);
   PhaseTimes times;
@@ -53,11 +53,11 @@ PhaseTimes one_pass(Formulation& formulation, Profile& profile, const TimeGrid& 
 
 double PhaseTimes::total() const { return std::accumulate(seconds.begin(), seconds.end(), rest); }
 
-PhaseTimes measure_phases(const Variant& variant, const Settings& settings,
-                          const Mechanism& mechanism, const TimeGrid& grid) {
+PhaseTimes measure_phases(const Variant& variant, const Settings& settings, const Model& model,
+                          const TimeGrid& grid) {
   constexpr int passes = 5;
   Profile profile;
-  const auto formulation = make_formulation(variant, mechanism, settings, &profile);
+  const auto formulation = make_formulation(variant, model, settings, &profile);
   const double clock = clock_seconds();
   std::vector<PhaseTimes> times;
   for (int i = 0; i < passes; ++i) times.push_back(one_pass(*formulation, profile, grid, clock));

@@ -22,7 +22,7 @@ inline constexpr std::array<const char*, phase_count> phase_names{
     "residual", "jacobian", "factorisation", "solve", "right_hand_sides"};
 
 /// Measures where the time goes, over the instants of a grid, with a formulation made for that.
-PhaseTimes measure_phases(const Variant& variant, const Settings& settings,
-                          const Mechanism& mechanism, const TimeGrid& grid);
+PhaseTimes measure_phases(const Variant& variant, const Settings& settings, const Model& model,
+                          const TimeGrid& grid);
 
 }  // namespace desmo::suite

@@ -15,7 +15,7 @@
 #include "bench/kit/structure.h"
 #include "cases/io/files.h"
 #include "cases/library/library.h"
-#include "formulations/modelling/model.h"
+#include "formulations/modelling/modelling.h"
 
 namespace desmo::suite {
 
@@ -30,12 +30,12 @@ constexpr std::array<std::string_view, 6> requested_ids{
 constexpr double converged = 1e-13;
 
 /// What is asked, component by component; what never moves needs no solving and no delivery.
-std::vector<AskedComponent> components(const Mechanism& whole, const Plan& plan,
+std::vector<AskedComponent> components(const Model& whole, const Plan& plan,
                                        std::span<const Asked> asked) {
   std::vector<AskedComponent> result;
   for (std::size_t i = 0; i < asked.size(); ++i) {
     const Entity& from = whole.entities[asked[i].entity];
-    const Entity& to = plan.mechanism.entities[plan.outputs[i].entity];
+    const Entity& to = plan.model.entities[plan.outputs[i].entity];
     for (int k = 0; !from.fixed && k < from.size; ++k)
       result.push_back({from.first + k, to.first + k, asked[i].level});
   }
@@ -116,7 +116,7 @@ PlannedRequest::PlannedRequest(std::string_view short_name, const Scene& scene,
                                const Options& options)
     : name(short_name),
       title(scene.name),
-      whole(make_mechanism(scene)),
+      whole(make_model(scene)),
       definition(find_case(scene.mechanism.name)),
       grid(chosen_grid(scene.grid, options)) {
   const std::vector<Asked> everything_asked = asked_by(scene, whole);
@@ -125,7 +125,7 @@ PlannedRequest::PlannedRequest(std::string_view short_name, const Scene& scene,
   if (asked.empty())
     throw std::invalid_argument("request " + name + ": asks for nothing that moves");
   for (const AskedComponent& a : asked) coordinates.push_back(a.kept);
-  unknowns = moving_unknowns(plan.mechanism);
+  unknowns = moving_unknowns(plan.model);
   all_unknowns = moving_unknowns(whole);
 }
 
@@ -170,10 +170,9 @@ Errors largest_differences(Formulation& whole, Formulation& kept,
   for (int i = 0; i < grid.instants; ++i) {
     const double t = grid.time(i);
     const Summary all = i == 0 ? whole.assemble(t) : whole.step(t);
-    if (!all.ok())
-      throw std::runtime_error("the whole mechanism: " + describe(all, whole.mechanism()));
+    if (!all.ok()) throw std::runtime_error("the whole mechanism: " + describe(all, whole.model()));
     const Summary some = i == 0 ? kept.assemble(t, level) : kept.step(t, level);
-    if (!some.ok()) throw std::runtime_error(describe(some, kept.mechanism()));
+    if (!some.ok()) throw std::runtime_error(describe(some, kept.model()));
     compare(largest, asked, instant_of(whole, t), instant_of(kept, t));
   }
   return largest;
@@ -195,7 +194,7 @@ std::string RequestCell::name() const {
 std::unique_ptr<Formulation> RequestCell::made_with_tolerance(double tolerance) const {
   Settings own = settings;
   own.tolerance = tolerance;
-  std::unique_ptr<Formulation> f = make_formulation(variant, request_->plan.mechanism, own);
+  std::unique_ptr<Formulation> f = make_formulation(variant, request_->plan.model, own);
   f->solve_only(request_->plan.levels);
   return f;
 }
@@ -220,7 +219,7 @@ void RequestCell::verify(ReferenceCache& references) {
     const Comparison found = sink.compare();
     errors = found.errors;
     results = found.results;
-    conclude(summary, request_->plan.mechanism, reference.size());
+    conclude(summary, request_->plan.model, reference.size());
   } catch (const std::exception& e) {
     fail(e.what());
   }
@@ -255,7 +254,7 @@ void RequestCell::make() {
 Summary RequestCell::analyse() {
   windows.begin();
   const Summary summary = run(delivery_);
-  if (!summary.ok()) fail(describe(summary, request_->plan.mechanism));
+  if (!summary.ok()) fail(describe(summary, request_->plan.model));
   return summary;
 }
 

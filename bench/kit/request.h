@@ -36,7 +36,7 @@ struct PlannedRequest {
 
   std::string name;   ///< in the benchmark's name
   std::string title;  ///< for people
-  Mechanism whole;
+  Model whole;
   Plan plan;
   const Case& definition;
   TimeGrid grid;

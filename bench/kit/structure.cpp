@@ -5,7 +5,7 @@
 #include <map>
 #include <utility>
 
-#include "formulations/modelling/model.h"
+#include "formulations/modelling/modelling.h"
 
 namespace desmo::suite {
 
@@ -16,7 +16,7 @@ constexpr std::array<std::pair<Partition, std::string_view>, 3> partitions{
 
 }  // namespace
 
-std::vector<PartSizes> part_sizes(const Mechanism& m, Partition partition) {
+std::vector<PartSizes> part_sizes(const Model& m, Partition partition) {
   std::map<int, int, std::greater<>> counts;
   for (const PartDefinition& part : make_partition(m, partition))
     if (!part.constant) ++counts[static_cast<int>(part.unknowns.size())];
@@ -25,7 +25,7 @@ std::vector<PartSizes> part_sizes(const Mechanism& m, Partition partition) {
   return sizes;
 }
 
-int moving_unknowns(const Mechanism& m) {
+int moving_unknowns(const Model& m) {
   int unknowns = 0;
   for (const PartSizes& parts : part_sizes(m, Partition::group))
     unknowns += parts.unknowns * parts.count;
@@ -33,7 +33,7 @@ int moving_unknowns(const Mechanism& m) {
 }
 
 std::vector<Structure> structures(const Case& definition, int coordinates) {
-  const Mechanism m = make_mechanism(describe(definition, coordinates));
+  const Model m = make_model(describe(definition, coordinates));
   std::vector<Structure> result;
   for (const auto& [partition, name] : partitions)
     result.push_back({&definition, coordinates, name, part_sizes(m, partition)});

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "cases/generators/cases.h"
-#include "formulations/model/mechanism.h"
+#include "formulations/model/model.h"
 #include "formulations/structure/partition.h"
 
 namespace desmo::suite {
@@ -24,10 +24,10 @@ struct Structure {
   std::vector<PartSizes> parts;  ///< largest first; constant parts are not counted
 };
 
-std::vector<PartSizes> part_sizes(const Mechanism& mechanism, Partition partition);
+std::vector<PartSizes> part_sizes(const Model& model, Partition partition);
 
 /// Coordinates that are to be found at every instant: neither driven nor at rest.
-int moving_unknowns(const Mechanism& mechanism);
+int moving_unknowns(const Model& model);
 
 /// Every partition of one case at one size.
 std::vector<Structure> structures(const Case& definition, int coordinates);

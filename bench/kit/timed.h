@@ -91,8 +91,8 @@ class Timed {
 
   /// Ends verify(), once `errors` are known: what solved the whole motion and agrees with its
   /// reference in all `expected_instants` is verified.
-  void conclude(const Summary& summary, const Mechanism& mechanism, std::size_t expected_instants) {
-    if (!summary.ok()) return fail(describe(summary, mechanism));
+  void conclude(const Summary& summary, const Model& model, std::size_t expected_instants) {
+    if (!summary.ok()) return fail(describe(summary, model));
     if (std::string wrong = complaint(errors, expected_instants); !wrong.empty())
       return fail(std::move(wrong));
     iterations_per_step = static_cast<double>(summary.iterations) / summary.instants;

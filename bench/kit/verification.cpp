@@ -64,7 +64,7 @@ std::string complaint(const Errors& e, std::size_t expected_instants, double tim
   return text;
 }
 
-void require_agreement(const Mechanism& m, const PerLevel<double>& floor) {
+void require_agreement(const Model& m, const PerLevel<double>& floor) {
   for (const Level level : levels) {
     if (floor[level] <= highest_floor) continue;
     char text[32];
@@ -79,14 +79,14 @@ std::string missing_code(const Formulation& f) {
   std::string first;
   for (const auto& part : f.parts()) {
     if (part.as_named) continue;
-    if (missing++ == 0) first = f.mechanism().groups[part.definition.groups.front()].name;
+    if (missing++ == 0) first = f.model().groups[part.definition.groups.front()].name;
   }
   if (missing == 0) return {};
   return "no generated code for " + std::to_string(missing) + " of " +
          std::to_string(f.parts().size()) + " parts, first of group '" + first + "'";
 }
 
-std::span<const ReferenceInstant> ReferenceCache::get(const Mechanism& m, const TimeGrid& grid) {
+std::span<const ReferenceInstant> ReferenceCache::get(const Model& m, const TimeGrid& grid) {
   Reference& reference = cache_[{m.name, m.coordinates()}];
   if (reference.instants.empty()) {
     const int count = std::min(grid.instants, instants_compared);

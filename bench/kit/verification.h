@@ -86,7 +86,7 @@ std::string complaint(const Errors& errors, std::size_t expected_instants, doubl
 
 /// Throws std::runtime_error, naming the mechanism, where two quadruple solutions differ by more
 /// than 1e-20 of its scales: then neither is a reference.
-void require_agreement(const Mechanism& mechanism, const PerLevel<double>& floor);
+void require_agreement(const Model& model, const PerLevel<double>& floor);
 
 /// Empty when every part is what the formulation's id says; otherwise which are not: without
 /// generated code a part falls back to automatic equations, and is not to be timed under that id.
@@ -97,7 +97,7 @@ std::string missing_code(const Formulation& formulation);
 class ReferenceCache {
  public:
   /// Throws std::runtime_error when there is none: see make_reference and require_agreement.
-  std::span<const ReferenceInstant> get(const Mechanism& mechanism, const TimeGrid& grid);
+  std::span<const ReferenceInstant> get(const Model& model, const TimeGrid& grid);
 
  private:
   std::map<std::pair<std::string, int>, Reference> cache_;

@@ -108,8 +108,8 @@ ceres::Solver::Options newton(ceres::IterationCallback& stop, int max_iterations
 
 class CeresPeer final : public Peer {
  public:
-  explicit CeresPeer(const Mechanism& m)
-      : mechanism_(m),
+  explicit CeresPeer(const Model& m)
+      : model_(m),
         rates_(make_formulation(find_variant(formulation_of_rates), m, settings_)),
         stop_(0.99 * settings_.tolerance / std::sqrt(static_cast<double>(rates_->parts().size()))),
         options_(newton(stop_, settings_.max_iterations)),
@@ -131,8 +131,8 @@ class CeresPeer final : public Peer {
 
   void assemble(double t) override {
     iterations_ = 0;
-    std::ranges::copy(mechanism_.estimate, state_.q.begin());
-    std::ranges::copy(mechanism_.fixed_values, state_.q.begin() + mechanism_.coordinates());
+    std::ranges::copy(model_.estimate, state_.q.begin());
+    std::ranges::copy(model_.fixed_values, state_.q.begin() + model_.coordinates());
     std::ranges::fill(state_.qd, 0.0);
     std::ranges::fill(state_.qdd, 0.0);
     solve_parts(true);
@@ -160,12 +160,12 @@ class CeresPeer final : public Peer {
   }
 
   void add(int position, const Magnitudes& magnitudes) {
-    const Constraint& c = mechanism_.constraints[position];
+    const Constraint& c = model_.constraints[position];
     visit_kind(c.kind, [&]<class Kind>(Kind) {
       std::array<const double*, Kind::operand_sizes.size()> fixed{};
       std::vector<double*> blocks;
       for (std::size_t k = 0; k < fixed.size(); ++k) {
-        double* value = state_.q.data() + mechanism_.state_index(c.operands[k]);
+        double* value = state_.q.data() + model_.state_index(c.operands[k]);
         if (is_unknown_[c.operands[k]])
           blocks.push_back(value);
         else
@@ -179,7 +179,7 @@ class CeresPeer final : public Peer {
 
   void solve(double t) {
     time_ = t;
-    drive(mechanism_, t, state_);
+    drive(model_, t, state_);
     ceres::Solver::Summary summary;
     ceres::Solve(options_, &problem_, &summary);
     if (summary.termination_type != ceres::USER_SUCCESS) throw std::runtime_error(summary.message);
@@ -202,13 +202,13 @@ class CeresPeer final : public Peer {
   }
 
   void deliver() {
-    const int n = mechanism_.coordinates();
+    const int n = model_.coordinates();
     std::copy_n(state_.q.begin(), n, answer_.q.begin());
     std::copy_n(state_.qd.begin(), n, answer_.qd.begin());
     std::copy_n(state_.qdd.begin(), n, answer_.qdd.begin());
   }
 
-  const Mechanism& mechanism_;
+  const Model& model_;
   Settings settings_;
   std::unique_ptr<Formulation> rates_;
   StopAtTolerance stop_;
@@ -222,8 +222,8 @@ class CeresPeer final : public Peer {
 
 std::string version() { return CERES_VERSION_STRING; }
 
-std::unique_ptr<Peer> make(const Scene&, const Mechanism& mechanism) {
-  return std::make_unique<CeresPeer>(mechanism);
+std::unique_ptr<Peer> make(const Scene&, const Model& model) {
+  return std::make_unique<CeresPeer>(model);
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 #include "cases/mechanism/motion.h"
 #include "cases/mechanism/scene.h"
 #include "formulations/base/settings.h"
-#include "formulations/model/mechanism.h"
+#include "formulations/model/model.h"
 
 namespace desmo {
 
@@ -60,7 +60,7 @@ struct PeerDefinition {
   std::string_view method;  ///< how it is used, in a sentence
   /// The model of a case. Scene and mechanism (the scene's) must outlive it. Throws
   /// std::invalid_argument when the case is none that it knows.
-  std::unique_ptr<Peer> (*make)(const Scene& scene, const Mechanism& mechanism);
+  std::unique_ptr<Peer> (*make)(const Scene& scene, const Model& model);
   /// Where its steps start: quadratic is q + q̇ h + q̈ h²/2 of the last instant.
   Guess guess = Guess::quadratic;
 };

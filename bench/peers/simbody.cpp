@@ -38,8 +38,8 @@ class SimbodyPeer final : public Peer {
 };
 
 template <simbody::Rates rates>
-std::unique_ptr<Peer> make(const Scene& scene, const Mechanism& mechanism) {
-  return std::make_unique<SimbodyPeer>(simbody::case_tree(scene, mechanism), rates);
+std::unique_ptr<Peer> make(const Scene& scene, const Model& model) {
+  return std::make_unique<SimbodyPeer>(simbody::case_tree(scene, model), rates);
 }
 
 }  // namespace

@@ -22,8 +22,8 @@ double norm(const Vec& a) { return std::hypot(a[0], a[1], a[2]); }
 
 class Builder {
  public:
-  Builder(const Scene& scene, const Mechanism& mechanism)
-      : scene_(scene), description_(scene.mechanism), mechanism_(mechanism) {}
+  Builder(const Scene& scene, const Model& model)
+      : scene_(scene), mechanism_(scene.mechanism), model_(model) {}
 
   CaseTree four_bar();
   CaseTree truck_suspension();
@@ -46,13 +46,13 @@ class Builder {
   }
 
   const Vec& nominal(const std::string& point) const {
-    return named(description_.points, point).position;
+    return named(mechanism_.points, point).position;
   }
   const Vec& direction(const std::string& vector) const {
-    return named(description_.vectors, vector).direction;
+    return named(mechanism_.vectors, vector).direction;
   }
   double length(const std::string& link) const {
-    return named(description_.bodies, link).length.value();
+    return named(mechanism_.bodies, link).length.value();
   }
 
   /// Asks for an entity that is fixed to a body, unless it never moves or is asked for already.
@@ -69,26 +69,26 @@ class Builder {
   void add_wheel(const std::string& centre, int axle, const Vec& axle_origin);
 
   const Scene& scene_;
-  const Description& description_;
   const Mechanism& mechanism_;
+  const Model& model_;
   CaseTree result_;
 };
 
 void Builder::follow(const std::string& name, int body, bool is_point, const Vec& in_body) {
-  const EntityId id = mechanism_.find(name);
-  if (mechanism_.rests(id)) return;
-  const Entity& entity = mechanism_.entities[id];
+  const EntityId id = model_.find(name);
+  if (model_.rests(id)) return;
+  const Entity& entity = model_.entities[id];
   if (std::ranges::find(result_.coordinates, entity.first) != result_.coordinates.end()) return;
   result_.tree.followed.push_back({body, is_point, in_body, entity.size});
   for (int i = 0; i < entity.size; ++i) result_.coordinates.push_back(entity.first + i);
 }
 
 void Builder::follow_all(const std::string& described, int body, const Vec& origin) {
-  const Description::Body& b = named(description_.bodies, described);
+  const Mechanism::Body& b = named(mechanism_.bodies, described);
   for (const int p : b.points)
-    follow(description_.points[p].name, body, true, description_.points[p].position - origin);
+    follow(mechanism_.points[p].name, body, true, mechanism_.points[p].position - origin);
   for (const int v : b.vectors)
-    follow(description_.vectors[v].name, body, false, description_.vectors[v].direction);
+    follow(mechanism_.vectors[v].name, body, false, mechanism_.vectors[v].direction);
 }
 
 /// Crank and rockers turn on the ground; each coupler is a rod between two of them, one equation
@@ -97,10 +97,10 @@ CaseTree Builder::four_bar() {
   int before = add({ground, Joint::pin, nominal("crank/A"), z_axis, {}, 0, add_driver()});
   Vec end{length("crank"), 0, 0};
   follow("crank/B", before, true, end);
-  const int dyads = static_cast<int>(description_.bodies.size() - 2) / 2;  // without ground, crank
+  const int dyads = static_cast<int>(mechanism_.bodies.size() - 2) / 2;  // without ground, crank
   for (int k = 1; k <= dyads; ++k) {
     const std::string dyad = "dyad" + std::to_string(k) + "/";
-    const double estimate = named(description_.coordinates, dyad + "psi").estimate.value();
+    const double estimate = named(mechanism_.coordinates, dyad + "psi").estimate.value();
     const int rocker = add({ground, Joint::pin, nominal(dyad + "D"), z_axis, {}, estimate});
     const Vec rocker_end{length(dyad + "rocker"), 0, 0};
     add_rod(before, end, rocker, rocker_end, length(dyad + "coupler"));
@@ -171,8 +171,8 @@ void Builder::add_damper(const std::string& prefix, int axle, const std::string&
 
 }  // namespace
 
-CaseTree case_tree(const Scene& scene, const Mechanism& mechanism) {
-  Builder builder(scene, mechanism);
+CaseTree case_tree(const Scene& scene, const Model& model) {
+  Builder builder(scene, model);
   if (scene.mechanism.name == "four_bar") return builder.four_bar();
   if (scene.mechanism.name == "truck_suspension") return builder.truck_suspension();
   throw std::invalid_argument("simbody: no model of '" + scene.mechanism.name + "'");

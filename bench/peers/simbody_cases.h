@@ -4,7 +4,7 @@
 
 #include "bench/peers/simbody_solver.h"
 #include "cases/mechanism/scene.h"
-#include "formulations/model/mechanism.h"
+#include "formulations/model/model.h"
 
 namespace desmo::simbody {
 
@@ -16,6 +16,6 @@ struct CaseTree {
 
 /// The scene's mechanism as a tree. It must be one of the suite's cases, or
 /// std::invalid_argument is thrown. The scene must outlive the tree.
-CaseTree case_tree(const Scene& scene, const Mechanism& mechanism);
+CaseTree case_tree(const Scene& scene, const Model& model);
 
 }  // namespace desmo::simbody

@@ -17,9 +17,9 @@ std::string version() {
 }
 
 template <Guess guess>
-std::unique_ptr<Peer> make(const Scene& scene, const Mechanism& mechanism) {
-  if (scene.mechanism.name == "four_bar") return tree::make_four_bar(scene, mechanism);
-  if (scene.mechanism.name == "truck_suspension") return tree::make_truck(scene, mechanism, guess);
+std::unique_ptr<Peer> make(const Scene& scene, const Model& model) {
+  if (scene.mechanism.name == "four_bar") return tree::make_four_bar(scene, model);
+  if (scene.mechanism.name == "truck_suspension") return tree::make_truck(scene, model, guess);
   throw std::invalid_argument("tree: no model of '" + scene.mechanism.name + "'");
 }
 

@@ -66,7 +66,7 @@ class Timer {
     return least_seconds(repetitions, [&] {
       Summary s = subject.analyse();
       if (s.ok() && extra > 0) s = subject.walk(last - 1, last - extra);
-      if (!s.ok()) throw std::runtime_error(describe(s, subject.mechanism()));
+      if (!s.ok()) throw std::runtime_error(describe(s, subject.model()));
     });
   }
 

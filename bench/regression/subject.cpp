@@ -3,15 +3,15 @@
 #include <cmath>
 
 #include "cases/generators/cases.h"
-#include "formulations/modelling/model.h"
+#include "formulations/modelling/modelling.h"
 
 namespace desmo::regression {
 
 Subject::Subject(const CellName& cell, int instants, const Settings& settings)
     : configuration_(parse_id(cell.id, settings)),
-      mechanism_(make_mechanism(describe(find_case(cell.case_name), cell.coordinates))),
-      formulation_(make_formulation(*configuration_.variant, mechanism_, configuration_.settings)),
-      delivery_(mechanism_.coordinates()),
+      model_(make_model(describe(find_case(cell.case_name), cell.coordinates))),
+      formulation_(make_formulation(*configuration_.variant, model_, configuration_.settings)),
+      delivery_(model_.coordinates()),
       grid_{0, 0.01, instants} {}
 
 Summary Subject::analyse() { return formulation_->run(grid_, {}, delivery_); }

@@ -5,7 +5,7 @@
 #include "bench/kit/delivery.h"
 #include "bench/regression/cell_name.h"
 #include "formulations/id.h"
-#include "formulations/model/mechanism.h"
+#include "formulations/model/model.h"
 #include "formulations/stepping/formulation.h"
 
 namespace desmo::regression {
@@ -40,11 +40,11 @@ class Subject {
   const TimeGrid& grid() const { return grid_; }
   Sink& delivery() { return delivery_; }
 
-  const Mechanism& mechanism() const { return mechanism_; }
+  const Model& model() const { return model_; }
 
  private:
   Configuration configuration_;
-  Mechanism mechanism_;
+  Model model_;
   std::unique_ptr<Formulation> formulation_;
   suite::Delivery delivery_;
   TimeGrid grid_;

@@ -29,7 +29,7 @@ ExtremeCase with_rocker(std::string name, double length) {
   return refused(std::move(name), chain);
 }
 
-ExtremeCase with_pivot(std::string name, const Description::Vec& at) {
+ExtremeCase with_pivot(std::string name, const Mechanism::Vec& at) {
   DyadChain chain = usual_chain(2, start);
   chain.dyads.back().pivot = at;
   return refused(std::move(name), chain);

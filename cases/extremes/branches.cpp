@@ -38,10 +38,10 @@ ExtremeCase library_in(std::string_view name, std::string case_name, double step
 ExtremeCase platform_beneath(double step) {
   ExtremeCase c =
       library_in("stewart", steps("Stewart platform beneath its base", step, "s"), step, 9);
-  Description& d = c.scene.mechanism;
-  const auto mirror = [](Description::Vec& v) { v[2] = -v[2]; };
-  for (Description::Point& p : d.points) mirror(p.position);  // the base stands at 0
-  for (const Description::Body& body : d.bodies)
+  Mechanism& d = c.scene.mechanism;
+  const auto mirror = [](Mechanism::Vec& v) { v[2] = -v[2]; };
+  for (Mechanism::Point& p : d.points) mirror(p.position);  // the base stands at 0
+  for (const Mechanism::Body& body : d.bodies)
     if (body.name.starts_with("lower"))
       for (const int v : body.vectors) mirror(d.vectors[v].direction);
   return c;

@@ -13,7 +13,7 @@ namespace {
 /// that any number of dyads can follow.
 DyadChain unequal(int dyads) {
   DyadChain chain{.crank = 2, .start = chain_start, .dyads = {}};
-  Description::Vec from = crank_pin(chain);
+  Mechanism::Vec from = crank_pin(chain);
   double pivot = 0;
   for (int k = 1; k <= dyads; ++k) {
     const double length = k == 1 ? 6 : 6 + 2.5 * std::sin(k);
@@ -37,9 +37,9 @@ ExtremeCase chain_case(const std::string& lengths, const DyadChain& chain) {
 }
 
 ExtremeCase nothing_moves() {
-  Describer d("ground", 2);
+  MechanismBuilder d("ground", 2);
   d.set_length_unit("1");
-  d.carry(Describer::ground, {d.point("A", {0, 0, 0}), d.point("B", {1, 0, 0})});
+  d.carry(MechanismBuilder::ground, {d.point("A", {0, 0, 0}), d.point("B", {1, 0, 0})});
   ExtremeCase c{.name = "no group", .scene = {"ground", d.take(), {}, long_chain_grid, {}, {}}};
   c.is_refused = true;  // nothing is left to be solved, which the message says
   return c;

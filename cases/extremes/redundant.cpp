@@ -12,8 +12,8 @@ namespace desmo::extreme {
 
 namespace {
 
-using enum Description::JointType;
-using Vec = Description::Vec;
+using enum Mechanism::JointType;
+using Vec = Mechanism::Vec;
 
 constexpr TimeGrid redundant_grid{0, 0.02, 51};
 
@@ -21,7 +21,7 @@ constexpr TimeGrid redundant_grid{0, 0.02, 51};
 /// `off` its place.
 ExtremeCase parallel_cranks(std::string name, double off) {
   constexpr double start = 1;
-  Describer d("parallel_cranks", 2);
+  MechanismBuilder d("parallel_cranks", 2);
   d.set_length_unit("1");
   const int coupler = d.body("coupler", {});
   for (const auto& [number, pivot, shift] :
@@ -29,13 +29,13 @@ ExtremeCase parallel_cranks(std::string name, double off) {
     const std::string name_of = std::to_string(number);
     const int a = d.point("A" + name_of, {pivot, 0, 0});
     const int b = d.point("B" + name_of, {pivot + std::cos(start) + shift, std::sin(start), 0});
-    d.carry(Describer::ground, {a});
+    d.carry(MechanismBuilder::ground, {a});
     d.carry(coupler, {b});
     const int crank = d.link("crank" + name_of, a, b, 1);
-    d.joint(revolute, Describer::ground, crank, {a});
+    d.joint(revolute, MechanismBuilder::ground, crank, {a});
     d.joint(revolute, crank, coupler, {b});
     if (number > 1) continue;
-    Description::Coordinate& theta = d.coordinate("theta", Description::CoordinateType::angle);
+    Mechanism::Coordinate& theta = d.coordinate("theta", Mechanism::CoordinateType::angle);
     theta.of = {-1, a, b};
     theta.driven = true;
   }
@@ -51,7 +51,7 @@ ExtremeCase bricard(std::string name, double off) {
   // Each at right angles to both edges that it joins.
   constexpr std::array<Vec, 6> axes{
       {{0, 1, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}}};
-  Describer d("bricard", 3);
+  MechanismBuilder d("bricard", 3);
   d.set_length_unit("1");
   std::array<int, 6> p, v;
   for (int i = 0; i < 6; ++i) {
@@ -59,13 +59,13 @@ ExtremeCase bricard(std::string name, double off) {
     v[i] = d.vector("v" + std::to_string(i + 1), axes[i]);
   }
   const int from = d.vector("x", {1, 0, 0}), towards = d.vector("minus_z", {0, 0, -1});
-  d.carry(Describer::ground, {p[5], p[0]}, {v[5], v[0], from, towards});
+  d.carry(MechanismBuilder::ground, {p[5], p[0]}, {v[5], v[0], from, towards});
   std::array<int, 6> edge;
   for (int i = 0; i < 5; ++i)
     edge[i] = d.body("edge" + std::to_string(i + 1), {p[i], p[i + 1]}, {v[i], v[i + 1]});
-  edge[5] = Describer::ground;
+  edge[5] = MechanismBuilder::ground;
   for (int i = 0; i < 6; ++i) d.joint(revolute, edge[(i + 5) % 6], edge[i], {p[i]}, {v[i]});
-  Description::Coordinate& theta = d.coordinate("theta", Description::CoordinateType::angle);
+  Mechanism::Coordinate& theta = d.coordinate("theta", Mechanism::CoordinateType::angle);
   theta.of = {-1, p[0], p[1]};
   theta.from = {from, -1, -1};
   theta.towards = {towards, -1, -1};

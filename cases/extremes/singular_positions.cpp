@@ -29,7 +29,7 @@ DyadChain dead_point() {
 /// one line at the end.
 DyadChain aligned(int dyads) {
   DyadChain chain{.crank = 1, .start = -1, .dyads = {}};
-  Description::Vec from = crank_pin(chain);
+  Mechanism::Vec from = crank_pin(chain);
   for (int k = 1; k <= dyads; ++k) {
     chain.dyads.push_back(closed_dyad(from, {2.0 * k, 0, 0}, 2, 1, -1));
     from = chain.dyads.back().joint;
@@ -37,12 +37,12 @@ DyadChain aligned(int dyads) {
   return chain;
 }
 
-const Description::Vec& point(const Description& d, const std::string& name) {
-  return std::ranges::find(d.points, name, &Description::Point::name)->position;
+const Mechanism::Vec& point(const Mechanism& d, const std::string& name) {
+  return std::ranges::find(d.points, name, &Mechanism::Point::name)->position;
 }
 
 /// The length of leg `number` of the Stewart platform that has been turned about its axis.
-double leg_length(const Description& platform, const std::string& number, double yaw) {
+double leg_length(const Mechanism& platform, const std::string& number, double yaw) {
   const auto [ax, ay, az] = point(platform, "A" + number);
   const auto [bx, by, bz] = point(platform, "B" + number);
   const double c = std::cos(yaw), s = std::sin(yaw);

@@ -5,20 +5,19 @@
 
 namespace desmo {
 
-Description::Vec crank_pin(const DyadChain& chain) {
+Mechanism::Vec crank_pin(const DyadChain& chain) {
   return {chain.crank * std::cos(chain.start), chain.crank * std::sin(chain.start), 0};
 }
 
-void add(Describer& d, const DyadChain& chain) {
-  using enum Description::JointType;
+void add(MechanismBuilder& d, const DyadChain& chain) {
+  using enum Mechanism::JointType;
   const std::string crank = chain.prefix + "crank";
   const int a = d.point(crank + "/A", {0, 0, 0});
   int b = d.point(crank + "/B", crank_pin(chain));
-  d.carry(Describer::ground, {a});
+  d.carry(MechanismBuilder::ground, {a});
   int before = d.link(crank, a, b, chain.crank);
-  d.joint(revolute, Describer::ground, before, {a});
-  Description::Coordinate& theta =
-      d.coordinate(crank + "/theta", Description::CoordinateType::angle);
+  d.joint(revolute, MechanismBuilder::ground, before, {a});
+  Mechanism::Coordinate& theta = d.coordinate(crank + "/theta", Mechanism::CoordinateType::angle);
   theta.of = {-1, a, b};
   theta.estimate = chain.start;
   theta.driven = true;
@@ -28,13 +27,13 @@ void add(Describer& d, const DyadChain& chain) {
     const std::string name = chain.prefix + "dyad" + std::to_string(k + 1) + "/";
     const int pivot = d.point(name + "D", dyad.pivot);
     const int c = d.point(name + "C", dyad.joint);
-    d.carry(Describer::ground, {pivot});
+    d.carry(MechanismBuilder::ground, {pivot});
     const int coupler = d.link(name + "coupler", b, c, dyad.coupler);
     const int rocker = d.link(name + "rocker", pivot, c, dyad.rocker);
     d.joint(revolute, before, coupler, {b});
     d.joint(revolute, coupler, rocker, {c});
-    d.joint(revolute, Describer::ground, rocker, {pivot});
-    Description::Coordinate& psi = d.coordinate(name + "psi", Description::CoordinateType::angle);
+    d.joint(revolute, MechanismBuilder::ground, rocker, {pivot});
+    Mechanism::Coordinate& psi = d.coordinate(name + "psi", Mechanism::CoordinateType::angle);
     psi.of = {-1, pivot, c};
     psi.estimate = dyad.angle;
     b = c;  // the next dyad hangs on this one
@@ -42,14 +41,14 @@ void add(Describer& d, const DyadChain& chain) {
   }
 }
 
-DyadChain::Dyad closed_dyad(const Description::Vec& from, const Description::Vec& pivot,
-                            double coupler, double rocker, int side) {
+DyadChain::Dyad closed_dyad(const Mechanism::Vec& from, const Mechanism::Vec& pivot, double coupler,
+                            double rocker, int side) {
   const double ax = pivot[0] - from[0], ay = pivot[1] - from[1], length = std::hypot(ax, ay);
   // Two circles: the joint is x along the way and h beside it, both over its length.
   const double p = coupler / length, r = rocker / length;
   const double x = (1 + (p - r) * (p + r)) / 2;
   const double h = side * std::sqrt(std::max(0.0, (p - x) * (p + x)));
-  const Description::Vec joint{from[0] + x * ax - h * ay, from[1] + x * ay + h * ax, 0};
+  const Mechanism::Vec joint{from[0] + x * ax - h * ay, from[1] + x * ay + h * ax, 0};
   return {pivot, coupler, rocker, joint, std::atan2(joint[1] - pivot[1], joint[0] - pivot[0])};
 }
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "cases/mechanism/describe.h"
+#include "cases/mechanism/builder.h"
 
 namespace desmo {
 
@@ -11,11 +11,11 @@ namespace desmo {
 /// mechanism that a closed form solves, whatever its lengths.
 struct DyadChain {
   struct Dyad {
-    Description::Vec pivot;  ///< of the rocker, on the ground
+    Mechanism::Vec pivot;    ///< of the rocker, on the ground
     double coupler, rocker;  ///< lengths
     /// Where both meet, roughly. The side of the line from the coupler's beginning to the pivot on
     /// which it lies is the dyad's branch.
-    Description::Vec joint;
+    Mechanism::Vec joint;
     double angle;  ///< of the rocker, roughly, rad
   };
 
@@ -26,14 +26,14 @@ struct DyadChain {
 };
 
 /// Adds its bodies; the crank's angle becomes the next driven coordinate.
-void add(Describer& describer, const DyadChain& chain);
+void add(MechanismBuilder& describer, const DyadChain& chain);
 
 /// Where the crank's pin is at its start.
-Description::Vec crank_pin(const DyadChain& chain);
+Mechanism::Vec crank_pin(const DyadChain& chain);
 
 /// A dyad that hangs at `from` and is closed there: side 1 has its joint to the left of the way
 /// from there to the pivot, -1 to the right. Where it cannot be closed, it is stretched.
-DyadChain::Dyad closed_dyad(const Description::Vec& from, const Description::Vec& pivot,
-                            double coupler, double rocker, int side);
+DyadChain::Dyad closed_dyad(const Mechanism::Vec& from, const Mechanism::Vec& pivot, double coupler,
+                            double rocker, int side);
 
 }  // namespace desmo

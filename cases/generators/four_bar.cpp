@@ -17,7 +17,7 @@ Scene four_bar(int dyads) {
     chain.dyads.push_back(
         {{pivot_spacing * k, 0, 0}, link_length, link_length, {pivot_spacing * k - 3, 5, 0}, 2});
 
-  Describer d("four_bar", 2);
+  MechanismBuilder d("four_bar", 2);
   d.set_length_unit("1");
   add(d, chain);
   return {"four_bar", d.take(), {Polynomial{{chain.start, 1}}}, time_grid(30, 0.01), {}, {}};

@@ -5,15 +5,15 @@
 #include <string>
 
 #include "cases/generators/cases.h"
-#include "cases/mechanism/describe.h"
+#include "cases/mechanism/builder.h"
 
 namespace desmo {
 
 namespace {
 
-using Vec = Description::Vec;
-using enum Description::JointType;
-using enum Description::CoordinateType;
+using Vec = Mechanism::Vec;
+using enum Mechanism::JointType;
+using enum Mechanism::CoordinateType;
 
 Vec operator+(const Vec& a, const Vec& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 Vec operator-(const Vec& a, const Vec& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
@@ -33,7 +33,7 @@ constexpr Vec x_axis{1, 0, 0}, y_axis{0, 1, 0}, z_axis{0, 0, 1};
 class Builder {
  public:
   Builder() : d_("truck_suspension", 3), y1_(d_.vector("y1", y_axis)) {
-    d_.carry(Describer::ground, {}, {y1_});
+    d_.carry(MechanismBuilder::ground, {}, {y1_});
   }
 
   void add_axle(int a) {
@@ -54,7 +54,7 @@ class Builder {
   int point(const std::string& name, const Vec& at) { return d_.point(axle_ + name, origin_ + at); }
   int ground_point(const std::string& name, const Vec& at) {
     const int p = point(name, at);
-    d_.carry(Describer::ground, {p});
+    d_.carry(MechanismBuilder::ground, {p});
     return p;
   }
   int vector(const std::string& name, const Vec& direction) {
@@ -82,11 +82,11 @@ class Builder {
     const int rod4 = d_.body(axle_ + "4", {G4, C4}, {u4, n4});
     const int rod5 = d_.body(axle_ + "5", {G5, C5}, {u5, n5});
     d_.joint(spherical, rigid_axle_, arm, {S});
-    d_.joint(revolute, Describer::ground, arm, {R}, {y1_});
+    d_.joint(revolute, MechanismBuilder::ground, arm, {R}, {y1_});
     d_.joint(universal, rigid_axle_, rod4, {C4}, {z2_, u4});
     d_.joint(universal, rigid_axle_, rod5, {C5}, {y2_, u5});
-    d_.joint(spherical, Describer::ground, rod4, {G4});
-    d_.joint(spherical, Describer::ground, rod5, {G5});
+    d_.joint(spherical, MechanismBuilder::ground, rod4, {G4});
+    d_.joint(spherical, MechanismBuilder::ground, rod5, {G5});
 
     constexpr double turn = 2 * std::numbers::pi;
     drive_height("zL", WL, {0.05, turn * 1.0, -0.3 * a});
@@ -94,7 +94,7 @@ class Builder {
   }
 
   void drive_height(const std::string& name, int wheel_centre, const HarmonicSum::Term& term) {
-    Description::Coordinate& height = d_.coordinate(axle_ + name, component);
+    Mechanism::Coordinate& height = d_.coordinate(axle_ + name, component);
     height.point = wheel_centre;
     height.axis = 2;
     height.driven = true;
@@ -116,9 +116,9 @@ class Builder {
     const int link_body = d_.body(axle_ + link, {B, G}, {u, m});
     d_.joint(revolute, rigid_axle_, lever_body, {A}, {y2_});
     d_.joint(universal, lever_body, link_body, {B}, {e, u});
-    d_.joint(spherical, Describer::ground, link_body, {G});
+    d_.joint(spherical, MechanismBuilder::ground, link_body, {G});
 
-    Description::Coordinate& phi = d_.coordinate(axle_ + "phi" + lever, angle);
+    Mechanism::Coordinate& phi = d_.coordinate(axle_ + "phi" + lever, angle);
     phi.of = {-1, A, B};
     phi.from = {x2_};
     phi.opposite = true;
@@ -139,14 +139,14 @@ class Builder {
     const int tube_body = d_.body(axle_ + tube, {T}, {axis, u, m});
     d_.joint(universal, rigid_axle_, rod_body, {A}, {x2_, u});
     d_.joint(prismatic, rod_body, tube_body, {A, T}, {axis, u});
-    d_.joint(spherical, Describer::ground, tube_body, {T});
+    d_.joint(spherical, MechanismBuilder::ground, tube_body, {T});
 
-    Description::Coordinate& s = d_.coordinate(axle_ + "s" + rod, along);
+    Mechanism::Coordinate& s = d_.coordinate(axle_ + "s" + rod, along);
     s.of = {-1, A, T};
     s.vector = axis;
   }
 
-  Describer d_;
+  MechanismBuilder d_;
   int y1_;
   std::vector<Motion> motions_;
   std::string axle_;  ///< prefix of the names of the axle under construction

@@ -6,8 +6,8 @@
 namespace desmo {
 namespace {
 
-using Coordinate = Description::Coordinate;
-using Type = Description::CoordinateType;
+using Coordinate = Mechanism::Coordinate;
+using Type = Mechanism::CoordinateType;
 
 class CoordinateReader {
  public:

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "cases/mechanism/description.h"
+#include "cases/mechanism/mechanism.h"
 #include "cases/mechanism/scene.h"
 
 namespace desmo {
@@ -23,8 +23,8 @@ class InputError : public std::runtime_error {
 /// (or the mechanism's free unit) and radians. All throw InputError. `file_name` is for messages.
 
 /// What is returned has passed validate().
-Description parse_mechanism(std::string_view text, const std::string& file_name);
-Description read_mechanism(const std::filesystem::path& file);
+Mechanism parse_mechanism(std::string_view text, const std::string& file_name);
+Mechanism read_mechanism(const std::filesystem::path& file);
 
 /// A mechanism file that the scene names is sought relative to `folder`.
 Scene parse_scene(std::string_view text, const std::string& file_name,
@@ -36,6 +36,6 @@ Scene read_scene(const std::filesystem::path& file);
 Scene library_scene(std::string_view name);
 
 /// The text of a mechanism file that describes the same mechanism.
-std::string write_mechanism(const Description& description);
+std::string write_mechanism(const Mechanism& mechanism);
 
 }  // namespace desmo

@@ -9,7 +9,7 @@
 namespace desmo {
 namespace {
 
-Description::JointType read_type(const JsonValue& value) {
+Mechanism::JointType read_type(const JsonValue& value) {
   const auto form = std::ranges::find(joint_forms(), value.text(), &JointForm::name);
   if (form != joint_forms().end()) return form->type;
   std::vector<std::string_view> names;
@@ -19,9 +19,9 @@ Description::JointType read_type(const JsonValue& value) {
                  suggestion(value.text(), names));
 }
 
-Description::Joint read_joint(const JsonValue& value, const Names& names) {
+Mechanism::Joint read_joint(const JsonValue& value, const Names& names) {
   value.allow({"name", "type", "bodies", "points", "vectors"});
-  Description::Joint joint;
+  Mechanism::Joint joint;
   if (const auto name = value.find("name")) joint.name = checked_name(*name, name->text());
   joint.type = read_type(value["type"]);
   joint.bodies = names.bodies.find_pair(value["bodies"]);
@@ -33,8 +33,8 @@ Description::Joint read_joint(const JsonValue& value, const Names& names) {
 // type/first body/second body, numbered from the second of these on.
 class DefaultNames {
  public:
-  explicit DefaultNames(const std::vector<Description::Joint>& joints) {
-    for (const Description::Joint& joint : joints) taken_.insert(joint.name);
+  explicit DefaultNames(const std::vector<Mechanism::Joint>& joints) {
+    for (const Mechanism::Joint& joint : joints) taken_.insert(joint.name);
   }
 
   std::string next(const std::string& stem) {
@@ -53,10 +53,10 @@ class DefaultNames {
 
 }  // namespace
 
-std::vector<Description::Joint> read_joints(const JsonValue& root,
-                                            const std::vector<Description::Body>& bodies,
-                                            const Names& names) {
-  std::vector<Description::Joint> joints;
+std::vector<Mechanism::Joint> read_joints(const JsonValue& root,
+                                          const std::vector<Mechanism::Body>& bodies,
+                                          const Names& names) {
+  std::vector<Mechanism::Joint> joints;
   const JsonValue list = root["joints"];
   const std::vector<JsonValue> values = list.elements();
   for (const JsonValue& value : values) joints.push_back(read_joint(value, names));

@@ -7,11 +7,11 @@
 namespace desmo {
 namespace {
 
-std::vector<Description::Point> read_points(const JsonValue& root, int dimension, double unit,
-                                            Names& names) {
-  std::vector<Description::Point> points;
+std::vector<Mechanism::Point> read_points(const JsonValue& root, int dimension, double unit,
+                                          Names& names) {
+  std::vector<Mechanism::Point> points;
   for (const JsonValue& value : root["points"].members()) {
-    Description::Vec position = read_components(value, dimension);
+    Mechanism::Vec position = read_components(value, dimension);
     for (double& component : position) component *= unit;
     points.push_back({checked_name(value, value.key()), position});
     names.points.add(value.key());
@@ -19,19 +19,19 @@ std::vector<Description::Point> read_points(const JsonValue& root, int dimension
   return points;
 }
 
-Description::Body read_body(const JsonValue& value, std::string name, double unit,
-                            const Names& names) {
-  Description::Body body{std::move(name), {}, {}, {}};
+Mechanism::Body read_body(const JsonValue& value, std::string name, double unit,
+                          const Names& names) {
+  Mechanism::Body body{std::move(name), {}, {}, {}};
   if (const auto points = value.find("points")) body.points = names.points.find_each(*points);
   if (const auto vectors = value.find("vectors")) body.vectors = names.vectors.find_each(*vectors);
   if (const auto length = value.find("length")) body.length = length->number() * unit;
   return body;
 }
 
-std::vector<Description::Body> read_bodies(const JsonValue& root, double unit, Names& names) {
+std::vector<Mechanism::Body> read_bodies(const JsonValue& root, double unit, Names& names) {
   const JsonValue ground = root["ground"];
   ground.allow({"points", "vectors"});
-  std::vector<Description::Body> bodies{read_body(ground, "ground", unit, names)};
+  std::vector<Mechanism::Body> bodies{read_body(ground, "ground", unit, names)};
   names.bodies.add(ground.key());
   for (const JsonValue& value : root["bodies"].members()) {
     if (value.key() == ground.key())
@@ -44,20 +44,20 @@ std::vector<Description::Body> read_bodies(const JsonValue& root, double unit, N
 }
 
 // Where the file describes what validate() refuses.
-JsonValue place_of(const JsonValue& root, const Description& d, const DescriptionError& error) {
+JsonValue place_of(const JsonValue& root, const Mechanism& d, const MechanismError& error) {
   const int i = error.index();
   switch (error.part()) {
-    case DescriptionError::Part::point:
+    case MechanismError::Part::point:
       return root["points"][d.points[i].name];
-    case DescriptionError::Part::vector:
+    case MechanismError::Part::vector:
       return root["vectors"][d.vectors[i].name];
-    case DescriptionError::Part::body:
+    case MechanismError::Part::body:
       return i == 0 ? root["ground"] : root["bodies"][d.bodies[i].name];
-    case DescriptionError::Part::joint:
+    case MechanismError::Part::joint:
       return root["joints"].elements()[i];
-    case DescriptionError::Part::coordinate:
+    case MechanismError::Part::coordinate:
       return root["coordinates"][d.coordinates[i].name];
-    case DescriptionError::Part::description:
+    case MechanismError::Part::description:
       break;
   }
   return root;
@@ -65,19 +65,19 @@ JsonValue place_of(const JsonValue& root, const Description& d, const Descriptio
 
 }  // namespace
 
-Description::Vec read_components(const JsonValue& value, int dimension) {
+Mechanism::Vec read_components(const JsonValue& value, int dimension) {
   const std::vector<JsonValue> components = value.elements();
   if (components.size() != static_cast<std::size_t>(dimension))
     value.complain("wrong dimension: has " + std::to_string(components.size()) +
                    " components in a mechanism of dimension " + std::to_string(dimension) +
                    "; give as many components");
-  Description::Vec x{};
+  Mechanism::Vec x{};
   for (int i = 0; i < dimension; ++i) x[i] = components[i].number();
   return x;
 }
 
-Description::Direction read_direction(const JsonValue& value, const Names& names) {
-  Description::Direction d;
+Mechanism::Direction read_direction(const JsonValue& value, const Names& names) {
+  Mechanism::Direction d;
   if (value.is_string()) {
     d.vector = names.vectors.find(value);
     return d;
@@ -93,7 +93,7 @@ ReadMechanism mechanism_from(const JsonValue& root) {
   check_format(root, "desmo-mechanism", 1);
   root.allow({"$schema", "format", "version", "name", "title", "dimension", "units", "points",
               "vectors", "ground", "bodies", "joints", "coordinates", "drivers"});
-  Description d;
+  Mechanism d;
   d.name = checked_name(root["name"], root["name"].text());
   if (const auto title = root.find("title")) d.title = title->line();
   d.dimension = root["dimension"].whole_number(2, 3);
@@ -107,18 +107,18 @@ ReadMechanism mechanism_from(const JsonValue& root) {
   d.coordinates = read_coordinates(root, d.dimension, units, names);
   try {
     validate(d);
-  } catch (const DescriptionError& error) {
+  } catch (const MechanismError& error) {
     place_of(root, d, error).complain(error.what());
   }
   return {std::move(d), std::move(units)};
 }
 
-Description parse_mechanism(std::string_view text, const std::string& file_name) {
+Mechanism parse_mechanism(std::string_view text, const std::string& file_name) {
   const JsonDocument document(text, file_name);
   return mechanism_from(document.root()).description;
 }
 
-Description read_mechanism(const std::filesystem::path& file) {
+Mechanism read_mechanism(const std::filesystem::path& file) {
   std::string text;
   try {
     text = read_text(file);

@@ -3,7 +3,7 @@
 
 #include "cases/io/format.h"
 #include "cases/io/name_table.h"
-#include "cases/mechanism/description.h"
+#include "cases/mechanism/mechanism.h"
 
 namespace desmo {
 
@@ -14,28 +14,28 @@ struct Names {
 
 /// A mechanism, validated, and the units of its file.
 struct ReadMechanism {
-  Description description;
+  Mechanism mechanism;
   Units units;
 };
 ReadMechanism mechanism_from(const JsonValue& root);
 
 /// As many components as the mechanism has dimensions; the third is 0 in the plane.
-Description::Vec read_components(const JsonValue& value, int dimension);
+Mechanism::Vec read_components(const JsonValue& value, int dimension);
 
 /// A vector's name, or a list of two points.
-Description::Direction read_direction(const JsonValue& value, const Names& names);
+Mechanism::Direction read_direction(const JsonValue& value, const Names& names);
 
-std::vector<Description::Vector> read_vectors(const JsonValue& root, int dimension,
-                                              const std::vector<Description::Point>& points,
-                                              Names& names);
+std::vector<Mechanism::Vector> read_vectors(const JsonValue& root, int dimension,
+                                            const std::vector<Mechanism::Point>& points,
+                                            Names& names);
 
 /// `bodies` are for the names of joints that have none.
-std::vector<Description::Joint> read_joints(const JsonValue& root,
-                                            const std::vector<Description::Body>& bodies,
-                                            const Names& names);
+std::vector<Mechanism::Joint> read_joints(const JsonValue& root,
+                                          const std::vector<Mechanism::Body>& bodies,
+                                          const Names& names);
 
 /// With their drivers.
-std::vector<Description::Coordinate> read_coordinates(const JsonValue& root, int dimension,
-                                                      const Units& units, Names& names);
+std::vector<Mechanism::Coordinate> read_coordinates(const JsonValue& root, int dimension,
+                                                    const Units& units, Names& names);
 
 }  // namespace desmo

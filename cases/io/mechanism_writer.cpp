@@ -7,11 +7,11 @@ namespace desmo {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Direction = Description::Direction;
+using Direction = Mechanism::Direction;
 
 class Writer {
  public:
-  explicit Writer(const Description& d) : d_(d) {}
+  explicit Writer(const Mechanism& d) : d_(d) {}
 
   Json write() const {
     Json j = {{"format", "desmo-mechanism"}, {"version", 1}, {"name", d_.name}};
@@ -19,9 +19,9 @@ class Writer {
     j["dimension"] = d_.dimension;
     if (d_.length_unit != "m") j["units"] = {{"length", d_.length_unit}};
     j["points"] = Json::object();
-    for (const Description::Point& p : d_.points) j["points"][p.name] = components(p.position);
+    for (const Mechanism::Point& p : d_.points) j["points"][p.name] = components(p.position);
     if (!d_.vectors.empty()) j["vectors"] = Json::object();
-    for (const Description::Vector& v : d_.vectors)
+    for (const Mechanism::Vector& v : d_.vectors)
       j["vectors"][v.name] = v.along ? Json{{"along", {point((*v.along)[0]), point((*v.along)[1])}}}
                                      : Json(components(v.direction));
     j["ground"] = body(d_.bodies.front());
@@ -29,10 +29,10 @@ class Writer {
     for (std::size_t b = 1; b < d_.bodies.size(); ++b)
       j["bodies"][d_.bodies[b].name] = body(d_.bodies[b]);
     j["joints"] = Json::array();
-    for (const Description::Joint& joint : d_.joints) j["joints"].push_back(write(joint));
+    for (const Mechanism::Joint& joint : d_.joints) j["joints"].push_back(write(joint));
     j["coordinates"] = Json::object();
     j["drivers"] = Json::array();
-    for (const Description::Coordinate& c : d_.coordinates) {
+    for (const Mechanism::Coordinate& c : d_.coordinates) {
       j["coordinates"][c.name] = write(c);
       if (c.driven) j["drivers"].push_back(c.name);
     }
@@ -42,13 +42,13 @@ class Writer {
  private:
   const std::string& point(int p) const { return d_.points[p].name; }
 
-  Json components(const Description::Vec& v) const {
+  Json components(const Mechanism::Vec& v) const {
     Json list = Json::array();
     for (int i = 0; i < d_.dimension; ++i) list.push_back(v[i]);
     return list;
   }
 
-  Json body(const Description::Body& b) const {
+  Json body(const Mechanism::Body& b) const {
     Json j = Json::object();
     for (const int p : b.points) j["points"].push_back(point(p));
     for (const int v : b.vectors) j["vectors"].push_back(d_.vectors[v].name);
@@ -56,7 +56,7 @@ class Writer {
     return j;
   }
 
-  Json write(const Description::Joint& joint) const {
+  Json write(const Mechanism::Joint& joint) const {
     Json j = Json::object();
     if (is_name(joint.name)) j["name"] = joint.name;  // one made of long names may be too long
     j["type"] = joint_types[static_cast<int>(joint.type)];
@@ -71,8 +71,8 @@ class Writer {
     return d_.vectors[d.vector].name;
   }
 
-  Json write(const Description::Coordinate& c) const {
-    using enum Description::CoordinateType;
+  Json write(const Mechanism::Coordinate& c) const {
+    using enum Mechanism::CoordinateType;
     Json j;
     switch (c.type) {
       case angle:
@@ -100,11 +100,11 @@ class Writer {
                                                 "cylindrical", "universal", "spherical",
                                                 "fixed"};
 
-  const Description& d_;
+  const Mechanism& d_;
 };
 
 }  // namespace
 
-std::string write_mechanism(const Description& d) { return Writer(d).write().dump(1) + "\n"; }
+std::string write_mechanism(const Mechanism& d) { return Writer(d).write().dump(1) + "\n"; }
 
 }  // namespace desmo

@@ -100,16 +100,16 @@ Motion read_table(const JsonValue& value, double unit) {
   }
 }
 
-std::vector<int> driven_coordinates(const Description& mechanism) {
+std::vector<int> driven_coordinates(const Mechanism& mechanism) {
   std::vector<int> driven;
   for (int i = 0; i < static_cast<int>(mechanism.coordinates.size()); ++i)
     if (mechanism.coordinates[i].driven) driven.push_back(i);
   return driven;
 }
 
-[[noreturn]] void complain_not_driven(const JsonValue& value, const Description& mechanism,
+[[noreturn]] void complain_not_driven(const JsonValue& value, const Mechanism& mechanism,
                                       const NameTable& drivers) {
-  for (const Description::Coordinate& c : mechanism.coordinates)
+  for (const Mechanism::Coordinate& c : mechanism.coordinates)
     if (c.name == value.key())
       value.complain("the coordinate " + in_quotes(c.name) +
                      " is not driven; name it in the mechanism's drivers or leave its motion out");
@@ -119,10 +119,10 @@ std::vector<int> driven_coordinates(const Description& mechanism) {
 
 }  // namespace
 
-Motion read_motion(const JsonValue& value, Description::CoordinateType coordinate,
+Motion read_motion(const JsonValue& value, Mechanism::CoordinateType coordinate,
                    const Units& units) {
-  const double unit = coordinate == Description::CoordinateType::angle ? angle_unit(value, units)
-                                                                       : length_unit(value, units);
+  const double unit = coordinate == Mechanism::CoordinateType::angle ? angle_unit(value, units)
+                                                                     : length_unit(value, units);
   const JsonValue type = value["type"];
   const std::string_view name = type.text();
   if (name == "constant") return read_constant(value, unit);
@@ -133,7 +133,7 @@ Motion read_motion(const JsonValue& value, Description::CoordinateType coordinat
   type.complain("unknown type of motion " + in_quotes(name) + "; " + suggestion(name, types));
 }
 
-std::vector<Motion> read_motions(const JsonValue& root, const Description& mechanism,
+std::vector<Motion> read_motions(const JsonValue& root, const Mechanism& mechanism,
                                  const Units& units, std::vector<Motion> known) {
   const std::vector<int> driven = driven_coordinates(mechanism);
   std::vector<bool> has_motion(driven.size(), known.size() == driven.size());
@@ -157,7 +157,7 @@ std::vector<Motion> read_motions(const JsonValue& root, const Description& mecha
   return known;
 }
 
-void check_tables(const JsonValue& root, const Description& mechanism,
+void check_tables(const JsonValue& root, const Mechanism& mechanism,
                   const std::vector<Motion>& motions, const TimeGrid& grid) {
   const std::vector<int> driven = driven_coordinates(mechanism);
   const double rounding = 1e-6 * grid.step;

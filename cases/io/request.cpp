@@ -55,10 +55,10 @@ class Selection {
 
 class RequestReader {
  public:
-  explicit RequestReader(const Description& d)
+  explicit RequestReader(const Mechanism& d)
       : d_(d),
-        point_is_carried_(carried(d.points, Carriers(d, &Description::Body::points))),
-        vector_is_carried_(carried(d.vectors, Carriers(d, &Description::Body::vectors))),
+        point_is_carried_(carried(d.points, Carriers(d, &Mechanism::Body::points))),
+        vector_is_carried_(carried(d.vectors, Carriers(d, &Mechanism::Body::vectors))),
         levels_{std::vector<int>(d.points.size(), not_wanted),
                 std::vector<int>(d.vectors.size(), not_wanted),
                 std::vector<int>(d.coordinates.size(), not_wanted)},
@@ -77,7 +77,7 @@ class RequestReader {
 
  private:
   void fill_selections() {
-    using enum Description::CoordinateType;
+    using enum Mechanism::CoordinateType;
     for (std::size_t i = 0; i < d_.points.size(); ++i)
       if (point_is_carried_[i]) points_.add(d_.points[i].name, static_cast<int>(i));
     for (std::size_t i = 0; i < d_.vectors.size(); ++i)
@@ -185,7 +185,7 @@ class RequestReader {
       want(Kind::coordinate, i, level);
   }
 
-  const Description& d_;
+  const Mechanism& d_;
   std::vector<bool> point_is_carried_, vector_is_carried_;
   std::array<std::vector<int>, 3> levels_;  // by Kind
   std::vector<int> body_levels_;
@@ -198,7 +198,7 @@ class RequestReader {
 
 }  // namespace
 
-std::vector<Wanted> read_request(const JsonValue& root, const Description& mechanism) {
+std::vector<Wanted> read_request(const JsonValue& root, const Mechanism& mechanism) {
   const auto list = root.find("request");
   if (!list) return {};
   return RequestReader(mechanism).read(*list);

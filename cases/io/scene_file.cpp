@@ -20,14 +20,14 @@ constexpr int latest_version = 2;
 
 // What the mechanism brings: motions and times as well when it is a library or a scalable one.
 struct Start {
-  Description mechanism;
+  Mechanism mechanism;
   Units units;  // of the mechanism's file
   std::vector<Motion> motions;
   std::optional<TimeGrid> grid;
 };
 
 Start without_motion(ReadMechanism read) {
-  return {std::move(read.description), std::move(read.units), {}, {}};
+  return {std::move(read.mechanism), std::move(read.units), {}, {}};
 }
 
 // A library's own scene names its mechanism as any scene does, but does not start from itself.

@@ -8,15 +8,15 @@
 namespace desmo {
 namespace {
 
-using Vec = Description::Vec;
-using Direction = Description::Direction;
+using Vec = Mechanism::Vec;
+using Direction = Mechanism::Direction;
 
 class VectorReader {
  public:
-  VectorReader(int dimension, const std::vector<Description::Point>& points, Names& names)
+  VectorReader(int dimension, const std::vector<Mechanism::Point>& points, Names& names)
       : dimension_(dimension), points_(points), names_(names) {}
 
-  std::vector<Description::Vector> read(const JsonValue& list) {
+  std::vector<Mechanism::Vector> read(const JsonValue& list) {
     const std::vector<JsonValue> members = list.members();
     for (const JsonValue& member : members) {
       vectors_.push_back({checked_name(member, member.key()), {}, {}});
@@ -133,17 +133,17 @@ class VectorReader {
   }
 
   int dimension_;
-  const std::vector<Description::Point>& points_;
+  const std::vector<Mechanism::Point>& points_;
   Names& names_;
-  std::vector<Description::Vector> vectors_;
+  std::vector<Mechanism::Vector> vectors_;
   std::vector<Normal> normals_;
 };
 
 }  // namespace
 
-std::vector<Description::Vector> read_vectors(const JsonValue& root, int dimension,
-                                              const std::vector<Description::Point>& points,
-                                              Names& names) {
+std::vector<Mechanism::Vector> read_vectors(const JsonValue& root, int dimension,
+                                            const std::vector<Mechanism::Point>& points,
+                                            Names& names) {
   const auto list = root.find("vectors");
   if (!list) return {};
   return VectorReader(dimension, points, names).read(*list);

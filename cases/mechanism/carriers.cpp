@@ -4,9 +4,9 @@
 
 namespace desmo {
 
-Carriers::Carriers(const Description& description, std::vector<int> Description::Body::*carried) {
-  for (int body = 0; body < static_cast<int>(description.bodies.size()); ++body)
-    for (const int entity : description.bodies[body].*carried) pairs_.push_back({entity, body});
+Carriers::Carriers(const Mechanism& mechanism, std::vector<int> Mechanism::Body::*carried) {
+  for (int body = 0; body < static_cast<int>(mechanism.bodies.size()); ++body)
+    for (const int entity : mechanism.bodies[body].*carried) pairs_.push_back({entity, body});
   std::ranges::sort(pairs_);
 }
 

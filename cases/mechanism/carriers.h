@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "cases/mechanism/description.h"
+#include "cases/mechanism/mechanism.h"
 
 namespace desmo {
 
@@ -19,7 +19,7 @@ class Carriers {
   };
 
   /// `carried` is &Body::points or &Body::vectors.
-  Carriers(const Description& description, std::vector<int> Description::Body::*carried);
+  Carriers(const Mechanism& mechanism, std::vector<int> Mechanism::Body::*carried);
 
   bool carries(int body, int entity) const { return find({entity, body}) >= 0; }
   bool is_carried(int entity) const { return !of(entity).empty(); }

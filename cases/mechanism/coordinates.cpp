@@ -8,9 +8,9 @@
 namespace desmo {
 namespace {
 
-using Part = DescriptionError::Part;
+using Part = MechanismError::Part;
 
-bool is_same_line(const Description::Direction& a, const Description::Direction& b) {
+bool is_same_line(const Mechanism::Direction& a, const Mechanism::Direction& b) {
   if (!a.is_given() || a.is_segment() != b.is_segment()) return false;
   if (!a.is_segment()) return a.vector == b.vector;
   return std::minmax(a.from, a.to) == std::minmax(b.from, b.to);
@@ -18,11 +18,11 @@ bool is_same_line(const Description::Direction& a, const Description::Direction&
 
 class CoordinateCheck {
  public:
-  CoordinateCheck(const Description& d, const Carriers& points, const Carriers& vectors, int index)
+  CoordinateCheck(const Mechanism& d, const Carriers& points, const Carriers& vectors, int index)
       : d_(d), points_(points), vectors_(vectors), index_(index), c_(d.coordinates[index]) {}
 
   void run() const {
-    using enum Description::CoordinateType;
+    using enum Mechanism::CoordinateType;
     if (c_.estimate && !std::isfinite(*c_.estimate))
       complain("the estimate is not finite; give a finite number");
     switch (c_.type) {
@@ -61,7 +61,7 @@ class CoordinateCheck {
                " is carried by no body; list it in one");
   }
 
-  void check_segment(const Description::Direction& segment) const {
+  void check_segment(const Mechanism::Direction& segment) const {
     check_point(segment.from);
     check_point(segment.to);
     if (segment.from == segment.to)
@@ -69,13 +69,13 @@ class CoordinateCheck {
                "; name two different ones");
   }
 
-  Description::Vec check_direction(const Description::Direction& of) const {
+  Mechanism::Vec check_direction(const Mechanism::Direction& of) const {
     if (!of.is_segment()) {
       check_vector(of.vector);
       return d_.vectors[of.vector].direction;
     }
     check_segment(of);
-    const Description::Point &from = d_.points[of.from], &to = d_.points[of.to];
+    const Mechanism::Point &from = d_.points[of.from], &to = d_.points[of.to];
     const auto unit = direction(from.position, to.position);
     if (!unit)
       complain("the points " + in_quotes(from.name) + " and " + in_quotes(to.name) +
@@ -83,7 +83,7 @@ class CoordinateCheck {
     return *unit;
   }
 
-  void check_apart(const Description::Direction& other) const {
+  void check_apart(const Mechanism::Direction& other) const {
     if (is_same_line(c_.of, other))
       complain("is an angle between a direction and itself, which never changes; name two");
   }
@@ -102,20 +102,20 @@ class CoordinateCheck {
       complain("an angle in space needs the directions where it is 0 and π/2; give both");
     if (c_.from.is_segment() || c_.towards.is_segment())
       complain("the directions where it is 0 and π/2 must be vectors in space; declare vectors");
-    const Description::Vec u = check_direction(c_.from), v = check_direction(c_.towards);
+    const Mechanism::Vec u = check_direction(c_.from), v = check_direction(c_.towards);
     if (std::abs(u[0] * v[0] + u[1] * v[1] + u[2] * v[2]) > 1e-6)
       complain("the directions where it is 0 and π/2 are not at a right angle; choose another");
   }
 
-  const Description& d_;
+  const Mechanism& d_;
   const Carriers &points_, &vectors_;
   int index_;
-  const Description::Coordinate& c_;
+  const Mechanism::Coordinate& c_;
 };
 
 }  // namespace
 
-void check_coordinates(const Description& d, const Carriers& points, const Carriers& vectors) {
+void check_coordinates(const Mechanism& d, const Carriers& points, const Carriers& vectors) {
   for (int i = 0; i < static_cast<int>(d.coordinates.size()); ++i)
     CoordinateCheck(d, points, vectors, i).run();
 }

@@ -6,7 +6,7 @@
 namespace desmo {
 namespace {
 
-using Vec = Description::Vec;
+using Vec = Mechanism::Vec;
 
 constexpr double rounding = 1e-12;
 constexpr double parallel = 1e-8;

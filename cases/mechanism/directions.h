@@ -3,18 +3,18 @@
 
 #include <optional>
 
-#include "cases/mechanism/description.h"
+#include "cases/mechanism/mechanism.h"
 
 namespace desmo {
 
 /// x scaled to length 1; nothing when its components are all zero.
-std::optional<Description::Vec> unit_vector(const Description::Vec& x);
+std::optional<Mechanism::Vec> unit_vector(const Mechanism::Vec& x);
 
 /// The unit vector from p to q; nothing when they coincide but for rounding.
-std::optional<Description::Vec> direction(const Description::Vec& p, const Description::Vec& q);
+std::optional<Mechanism::Vec> direction(const Mechanism::Vec& p, const Mechanism::Vec& q);
 
 /// The unit vector along a × b, of unit vectors; nothing when these are parallel, or so nearly
 /// that the product has lost half of its digits.
-std::optional<Description::Vec> common_normal(const Description::Vec& a, const Description::Vec& b);
+std::optional<Mechanism::Vec> common_normal(const Mechanism::Vec& a, const Mechanism::Vec& b);
 
 }  // namespace desmo

@@ -10,16 +10,16 @@
 namespace desmo {
 namespace {
 
-using Part = DescriptionError::Part;
+using Part = MechanismError::Part;
 
 constexpr double unit_length_rounding = 1e-9;
 
-bool finite(const Description::Vec& x) {
+bool finite(const Mechanism::Vec& x) {
   return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
 }
 
 template <class Entry>
-void check_unique(const Description& d, Part part, const std::vector<Entry>& entries,
+void check_unique(const Mechanism& d, Part part, const std::vector<Entry>& entries,
                   std::set<std::string_view>& taken, const char* among) {
   for (int i = 0; i < static_cast<int>(entries.size()); ++i) {
     if (entries[i].name.empty()) refuse(d, part, i, "has no name; give one");
@@ -28,16 +28,16 @@ void check_unique(const Description& d, Part part, const std::vector<Entry>& ent
   }
 }
 
-void check_points(const Description& d) {
+void check_points(const Mechanism& d) {
   for (int i = 0; i < static_cast<int>(d.points.size()); ++i) {
-    const Description::Vec& x = d.points[i].position;
+    const Mechanism::Vec& x = d.points[i].position;
     if (!finite(x)) refuse(d, Part::point, i, "the position is not finite; give finite numbers");
     if (d.dimension == 2 && x[2] != 0)
       refuse(d, Part::point, i, "has a third component that is not 0; in the plane it must be");
   }
 }
 
-void check_along(const Description& d, int i, const Carriers& points, const Carriers& vectors) {
+void check_along(const Mechanism& d, int i, const Carriers& points, const Carriers& vectors) {
   const auto [p, q] = *d.vectors[i].along;
   if (!is_in(p, d.points) || !is_in(q, d.points))
     refuse(d, Part::vector, i, "points along points that do not exist");
@@ -55,9 +55,9 @@ void check_along(const Description& d, int i, const Carriers& points, const Carr
                in_quotes(d.points[q].name) + "; add the points to the body");
 }
 
-void check_vectors(const Description& d) {
+void check_vectors(const Mechanism& d) {
   for (int i = 0; i < static_cast<int>(d.vectors.size()); ++i) {
-    const Description::Vec& u = d.vectors[i].direction;
+    const Mechanism::Vec& u = d.vectors[i].direction;
     const double length = std::sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
     if (!(std::abs(length - 1) <= unit_length_rounding))
       refuse(d, Part::vector, i, "is not of length 1; divide it by its length");
@@ -67,7 +67,7 @@ void check_vectors(const Description& d) {
 }
 
 template <class Entry>
-void check_carried(const Description& d, int body, std::vector<int> carried,
+void check_carried(const Mechanism& d, int body, std::vector<int> carried,
                    const std::vector<Entry>& entries, const char* kind) {
   for (const int entity : carried)
     if (!is_in(entity, entries))
@@ -80,15 +80,15 @@ void check_carried(const Description& d, int body, std::vector<int> carried,
                " twice; list it once");
 }
 
-void check_length(const Description& d, int i) {
-  const Description::Body& body = d.bodies[i];
+void check_length(const Mechanism& d, int i) {
+  const Mechanism::Body& body = d.bodies[i];
   if (body.points.size() != 2)
     refuse(d, Part::body, i,
            "has a length but " + std::to_string(body.points.size()) +
                " points; a length is for a body of exactly two, leave it out");
   if (!std::isfinite(*body.length) || !(*body.length > 0))
     refuse(d, Part::body, i, "the length is not above 0; give the distance of its two points");
-  const Description::Point &p = d.points[body.points[0]], &q = d.points[body.points[1]];
+  const Mechanism::Point &p = d.points[body.points[0]], &q = d.points[body.points[1]];
   if (!direction(p.position, q.position))
     refuse(d, Part::body, i,
            "its points " + in_quotes(p.name) + " and " + in_quotes(q.name) +
@@ -96,8 +96,8 @@ void check_length(const Description& d, int i) {
 }
 
 // A body that carries points alone is where they are apart.
-void check_extent(const Description& d, int i) {
-  const Description::Body& body = d.bodies[i];
+void check_extent(const Mechanism& d, int i) {
+  const Mechanism::Body& body = d.bodies[i];
   if (i == 0 || body.points.size() < 2 || !body.vectors.empty()) return;
   for (const int p : body.points)
     if (direction(d.points[body.points[0]].position, d.points[p].position)) return;
@@ -106,7 +106,7 @@ void check_extent(const Description& d, int i) {
 
 }  // namespace
 
-void check_names(const Description& d) {
+void check_names(const Mechanism& d) {
   std::set<std::string_view> bodies, joints, quantities;
   check_unique(d, Part::body, d.bodies, bodies, "the bodies (the first is the ground)");
   check_unique(d, Part::joint, d.joints, joints, "the joints");
@@ -116,7 +116,7 @@ void check_names(const Description& d) {
   check_unique(d, Part::coordinate, d.coordinates, quantities, among);
 }
 
-void check_entities(const Description& d) {
+void check_entities(const Mechanism& d) {
   check_points(d);
   check_vectors(d);
   for (int i = 0; i < static_cast<int>(d.bodies.size()); ++i) {
@@ -127,7 +127,7 @@ void check_entities(const Description& d) {
   }
 }
 
-void check_vectors_along(const Description& d, const Carriers& points, const Carriers& vectors) {
+void check_vectors_along(const Mechanism& d, const Carriers& points, const Carriers& vectors) {
   for (int i = 0; i < static_cast<int>(d.vectors.size()); ++i)
     if (d.vectors[i].along) check_along(d, i, points, vectors);
 }

@@ -7,11 +7,11 @@ namespace desmo {
 
 /// What validate(const Description&) throws: says also which entry is wrong, so that a parser can
 /// point at its place in the file.
-class DescriptionError : public std::invalid_argument {
+class MechanismError : public std::invalid_argument {
  public:
   enum class Part { description, point, vector, body, joint, coordinate };
 
-  DescriptionError(Part part, int index, const std::string& message)
+  MechanismError(Part part, int index, const std::string& message)
       : std::invalid_argument(message), part_(part), index_(index) {}
 
   Part part() const { return part_; }

@@ -6,7 +6,7 @@
 namespace desmo {
 
 std::span<const JointForm> joint_forms() {
-  using enum Description::JointType;
+  using enum Mechanism::JointType;
   static constexpr std::array table{
       JointForm{revolute, 2, "revolute", 1, 0, 0, 0, "one point, of both bodies"},
       JointForm{prismatic, 2, "prismatic", 0, 2, 1, 0,
@@ -28,7 +28,7 @@ std::span<const JointForm> joint_forms() {
   return table;
 }
 
-const JointForm* find_joint_form(Description::JointType type, int dimension) {
+const JointForm* find_joint_form(Mechanism::JointType type, int dimension) {
   const auto form = std::ranges::find_if(joint_forms(), [&](const JointForm& f) {
     return f.type == type && f.dimension == dimension;
   });

@@ -9,14 +9,14 @@
 namespace desmo {
 namespace {
 
-using Part = DescriptionError::Part;
+using Part = MechanismError::Part;
 
 std::string counted(std::size_t count, const char* what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
-const JointForm& form_of(const Description& d, int i) {
-  const Description::Joint& joint = d.joints[i];
+const JointForm& form_of(const Mechanism& d, int i) {
+  const Mechanism::Joint& joint = d.joints[i];
   if (const JointForm* form = find_joint_form(joint.type, d.dimension)) return *form;
   const JointForm* elsewhere = find_joint_form(joint.type, 5 - d.dimension);
   if (!elsewhere) refuse(d, Part::joint, i, "has a type that does not exist");
@@ -29,10 +29,10 @@ const JointForm& form_of(const Description& d, int i) {
 
 // One list of a joint: what is common, of both bodies, then what is own, one of each in turn.
 template <class Entry>
-void check_carried(const Description& d, int i, const JointForm& form,
-                   const std::vector<int>& joined, int common, const std::vector<Entry>& entries,
-                   const Carriers& carriers, const char* kind) {
-  const Description::Joint& joint = d.joints[i];
+void check_carried(const Mechanism& d, int i, const JointForm& form, const std::vector<int>& joined,
+                   int common, const std::vector<Entry>& entries, const Carriers& carriers,
+                   const char* kind) {
+  const Mechanism::Joint& joint = d.joints[i];
   for (int k = 0; k < static_cast<int>(joined.size()); ++k) {
     if (!is_in(joined[k], entries))
       refuse(d, Part::joint, i, std::string("joins a ") + kind + " that does not exist");
@@ -52,7 +52,7 @@ void check_carried(const Description& d, int i, const JointForm& form,
 }
 
 // Two vectors that both bodies keep hold the axis and the angle about it.
-void check_common_vectors(const Description& d, int i, const JointForm& form) {
+void check_common_vectors(const Mechanism& d, int i, const JointForm& form) {
   if (form.common_vectors < 2) return;
   const std::vector<int>& vectors = d.joints[i].vectors;
   if (!common_normal(d.vectors[vectors[0]].direction, d.vectors[vectors[1]].direction))
@@ -64,9 +64,9 @@ void check_common_vectors(const Description& d, int i, const JointForm& form) {
 
 }  // namespace
 
-void check_joints(const Description& d, const Carriers& points, const Carriers& vectors) {
+void check_joints(const Mechanism& d, const Carriers& points, const Carriers& vectors) {
   for (int i = 0; i < static_cast<int>(d.joints.size()); ++i) {
-    const Description::Joint& joint = d.joints[i];
+    const Mechanism::Joint& joint = d.joints[i];
     const JointForm& form = form_of(d, i);
     if (!is_in(joint.bodies[0], d.bodies) || !is_in(joint.bodies[1], d.bodies))
       refuse(d, Part::joint, i, "joins a body that does not exist");

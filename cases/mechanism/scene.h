@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "cases/mechanism/description.h"
 #include "cases/mechanism/level.h"
+#include "cases/mechanism/mechanism.h"
 #include "cases/mechanism/motion.h"
 
 namespace desmo {
@@ -24,7 +24,7 @@ inline constexpr double default_tolerance = 1e-12;
 /// What is to be solved: a mechanism, how it is driven, when, and what is asked.
 struct Scene {
   std::string name;
-  Description mechanism;
+  Mechanism mechanism;
   std::vector<Motion> motions;  ///< one for each driven coordinate, in the description's order
   TimeGrid grid;
   /// Nothing twice; empty: everything, at the level of acceleration.

@@ -7,7 +7,7 @@
 namespace desmo {
 namespace {
 
-using Part = DescriptionError::Part;
+using Part = MechanismError::Part;
 
 class Partition {
  public:
@@ -26,19 +26,19 @@ class Partition {
 };
 
 // Bodies that move as one.
-Partition fixed_bodies(const Description& d) {
+Partition fixed_bodies(const Mechanism& d) {
   Partition fixed(d.bodies.size());
-  for (const Description::Joint& joint : d.joints)
-    if (joint.type == Description::JointType::fixed) fixed.unite(joint.bodies[0], joint.bodies[1]);
+  for (const Mechanism::Joint& joint : d.joints)
+    if (joint.type == Mechanism::JointType::fixed) fixed.unite(joint.bodies[0], joint.bodies[1]);
   return fixed;
 }
 
 // The parts of an entity's carriers that joints connect must be one part.
-void check(const Description& d, Part part, const Carriers& carriers,
-           std::vector<int> Description::Joint::*joined, int JointForm::*common, Partition& fixed) {
+void check(const Mechanism& d, Part part, const Carriers& carriers,
+           std::vector<int> Mechanism::Joint::*joined, int JointForm::*common, Partition& fixed) {
   const auto pairs = carriers.pairs();
   Partition shared(pairs.size());
-  for (const Description::Joint& joint : d.joints) {
+  for (const Mechanism::Joint& joint : d.joints) {
     const JointForm& form = *find_joint_form(joint.type, d.dimension);
     for (int k = 0; k < form.*common; ++k) {
       const int entity = (joint.*joined)[k];
@@ -64,10 +64,10 @@ void check(const Description& d, Part part, const Carriers& carriers,
 
 }  // namespace
 
-void check_sharing(const Description& d, const Carriers& points, const Carriers& vectors) {
+void check_sharing(const Mechanism& d, const Carriers& points, const Carriers& vectors) {
   Partition fixed = fixed_bodies(d);
-  check(d, Part::point, points, &Description::Joint::points, &JointForm::common_points, fixed);
-  check(d, Part::vector, vectors, &Description::Joint::vectors, &JointForm::common_vectors, fixed);
+  check(d, Part::point, points, &Mechanism::Joint::points, &JointForm::common_points, fixed);
+  check(d, Part::vector, vectors, &Mechanism::Joint::vectors, &JointForm::common_vectors, fixed);
 }
 
 }  // namespace desmo

@@ -1,14 +1,14 @@
 #include "cases/mechanism/checks.h"
-#include "cases/mechanism/description.h"
+#include "cases/mechanism/mechanism.h"
 #include "cases/mechanism/names.h"
 
 namespace desmo {
 
-using Part = DescriptionError::Part;
+using Part = MechanismError::Part;
 
-void refuse(const Description& d, Part part, int index, const std::string& what) {
+void refuse(const Mechanism& d, Part part, int index, const std::string& what) {
   const auto named = [&](const char* kind, const std::string& name) {
-    return DescriptionError(part, index, std::string(kind) + " " + in_quotes(name) + ": " + what);
+    return MechanismError(part, index, std::string(kind) + " " + in_quotes(name) + ": " + what);
   };
   switch (part) {
     case Part::point:
@@ -27,7 +27,7 @@ void refuse(const Description& d, Part part, int index, const std::string& what)
   throw named("mechanism", d.name);
 }
 
-void validate(const Description& d) {
+void validate(const Mechanism& d) {
   if (d.dimension != 2 && d.dimension != 3)
     refuse(d, Part::description, 0,
            "the dimension is " + std::to_string(d.dimension) + "; it must be 2 or 3");
@@ -35,7 +35,7 @@ void validate(const Description& d) {
     refuse(d, Part::description, 0, "has no bodies; the first body must be the ground");
   check_names(d);
   check_entities(d);
-  const Carriers points(d, &Description::Body::points), vectors(d, &Description::Body::vectors);
+  const Carriers points(d, &Mechanism::Body::points), vectors(d, &Mechanism::Body::vectors);
   check_vectors_along(d, points, vectors);
   check_joints(d, points, vectors);
   check_sharing(d, points, vectors);

@@ -39,21 +39,21 @@ PartDefinition join(const std::vector<DefinedPart>& parts) {
 
 class Lanes {
  public:
-  Lanes(const Mechanism& mechanism, std::vector<DefinedPart> parts,
-        const std::vector<int>& run_ends, const Settings& settings, const KernelTable& table)
-      : mechanism_(mechanism),
+  Lanes(const Model& model, std::vector<DefinedPart> parts, const std::vector<int>& run_ends,
+        const Settings& settings, const KernelTable& table)
+      : model_(model),
         parts_(std::move(parts)),
         lanes_(settings.lanes),
         guess_(settings.guess),
         table_(table),
-        kinds_(mechanism.state_size(), StateKind::constant) {
+        kinds_(model.state_size(), StateKind::constant) {
     for (const int end : run_ends) run_of_.resize(end, static_cast<int>(runs_++));
-    std::fill_n(kinds_.begin(), mechanism.coordinates(), StateKind::solved);
+    std::fill_n(kinds_.begin(), model.coordinates(), StateKind::solved);
     for (const DefinedPart& part : parts_)
       if (part.definition.constant)
         for (const int i : part.definition.unknowns) kinds_[i] = StateKind::constant;
-    for (const Driver& d : mechanism.drivers)
-      kinds_[mechanism.entities[d.coordinate].first] = StateKind::driven;
+    for (const Driver& d : model.drivers)
+      kinds_[model.entities[d.coordinate].first] = StateKind::driven;
   }
 
   std::vector<DefinedPart> take() {
@@ -84,7 +84,7 @@ class Lanes {
 
   /// Moving parts that are connected by what they need of each other.
   std::vector<Positions> pieces() const {
-    Positions linked(parts_.size()), owner(mechanism_.state_size(), -1);
+    Positions linked(parts_.size()), owner(model_.state_size(), -1);
     std::iota(linked.begin(), linked.end(), 0);
     const auto piece_of = [&](int i) {
       while (linked[i] != i) i = linked[i] = linked[linked[i]];
@@ -93,7 +93,7 @@ class Lanes {
     for (int i = 0; i < size(); ++i) {
       const PartDefinition& part = parts_[i].definition;
       if (part.constant) continue;
-      for (const int state : states_read(mechanism_, part))
+      for (const int state : states_read(model_, part))
         if (const int needed = owner[state]; needed >= 0) linked[piece_of(needed)] = piece_of(i);
       for (const int unknown : part.unknowns) owner[unknown] = i;
     }
@@ -202,7 +202,7 @@ class Lanes {
     return std::move(result_);
   }
 
-  const Mechanism& mechanism_;
+  const Model& model_;
   std::vector<DefinedPart> parts_;
   const int lanes_;
   const Guess guess_;
@@ -215,10 +215,10 @@ class Lanes {
 
 }  // namespace
 
-std::vector<DefinedPart> on_lanes(const Mechanism& mechanism, std::vector<DefinedPart> parts,
+std::vector<DefinedPart> on_lanes(const Model& model, std::vector<DefinedPart> parts,
                                   const std::vector<int>& run_ends, const Settings& settings,
                                   const KernelTable& table) {
-  return Lanes(mechanism, std::move(parts), run_ends, settings, table).take();
+  return Lanes(model, std::move(parts), run_ends, settings, table).take();
 }
 
 }  // namespace desmo

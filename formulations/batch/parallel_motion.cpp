@@ -188,7 +188,7 @@ void ParallelMotion::solve(int k, const TimeGrid& grid, const Request& request, 
 /// Whether a stretch ended where the next had begun.
 bool ParallelMotion::meet(int k) const {
   return stretches_[k].ended &&
-         same_position(workers_[k]->mechanism(), workers_[k]->q(), stretches_[k + 1].entered);
+         same_position(workers_[k]->model(), workers_[k]->q(), stretches_[k + 1].entered);
 }
 
 }  // namespace desmo

@@ -16,7 +16,7 @@ bool is_length(const Entity& e) {
 
 }  // namespace
 
-bool same_position(const Mechanism& m, std::span<const double> a, std::span<const double> b) {
+bool same_position(const Model& m, std::span<const double> a, std::span<const double> b) {
   double length = 0;
   for (const Entity& e : m.entities)
     for (int k = e.first; !e.fixed && is_length(e) && k < e.first + e.size; ++k)

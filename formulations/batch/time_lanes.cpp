@@ -12,25 +12,24 @@
 
 namespace desmo {
 
-TimeLanes::TimeLanes(const Mechanism& mechanism, std::vector<Parts> parts, const Settings& settings,
+TimeLanes::TimeLanes(const Model& model, std::vector<Parts> parts, const Settings& settings,
                      const KernelTable& table)
-    : mechanism_(mechanism),
+    : model_(model),
       settings_(settings),
       lanes_(static_cast<int>(parts.size())),
-      motions_(driver_motions(mechanism), lanes_, side_by_side(lanes_)),
+      motions_(driver_motions(model), lanes_, side_by_side(lanes_)),
       parts_(std::move(parts)),
       residual2_(lanes_),
       delivered_(lanes_),
       ways_(lanes_) {
-  const std::size_t size = mechanism_.state_size();
+  const std::size_t size = model_.state_size();
   for (LaneState* s : {&now_, &before_})
     for (LaneValues* values : {&s->q, &s->qd, &s->qdd}) values->resize(size * lanes_);
   entered_.resize(size * lanes_);
   for (std::vector<double>* values : {&alone_.q, &alone_.qd, &alone_.qdd, &last_alone_})
     values->resize(size);
   for (State& s : delivered_)
-    for (std::vector<double>* values : {&s.q, &s.qd, &s.qdd})
-      values->resize(mechanism_.coordinates());
+    for (std::vector<double>* values : {&s.q, &s.qd, &s.qdd}) values->resize(model_.coordinates());
 
   std::vector<int> started_from;
   for (std::size_t i = 0; i < parts_[0].size(); ++i) {
@@ -72,7 +71,7 @@ std::optional<Summary> TimeLanes::run(const TimeGrid& grid, const Request& reque
   if (length < shortest_segment || !enter(grid, length, state)) return {};
   const auto rooms = sink.rooms();
   wanted_ = coordinates_in_room(rooms ? rooms->coordinates : std::span<const int>(),
-                                mechanism_.coordinates());
+                                model_.coordinates());
   for (int& coordinate : wanted_) coordinate *= lanes_;
   rooms_.clear();
   used_ = 0;
@@ -113,7 +112,7 @@ bool TimeLanes::enter(const TimeGrid& grid, int length, const State& first) {
     const auto solve = [&](State& state, std::span<const double> last) {
       return solve_alone(l, state, last);
     };
-    if (!go_straight(mechanism_, grid.time(l * length), alone_, solve)) return false;
+    if (!go_straight(model_, grid.time(l * length), alone_, solve)) return false;
     pack(l, alone_);
   }
   take_branches();
@@ -128,15 +127,15 @@ bool TimeLanes::enter_together(const TimeGrid& grid, int length, const State& fi
     alone_ = first;
     if (!solve_alone(l, alone_, first.q)) return false;  // finds the branches
     pack(l, alone_);
-    ways_[l] = straight_way(mechanism_, first, grid.time(l * length));
+    ways_[l] = straight_way(model_, first, grid.time(l * length));
   }
   take_branches();
   if (!are_assembled()) return false;
   constexpr double piece = 1.0 / pieces_of_a_way;
   for (int i = 0; i <= pieces_of_a_way; ++i) {
     guess(piece, i);
-    for (std::size_t d = 0; d < mechanism_.drivers.size(); ++d) {
-      const int driven = mechanism_.entities[mechanism_.drivers[d].coordinate].first;
+    for (std::size_t d = 0; d < model_.drivers.size(); ++d) {
+      const int driven = model_.entities[model_.drivers[d].coordinate].first;
       for (int l = 0; l < lanes_; ++l) {
         const std::size_t k = static_cast<std::size_t>(driven) * lanes_ + l;
         now_.q[k] = first.q[driven] + i * piece * ways_[l][d];
@@ -242,14 +241,14 @@ void TimeLanes::solve_lane(Stage& stage, int lane, Step& step) {
 
 /// Whether each segment ended where the next had begun.
 bool TimeLanes::meet() const {
-  const auto coordinates = static_cast<std::size_t>(mechanism_.coordinates());
+  const auto coordinates = static_cast<std::size_t>(model_.coordinates());
   std::vector<double> ended(coordinates), begun(coordinates);
   for (int l = 0; l + 1 < lanes_; ++l) {
     for (std::size_t k = 0; k < coordinates; ++k) {
       ended[k] = now_.q[k * lanes_ + l];
       begun[k] = entered_[k * lanes_ + l + 1];
     }
-    if (!same_position(mechanism_, ended, begun)) return false;
+    if (!same_position(model_, ended, begun)) return false;
   }
   return true;
 }

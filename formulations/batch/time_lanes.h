@@ -29,7 +29,7 @@ class TimeLanes final : public WholeMotion {
 
   /// parts: of each lane, the same in all, in the order of solution. table: where code for lanes
   /// is; it must outlive this.
-  TimeLanes(const Mechanism& mechanism, std::vector<Parts> parts, const Settings& settings,
+  TimeLanes(const Model& model, std::vector<Parts> parts, const Settings& settings,
             const KernelTable& table);
 
   /// Nothing where the motion is too short, a segment was not entered or solved, or two did not
@@ -68,7 +68,7 @@ class TimeLanes final : public WholeMotion {
   void deliver(const TimeGrid& grid, int length, int i, const Request& request, const Step& step,
                Sink& sink);
 
-  const Mechanism& mechanism_;
+  const Model& model_;
   const Settings settings_;
   const int lanes_;
   MotionSampler motions_;  // of the drivers, in lanes

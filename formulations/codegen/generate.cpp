@@ -20,7 +20,7 @@
 #include "formulations/codegen/order/order_text.h"
 #include "formulations/codegen/record/sampled_type.h"
 #include "formulations/groupwise/double_solution.h"
-#include "formulations/modelling/model.h"
+#include "formulations/modelling/modelling.h"
 #include "formulations/planning/plan.h"
 
 namespace desmo::generate {
@@ -28,7 +28,7 @@ namespace desmo::generate {
 namespace {
 
 /// A namespace for the type of a group, the last of those found, different from the others.
-std::string kernel_name(const Mechanism& m, const std::string& group,
+std::string kernel_name(const Model& m, const std::string& group,
                         const std::vector<SampledType>& found) {
   const std::size_t slash = group.rfind('/');
   std::string name = m.name + "_" + (slash == std::string::npos ? group : group.substr(slash + 1));
@@ -39,8 +39,8 @@ std::string kernel_name(const Mechanism& m, const std::string& group,
 
 /// Adds the types of a scene's groups and blocks, sampled over its motion, to those found.
 void collect(const Scene& scene, std::vector<SampledType>& found) {
-  const Mechanism whole = make_mechanism(scene);
-  const Mechanism m = make_plan(whole, asked_by(scene, whole)).mechanism;
+  const Model whole = make_model(scene);
+  const Model m = make_plan(whole, asked_by(scene, whole)).model;
   std::vector<double> times;
   for (int i = 0; i < sample_count; ++i)
     times.push_back(scene.grid.time((scene.grid.instants - 1) * i / (sample_count - 1)));

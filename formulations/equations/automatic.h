@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "formulations/equations/equations.h"
-#include "formulations/model/mechanism.h"
+#include "formulations/model/model.h"
 #include "formulations/structure/partition.h"
 
 namespace desmo {
@@ -15,7 +15,7 @@ namespace desmo {
 template <class Real>
 class BasicAutomaticEquations final : public Equations<Real> {
  public:
-  BasicAutomaticEquations(const Mechanism& mechanism, const PartDefinition& part);
+  BasicAutomaticEquations(const Model& model, const PartDefinition& part);
   ~BasicAutomaticEquations() override;
 
   const Pattern& pattern() const override { return pattern_; }

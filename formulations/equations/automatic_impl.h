@@ -126,7 +126,7 @@ struct BasicAutomaticEquations<S>::LoopsOf {
 };
 
 template <class S>
-BasicAutomaticEquations<S>::BasicAutomaticEquations(const Mechanism& m, const PartDefinition& part)
+BasicAutomaticEquations<S>::BasicAutomaticEquations(const Model& m, const PartDefinition& part)
     : batches_(std::make_unique<Batches>()) {
   std::vector<JacobianEntry> entries;
   const int n = static_cast<int>(part.equations.size());

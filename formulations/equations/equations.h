@@ -5,7 +5,7 @@
 namespace desmo {
 
 /// The constraint equations Φ of one part and their partial derivatives. `state` and `rate` are the
-/// state and its time derivative (Mechanism::state_size()); `values` has pattern().size() values,
+/// state and its time derivative (Model::state_size()); `values` has pattern().size() values,
 /// `phi` and `gamma` pattern().n. Real is double or float.
 ///
 /// One call evaluates all equations of the part; what it runs is a loop over constraint objects

@@ -7,7 +7,7 @@
 
 namespace desmo {
 
-PatternWithSlots make_pattern(const Mechanism& m, const PartDefinition& part,
+PatternWithSlots make_pattern(const Model& m, const PartDefinition& part,
                               std::span<const JacobianEntry> entries) {
   Pattern p;
   p.n = static_cast<int>(part.unknowns.size());

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "formulations/model/mechanism.h"
+#include "formulations/model/model.h"
 #include "formulations/structure/partition.h"
 
 namespace desmo {
@@ -37,7 +37,7 @@ struct PatternWithSlots {
 
 /// Lays out the entries that a part's equations emit. Done once; the timed loop only writes
 /// values. Throws std::invalid_argument when two entries are the same partial derivative.
-PatternWithSlots make_pattern(const Mechanism& mechanism, const PartDefinition& part,
+PatternWithSlots make_pattern(const Model& model, const PartDefinition& part,
                               std::span<const JacobianEntry> entries);
 
 }  // namespace desmo

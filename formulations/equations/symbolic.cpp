@@ -6,7 +6,7 @@
 
 namespace desmo {
 
-std::optional<BoundKernel> bind_kernel(const Mechanism& m, const PartDefinition& part,
+std::optional<BoundKernel> bind_kernel(const Model& m, const PartDefinition& part,
                                        const KernelTable& table) {
   PartType type = describe_type(m, part);
   const Kernel* kernel = table.find_kernel(type.fingerprint);
@@ -16,7 +16,7 @@ std::optional<BoundKernel> bind_kernel(const Mechanism& m, const PartDefinition&
   return BoundKernel{kernel, std::move(inputs), std::move(type.constants)};
 }
 
-std::optional<std::vector<BoundKernel>> bind_kernels(const Mechanism& m, const PartDefinition& part,
+std::optional<std::vector<BoundKernel>> bind_kernels(const Model& m, const PartDefinition& part,
                                                      const KernelTable& table) {
   std::vector<BoundKernel> result;
   for (const PartDefinition& group : split_by_group(m, part)) {
@@ -27,7 +27,7 @@ std::optional<std::vector<BoundKernel>> bind_kernels(const Mechanism& m, const P
   return result;
 }
 
-SymbolicEquations::SymbolicEquations(const Mechanism& m, const PartDefinition& part,
+SymbolicEquations::SymbolicEquations(const Model& m, const PartDefinition& part,
                                      std::vector<BoundKernel> kernels) {
   std::vector<JacobianEntry> entries;
   int row = 0;

@@ -7,7 +7,7 @@
 #include "formulations/equations/equations.h"
 #include "formulations/equations/kernel.h"
 #include "formulations/equations/kernel_table.h"
-#include "formulations/model/mechanism.h"
+#include "formulations/model/model.h"
 #include "formulations/structure/partition.h"
 
 namespace desmo {
@@ -24,19 +24,19 @@ struct BoundKernel {
 
 /// Finds and binds the kernel for a part of one group; nothing when the table has none for its
 /// type. The table must outlive what is bound.
-std::optional<BoundKernel> bind_kernel(const Mechanism& mechanism, const PartDefinition& part,
+std::optional<BoundKernel> bind_kernel(const Model& model, const PartDefinition& part,
                                        const KernelTable& table = KernelTable::built_in());
 
 /// The kernels of a part, group by group; nothing when one is missing.
 std::optional<std::vector<BoundKernel>> bind_kernels(
-    const Mechanism& mechanism, const PartDefinition& part,
+    const Model& model, const PartDefinition& part,
     const KernelTable& table = KernelTable::built_in());
 
 /// Symbolic equations: the generated kernels of a part's groups, one after the other.
 class SymbolicEquations final : public Equations<double> {
  public:
   /// kernels: of the part, by bind_kernels().
-  SymbolicEquations(const Mechanism& mechanism, const PartDefinition& part,
+  SymbolicEquations(const Model& model, const PartDefinition& part,
                     std::vector<BoundKernel> kernels);
 
   const Pattern& pattern() const override { return pattern_; }

@@ -5,7 +5,7 @@
 
 namespace desmo {
 
-std::vector<ReferenceInstant> double_solution(const Mechanism& m, std::span<const double> times) {
+std::vector<ReferenceInstant> double_solution(const Model& m, std::span<const double> times) {
   std::vector<ReferenceInstant> result;
   GroupwiseSolver<double> solver(m);
   walk(

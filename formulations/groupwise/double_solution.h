@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "formulations/base/reference_instant.h"
-#include "formulations/model/mechanism.h"
+#include "formulations/model/model.h"
 
 namespace desmo {
 
@@ -12,7 +12,6 @@ namespace desmo {
 /// matrices: reference_solution() with Precision::standard, for programs without quadruple
 /// precision. Throws std::runtime_error, naming the group and the instant, when Newton's method
 /// does not converge.
-std::vector<ReferenceInstant> double_solution(const Mechanism& mechanism,
-                                              std::span<const double> times);
+std::vector<ReferenceInstant> double_solution(const Model& model, std::span<const double> times);
 
 }  // namespace desmo

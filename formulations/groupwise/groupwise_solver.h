@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "formulations/groupwise/wide_state.h"
-#include "formulations/model/mechanism.h"
+#include "formulations/model/model.h"
 #include "formulations/structure/partition.h"
 
 namespace desmo {
@@ -16,7 +16,7 @@ template <class S>
 class GroupwiseSolver {
  public:
   /// Starts at the mechanism's estimate. The mechanism must outlive the solver.
-  explicit GroupwiseSolver(const Mechanism& mechanism);
+  explicit GroupwiseSolver(const Model& model);
 
   /// Newton starts there next: the positions of another solver.
   template <class T>
@@ -44,7 +44,7 @@ class GroupwiseSolver {
     return {values.begin(), values.begin() + m_.coordinates()};
   }
 
-  const Mechanism& m_;
+  const Model& m_;
   std::vector<PartDefinition> parts_;
   std::vector<double> magnitude_;  // of each coordinate
   WideState<S> state_;

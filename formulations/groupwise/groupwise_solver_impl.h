@@ -17,7 +17,7 @@
 namespace desmo {
 
 template <class S>
-GroupwiseSolver<S>::GroupwiseSolver(const Mechanism& m)
+GroupwiseSolver<S>::GroupwiseSolver(const Model& m)
     : m_(m),
       parts_(make_partition(m, Partition::group)),
       magnitude_(natural_magnitudes(m)),

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "formulations/groupwise/wide_state.h"
-#include "formulations/model/mechanism.h"
+#include "formulations/model/model.h"
 #include "formulations/structure/partition.h"
 
 namespace desmo {
@@ -22,7 +22,7 @@ struct PartSystem {
   std::vector<S> acceleration;  ///< −Φ_h ḧ − Φ̇_q q̇
 
   /// At a state. `acceleration` also needs the velocities of the part's own unknowns in it.
-  PartSystem(const Mechanism& m, const PartDefinition& part, const WideState<S>& state)
+  PartSystem(const Model& m, const PartDefinition& part, const WideState<S>& state)
       : n(part.unknowns.size()), jacobian(n * n, S(0)), m_(m), part_(part), state_(state) {
     for (std::vector<S>* v : {&phi, &velocity, &acceleration}) v->assign(n, S(0));
     for (int row = 0; row < static_cast<int>(n);) row = add_constraint(row);
@@ -77,7 +77,7 @@ struct PartSystem {
                                                    : -1;
   }
 
-  const Mechanism& m_;
+  const Model& m_;
   const PartDefinition& part_;
   const WideState<S>& state_;
 };

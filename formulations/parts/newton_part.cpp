@@ -30,8 +30,8 @@ class NewtonPart final : public Part {
 };
 
 std::unique_ptr<const Equations<double>> make_equations(const PartContext& c) {
-  if (!c.kernels) return std::make_unique<AutomaticEquations>(c.mechanism, c.definition);
-  return std::make_unique<SymbolicEquations>(c.mechanism, c.definition, *c.kernels);
+  if (!c.kernels) return std::make_unique<AutomaticEquations>(c.model, c.definition);
+  return std::make_unique<SymbolicEquations>(c.model, c.definition, *c.kernels);
 }
 
 }  // namespace

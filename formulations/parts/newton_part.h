@@ -22,7 +22,7 @@ struct SinglePrecisionState {
 
 /// All that a Newton part is made from.
 struct PartContext {
-  const Mechanism& mechanism;
+  const Model& model;
   const PartDefinition& definition;
   std::vector<double> weights;  ///< 1/magnitude of each equation of the part (see magnitudes.h)
   /// Kernels of the symbolic equations, by bind_kernels(). Without them the equations are

@@ -25,7 +25,7 @@ std::vector<int> constraints_of(const PartDefinition& part) {
 
 /// The longest of the part's unknowns that are lengths; 0: none is. They are found among what its
 /// equations read: to look through the whole mechanism for each part would take its square.
-double longest_length(const Mechanism& m, const PartDefinition& part,
+double longest_length(const Model& m, const PartDefinition& part,
                       std::span<const double> magnitudes) {
   double longest = 0;
   for (const int c : constraints_of(part))
@@ -63,8 +63,7 @@ class OwnUnitPart::InUnitOfAll final : public Part {
   std::unique_ptr<Part> solver_;
 };
 
-std::optional<OwnUnitPart::Unit> OwnUnitPart::find_unit(const Mechanism& m,
-                                                        const PartDefinition& part,
+std::optional<OwnUnitPart::Unit> OwnUnitPart::find_unit(const Model& m, const PartDefinition& part,
                                                         std::span<const double> magnitudes) {
   const double longest = longest_length(m, part, magnitudes);
   if (!(longest > 0) || std::abs(std::ilogb(longest)) <= far) return {};
@@ -77,7 +76,7 @@ std::optional<OwnUnitPart::Unit> OwnUnitPart::find_unit(const Mechanism& m,
   return unit;
 }
 
-OwnUnitPart::OwnUnitPart(const Mechanism& m, const PartDefinition& part, const Unit& unit,
+OwnUnitPart::OwnUnitPart(const Model& m, const PartDefinition& part, const Unit& unit,
                          const ExplicitKernel& kernel, const BoundKernel& bound,
                          std::span<const double> weights, const Settings& settings,
                          std::unique_ptr<Part> fallback)

@@ -22,11 +22,11 @@ class OwnUnitPart final : public GuardedPart {
     std::vector<LengthPowers> powers;
   };
   /// magnitudes: of the part's unknowns. Nothing where lengths are near enough to 1.
-  static std::optional<Unit> find_unit(const Mechanism& mechanism, const PartDefinition& part,
+  static std::optional<Unit> find_unit(const Model& model, const PartDefinition& part,
                                        std::span<const double> magnitudes);
 
   /// The others are those of ExplicitPart.
-  OwnUnitPart(const Mechanism& mechanism, const PartDefinition& part, const Unit& unit,
+  OwnUnitPart(const Model& model, const PartDefinition& part, const Unit& unit,
               const ExplicitKernel& kernel, const BoundKernel& bound,
               std::span<const double> weights, const Settings& settings,
               std::unique_ptr<Part> fallback);

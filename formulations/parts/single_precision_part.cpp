@@ -18,7 +18,7 @@ class SinglePrecisionPart final : public Part {
       : solver_(std::move(equations), c.weights, c.magnitudes, c.settings,
                 std::move(linear_solver)),
         state_(c.single),
-        read_(states_read(c.mechanism, c.definition)) {}
+        read_(states_read(c.model, c.definition)) {}
 
   PartResult solve(State& s, std::span<const double>, Level level) override {
     for (const int i : read_) {
@@ -46,7 +46,7 @@ class SinglePrecisionPart final : public Part {
 
 std::unique_ptr<Part> make_single_precision_part(const PartContext& c, const Backend& backend) {
   std::unique_ptr<const Equations<float>> equations =
-      std::make_unique<BasicAutomaticEquations<float>>(c.mechanism, c.definition);
+      std::make_unique<BasicAutomaticEquations<float>>(c.model, c.definition);
   std::unique_ptr<LinearSolver<float>> solver = backend.make_single_solver(equations->pattern());
   if (c.profile) {
     equations = std::make_unique<ProfiledEquations<float>>(std::move(equations), *c.profile);

@@ -13,7 +13,7 @@ namespace {
 /// Finds what is upstream of what is asked.
 class Upstream {
  public:
-  explicit Upstream(const Mechanism& m)
+  explicit Upstream(const Model& m)
       : blocks(make_partition(m, Partition::block)),
         block_level(blocks.size()),
         entity_level(m.entities.size()),
@@ -78,7 +78,7 @@ class Upstream {
       if (block_of_coordinate_[i] >= 0) waiting_.emplace_back(block_of_coordinate_[i], level);
   }
 
-  const Mechanism& m_;
+  const Model& m_;
   std::vector<EntityId> owner_;
   std::vector<int> block_of_coordinate_;  // -1: driven
   std::vector<std::vector<int>> blocks_of_constraint_;
@@ -86,8 +86,8 @@ class Upstream {
 };
 
 /// The part of a mechanism that is needed, and where its entities went (-1: dropped).
-std::pair<Mechanism, std::vector<EntityId>> reduce(const Mechanism& whole, const Upstream& up) {
-  Mechanism m;
+std::pair<Model, std::vector<EntityId>> reduce(const Model& whole, const Upstream& up) {
+  Model m;
   m.name = whole.name;
   m.length_unit = whole.length_unit;
   std::vector<GroupId> group(whole.groups.size(), -1);
@@ -127,7 +127,7 @@ std::pair<Mechanism, std::vector<EntityId>> reduce(const Mechanism& whole, const
   return {std::move(m), std::move(entity)};
 }
 
-std::vector<Plan::GroupUse> describe_use(const Mechanism& whole, const Upstream& up,
+std::vector<Plan::GroupUse> describe_use(const Model& whole, const Upstream& up,
                                          std::span<const Asked> asked) {
   std::vector<Plan::GroupUse> uses(whole.groups.size());
   for (std::size_t g = 0; g < uses.size(); ++g) uses[g].name = whole.groups[g].name;
@@ -162,7 +162,7 @@ Level Plan::level() const {
   return highest;
 }
 
-Plan make_plan(const Mechanism& whole, std::span<const Asked> asked) {
+Plan make_plan(const Model& whole, std::span<const Asked> asked) {
   std::vector<Asked> everything;
   if (asked.empty()) {
     for (EntityId e = 0; e < static_cast<EntityId>(whole.entities.size()); ++e)
@@ -174,12 +174,12 @@ Plan make_plan(const Mechanism& whole, std::span<const Asked> asked) {
   up.keep_consequences();
 
   Plan plan;
-  auto [mechanism, entity] = reduce(whole, up);
-  plan.mechanism = std::move(mechanism);
-  plan.levels.resize(plan.mechanism.coordinates());
+  auto [model, entity] = reduce(whole, up);
+  plan.model = std::move(model);
+  plan.levels.resize(plan.model.coordinates());
   for (std::size_t i = 0; i < entity.size(); ++i) {
     if (entity[i] < 0 || whole.entities[i].fixed) continue;
-    const Entity& e = plan.mechanism.entities[entity[i]];
+    const Entity& e = plan.model.entities[entity[i]];
     for (int k = e.first; k < e.first + e.size; ++k) plan.levels[k] = *up.entity_level[i];
   }
   for (const Asked& a : asked) plan.outputs.push_back({entity[a.entity], a.level});
@@ -187,7 +187,7 @@ Plan make_plan(const Mechanism& whole, std::span<const Asked> asked) {
   return plan;
 }
 
-std::vector<Asked> asked_by(const Scene& scene, const Mechanism& whole) {
+std::vector<Asked> asked_by(const Scene& scene, const Model& whole) {
   std::vector<Asked> result;
   for (const Wanted& w : scene.request) {
     const std::string& name = w.kind == Wanted::Kind::point ? scene.mechanism.points[w.index].name

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cases/mechanism/scene.h"
-#include "formulations/model/mechanism.h"
+#include "formulations/model/model.h"
 
 namespace desmo {
 
@@ -28,7 +28,7 @@ struct Plan {
     std::string serves;
   };
 
-  Mechanism mechanism;           ///< the part of the whole that is to be solved
+  Model model;                   ///< the part of the whole that is to be solved
   std::vector<Level> levels;     ///< of each of its coordinates: as far as anything asks
   std::vector<Asked> outputs;    ///< what was asked for, in this mechanism
   std::vector<GroupUse> groups;  ///< of the whole mechanism, in solution order
@@ -41,9 +41,9 @@ struct Plan {
 /// read and the drivers that they need, and drops everything else. An entity or constraint is kept
 /// whole. Needed levels go upstream: an acceleration needs those it depends on.
 /// Nothing asked: everything, at the level of acceleration.
-Plan make_plan(const Mechanism& whole, std::span<const Asked> asked);
+Plan make_plan(const Model& whole, std::span<const Asked> asked);
 
 /// What a scene asks for, in its whole mechanism.
-std::vector<Asked> asked_by(const Scene& scene, const Mechanism& whole);
+std::vector<Asked> asked_by(const Scene& scene, const Model& whole);
 
 }  // namespace desmo

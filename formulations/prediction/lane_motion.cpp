@@ -28,7 +28,7 @@ void store(const Quad& value, double* x) { value.copy_to(x, simd::element_aligne
 
 }  // namespace
 
-PlacedMotions driver_motions(const Mechanism& m) {
+PlacedMotions driver_motions(const Model& m) {
   PlacedMotions result;
   for (const Driver& d : m.drivers) {
     result.motions.push_back(&d.motion);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cases/mechanism/motion.h"
-#include "formulations/model/mechanism.h"
+#include "formulations/model/model.h"
 
 namespace desmo {
 
@@ -15,7 +15,7 @@ struct PlacedMotions {
   std::vector<int> places;
 };
 /// Of the drivers of a mechanism, which outlives them, in its state.
-PlacedMotions driver_motions(const Mechanism& mechanism);
+PlacedMotions driver_motions(const Model& model);
 /// One behind the other.
 PlacedMotions in_order(std::vector<const Motion*> motions);
 

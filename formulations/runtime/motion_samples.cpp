@@ -16,7 +16,7 @@ constexpr double tolerance = 1e-6;  // of what only sizes are looked at
 
 class Sampler final : public Sink {
  public:
-  Sampler(const Mechanism& mechanism, int instants) : m_(mechanism), instants_(instants) {}
+  Sampler(const Model& model, int instants) : m_(model), instants_(instants) {}
 
   void accept(const Instant& instant) override {
     const int samples = static_cast<int>(states.size());
@@ -28,13 +28,13 @@ class Sampler final : public Sink {
   std::vector<std::vector<double>> states;
 
  private:
-  const Mechanism& m_;
+  const Model& m_;
   int instants_;
 };
 
 }  // namespace
 
-std::vector<std::vector<double>> sample_motion(const Mechanism& m, const TimeGrid& grid) {
+std::vector<std::vector<double>> sample_motion(const Model& m, const TimeGrid& grid) {
   TimeGrid coarse = grid;
   if (grid.instants - 1 > most_steps) {
     coarse.instants = most_steps + 1;

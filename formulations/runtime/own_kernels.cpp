@@ -83,7 +83,7 @@ std::shared_ptr<const KernelLibrary> make_library(const std::vector<SampledType>
 }  // namespace
 
 OwnKernels add_own_kernels(KernelTable& table, const Variant& v, const Settings& settings,
-                           const Mechanism& m, const TimeGrid& grid,
+                           const Model& m, const TimeGrid& grid,
                            std::chrono::milliseconds compile_time) {
   OwnKernels told;
   const Clock::time_point start = Clock::now();

@@ -26,7 +26,7 @@ struct OwnKernels {
 /// result and leaves the table as it was. Nothing of the mechanism's names gets into the code, and
 /// nothing of the mechanism at all into file names and arguments, but as a digest.
 OwnKernels add_own_kernels(KernelTable& table, const Variant& variant, const Settings& settings,
-                           const Mechanism& mechanism, const TimeGrid& grid,
+                           const Model& model, const TimeGrid& grid,
                            std::chrono::milliseconds compile_time);
 
 }  // namespace desmo::load

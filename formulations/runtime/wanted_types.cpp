@@ -25,7 +25,7 @@ bool has_all(const KernelTable& table, const std::string& fingerprint, LibraryCo
 }
 
 std::vector<PartDefinition> parts_without_code(const Variant& v, LibraryContents contents,
-                                               const Mechanism& m, const KernelTable& table) {
+                                               const Model& m, const KernelTable& table) {
   std::vector<PartDefinition> result;
   if (v.evaluation == Evaluation::automatic) return result;
   for (const PartDefinition& part : make_partition(m, v.partition))
@@ -37,7 +37,7 @@ std::vector<PartDefinition> parts_without_code(const Variant& v, LibraryContents
 
 }  // namespace
 
-WantedTypes wanted_types(const Variant& v, LibraryContents contents, const Mechanism& m,
+WantedTypes wanted_types(const Variant& v, LibraryContents contents, const Model& m,
                          const TimeGrid& grid, const KernelTable& table) {
   WantedTypes wanted;
   std::vector<PartDefinition> parts = parts_without_code(v, contents, m, table);

@@ -6,7 +6,7 @@
 #include "cases/mechanism/motion.h"
 #include "formulations/codegen/emit/library_source.h"
 #include "formulations/equations/kernel_table.h"
-#include "formulations/model/mechanism.h"
+#include "formulations/model/model.h"
 #include "formulations/variants.h"
 
 namespace desmo::load {
@@ -29,7 +29,6 @@ struct WantedTypes {
 /// the mechanism on the grid. Throws Unavailable when the mechanism cannot be assembled, and what
 /// make_partition throws.
 WantedTypes wanted_types(const Variant& variant, generate::LibraryContents contents,
-                         const Mechanism& mechanism, const TimeGrid& grid,
-                         const KernelTable& table);
+                         const Model& model, const TimeGrid& grid, const KernelTable& table);
 
 }  // namespace desmo::load

@@ -10,7 +10,7 @@ namespace desmo {
 namespace {
 
 /// The largest distance between points of a constraint, or of its distance operands.
-double extent(const Mechanism& m, std::span<const double> q, const Constraint& c) {
+double extent(const Model& m, std::span<const double> q, const Constraint& c) {
   double largest = 0;
   const auto at_least = [&](double length) {
     if (length > largest && std::isfinite(length)) largest = length;
@@ -35,10 +35,10 @@ double extent(const Mechanism& m, std::span<const double> q, const Constraint& c
 
 }  // namespace
 
-CharacteristicLengths::CharacteristicLengths(const Mechanism& m)
+CharacteristicLengths::CharacteristicLengths(const Model& m)
     : CharacteristicLengths(m, m.estimate) {}
 
-CharacteristicLengths::CharacteristicLengths(const Mechanism& m, std::span<const double> q)
+CharacteristicLengths::CharacteristicLengths(const Model& m, std::span<const double> q)
     : m_(m), about_(m.entities.size()), of_group_(m.groups.size()) {
   for (const Constraint& c : m.constraints) {
     const double length = extent(m, q, c);

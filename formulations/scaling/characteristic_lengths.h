@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "formulations/model/mechanism.h"
+#include "formulations/model/model.h"
 
 namespace desmo {
 
@@ -12,9 +12,9 @@ namespace desmo {
 class CharacteristicLengths {
  public:
   /// At the nominal position (the estimate).
-  explicit CharacteristicLengths(const Mechanism& mechanism);
+  explicit CharacteristicLengths(const Model& model);
   /// At a position found, where the estimate may be far from any. q: its coordinates.
-  CharacteristicLengths(const Mechanism& mechanism, std::span<const double> q);
+  CharacteristicLengths(const Model& model, std::span<const double> q);
 
   /// Of a point or a distance: the largest distance between points that constraints join to it, or
   /// of the distances themselves. Where all these points coincide it is the largest such length of
@@ -30,7 +30,7 @@ class CharacteristicLengths {
  private:
   double or_wider(double length, GroupId group) const;
 
-  const Mechanism& m_;
+  const Model& m_;
   std::vector<double> about_, of_group_;  // 0: no length
   double of_all_ = 0;
 };

@@ -53,7 +53,7 @@ bool advance(std::vector<int>& powers) {
 
 }  // namespace
 
-std::optional<LengthPowers> length_powers(const Mechanism& m, const Constraint& c) {
+std::optional<LengthPowers> length_powers(const Model& m, const Constraint& c) {
   constexpr double unit = 2;
   std::vector<bool> lengths;
   for (const EntityId id : c.operands) lengths.push_back(is_length(m.entities[id].kind));

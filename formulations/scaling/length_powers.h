@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "formulations/model/mechanism.h"
+#include "formulations/model/model.h"
 
 namespace desmo {
 
@@ -14,6 +14,6 @@ struct LengthPowers {
 };
 
 /// Found by trial, with numbers without a pattern. Nothing where equations mix powers.
-std::optional<LengthPowers> length_powers(const Mechanism& mechanism, const Constraint& constraint);
+std::optional<LengthPowers> length_powers(const Model& model, const Constraint& constraint);
 
 }  // namespace desmo

@@ -16,14 +16,14 @@ namespace {
 /// this fraction of the bodies they join keep their own magnitude.
 constexpr double least_share = 1e-3;
 
-std::vector<double> nominal_state(const Mechanism& m) {
+std::vector<double> nominal_state(const Model& m) {
   std::vector<double> state = m.estimate;
   state.insert(state.end(), m.fixed_values.begin(), m.fixed_values.end());
   return state;
 }
 
 /// How large the components of an entity become that is moved by about `length`.
-double reach(const Mechanism& m, EntityId e, const double* x, double length) {
+double reach(const Model& m, EntityId e, const double* x, double length) {
   const Entity& entity = m.entities[e];
   double norm = 0;
   for (int i = 0; i < entity.size; ++i) norm = std::hypot(norm, x[i]);
@@ -32,7 +32,7 @@ double reach(const Mechanism& m, EntityId e, const double* x, double length) {
 
 /// Of each row of a constraint, whose lengths are about `length`: u Σⱼ |∂Φ/∂qⱼ| |qⱼ|.
 template <class Kind>
-std::array<double, Kind::rows> roundings(Kind, const Mechanism& m, const Constraint& c,
+std::array<double, Kind::rows> roundings(Kind, const Model& m, const Constraint& c,
                                          const std::vector<double>& state, double length) {
   constexpr std::size_t operands = Kind::operand_sizes.size();
   constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
@@ -51,7 +51,7 @@ std::array<double, Kind::rows> roundings(Kind, const Mechanism& m, const Constra
 
 /// Of each row of a constraint, whose lengths are about `length`.
 template <class Kind>
-std::array<double, Kind::rows> magnitudes(Kind, const Mechanism& m, const Constraint& c,
+std::array<double, Kind::rows> magnitudes(Kind, const Model& m, const Constraint& c,
                                           const std::vector<double>& state, double length) {
   constexpr std::size_t operands = Kind::operand_sizes.size();
   std::array<double, operands> size;
@@ -77,7 +77,7 @@ std::array<double, Kind::rows> magnitudes(Kind, const Mechanism& m, const Constr
 
 }  // namespace
 
-Magnitudes::Magnitudes(const Mechanism& m) {
+Magnitudes::Magnitudes(const Model& m) {
   const std::vector<double> state = nominal_state(m);
   const CharacteristicLengths lengths(m);
   of_coordinate_ = lengths.of_coordinates();

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "formulations/model/mechanism.h"
+#include "formulations/model/model.h"
 #include "formulations/structure/partition.h"
 
 namespace desmo {
@@ -22,7 +22,7 @@ namespace desmo {
 /// as large.
 class Magnitudes {
  public:
-  explicit Magnitudes(const Mechanism& mechanism);
+  explicit Magnitudes(const Model& model);
 
   double of(const Equation& equation) const { return magnitude_[row_of(equation)]; }
 

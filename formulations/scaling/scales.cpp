@@ -23,7 +23,7 @@ bool is_length(EntityKind kind) {
   return kind == EntityKind::point || kind == EntityKind::distance;
 }
 
-double nominal_size(const Mechanism& m) {
+double nominal_size(const Model& m) {
   std::array<double, 3> low, high;
   low.fill(INFINITY);
   high.fill(-INFINITY);
@@ -43,7 +43,7 @@ double nominal_size(const Mechanism& m) {
   return size > 0 ? size : 1;
 }
 
-std::vector<double> natural_magnitudes(const Mechanism& m) {
+std::vector<double> natural_magnitudes(const Model& m) {
   std::vector<double> magnitudes(m.coordinates(), 1);
   const double size = nominal_size(m);
   for (const Entity& e : m.entities)
@@ -51,7 +51,7 @@ std::vector<double> natural_magnitudes(const Mechanism& m) {
   return magnitudes;
 }
 
-Scales make_scales(const Mechanism& m, std::span<const ReferenceInstant> reference) {
+Scales make_scales(const Model& m, std::span<const ReferenceInstant> reference) {
   Scales s;
   s.length.position = nominal_size(m);
   for (const ReferenceInstant& instant : reference)

@@ -5,7 +5,7 @@
 
 #include "formulations/base/per_level.h"
 #include "formulations/base/reference_instant.h"
-#include "formulations/model/mechanism.h"
+#include "formulations/model/model.h"
 
 namespace desmo {
 
@@ -15,11 +15,11 @@ bool is_length(EntityKind kind);
 /// Size of a mechanism in its unit of length, positive: the diagonal of the smallest box, along the
 /// axes, that holds all points in the nominal position, or the largest nominal distance when that
 /// is larger; 1 when there is neither.
-double nominal_size(const Mechanism& mechanism);
+double nominal_size(const Model& model);
 
 /// For each coordinate, the magnitude that a change of it is judged by: the nominal size for those
 /// of points and distances, 1 for those of vectors and angles.
-std::vector<double> natural_magnitudes(const Mechanism& mechanism);
+std::vector<double> natural_magnitudes(const Model& model);
 
 /// Largest values of a motion, by which errors and corrections become numbers without unit: the
 /// same in metres and in millimetres.
@@ -42,7 +42,7 @@ struct Scales {
 };
 
 /// Scales of the motion that a reference samples.
-Scales make_scales(const Mechanism& mechanism, std::span<const ReferenceInstant> reference);
+Scales make_scales(const Model& model, std::span<const ReferenceInstant> reference);
 
 /// |difference| of two values by their scale; 0 / 0 is no error, and NaN is an infinite one.
 double relative(double difference, double scale);

@@ -5,8 +5,7 @@
 
 namespace desmo {
 
-DenseGroup::DenseGroup(const Mechanism& m, const PartDefinition& group,
-                       const Magnitudes& magnitudes)
+DenseGroup::DenseGroup(const Model& m, const PartDefinition& group, const Magnitudes& magnitudes)
     : equations_(m, group), weights_(equations_.pattern().n) {
   for (int r = 0; r < weights_.size(); ++r) weights_[r] = 1 / magnitudes.of(group.equations[r]);
 }

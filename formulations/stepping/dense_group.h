@@ -11,11 +11,11 @@
 namespace desmo {
 
 /// The equations of one group with dense matrices, for diagnosis: thorough, not fast. States have
-/// Mechanism::state_size() values.
+/// Model::state_size() values.
 class DenseGroup {
  public:
   /// The mechanism must outlive it.
-  DenseGroup(const Mechanism& mechanism, const PartDefinition& group, const Magnitudes& magnitudes);
+  DenseGroup(const Model& model, const PartDefinition& group, const Magnitudes& magnitudes);
 
   const std::vector<int>& unknowns() const { return equations_.pattern().unknowns; }
   const Eigen::VectorXd& weights() const { return weights_; }  ///< 1/magnitude of each equation

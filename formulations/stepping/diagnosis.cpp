@@ -7,7 +7,7 @@
 
 namespace desmo {
 
-Culprit find_culprit(const Mechanism& m, std::span<const GroupId> groups, std::vector<double> state,
+Culprit find_culprit(const Model& m, std::span<const GroupId> groups, std::vector<double> state,
                      const Settings& settings) {
   const Magnitudes magnitudes(m);
   std::vector<bool> suspected(m.groups.size(), false);

@@ -22,11 +22,11 @@ void set(State& state, int coordinate, const MotionSample<double>& z) {
 
 }  // namespace
 
-void drive(const Mechanism& m, double t, State& state) {
+void drive(const Model& m, double t, State& state) {
   for (const Driver& d : m.drivers) set(state, m.entities[d.coordinate].first, sample(d.motion, t));
 }
 
-std::string describe(const Summary& s, const Mechanism& m) {
+std::string describe(const Summary& s, const Model& m) {
   char text[160];
   if (s.ok()) {
     std::snprintf(text, sizeof text, "converged: %ld instants, %ld iterations, residual %.2e",
@@ -73,9 +73,9 @@ bool go_in_pieces(double from, double to, Go&& go) {
 
 }  // namespace
 
-Formulation::Formulation(const Mechanism& mechanism, std::vector<DefinedPart> parts,
+Formulation::Formulation(const Model& model, std::vector<DefinedPart> parts,
                          const Settings& settings, std::unique_ptr<WholeMotion> whole_motion)
-    : mechanism_(mechanism),
+    : model_(model),
       motions_({}),
       parts_(std::move(parts)),
       settings_(settings),
@@ -83,7 +83,7 @@ Formulation::Formulation(const Mechanism& mechanism, std::vector<DefinedPart> pa
       whole_motion_(std::move(whole_motion)) {
   for (State* s : {&state_, &before_})
     for (std::vector<double>* values : {&s->q, &s->qd, &s->qdd})
-      values->resize(mechanism_.state_size());
+      values->resize(model_.state_size());
   prepare();
 }
 
@@ -124,10 +124,10 @@ void Formulation::prepare() {
 
 /// All drivers are given to the state, until want() says who reads them there.
 void Formulation::sample_drivers() {
-  const PlacedMotions all = driver_motions(mechanism_);
-  std::vector<const Motion*> of_coordinate(mechanism_.state_size()), sampled;
+  const PlacedMotions all = driver_motions(model_);
+  std::vector<const Motion*> of_coordinate(model_.state_size()), sampled;
   for (std::size_t i = 0; i < all.places.size(); ++i) of_coordinate[all.places[i]] = all.motions[i];
-  std::vector<int> in_row(mechanism_.state_size(), -1);
+  std::vector<int> in_row(model_.state_size(), -1);
   const auto add = [&](int coordinate) {
     in_row[coordinate] = static_cast<int>(sampled.size());
     sampled.push_back(of_coordinate[coordinate]);
@@ -176,10 +176,10 @@ void Formulation::end_assembly() {
 
 void Formulation::want(std::span<const int> coordinates, bool in_rooms) {
   if (in_rooms == wanted_.in_rooms && std::ranges::equal(coordinates, wanted_.coordinates)) return;
-  if (in_rooms) keepers_.prepare_rooms(coordinates, mechanism_);
+  if (in_rooms) keepers_.prepare_rooms(coordinates, model_);
   wanted_.coordinates.assign(coordinates.begin(), coordinates.end());
   wanted_.in_rooms = in_rooms;
-  std::vector<bool> read(mechanism_.state_size(), !in_rooms && coordinates.empty());
+  std::vector<bool> read(model_.state_size(), !in_rooms && coordinates.empty());
   const auto are_read = [&](std::span<const int> all) {
     for (const int i : all) read[i] = true;
   };
@@ -192,7 +192,7 @@ void Formulation::want(std::span<const int> coordinates, bool in_rooms) {
       are_read(keeper->reads());
       continue;
     }
-    for (const int i : states_read(mechanism_, part.definition))
+    for (const int i : states_read(model_, part.definition))
       if (!std::ranges::binary_search(unknowns, i)) read[i] = true;
   }
   for (const DefinedPart& part : parts_) part.solver->write_only(read);
@@ -272,7 +272,7 @@ Summary Formulation::solve(std::span<const Stage> stages, double t, Level level)
       keepers_.write_last(before_.q);
       if (sampled_.z) write(drivers_);  // which the search needs
       for (const int i : definition.unknowns) state_.q[i] = before_.q[i];
-      const Culprit c = find_culprit(mechanism_, definition.groups, state_.q, settings_);
+      const Culprit c = find_culprit(model_, definition.groups, state_.q, settings_);
       summary.group = c.group;
       summary.constraint = c.constraint;
       break;
@@ -289,8 +289,8 @@ Summary Formulation::assemble(double t, Level level) {
 }
 
 Summary Formulation::assemble_alone(double t, Level level) {
-  std::ranges::copy(mechanism_.estimate, state_.q.begin());
-  std::ranges::copy(mechanism_.fixed_values, state_.q.begin() + mechanism_.coordinates());
+  std::ranges::copy(model_.estimate, state_.q.begin());
+  std::ranges::copy(model_.fixed_values, state_.q.begin() + model_.coordinates());
   for (State* s : {&state_, &before_}) {
     std::ranges::fill(s->qd, 0.0);
     std::ranges::fill(s->qdd, 0.0);
@@ -371,7 +371,7 @@ bool Formulation::enter(std::span<const double> q, double t) {
   const auto solve = [&](State& state, std::span<const double> last) {
     return solve_positions(state, last);
   };
-  assembled_ = go_straight(mechanism_, t, state_, solve);
+  assembled_ = go_straight(model_, t, state_, solve);
   if (!assembled_) return false;
   before_.q = state_.q;
   drive(t);  // whole turns

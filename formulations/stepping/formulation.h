@@ -10,7 +10,7 @@
 #include "cases/mechanism/motion.h"
 #include "formulations/base/part.h"
 #include "formulations/base/room.h"
-#include "formulations/model/mechanism.h"
+#include "formulations/model/model.h"
 #include "formulations/prediction/motions_ahead.h"
 #include "formulations/prediction/predictor.h"
 #include "formulations/stepping/keepers.h"
@@ -76,11 +76,11 @@ struct Summary {
 };
 
 /// A sentence for people: the status and, on failure, the group, the constraint and the time.
-std::string describe(const Summary& summary, const Mechanism& mechanism);
+std::string describe(const Summary& summary, const Model& model);
 
 /// Gives the driven coordinates the position, velocity and acceleration that their motions have at
 /// time t (s).
-void drive(const Mechanism& mechanism, double t, State& state);
+void drive(const Model& model, double t, State& state);
 
 /// Runs through a motion that is known in advance otherwise than step by step.
 class WholeMotion {
@@ -110,7 +110,7 @@ class Formulation {
   };
 
   /// settings: those that the parts were made with. whole_motion: how to run, if not by steps.
-  Formulation(const Mechanism& mechanism, std::vector<DefinedPart> parts, const Settings& settings,
+  Formulation(const Model& model, std::vector<DefinedPart> parts, const Settings& settings,
               std::unique_ptr<WholeMotion> whole_motion = nullptr);
 
   /// Assembles the mechanism at time t from its initial estimate, whatever was solved before.
@@ -145,7 +145,7 @@ class Formulation {
   /// Of all parts: how often pivots that were to be kept had gone bad (Part::refactorisations).
   long refactorisations() const;
 
-  const Mechanism& mechanism() const { return mechanism_; }
+  const Model& model() const { return model_; }
   const std::vector<DefinedPart>& parts() const { return parts_; }
 
   /// On ‖Φ‖₂ of the whole mechanism: as asked for, or what rounding leaves if that is more, as in
@@ -160,7 +160,7 @@ class Formulation {
 
  private:
   std::span<const double> coordinates(const std::vector<double>& v) const {
-    return {v.data(), static_cast<std::size_t>(mechanism_.coordinates())};
+    return {v.data(), static_cast<std::size_t>(model_.coordinates())};
   }
   /// An instant in one of the states, if any.
   struct Solved {
@@ -208,7 +208,7 @@ class Formulation {
   void write(std::span<const Driven> drivers);
   Summary solve(std::span<const Stage> stages, double t, Level level);
 
-  const Mechanism& mechanism_;
+  const Model& model_;
   MotionsAhead motions_;                 // of the drivers, those that keepers want first
   MotionRow sampled_{};                  // what they do at the instant driven to last
   std::vector<Driven> drivers_;          // of the mechanism …

@@ -14,7 +14,7 @@ namespace desmo {
 std::optional<Summary> Formulation::run_at_once(const TimeGrid& grid, const Request& request,
                                                 Sink& sink) {
   std::optional<Trajectory> kept;
-  if (!sink.takes_any_order()) kept.emplace(grid.instants, mechanism_.coordinates());
+  if (!sink.takes_any_order()) kept.emplace(grid.instants, model_.coordinates());
   const std::optional<Summary> total =
       whole_motion_->run(grid, request, state_, kept ? static_cast<Sink&>(*kept) : sink);
   if (!total) return {};
@@ -90,7 +90,7 @@ Summary Formulation::run(const TimeGrid& grid, const Request& request, Sink& sin
   if (settings_.stride == 1) return solve_all(grid, request, sink);
   const TimeGrid solved = grid.every(settings_.stride);
   const Request every_level{Level::acceleration, request.coordinates};
-  DenseOutput all(grid, settings_.stride, request, mechanism_.coordinates(), sink);
+  DenseOutput all(grid, settings_.stride, request, model_.coordinates(), sink);
   Summary total = solve_all(solved, every_level, all);
   if (total.ok() && all.delivered() < grid.instants) {  // the rest, shorter than the stride
     want_as(every_level, all);

@@ -28,9 +28,9 @@ void Keepers::write(State& state) const {
   for (const Kept& kept : keepers_) kept.keeper->write(state);
 }
 
-void Keepers::prepare_rooms(std::span<const int> coordinates, const Mechanism& mechanism) {
-  const std::vector<int> named = coordinates_in_room(coordinates, mechanism.coordinates());
-  std::vector<int> slots(mechanism.state_size(), -1);
+void Keepers::prepare_rooms(std::span<const int> coordinates, const Model& model) {
+  const std::vector<int> named = coordinates_in_room(coordinates, model.coordinates());
+  std::vector<int> slots(model.state_size(), -1);
   for (std::size_t n = 0; n < named.size(); ++n) slots[named[n]] = static_cast<int>(n);
   for (const Kept& kept : keepers_)  // what is filled to a lower level has drivers up to that only
     kept.keeper->prepare_rooms(slots, kept.level == Level::acceleration);

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "formulations/model/mechanism.h"
+#include "formulations/model/model.h"
 #include "formulations/stepping/keeper.h"
 
 namespace desmo {
@@ -27,7 +27,7 @@ class Keepers {
 
   /// From now on rooms are for these coordinates of a mechanism; none stands for all. Throws
   /// std::invalid_argument where one is named twice or does not exist.
-  void prepare_rooms(std::span<const int> coordinates, const Mechanism& mechanism);
+  void prepare_rooms(std::span<const int> coordinates, const Model& model);
   /// Coordinates that rooms are given from the state.
   std::vector<int> not_kept() const;
   /// Puts the instant solved last into a room, as far as `level`: what is not kept from the state.

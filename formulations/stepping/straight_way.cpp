@@ -15,7 +15,7 @@ namespace {
 /// A piece that cannot be solved is halved, down to the shortest.
 constexpr double longest_piece = 1.0 / pieces_of_a_way, shortest_piece = longest_piece / 16;
 
-double shortest_way(const Mechanism& m, const Driver& d, double from, double to) {
+double shortest_way(const Model& m, const Driver& d, double from, double to) {
   const double way = to - from;
   return m.entities[d.coordinate].kind == EntityKind::angle
              ? std::remainder(way, 2 * std::numbers::pi)
@@ -24,7 +24,7 @@ double shortest_way(const Mechanism& m, const Driver& d, double from, double to)
 
 }  // namespace
 
-std::vector<double> straight_way(const Mechanism& m, const State& from, double t) {
+std::vector<double> straight_way(const Model& m, const State& from, double t) {
   std::vector<double> way;
   for (const Driver& d : m.drivers)
     way.push_back(
@@ -32,7 +32,7 @@ std::vector<double> straight_way(const Mechanism& m, const State& from, double t
   return way;
 }
 
-bool go_straight(const Mechanism& m, double t, State& state,
+bool go_straight(const Model& m, double t, State& state,
                  const std::function<bool(State&, std::span<const double> last)>& solve) {
   const std::vector<double> way = straight_way(m, state, t);
   const State start = state;

@@ -18,7 +18,7 @@ int column_of(const std::vector<int>& unknowns, int coordinate) {
 }
 
 /// Equations × unknowns, one where an equation reads an unknown.
-CSparseMatrix incidence_matrix(const Mechanism& m, const PartDefinition& part) {
+CSparseMatrix incidence_matrix(const Model& m, const PartDefinition& part) {
   const int n = static_cast<int>(part.unknowns.size());
   const int equations = static_cast<int>(part.equations.size());
   const CSparseMatrix triplets(cs_di_spalloc(equations, n, 4 * n, 1, 1));
@@ -40,7 +40,7 @@ CSparseMatrix incidence_matrix(const Mechanism& m, const PartDefinition& part) {
 
 }  // namespace
 
-std::vector<PartDefinition> irreducible_blocks(const Mechanism& m, const PartDefinition& part) {
+std::vector<PartDefinition> irreducible_blocks(const Model& m, const PartDefinition& part) {
   const int n = static_cast<int>(part.unknowns.size());
   const CSparseMatrix matrix = incidence_matrix(m, part);
   const CSparseForm form(cs_di_dmperm(matrix.get(), 0));

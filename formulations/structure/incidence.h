@@ -2,14 +2,14 @@
 
 #include <array>
 
-#include "formulations/model/mechanism.h"
+#include "formulations/model/model.h"
 
 namespace desmo {
 
 /// Calls visit(row, state) for each partial derivative of a constraint that is not zero by
 /// structure: the row of the constraint, the component of the state.
 template <class Visit>
-void visit_incidence(const Mechanism& m, const Constraint& constraint, Visit&& visit) {
+void visit_incidence(const Model& m, const Constraint& constraint, Visit&& visit) {
   visit_kind(constraint.kind, [&]<class Kind>(Kind) {
     // The structure does not depend on the values, so that any will do.
     static constexpr std::array<double, 3> any{1, 1, 1};

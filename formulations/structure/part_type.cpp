@@ -18,7 +18,7 @@ std::string component_name(const Entity& e, int component) {
 
 }  // namespace
 
-PartType describe_type(const Mechanism& m, const PartDefinition& part) {
+PartType describe_type(const Model& m, const PartDefinition& part) {
   const auto role = [&](const Entity& e, int component) {
     if (!e.fixed && std::ranges::binary_search(part.unknowns, e.first + component))
       return Role::unknown;

@@ -41,6 +41,6 @@ struct PartType {
 };
 
 /// The canonical form of a part, of one group or more.
-PartType describe_type(const Mechanism& mechanism, const PartDefinition& part);
+PartType describe_type(const Model& model, const PartDefinition& part);
 
 }  // namespace desmo

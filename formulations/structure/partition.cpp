@@ -10,7 +10,7 @@ namespace desmo {
 
 namespace {
 
-void require_solution_order(const Mechanism& m) {
+void require_solution_order(const Model& m) {
   for (const Constraint& c : m.constraints)
     for (const EntityId e : c.operands)
       if (m.entities[e].group > c.group)
@@ -20,7 +20,7 @@ void require_solution_order(const Mechanism& m) {
 }
 
 /// All of each group, in the order of the groups.
-std::vector<PartDefinition> whole_groups(const Mechanism& m) {
+std::vector<PartDefinition> whole_groups(const Model& m) {
   std::vector<PartDefinition> parts(m.groups.size());
   for (GroupId g = 0; g < static_cast<GroupId>(parts.size()); ++g) {
     parts[g].groups = {g};
@@ -46,7 +46,7 @@ void append(PartDefinition& to, const PartDefinition& part) {
 
 }  // namespace
 
-std::vector<PartDefinition> make_partition(const Mechanism& m, Partition partition) {
+std::vector<PartDefinition> make_partition(const Model& m, Partition partition) {
   require_solution_order(m);
   std::vector<PartDefinition> constant, moving;
   for (PartDefinition& group : whole_groups(m)) {
@@ -66,7 +66,7 @@ std::vector<PartDefinition> make_partition(const Mechanism& m, Partition partiti
   return constant;
 }
 
-std::vector<PartDefinition> split_by_group(const Mechanism& m, const PartDefinition& part) {
+std::vector<PartDefinition> split_by_group(const Model& m, const PartDefinition& part) {
   if (part.groups.size() == 1) return {part};
   std::map<GroupId, PartDefinition> groups;
   for (const GroupId g : part.groups) groups[g] = {{g}, {}, {}, part.constant};
@@ -79,7 +79,7 @@ std::vector<PartDefinition> split_by_group(const Mechanism& m, const PartDefinit
   return result;
 }
 
-std::vector<int> states_read(const Mechanism& m, const PartDefinition& part) {
+std::vector<int> states_read(const Model& m, const PartDefinition& part) {
   std::vector<int> read = part.unknowns;
   for (const Equation& equation : part.equations)
     for (const EntityId e : m.constraints[equation.constraint].operands)

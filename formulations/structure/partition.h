@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "formulations/model/mechanism.h"
+#include "formulations/model/model.h"
 
 namespace desmo {
 
@@ -23,7 +23,7 @@ enum class Evaluation {
 
 /// One scalar equation.
 struct Equation {
-  int constraint;  ///< position in Mechanism::constraints
+  int constraint;  ///< position in Model::constraints
   int row;         ///< of that constraint
   bool operator==(const Equation&) const = default;
 };
@@ -39,19 +39,18 @@ struct PartDefinition {
 /// The parts of a partition in solution order; constant groups come first, each on its own.
 /// Throws std::invalid_argument when a group needs a coordinate that is found after it, or when its
 /// equations cannot determine its unknowns whatever the numbers are.
-std::vector<PartDefinition> make_partition(const Mechanism& mechanism, Partition partition);
+std::vector<PartDefinition> make_partition(const Model& model, Partition partition);
 
 /// A part cut into what belongs to each of its groups, in solution order.
-std::vector<PartDefinition> split_by_group(const Mechanism& mechanism, const PartDefinition& part);
+std::vector<PartDefinition> split_by_group(const Model& model, const PartDefinition& part);
 
 /// Positions in the state of all that a part's equations read, ascending, its unknowns among them.
-std::vector<int> states_read(const Mechanism& mechanism, const PartDefinition& part);
+std::vector<int> states_read(const Model& model, const PartDefinition& part);
 
 /// The irreducible blocks of a part's equations in solution order: the strong components of a
 /// matching of equations with unknowns (block triangular form; Dulmage & Mendelsohn 1958, as
 /// CXSparse computes it). Throws std::invalid_argument, naming what cannot be matched, when the
 /// part is structurally singular.
-std::vector<PartDefinition> irreducible_blocks(const Mechanism& mechanism,
-                                               const PartDefinition& part);
+std::vector<PartDefinition> irreducible_blocks(const Model& model, const PartDefinition& part);
 
 }  // namespace desmo

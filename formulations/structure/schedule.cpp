@@ -10,7 +10,7 @@
 
 namespace desmo {
 
-std::vector<int> gather_types(const Mechanism& m, std::vector<PartDefinition>& parts) {
+std::vector<int> gather_types(const Model& m, std::vector<PartDefinition>& parts) {
   // Depth: the longest chain of parts that must be solved before. Then first come, first served.
   std::vector<int> depth_of_coordinate(m.coordinates(), -1);
   std::map<std::string, int> number_of_type;

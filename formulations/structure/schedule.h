@@ -10,6 +10,6 @@ namespace desmo {
 /// code then is still at hand. Constant parts stay first. Parts of equal rank keep their order.
 /// Returns where runs end: positions behind the last of parts of one type that do not need each
 /// other.
-std::vector<int> gather_types(const Mechanism& mechanism, std::vector<PartDefinition>& parts);
+std::vector<int> gather_types(const Model& model, std::vector<PartDefinition>& parts);
 
 }  // namespace desmo

@@ -21,7 +21,7 @@ bool is_watched(const Constraint& constraint) {
 
 bool is_solved_to(const Plan& plan, const Constraint& constraint, Level level) {
   return std::ranges::all_of(constraint.operands, [&](EntityId id) {
-    const Entity& e = plan.mechanism.entities[id];
+    const Entity& e = plan.model.entities[id];
     return e.fixed || plan.levels[e.first] >= level;
   });
 }
@@ -31,11 +31,11 @@ bool is_solved_to(const Plan& plan, const Constraint& constraint, Level level) {
 BranchMonitor::BranchMonitor(const Plan& plan, double tolerance)
     : plan_(plan),
       allowed_(std::clamp(of_tolerance * tolerance, least, most)),
-      state_(plan.mechanism.state_size()),
-      rate_(plan.mechanism.state_size()),
-      last_(plan.mechanism.estimate),
-      driven_(independent_coordinates(plan.mechanism)) {
-  const Mechanism& m = plan.mechanism;
+      state_(plan.model.state_size()),
+      rate_(plan.model.state_size()),
+      last_(plan.model.estimate),
+      driven_(independent_coordinates(plan.model)) {
+  const Model& m = plan.model;
   std::ranges::copy(m.fixed_values, state_.begin() + m.coordinates());
   for (int c = 0; c < static_cast<int>(m.constraints.size()); ++c)
     if (is_watched(m.constraints[c])) watched_.push_back(c);
@@ -43,7 +43,7 @@ BranchMonitor::BranchMonitor(const Plan& plan, double tolerance)
 
 int BranchMonitor::violated(const Instant& instant) {
   if (watched_.empty() || instant.interpolated) return -1;
-  const Mechanism& m = plan_.mechanism;
+  const Model& m = plan_.model;
   std::ranges::copy(instant.q, state_.begin());
   std::ranges::copy(instant.qd, rate_.begin());
   for (const int c : watched_) {

@@ -14,15 +14,15 @@
 namespace desmo {
 
 struct ConditionNumber::Matrices {
-  const Mechanism& m;
+  const Model& m;
   WholeSystem system;
   std::vector<double> magnitude, state;
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::SparseMatrix<double> a;
   std::unique_ptr<KluFactors> factors;  // null: structurally singular, or not yet made
 
-  explicit Matrices(const Mechanism& mechanism)
-      : m(mechanism),
+  explicit Matrices(const Model& model)
+      : m(model),
         system(m),
         magnitude(natural_magnitudes(m)),
         state(m.state_size()),
@@ -47,7 +47,7 @@ struct ConditionNumber::Matrices {
   }
 };
 
-ConditionNumber::ConditionNumber(const Mechanism& m) : matrices_(std::make_unique<Matrices>(m)) {}
+ConditionNumber::ConditionNumber(const Model& m) : matrices_(std::make_unique<Matrices>(m)) {}
 ConditionNumber::~ConditionNumber() = default;
 
 double ConditionNumber::operator()(std::span<const double> q) {

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "formulations/base/per_level.h"
-#include "formulations/model/mechanism.h"
+#include "formulations/model/model.h"
 
 namespace desmo {
 
@@ -17,7 +17,7 @@ namespace desmo {
 class ConditionNumber {
  public:
   /// The mechanism must outlive it.
-  explicit ConditionNumber(const Mechanism& mechanism);
+  explicit ConditionNumber(const Model& model);
   ~ConditionNumber();
 
   /// q: positions in coordinate order. Infinite where Φ_φ is singular in double precision.

@@ -7,7 +7,7 @@ namespace desmo {
 
 namespace {
 
-std::vector<Asked> everything(const Mechanism& m) {
+std::vector<Asked> everything(const Model& m) {
   std::vector<Asked> all;
   for (EntityId e = 0; e < static_cast<EntityId>(m.entities.size()); ++e)
     all.push_back({e, Level::acceleration});
@@ -28,11 +28,11 @@ LevelError ErrorSum::result() const {
           compared_};
 }
 
-ErrorMeasure::ErrorMeasure(const Mechanism& m, std::span<const ReferenceInstant> reference,
+ErrorMeasure::ErrorMeasure(const Model& m, std::span<const ReferenceInstant> reference,
                            const Scales& scales)
     : ErrorMeasure(m, reference, scales, everything(m)) {}
 
-ErrorMeasure::ErrorMeasure(const Mechanism& m, std::span<const ReferenceInstant> reference,
+ErrorMeasure::ErrorMeasure(const Model& m, std::span<const ReferenceInstant> reference,
                            const Scales& scales, std::span<const Asked> outputs)
     : reference_(reference) {
   for (const auto& [id, level] : outputs) {

@@ -45,10 +45,10 @@ class ErrorSum {
 class ErrorMeasure final : public Sink {
  public:
   /// All outputs at all levels. The reference must outlive the measure.
-  ErrorMeasure(const Mechanism& mechanism, std::span<const ReferenceInstant> reference,
+  ErrorMeasure(const Model& model, std::span<const ReferenceInstant> reference,
                const Scales& scales);
   /// Of these outputs only, each as far as it is asked for (Plan::outputs); fixed ones are skipped.
-  ErrorMeasure(const Mechanism& mechanism, std::span<const ReferenceInstant> reference,
+  ErrorMeasure(const Model& model, std::span<const ReferenceInstant> reference,
                const Scales& scales, std::span<const Asked> outputs);
 
   void accept(const Instant& instant) override;

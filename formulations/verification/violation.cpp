@@ -14,7 +14,7 @@ struct ViolationMeasure::Equations {
   std::vector<Jet<Quadruple>> state, phi;
   std::vector<double> positions;  // of the state
 
-  explicit Equations(const Mechanism& m)
+  explicit Equations(const Model& m)
       : system(m), state(m.state_size()), phi(system.rows()), positions(m.state_size()) {
     for (std::size_t i = 0; i < m.fixed_values.size(); ++i) {
       positions[m.coordinates() + i] = m.fixed_values[i];
@@ -31,7 +31,7 @@ struct ViolationMeasure::Equations {
   }
 };
 
-ViolationMeasure::ViolationMeasure(const Mechanism& m, const Scales& scales,
+ViolationMeasure::ViolationMeasure(const Model& m, const Scales& scales,
                                    std::span<const double> times)
     : equations_(std::make_unique<Equations>(m)), times_(times) {
   for (const Level level : levels) {

@@ -21,7 +21,7 @@ namespace desmo {
 class ViolationMeasure final : public Sink {
  public:
   /// times: ascending, not empty; they must outlive the measure, and so must the mechanism.
-  ViolationMeasure(const Mechanism& mechanism, const Scales& scales, std::span<const double> times);
+  ViolationMeasure(const Model& model, const Scales& scales, std::span<const double> times);
   ~ViolationMeasure() override;
 
   void accept(const Instant& instant) override;

@@ -17,7 +17,7 @@ namespace {
 
 /// Two links of length 1 from (0, 0) and (2 cos α, 0) that meet in C = (cos α, sin α).
 struct Dyad {
-  Mechanism m;
+  Model m;
   std::vector<double> q;
 
   explicit Dyad(double alpha) : q{std::cos(alpha), std::sin(alpha)} {
@@ -48,7 +48,7 @@ TEST(Condition, OfASingularPositionIsInfiniteOrBeyondDouble) {
 TEST(Condition, DoesNotDependOnUnits) {
   double condition[2];
   for (int unit = 0; unit < 2; ++unit) {
-    const Mechanism m = make_mechanism(enlarged(library_scene("stewart"), unit == 0 ? 1 : 1e6));
+    const Model m = make_model(enlarged(library_scene("stewart"), unit == 0 ? 1 : 1e6));
     const auto r = reference_solution(m, std::vector{0.1}, Precision::standard);
     condition[unit] = ConditionNumber(m)(r[0].q);
   }
@@ -66,7 +66,7 @@ TEST(Condition, LimitGrowsWithTheLevel) {
 TEST(Condition, PredictsWhatDoubleReaches) {
   for (const LibraryMechanism& l : library()) {
     const Scene scene = library_scene(l.name);
-    const Mechanism m = make_mechanism(scene);
+    const Model m = make_model(scene);
     const Reference r = make_reference(m, sampled(scene.grid, 9));
     ErrorMeasure measure(m, r.instants, r.scales);
     const auto f =

@@ -15,7 +15,7 @@ namespace {
 TEST(Drift, IsTheRoundingOfTheDriver) {
   const int steps = DESMO_TEST_SECONDS < 30 ? 2'000 : 10'000;
   const Scene scene = library_scene("slider_crank");
-  const Mechanism m = make_mechanism(scene);
+  const Model m = make_model(scene);
   const TimeGrid grid{0, scene.grid.step, steps};
   const double turned = 2 * std::numbers::pi * grid.time(steps);  // one turn a second
   for (const char* id : {"global_automatic_klu", "group_symbolic_inlined"}) {
@@ -37,7 +37,7 @@ TEST(Drift, IsTheRoundingOfTheDriver) {
 
 TEST(Drift, TakesNoMoreInstantsThanThereAre) {
   const Scene scene = library_scene("slider_crank");
-  const Mechanism m = make_mechanism(scene);
+  const Model m = make_model(scene);
   const auto f = make_formulation(find_variant("global_automatic_klu"), m);
   const Drift d = measure_drift(*f, {0, scene.grid.step, 7}, 1000);
   EXPECT_EQ(d.first.instants, 3);

@@ -16,20 +16,18 @@ namespace {
 
 class SliderCrank : public testing::Test {
  protected:
-  static const Mechanism& mechanism() {
-    static const Mechanism m = make_mechanism(library_scene("slider_crank"));
+  static const Model& model() {
+    static const Model m = make_model(library_scene("slider_crank"));
     return m;
   }
   static const Reference& reference() {
-    static const Reference r = make_reference(mechanism(), std::vector{0.0, 0.2, 0.5, 0.9});
+    static const Reference r = make_reference(model(), std::vector{0.0, 0.2, 0.5, 0.9});
     return r;
   }
-  static int first(const std::string& name) {
-    return mechanism().entities[mechanism().find(name)].first;
-  }
+  static int first(const std::string& name) { return model().entities[model().find(name)].first; }
   static int outputs() {
     int moving = 0;
-    for (const Entity& e : mechanism().entities) moving += !e.fixed;
+    for (const Entity& e : model().entities) moving += !e.fixed;
     return moving;
   }
   static Instant instant(int index, const ReferenceInstant& r) {
@@ -57,7 +55,7 @@ TEST_F(SliderCrank, SaysMaximumAndRmsOfAKnownError) {
   wrong[0].qd[first("s")] += 1e-5 * scales.length.velocity;
   wrong[3].qdd[first("phi")] += 1e-4 * scales.rotation.acceleration;
 
-  ErrorMeasure measure(mechanism(), reference().instants, scales);
+  ErrorMeasure measure(model(), reference().instants, scales);
   for (int i = 0; i < 4; ++i) measure.accept(instant(i, wrong[i]));
   const Error e = measure.error();
   EXPECT_EQ(e.instants, 4);
@@ -72,7 +70,7 @@ TEST_F(SliderCrank, SaysMaximumAndRmsOfAKnownError) {
 }
 
 TEST_F(SliderCrank, ResolvesWhatRoundingToDoubleLoses) {
-  ErrorMeasure measure(mechanism(), reference().instants, reference().scales);
+  ErrorMeasure measure(model(), reference().instants, reference().scales);
   double expected = 0;
   for (int i = 0; i < 4; ++i) {
     const ReferenceInstant& r = reference().instants[i];
@@ -89,7 +87,7 @@ TEST_F(SliderCrank, ResolvesWhatRoundingToDoubleLoses) {
 TEST_F(SliderCrank, CountsAWholeTurnAsAnError) {
   std::vector<ReferenceInstant> wrong = reference().instants;
   wrong[1].q[first("phi")] += 2 * 3.14159265358979323846;
-  ErrorMeasure measure(mechanism(), reference().instants, reference().scales);
+  ErrorMeasure measure(model(), reference().instants, reference().scales);
   measure.accept(instant(1, wrong[1]));
   EXPECT_NEAR(measure.error().position.max, 6.283, 1e-3);
 }
@@ -97,7 +95,7 @@ TEST_F(SliderCrank, CountsAWholeTurnAsAnError) {
 TEST_F(SliderCrank, NotANumberIsInfinitelyWrong) {
   std::vector<ReferenceInstant> wrong = reference().instants;
   wrong[0].qd[first("s")] = std::numeric_limits<double>::quiet_NaN();
-  ErrorMeasure measure(mechanism(), reference().instants, reference().scales);
+  ErrorMeasure measure(model(), reference().instants, reference().scales);
   for (int i = 0; i < 4; ++i) measure.accept(instant(i, wrong[i]));
   EXPECT_LT(measure.error().position.max, 1e-15);
   EXPECT_EQ(measure.error().velocity.max, INFINITY);
@@ -110,15 +108,15 @@ TEST_F(SliderCrank, ComparesOnlyWhatIsAskedAndDelivered) {
     r.q[first("phi")] += 1;
     r.qd[first("s")] += 1;
   }
-  const std::vector<Asked> asked{{mechanism().find("s"), Level::position},
-                                 {mechanism().find("A"), Level::acceleration}};  // A is fixed
-  ErrorMeasure measure(mechanism(), reference().instants, reference().scales, asked);
+  const std::vector<Asked> asked{{model().find("s"), Level::position},
+                                 {model().find("A"), Level::acceleration}};  // A is fixed
+  ErrorMeasure measure(model(), reference().instants, reference().scales, asked);
   for (int i = 0; i < 4; ++i) measure.accept(instant(i, wrong[i]));
   EXPECT_EQ(measure.error().position.compared, 4);
   EXPECT_LT(measure.error().position.max, 1e-15);
   EXPECT_EQ(measure.error().velocity.compared, 0);
 
-  ErrorMeasure positions(mechanism(), reference().instants, reference().scales);
+  ErrorMeasure positions(model(), reference().instants, reference().scales);
   const ReferenceInstant& r = reference().instants[0];
   positions.accept({0, r.time, r.q, {}, {}});
   EXPECT_EQ(positions.error().position.compared, outputs());
@@ -126,12 +124,12 @@ TEST_F(SliderCrank, ComparesOnlyWhatIsAskedAndDelivered) {
 }
 
 TEST_F(SliderCrank, SkipsInstantsThatTheReferenceHasNot) {
-  ErrorMeasure measure(mechanism(), reference().instants, reference().scales);
+  ErrorMeasure measure(model(), reference().instants, reference().scales);
   const auto f =
-      make_formulation(find_variant("global_automatic_klu"), mechanism(), {.tolerance = 1e-13});
+      make_formulation(find_variant("global_automatic_klu"), model(), {.tolerance = 1e-13});
   const TimeGrid grid{0, 0.05, 21};
   const Summary s = f->run(grid, {}, measure);
-  ASSERT_TRUE(s.ok()) << describe(s, mechanism());
+  ASSERT_TRUE(s.ok()) << describe(s, model());
   int common = 0;  // instants of the grid that are, to the last bit, instants of the reference
   for (int i = 0; i < grid.instants; ++i)
     for (const ReferenceInstant& r : reference().instants) common += r.time == grid.time(i);
@@ -145,7 +143,7 @@ TEST(ErrorMeasure, IsTheSameInMetresAndMillimetres) {
   for (int unit = 0; unit < 2; ++unit) {
     const double factor = unit == 0 ? 1 : 1000;
     const Scene scene = enlarged(library_scene("double_wishbone"), factor);
-    const Mechanism m = make_mechanism(scene);
+    const Model m = make_model(scene);
     const Reference r = make_reference(m, sampled(scene.grid, 5));
     ErrorMeasure measure(m, r.instants, r.scales);
     for (const ReferenceInstant& at : r.instants) {
@@ -169,7 +167,7 @@ TEST(ErrorMeasure, IsTheSameInMetresAndMillimetres) {
 }
 
 TEST(Scales, WhatDoesNotMoveIsJudgedByWhatDoes) {
-  Mechanism m;
+  Model m;
   const GroupId g = m.add_group("g", {"body"});
   m.add(EntityKind::point, "P", std::array{3.0, 4.0}, g);
   m.add_fixed(EntityKind::point, "O", std::array{0.0, 0.0});

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double agreement = 1e-25;
 
-void expect_agreement(const Mechanism& m, const TimeGrid& grid, int instants) {
+void expect_agreement(const Model& m, const TimeGrid& grid, int instants) {
   const std::vector<double> times = sampled(grid, instants);
   const Reference r = make_reference(m, times);
   ASSERT_EQ(r.instants.size(), times.size());
@@ -35,7 +35,7 @@ class ReferenceOfCase : public testing::TestWithParam<std::pair<const Case*, int
 TEST_P(ReferenceOfCase, TwoFormulationsAgreeOverTheMotion) {
   const auto [definition, coordinates] = GetParam();
   const Scene scene = describe(*definition, coordinates);
-  expect_agreement(make_mechanism(scene), time_grid(DESMO_TEST_SECONDS, 0.01), 16);
+  expect_agreement(make_model(scene), time_grid(DESMO_TEST_SECONDS, 0.01), 16);
 }
 
 std::vector<std::pair<const Case*, int>> ends_of_sizes() {
@@ -54,20 +54,20 @@ INSTANTIATE_TEST_SUITE_P(Cases, ReferenceOfCase, testing::ValuesIn(ends_of_sizes
 TEST(Reference, TwoFormulationsAgreeOnTheLibrary) {
   for (const LibraryMechanism& l : library()) {
     const Scene scene = library_scene(l.name);
-    expect_agreement(make_mechanism(scene), scene.grid, 16);
+    expect_agreement(make_model(scene), scene.grid, 16);
   }
 }
 
 TEST(Reference, TwoFormulationsAgreeWhateverTheUnit) {
   for (const double factor : {1e-9, 1e9}) {
     const Scene scene = enlarged(library_scene("slider_crank"), factor);
-    expect_agreement(make_mechanism(scene), scene.grid, 9);
+    expect_agreement(make_model(scene), scene.grid, 9);
   }
 }
 
 TEST(Reference, ADifferenceOfOneOutputShowsInTheFloor) {
   const Scene scene = library_scene("slider_crank");
-  const Mechanism m = make_mechanism(scene);
+  const Model m = make_model(scene);
   GroupwiseSolver<Quadruple> groups(m);
   GlobalSolver<Quadruple> global(m);
   groups.solve_positions(0.1);
@@ -89,7 +89,7 @@ TEST(Reference, ADifferenceOfOneOutputShowsInTheFloor) {
 }
 
 TEST(Reference, KeepsWhatRoundingLeft) {
-  const Mechanism m = make_mechanism(library_scene("slider_crank"));
+  const Model m = make_model(library_scene("slider_crank"));
   const auto r = reference_solution(m, std::vector{0.0, 0.1}, Precision::quadruple)[1];
   double largest = 0;
   for (std::size_t i = 0; i < r.q.size(); ++i) {
@@ -105,7 +105,7 @@ TEST(Reference, KeepsWhatRoundingLeft) {
 using WideJet = exact::BasicJet<Quadruple>;
 
 /// A coordinate with all digits the reference has, at each level.
-WideJet found(const ReferenceInstant& r, const Mechanism& m, const std::string& name, int i = 0) {
+WideJet found(const ReferenceInstant& r, const Model& m, const std::string& name, int i = 0) {
   const int at = m.entities[m.find(name)].first + i;
   return {Quadruple(r.q[at]) + r.rest.q[at], Quadruple(r.qd[at]) + r.rest.qd[at],
           Quadruple(r.qdd[at]) + r.rest.qdd[at]};
@@ -118,20 +118,20 @@ void expect_near(const WideJet& a, const WideJet& b, const std::string& what) {
 }
 
 /// The angle that drives: c₀ + c₁ t.
-WideJet driven(const Mechanism& m, double t) {
+WideJet driven(const Model& m, double t) {
   const auto& c = std::get<Polynomial>(m.drivers[0].motion).coefficients;
   return WideJet(Quadruple(c[0])) + WideJet(Quadruple(c[1])) * WideJet::time(t);
 }
 
 /// The constant of the only constraint with these operands: a length as the model has rounded it.
-Quadruple constant(const Mechanism& m, const std::vector<EntityId>& operands) {
+Quadruple constant(const Model& m, const std::vector<EntityId>& operands) {
   for (const Constraint& c : m.constraints)
     if (c.operands == operands) return c.constants.at(0);
   throw std::invalid_argument("no such constraint");
 }
 
 TEST(Reference, IsTheClosedFormOfTheSliderCrank) {
-  const Mechanism m = make_mechanism(library_scene("slider_crank"));
+  const Model m = make_model(library_scene("slider_crank"));
   const EntityId A = m.find("A"), B = m.find("B"), C = m.find("C");
   const WideJet crank(constant(m, {A, B, m.find("theta")}));
   const WideJet rod(constant(m, {B, C, m.find("phi")}));
@@ -166,7 +166,7 @@ WidePoint meet(const WidePoint& p, WideJet p_radius, const WidePoint& q, WideJet
 /// to 1e-15 only.
 TEST(Reference, IsTheClosedFormOfTheChainOfDyads) {
   constexpr int dyads = 12;
-  const Mechanism m = make_mechanism(four_bar(dyads));
+  const Model m = make_model(four_bar(dyads));
   const EntityId A = m.find("crank/A"), B = m.find("crank/B");
   const WideJet crank(constant(m, {A, B, m.find("crank/theta")}));
   const std::vector<double> times{0, 0.01, 1, 2.5, 30};

@@ -8,7 +8,7 @@
 #include "cases/generators/cases.h"
 #include "cases/io/files.h"
 #include "cases/library/library.h"
-#include "formulations/modelling/model.h"
+#include "formulations/modelling/modelling.h"
 
 namespace desmo {
 
@@ -38,13 +38,13 @@ inline Motion enlarged(Motion motion, double factor) {
 
 /// The same mechanism and motion with all lengths times a factor; angles as they were.
 inline Scene enlarged(Scene scene, double factor) {
-  for (Description::Point& p : scene.mechanism.points)
+  for (Mechanism::Point& p : scene.mechanism.points)
     for (double& x : p.position) x *= factor;
-  for (Description::Body& b : scene.mechanism.bodies)
+  for (Mechanism::Body& b : scene.mechanism.bodies)
     if (b.length) *b.length *= factor;
   auto motion = scene.motions.begin();
-  for (Description::Coordinate& c : scene.mechanism.coordinates) {
-    const bool length = c.type != Description::CoordinateType::angle;
+  for (Mechanism::Coordinate& c : scene.mechanism.coordinates) {
+    const bool length = c.type != Mechanism::CoordinateType::angle;
     if (length && c.estimate) *c.estimate *= factor;
     if (length && c.driven) *motion = enlarged(*motion, factor);
     if (c.driven) ++motion;

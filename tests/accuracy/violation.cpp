@@ -14,7 +14,7 @@ namespace {
 struct Violated {
   explicit Violated(double factor)
       : scene(enlarged(library_scene("stewart"), factor)),
-        m(make_mechanism(scene)),
+        m(make_model(scene)),
         times(sampled(scene.grid, 5)),
         reference(make_reference(m, times)) {}
 
@@ -25,7 +25,7 @@ struct Violated {
   }
 
   Scene scene;
-  Mechanism m;
+  Model m;
   std::vector<double> times;
   Reference reference;
 };

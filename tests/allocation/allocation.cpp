@@ -105,7 +105,7 @@ class EveryStep : public EveryVariant {};
 TEST_P(EveryStep, AllocatesNothingInAStep) {
   const Variant& v = GetParam();
   for (const Case& c : cases()) {
-    const Mechanism m = make_mechanism(describe(c, is_dense_global(v) ? 114 : 558));
+    const Model m = make_model(describe(c, is_dense_global(v) ? 114 : 558));
     const auto f = make_formulation(v, m);
     ASSERT_TRUE(f->assemble(0).ok());
     constexpr int steps = 50;
@@ -123,7 +123,7 @@ TEST_P(EveryStep, AllocatesNothingInAStep) {
 }
 
 TEST(Measures, AllocateNothingWhileInstantsArrive) {
-  const Mechanism m = make_mechanism(describe(cases().back(), 114));
+  const Model m = make_model(describe(cases().back(), 114));
   const std::vector<double> times{0, 0.1, 0.2};
   const Reference reference = make_reference(m, times);
   ErrorMeasure error(m, reference.instants, reference.scales);
@@ -144,7 +144,7 @@ TEST(Measures, AllocateNothingWhileInstantsArrive) {
 /// Once warm: a pivot order that has to be chosen anew is KLU's to allocate.
 TEST_P(EveryStep, AllocatesNothingInAStepWhateverTheSettings) {
   const Variant& v = GetParam();
-  const Mechanism m = make_mechanism(describe(find_case("truck_suspension"), 114));
+  const Model m = make_model(describe(find_case("truck_suspension"), 114));
   for (const char* suffixes :
        {"/guess:linear", "/guess:quadratic", "/guess:hermite3", "/guess:hermite5", "/guess:adams8",
         "/jacobian:step", "/jacobian:chord", "/guess:hermite5/jacobian:step",
@@ -174,7 +174,7 @@ TEST(TreePeers, AllocateNothingInAStep) {
     if (!peer->name.starts_with("tree")) continue;  // libraries do as they like
     for (const Case& c : cases()) {
       const Scene scene = describe(c, 558);
-      const Mechanism m = make_mechanism(scene);
+      const Model m = make_model(scene);
       const auto solver = peer->make(scene, m);
       solver->assemble(0);
       const long n = count([&] {
@@ -191,7 +191,7 @@ TEST(DenseOutput, AllocatesNothingFromInstantToInstant) {
    public:
     void accept(const Instant&) override {}
   } sink;
-  const Mechanism m = make_mechanism(describe(find_case("truck_suspension"), 114));
+  const Model m = make_model(describe(find_case("truck_suspension"), 114));
   const auto f = make_formulation(find_variant("group_symbolic_klu"), m, {.stride = 8});
   ASSERT_TRUE(f->run(time_grid(1, 0.01), {}, sink).ok());
   const long once = count([&] { f->run(time_grid(0.08, 0.01), {}, sink); });

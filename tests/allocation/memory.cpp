@@ -40,7 +40,7 @@ class EveryLongRun : public EveryVariant {};
 /// UMFPACK's and SPQR's factors are made anew in every step and are not always of one size.
 TEST_P(EveryLongRun, HoldsNoMoreMemoryAfterManySteps) {
   constexpr std::size_t size_of_factors = 4096;
-  const Mechanism m = four_bar_mechanism(1);
+  const Model m = four_bar_model(1);
   const auto f = make_formulation(GetParam(), m);
   const Held h = held(*f, 1000, 20'000);
   EXPECT_LE(h.late, h.early + size_of_factors);

@@ -29,9 +29,9 @@ constexpr std::size_t axle_size = 39, lever_size = 19;
 class Pieces : public ::testing::Test {
  protected:
   void make(int axles) {
-    mechanism_ = truck_mechanism(axles);
-    definitions_ = make_partition(mechanism_, Partition::group);
-    reference_ = make_formulation(find_variant("group_automatic_eigen"), mechanism_);
+    model_ = truck_model(axles);
+    definitions_ = make_partition(model_, Partition::group);
+    reference_ = make_formulation(find_variant("group_automatic_eigen"), model_);
   }
 
   std::vector<std::size_t> of_size(std::size_t unknowns) const {
@@ -43,13 +43,13 @@ class Pieces : public ::testing::Test {
 
   std::unique_ptr<ExplicitPart> part(std::size_t i, const ExplicitKernel& kernel) {
     return std::make_unique<ExplicitPart>(
-        kernel, bind_kernel(mechanism_, definitions_[i]).value(),
-        Magnitudes(mechanism_).weights(definitions_[i]), Settings{.tolerance = 1e-11},
+        kernel, bind_kernel(model_, definitions_[i]).value(),
+        Magnitudes(model_).weights(definitions_[i]), Settings{.tolerance = 1e-11},
         std::make_unique<Borrowed>(*reference_->parts()[i].solver));
   }
 
   const ExplicitKernel& kernel(std::size_t i) const {
-    return *find_explicit_kernel(bind_kernel(mechanism_, definitions_[i])->kernel->fingerprint);
+    return *find_explicit_kernel(bind_kernel(model_, definitions_[i])->kernel->fingerprint);
   }
 
   Copy copy(const std::vector<std::size_t>& parts) {
@@ -67,10 +67,10 @@ class Pieces : public ::testing::Test {
 
   /// Of each position in the state.
   std::vector<StateKind> kinds() const {
-    std::vector<StateKind> result(mechanism_.state_size(), StateKind::constant);
-    std::fill_n(result.begin(), mechanism_.coordinates(), StateKind::solved);
-    for (const Driver& d : mechanism_.drivers)
-      result[mechanism_.entities[d.coordinate].first] = StateKind::driven;
+    std::vector<StateKind> result(model_.state_size(), StateKind::constant);
+    std::fill_n(result.begin(), model_.coordinates(), StateKind::solved);
+    for (const Driver& d : model_.drivers)
+      result[model_.entities[d.coordinate].first] = StateKind::driven;
     return result;
   }
 
@@ -104,7 +104,7 @@ class Pieces : public ::testing::Test {
 
   State solved() const {
     State s;
-    const auto size = static_cast<std::size_t>(mechanism_.state_size());
+    const auto size = static_cast<std::size_t>(model_.state_size());
     const auto put = [&](std::span<const double> from, std::vector<double>& to) {
       to.assign(from.begin(), from.end());
       to.resize(size, 0);
@@ -112,7 +112,7 @@ class Pieces : public ::testing::Test {
     put(reference_->q(), s.q);
     put(reference_->qd(), s.qd);
     put(reference_->qdd(), s.qdd);
-    std::ranges::copy(mechanism_.fixed_values, s.q.begin() + mechanism_.coordinates());
+    std::ranges::copy(model_.fixed_values, s.q.begin() + model_.coordinates());
     return s;
   }
 
@@ -162,7 +162,7 @@ class Pieces : public ::testing::Test {
     EXPECT_EQ(together.fallbacks(), 2);
 
     // Predicted, with nobody who reads anything: the state knows nothing of unknowns and drivers.
-    together.write_only(std::vector<bool>(mechanism_.state_size(), false));
+    together.write_only(std::vector<bool>(model_.state_size(), false));
     const Driven drivers(together, expected);
     EXPECT_EQ(drivers.z.empty(), copies.front().size() == 1);  // levers have none
     for (int i = 0; i < 2; ++i) {
@@ -175,15 +175,15 @@ class Pieces : public ::testing::Test {
     std::vector<double> last = s.q;
     together.write_last(last);
     together.write(s);
-    for (int i = 0; i < mechanism_.coordinates(); ++i) EXPECT_NEAR(last[i], s.q[i], 1e-10) << i;
-    for (int i = 0; i < mechanism_.coordinates(); ++i) {
+    for (int i = 0; i < model_.coordinates(); ++i) EXPECT_NEAR(last[i], s.q[i], 1e-10) << i;
+    for (int i = 0; i < model_.coordinates(); ++i) {
       EXPECT_NEAR(s.q[i], expected.q[i], 1e-10) << i;
       EXPECT_NEAR(s.qd[i], expected.qd[i], 1e-9) << i;
       EXPECT_NEAR(s.qdd[i], expected.qdd[i], 1e-8) << i;
     }
   }
 
-  Mechanism mechanism_;
+  Model model_;
   std::vector<PartDefinition> definitions_;
   std::unique_ptr<Formulation> reference_;
 };
@@ -217,7 +217,7 @@ TEST_F(Pieces, LeaveInTheStateWhatIsReadThere) {
     kernels = {find_lane_kernel(kernel(lever).fingerprint, 4)};
   }
   LanePart together({kernels}, std::move(members), kinds(), Guess::previous);
-  std::vector<bool> read(mechanism_.state_size(), false);
+  std::vector<bool> read(model_.state_size(), false);
   const int there = definitions_[copies[1][0]].unknowns[3];
   read[there] = true;
   together.write_only(read);

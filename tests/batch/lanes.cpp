@@ -60,7 +60,7 @@ TEST(Lanes, SolveWhatSolvingOneByOneSolves) {
 }
 
 TEST(Lanes, WriteWhatIsAskedForAndAllForThoseWhoTakeSteps) {
-  const Mechanism m = truck_mechanism(5);
+  const Model m = truck_model(5);
   const TimeGrid grid{0, 0.01, 20};
   const std::vector<int> asked{m.coordinates() - 1, 40, 151};
   for (const int lanes : lanes_here()) {
@@ -82,7 +82,7 @@ TEST(Lanes, WriteWhatIsAskedForAndAllForThoseWhoTakeSteps) {
 }
 
 TEST(Lanes, TakeTwinsAndAxlesTogether) {
-  const Mechanism m = truck_mechanism(2);
+  const Model m = truck_model(2);
   const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, on_lanes);
   ASSERT_EQ(f->parts().size(), 4u);  // y1, two axles, four levers, four dampers
   int unknowns = 0;
@@ -93,7 +93,7 @@ TEST(Lanes, TakeTwinsAndAxlesTogether) {
 TEST(Lanes, StandInTheIdAndAreRefusedWhereThereIsNoCode) {
   const Variant& v = find_variant("group_symbolic_explicit");
   EXPECT_EQ(id_with(v, on_lanes), "group_symbolic_explicit/lanes:4");
-  const Mechanism m = four_bar_mechanism(1);
+  const Model m = four_bar_model(1);
   EXPECT_THROW(make_formulation(v, m, {.lanes = 5}), std::invalid_argument);
   EXPECT_THROW(make_formulation(find_variant("group_symbolic_inlined"), m, on_lanes),
                std::invalid_argument);
@@ -108,7 +108,7 @@ TEST(Lanes, StandInTheIdAndAreRefusedWhereThereIsNoCode) {
 /// no more calls than axles, levers and dampers each by themselves.
 TEST(Lanes, TakeWholeAxlesAsCopies) {
   const auto parts = [](int axles, int lanes) {
-    const Mechanism m = truck_mechanism(axles);
+    const Model m = truck_model(axles);
     return make_formulation(find_variant("group_symbolic_explicit"), m, {.lanes = lanes})
         ->parts()
         .size();
@@ -123,7 +123,7 @@ TEST(Lanes, TakeWholeAxlesAsCopies) {
 
 TEST(Lanes, AreAsManyAsThereAre) {
   if (!has_lanes(8)) GTEST_SKIP() << not_here({.lanes = 8});
-  const Mechanism m = truck_mechanism(5);
+  const Model m = truck_model(5);
   const auto four = make_formulation(find_variant("group_symbolic_explicit"), m, {.lanes = 4}),
              eight = make_formulation(find_variant("group_symbolic_explicit"), m, {.lanes = 8});
   ASSERT_TRUE(four->assemble(0).ok() && eight->assemble(0).ok());

@@ -24,7 +24,7 @@
 namespace desmo::parallel_motion_test {
 namespace {
 
-std::unique_ptr<Formulation> make(const Mechanism& m, const std::string& id) {
+std::unique_ptr<Formulation> make(const Model& m, const std::string& id) {
   const Configuration c = parse_id(id);
   return make_formulation(*c.variant, m, c.settings);
 }
@@ -43,7 +43,7 @@ TimeGrid worth_three_threads(const TimeGrid& grid, const Formulation& f) {
 }
 
 /// Solves with and without threads, and compares.
-void compare(const Mechanism& m, const TimeGrid& of_scene, const std::string& id, int threads) {
+void compare(const Model& m, const TimeGrid& of_scene, const std::string& id, int threads) {
   const std::string parallel_id = id + "/threads:" + std::to_string(threads);
   const auto serial = make(m, id), parallel = make(m, parallel_id);
   const TimeGrid grid = worth_three_threads(of_scene, *serial);
@@ -65,7 +65,7 @@ TEST(ParallelMotion, SolvesWhatOneThreadSolves) {
 
 TEST(ParallelMotion, GoesWithEveryAlgebra) {
   set_blas_threads(1);  // more wait for each other where matrices are this small
-  const Mechanism m = truck_mechanism(1);
+  const Model m = truck_model(1);
   for (const Variant& v : tested_variants())
     if (v.partition == Partition::group && (v.evaluation == Evaluation::automatic || !v.backend))
       compare(m, time_grid(1, 0.01), v.id, 2);
@@ -76,7 +76,7 @@ TEST(ParallelMotion, IsSolvedByAsManyThreadsAsAskedFor) {
     for (const char* id : {"group_symbolic_explicit/threads:3", "group_automatic_klu/threads:3",
                            "group_symbolic_explicit/lanes:4/threads:3",
                            "group_symbolic_explicit/segments:4/threads:3"}) {
-      const Mechanism m = make_mechanism(c.describe(2));
+      const Model m = make_model(c.describe(2));
       const auto f = make(m, id);
       const TimeGrid grid = worth_three_threads(time_grid(3, 0.01), *f);
       Everything sink(grid.instants, true);
@@ -89,7 +89,7 @@ TEST(ParallelMotion, IsSolvedByAsManyThreadsAsAskedFor) {
 
 /// Whichever thread is first: to the last bit, in order of time for who needs it.
 TEST(ParallelMotion, DoesNotDependOnWhoIsFirst) {
-  const Mechanism m = truck_mechanism(2);
+  const Model m = truck_model(2);
   const auto f = make(m, "group_symbolic_explicit/guess:hermite5/threads:3");
   const TimeGrid grid = worth_three_threads(time_grid(3, 0.01), *f);
   Everything first(grid.instants, true), again(grid.instants, false);
@@ -104,7 +104,7 @@ TEST(ParallelMotion, DoesNotDependOnWhoIsFirst) {
 }
 
 TEST(ParallelMotion, StaysOnOneThreadWhereThereIsLittleToDo) {
-  const Mechanism m = four_bar_mechanism(1);
+  const Model m = four_bar_model(1);
   const auto f = make(m, "group_symbolic_explicit/threads:3");
   const TimeGrid grid = time_grid(3, 0.01);
   Everything sink(grid.instants, true);
@@ -115,7 +115,7 @@ TEST(ParallelMotion, StaysOnOneThreadWhereThereIsLittleToDo) {
 }
 
 TEST(ParallelMotion, LeavesTheLastInstantToStepOnFrom) {
-  const Mechanism m = truck_mechanism(2);
+  const Model m = truck_model(2);
   const auto f = make(m, "group_symbolic_explicit/threads:2"),
              g = make(m, "group_symbolic_explicit");
   const TimeGrid grid = worth_three_threads(time_grid(2, 0.01), *f);
@@ -126,7 +126,7 @@ TEST(ParallelMotion, LeavesTheLastInstantToStepOnFrom) {
 
 /// Only what is asked for is solved on threads, too.
 TEST(ParallelMotion, LeavesOutWhatNobodyAsksFor) {
-  const Mechanism m = truck_mechanism(2);
+  const Model m = truck_model(2);
   const auto f = make(m, "group_symbolic_explicit/threads:2");
   f->solve_only(std::vector(m.coordinates(), Level::position));
   const TimeGrid grid = worth_three_threads(time_grid(2, 0.01), *f);
@@ -138,7 +138,7 @@ TEST(ParallelMotion, LeavesOutWhatNobodyAsksFor) {
 
 /// Links that are too short where the crank points away: the same failure, and nothing after it.
 TEST(ParallelMotion, FailsAsStepsFail) {
-  Mechanism m = four_bar_mechanism(1);
+  Model m = four_bar_model(1);
   for (Constraint& c : m.constraints) {
     if (c.name.starts_with("dyad1/coupler")) c.constants[0] = 3.75 * 3.75;
     if (c.name.find("psi") != std::string::npos) c.constants[0] = 4;
@@ -160,8 +160,8 @@ TEST(ParallelMotion, FailsAsStepsFail) {
 }
 
 TEST(ParallelMotion, IsGivenUpWhereStretchesDoNotMeet) {
-  const Mechanism m = truck_mechanism(1);
-  Mechanism other = m;
+  const Model m = truck_model(1);
+  Model other = m;
   for (Constraint& c : other.constraints)
     for (double& constant : c.constants) constant *= 1 + 1e-5;
   std::vector<std::unique_ptr<Formulation>> workers;
@@ -182,7 +182,7 @@ TEST(ParallelMotion, IsGivenUpWhereStretchesDoNotMeet) {
 }
 
 TEST(ParallelMotion, HandsOnWhatASinkThrows) {
-  const Mechanism m = truck_mechanism(2);
+  const Model m = truck_model(2);
   const auto f = make(m, "group_symbolic_explicit/threads:2");
   const TimeGrid grid = worth_three_threads(time_grid(1, 0.01), *f);
   class Full final : public Sink {
@@ -203,8 +203,7 @@ TEST(ParallelMotion, StandsInTheId) {
   EXPECT_EQ(c.settings.threads, 2);
   EXPECT_EQ(id_with(*c.variant, c.settings), id);
   EXPECT_THROW(parse_id("group_symbolic_explicit/threads:65"), std::invalid_argument);
-  EXPECT_THROW(make_formulation(*c.variant, truck_mechanism(1), {.threads = 0}),
-               std::invalid_argument);
+  EXPECT_THROW(make_formulation(*c.variant, truck_model(1), {.threads = 0}), std::invalid_argument);
 }
 
 }  // namespace

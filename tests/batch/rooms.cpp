@@ -23,21 +23,21 @@ namespace desmo::rooms_test {
 namespace {
 
 /// Five axles: a batch with lanes that are left empty, or one full and an axle left over.
-const Mechanism& truck() {
-  static const Mechanism m = truck_mechanism(5);
+const Model& truck() {
+  static const Model m = truck_model(5);
   return m;
 }
 
 const TimeGrid grid{0, 0.01, 60};
 
-std::vector<int> all_of(const Mechanism& m) {
+std::vector<int> all_of(const Model& m) {
   std::vector<int> all(m.coordinates());
   for (int i = 0; i < m.coordinates(); ++i) all[i] = i;
   return all;
 }
 
 /// Some of every axle and what none of them has, as they come; all of one axle; all.
-std::vector<std::vector<int>> selections(const Mechanism& m) {
+std::vector<std::vector<int>> selections(const Model& m) {
   const std::vector<int> all = all_of(m);
   std::vector<int> scattered;
   for (int i = m.coordinates() - 1; i >= 0; i -= 7) scattered.push_back(i);
@@ -98,7 +98,7 @@ TEST_P(OnLanes, NothingIsMissingBehindARunThatWasAskedForLittle) {
 
 /// Up to the instant before which an axle is driven out of its reach.
 TEST_P(OnLanes, PositionsAreAsTheyWereBehindARunThatFails) {
-  Mechanism m = truck();
+  Model m = truck();
   const int last = 20;
   std::get<HarmonicSum>(m.drivers[2].motion).terms.push_back({0.2, 1.0, -grid.time(last)});
   const TimeGrid far{0, 0.1, 60};

@@ -53,7 +53,7 @@ class OnTheCases : public testing::TestWithParam<Settings> {};
 
 TEST_P(OnTheCases, SegmentsNeedNoSteps) {
   for (const Case& c : cases()) {
-    const Mechanism m = make_mechanism(c.describe(2));
+    const Model m = make_model(c.describe(2));
     const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, GetParam()),
                g = make_formulation(find_variant("group_symbolic_explicit"), m);
     const TimeGrid grid = time_grid(3, 0.01);
@@ -73,7 +73,7 @@ TEST_P(OnTheCases, SegmentsNeedNoSteps) {
 }
 
 TEST_P(OnTheCases, RoomsAreFilledWithWhatTheyAreFor) {
-  const Mechanism m = truck_mechanism(2);
+  const Model m = truck_model(2);
   const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, GetParam());
   const TimeGrid grid = time_grid(3, 0.01);  // the last segment is shorter
   Everything whole(grid.instants, true);
@@ -89,7 +89,7 @@ TEST_P(OnTheCases, RoomsAreFilledWithWhatTheyAreFor) {
 
 /// As many as may be, up to the end of the segments, the last of which is shorter.
 TEST_P(OnTheCases, RoomsOfSeveralInstantsAreAskedForAtOnce) {
-  const Mechanism m = truck_mechanism(1);
+  const Model m = truck_model(1);
   const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, GetParam());
   const TimeGrid grid = time_grid(3, 0.01);
   const std::vector<int> some{7, 3};
@@ -105,7 +105,7 @@ TEST_P(OnTheCases, RoomsOfSeveralInstantsAreAskedForAtOnce) {
 }
 
 TEST_P(OnTheCases, RoomsNameEveryCoordinateOnceOrAreRefused) {
-  const Mechanism m = truck_mechanism(1);
+  const Model m = truck_model(1);
   const TimeGrid grid = time_grid(3, 0.01);
   const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, GetParam());
   for (const std::vector<int>& wrong : without_room(m.coordinates())) {
@@ -117,7 +117,7 @@ TEST_P(OnTheCases, RoomsNameEveryCoordinateOnceOrAreRefused) {
 INSTANTIATE_TEST_SUITE_P(TimeLanes, OnTheCases, testing::ValuesIn(every_kind()));
 
 TEST(TimeLanes, LeaveTheLastInstantToStepOnFrom) {
-  const Mechanism m = truck_mechanism(2);
+  const Model m = truck_model(2);
   const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, at_once),
              g = make_formulation(find_variant("group_symbolic_explicit"), m);
   const TimeGrid grid = time_grid(2, 0.01);
@@ -127,7 +127,7 @@ TEST(TimeLanes, LeaveTheLastInstantToStepOnFrom) {
 }
 
 TEST(TimeLanes, LeaveShortMotionsToSteps) {
-  const Mechanism m = truck_mechanism(1);
+  const Model m = truck_model(1);
   const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, at_once);
   const TimeGrid grid = time_grid(0.2, 0.01);
   Everything sink(grid.instants, true);
@@ -138,7 +138,7 @@ TEST(TimeLanes, LeaveShortMotionsToSteps) {
 
 /// Links that are too short where the crank points away: the same failure, and nothing after it.
 TEST(TimeLanes, FailAsStepsFail) {
-  Mechanism m = four_bar_mechanism(1);
+  Model m = four_bar_model(1);
   for (Constraint& c : m.constraints)
     if (c.name.starts_with("dyad1/coupler")) c.constants[0] = 3.75 * 3.75;
   for (Constraint& c : m.constraints)
@@ -169,7 +169,7 @@ class Reluctant final : public WholeMotion {
 };
 
 TEST(TimeLanes, ThatGiveUpLeaveNoTrace) {
-  const Mechanism m = four_bar_mechanism(2);
+  const Model m = four_bar_model(2);
   auto parts = make_partition(m, Partition::group);
   const auto g = make_formulation(find_variant("group_automatic_eigen"), m);
   std::vector<Formulation::DefinedPart> borrowed;
@@ -191,7 +191,7 @@ TEST(TimeLanes, StandInTheId) {
   EXPECT_EQ(id_with(v, at_once), id);
   EXPECT_EQ(parse_id(id).settings.segments, 4);
   EXPECT_EQ(parse_id("group_symbolic_explicit/segments:8").settings.segments, 8);
-  const Mechanism m = four_bar_mechanism(1);
+  const Model m = four_bar_model(1);
   EXPECT_THROW(make_formulation(find_variant("group_symbolic_inlined"), m, at_once),
                std::invalid_argument);
   Settings both = at_once;

@@ -18,7 +18,7 @@ namespace {
 /// Tells of a mechanism every second coordinate, as a formulation finds it.
 class HalfOfOurs : public Peer {
  public:
-  explicit HalfOfOurs(const Mechanism& m)
+  explicit HalfOfOurs(const Model& m)
       : formulation_(make_formulation(find_variant("group_symbolic_inlined"), m)) {
     for (int i = 0; i < m.coordinates(); i += 2) answer_.coordinates.push_back(i);
   }
@@ -65,7 +65,7 @@ class FailsAfterAWhile final : public HalfOfOurs {
 template <class Kind>
 PeerDefinition definition() {
   return {"half", "ours", [] { return std::string("1.0"); }, "by a formulation",
-          [](const Scene&, const Mechanism& m) -> std::unique_ptr<Peer> {
+          [](const Scene&, const Model& m) -> std::unique_ptr<Peer> {
             return std::make_unique<Kind>(m);
           }};
 }

@@ -9,7 +9,7 @@
 
 #include "bench/kit/peer_cell.h"
 #include "cases/generators/cases.h"
-#include "formulations/modelling/model.h"
+#include "formulations/modelling/modelling.h"
 #include "formulations/variants.h"
 #include "tests/peers.h"
 
@@ -54,8 +54,8 @@ class TreePeers : public testing::TestWithParam<const char*> {
 
 TEST_P(TreePeers, AssembleAnewWhateverWasSolvedBefore) {
   const Scene scene = truck_suspension(2);
-  const Mechanism mechanism = make_mechanism(scene);
-  const auto solver = peer.make(scene, mechanism);
+  const Model model = make_model(scene);
+  const auto solver = peer.make(scene, model);
   solver->assemble(0);
   const auto first = solver->answer();
   const long iterations = solver->iterations();
@@ -72,10 +72,10 @@ TEST_P(TreePeers, AssembleAnewWhateverWasSolvedBefore) {
 /// back.
 TEST_P(TreePeers, NeedNoMoreIterationsThanOurs) {
   const Scene scene = truck_suspension(1);
-  const Mechanism mechanism = make_mechanism(scene);
-  const auto solver = peer.make(scene, mechanism);
+  const Model model = make_model(scene);
+  const auto solver = peer.make(scene, model);
   const auto ours =
-      make_formulation(find_variant("global_automatic_klu"), mechanism, {.guess = peer.guess});
+      make_formulation(find_variant("global_automatic_klu"), model, {.guess = peer.guess});
   solver->assemble(0);
   long iterations = ours->assemble(0).iterations;
   for (int i = 1; i < 300; ++i) {
@@ -94,8 +94,8 @@ Scene rising(double left, double right) {
 }
 
 std::string complaint(const PeerDefinition& peer, const Scene& scene) {
-  const Mechanism mechanism = make_mechanism(scene);
-  const auto solver = peer.make(scene, mechanism);
+  const Model model = make_model(scene);
+  const auto solver = peer.make(scene, model);
   try {
     solver->assemble(0);
     for (int i = 1; i < 300; ++i) {
@@ -120,9 +120,9 @@ TEST_P(TreePeers, SayWhatCannotBeClosedAndWhere) {
 
 TEST_P(TreePeers, KnowTheCasesOfTheSuiteOnly) {
   Scene scene = four_bar(1);
-  const Mechanism mechanism = make_mechanism(scene);
+  const Model model = make_model(scene);
   scene.mechanism.name = "five_bar";
-  EXPECT_THROW(peer.make(scene, mechanism), std::invalid_argument);
+  EXPECT_THROW(peer.make(scene, model), std::invalid_argument);
 }
 
 INSTANTIATE_TEST_SUITE_P(Build, TreePeers, testing::ValuesIn(names),

@@ -16,7 +16,7 @@ struct Counts {
   bool operator==(const Counts&) const = default;
 };
 
-Counts entity_counts(const Mechanism& m, const Group& g) {
+Counts entity_counts(const Model& m, const Group& g) {
   Counts c;
   for (const EntityId e : g.entities) {
     if (m.entities[e].kind == EntityKind::point)
@@ -32,10 +32,9 @@ Counts entity_counts(const Mechanism& m, const Group& g) {
 TEST(Cases, HaveThePapersSizes) {
   for (const Case& c : cases()) {
     EXPECT_EQ(c.sizes, (std::vector{114, 225, 336, 447, 558})) << c.name;
-    for (const int n : c.sizes)
-      EXPECT_EQ(make_mechanism(describe(c, n)).coordinates(), n) << c.name;
+    for (const int n : c.sizes) EXPECT_EQ(make_model(describe(c, n)).coordinates(), n) << c.name;
   }
-  EXPECT_EQ(make_mechanism(describe(find_case("four_bar"), 1002)).coordinates(), 1002);
+  EXPECT_EQ(make_model(describe(find_case("four_bar"), 1002)).coordinates(), 1002);
 }
 
 TEST(Cases, RefuseWhatDoesNotExist) {
@@ -59,7 +58,7 @@ TEST(Cases, TimeGridIncludesBothEnds) {
 }
 
 TEST(FourBar, GroupsAreTheCrankAndThenTheDyads) {
-  const Mechanism m = four_bar_mechanism(5);
+  const Model m = four_bar_model(5);
   EXPECT_EQ(m.degrees_of_freedom(), 1);
   ASSERT_EQ(m.structural_groups(), 6);
   EXPECT_EQ(m.groups[0].name, "SG-I");
@@ -74,7 +73,7 @@ TEST(FourBar, GroupsAreTheCrankAndThenTheDyads) {
 }
 
 TEST(FourBar, StartsFromTheDesignsEstimate) {
-  const Mechanism m = four_bar_mechanism(2);
+  const Model m = four_bar_model(2);
   const auto at = [&](const char* name, int i = 0) {
     return m.estimate[m.entities[m.find(name)].first + i];
   };
@@ -87,7 +86,7 @@ TEST(FourBar, StartsFromTheDesignsEstimate) {
 
 TEST(TruckSuspension, GroupsUnknownsAndEntitiesAreThePapers) {
   for (const int axles : {1, 5}) {
-    const Mechanism m = truck_mechanism(axles);
+    const Model m = truck_model(axles);
     EXPECT_EQ(m.degrees_of_freedom(), 2 * axles);
     EXPECT_EQ(m.structural_groups(), 5 * axles);
     EXPECT_TRUE(m.groups[0].constant);
@@ -120,7 +119,7 @@ TEST(TruckSuspension, GroupsUnknownsAndEntitiesAreThePapers) {
 
 TEST(TruckSuspension, NominalPositionSatisfiesEveryEquation) {
   // The drivers start elsewhere, but all that the design calls nominal must fit together.
-  const Mechanism m = truck_mechanism(2);
+  const Model m = truck_model(2);
   std::vector<double> state = m.estimate;
   state.insert(state.end(), m.fixed_values.begin(), m.fixed_values.end());
   for (const Constraint& c : m.constraints)
@@ -134,7 +133,7 @@ TEST(TruckSuspension, NominalPositionSatisfiesEveryEquation) {
 }
 
 TEST(TruckSuspension, MotionIsTheDesigns) {
-  const Mechanism m = truck_mechanism(3);
+  const Model m = truck_model(3);
   const double t = 1.234, a = 2, w = 2 * std::acos(-1.0);
   const auto zR = sample(m.drivers[5].motion, t);
   EXPECT_EQ(m.entities[m.drivers[5].coordinate].name, "axle3/zR");
@@ -145,8 +144,8 @@ TEST(TruckSuspension, MotionIsTheDesigns) {
 
 // A mechanism that is wrong is refused where it is described, and the message names the place.
 struct Broken : testing::Test {
-  Mechanism m = [] {
-    Mechanism m;
+  Model m = [] {
+    Model m;
     m.name = "broken";
     m.add_group("only", {"1"});
     return m;

@@ -20,7 +20,7 @@ namespace {
 
 struct Parameter {
   const char* name;
-  Mechanism (*build)(int);
+  Model (*build)(int);
   Partition partition;
 };
 
@@ -32,7 +32,7 @@ std::vector<double> random_near(const std::vector<double>& center, double radius
   return result;
 }
 
-std::vector<double> nominal_state(const Mechanism& m) {
+std::vector<double> nominal_state(const Model& m) {
   std::vector<double> state = m.estimate;
   state.insert(state.end(), m.fixed_values.begin(), m.fixed_values.end());
   return state;
@@ -63,18 +63,18 @@ Eigen::MatrixXd jacobian(const Equations& e, const std::vector<double>& state) {
   return dense;
 }
 
-SymbolicEquations symbolic(const Mechanism& m, const PartDefinition& part) {
+SymbolicEquations symbolic(const Model& m, const PartDefinition& part) {
   return SymbolicEquations(m, part, bind_kernels(m, part).value());
 }
 
 class Equations : public testing::TestWithParam<Parameter> {
  protected:
-  Mechanism m = GetParam().build(2);
+  Model m = GetParam().build(2);
   std::vector<PartDefinition> parts = make_partition(m, GetParam().partition);
 };
 
 template <class E>
-void expect_derivative(const E& equations, const Mechanism& m, const PartDefinition& part) {
+void expect_derivative(const E& equations, const Model& m, const PartDefinition& part) {
   const std::vector<double> state = random_near(nominal_state(m), 0.05, 7);
   const Eigen::MatrixXd dense = jacobian(equations, state);
   const std::vector<EntityId> owner = entity_of_coordinate(m);
@@ -130,16 +130,16 @@ TEST_P(Equations, PartsAreSquareAndCoverEveryDependentCoordinate) {
 
 INSTANTIATE_TEST_SUITE_P(
     Cases, Equations,
-    testing::Values(Parameter{"four_bar_global", four_bar_mechanism, Partition::global},
-                    Parameter{"four_bar_group", four_bar_mechanism, Partition::group},
-                    Parameter{"four_bar_block", four_bar_mechanism, Partition::block},
-                    Parameter{"truck_suspension_global", truck_mechanism, Partition::global},
-                    Parameter{"truck_suspension_group", truck_mechanism, Partition::group},
-                    Parameter{"truck_suspension_block", truck_mechanism, Partition::block}),
+    testing::Values(Parameter{"four_bar_global", four_bar_model, Partition::global},
+                    Parameter{"four_bar_group", four_bar_model, Partition::group},
+                    Parameter{"four_bar_block", four_bar_model, Partition::block},
+                    Parameter{"truck_suspension_global", truck_model, Partition::global},
+                    Parameter{"truck_suspension_group", truck_model, Partition::group},
+                    Parameter{"truck_suspension_block", truck_model, Partition::block}),
     [](const auto& info) { return std::string(info.param.name); });
 
 TEST(Kernels, OneServesEveryGroupOfItsType) {
-  const Mechanism m = truck_mechanism(3);
+  const Model m = truck_model(3);
   const std::vector<PartDefinition> groups = make_partition(m, Partition::group);
   const auto kernel = [&](int g) { return bind_kernel(m, groups[g]).value().kernel; };
   EXPECT_EQ(kernel(2), kernel(3));   // left and right
@@ -148,7 +148,7 @@ TEST(Kernels, OneServesEveryGroupOfItsType) {
 }
 
 TEST(Kernels, AreMissingVisibly) {
-  Mechanism m;
+  Model m;
   m.name = "other";
   m.add_group("lonely", {"1"});
   const std::array<double, 2> at{1, 1};
@@ -166,13 +166,13 @@ TEST(Kernels, AreMissingVisibly) {
 }
 
 TEST(Partition, RefusesAGroupThatNeedsALaterOne) {
-  Mechanism m = four_bar_mechanism(2);
+  Model m = four_bar_model(2);
   m.entities[m.find("dyad1/C")].group = 2;
   EXPECT_THROW(make_partition(m, Partition::group), std::invalid_argument);
 }
 
 TEST(Pattern, RefusesTheSameDerivativeTwice) {
-  const Mechanism m = four_bar_mechanism(1);
+  const Model m = four_bar_model(1);
   const PartDefinition part = make_partition(m, Partition::global).front();
   const JacobianEntry twice[] = {{0, part.unknowns[0]}, {0, part.unknowns[0]}};
   EXPECT_THROW(make_pattern(m, part, twice), std::invalid_argument);

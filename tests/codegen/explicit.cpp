@@ -94,7 +94,7 @@ long fallbacks(const Formulation& f) {
 TEST(Explicit, NeedsNoFallbackOnTheCases) {
   for (const char* id : {"group_symbolic_explicit", "block_symbolic_explicit"})
     for (const Case& c : cases()) {
-      const Mechanism m = make_mechanism(c.describe(2));
+      const Model m = make_model(c.describe(2));
       const auto f = make_formulation(find_variant(id), m);
       Discard sink;
       ASSERT_TRUE(f->run(time_grid(3, 0.01), {}, sink).ok());
@@ -104,7 +104,7 @@ TEST(Explicit, NeedsNoFallbackOnTheCases) {
 }
 
 TEST(Explicit, IteratesOnCoresOnly) {
-  const Mechanism four_bar = four_bar_mechanism(3), truck = truck_mechanism(1);
+  const Model four_bar = four_bar_model(3), truck = truck_model(1);
   const auto closed = make_formulation(find_variant("group_symbolic_explicit"), four_bar),
              torn = make_formulation(find_variant("group_symbolic_explicit"), truck);
   ASSERT_TRUE(closed->assemble(0).ok() && torn->assemble(0).ok());
@@ -120,13 +120,13 @@ TEST(Explicit, IteratesOnCoresOnly) {
 /// wide; in a unit of its own each part is solved as ever.
 TEST(Explicit, NeedsNoFallbackHoweverLargeOrSmallLengthsAre) {
   const auto in_unit = [](double unit) {
-    return make_mechanism(
+    return make_model(
         extreme::case_of("", extreme::usual_chain(3, 1, unit), 1, {0, 0.05, 61}).scene);
   };
-  const Mechanism usual = in_unit(1);
+  const Model usual = in_unit(1);
   for (const char* id : {"group_symbolic_explicit", "group_symbolic_explicit/lanes:4"})
     for (const double unit : {0x1p-498, 0x1p498}) {
-      const Mechanism m = in_unit(unit);
+      const Model m = in_unit(unit);
       const auto [variant, settings] = parse_id(id);
       const auto f = make_formulation(*variant, m, settings),
                  expected = make_formulation(*variant, usual, settings);
@@ -145,7 +145,7 @@ TEST(Explicit, NeedsNoFallbackHoweverLargeOrSmallLengthsAre) {
 /// A dyad whose coupler and rocker nearly align: roots and divisors vanish in the middle of the
 /// motion, and accuracy must not.
 TEST(Explicit, LeavesNearlySingularPositionsToPivotingAndLosesNothing) {
-  Mechanism m = four_bar_mechanism(1);
+  Model m = four_bar_model(1);
   // ‖D − B‖ is largest, 8, where the crank points away from D: links of 4 and 4 + δ just reach.
   const double delta = 1e-9;
   for (Constraint& c : m.constraints)
@@ -179,7 +179,7 @@ TEST(Explicit, LeavesNearlySingularPositionsToPivotingAndLosesNothing) {
 
 /// The kernel of the dyad, refusing always.
 TEST(Explicit, IsRightWhereItsCodeRefuses) {
-  const Mechanism m = four_bar_mechanism(1);
+  const Model m = four_bar_model(1);
   const std::vector<PartDefinition> parts = make_partition(m, Partition::group);
   const BoundKernel bound = bind_kernel(m, parts[1]).value();
   ExplicitKernel refusing = *find_explicit_kernel(bound.kernel->fingerprint);
@@ -203,7 +203,7 @@ TEST(Explicit, IsRightWhereItsCodeRefuses) {
 
 TEST(Explicit, KeepsTheBranchOfTheEstimateHoweverLargeTheStep) {
   for (const double side : {+1.0, -1.0}) {
-    Mechanism m = four_bar_mechanism(1);
+    Model m = four_bar_model(1);
     const int c = m.entities[m.find("dyad1/C")].first, b = m.entities[m.find("crank/B")].first;
     m.estimate[c + 1] *= side;
     m.estimate[m.entities[m.find("dyad1/psi")].first] *= side;
@@ -224,7 +224,7 @@ TEST(Explicit, KeepsTheBranchOfTheEstimateHoweverLargeTheStep) {
 }
 
 TEST(Explicit, AssemblesAnewFromTheEstimate) {
-  const Mechanism m = truck_mechanism(1);
+  const Model m = truck_model(1);
   const auto f = make_formulation(find_variant("group_symbolic_explicit"), m);
   ASSERT_TRUE(f->assemble(0).ok());
   const std::vector<double> first(f->q().begin(), f->q().end());
@@ -264,7 +264,7 @@ TEST(Elementary, FunctionsAreNotANumberFarAway) {
 
 /// An angle beyond: the driver's sine is not evaluated by explicit code, and nothing is lost.
 TEST(Explicit, LeavesAnglesFarAwayToOthers) {
-  const Mechanism m = four_bar_mechanism(2);
+  const Model m = four_bar_model(2);
   const auto f = make_formulation(find_variant("group_symbolic_explicit"), m),
              g = make_formulation(find_variant("group_automatic_eigen"), m);
   for (const double t : {3e6, 3e6 + 0.01, 3e6 + 0.02}) {

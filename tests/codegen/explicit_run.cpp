@@ -59,7 +59,7 @@ class Runs : public testing::Test {
   }
 
   const Settings settings_{.tolerance = 1e-13};
-  const Mechanism m_ = four_bar_mechanism(dyads);
+  const Model m_ = four_bar_model(dyads);
   const std::unique_ptr<Formulation> reference_ =
       make_formulation(find_variant("group_automatic_eigen"), m_, settings_);
   ExplicitKernel kernel_{};

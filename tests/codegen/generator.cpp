@@ -240,7 +240,7 @@ TEST(Elimination, RefusesAStructurallySingularMatrix) {
 }
 
 TEST(PartTypes, AreEqualForTwinsAndDifferOtherwise) {
-  const Mechanism m = truck_mechanism(2);
+  const Model m = truck_model(2);
   const auto fingerprint = [&](const char* name) {
     for (const PartDefinition& part : make_partition(m, Partition::group))
       if (m.groups[part.groups.front()].name == name) return describe_type(m, part).fingerprint;

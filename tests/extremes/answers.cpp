@@ -28,7 +28,7 @@ struct Moving {
   Quadruple x, y, vx, vy, ax, ay;
 };
 
-Moving moving(const Mechanism& m, const ReferenceInstant& r, const std::string& point) {
+Moving moving(const Model& m, const ReferenceInstant& r, const std::string& point) {
   const Entity& e = m.entities[m.find(point)];
   if (e.fixed) return {m.fixed_values[e.first], m.fixed_values[e.first + 1], 0, 0, 0, 0};
   const auto wide = [&](const std::vector<double>& high, const std::vector<double>& rest, int i) {
@@ -57,7 +57,7 @@ DyadChain any_chain() {
 TEST(ChainSolution, KeepsEveryLengthToQuadruplePrecision) {
   const DyadChain chain = any_chain();
   const ExtremeCase c = turning(chain);
-  const Mechanism m = make_mechanism(c.scene);
+  const Model m = make_model(c.scene);
   ChainSolution solution(chain, m);
   for (int i = 0; i < c.scene.grid.instants; ++i) {
     ASSERT_TRUE(solution.solve(c.scene.grid.time(i)));
@@ -78,7 +78,7 @@ TEST(ChainSolution, KeepsEveryLengthToQuadruplePrecision) {
 TEST(ChainSolution, AgreesWithTheQuadrupleReference) {
   const DyadChain chain = any_chain();
   const ExtremeCase c = turning(chain);
-  const Mechanism m = make_mechanism(c.scene);
+  const Model m = make_model(c.scene);
   std::vector<double> times;
   for (int i = 0; i < c.scene.grid.instants; ++i) times.push_back(c.scene.grid.time(i));
   const Reference reference = make_reference(m, times);
@@ -98,7 +98,7 @@ TEST(ChainSolution, HasNoAnswerWhereThereIsNone) {
   DyadChain chain{.crank = 2, .start = 0, .dyads = {}};
   chain.dyads = {closed_dyad(crank_pin(chain), {-6, 0, 0}, 5, 3, 1)};  // stretched over 8
   const ExtremeCase c = turning(chain);
-  const Mechanism m = model(c.scene.mechanism, {Polynomial{{0, 1}}}).mechanism;
+  const Model m = model_mechanism(c.scene.mechanism, {Polynomial{{0, 1}}}).model;
   ChainSolution solution(chain, m);
   EXPECT_FALSE(solution.solve(0));
   EXPECT_TRUE(solution.solve(0.1));
@@ -106,7 +106,7 @@ TEST(ChainSolution, HasNoAnswerWhereThereIsNone) {
 
 TEST(ChainSolution, KeepsTheDeclaredBranchThroughAnyStep) {
   const DyadChain chain = usual_chain(1, std::numbers::pi / 3);
-  const Mechanism m = make_mechanism(turning(chain).scene);
+  const Model m = make_model(turning(chain).scene);
   ChainSolution above(chain, m), below(chain, m);
   std::vector<double> mirrored = m.estimate;
   const int joint = m.entities[m.find("dyad1/C")].first;
@@ -123,7 +123,7 @@ TEST(ChainSolution, KeepsTheDeclaredBranchThroughAnyStep) {
 /// each of them may be wrong by as much as the whole mechanism is large.
 TEST(ChainSolution, TellsItsConditionAsTheEquationsDo) {
   const DyadChain chain = usual_chain(1, std::numbers::pi / 3);
-  const Mechanism m = make_mechanism(turning(chain).scene);
+  const Model m = make_model(turning(chain).scene);
   ChainSolution solution(chain, m);
   ConditionNumber number(m);
   for (const double t : {0.0, 0.5, 2.0}) {
@@ -140,7 +140,7 @@ TEST(ChainSolution, PredictsHowRoundedLengthsMoveTheLastJoint) {
   constexpr double relative = 1e-10;
   for (std::size_t k = 0; k < rounded.dyads.size(); ++k)
     rounded.dyads[k].coupler *= 1 + (k % 3 ? relative : -relative);
-  const Mechanism m = make_mechanism(turning(chain).scene);
+  const Model m = make_model(turning(chain).scene);
   ChainSolution right(chain, m), moved(rounded, m);
   ASSERT_TRUE(right.solve(0.5) && moved.solve(0.5));
   const ReferenceInstant a = right.instant(), b = moved.instant();
@@ -161,7 +161,7 @@ TEST(Problem, KnowsWhereAThirdGroupLocksAndReopens) {
   EXPECT_EQ(changes, 2);
   ASSERT_EQ(p.ends.size(), 2u);
   const DyadChain& chain = cases.front().chains.front();
-  ChainSolution solution(chain, p.model->mechanism);
+  ChainSolution solution(chain, p.modelled->model);
   for (const double end : p.ends) {
     EXPECT_NE(solution.solve(end - 1e-12), solution.solve(end + 1e-12)) << end;
     EXPECT_EQ(solution.solve(end - 1e-12), end == p.ends[0]);

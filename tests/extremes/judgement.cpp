@@ -147,11 +147,11 @@ TEST_F(Judging, WhatHasToBeReportedIs) {
   flag(2);
   EXPECT_EQ(reason(), "it does not name the group of dyad1/rocker");
   attempt.failed_group =
-      problem.model->mechanism.entities[problem.model->mechanism.find("dyad1/C")].group;
+      problem.modelled->model.entities[problem.modelled->model.find("dyad1/C")].group;
   EXPECT_EQ(verdict(), Verdict::as_expected);
   c.idle_body = "dyad1/coupler";
   EXPECT_EQ(reason(), "it does not report that dyad1/coupler may spin");
-  problem.model->idle.push_back({"dyad1/coupler", "itself"});
+  problem.modelled->idle.push_back({"dyad1/coupler", "itself"});
   EXPECT_EQ(verdict(), Verdict::as_expected);
   attempt.heap_growth = 100'000;
   EXPECT_EQ(reason(), "the heap has grown by 100000 bytes");

@@ -6,13 +6,13 @@
 #include <random>
 
 #include "cases/library/library.h"
-#include "cases/mechanism/description.h"
+#include "cases/mechanism/mechanism.h"
 #include "tests/files/common.h"
 
 namespace desmo::large_and_damaged_test {
 namespace {
 
-TEST(Description, OfManyBodiesIsCheckedAndReadQuickly) {
+TEST(Mechanism, OfManyBodiesIsCheckedAndReadQuickly) {
   const std::clock_t start = std::clock();  // in this process: a busy machine does not decide
   const Scene s = parse_scene(scene_of(R"({"generator": "four_bar", "dyads": 5000})",
                                        R"("request": [{"points": ["*"]}, {"everything": true}])"),

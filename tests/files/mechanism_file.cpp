@@ -6,14 +6,14 @@
 #include <cmath>
 #include <numbers>
 
-#include "cases/mechanism/description.h"
+#include "cases/mechanism/mechanism.h"
 #include "tests/files/common.h"
 
 namespace desmo::mechanism_file_test {
 namespace {
 
 TEST(MechanismFile, IsReadInSiUnitsAndInItsOrder) {
-  const Description d = parse_mechanism(slider_crank, "m.json");
+  const Mechanism d = parse_mechanism(slider_crank, "m.json");
   EXPECT_EQ(d.name, "slider_crank");
   EXPECT_EQ(d.dimension, 2);
   EXPECT_EQ(d.length_unit, "m");
@@ -29,7 +29,7 @@ TEST(MechanismFile, IsReadInSiUnitsAndInItsOrder) {
   ASSERT_EQ(d.joints.size(), 4u);
   EXPECT_EQ(d.joints[0].name, "J1");
   EXPECT_EQ(d.joints[1].name, "revolute/crank/rod");
-  EXPECT_EQ(d.joints[3].type, Description::JointType::prismatic);
+  EXPECT_EQ(d.joints[3].type, Mechanism::JointType::prismatic);
   EXPECT_EQ(d.joints[3].bodies, (std::array{0, 3}));
   EXPECT_EQ(d.joints[3].points, (std::vector{0, 2}));
   ASSERT_EQ(d.coordinates.size(), 2u);
@@ -37,11 +37,11 @@ TEST(MechanismFile, IsReadInSiUnitsAndInItsOrder) {
   EXPECT_FALSE(d.coordinates[1].driven);
   EXPECT_NEAR(d.coordinates[0].estimate.value(), std::numbers::pi / 18, 1e-15);
   EXPECT_DOUBLE_EQ(d.coordinates[1].estimate.value(), 0.201);
-  EXPECT_EQ(d.coordinates[1].type, Description::CoordinateType::along);
+  EXPECT_EQ(d.coordinates[1].type, Mechanism::CoordinateType::along);
 }
 
 TEST(MechanismFile, DirectionsAreDefinedInAnyOrder) {
-  const Description d = parse_mechanism(spatial, "m.json");
+  const Mechanism d = parse_mechanism(spatial, "m.json");
   const auto expect_direction = [&](int i, double x, double y, double z) {
     EXPECT_NEAR(d.vectors[i].direction[0], x, 1e-15) << i;
     EXPECT_NEAR(d.vectors[i].direction[1], y, 1e-15) << i;
@@ -60,7 +60,7 @@ TEST(MechanismFile, DirectionsAreDefinedInAnyOrder) {
 
 TEST(MechanismFile, JointsWithoutNamesAreToldApart) {
   const std::string joint = R"({"type": "revolute", "bodies": ["crank", "rod"], "points": ["B"]})";
-  const Description d = parse_mechanism(replaced(slider_crank, joint, joint + ", " + joint), "");
+  const Mechanism d = parse_mechanism(replaced(slider_crank, joint, joint + ", " + joint), "");
   EXPECT_EQ(d.joints[1].name, "revolute/crank/rod");
   EXPECT_EQ(d.joints[2].name, "revolute/crank/rod/2");
 }

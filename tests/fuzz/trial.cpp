@@ -10,7 +10,7 @@
 
 #include "cases/io/files.h"
 #include "cases/mechanism/names.h"
-#include "formulations/modelling/model.h"
+#include "formulations/modelling/modelling.h"
 #include "formulations/planning/plan.h"
 #include "formulations/runtime/unavailable.h"
 #include "formulations/runtime/wanted_types.h"
@@ -109,10 +109,10 @@ bool agree(const Tree& a, const Tree& b) {
 }
 
 /// What is written of a mechanism is the same mechanism.
-void check_writer(const Description& description) {
+void check_writer(const Mechanism& mechanism) {
   constexpr std::size_t largest = 200;  // points of a mechanism that is worth the time
-  if (description.points.size() > largest) return;
-  const std::string once = write_mechanism(description);
+  if (mechanism.points.size() > largest) return;
+  const std::string once = write_mechanism(mechanism);
   std::string twice;
   try {
     twice = write_mechanism(parse_mechanism(once, "written.json"));
@@ -148,24 +148,24 @@ void check_residual(const Summary& s, double tolerance) {
 }
 
 /// A mechanism file says nothing of motion: its drivers rest where they are measured.
-Scene at_rest(Description mechanism) {
+Scene at_rest(Mechanism mechanism) {
   Scene scene;
   scene.name = mechanism.name;
-  for (const Description::Coordinate& c : mechanism.coordinates)
+  for (const Mechanism::Coordinate& c : mechanism.coordinates)
     if (c.driven) scene.motions.push_back(Polynomial{{c.estimate.value_or(0)}});
   scene.grid = {0, 0.1, most_instants};
   scene.mechanism = std::move(mechanism);
   return scene;
 }
 
-void rest_where_measured(Mechanism& mechanism) {
+void rest_where_measured(Model& mechanism) {
   for (Driver& driver : mechanism.drivers)
     driver.motion =
         Polynomial{{mechanism.estimate.at(mechanism.entities.at(driver.coordinate).first)}};
 }
 
 /// Code for what nobody has foreseen is written all the same; to compile it would take too long.
-void check_code(const Variant& variant, const Mechanism& mechanism, const TimeGrid& grid) {
+void check_code(const Variant& variant, const Model& mechanism, const TimeGrid& grid) {
   const generate::LibraryContents contents{variant.explicit_order, variant.explicit_order ? 4 : 1};
   try {
     const load::WantedTypes wanted =
@@ -177,7 +177,7 @@ void check_code(const Variant& variant, const Mechanism& mechanism, const TimeGr
   }
 }
 
-const Variant& affordable(const Variant& variant, const Mechanism& mechanism) {
+const Variant& affordable(const Variant& variant, const Model& mechanism) {
   return is_dense_global(variant) && mechanism.coordinates() > largest_dense
              ? find_variant("global_automatic_klu")
              : variant;
@@ -196,9 +196,9 @@ Outcome attempt(std::string_view text, const std::filesystem::path& folder,
     return Outcome::refused_as_file;
   passes<void>("writer", folder, [&] { check_writer(scene.mechanism); });
 
-  Mechanism whole;
+  Model whole;
   if (!passes<std::invalid_argument>("model", folder, [&] {
-        Model modelled = model(scene.mechanism, scene.motions);
+        ModellingResult modelled = model_mechanism(scene.mechanism, scene.motions);
         whole = std::move(modelled.mechanism);
         for (const LeftOut& l : modelled.left_out) check_message(l.equation, "model");
         if (!is_scene) rest_where_measured(whole);

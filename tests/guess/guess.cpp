@@ -98,7 +98,7 @@ TEST(Guess, DoesWithWhatThePastAllows) {
 /// The error of a guess falls with the step as theory says: halving it divides the error by 2 to
 /// the order.
 TEST(Guess, HasTheOrderOfItsName) {
-  const Mechanism m = four_bar_mechanism(2);
+  const Model m = four_bar_model(2);
   const std::pair<Guess, int> orders[] = {{Guess::previous, 1},
                                           {Guess::linear, 2},
                                           {Guess::quadratic, 3},
@@ -135,7 +135,7 @@ TEST(Guess, HasTheOrderOfItsName) {
 class Guesses : public EveryVariant {};
 
 TEST_P(Guesses, SaveIterationsAndChangeNoAnswer) {
-  for (const Mechanism& m : {truck_mechanism(1), four_bar_mechanism(3)}) {
+  for (const Model& m : {truck_model(1), four_bar_model(3)}) {
     const TimeGrid grid{0, 0.01, 101};
     LastInstant as_before;
     const Summary a = make_formulation(GetParam(), m)->run(grid, {}, as_before);
@@ -162,7 +162,7 @@ TEST_P(Guesses, SaveIterationsAndChangeNoAnswer) {
 }
 
 TEST_P(Guesses, TakeUnequalAndBackwardSteps) {
-  const Mechanism m = truck_mechanism(1);
+  const Model m = truck_model(1);
   const auto plain = make_formulation(GetParam(), m);
   for (const Guess guess : extrapolating) {
     const auto f = make_formulation(GetParam(), m, {.guess = guess});
@@ -182,7 +182,7 @@ TEST_P(Guesses, TakeUnequalAndBackwardSteps) {
 }
 
 TEST_P(Guesses, DoWithVelocitiesWhereTheLastInstantHadNoMore) {
-  const Mechanism m = truck_mechanism(1);
+  const Model m = truck_model(1);
   const auto f = make_formulation(GetParam(), m, quadratic),
              straight = make_formulation(GetParam(), m, {.guess = Guess::linear});
   for (const auto& each : {f.get(), straight.get()}) {
@@ -196,7 +196,7 @@ TEST_P(Guesses, DoWithVelocitiesWhereTheLastInstantHadNoMore) {
 }
 
 TEST_P(Guesses, ExtrapolateNothingAfterAFailure) {
-  const Mechanism m = four_bar_mechanism(2);
+  const Model m = four_bar_model(2);
   const auto f = make_formulation(GetParam(), m, {.guess = Guess::hermite5}),
              fresh = make_formulation(GetParam(), m);
   ASSERT_TRUE(f->assemble(0).ok());
@@ -209,7 +209,7 @@ TEST_P(Guesses, ExtrapolateNothingAfterAFailure) {
 }
 
 TEST_P(Guesses, LeavePartsAloneWhoseRatesNobodyAsks) {
-  const Mechanism m = truck_mechanism(1);
+  const Model m = truck_model(1);
   const std::vector<Level> positions(m.coordinates(), Level::position);
   const auto f = make_formulation(GetParam(), m, {.guess = Guess::hermite5}),
              plain = make_formulation(GetParam(), m);

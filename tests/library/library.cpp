@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "cases/io/files.h"
-#include "formulations/modelling/model.h"
+#include "formulations/modelling/modelling.h"
 #include "formulations/variants.h"
 #include "tests/every_variant.h"
 #include "tests/library/solutions.h"
@@ -40,7 +40,7 @@ Scene scene_of(const LibraryMechanism& l) {
 
 const exact::LibrarySolution& solution_of(std::string_view name) {
   const auto all = exact::library_solutions();
-  const auto it = std::ranges::find(all, name, &exact::LibrarySolution::mechanism);
+  const auto it = std::ranges::find(all, name, &exact::LibrarySolution::model);
   if (it == all.end()) throw std::runtime_error(std::string(name) + " has no solution");
   return *it;
 }
@@ -69,7 +69,7 @@ constexpr const char* level_names[] = {"position", "velocity", "acceleration"};
 struct Scales {
   double of[2][3] = {{0, 0, 0}, {1, 0, 0}};
 
-  Scales(const Mechanism& m, const std::vector<Solution>& motion) {
+  Scales(const Model& m, const std::vector<Solution>& motion) {
     double low[3], high[3];
     std::fill_n(low, 3, INFINITY);
     std::fill_n(high, 3, -INFINITY);
@@ -98,7 +98,7 @@ class Comparison final : public Sink {
     std::string where = "nowhere";
   };
 
-  Comparison(const Mechanism& m, const std::vector<Solution>& motion)
+  Comparison(const Model& m, const std::vector<Solution>& motion)
       : m_(m), motion_(motion), scales_(m, motion) {}
 
   void accept(const Instant& instant) override {
@@ -124,7 +124,7 @@ class Comparison final : public Sink {
   int instants = 0;
 
  private:
-  const Mechanism& m_;
+  const Model& m_;
   const std::vector<Solution>& motion_;
   const Scales scales_;
 };
@@ -139,11 +139,11 @@ class Library : public testing::TestWithParam<MechanismAndVariant> {
 };
 
 TEST_P(Library, AgreesWithTheIndependentSolution) {
-  const auto& [mechanism, variant] = GetParam();
-  Scene scene = scene_of(mechanism);
+  const auto& [model, variant] = GetParam();
+  Scene scene = scene_of(model);
   // The whole motion in the optimised build; a part of it where every operation is checked.
   if (DESMO_TEST_SECONDS < 30) scene.grid.instants = std::min(scene.grid.instants, 61);
-  const Mechanism m = make_mechanism(scene);
+  const Model m = make_model(scene);
   Comparison comparison(m, solutions(scene));
   const auto f = make_formulation(variant, m, Settings{scene.tolerance, 25});
   const Summary s = f->run(scene.grid, {}, comparison);
@@ -184,7 +184,7 @@ TEST_P(LibraryMechanisms, EverythingNamedInTheFileHasAnIndependentSolution) {
 
 TEST_P(LibraryMechanisms, IndependentSolutionsAreSmoothAndTheirOwnDerivatives) {
   const Scene scene = scene_of(GetParam());
-  const Mechanism m = make_mechanism(scene);
+  const Model m = make_model(scene);
   const auto at = solution_of(GetParam().name).at;
   const Scales scales(m, solutions(scene));
   constexpr double h = 2.5e-4, weight[] = {1.0 / 12, -2.0 / 3, 2.0 / 3, -1.0 / 12};
@@ -264,7 +264,7 @@ const std::map<std::string, KnownStructure, std::less<>>& known_structures() {
 }
 
 TEST_P(LibraryMechanisms, StructureIsTheKnownOne) {
-  const Mechanism m = make_mechanism(scene_of(GetParam()));
+  const Model m = make_model(scene_of(GetParam()));
   ASSERT_TRUE(known_structures().contains(GetParam().name));
   const KnownStructure& known = known_structures().find(GetParam().name)->second;
   EXPECT_EQ(m.degrees_of_freedom(), known.degrees_of_freedom);
@@ -297,7 +297,7 @@ TEST(LibraryTable, HasTheMechanismsThatHaveSolutions) {
 
 /// The page that defines the truck suspension counts 39, 19, 19, 16 and 16 unknowns and 3 for y1.
 TEST(TruckAxle, HasTheUnknownsOfItsDefinition) {
-  const Mechanism m = make_mechanism(scene_of(*find_library("truck_axle")));
+  const Model m = make_model(scene_of(*find_library("truck_axle")));
   EXPECT_EQ(m.coordinates(), 114);
   std::vector<std::size_t> counts;
   for (GroupId g = 0; g < static_cast<GroupId>(m.groups.size()); ++g)

@@ -143,7 +143,7 @@ TEST_F(CacheTest, ServesSeveralProcessesAtOnce) {
     KernelTable table;
     const bool good = load(table).problem.empty();
     const auto f =
-        make_formulation(find_variant("group_symbolic_inlined"), mechanism_, {}, nullptr, &table);
+        make_formulation(find_variant("group_symbolic_inlined"), model_, {}, nullptr, &table);
     return good && f->parts().back().as_named && f->assemble(0).ok();
   };
   std::vector<pid_t> children;

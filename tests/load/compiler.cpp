@@ -22,7 +22,7 @@ struct CompilerTest : Loading {
     EXPECT_NE(own.problem.find(what), std::string::npos) << own.problem;
     EXPECT_FALSE(own.types.empty());
     const auto f =
-        make_formulation(find_variant("group_symbolic_inlined"), mechanism_, {}, nullptr, &table);
+        make_formulation(find_variant("group_symbolic_inlined"), model_, {}, nullptr, &table);
     EXPECT_FALSE(f->parts().back().as_named);
     EXPECT_TRUE(f->assemble(0).ok());
     if (fs::exists(cache())) {

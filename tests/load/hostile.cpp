@@ -15,7 +15,7 @@ constexpr std::string_view evil =
     "%n ";
 
 /// The mechanism with these names for everything that has one, none of them twice.
-Mechanism renamed(Mechanism m, std::string_view name) {
+Model renamed(Model m, std::string_view name) {
   int number = 0;
   const auto next = [&] { return std::string(name) + std::to_string(number++); };
   m.name = next();
@@ -32,7 +32,7 @@ using Hostile = Loading;
 
 TEST_F(Hostile, NamesDoNotGetIntoCodeOrItsName) {
   ASSERT_EQ(load().problem, "");
-  mechanism_ = renamed(std::move(mechanism_), evil);
+  model_ = renamed(std::move(model_), evil);
   const OwnKernels own = load();
   EXPECT_EQ(own.problem, "");
   EXPECT_FALSE(own.compiled) << "it is the same code";
@@ -47,7 +47,7 @@ TEST_F(Hostile, NamesDoNotGetIntoCodeOrItsName) {
 }
 
 TEST_F(Hostile, NamesAreHarmlessWhereNothingIsCachedEither) {
-  mechanism_ = renamed(std::move(mechanism_), evil);
+  model_ = renamed(std::move(model_), evil);
   EXPECT_EQ(load().problem, "");
   EXPECT_EQ(compilations(), 1);
   EXPECT_FALSE(fs::exists(folder_ / "pwned"));
@@ -55,9 +55,9 @@ TEST_F(Hostile, NamesAreHarmlessWhereNothingIsCachedEither) {
 }
 
 TEST_F(Hostile, ValuesThatAreNoNumbersDoNoHarm) {
-  mechanism_.constraints.front().constants.assign(mechanism_.constraints.front().constants.size(),
-                                                  std::nan(""));
-  mechanism_.estimate.assign(mechanism_.estimate.size(), std::nan(""));
+  model_.constraints.front().constants.assign(model_.constraints.front().constants.size(),
+                                              std::nan(""));
+  model_.estimate.assign(model_.estimate.size(), std::nan(""));
   EXPECT_NE(load().problem, "");
   EXPECT_EQ(compilations(), 0);
 }
@@ -70,7 +70,7 @@ struct Folders : Loading {
     EXPECT_NE(own.problem.find(folder_.string()), std::string::npos) << own.problem;
     EXPECT_EQ(compilations(), 0);
     const auto f =
-        make_formulation(find_variant("group_symbolic_inlined"), mechanism_, {}, nullptr, &table);
+        make_formulation(find_variant("group_symbolic_inlined"), model_, {}, nullptr, &table);
     EXPECT_TRUE(f->assemble(0).ok());
   }
 };

@@ -17,7 +17,7 @@
 namespace desmo::generate::library_source_test {
 namespace {
 
-std::vector<SampledType> types_of(const Mechanism& m) {
+std::vector<SampledType> types_of(const Model& m) {
   std::vector<double> state = m.estimate;
   state.insert(state.end(), m.fixed_values.begin(), m.fixed_values.end());
   std::vector<SampledType> types;
@@ -29,7 +29,7 @@ std::vector<SampledType> types_of(const Mechanism& m) {
 }
 
 TEST(LibrarySource, IsTheSameEveryTimeAndWholeInItself) {
-  const std::vector<SampledType> types = types_of(truck_mechanism(2));
+  const std::vector<SampledType> types = types_of(truck_model(2));
   const std::string source = library_source(types, {true, 4});
   EXPECT_EQ(source, library_source(types, {true, 4}));
   EXPECT_EQ(source.find("#include \""), std::string::npos);
@@ -40,7 +40,7 @@ TEST(LibrarySource, IsTheSameEveryTimeAndWholeInItself) {
 }
 
 TEST(LibrarySource, HoldsWhatIsAskedFor) {
-  const std::vector<SampledType> types = types_of(four_bar_mechanism(2));
+  const std::vector<SampledType> types = types_of(four_bar_model(2));
   const std::string inlined = library_source(types, {}), ordered = library_source(types, {true});
   EXPECT_EQ(inlined.find("constexpr ExplicitKernel"), std::string::npos);
   EXPECT_NE(ordered.find("constexpr ExplicitKernel table[]"), std::string::npos);
@@ -49,7 +49,7 @@ TEST(LibrarySource, HoldsWhatIsAskedFor) {
 }
 
 TEST(LibrarySource, LeavesOutWhatCannotBeWrittenAndSaysWhy) {
-  std::vector<SampledType> types = types_of(four_bar_mechanism(1));
+  std::vector<SampledType> types = types_of(four_bar_model(1));
   SampledType singular = types.back();
   singular.name = "singular";
   // One unknown less than equations.
@@ -64,7 +64,7 @@ TEST(LibrarySource, LeavesOutWhatCannotBeWrittenAndSaysWhy) {
 }
 
 TEST(SampledTypes, CollectWhatPartsOfOneTypeSee) {
-  const std::vector<SampledType> types = types_of(four_bar_mechanism(3));
+  const std::vector<SampledType> types = types_of(four_bar_model(3));
   ASSERT_EQ(types.size(), 2u);
   EXPECT_EQ(types[0].samples.size(), 2u);
   EXPECT_EQ(types[1].samples.size(), 6u) << "three dyads, two states";
@@ -76,7 +76,7 @@ TEST(SampledTypes, CollectWhatPartsOfOneTypeSee) {
 }
 
 TEST(SampledTypes, WithoutNamesAreTheSameForEveryPartOfTheType) {
-  const Mechanism m = four_bar_mechanism(2);
+  const Model m = four_bar_model(2);
   const auto parts = make_partition(m, Partition::group);
   const PartType one = without_names(describe_type(m, parts[1])),
                  other = without_names(describe_type(m, parts[2]));

@@ -16,7 +16,7 @@
 #include "cases/generators/cases.h"
 #include "cases/io/files.h"
 #include "formulations/id.h"
-#include "formulations/modelling/model.h"
+#include "formulations/modelling/modelling.h"
 #include "formulations/runtime/own_kernels.h"
 #include "tests/own_mechanism.h"
 
@@ -70,7 +70,7 @@ class Loading : public testing::Test {
 
   OwnKernels load(KernelTable& table, const std::string& id = "group_symbolic_inlined") {
     const Configuration c = parse_id(id);
-    return add_own_kernels(table, *c.variant, c.settings, mechanism_, scene_.grid, limit_);
+    return add_own_kernels(table, *c.variant, c.settings, model_, scene_.grid, limit_);
   }
   OwnKernels load() {
     KernelTable table;
@@ -79,7 +79,7 @@ class Loading : public testing::Test {
 
   fs::path folder_;
   Scene scene_ = parse_scene(swinging_plates(1, one_second), "plates", {});
-  Mechanism mechanism_ = make_mechanism(scene_);
+  Model model_ = make_model(scene_);
   std::chrono::milliseconds limit_ = std::chrono::minutes(3);  // where others compile, too
 };
 

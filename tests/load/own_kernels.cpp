@@ -21,7 +21,7 @@ struct Recorder final : Sink {
 std::vector<double> run(Formulation& f, const TimeGrid& grid) {
   Recorder recorder;
   const Summary s = f.run(grid, Request{}, recorder);
-  EXPECT_TRUE(s.ok()) << describe(s, f.mechanism());
+  EXPECT_TRUE(s.ok()) << describe(s, f.model());
   return recorder.values;
 }
 
@@ -42,11 +42,11 @@ struct OwnKernelsTest : Loading {
     const Configuration c = parse_id(id, exact);
     const OwnKernels own = load(table_, id);
     EXPECT_EQ(own.problem, "") << id;
-    auto f = make_formulation(*c.variant, mechanism_, c.settings, nullptr, &table_);
+    auto f = make_formulation(*c.variant, model_, c.settings, nullptr, &table_);
     EXPECT_TRUE(is_as_named(*f)) << id;
     const std::vector<double> found = run(*f, scene_.grid);
-    const std::vector<double> expected = run(
-        *make_formulation(find_variant("group_automatic_eigen"), mechanism_, exact), scene_.grid);
+    const std::vector<double> expected =
+        run(*make_formulation(find_variant("group_automatic_eigen"), model_, exact), scene_.grid);
     EXPECT_EQ(found.size(), expected.size());
     double largest = 0;
     for (std::size_t i = 0; i < found.size() && i < expected.size(); ++i)
@@ -57,7 +57,7 @@ struct OwnKernelsTest : Loading {
   }
   void take(int copies) {
     scene_ = parse_scene(swinging_plates(copies, one_second), "plates", {});
-    mechanism_ = make_mechanism(scene_);
+    model_ = make_model(scene_);
   }
 
   static constexpr Settings exact{.tolerance = 1e-13};
@@ -66,7 +66,7 @@ struct OwnKernelsTest : Loading {
 
 TEST_F(OwnKernelsTest, AreNotInTheProgram) {
   for (const char* id : {"group_symbolic_klu", "block_symbolic_inlined"})
-    EXPECT_FALSE(is_as_named(*make_formulation(find_variant(id), mechanism_))) << id;
+    EXPECT_FALSE(is_as_named(*make_formulation(find_variant(id), model_))) << id;
 }
 
 TEST_F(OwnKernelsTest, SolveInExplicitOrderWhatAutomaticEquationsSolve) {
@@ -129,7 +129,7 @@ TEST_F(OwnKernelsTest, AreCompiledOnce) {
   EXPECT_EQ(again.problem, "");
   EXPECT_EQ(compilations(), 1);
   EXPECT_TRUE(is_as_named(
-      *make_formulation(find_variant("group_symbolic_inlined"), mechanism_, {}, nullptr, &table_)));
+      *make_formulation(find_variant("group_symbolic_inlined"), model_, {}, nullptr, &table_)));
 }
 
 TEST_F(OwnKernelsTest, FollowTheCompilerAndWhatIsAskedOfThem) {
@@ -156,7 +156,7 @@ TEST_F(OwnKernelsTest, DoNotFollowTheDigitsOfAMotion) {
 
 TEST_F(OwnKernelsTest, AreNeitherMadeNorSoughtWhereTheProgramHasThem) {
   scene_ = library_scene("slider_crank");
-  mechanism_ = make_mechanism(scene_);
+  model_ = make_model(scene_);
   for (const char* id : {"group_symbolic_explicit/lanes:4", "block_symbolic_inlined"}) {
     const OwnKernels own = load(table_, id);
     EXPECT_TRUE(own.types.empty());

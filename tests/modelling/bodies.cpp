@@ -9,7 +9,7 @@
 #include <set>
 
 #include "cases/generators/cases.h"
-#include "formulations/modelling/model.h"
+#include "formulations/modelling/modelling.h"
 #include "tests/modelling/common.h"
 
 namespace desmo::bodies_test {
@@ -17,7 +17,7 @@ namespace {
 
 /// A four-bar whose coupler carries a point P; `split` says how: in one body, or welded ones.
 enum class Coupler { whole, two, three };
-Description welded_coupler(Coupler split) {
+Mechanism welded_coupler(Coupler split) {
   Sketch d("welded", 2);
   const int A = d.ground_point("A", {0, 0, 0}), D = d.ground_point("D", {4, 0, 0});
   const int B = d.point("B", polar(1, 1)), C = d.point("C", {3.2, 2.9, 0}),
@@ -48,13 +48,13 @@ Description welded_coupler(Coupler split) {
 
 TEST(FixedJoint, WeldedBodiesMoveAsTheirMergedBodyDoes) {
   const std::vector<double> times = instants(2);
-  const Description whole = welded_coupler(Coupler::whole);
+  const Mechanism whole = welded_coupler(Coupler::whole);
   const Solved expected(whole, turning, times);
   expect_rigid_bodies(whole, expected, 1e-11);
   for (const Coupler split : {Coupler::two, Coupler::three}) {
     const Solved actual(welded_coupler(split), turning, times);
-    EXPECT_EQ(actual.mechanism().coordinates(), expected.mechanism().coordinates());
-    EXPECT_EQ(actual.mechanism().structural_groups(), 2);
+    EXPECT_EQ(actual.model().coordinates(), expected.model().coordinates());
+    EXPECT_EQ(actual.model().structural_groups(), 2);
     for (int k = 0; k < expected.instants() && !HasFailure(); ++k)
       for (const char* name : {"B", "C", "P", "v"}) {
         expect_near(actual.position(k, name), expected.position(k, name), 1e-12, name);
@@ -81,7 +81,7 @@ TEST(FixedJoint, BodyFixedToTheGroundIsGround) {
   const std::vector<double> times = instants(1);
   const Solved actual(d.take(), turning, times);
   const Solved expected(driven(four_bar_sketch().take(), {"theta"}), turning, times);
-  const Mechanism& m = actual.mechanism();
+  const Model& m = actual.model();
   EXPECT_TRUE(m.entities[m.find("D")].fixed);
   EXPECT_TRUE(m.entities[m.find("E")].fixed);
   for (int k = 0; k < expected.instants() && !HasFailure(); ++k)
@@ -151,7 +151,7 @@ TEST(Derived, CouplerPointsAndVectorsFollowRigidly) {
     d.revolute(coupler, rocker, C);
     d.revolute(Sketch::ground, rocker, D);
     d.angle("theta", segment(A, B)).driven = true;
-    const Description described = d.take();
+    const Mechanism described = d.take();
     const Solved s(described, turning, instants(2));
     expect_rigid_bodies(described, s, 1e-11);
     for (int k = 0; k < s.instants() && !HasFailure(); ++k)
@@ -206,7 +206,7 @@ TEST(Derived, SpatialBodiesFollowRigidlyWhateverTheyAreBuiltOn) {
     };
     drive(0, 0, o[0], 0.3), drive(0, 1, o[1], -0.2), drive(0, 2, o[2], 0.1);
     drive(1, 1, p[1], 0.25), drive(1, 2, p[2], -0.35), drive(2, 2, q[2], 0.2);
-    const Description described = d.take();
+    const Mechanism described = d.take();
     const Solved s(described, motions, instants(0.5));
     expect_rigid_bodies(described, s, 1e-10);
     EXPECT_NEAR(s.position(50, "p0")[0], b.points[0] == o ? o[0] + 0.15 : s.position(50, "p0")[0],
@@ -237,10 +237,10 @@ TEST(Derived, PointOfTwoBodiesBeyondTheBasisOfBoth) {
       d.revolute(Sketch::ground, last, E);
     }
     d.angle("theta", segment(A, B)).driven = true;
-    const Description described = d.take();
+    const Mechanism described = d.take();
     try {
       const Solved s(described, turning, instants(1));
-      EXPECT_EQ(s.mechanism().structural_groups(), with_hanging_link ? 3 : 2);
+      EXPECT_EQ(s.model().structural_groups(), with_hanging_link ? 3 : 2);
       expect_rigid_bodies(described, s, 1e-11);
     } catch (const std::invalid_argument& e) {
       ADD_FAILURE() << e.what();
@@ -265,11 +265,11 @@ TEST(Derived, DriverOfAPointThatALaterGroupBuildsOn) {
       d.angle("drive", segment(A, B)).driven = true;
     else
       d.component("drive", B, 0).driven = true;
-    const Description described = d.take();
+    const Mechanism described = d.take();
     const double start = by_angle ? 1 : std::cos(1);
     try {
       const Solved s(described, {Polynomial{{start, -0.5}}}, instants(0.5));
-      EXPECT_EQ(s.mechanism().structural_groups(), 2);
+      EXPECT_EQ(s.model().structural_groups(), 2);
       expect_rigid_bodies(described, s, 1e-11);
     } catch (const std::invalid_argument& e) {
       ADD_FAILURE() << (by_angle ? "angle: " : "component: ") << e.what();
@@ -300,14 +300,14 @@ TEST(Derived, SliderOnAVectorAlongAnotherBodysSegment) {
     d.revolute(Sketch::ground, block, O);
     d.angle("theta", segment(A, B)).driven = true;
     const std::string what = "kind " + std::to_string(static_cast<int>(kind));
-    Description described = d.take();
+    Mechanism described = d.take();
     if (kind == Guide::along_with_a_link) described.bodies[block].length = 2;
     const std::vector<double> times = instants(1);
     try {
-      const Model modelled = model(described, turning);
-      EXPECT_EQ(modelled.mechanism.structural_groups(), 2) << what;
+      const ModellingResult modelled = model_mechanism(described, turning);
+      EXPECT_EQ(modelled.model.structural_groups(), 2) << what;
       EXPECT_FALSE(std::ranges::any_of(modelled.left_out, &LeftOut::redundant)) << what;
-      const Solved s(modelled.mechanism, times);
+      const Solved s(modelled.model, times);
       for (int k = 0; k < s.instants() && !HasFailure(); ++k) {
         const Vec from = polar(1, 1 + times[k]), way = unit(Vec{3, 0, 0} - from);
         expect_near(s.position(k, "u"), way, 1e-11, "u, " + what);

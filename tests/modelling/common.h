@@ -37,7 +37,7 @@ inline Stated canonical(Stated s) {
 }
 
 /// The equations of a group, none of them in part.
-inline std::vector<Stated> equations_of(const Mechanism& m, GroupId g) {
+inline std::vector<Stated> equations_of(const Model& m, GroupId g) {
   std::vector<Stated> result;
   for (const Constraint& c : m.constraints) {
     if (c.group != g || kept_rows(c) == 0) continue;
@@ -49,7 +49,7 @@ inline std::vector<Stated> equations_of(const Mechanism& m, GroupId g) {
   return result;
 }
 
-inline void expect_equations(const Mechanism& m, GroupId g, std::vector<Stated> expected) {
+inline void expect_equations(const Model& m, GroupId g, std::vector<Stated> expected) {
   std::vector<Stated> actual = equations_of(m, g);
   for (Stated& s : expected) s = canonical(std::move(s));
   const auto what = [](const Stated& s) { return std::pair(s.kind, s.operands); };
@@ -75,8 +75,8 @@ inline const std::vector<Motion> turning{Polynomial{{1.0, 1}}};
 
 /// Cranks of length 1 on pivots along the x axis, their ends joined by one coupler; the first is
 /// driven, nominally at `angle`. Their lengths are equal unless the last one's differs.
-inline Description parallelogram(const std::vector<double>& pivots, double angle = 1,
-                                 double last_length = 1) {
+inline Mechanism parallelogram(const std::vector<double>& pivots, double angle = 1,
+                               double last_length = 1) {
   Sketch d("parallelogram", 2);
   std::vector<int> feet, ends;
   for (std::size_t i = 0; i < pivots.size(); ++i) {
@@ -116,8 +116,8 @@ inline Sketch four_bar_sketch(std::optional<double> coupler_length = {}) {
   return d;
 }
 
-inline Description driven(Description d, const std::vector<std::string>& names) {
-  for (Description::Coordinate& c : d.coordinates)
+inline Mechanism driven(Mechanism d, const std::vector<std::string>& names) {
+  for (Mechanism::Coordinate& c : d.coordinates)
     c.driven = std::ranges::find(names, c.name) != names.end();
   return d;
 }

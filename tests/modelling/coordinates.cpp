@@ -10,7 +10,7 @@
 #include "cases/generators/cases.h"
 #include "cases/io/files.h"
 #include "cases/library/library.h"
-#include "formulations/modelling/model.h"
+#include "formulations/modelling/modelling.h"
 #include "tests/modelling/common.h"
 
 namespace desmo::coordinates_test {
@@ -34,9 +34,9 @@ TEST(Coordinates, PlanarOnesMeasureGeometry) {
   d.revolute(rocker, slider_rod, R);
   d.joint(JointType::revolute_on_slider, Sketch::ground, slider_rod, {D, S}, {x});
   d.angle("theta", segment(A, B)).driven = true;
-  const Description::Direction AB = segment(A, B), BC = segment(B, C), CB = segment(C, B),
-                               BP = segment(B, P), DC = segment(D, C), DR = segment(D, R);
-  using Measured = std::pair<Description::Direction, Description::Direction>;
+  const Mechanism::Direction AB = segment(A, B), BC = segment(B, C), CB = segment(C, B),
+                             BP = segment(B, P), DC = segment(D, C), DR = segment(D, R);
+  using Measured = std::pair<Mechanism::Direction, Mechanism::Direction>;
   const std::vector<Measured> angles{
       {BC, {}},
       {{v}, {}},
@@ -65,13 +65,13 @@ TEST(Coordinates, PlanarOnesMeasureGeometry) {
   d.along("backward", S, D, x);
   d.component("Px", P, 0);
   d.component("Py", P, 1);
-  const Description described = d.take();
+  const Mechanism described = d.take();
   const std::vector<double> times = instants(2);
   const Solved s(described, turning, times);
   expect_rigid_bodies(described, s, 1e-10);
   for (int k = 0; k < s.instants() && !HasFailure(); ++k) {
     const auto at = [&](int p) { return s.position(k, described.points[p].name); };
-    const auto direction = [&](const Description::Direction& e) -> Vec {
+    const auto direction = [&](const Mechanism::Direction& e) -> Vec {
       if (!e.is_given()) return {1, 0, 0};
       if (e.is_segment()) return at(e.to) - at(e.from);
       return s.position(k, described.vectors[e.vector].name);
@@ -96,21 +96,21 @@ TEST(Coordinates, PlanarOnesMeasureGeometry) {
 
 /// Adds the angle of every segment of every body from the x axis, both ways round, and from the
 /// segment before it.
-std::vector<Description::Coordinate> measure_all_angles(Description& d) {
-  std::vector<Description::Coordinate> added;
-  const auto measure = [&](const Description::Direction& of, const Description::Direction& from) {
-    Description::Coordinate c;
+std::vector<Mechanism::Coordinate> measure_all_angles(Mechanism& d) {
+  std::vector<Mechanism::Coordinate> added;
+  const auto measure = [&](const Mechanism::Direction& of, const Mechanism::Direction& from) {
+    Mechanism::Coordinate c;
     c.name = "measured" + std::to_string(added.size());
     c.type = CoordinateType::angle;
     c.of = of;
     c.from = from;
     added.push_back(c);
   };
-  Description::Direction before{};
+  Mechanism::Direction before{};
   for (std::size_t b = 1; b < d.bodies.size(); ++b) {
     const std::vector<int>& points = d.bodies[b].points;
     for (std::size_t i = 1; i < points.size(); ++i) {
-      const Description::Direction now = segment(points[i - 1], points[i]);
+      const Mechanism::Direction now = segment(points[i - 1], points[i]);
       measure(now, {});
       measure(segment(points[i], points[i - 1]), {});
       if (before.is_given()) measure(now, before);
@@ -130,8 +130,8 @@ TEST(Coordinates, EveryPlanarBodyIsMeasuredAgainOverTheWholeMotion) {
     ++mechanisms;
     SCOPED_TRACE(l.name);
     const auto added = measure_all_angles(scene.mechanism);
-    const Description& d = scene.mechanism;
-    const Mechanism m = make_mechanism(scene);
+    const Mechanism& d = scene.mechanism;
+    const Model m = make_model(scene);
     for (const Constraint& c : m.constraints)
       visit_kind(c.kind, [&](auto kind) {
         EXPECT_TRUE(c.left_out == 0 || kept_rows(c) == 0 || kind.linear)
@@ -142,17 +142,17 @@ TEST(Coordinates, EveryPlanarBodyIsMeasuredAgainOverTheWholeMotion) {
     for (const char* id : {"global_automatic_eigen", "block_automatic_klu"}) {
       const Solved s(m, times, id, scene.tolerance);
       for (int k = 0; k < s.instants() && !HasFailure(); ++k) {
-        const auto direction = [&](const Description::Direction& e, bool rate) -> Vec {
+        const auto direction = [&](const Mechanism::Direction& e, bool rate) -> Vec {
           if (!e.is_given()) return rate ? Vec{} : Vec{1, 0, 0};
           const std::string &from = d.points[e.from].name, &to = d.points[e.to].name;
           return rate ? s.velocity(k, to) - s.velocity(k, from)
                       : s.position(k, to) - s.position(k, from);
         };
-        const auto turning_rate = [&](const Description::Direction& e) {
+        const auto turning_rate = [&](const Mechanism::Direction& e) {
           const Vec now = direction(e, false);
           return cross(now, direction(e, true))[2] / dot(now, now);
         };
-        for (const Description::Coordinate& c : added) {
+        for (const Mechanism::Coordinate& c : added) {
           expect_same_angle(s.scalar(k, c.name),
                             turn(direction(c.from, false), direction(c.of, false)), 1e-8, c.name);
           const double rate = turning_rate(c.of) - turning_rate(c.from);
@@ -210,8 +210,8 @@ TEST(Coordinates, SpatialOnesMeasureGeometry) {
               sleeve = d.body("sleeve", {S, T}, {r, b, c});
     d.joint(JointType::revolute, Sketch::ground, arm, {O}, {y});
     d.joint(JointType::cylindrical, arm, sleeve, {P, S}, {r});
-    const auto angle = [&](const char* name, const Description::Direction& of, int from,
-                           int towards, bool opposite) -> Description::Coordinate& {
+    const auto angle = [&](const char* name, const Mechanism::Direction& of, int from, int towards,
+                           bool opposite) -> Mechanism::Coordinate& {
       auto& a = d.angle(name, of, {from});
       a.towards = {towards};
       a.opposite = opposite;
@@ -228,7 +228,7 @@ TEST(Coordinates, SpatialOnesMeasureGeometry) {
     d.distance("reach", F, T);
     d.along("slide", P, S, r).driven = true;
     d.along("back", S, O, r);
-    const Description described = d.take();
+    const Mechanism described = d.take();
     const std::vector<double> times = instants(1);
     const Solved s(described, {Polynomial{{start, 0.7}}, Polynomial{{0, 1}}, Polynomial{{1, 0.5}}},
                    times);
@@ -262,9 +262,9 @@ TEST(Coordinates, SpatialSlidingJointsHaveADistanceUnlessOneIsDeclared) {
     d.joint(JointType::prismatic, Sketch::ground, block, {O, P}, {x, z});
     if (declared) d.along("s", P, O, x);  // either way round
     d.component("at", P, 0).driven = true;
-    const Description described = d.take();
+    const Mechanism described = d.take();
     const Solved s(described, {Polynomial{{2, 1}}}, instants(0.5));
-    const Mechanism& m = s.mechanism();
+    const Model& m = s.model();
     const std::string automatic = described.joints.front().name + "/distance";
     const bool present =
         std::ranges::find(m.entities, automatic, &Entity::name) != m.entities.end();

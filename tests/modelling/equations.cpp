@@ -8,13 +8,13 @@
 #include <set>
 
 #include "cases/generators/cases.h"
-#include "formulations/modelling/model.h"
+#include "formulations/modelling/modelling.h"
 #include "tests/modelling/common.h"
 
 namespace desmo::equations_test {
 namespace {
 
-void expect_unknowns(const Mechanism& m, GroupId g, std::set<std::string> expected) {
+void expect_unknowns(const Model& m, GroupId g, std::set<std::string> expected) {
   std::set<std::string> actual;
   const std::vector<EntityId> owner = entity_of_coordinate(m);
   for (const int i : unknowns(m, g)) actual.insert(m.entities[owner[i]].name);
@@ -102,7 +102,7 @@ class AxleOracle {
 
 TEST(TruckSuspension, HasExactlyTheEquationsOfItsDesign) {
   for (const int axles : {1, 5}) {
-    const Mechanism m = truck_mechanism(axles);
+    const Model m = truck_model(axles);
     EXPECT_EQ(m.coordinates(), 111 * axles + 3);
     ASSERT_EQ(m.groups.size(), 1u + 5 * axles);
     ASSERT_EQ(m.drivers.size(), 2u * axles);
@@ -141,7 +141,7 @@ TEST(TruckSuspension, HasExactlyTheEquationsOfItsDesign) {
 TEST(TruckSuspension, LeavesOutOnlyTheUnitLengthOfTheChassisVector) {
   for (const int axles : {1, 5}) {
     const Scene s = truck_suspension(axles);
-    const std::vector<LeftOut> left_out = model(s.mechanism, s.motions).left_out;
+    const std::vector<LeftOut> left_out = model_mechanism(s.mechanism, s.motions).left_out;
     ASSERT_EQ(left_out.size(), 1u);
     EXPECT_NE(left_out[0].equation.find("y1 unit"), std::string::npos) << left_out[0].equation;
     EXPECT_EQ(left_out[0].rows, std::vector{0});
@@ -153,7 +153,7 @@ TEST(TruckSuspension, LeavesOutOnlyTheUnitLengthOfTheChassisVector) {
 
 TEST(FourBar, HasExactlyTheEquationsOfItsDesign) {
   for (const int dyads : {1, 185}) {
-    const Mechanism m = four_bar_mechanism(dyads);
+    const Model m = four_bar_model(dyads);
     EXPECT_EQ(m.coordinates(), 3 + 3 * dyads);
     ASSERT_EQ(m.groups.size(), 1u + dyads);
     ASSERT_EQ(m.drivers.size(), 1u);
@@ -174,7 +174,7 @@ TEST(FourBar, HasExactlyTheEquationsOfItsDesign) {
 TEST(FourBar, LeavesOutTheLengthsThatAnglesDefine) {
   for (const int dyads : {1, 185}) {
     const Scene s = four_bar(dyads);
-    const Model modelled = model(s.mechanism, s.motions);
+    const ModellingResult modelled = model_mechanism(s.mechanism, s.motions);
     ASSERT_EQ(modelled.left_out.size(), 1u + dyads);
     for (int g = 0; g <= dyads; ++g) {
       const LeftOut& l = modelled.left_out[g];

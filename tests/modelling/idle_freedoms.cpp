@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "cases/io/files.h"
-#include "formulations/modelling/model.h"
+#include "formulations/modelling/modelling.h"
 #include "tests/modelling/common.h"
 
 namespace desmo::idle_freedoms_test {
@@ -17,26 +17,26 @@ namespace {
 
 using Idle = std::vector<IdleFreedom>;
 
-Description::Body& coupler_of(Description& d) {
-  return *std::ranges::find(d.bodies, "coupler", &Description::Body::name);
+Mechanism::Body& coupler_of(Mechanism& d) {
+  return *std::ranges::find(d.bodies, "coupler", &Mechanism::Body::name);
 }
 
 TEST(IdleFreedom, OfACouplerBetweenTwoSphericalJointsIsItsSpin) {
   const Scene scene = library_scene("rssr");
-  EXPECT_EQ(model(scene.mechanism, scene.motions).idle,
+  EXPECT_EQ(model_mechanism(scene.mechanism, scene.motions).idle,
             (Idle{{"coupler", "the line of 'A' and 'B'"}}));
 }
 
 TEST(IdleFreedom, NeitherInThePlaneNorOfWhatCarriesMore) {
-  EXPECT_TRUE(model(driven(four_bar_sketch().take(), {"theta"}), turning).idle.empty());
-  Description d = library_scene("rssr").mechanism;
+  EXPECT_TRUE(model_mechanism(driven(four_bar_sketch().take(), {"theta"}), turning).idle.empty());
+  Mechanism d = library_scene("rssr").model;
   coupler_of(d).vectors.push_back(0);  // a vector across its line, which tells the spin
   EXPECT_TRUE(find_idle_freedoms(d, find_rigid_bodies(d)).empty());
 }
 
 TEST(IdleFreedom, ThatMovesAPointIsUndetermined) {
   Scene scene = library_scene("rssr");
-  Description& d = scene.mechanism;
+  Mechanism& d = scene.mechanism;
   d.points.push_back({"E", {0.3, 0.5, 0.9}});
   coupler_of(d).points.push_back(static_cast<int>(d.points.size()) - 1);
   expect_refused(d, scene.motions,

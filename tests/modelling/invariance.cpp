@@ -8,7 +8,7 @@
 #include <set>
 
 #include "cases/generators/cases.h"
-#include "formulations/modelling/model.h"
+#include "formulations/modelling/modelling.h"
 #include "tests/modelling/common.h"
 
 namespace desmo::invariance_test {
@@ -16,7 +16,7 @@ namespace {
 
 /// The description with its lists in another order; the ground stays first, and the relative order
 /// of driven coordinates, which the motions follow.
-Description permuted(const Description& d, unsigned seed) {
+Mechanism permuted(const Mechanism& d, unsigned seed) {
   std::mt19937 random(seed);
   const auto shuffled = [&](std::size_t n, std::size_t keep) {
     std::vector<int> order(n);
@@ -39,25 +39,25 @@ Description permuted(const Description& d, unsigned seed) {
   const auto new_point = moved(points), new_vector = moved(vectors), new_body = moved(bodies);
   const auto point = [&](int& p) { p = p < 0 ? p : new_point[p]; };
   const auto vector = [&](int& v) { v = v < 0 ? v : new_vector[v]; };
-  Description r = d;
+  Mechanism r = d;
   r.points = take(d.points, points);
   r.vectors = take(d.vectors, vectors);
   r.bodies = take(d.bodies, bodies);
   r.joints = take(d.joints, joints);
   std::ranges::stable_partition(r.coordinates, [](const auto& c) { return c.driven; });
-  for (Description::Vector& v : r.vectors)
+  for (Mechanism::Vector& v : r.vectors)
     if (v.along) point((*v.along)[0]), point((*v.along)[1]);
-  for (Description::Body& b : r.bodies) {
+  for (Mechanism::Body& b : r.bodies) {
     std::ranges::for_each(b.points, point);
     std::ranges::for_each(b.vectors, vector);
   }
-  for (Description::Joint& j : r.joints) {
+  for (Mechanism::Joint& j : r.joints) {
     for (int& b : j.bodies) b = new_body[b];
     std::ranges::for_each(j.points, point);
     std::ranges::for_each(j.vectors, vector);
   }
-  for (Description::Coordinate& c : r.coordinates) {
-    for (Description::Direction* e : {&c.of, &c.from, &c.towards})
+  for (Mechanism::Coordinate& c : r.coordinates) {
+    for (Mechanism::Direction* e : {&c.of, &c.from, &c.towards})
       point(e->from), point(e->to), vector(e->vector);
     vector(c.vector);
     point(c.point);
@@ -67,7 +67,7 @@ Description permuted(const Description& d, unsigned seed) {
 
 /// A mechanism to be solved in other guises, and how its drivers move.
 struct Sample {
-  Description description;
+  Mechanism mechanism;
   std::vector<Motion> motions;
   bool translates = true;
 };
@@ -138,10 +138,10 @@ struct Guise : testing::TestWithParam<int> {
 
   /// Structure is the same, and every point and length is the image of the original's.
   template <class Image>
-  void expect_image(const Description& other, const std::vector<Motion>& motions, double scale,
+  void expect_image(const Mechanism& other, const std::vector<Motion>& motions, double scale,
                     Image&& image) {
-    const Mechanism original = model(sample.description, sample.motions).mechanism;
-    const Mechanism changed = model(other, motions).mechanism;
+    const Model original = model_mechanism(sample.mechanism, sample.motions).model;
+    const Model changed = model_mechanism(other, motions).model;
     EXPECT_EQ(changed.coordinates(), original.coordinates());
     EXPECT_EQ(changed.structural_groups(), original.structural_groups());
     int rows[2] = {0, 0};
@@ -152,9 +152,9 @@ struct Guise : testing::TestWithParam<int> {
     const Solved a(original, times),
         b(changed, times, "global_automatic_eigen", 1e-13 * std::max(1.0, scale * scale));
     for (int k = 0; k < a.instants() && !HasFailure(); k += 10) {
-      for (const Description::Point& p : sample.description.points)
+      for (const Mechanism::Point& p : sample.mechanism.points)
         expect_near(1 / scale * b.position(k, p.name), image(a.position(k, p.name)), 1e-8, p.name);
-      for (const Description::Coordinate& c : sample.description.coordinates) {
+      for (const Mechanism::Coordinate& c : sample.mechanism.coordinates) {
         if (c.type == CoordinateType::angle)
           expect_same_angle(b.scalar(k, c.name), a.scalar(k, c.name), 1e-8, c.name);
         else
@@ -165,7 +165,7 @@ struct Guise : testing::TestWithParam<int> {
 };
 
 TEST_P(Guise, NamesOfBodiesDoNotMatter) {
-  Description d = sample.description;
+  Mechanism d = sample.mechanism;
   for (std::size_t b = 1; b < d.bodies.size(); ++b)
     d.bodies[b].name = "body " + std::to_string(d.bodies.size() - b);
   for (std::size_t j = 0; j < d.joints.size(); ++j) d.joints[j].name = "j" + std::to_string(j);
@@ -174,15 +174,15 @@ TEST_P(Guise, NamesOfBodiesDoNotMatter) {
 
 TEST_P(Guise, OrderDoesNotMatter) {
   for (unsigned seed = 1; seed <= 6; ++seed)
-    expect_image(permuted(sample.description, seed), sample.motions, 1, std::identity{});
+    expect_image(permuted(sample.mechanism, seed), sample.motions, 1, std::identity{});
 }
 
 TEST_P(Guise, OrderWithinBodiesAndJointsDoesNotMatter) {
   // What a body is built on changes, so that the equations do; their number does not.
-  Description d = sample.description;
-  for (Description::Body& b : d.bodies) std::ranges::reverse(b.points);
-  for (Description::Joint& j : d.joints) {
-    using enum Description::JointType;
+  Mechanism d = sample.mechanism;
+  for (Mechanism::Body& b : d.bodies) std::ranges::reverse(b.points);
+  for (Mechanism::Joint& j : d.joints) {
+    using enum Mechanism::JointType;
     std::swap(j.bodies[0], j.bodies[1]);
     if (j.type == prismatic || j.type == cylindrical) std::swap(j.points[0], j.points[1]);
     if (j.type == universal) std::swap(j.vectors[0], j.vectors[1]);
@@ -192,11 +192,11 @@ TEST_P(Guise, OrderWithinBodiesAndJointsDoesNotMatter) {
 
 TEST_P(Guise, TheUnitOfLengthDoesNotMatter) {
   for (const double scale : {1e3, 1e-3}) {
-    Description d = sample.description;
-    for (Description::Point& p : d.points) p.position = scale * p.position;
+    Mechanism d = sample.mechanism;
+    for (Mechanism::Point& p : d.points) p.position = scale * p.position;
     std::vector<Motion> motions = sample.motions;
     std::size_t motion = 0;
-    for (const Description::Coordinate& c : d.coordinates) {
+    for (const Mechanism::Coordinate& c : d.coordinates) {
       if (!c.driven) continue;
       Motion& z = motions[motion++];
       if (c.type == CoordinateType::angle) continue;
@@ -211,11 +211,11 @@ TEST_P(Guise, TheUnitOfLengthDoesNotMatter) {
 TEST_P(Guise, WhereItStandsDoesNotMatter) {
   if (!sample.translates) GTEST_SKIP() << "its heights are measured from the origin";
   const auto image = [&](const Vec& p) {
-    return rotated(p, sample.description.dimension) + Vec{3, -2, 0};
+    return rotated(p, sample.mechanism.dimension) + Vec{3, -2, 0};
   };
-  Description d = sample.description;
-  for (Description::Point& p : d.points) p.position = image(p.position);
-  for (Description::Vector& v : d.vectors) v.direction = rotated(v.direction, d.dimension);
+  Mechanism d = sample.mechanism;
+  for (Mechanism::Point& p : d.points) p.position = image(p.position);
+  for (Mechanism::Vector& v : d.vectors) v.direction = rotated(v.direction, d.dimension);
   expect_image(d, sample.motions, 1, image);
 }
 
@@ -243,9 +243,9 @@ TEST(Invariance, ADriverOfASharedPointIsThatOfTheFirstBodyThatCarriesIt) {
   const std::vector<Motion> abscissa{Polynomial{{std::cos(1.0), -0.5}}};
   const std::vector<double> times = instants(0.5);
   const Solved a(described(true), abscissa, times), b(described(false), abscissa, times);
-  EXPECT_EQ(a.mechanism().structural_groups(), 2);
-  EXPECT_EQ(a.mechanism().groups[0].bodies, std::vector<std::string>{"crank"});
-  EXPECT_EQ(b.mechanism().structural_groups(), 1);
+  EXPECT_EQ(a.model().structural_groups(), 2);
+  EXPECT_EQ(a.model().groups[0].bodies, std::vector<std::string>{"crank"});
+  EXPECT_EQ(b.model().structural_groups(), 1);
   for (int k = 0; k < a.instants() && !HasFailure(); ++k)
     expect_near(b.position(k, "C"), a.position(k, "C"), 1e-11, "C");
 }

@@ -20,7 +20,7 @@ namespace {
 
 /// The same mechanism with its lengths in another unit: what is a length, and constants by the
 /// dimension of their equation.
-Mechanism in_unit(Mechanism m, double unit) {
+Model in_unit(Model m, double unit) {
   const auto stretch = [&](const Entity& e, std::vector<double>& values) {
     if (e.kind == EntityKind::point || e.kind == EntityKind::distance)
       for (int i = e.first; i < e.first + e.size; ++i) values[i] *= unit;
@@ -47,8 +47,8 @@ Mechanism in_unit(Mechanism m, double unit) {
 /// Lengths eight times as large make magnitudes of equations larger by just those powers.
 TEST(LengthPowers, AreThoseOfTheLibrarysConstraints) {
   for (const LibraryMechanism& l : library()) {
-    const Mechanism m = make_mechanism(library_scene(l.name));
-    Mechanism longer = in_unit(m, 8);
+    const Model m = make_model(library_scene(l.name));
+    Model longer = in_unit(m, 8);
     std::vector<LengthPowers> all;
     for (std::size_t i = 0; i < m.constraints.size(); ++i) {
       const Constraint& c = m.constraints[i];
@@ -67,7 +67,7 @@ TEST(LengthPowers, AreThoseOfTheLibrarysConstraints) {
   }
 }
 
-double weight(const Mechanism& m, const std::string& constraint, int row = 0) {
+double weight(const Model& m, const std::string& constraint, int row = 0) {
   for (int c = 0; c < static_cast<int>(m.constraints.size()); ++c)
     if (m.constraints[c].name == constraint) return 1 / Magnitudes(m).of({c, row});
   ADD_FAILURE() << "no constraint " << constraint;
@@ -75,8 +75,8 @@ double weight(const Mechanism& m, const std::string& constraint, int row = 0) {
 }
 
 /// Points a and b with ‖b − a‖ = length, b found by the constraint and an x of its own.
-Mechanism rod(double length, double from = 0) {
-  Mechanism m;
+Model rod(double length, double from = 0) {
+  Model m;
   m.name = "rod";
   const GroupId g = m.add_group("rod", {"rod"});
   const EntityId a = m.add_fixed(EntityKind::point, "a", std::array{from, 0.0});
@@ -94,12 +94,12 @@ TEST(Magnitudes, OfALengthIsItsSquare) {
 
 TEST(Magnitudes, AreNeverNothing) {
   for (const double x : {0.0, 1e-150, 1e150, std::numeric_limits<double>::quiet_NaN()}) {
-    Mechanism m = rod(1);
+    Model m = rod(1);
     m.estimate[0] = x;
     const double w = weight(m, "length");
     EXPECT_TRUE(w > 0 && std::isfinite(w)) << x << ": " << w;
   }
-  Mechanism m;  // a distance that starts at nothing, between points of a link of length 2
+  Model m;  // a distance that starts at nothing, between points of a link of length 2
   m.name = "telescope";
   const GroupId g = m.add_group("g", {"link"});
   const EntityId a = m.add_fixed(EntityKind::point, "a", std::array{0.0, 0.0});
@@ -114,7 +114,7 @@ TEST(Magnitudes, AreNeverNothing) {
 }
 
 TEST(Magnitudes, AreLocal) {
-  const Mechanism few = four_bar_mechanism(3), many = four_bar_mechanism(300);
+  const Model few = four_bar_model(3), many = four_bar_model(300);
   for (const char* name : {"dyad2/coupler", "dyad2/rocker"})
     for (std::size_t c = 0; c < few.constraints.size(); ++c)
       if (few.constraints[c].name.starts_with(name)) {
@@ -125,8 +125,8 @@ TEST(Magnitudes, AreLocal) {
 }
 
 TEST(Magnitudes, FollowTheUnitByThePowerOfTheEquation) {
-  for (const Mechanism& m : {truck_mechanism(1), four_bar_mechanism(2)}) {
-    const Mechanism other = in_unit(m, 8);  // a power of two: no rounding
+  for (const Model& m : {truck_model(1), four_bar_model(2)}) {
+    const Model other = in_unit(m, 8);  // a power of two: no rounding
     const Magnitudes as_is(m), scaled(other);
     for (int c = 0; c < static_cast<int>(m.constraints.size()); ++c)
       for (int row = 0; row < rows(m.constraints[c]); ++row) {
@@ -140,7 +140,7 @@ TEST(Magnitudes, FollowTheUnitByThePowerOfTheEquation) {
 
 TEST(Magnitudes, OfTheLibraryAreWithinReach) {
   for (const LibraryMechanism& l : library()) {
-    const Mechanism m = make_mechanism(parse_scene(l.scene, std::string(l.name), {}));
+    const Model m = make_model(parse_scene(l.scene, std::string(l.name), {}));
     const Magnitudes magnitudes(m);
     for (int c = 0; c < static_cast<int>(m.constraints.size()); ++c)
       for (int row = 0; row < rows(m.constraints[c]); ++row) {
@@ -152,7 +152,7 @@ TEST(Magnitudes, OfTheLibraryAreWithinReach) {
 
 // ---- what rounding leaves ----
 
-double rounding(const Mechanism& m, std::size_t group) {
+double rounding(const Model& m, std::size_t group) {
   return Magnitudes(m).rounding(make_partition(m, Partition::group)[group]);
 }
 
@@ -168,7 +168,7 @@ TEST(Rounding, GrowsWithTheDistanceFromTheOrigin) {
 
 TEST(Rounding, RaisesNoToleranceOfTheCases) {
   for (const Case& c : cases()) {
-    const Mechanism m = make_mechanism(describe(c, c.sizes.back()));
+    const Model m = make_model(describe(c, c.sizes.back()));
     for (const Variant& v : variants())
       if (v.evaluation == Evaluation::automatic && algebra_name(v) == "klu") {
         EXPECT_NEAR(make_formulation(v, m)->tolerance(), Settings{}.tolerance, 1e-20)
@@ -179,7 +179,7 @@ TEST(Rounding, RaisesNoToleranceOfTheCases) {
 
 /// A residual of 1e-12 is far below a unit in the last place of where the chain ends.
 TEST(Rounding, OfALongChainIsSaidAndNoFailure) {
-  const Mechanism m = four_bar_mechanism(3000);
+  const Model m = four_bar_model(3000);
   for (const char* id : {"global_automatic_klu", "group_automatic_eigen", "block_symbolic_inlined",
                          "group_symbolic_explicit"}) {
     const auto f = make_formulation(find_variant(id), m),
@@ -200,9 +200,9 @@ class Units : public EveryVariant {};
 /// The same mechanism in nanometres and in gigametres takes the same iterations to the same
 /// relative answers.
 TEST_P(Units, ChangeNeitherIterationsNorRelativeErrors) {
-  const Mechanism m = four_bar_mechanism(4);
+  const Model m = four_bar_model(4);
   for (const double unit : {1e-9, 1e9}) {
-    const Mechanism other = in_unit(m, unit);
+    const Model other = in_unit(m, unit);
     const auto f = make_formulation(GetParam(), m), g = make_formulation(GetParam(), other);
     for (int k = 0; k <= 20; ++k) {
       const Summary a = f->step(0.02 * k), b = g->step(0.02 * k);

@@ -52,28 +52,28 @@ const std::vector<Wish>& wishes() {
   return list;
 }
 
-std::vector<Asked> asked_of(const Mechanism& m, const Wish& wish) {
+std::vector<Asked> asked_of(const Model& m, const Wish& wish) {
   std::vector<Asked> result;
   for (const auto& [entity, level] : wish.asked) result.push_back({m.find(entity), level});
   return result;
 }
 
 /// Everything on the second axle.
-std::vector<Asked> second_axle(const Mechanism& m) {
+std::vector<Asked> second_axle(const Model& m) {
   std::vector<Asked> result;
   for (EntityId e = 0; e < static_cast<EntityId>(m.entities.size()); ++e)
     if (m.entities[e].name.starts_with("axle2/")) result.push_back({e, Level::acceleration});
   return result;
 }
 
-std::set<std::string> names(const Mechanism& m) {
+std::set<std::string> names(const Model& m) {
   std::set<std::string> result;
   for (const Entity& e : m.entities) result.insert(e.name);
   return result;
 }
 
-const Mechanism& whole() {
-  static const Mechanism m = truck_mechanism(2);
+const Model& whole() {
+  static const Model m = truck_model(2);
   return m;
 }
 
@@ -98,23 +98,23 @@ const Motions& whole_motion() {
 
 void expect_outputs_of_the_whole(const Plan& plan, const std::vector<Asked>& asked,
                                  const Variant& variant, const std::string& what) {
-  const auto f = make_formulation(variant, plan.mechanism, Settings{1e-13, 25});
+  const auto f = make_formulation(variant, plan.model, Settings{1e-13, 25});
   f->solve_only(plan.levels);
   const Motions& expected = whole_motion();
   for (std::size_t k = 0; k < expected.q.size() && !testing::Test::HasFailure(); ++k) {
     const Summary s = f->step(k * step, plan.level());
-    ASSERT_TRUE(s.ok()) << what << ": " << describe(s, plan.mechanism);
+    ASSERT_TRUE(s.ok()) << what << ": " << describe(s, plan.model);
     ASSERT_EQ(plan.outputs.size(), asked.size());
     for (std::size_t o = 0; o < asked.size(); ++o) {
       const Entity& from = whole().entities[asked[o].entity];
-      const Entity& to = plan.mechanism.entities[plan.outputs[o].entity];
+      const Entity& to = plan.model.entities[plan.outputs[o].entity];
       ASSERT_EQ(to.name, from.name);
       ASSERT_EQ(plan.outputs[o].level, asked[o].level);
       ASSERT_EQ(to.fixed, from.fixed);
       for (int i = 0; i < from.size; ++i) {
         const int a = from.first + i, b = to.first + i;
         if (from.fixed) {
-          EXPECT_EQ(plan.mechanism.fixed_values[b], whole().fixed_values[a]);
+          EXPECT_EQ(plan.model.fixed_values[b], whole().fixed_values[a]);
           continue;
         }
         const auto near = [&](double actual, double exact, const char* level) {
@@ -130,7 +130,7 @@ void expect_outputs_of_the_whole(const Plan& plan, const std::vector<Asked>& ask
   }
 }
 
-std::vector<Asked> everything(const Mechanism& m) {
+std::vector<Asked> everything(const Model& m) {
   std::vector<Asked> result;
   for (EntityId e = 0; e < static_cast<EntityId>(m.entities.size()); ++e)
     result.push_back({e, Level::acceleration});
@@ -160,7 +160,7 @@ INSTANTIATE_TEST_SUITE_P(Table, EveryPlan, testing::ValuesIn(tested_variants()),
 
 TEST(Plan, DropsWhatNothingAskedDependsOn) {
   const Plan plan = make_plan(whole(), asked_of(whole(), {"", {{"axle1/WL", Level::position}}}));
-  const std::set<std::string> kept = names(plan.mechanism);
+  const std::set<std::string> kept = names(plan.model);
   // The axle's pose, its arm and rods as far as they hold it.
   for (const char* needed :
        {"axle1/WL", "axle1/y2", "axle1/z2", "axle1/S", "axle1/C4", "axle1/C5", "axle1/WR",
@@ -171,9 +171,9 @@ TEST(Plan, DropsWhatNothingAskedDependsOn) {
   for (const char* idle : {"axle1/x2", "axle1/n3", "axle1/n4", "axle1/n5", "axle1/A6", "axle1/phi6",
                            "axle1/s10", "axle1/T11", "axle2/WL", "axle2/zL"})
     EXPECT_FALSE(kept.contains(idle)) << idle;
-  EXPECT_EQ(plan.mechanism.drivers.size(), 2u);
-  EXPECT_LT(plan.mechanism.coordinates(), 41 + 3);
-  EXPECT_EQ(plan.levels.size(), static_cast<std::size_t>(plan.mechanism.coordinates()));
+  EXPECT_EQ(plan.model.drivers.size(), 2u);
+  EXPECT_LT(plan.model.coordinates(), 41 + 3);
+  EXPECT_EQ(plan.levels.size(), static_cast<std::size_t>(plan.model.coordinates()));
   for (const std::string& name : kept)
     EXPECT_TRUE(name.starts_with("axle1/") || name.ends_with("y1")) << name;
 }
@@ -182,8 +182,8 @@ TEST(Plan, DropsDriversThatAreNotNeeded) {
   const auto drivers = [](const char* entity) {
     const Plan plan = make_plan(whole(), asked_of(whole(), {"", {{entity, Level::position}}}));
     std::set<std::string> result;
-    for (const Driver& d : plan.mechanism.drivers)
-      result.insert(plan.mechanism.entities[d.coordinate].name);
+    for (const Driver& d : plan.model.drivers)
+      result.insert(plan.model.entities[d.coordinate].name);
     return result;
   };
   using Names = std::set<std::string>;
@@ -196,7 +196,7 @@ TEST(Plan, DropsDriversThatAreNotNeeded) {
 TEST(Plan, KeepsConstraintsAndEntitiesWhole) {
   for (const Wish& wish : wishes()) {
     const Plan plan = make_plan(whole(), asked_of(whole(), wish));
-    const Mechanism& m = plan.mechanism;
+    const Model& m = plan.model;
     EXPECT_NO_THROW(validate(m));
     for (const Entity& e : m.entities)
       EXPECT_EQ(e.size, whole().entities[whole().find(e.name)].size);
@@ -215,9 +215,9 @@ TEST(Plan, KeepsConstraintsAndEntitiesWhole) {
 
 TEST(Plan, OfEverythingIsTheWhole) {
   const Plan plan = make_plan(whole(), {});
-  EXPECT_EQ(plan.mechanism.coordinates(), whole().coordinates());
-  EXPECT_EQ(names(plan.mechanism), names(whole()));
-  EXPECT_EQ(plan.mechanism.constraints.size(), whole().constraints.size());
+  EXPECT_EQ(plan.model.coordinates(), whole().coordinates());
+  EXPECT_EQ(names(plan.model), names(whole()));
+  EXPECT_EQ(plan.model.constraints.size(), whole().constraints.size());
   EXPECT_TRUE(std::ranges::all_of(plan.levels, [](Level l) { return l == Level::acceleration; }));
   EXPECT_EQ(plan.level(), Level::acceleration);
   for (const Plan::GroupUse& g : plan.groups) {
@@ -229,10 +229,10 @@ TEST(Plan, OfEverythingIsTheWhole) {
 
 TEST(Plan, OfAFixedPointSolvesNothing) {
   const Plan plan = make_plan(whole(), asked_of(whole(), {"", {{"axle2/T13", Level::velocity}}}));
-  EXPECT_EQ(plan.mechanism.coordinates(), 0);
-  EXPECT_TRUE(plan.mechanism.groups.empty());
+  EXPECT_EQ(plan.model.coordinates(), 0);
+  EXPECT_TRUE(plan.model.groups.empty());
   ASSERT_EQ(plan.outputs.size(), 1u);
-  EXPECT_TRUE(plan.mechanism.entities[plan.outputs[0].entity].fixed);
+  EXPECT_TRUE(plan.model.entities[plan.outputs[0].entity].fixed);
 }
 
 TEST(Plan, SaysWhatBecameOfEachGroup) {
@@ -269,7 +269,7 @@ TEST(Plan, AsksUpstreamForTheLevelOfWhatDependsOnIt) {
   const Plan plan = make_plan(
       whole(), asked_of(whole(), {"", {{"axle1/phi6", position}, {"axle1/s12", acceleration}}}));
   const auto level_of = [&](const char* name) {
-    return plan.levels[plan.mechanism.entities[plan.mechanism.find(name)].first];
+    return plan.levels[plan.model.entities[plan.model.find(name)].first];
   };
   for (const char* deep : {"axle1/WL", "axle1/x2", "axle1/A12", "axle1/s12", "axle1/zL", "y1"})
     EXPECT_EQ(level_of(deep), acceleration) << deep;
@@ -283,12 +283,12 @@ TEST(Plan, LeavesOutLevelsOfPartsThatNobodyAsksFor) {
   const Plan plan = make_plan(
       whole(), asked_of(whole(), {"", {{"axle1/phi6", position}, {"axle1/s12", acceleration}}}));
   for (const char* id : {"group_automatic_lapack", "block_automatic_klu"}) {
-    const auto f = make_formulation(find_variant(id), plan.mechanism);
+    const auto f = make_formulation(find_variant(id), plan.model);
     for (const Formulation::DefinedPart& p : f->parts()) EXPECT_EQ(p.level, acceleration);
     f->solve_only(plan.levels);
     std::set<Level> seen;
     for (const Formulation::DefinedPart& p : f->parts()) {
-      const Group& g = plan.mechanism.groups[p.definition.groups.front()];
+      const Group& g = plan.model.groups[p.definition.groups.front()];
       const bool lever = g.bodies == std::vector<std::string>{"axle1/6", "axle1/8"};
       EXPECT_EQ(p.level, lever ? position : acceleration) << id << ", " << g.name;
       seen.insert(p.level);
@@ -296,7 +296,7 @@ TEST(Plan, LeavesOutLevelsOfPartsThatNobodyAsksFor) {
     EXPECT_EQ(seen.size(), 2u) << id;
   }
   // All at once there is one part, and it goes as far as anyone asks.
-  const auto global = make_formulation(find_variant("global_automatic_klu"), plan.mechanism);
+  const auto global = make_formulation(find_variant("global_automatic_klu"), plan.model);
   global->solve_only(plan.levels);
   for (const Formulation::DefinedPart& p : global->parts()) EXPECT_EQ(p.level, acceleration);
 }
@@ -305,7 +305,7 @@ TEST(Plan, OfAPositionSolvesPositionsOnly) {
   const Plan plan = make_plan(whole(), asked_of(whole(), {"", {{"axle2/s10", Level::position}}}));
   for (const char* id :
        {"global_automatic_eigen", "group_automatic_klu", "block_automatic_lapack"}) {
-    const auto f = make_formulation(find_variant(id), plan.mechanism);
+    const auto f = make_formulation(find_variant(id), plan.model);
     f->solve_only(plan.levels);
     for (const Formulation::DefinedPart& p : f->parts()) EXPECT_EQ(p.level, Level::position) << id;
     // Asked for more, they still go no further.
@@ -326,7 +326,7 @@ TEST(Plan, TakesWhatASceneAsksFor) {
   s.request = {{point, index(s.mechanism.points, "axle1/B6"), Level::velocity},
                {vector, index(s.mechanism.vectors, "axle1/e6"), Level::position},
                {coordinate, index(s.mechanism.coordinates, "axle1/s12"), Level::acceleration}};
-  const Mechanism m = make_mechanism(s);
+  const Model m = make_model(s);
   const std::vector<Asked> asked = asked_by(s, m);
   ASSERT_EQ(asked.size(), 3u);
   EXPECT_EQ(m.entities[asked[0].entity].name, "axle1/B6");

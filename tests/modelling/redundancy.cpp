@@ -8,16 +8,16 @@
 #include <set>
 
 #include "cases/generators/cases.h"
-#include "formulations/modelling/model.h"
+#include "formulations/modelling/modelling.h"
 #include "tests/modelling/common.h"
 
 namespace desmo::redundancy_test {
 namespace {
 
 TEST(Redundant, ParallelogramWithThreeCranksIsAcceptedAndReported) {
-  const Description d = parallelogram({0, 2, 5});
-  const Model modelled = model(d, turning);
-  const Mechanism& m = modelled.mechanism;
+  const Mechanism d = parallelogram({0, 2, 5});
+  const ModellingResult modelled = model_mechanism(d, turning);
+  const Model& m = modelled.model;
   EXPECT_EQ(m.structural_groups(), 1);
   EXPECT_EQ(m.groups[0].bodies,
             (std::vector<std::string>{"crank1", "crank2", "crank3", "coupler"}));
@@ -70,15 +70,15 @@ TEST(Redundant, PlanarFourBarInSpaceWithParallelAxesIsAccepted) {
   auto& theta = d.angle("theta", segment(A, B), {x});
   theta.towards = {y};
   theta.driven = true;
-  const Description described = d.take();
-  const Model modelled = model(described, turning);
+  const Mechanism described = d.take();
+  const ModellingResult modelled = model_mechanism(described, turning);
   EXPECT_TRUE(std::ranges::any_of(modelled.left_out, &LeftOut::redundant));
   const std::vector<double> times = instants(1.5);
   for (const char* id :
        {"global_automatic_eigen", "group_automatic_klu", "block_automatic_lapack"}) {
-    const Solved s(modelled.mechanism, times, id);
+    const Solved s(modelled.model, times, id);
     const auto nominal = [&](const char* name) {
-      return std::ranges::find(described.points, name, &Description::Point::name)->position;
+      return std::ranges::find(described.points, name, &Mechanism::Point::name)->position;
     };
     for (int k = 0; k < s.instants() && !HasFailure(); ++k) {
       const Vec b = s.position(k, "B"), c = s.position(k, "C");
@@ -95,11 +95,11 @@ TEST(Redundant, PlanarFourBarInSpaceWithParallelAxesIsAccepted) {
 TEST(SpecialPosition, FoldedFourBarKeepsAllItsEquations) {
   // Drawn with all links on one line, a change point of the parallelogram: its coupler and its
   // second crank restrict the same direction there, and there only.
-  const Model folded = model(parallelogram({0, 2}, 0), {Polynomial{{0, 1}}});
-  const Model open = model(parallelogram({0, 2}, 1), {Polynomial{{0, 1}}});
+  const ModellingResult folded = model_mechanism(parallelogram({0, 2}, 0), {Polynomial{{0, 1}}});
+  const ModellingResult open = model_mechanism(parallelogram({0, 2}, 1), {Polynomial{{0, 1}}});
   for (GroupId g = 0; g < 2; ++g) {
-    std::vector<Stated> expected = equations_of(open.mechanism, g);
-    expect_equations(folded.mechanism, g, expected);
+    std::vector<Stated> expected = equations_of(open.model, g);
+    expect_equations(folded.model, g, expected);
   }
   EXPECT_EQ(folded.left_out.size(), open.left_out.size());
 }
@@ -123,19 +123,20 @@ TEST(SpecialPosition, CrankRockerAtItsDeadPointKeepsAllItsEquations) {
     return d.take();
   };
   const double start = 2 * std::asin(3.0 / 8);
-  const Mechanism by_crank =
-      model(describe_at_dead_point(false), {Polynomial{{start, 1}}}).mechanism;
+  const Model by_crank =
+      model_mechanism(describe_at_dead_point(false), {Polynomial{{start, 1}}}).model;
   expect_equations(by_crank, 0, {{"planar_angle", {"A", "B", "theta"}, {1}}});
   expect_equations(by_crank, 1,
                    {{"length2", {"B", "C"}, {9}}, {"planar_angle", {"D", "C", "psi"}, {3}}});
-  const Mechanism by_rocker = model(describe_at_dead_point(true), {Polynomial{{1.0, 1}}}).mechanism;
+  const Model by_rocker =
+      model_mechanism(describe_at_dead_point(true), {Polynomial{{1.0, 1}}}).model;
   expect_equations(by_rocker, 0, {{"planar_angle", {"D", "C", "psi"}, {3}}});
   expect_equations(by_rocker, 1,
                    {{"length2", {"B", "C"}, {9}}, {"planar_angle", {"A", "B", "theta"}, {1}}});
 }
 
 /// Crank 1 and rod 3 from the origin, the slider on the x axis, nominally at its turning point.
-Description slider_at_turning_point(bool driven_by_slider) {
+Mechanism slider_at_turning_point(bool driven_by_slider) {
   Sketch d("slider", 2);
   const int O = d.ground_point("O", {0, 0, 0}), x = d.ground_vector("x", {1, 0, 0});
   const int B = d.point("B", {1, 0, 0}), P = d.point("P", {4, 0, 0});
@@ -149,7 +150,7 @@ Description slider_at_turning_point(bool driven_by_slider) {
 }
 
 TEST(SpecialPosition, SliderAtItsTurningPointKeepsAllItsEquations) {
-  const Mechanism m = model(slider_at_turning_point(false), {Polynomial{{0, 1}}}).mechanism;
+  const Model m = model_mechanism(slider_at_turning_point(false), {Polynomial{{0, 1}}}).model;
   expect_equations(m, 0, {{"planar_angle", {"O", "B", "theta"}, {1}}});
   expect_equations(m, 1, {{"length2", {"B", "P"}, {9}}, {"along2", {"O", "P", "x", "s"}, {}}});
   const std::vector<double> times = instants(1.5);
@@ -158,7 +159,7 @@ TEST(SpecialPosition, SliderAtItsTurningPointKeepsAllItsEquations) {
     const double t = times[k];
     EXPECT_NEAR(s.scalar(k, "s"), std::cos(t) + std::sqrt(9 - std::sin(t) * std::sin(t)), 1e-12);
   }
-  EXPECT_NO_THROW(model(slider_at_turning_point(true), {Polynomial{{3.5, -1}}}));
+  EXPECT_NO_THROW(model_mechanism(slider_at_turning_point(true), {Polynomial{{3.5, -1}}}));
 }
 
 TEST(SpecialPosition, RedundantLinkageDrawnFoldedKeepsEquationsThatDetermineIt) {
@@ -190,13 +191,13 @@ TEST(SpecialPosition, RedundantLinkageDrawnFoldedKeepsEquationsThatDetermineIt) 
   };
   const std::vector<double> times = instants(1);
   for (const double angle : {1.0, 0.0}) {
-    const Mechanism m = model(bell_cranks(angle), {Polynomial{{1, 1}}}).mechanism;
+    const Model m = model_mechanism(bell_cranks(angle), {Polynomial{{1, 1}}}).model;
     std::set<std::string> kinds;
     for (const Stated& s : equations_of(m, 0)) kinds.insert(s.kind);
     EXPECT_TRUE(kinds.contains("distance2")) << "drawn at " << angle;
     if (!kinds.contains("distance2")) continue;
-    Mechanism open = m;  // solved away from the fold, where any choice would fail
-    open.estimate = model(bell_cranks(1), {Polynomial{{1, 1}}}).mechanism.estimate;
+    Model open = m;  // solved away from the fold, where any choice would fail
+    open.estimate = model_mechanism(bell_cranks(1), {Polynomial{{1, 1}}}).model.estimate;
     const Solved s(open, times);
     for (int k = 0; k < s.instants() && !HasFailure(); ++k) {
       const Vec p = Vec{2, 0, 0} + polar(1, 1 + times[k]);

@@ -8,14 +8,14 @@
 #include <set>
 
 #include "cases/generators/cases.h"
-#include "formulations/modelling/model.h"
+#include "formulations/modelling/modelling.h"
 #include "tests/modelling/common.h"
 
 namespace desmo::refusals_test {
 namespace {
 
 TEST(Refused, LinkOfZeroLength) {
-  Description d = four_bar_sketch().take();
+  Mechanism d = four_bar_sketch().take();
   d.points[3].position = d.points[2].position;  // C at B
   expect_refused(driven(std::move(d), {"theta"}), turning, {"'coupler'", "zero length"});
 }
@@ -107,7 +107,7 @@ TEST(Refused, DistanceAlongAVectorThatTheBodyLeaves) {
 TEST(Refused, CoordinateThatMeasuresNothingThatMoves) {
   Sketch d = four_bar_sketch();
   d.distance("base", 0, 1);  // A-D
-  const Description measured = driven(d.take(), {"theta"});
+  const Mechanism measured = driven(d.take(), {"theta"});
   expect_refused(measured, turning, {"'base'", "measures nothing that can move"});
   expect_refused(driven(measured, {"theta", "base"}), {still, still},
                  {"'base'", "measures nothing that can move"});

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "cases/extremes/rows.h"
-#include "formulations/modelling/model.h"
+#include "formulations/modelling/modelling.h"
 #include "formulations/scaling/characteristic_lengths.h"
 #include "formulations/variants.h"
 #include "tests/modelling/common.h"
@@ -17,7 +17,9 @@ namespace {
 
 constexpr double start = std::numbers::pi / 3;
 
-Model modelled(const ExtremeCase& c) { return model(c.scene.mechanism, c.scene.motions); }
+ModellingResult modelled(const ExtremeCase& c) {
+  return model_mechanism(c.scene.mechanism, c.scene.motions);
+}
 
 ExtremeCase chain_of(double scale, int dyads = 2) {
   return extreme::case_of("", extreme::usual_chain(dyads, start, scale), 1, {0, 0.1, 5});
@@ -33,9 +35,9 @@ ExtremeCase both(double small, double large) {
 }
 
 TEST(Sizes, OfMechanismsFromAtomsToGalaxiesMakeTheSameModel) {
-  const Mechanism usual = modelled(chain_of(1)).mechanism;
+  const Model usual = modelled(chain_of(1)).model;
   for (const double scale : {1e-150, 1e-30, 1e-9, 1e9, 1e30, 1e150}) {
-    const Mechanism m = modelled(chain_of(scale)).mechanism;
+    const Model m = modelled(chain_of(scale)).model;
     ASSERT_EQ(m.constraints.size(), usual.constraints.size()) << scale;
     for (std::size_t c = 0; c < m.constraints.size(); ++c) {
       EXPECT_EQ(m.constraints[c].name, usual.constraints[c].name) << scale;
@@ -54,7 +56,7 @@ TEST(Sizes, WhoseSquaresOverflowOrVanishAreRefused) {
 
 TEST(Sizes, OfOnePartSayNothingOfAnother) {
   for (const double small : {1e-9, 1e-30, 1e-100}) {
-    const Mechanism m = modelled(both(small, 1e9)).mechanism;
+    const Model m = modelled(both(small, 1e9)).model;
     EXPECT_EQ(m.structural_groups(), 6) << small;
     const auto f = make_formulation(find_variant("group_automatic_eigen"), m);
     EXPECT_TRUE(f->assemble(0).ok()) << small;
@@ -62,7 +64,7 @@ TEST(Sizes, OfOnePartSayNothingOfAnother) {
 }
 
 TEST(CharacteristicLengths, AreThoseOfTheBodiesAbout) {
-  const Mechanism m = modelled(both(1e-9, 1e9)).mechanism;
+  const Model m = modelled(both(1e-9, 1e9)).model;
   const CharacteristicLengths lengths(m);
   EXPECT_DOUBLE_EQ(lengths.of(m.find("a/crank/B")), 6e-9);
   EXPECT_DOUBLE_EQ(lengths.of(m.find("b/dyad2/C")), 6e9);
@@ -74,13 +76,13 @@ TEST(CharacteristicLengths, AreThoseOfTheBodiesAbout) {
 /// At the end of a chain as long as 400,000 links, one link is nothing beside the whole.
 TEST(Sizes, OfLongMechanismsDoNotMatter) {
   const ExtremeCase near = chain_of(1, 1);
-  Description far = near.scene.mechanism;
+  Mechanism far = near.scene.mechanism;
   const double away = 6.0 * 400'000;
-  for (Description::Point& p : far.points) p.position[0] += away;
+  for (Mechanism::Point& p : far.points) p.position[0] += away;
   far.points.push_back({"origin", {0, 0, 0}});
   far.bodies.front().points.push_back(static_cast<int>(far.points.size()) - 1);
-  const Mechanism m = model(far, {Polynomial{{start, 1}}}).mechanism;
-  EXPECT_EQ(m.constraints.size(), modelled(near).mechanism.constraints.size());
+  const Model m = model_mechanism(far, {Polynomial{{start, 1}}}).model;
+  EXPECT_EQ(m.constraints.size(), modelled(near).model.constraints.size());
 }
 
 }  // namespace

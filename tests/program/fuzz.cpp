@@ -45,12 +45,12 @@ TEST(Fuzz, SizesOfScalableMechanismsAreCut) {
 
 // The sizes that are cut elsewhere.
 TEST(Fuzz, SizesBeyondTheLimitsAreRefused) {
-  for (const char* mechanism : {R"({"generator": "four_bar", "dyads": 100001})",
-                                R"({"generator": "four_bar", "dyads": 1e99})",
-                                R"({"generator": "truck_suspension", "axles": 4294967297})"}) {
+  for (const char* model : {R"({"generator": "four_bar", "dyads": 100001})",
+                            R"({"generator": "four_bar", "dyads": 1e99})",
+                            R"({"generator": "truck_suspension", "axles": 4294967297})"}) {
     const std::string scene =
-        R"({"format": "desmo-scene", "version": 1, "mechanism": )" + std::string(mechanism) + "}";
-    EXPECT_EQ(attempt(scene, corpus, variants().front()), Outcome::refused_as_file) << mechanism;
+        R"({"format": "desmo-scene", "version": 1, "mechanism": )" + std::string(model) + "}";
+    EXPECT_EQ(attempt(scene, corpus, variants().front()), Outcome::refused_as_file) << model;
   }
 }
 

@@ -16,14 +16,14 @@
 #include "bench/experiments/accuracy/promise.h"
 #include "cases/generators/cases.h"
 #include "cases/io/files.h"
-#include "formulations/modelling/model.h"
+#include "formulations/modelling/modelling.h"
 
 namespace desmo::precision::precision_test {
 namespace {
 
 constexpr double seconds = 0.4;
 
-Plan whole(const Scene& scene) { return make_plan(make_mechanism(scene), {}); }
+Plan whole(const Scene& scene) { return make_plan(make_model(scene), {}); }
 
 Problem problem(const Scene& scene, double duration, int compared) {
   return make_problem(whole(scene), time_grid(duration, scene.grid.step), compared);

@@ -13,7 +13,7 @@
 #include "bench/experiments/size/contender.h"
 #include "bench/experiments/size/series.h"
 #include "bench/kit/structure.h"
-#include "formulations/modelling/model.h"
+#include "formulations/modelling/modelling.h"
 #include "formulations/variants.h"
 
 namespace desmo::sizes::sizes_test {
@@ -24,7 +24,7 @@ using suite::moving_unknowns;
 TimeGrid instants(int count) { return {0, 0.01, count}; }
 
 Problem problem_of(const char* name, int coordinates) {
-  return make_problem(make_mechanism(describe(find_case(name), coordinates)), instants(5), 1e-12);
+  return make_problem(make_model(describe(find_case(name), coordinates)), instants(5), 1e-12);
 }
 
 TEST(Contender, IsVerifiedBeforeItIsTimed) {
@@ -64,7 +64,7 @@ TEST(Contender, ThatIsWrongHasNoTime) {
 
 TEST(Contender, ComparesTheLargestWithDoublePrecision) {
   const Problem problem =
-      make_problem(make_mechanism(describe(find_case("four_bar"), 12'003)), instants(3), 1e-10);
+      make_problem(make_model(describe(find_case("four_bar"), 12'003)), instants(3), 1e-10);
   EXPECT_STREQ(problem.checked_against, "double");
   Contender contender(problem, "group_symbolic_inlined");
   contender.verify();
@@ -73,10 +73,10 @@ TEST(Contender, ComparesTheLargestWithDoublePrecision) {
 
 TEST(Cut, HasTheUnknownsAskedForAndCanBeSolved) {
   for (const Case& c : cases()) {
-    const Mechanism whole = make_mechanism(describe(c, 114));
+    const Model whole = make_model(describe(c, 114));
     int last = 0;
     for (const int least : {10, 40, 60, 100}) {
-      const Mechanism cut = cut_to(whole, least);
+      const Model cut = cut_to(whole, least);
       const int found = moving_unknowns(cut);
       EXPECT_GE(found, least) << c.name;
       EXPECT_LT(found, least + 21) << c.name;  // what the first truck entity needs is 21

@@ -21,7 +21,7 @@ namespace {
 /// Compares each instant that a reference has with what is said of it.
 class Comparison final : public Sink {
  public:
-  Comparison(const Mechanism& m, const Reference& reference, bool corrected)
+  Comparison(const Model& m, const Reference& reference, bool corrected)
       : m_(m), reference_(reference), assessor_(m), condition_(m), corrected_(corrected) {}
 
   void accept(const Instant& given) override {
@@ -49,7 +49,7 @@ class Comparison final : public Sink {
   int singular() const { return singular_; }
 
  private:
-  const Mechanism& m_;
+  const Model& m_;
   const Reference& reference_;
   Assessor assessor_;
   ConditionNumber condition_;
@@ -64,7 +64,7 @@ constexpr const char* ids[] = {"global_automatic_klu", "group_symbolic_inlined",
 TEST(Assessment, IsNeverLessThanTheErrorOfLibraryMotions) {
   for (const LibraryMechanism& l : library()) {
     const Scene scene = library_scene(l.name);
-    const Mechanism m = make_mechanism(scene);
+    const Model m = make_model(scene);
     const Reference reference = make_reference(m, sampled(scene.grid, 9));
     for (const char* id : ids)
       for (const bool corrected : {false, true}) {
@@ -79,7 +79,7 @@ TEST(Assessment, IsNeverLessThanTheErrorOfLibraryMotions) {
 
 TEST(Assessment, IsNeverLessThanTheErrorNearADeadPoint) {
   for (double distance = 1e-2; distance > 0.9e-13; distance /= 10) {
-    const Mechanism m = locking_four_bar(Polynomial{{dead_point - distance, -1}});
+    const Model m = locking_four_bar(Polynomial{{dead_point - distance, -1}});
     const TimeGrid grid{0, distance / 64, 9};
     const Reference reference = make_reference(m, sampled(grid, 9));
     for (const char* id : ids)
@@ -98,7 +98,7 @@ TEST(Assessment, IsNeverLessThanTheErrorNearADeadPoint) {
 /// Coupler and rocker in line, where the pin's velocity is whatever one likes.
 TEST(Assessment, CallsADeadPointSingular) {
   for (const double distance : {0.0, 1e-15, 1e-14}) {
-    const Mechanism m = locking_four_bar(Polynomial{{dead_point - distance, 1}});
+    const Model m = locking_four_bar(Polynomial{{dead_point - distance, 1}});
     Assessor assessor(m);
     const std::vector<double> rates(m.coordinates(), 1);
     const Assessment a = assessor({0, 0, m.estimate, rates, rates}, {});
@@ -111,8 +111,8 @@ TEST(Assessment, CallsADeadPointSingular) {
 
 /// The signs tell a dyad from its mirror image, whatever the pivots were.
 TEST(Assessment, OrientationIsTheBranchOfADyad) {
-  const Mechanism above = locking_four_bar(Polynomial{{dead_point - 0.5, 1}});
-  Mechanism below = above;
+  const Model above = locking_four_bar(Polynomial{{dead_point - 0.5, 1}});
+  Model below = above;
   // Mirrored at the line from B to D.
   const auto at = [&](const char* name) { return below.entities[below.find(name)].first; };
   const double bx = below.estimate[at("crank/B")], by = below.estimate[at("crank/B") + 1];
@@ -126,7 +126,7 @@ TEST(Assessment, OrientationIsTheBranchOfADyad) {
 
   Assessor assessor(above);
   std::vector<signed char> signs[2];
-  for (const Mechanism* m : std::array<const Mechanism*, 4>{&above, &below, &above, &below}) {
+  for (const Model* m : std::array<const Model*, 4>{&above, &below, &above, &below}) {
     ASSERT_TRUE(!assessor({0, 0, m->estimate, {}, {}}, {}).singular);
     const auto now = assessor.system().orientation();
     std::vector<signed char>& known = signs[m == &below];

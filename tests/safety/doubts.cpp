@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "cases/generators/cases.h"
-#include "formulations/modelling/model.h"
+#include "formulations/modelling/modelling.h"
 #include "formulations/variants.h"
 #include "formulations/verification/monitor/safe_run.h"
 #include "tests/safety/discard.h"
@@ -16,7 +16,7 @@ namespace {
 TEST(Doubts, EndInAnAssessmentWhereShorterStepsArgueThemAway) {
   for (const double degrees : {2, 1}) {
     const Scene scene = scott_russell(degrees / 30);
-    const Mechanism m = make_mechanism(scene);
+    const Model m = make_model(scene);
     for (const Variant& v : variants()) {
       if (!not_here(v.id).empty()) continue;
       Discard sink;

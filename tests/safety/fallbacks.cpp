@@ -17,7 +17,7 @@ class Discard final : public Sink {
 };
 
 /// Returns the largest condition number of a motion, of which every instant is assessed.
-double condition(const Mechanism& m, const TimeGrid& grid) {
+double condition(const Model& m, const TimeGrid& grid) {
   Discard sink;
   SafetyOptions options;
   options.every = 1;
@@ -27,7 +27,7 @@ double condition(const Mechanism& m, const TimeGrid& grid) {
 }
 
 /// Returns how many steps the parts of a motion left to pivoting.
-long fallbacks(const Variant& v, const Mechanism& m, const Scene& scene) {
+long fallbacks(const Variant& v, const Model& m, const Scene& scene) {
   const auto f = make_formulation(v, m, {.tolerance = scene.tolerance});
   Discard sink;
   const Summary s = f->run(scene.grid, {}, sink);
@@ -47,7 +47,7 @@ TEST(GeneratedCode, LeavesNoStepOfAWellConditionedMotionToPivoting) {
   int motions = 0;
   for (const LibraryMechanism& l : library()) {
     const Scene scene = library_scene(l.name);
-    const Mechanism m = make_mechanism(scene);
+    const Model m = make_model(scene);
     if (condition(m, scene.grid) >= well) continue;
     ++motions;
     for (const Variant& v : variants()) {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "cases/io/files.h"
-#include "formulations/modelling/model.h"
+#include "formulations/modelling/modelling.h"
 #include "formulations/variants.h"
 #include "formulations/verification/error.h"
 #include "formulations/verification/monitor/safe_run.h"
@@ -15,8 +15,8 @@ namespace {
 
 /// A crank of 1 whose pin slides in a block that turns 2.5 away. Where the crank points at the
 /// block, the direction of the slide has one component that is all but zero.
-Mechanism oscillating_block() {
-  return make_mechanism(parse_scene(R"({
+Model oscillating_block() {
+  return make_model(parse_scene(R"({
     "format": "desmo-scene", "version": 1,
     "mechanism": {
       "format": "desmo-mechanism", "version": 1, "name": "block", "dimension": 2,
@@ -36,12 +36,12 @@ Mechanism oscillating_block() {
       "drivers": ["theta"]},
     "motion": {"theta": {"type": "polynomial", "coefficients": [-0.001, 1]}},
     "time": {"end": 0.002, "step": 1e-5}})",
-                                    "block.scene.json", ""));
+                                "block.scene.json", ""));
 }
 
 /// Without what residuals show there would be.
 TEST(ReusedPivots, ShowInTheResidualsOfRates) {
-  const Mechanism m = oscillating_block();
+  const Model m = oscillating_block();
   const TimeGrid grid{0, 1e-5, 201};
   const Reference reference = make_reference(m, sampled(grid, 201));
   SafetyOptions options;
@@ -54,7 +54,7 @@ TEST(ReusedPivots, ShowInTheResidualsOfRates) {
 }
 
 TEST(ReusedPivots, LeaveNoErrorAboveTheBoundsStated) {
-  const Mechanism m = oscillating_block();
+  const Model m = oscillating_block();
   const TimeGrid grid{0, 1e-5, 201};
   const Reference reference = make_reference(m, sampled(grid, 201));
   for (const char* id : {"global_automatic_klu", "group_automatic_klu", "block_automatic_klu"}) {

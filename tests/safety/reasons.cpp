@@ -15,7 +15,7 @@ namespace desmo {
 namespace {
 
 TEST(Reasons, AreNoDeficitWhereAPositionExists) {
-  const Mechanism m = locking_four_bar(Polynomial{{dead_point}});
+  const Model m = locking_four_bar(Polynomial{{dead_point}});
   std::vector<double> state = m.estimate;
   state.insert(state.end(), m.fixed_values.begin(), m.fixed_values.end());
   EXPECT_FALSE(find_deficit(m, state, {}));
@@ -23,7 +23,7 @@ TEST(Reasons, AreNoDeficitWhereAPositionExists) {
 
 /// A crank that begins to turn as t⁵: the trapezoid rule leads nowhere, however short the step.
 TEST(Reasons, AreNoJumpWhereAMotionStartsAtRest) {
-  const Mechanism m = locking_four_bar(Polynomial{{0.5, 0, 0, 0, 0, 1}});
+  const Model m = locking_four_bar(Polynomial{{0.5, 0, 0, 0, 0, 1}});
   for (const char* id : {"global_automatic_klu", "group_symbolic_explicit"}) {
     Discard sink;
     const SafeSummary s =
@@ -35,7 +35,7 @@ TEST(Reasons, AreNoJumpWhereAMotionStartsAtRest) {
 
 /// Of a motion at late times its drivers are to blame, at a condition number of ten.
 TEST(Reasons, NameRoundedDriversAtLateTimes) {
-  Mechanism m = four_bar_mechanism(1);
+  Model m = four_bar_model(1);
   Discard sink;
   const SafeSummary s = run_safely(*make_formulation(find_variant("group_symbolic_inlined"), m, {}),
                                    {0x1p26, 0.125, 9}, {}, sink, {});
@@ -44,7 +44,7 @@ TEST(Reasons, NameRoundedDriversAtLateTimes) {
 }
 
 TEST(Reasons, NameASingularPositionNearADeadPoint) {
-  const Mechanism m = locking_four_bar(Polynomial{{dead_point - 1e-11}});
+  const Model m = locking_four_bar(Polynomial{{dead_point - 1e-11}});
   Discard sink;
   const SafeSummary s = run_safely(*make_formulation(find_variant("group_symbolic_inlined"), m, {}),
                                    {0, 1, 1}, {}, sink, {});
@@ -57,7 +57,7 @@ TEST(Reasons, StateBoundsThatAgreeWithTheOutcome) {
   for (const std::size_t power : {1, 2, 3, 5}) {
     std::vector<double> coefficients{0.5, 0, 0, 0, 0, 0};
     coefficients[power] = 0.5;
-    const Mechanism m = locking_four_bar(Polynomial{coefficients});
+    const Model m = locking_four_bar(Polynomial{coefficients});
     for (const char* id : {"global_automatic_klu", "group_automatic_lapack",
                            "group_symbolic_inlined", "group_symbolic_explicit"}) {
       Discard sink;

@@ -18,7 +18,7 @@
 namespace desmo::run_test {
 namespace {
 
-SafeSummary run(const Mechanism& m, const TimeGrid& grid, const char* id, Sink& sink,
+SafeSummary run(const Model& m, const TimeGrid& grid, const char* id, Sink& sink,
                 SafetyOptions options = {}, const Settings& settings = {}) {
   return run_safely(*make_formulation(find_variant(id), m, settings), grid, {}, sink, options);
 }
@@ -41,7 +41,7 @@ TEST(SafeRun, FindsOrdinaryMotionsConverged) {
 TEST(SafeRun, BoundsTheErrorsOfLibraryMotions) {
   for (const LibraryMechanism& l : library()) {
     const Scene scene = library_scene(l.name);
-    const Mechanism m = make_mechanism(scene);
+    const Model m = make_model(scene);
     const Reference reference = make_reference(m, sampled(scene.grid, 33));
     for (const char* id : {"global_automatic_klu", "group_symbolic_explicit"}) {
       for (const int every : {1, 1000}) {
@@ -60,7 +60,7 @@ TEST(SafeRun, BoundsTheErrorsOfLibraryMotions) {
 }
 
 /// A crank that swings up to its dead point but for a little, and back.
-Mechanism swinging(double distance) {
+Model swinging(double distance) {
   constexpr double amplitude = 0.5;
   return locking_four_bar(
       HarmonicSum{dead_point - distance - amplitude, {{amplitude, 2 * std::numbers::pi, 0}}});
@@ -69,7 +69,7 @@ Mechanism swinging(double distance) {
 TEST(SafeRun, IsDegradedNearADeadPointAndRightToItsBounds) {
   for (const double distance : {1e-11, 1e-12})
     for (const char* id : {"global_automatic_klu", "group_symbolic_explicit"}) {
-      const Mechanism m = swinging(distance);
+      const Model m = swinging(distance);
       const TimeGrid grid{0, 1e-3, 501};
       const Reference reference = make_reference(m, std::vector{0.1, 0.249, 0.25});
       ErrorMeasure measure(m, reference.instants, reference.scales);
@@ -85,7 +85,7 @@ TEST(SafeRun, IsDegradedNearADeadPointAndRightToItsBounds) {
 }
 
 TEST(SafeRun, FailsAtASingularPosition) {
-  const Mechanism m = locking_four_bar(Polynomial{{dead_point - 0.25, 1}});
+  const Model m = locking_four_bar(Polynomial{{dead_point - 0.25, 1}});
   for (const char* id : {"global_automatic_klu", "group_symbolic_explicit"}) {
     Discard sink;
     const SafeSummary s = run(m, {0, 0.25, 2}, id, sink);
@@ -98,7 +98,7 @@ TEST(SafeRun, FailsAtASingularPosition) {
 }
 
 TEST(SafeRun, StrictEndsAtTheFirstDegradedInstant) {
-  const Mechanism m = swinging(1e-11);
+  const Model m = swinging(1e-11);
   Discard sink;
   const SafeSummary s = run(m, {0, 1e-3, 501}, "group_symbolic_inlined", sink, {{}, true});
   EXPECT_TRUE(s.refused);
@@ -108,7 +108,7 @@ TEST(SafeRun, StrictEndsAtTheFirstDegradedInstant) {
 }
 
 /// A crank that is told to swing 0.1 rad beyond its dead point, of 0.6 rad.
-Mechanism overswinging() {
+Model overswinging() {
   return locking_four_bar(HarmonicSum{dead_point - 0.5, {{0.6, 2 * std::numbers::pi, 0}}});
 }
 const double locked = std::asin(0.5 / 0.6) / (2 * std::numbers::pi);  // until 0.5 s less that
@@ -123,7 +123,7 @@ class Times final : public Sink {
 };
 
 TEST(SafeRun, GoesOnPastAnIntervalThatCannotBeAssembled) {
-  const Mechanism m = overswinging();
+  const Model m = overswinging();
   const TimeGrid grid{0, 1e-2, 101};
   SafetyOptions options;
   options.past_failures = true;
@@ -146,7 +146,7 @@ TEST(SafeRun, GoesOnPastAnIntervalThatCannotBeAssembled) {
 }
 
 TEST(SafeRun, EndsAtAnIntervalThatCannotBeAssembledAndSaysByHowMuch) {
-  const Mechanism m = overswinging();
+  const Model m = overswinging();
   const TimeGrid grid{0, 1e-2, 101};
   Times times;
   const SafeSummary s = run(m, grid, "group_symbolic_inlined", times);
@@ -163,8 +163,8 @@ TEST(SafeRun, EndsAtAnIntervalThatCannotBeAssembledAndSaysByHowMuch) {
 }
 
 /// A parallelogram turns through its change points with rates that are as ever.
-Mechanism parallelogram() {
-  Mechanism m = four_bar_mechanism(1);
+Model parallelogram() {
+  Model m = four_bar_model(1);
   for (Constraint& c : m.constraints)
     if (c.group == 1 && c.kind == kind_index<PlanarAngle>()) c.constants[0] = 2;  // the rocker
   const auto at = [&](const char* name) { return m.entities[m.find(name)].first; };
@@ -175,7 +175,7 @@ Mechanism parallelogram() {
 }
 
 TEST(SafeRun, SaysThatAChangePointWasPassed) {
-  const Mechanism m = parallelogram();
+  const Model m = parallelogram();
   Discard sink;
   const TimeGrid grid{0, 0.01, 400};  // θ = π/3 + t passes π at 2.09 s
   SafetyOptions options;
@@ -192,7 +192,7 @@ TEST(SafeRun, SaysThatAChangePointWasPassed) {
 /// Newton's method takes the turn that the links cannot: behind the change point the coupler no
 /// longer stays parallel to the ground.
 TEST(SafeRun, SaysThatTheMotionJumpedAtAChangePoint) {
-  const Mechanism m = parallelogram();
+  const Model m = parallelogram();
   Discard sink;
   const SafeSummary s = run(m, {0, 0.01, 300}, "group_symbolic_inlined", sink);
   EXPECT_EQ(s.outcome(), Outcome::degraded);
@@ -207,20 +207,19 @@ TEST(SafeRun, SaysThatTheMotionJumpedAtAChangePoint) {
 TEST(SafeRun, DoesNotTakeALongStepForAJump) {
   for (const double step : {0.3, 1.0}) {
     Discard sink;
-    const SafeSummary s =
-        run(four_bar_mechanism(1), {0, step, 21}, "group_symbolic_explicit", sink);
+    const SafeSummary s = run(four_bar_model(1), {0, step, 21}, "group_symbolic_explicit", sink);
     EXPECT_EQ(s.outcome(), Outcome::converged) << step;
   }
   for (const char* id : {"global_automatic_klu", "group_symbolic_explicit"}) {
     Discard sink;
-    const SafeSummary s = run(make_mechanism(library_scene("rssr")), {0, 0.125, 25}, id, sink);
+    const SafeSummary s = run(make_model(library_scene("rssr")), {0, 0.125, 25}, id, sink);
     EXPECT_EQ(s.outcome(), Outcome::converged) << id;
   }
 }
 
 /// Of an angle that may end steps of a sixth of a turn anywhere modulo whole turns.
 TEST(SafeRun, SaysWhichAngleJumpsByWholeTurns) {
-  const Mechanism m = make_mechanism(library_scene("whitworth"));
+  const Model m = make_model(library_scene("whitworth"));
   const TimeGrid grid{0, 1. / 6, 19};
   Discard sink;
   const SafeSummary s = run(m, grid, "group_automatic_klu", sink);
@@ -232,7 +231,7 @@ TEST(SafeRun, SaysWhichAngleJumpsByWholeTurns) {
 }
 
 /// What a run ends as without a monitor.
-SafeSummary without(Monitor monitor, const Mechanism& m, const TimeGrid& grid, Sink& sink,
+SafeSummary without(Monitor monitor, const Model& m, const TimeGrid& grid, Sink& sink,
                     const Settings& settings = {}, Level level = Level::acceleration) {
   SafetyOptions options;
   options.tolerance = settings.tolerance;
@@ -243,7 +242,7 @@ SafeSummary without(Monitor monitor, const Mechanism& m, const TimeGrid& grid, S
 }
 
 /// A crank that turns at a constant rate until it has all but come to its dead point.
-const Mechanism arriving = locking_four_bar(Polynomial{{dead_point - 0.5 - 1e-12, 1}});
+const Model arriving = locking_four_bar(Polynomial{{dead_point - 0.5 - 1e-12, 1}});
 
 TEST(Monitors, OfGainTellsADeadPoint) {
   const TimeGrid grid{0, 0.01, 51};
@@ -263,7 +262,7 @@ TEST(Monitors, OfBoundsTellADeadPoint) {
 }
 
 TEST(Monitors, OfOrientationTellsAChangePoint) {
-  const Mechanism m = parallelogram();
+  const Model m = parallelogram();
   const TimeGrid grid{0, 0.01, 400};
   const Settings straight_on{.guess = Guess::quadratic};
   Discard sink;
@@ -274,7 +273,7 @@ TEST(Monitors, OfOrientationTellsAChangePoint) {
 }
 
 TEST(Monitors, OfContinuityTellsAJump) {
-  const Mechanism m = parallelogram();
+  const Model m = parallelogram();
   const TimeGrid grid{0, 0.01, 300};
   Discard sink;
   EXPECT_FALSE(without(Monitor::continuity, m, grid, sink).crossing);
@@ -283,7 +282,7 @@ TEST(Monitors, OfContinuityTellsAJump) {
 
 TEST(Monitors, OfResidualsTellWhatATolerancePermits) {
   const Scene scene = library_scene("slider_crank");
-  const Mechanism m = make_mechanism(scene);
+  const Model m = make_model(scene);
   const TimeGrid grid{scene.grid.start, scene.grid.step, 100};
   const Reference reference = make_reference(m, sampled(grid, 34));
   const auto unsaid = [&](Monitor monitor) {

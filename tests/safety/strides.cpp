@@ -17,8 +17,8 @@
 namespace desmo {
 namespace {
 
-SafeSummary run_with_stride(const Mechanism& m, const TimeGrid& grid, const std::string& id,
-                            Sink& sink, SafetyOptions options = {}) {
+SafeSummary run_with_stride(const Model& m, const TimeGrid& grid, const std::string& id, Sink& sink,
+                            SafetyOptions options = {}) {
   const Configuration c = parse_id(id);
   return run_safely(*make_formulation(*c.variant, m, c.settings), grid, {}, sink, options);
 }
@@ -28,12 +28,12 @@ const char* const with_strides[] = {"global_automatic_klu/stride:2",
                                     "group_symbolic_explicit/stride:16"};
 
 /// A crank that swings up to its dead point but for 1e-6 rad, and back.
-Mechanism swinging_near() {
+Model swinging_near() {
   return locking_four_bar(HarmonicSum{dead_point - 1e-6 - 0.5, {{0.5, 2 * std::numbers::pi, 0}}});
 }
 
 TEST(Strides, GiveRowsNearADeadPointThatAreRightToTheBoundsStated) {
-  const Mechanism m = swinging_near();
+  const Model m = swinging_near();
   const TimeGrid grid{0, 0.01, 101};
   const Reference reference = make_reference(m, sampled(grid, 101));
   for (const char* id : with_strides) {
@@ -48,7 +48,7 @@ TEST(Strides, GiveRowsNearADeadPointThatAreRightToTheBoundsStated) {
 }
 
 TEST(Strides, AreAsRightAsTheToleranceAsksForWhereTheyAreLong) {
-  const Mechanism m = make_mechanism(library_scene("jansen_leg"));
+  const Model m = make_model(library_scene("jansen_leg"));
   const TimeGrid grid{0, 0.01, 97};
   const Reference reference = make_reference(m, sampled(grid, 97));
   for (const char* id : {"global_automatic_klu/stride:16", "group_symbolic_explicit/stride:16"}) {
@@ -62,7 +62,7 @@ TEST(Strides, AreAsRightAsTheToleranceAsksForWhereTheyAreLong) {
 }
 
 TEST(Strides, KeepRowsThatAreGoodEnough) {
-  const Mechanism m = make_mechanism(library_scene("slider_crank"));
+  const Model m = make_model(library_scene("slider_crank"));
   Discard sink;
   const SafeSummary s =
       run_with_stride(m, {0, 1e-3, 1001}, "group_symbolic_explicit/stride:2", sink);
@@ -72,8 +72,7 @@ TEST(Strides, KeepRowsThatAreGoodEnough) {
 
 /// A crank that is told to swing 0.1 rad beyond its dead point: no stride ends where it locks.
 TEST(Strides, FindIntervalsThatCannotBeAssembledAsStepsDo) {
-  const Mechanism m =
-      locking_four_bar(HarmonicSum{dead_point - 0.5, {{0.6, 2 * std::numbers::pi, 0}}});
+  const Model m = locking_four_bar(HarmonicSum{dead_point - 0.5, {{0.6, 2 * std::numbers::pi, 0}}});
   const double locked = std::asin(0.5 / 0.6) / (2 * std::numbers::pi);
   const TimeGrid grid{0, 0.01, 101};
   SafetyOptions options;

@@ -8,7 +8,7 @@
 
 #include "cases/generators/cases.h"
 #include "cases/io/files.h"
-#include "formulations/modelling/model.h"
+#include "formulations/modelling/modelling.h"
 #include "formulations/verification/branch_monitor.h"
 #include "tests/describing.h"
 
@@ -18,32 +18,32 @@ namespace {
 /// One instant of a whole mechanism, to be tampered with.
 class Position {
  public:
-  explicit Position(Mechanism whole) : plan(make_plan(whole, {})) {
-    const auto f = make_formulation(find_variant("global_automatic_eigen"), plan.mechanism,
-                                    Settings{1e-11, 50});
+  explicit Position(Model whole) : plan(make_plan(whole, {})) {
+    const auto f =
+        make_formulation(find_variant("global_automatic_eigen"), plan.model, Settings{1e-11, 50});
     EXPECT_TRUE(f->step(0).ok());
     q.assign(f->q().begin(), f->q().end());
     qd.assign(f->qd().begin(), f->qd().end());
   }
   double& scalar(const std::string& name) {
-    return q[plan.mechanism.entities[plan.mechanism.find(name)].first];
+    return q[plan.model.entities[plan.model.find(name)].first];
   }
   Constraint& constraint(const std::string& name) {
-    return *std::ranges::find(plan.mechanism.constraints, name, &Constraint::name);
+    return *std::ranges::find(plan.model.constraints, name, &Constraint::name);
   }
   /// The constraint that the monitor names; empty: none.
   std::string violated(bool with_velocity = true, double tolerance = 1e-11) {
     BranchMonitor monitor(plan, tolerance);
     const int c = monitor.violated(
         {0, 0, q, with_velocity ? std::span<const double>(qd) : std::span<const double>(), {}});
-    return c < 0 ? "" : plan.mechanism.constraints[c].name;
+    return c < 0 ? "" : plan.model.constraints[c].name;
   }
 
   Plan plan;
   std::vector<double> q, qd;
 };
 
-Description crank() {
+Mechanism crank() {
   Sketch d("crank", 2);
   const int A = d.ground_point("A", {0, 0, 0}), B = d.point("B", polar(1, 1));
   d.revolute(Sketch::ground, d.body("crank", {A, B}), A);
@@ -55,25 +55,25 @@ Description crank() {
 const std::vector<Motion> turning{Polynomial{{1, 2}}};
 
 TEST(Branch, OfAnAngleThatIsToldModuloPi) {
-  Position planar(model(crank(), turning).mechanism);
+  Position planar(model_mechanism(crank(), turning).model);
   EXPECT_EQ(planar.violated(), "");
   planar.scalar("back") += 2 * std::numbers::pi;  // its equation still holds
   EXPECT_EQ(planar.violated(), "back: definition");
   planar.scalar("back") -= 3 * std::numbers::pi;
   EXPECT_EQ(planar.violated(), "back: definition");
 
-  Position spatial(make_mechanism(library_scene("rssr")));
+  Position spatial(make_model(library_scene("rssr")));
   EXPECT_EQ(spatial.violated(), "");
   spatial.scalar("psi") += std::numbers::pi;
   EXPECT_EQ(spatial.violated(), "psi: definition");
 }
 
 TEST(Branch, OfEquationsLeftOut) {
-  Position p(model(crank(), turning).mechanism);
+  Position p(model_mechanism(crank(), turning).model);
   p.constraint("theta: definition").left_out = 2;  // its sine
   p.constraint("crank: A-B length").left_out = 0;
   EXPECT_EQ(p.violated(), "");
-  const int B = p.plan.mechanism.entities[p.plan.mechanism.find("B")].first;
+  const int B = p.plan.model.entities[p.plan.model.find("B")].first;
   p.qd[B + 1] = -p.qd[B + 1];
   EXPECT_EQ(p.violated(), "theta: definition");
   EXPECT_EQ(p.violated(false), "");
@@ -83,10 +83,10 @@ TEST(Branch, OfEquationsLeftOut) {
 
 /// What positions are solved short of their solution is not another branch.
 TEST(Branch, LeavesEquationsLeftOutAsMuchAsTheTolerance) {
-  Position p(model(crank(), turning).mechanism);
+  Position p(model_mechanism(crank(), turning).model);
   p.constraint("theta: definition").left_out = 2;  // its sine
   p.constraint("crank: A-B length").left_out = 0;
-  const int B = p.plan.mechanism.entities[p.plan.mechanism.find("B")].first;
+  const int B = p.plan.model.entities[p.plan.model.find("B")].first;
   p.q[B + 1] *= 1 + 1e-5;
   EXPECT_EQ(p.violated(), "theta: definition");
   EXPECT_EQ(p.violated(true, 1e-7), "");
@@ -96,8 +96,8 @@ TEST(Branch, LeavesEquationsLeftOutAsMuchAsTheTolerance) {
 }
 
 TEST(Branch, OfConstraintsLeftOutWhole) {
-  Position p(model(crank(), turning).mechanism);
-  const int B = p.plan.mechanism.entities[p.plan.mechanism.find("B")].first;
+  Position p(model_mechanism(crank(), turning).model);
+  const int B = p.plan.model.entities[p.plan.model.find("B")].first;
   p.constraint("theta: definition").left_out = 3;  // as if its length were all that is solved
   p.constraint("crank: A-B length").left_out = 0;
   p.q[B] = 0, p.q[B + 1] = 1;
@@ -120,12 +120,12 @@ TEST(Branch, OfRedundantCranksIsLeftWhereTheyFold) {
     d.revolute(crank, coupler, ends[i]);
   }
   d.angle("theta", segment(feet[0], ends[0])).driven = true;
-  const Plan plan = make_plan(model(d.take(), {Polynomial{{1, 1}}}).mechanism, {});
+  const Plan plan = make_plan(model_mechanism(d.take(), {Polynomial{{1, 1}}}).model, {});
   const auto f =
-      make_formulation(find_variant("block_automatic_klu"), plan.mechanism, Settings{1e-10, 25});
+      make_formulation(find_variant("block_automatic_klu"), plan.model, Settings{1e-10, 25});
   BranchMonitor monitor(plan, 1e-10);
   const auto length3 = [&] {
-    const int c = plan.mechanism.entities[plan.mechanism.find("C2")].first;
+    const int c = plan.model.entities[plan.model.find("C2")].first;
     return std::hypot(f->q()[c] - 5, f->q()[c + 1]);
   };
   for (int i = 0; i < 500; ++i) {
@@ -138,7 +138,7 @@ TEST(Branch, OfRedundantCranksIsLeftWhereTheyFold) {
 }
 
 TEST(Branch, OfNoPositionAtAll) {
-  Position p(model(crank(), turning).mechanism);
+  Position p(model_mechanism(crank(), turning).model);
   p.scalar("back") = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(p.violated(), "back: definition");
 }

@@ -44,7 +44,7 @@ struct Solution {
   std::vector<Kept> all;
 };
 
-Solution run(const std::string& id, const Mechanism& m, const TimeGrid& grid,
+Solution run(const std::string& id, const Model& m, const TimeGrid& grid,
              const Request& request = {}) {
   const Configuration c = parse_id(id);
   const auto f = make_formulation(*c.variant, m, c.settings);
@@ -65,7 +65,7 @@ struct Errors {
 
 /// The largest within one interval, where it is so short that the motion's derivatives are nearly
 /// constant.
-Errors errors_between(const Mechanism& m, double t, double h) {
+Errors errors_between(const Model& m, double t, double h) {
   constexpr int stride = 8;
   const TimeGrid grid{t, h / stride, stride + 1};
   const Solution exact = run("group_automatic_eigen/tolerance:1e-14", m, grid),
@@ -80,7 +80,7 @@ Errors errors_between(const Mechanism& m, double t, double h) {
   return e;
 }
 
-void expect_orders(const Mechanism& m, double t, double h) {
+void expect_orders(const Model& m, double t, double h) {
   const Errors long_step = errors_between(m, t, h), half = errors_between(m, t, h / 2);
   EXPECT_NEAR(std::log2(long_step.q / half.q), 6, 0.3) << m.name;
   EXPECT_NEAR(std::log2(long_step.qd / half.qd), 5, 0.3) << m.name;
@@ -88,9 +88,9 @@ void expect_orders(const Mechanism& m, double t, double h) {
 }
 
 TEST(DenseOutput, HasTheOrdersSixFiveAndFour) {
-  expect_orders(four_bar_mechanism(2), 0.4, 0.08);
-  expect_orders(truck_mechanism(1), 0.4, 0.04);
-  expect_orders(make_mechanism(library_scene("slider_crank")), 0.1, 0.02);
+  expect_orders(four_bar_model(2), 0.4, 0.08);
+  expect_orders(truck_model(1), 0.4, 0.04);
+  expect_orders(make_model(library_scene("slider_crank")), 0.1, 0.02);
 }
 
 /// A quintic is its own interpolant, whatever the grid.
@@ -119,7 +119,7 @@ TEST(DenseOutput, IsExactOnAQuintic) {
 
 /// Also where a stride is no power of two and steps are no binary fractions.
 TEST(DenseOutput, HandsOnSolvedInstantsAsTheyAre) {
-  const Mechanism m = truck_mechanism(1);
+  const Model m = truck_model(1);
   for (const int stride : {2, 3, 7, 16})
     for (const int instants : {1, 2, stride, stride + 1, 10 * stride + 1, 10 * stride + 2}) {
       const TimeGrid grid{0.1, 0.003, instants};
@@ -137,7 +137,7 @@ TEST(DenseOutput, HandsOnSolvedInstantsAsTheyAre) {
 }
 
 TEST(DenseOutput, EndsWithTheLastInstantSolved) {
-  const Mechanism m = truck_mechanism(1);
+  const Model m = truck_model(1);
   const TimeGrid grid{0, 0.01, 24};  // 0, 8, 16 and 23
   const Solution every = run("group_symbolic_klu", m, grid),
                  some = run("group_symbolic_klu/stride:8", m, grid);
@@ -152,7 +152,7 @@ TEST(DenseOutput, EndsWithTheLastInstantSolved) {
 }
 
 TEST(DenseOutput, InterpolatesWhatIsAskedFor) {
-  const Mechanism m = truck_mechanism(1);
+  const Model m = truck_model(1);
   const TimeGrid grid{0, 0.01, 50};
   const std::string id = "group_symbolic_inlined/stride:4";
   const Solution everything = run(id, m, grid);
@@ -175,7 +175,7 @@ TEST(DenseOutput, InterpolatesWhatIsAskedFor) {
 
 /// Positions between take the accelerations of those solved, whatever is asked.
 TEST(DenseOutput, NeedsEveryLevelOfEveryPart) {
-  const Mechanism m = truck_mechanism(1);
+  const Model m = truck_model(1);
   const TimeGrid grid{0, 0.01, 50};
   const Configuration c = parse_id("group_symbolic_eigen/stride:4");
   const auto f = make_formulation(*c.variant, m, c.settings);
@@ -189,7 +189,7 @@ TEST(DenseOutput, NeedsEveryLevelOfEveryPart) {
 
 /// Segments of the motion come in any order, and parts on lanes; what is between comes in order.
 TEST(DenseOutput, GoesWithSegmentsAndLanes) {
-  const Mechanism m = truck_mechanism(2);
+  const Model m = truck_model(2);
   const TimeGrid grid{0, 0.005, 402};
   const std::string id = "group_symbolic_explicit";
   const Solution by_steps = run(id + "/stride:4", m, grid);
@@ -213,7 +213,7 @@ TEST(DenseOutput, GoesWithSegmentsAndLanes) {
 
 /// The coupler is too short where the crank points away: up to the last solved, all is there.
 TEST(DenseOutput, StopsBehindTheLastInstantSolved) {
-  const Mechanism m = locking_four_bar();
+  const Model m = locking_four_bar();
   const TimeGrid grid{0, 0.01, 300};
   const Solution coarse = run("group_automatic_eigen", m, grid.every(8)),
                  all = run("group_automatic_eigen/stride:8", m, grid);
@@ -228,7 +228,7 @@ TEST(DenseOutput, StopsBehindTheLastInstantSolved) {
 }
 
 TEST(DenseOutput, LeavesSingleStepsAlone) {
-  const Mechanism m = four_bar_mechanism(2);
+  const Model m = four_bar_model(2);
   const auto f = make_formulation(find_variant("group_automatic_eigen"), m, {.stride = 8}),
              g = make_formulation(find_variant("group_automatic_eigen"), m);
   for (const double t : {0.0, 0.01, 0.02}) {

@@ -12,7 +12,7 @@
 #include "cases/extremes/rows.h"
 #include "cases/generators/cases.h"
 #include "formulations/algebra/backend.h"
-#include "formulations/modelling/model.h"
+#include "formulations/modelling/modelling.h"
 #include "formulations/parts/inlined_part.h"
 #include "formulations/scaling/magnitudes.h"
 #include "formulations/variants.h"
@@ -30,8 +30,8 @@ class Discard final : public Sink {
 };
 
 /// A chain whose second dyad is pulled apart: its ground pivot is out of reach from the start.
-Mechanism unreachable() {
-  Mechanism m = four_bar_mechanism(3);
+Model unreachable() {
+  Model m = four_bar_model(3);
   m.fixed_values[m.entities[m.find("dyad2/D")].first] = 100;
   return m;
 }
@@ -39,7 +39,7 @@ Mechanism unreachable() {
 class EveryFailure : public EveryVariant {};
 
 TEST_P(EveryFailure, NamesTheGroupThatCannotBeAssembled) {
-  const Mechanism m = unreachable();
+  const Model m = unreachable();
   const auto f = make_formulation(GetParam(), m);
   Discard sink;
   const Summary s = f->run(time_grid(1, 0.01), {}, sink);
@@ -54,7 +54,7 @@ TEST_P(EveryFailure, NamesTheGroupThatCannotBeAssembled) {
 
 /// The loop cannot close any more from a known instant on.
 TEST_P(EveryFailure, NamesTheInstantOfALockUp) {
-  const Mechanism m = locking_four_bar();
+  const Model m = locking_four_bar();
   const double lock = dead_point - std::numbers::pi / 3;
   const auto f = make_formulation(GetParam(), m);
   Discard sink;
@@ -67,7 +67,7 @@ TEST_P(EveryFailure, NamesTheInstantOfALockUp) {
 }
 
 TEST_P(EveryFailure, CallsWhatIsNotFiniteByItsName) {
-  Mechanism m = four_bar_mechanism(2);
+  Model m = four_bar_model(2);
   m.estimate[m.entities[m.find("dyad2/C")].first] = std::numeric_limits<double>::quiet_NaN();
   const Summary s = make_formulation(GetParam(), m)->assemble(0);
   EXPECT_EQ(s.status, Status::not_finite);
@@ -76,7 +76,7 @@ TEST_P(EveryFailure, CallsWhatIsNotFiniteByItsName) {
 }
 
 TEST_P(EveryFailure, KeepsThePositionsOfTheLastInstantAfterAFailure) {
-  const Mechanism m = four_bar_mechanism(2);
+  const Model m = four_bar_model(2);
   const auto f = make_formulation(GetParam(), m), undisturbed = make_formulation(GetParam(), m);
   ASSERT_TRUE(f->assemble(0).ok());
   ASSERT_TRUE(undisturbed->assemble(0).ok());
@@ -94,7 +94,7 @@ TEST_P(EveryFailure, KeepsThePositionsOfTheLastInstantAfterAFailure) {
 }
 
 TEST_P(EveryFailure, AssemblesWhenAStepComesFirst) {
-  const Mechanism m = truck_mechanism(1);
+  const Model m = truck_model(1);
   const auto a = make_formulation(GetParam(), m), b = make_formulation(GetParam(), m);
   ASSERT_TRUE(a->step(0.2).ok());
   ASSERT_TRUE(b->assemble(0.2).ok());
@@ -105,7 +105,7 @@ TEST_P(EveryFailure, AssemblesWhenAStepComesFirst) {
 TEST(Step, GoesByWayOfTimesBetweenWhereItIsTooLong) {
   DyadChain chain{.crank = 2, .start = std::numbers::pi, .dyads = {}};
   chain.dyads = {closed_dyad(crank_pin(chain), {6, 0, 0}, 5, 3 + 1e-12, 1)};
-  const Mechanism m = make_mechanism(extreme::case_of("", chain, 1, {0, 1, 2}).scene);
+  const Model m = make_model(extreme::case_of("", chain, 1, {0, 1, 2}).scene);
   const auto f = make_formulation(find_variant("global_automatic_klu"), m);
   ASSERT_TRUE(f->assemble(0).ok());
   for (const double way : {0.01, 0.1, 0.3}) {
@@ -123,7 +123,7 @@ TEST(Step, GoesByWayOfTimesBetweenWhereItIsTooLong) {
 }
 
 TEST(Settings, ThatCannotEndAreRefused) {
-  const Mechanism m = four_bar_mechanism(1);
+  const Model m = four_bar_model(1);
   const Variant& v = variants().front();
   EXPECT_THROW(make_formulation(v, m, Settings{0, 25}), std::invalid_argument);
   EXPECT_THROW(make_formulation(v, m, Settings{NAN, 25}), std::invalid_argument);
@@ -136,7 +136,7 @@ INSTANTIATE_TEST_SUITE_P(Table, EveryFailure, testing::ValuesIn(tested_variants(
 
 /// Generated elimination hands a step over when its pivots fail, and the answer stays right.
 TEST(Inlined, FallsBackToPivotingWhereItsOrderFails) {
-  const Mechanism m = four_bar_mechanism(1);
+  const Model m = four_bar_model(1);
   const std::vector<PartDefinition> parts = make_partition(m, Partition::group);
   const Settings settings{.tolerance = 1e-12, .max_iterations = 50};
   const std::vector<double> weights = Magnitudes(m).weights(parts[1]);
@@ -179,12 +179,12 @@ TEST(Inlined, FallsBackToPivotingWhereItsOrderFails) {
 TEST(ReusedPivots, AreChosenAnewAndCountedWhereOneVanishes) {
   constexpr double angle = 1.2, crank = 6, pivot = 12;  // the angle is the crank's, then
   const double x = crank * std::cos(angle), y = crank * std::sin(angle);
-  const std::array<Description::Vec, 6> joints{{{x, y + 15, 0},
-                                                {x, y - 15, 0},
-                                                {x + 15, y, 0},
-                                                {pivot, 15, 0},
-                                                {pivot, -18, 0},
-                                                {pivot - 9, 0, 0}}};
+  const std::array<Mechanism::Vec, 6> joints{{{x, y + 15, 0},
+                                              {x, y - 15, 0},
+                                              {x + 15, y, 0},
+                                              {pivot, 15, 0},
+                                              {pivot, -18, 0},
+                                              {pivot - 9, 0, 0}}};
   long chosen_anew = 0;
   for (const auto& [jx, jy, jz] : joints) {
     const DyadChain chain{.crank = crank,
@@ -196,7 +196,7 @@ TEST(ReusedPivots, AreChosenAnewAndCountedWhereOneVanishes) {
                                      std::atan2(jy, jx - pivot)}}};
     const Scene scene =
         extreme::case_of("", std::vector{chain}, {Polynomial{{angle - 0.6, 1}}}, {0, 0.1, 8}).scene;
-    const Mechanism m = make_mechanism(scene);
+    const Model m = make_model(scene);
     const auto reusing = make_formulation(find_variant("group_automatic_klu"), m),
                anew = make_formulation(find_variant("group_automatic_eigen"), m);
     for (int k = 0; k < scene.grid.instants; ++k) {
@@ -213,7 +213,7 @@ TEST(ReusedPivots, AreChosenAnewAndCountedWhereOneVanishes) {
 
 /// A dyad folded onto itself: the determinant that the generated code divides by vanishes.
 TEST(Inlined, MonitorsRefuseAVanishingPivot) {
-  const Mechanism m = four_bar_mechanism(1);
+  const Model m = four_bar_model(1);
   const BoundKernel dyad = bind_kernel(m, make_partition(m, Partition::group)[1]).value();
   std::vector<double> q = m.estimate, qd(m.state_size(), 0.0), qdd = qd;
   q.insert(q.end(), m.fixed_values.begin(), m.fixed_values.end());
@@ -236,7 +236,7 @@ TEST(Inlined, MonitorsRefuseAVanishingPivot) {
 
 TEST(Inlined, NeedsNoFallbackOnTheCases) {
   for (const Case& c : cases()) {
-    const Mechanism m = make_mechanism(c.describe(2));
+    const Model m = make_model(c.describe(2));
     const auto f = make_formulation(find_variant("group_symbolic_inlined"), m);
     Discard sink;
     ASSERT_TRUE(f->run(time_grid(3, 0.01), {}, sink).ok());

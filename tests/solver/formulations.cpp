@@ -117,7 +117,7 @@ INSTANTIATE_TEST_SUITE_P(Cases, LargestSizes, testing::ValuesIn(all_cases()),
 /// Equal lengths: every rocker moves in parallel with the first.
 class ChainSink final : public Sink {
  public:
-  explicit ChainSink(const Mechanism& m) {
+  explicit ChainSink(const Model& m) {
     for (int k = 1; k < m.structural_groups(); ++k) {
       const std::string dyad = "dyad" + std::to_string(k) + "/";
       c_.push_back(m.entities[m.find(dyad + "C")].first);
@@ -150,7 +150,7 @@ TEST_P(EveryFormulation, KeepsTheChainParallel) {
   const Motion turn{37, std::min<double>(DESMO_TEST_SECONDS, 7)};
   const Motion begin{is_dense_global(v) ? 37 : 185, DESMO_SANITIZED ? 0.2 : 1};
   for (const auto& [dyads, seconds] : {turn, begin}) {
-    const Mechanism m = four_bar_mechanism(dyads);
+    const Model m = four_bar_model(dyads);
     ChainSink sink(m);
     const TimeGrid grid = time_grid(seconds, 0.01);
     const Summary s = make_formulation(v, m)->run(grid, {}, sink);
@@ -161,7 +161,7 @@ TEST_P(EveryFormulation, KeepsTheChainParallel) {
 }
 
 TEST_P(EveryFormulation, RepeatsARunToTheLastBit) {
-  const Mechanism m = truck_mechanism(1);
+  const Model m = truck_model(1);
   const auto f = make_formulation(GetParam(), m);
   struct Last final : Sink {
     std::vector<double> values;
@@ -179,7 +179,7 @@ TEST_P(EveryFormulation, RepeatsARunToTheLastBit) {
 }
 
 TEST_P(EveryFormulation, TakesAFixedNumberOfIterationsWhereAsked) {
-  const Mechanism m = truck_mechanism(1);
+  const Model m = truck_model(1);
   const auto usual = make_formulation(GetParam(), m);
   const auto fixed = make_formulation(GetParam(), m, {.fixed_iterations = 4});
   for (int i = 0; i < 10; ++i) {
@@ -194,7 +194,7 @@ TEST_P(EveryFormulation, TakesAFixedNumberOfIterationsWhereAsked) {
 }
 
 TEST_P(EveryFormulation, SolvesOnlyTheLevelAsked) {
-  const Mechanism m = truck_mechanism(1);
+  const Model m = truck_model(1);
   struct Spans final : Sink {
     std::size_t q = 0, qd = 0, qdd = 0;
     void accept(const Instant& i) override { q = i.q.size(), qd = i.qd.size(), qdd = i.qdd.size(); }
@@ -209,7 +209,7 @@ TEST_P(EveryFormulation, SolvesOnlyTheLevelAsked) {
 }
 
 TEST_P(EveryFormulation, VelocitiesAndAccelerationsAreDerivativesOfPositions) {
-  const Mechanism m = truck_mechanism(1);
+  const Model m = truck_model(1);
   const auto f = make_formulation(GetParam(), m, Settings{1e-13, 25});
   const double t = 0.7, h = 1e-4;
   std::vector<double> q[3];
@@ -238,7 +238,7 @@ TEST(Variants, TableHoldsEveryPointOfTheDesign) {
 }
 
 TEST(Reference, QuadrupleAndDoubleDifferByRoundingOnly) {
-  const Mechanism m = truck_mechanism(1);
+  const Model m = truck_model(1);
   const std::vector<double> times{0, 0.5, 1};
   const auto standard = reference_solution(m, times, Precision::standard);
   const auto quadruple = reference_solution(m, times, Precision::quadruple);
@@ -250,7 +250,7 @@ TEST(Reference, QuadrupleAndDoubleDifferByRoundingOnly) {
 }
 
 TEST(Reference, SatisfiesTheClosedFormOfTheFourBar) {
-  const Mechanism m = four_bar_mechanism(1);
+  const Model m = four_bar_model(1);
   const double t = 0.8;
   const auto r = reference_solution(m, std::vector{0.0, t}, Precision::quadruple)[1];
   // C is where circles about B and D meet, above the line BD.

@@ -128,7 +128,7 @@ TEST(Id, SaysWhatIsWrong) {
 }
 
 TEST(Id, WhatIsNotApplicableIsNotMade) {
-  const Mechanism m = four_bar_mechanism(1);
+  const Model m = four_bar_model(1);
   EXPECT_THROW(
       make_formulation(find_variant("group_symbolic_klu"), m, {.scalar = Scalar::single_precision}),
       std::invalid_argument);

@@ -22,7 +22,7 @@
 namespace desmo::knobs_test {
 namespace {
 
-std::unique_ptr<Formulation> make(const std::string& id, const Mechanism& m,
+std::unique_ptr<Formulation> make(const std::string& id, const Model& m,
                                   const Settings& base = {}) {
   const Configuration c = parse_id(id, base);
   return make_formulation(*c.variant, m, c.settings);
@@ -38,7 +38,7 @@ double largest_difference(std::span<const double> a, std::span<const double> b) 
 /// last position, wrong by O(h), Newton's method squares the error every time and reaches 2ᵏ; old
 /// factors, wrong by O(h), take a factor O(h) off it every time and reach k + 1.
 double order_in_the_step(const std::string& id, int iterations) {
-  const Mechanism m = truck_mechanism(1);
+  const Model m = truck_model(1);
   constexpr double t = 0.4;
   const auto error = [&](double h) {
     const auto reference = reference_solution(m, std::vector{t, t + h}, Precision::quadruple);
@@ -71,7 +71,7 @@ TEST(Chord, ConvergesLinearly) {
 /// Evaluates ‖Φ‖₂ of all parts of a mechanism, each equation over its magnitude.
 class WeightedResidual {
  public:
-  explicit WeightedResidual(const Mechanism& m) : m_(m) {
+  explicit WeightedResidual(const Model& m) : m_(m) {
     const Magnitudes magnitudes(m);
     for (const PartDefinition& part : make_partition(m, Partition::group))
       if (!part.constant)
@@ -95,7 +95,7 @@ class WeightedResidual {
     std::unique_ptr<AutomaticEquations> equations;
     std::vector<double> weights;
   };
-  const Mechanism& m_;
+  const Model& m_;
   std::vector<WeightedPart> parts_;
 };
 
@@ -119,7 +119,7 @@ class Knobs : public EveryVariant {
 TEST_P(Knobs, NoChordEndsAboveItsTolerance) {
   const Settings settings{.tolerance = 1e-11, .max_iterations = 50};
   for (const bool to_the_dead_point : {false, true}) {
-    const Mechanism m = to_the_dead_point ? locking_four_bar() : truck_mechanism(1);
+    const Model m = to_the_dead_point ? locking_four_bar() : truck_model(1);
     const WeightedResidual weighted_residual(m);
     for (const double h : {0.003, 0.02, 0.1, 0.45}) {
       if (DESMO_SANITIZED && h < (to_the_dead_point ? 0.02 : 0.1)) continue;
@@ -155,11 +155,11 @@ TEST_P(Knobs, NoChordEndsAboveItsTolerance) {
 
 /// A motion of which every twentieth instant is known in quadruple precision.
 struct KnownMotion {
-  Mechanism m;
+  Model m;
   TimeGrid grid{0, 0.01, DESMO_SANITIZED ? 21 : 101};
   std::vector<ReferenceInstant> reference;
 
-  explicit KnownMotion(Mechanism mechanism) : m(std::move(mechanism)) {
+  explicit KnownMotion(Model model) : m(std::move(model)) {
     std::vector<double> times;
     for (int i = 0; i < grid.instants; i += 20) times.push_back(grid.time(i));
     reference = reference_solution(m, times, Precision::quadruple);
@@ -169,8 +169,8 @@ struct KnownMotion {
 const std::vector<KnownMotion>& known_motions() {
   static const std::vector<KnownMotion> motions = [] {
     std::vector<KnownMotion> all;
-    all.emplace_back(truck_mechanism(1));
-    all.emplace_back(four_bar_mechanism(9));
+    all.emplace_back(truck_model(1));
+    all.emplace_back(four_bar_model(9));
     return all;
   }();
   return motions;
@@ -224,7 +224,7 @@ TEST_P(Knobs, AgreeWithTheReference) {
 }
 
 TEST_P(Knobs, WorkAtEveryLevel) {
-  const Mechanism m = truck_mechanism(1);
+  const Model m = truck_model(1);
   const auto plain = make(GetParam().id, m);
   ASSERT_TRUE(plain->assemble(0).ok());
   for (const char* suffixes :
@@ -250,7 +250,7 @@ TEST_P(Knobs, WorkAtEveryLevel) {
 
 INSTANTIATE_TEST_SUITE_P(Table, Knobs, testing::ValuesIn(tested_variants()), EveryVariant::name);
 
-long factorisations(const std::string& id, const Mechanism& m) {
+long factorisations(const std::string& id, const Model& m) {
   const Configuration c = parse_id(id);
   Profile profile;
   const auto f = make_formulation(*c.variant, m, c.settings, &profile);
@@ -261,7 +261,7 @@ long factorisations(const std::string& id, const Mechanism& m) {
 }
 
 TEST(Factorisations, AreAsManyAsTheSettingsSay) {
-  const Mechanism m = truck_mechanism(1);
+  const Model m = truck_model(1);
   const std::string klu = "global_automatic_klu", dense = "global_automatic_eigen";
   EXPECT_GT(factorisations(klu, m), 300);
   EXPECT_EQ(factorisations(klu + "/iterations:2", m), 300);
@@ -275,7 +275,7 @@ TEST(Factorisations, AreAsManyAsTheSettingsSay) {
 /// are as good as those of double factors.
 TEST(MixedScalar, NeverPassesSinglePrecisionOffAsDouble) {
   for (const double distance : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10}) {
-    const Mechanism m = locking_four_bar();
+    const Model m = locking_four_bar();
     const double lock = std::acos(-13.0 / 32) - std::acos(0.5);
     const auto mixed = make("group_automatic_lapack/scalar:mixed", m),
                full = make("group_automatic_lapack", m);

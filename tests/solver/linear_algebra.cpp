@@ -20,7 +20,7 @@
 namespace desmo::linear_algebra_test {
 namespace {
 
-PartContext context(const Mechanism& m, const PartDefinition& part, const Settings& settings) {
+PartContext context(const Model& m, const PartDefinition& part, const Settings& settings) {
   return {m, part, Magnitudes(m).weights(part), std::nullopt, settings};
 }
 
@@ -30,7 +30,7 @@ class EveryBackend : public testing::TestWithParam<const Backend*> {};
 /// backward error in ‖Φ_φ q̇ + Φ_h ḣ‖ must be a small multiple of ε ‖Φ_φ‖ ‖q̇‖, times cond for
 /// the normal equations.
 TEST_P(EveryBackend, VelocityHasASmallBackwardError) {
-  const Mechanism m = truck_mechanism(1);
+  const Model m = truck_model(1);
   for (const PartDefinition& part : make_partition(m, Partition::global)) {
     if (part.constant) continue;
     const AutomaticEquations equations(m, part);
@@ -69,7 +69,7 @@ struct AtTheFold {
 /// Velocity of a dyad folded onto itself, rocker along the coupler: the position is exact and Φ_φ
 /// exactly singular.
 AtTheFold velocity_at_the_fold(const Backend& backend, const Settings& settings) {
-  Mechanism m = four_bar_mechanism(1);
+  Model m = four_bar_model(1);
   m.fixed_values[m.entities[m.find("dyad1/D")].first] = 2;
   State s;
   s.q = m.estimate;
@@ -123,7 +123,7 @@ TEST(Klu, LeavesOutTheBlocksOfAMatrix) {
 }
 
 TEST(Klu, SolvesAMechanismAsOneBlock) {
-  const Mechanism m = truck_mechanism(2);
+  const Model m = truck_model(2);
   const auto f = make_formulation(find_variant("global_automatic_klu"), m),
              one = make_formulation(find_variant("global_automatic_klu"), m,
                                     {.btf = BlockTriangularForm::off});

@@ -53,7 +53,7 @@ TEST_F(Ma27, FormulationsAgreeWithTheQuadrupleReference) {
 }
 
 TEST_F(Ma27, FormulationsTakeSettings) {
-  const Mechanism m = truck_mechanism(1);
+  const Model m = truck_model(1);
   for (const char* id :
        {"global_automatic_ma27/guess:hermite5/jacobian:step", "group_automatic_ma27/jacobian:chord",
         "group_symbolic_ma27/factorisation:per_level/threads:2"}) {

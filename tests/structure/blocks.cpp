@@ -19,7 +19,7 @@ namespace desmo::blocks_test {
 namespace {
 
 /// Blocks are square, cover unknowns and equations once each, and read only what is found before.
-void expect_solvable_in_order(const Mechanism& m) {
+void expect_solvable_in_order(const Model& m) {
   std::vector<bool> found(m.state_size(), false);
   for (int i = m.coordinates(); i < m.state_size(); ++i) found[i] = true;
   const std::vector<bool> driven = independent_coordinates(m);
@@ -52,21 +52,21 @@ void expect_solvable_in_order(const Mechanism& m) {
 }
 
 TEST(Blocks, AreSquareCoverEverythingAndReadOnlyWhatIsFoundBefore) {
-  expect_solvable_in_order(truck_mechanism(3));
-  expect_solvable_in_order(four_bar_mechanism(9));
+  expect_solvable_in_order(truck_model(3));
+  expect_solvable_in_order(four_bar_model(9));
   Linkage at_crank = watt(), at_link = watt(), triad = stephenson();
   at_crank.drive("A0", "A");
   at_link.drive("C", "E");
   triad.drive("E0", "E");
-  for (Linkage* l : {&at_crank, &at_link, &triad}) expect_solvable_in_order(mechanism(l->take()));
-  Description d = stewart().take();
-  for (Description::Coordinate& c : d.coordinates) c.driven = true;
-  expect_solvable_in_order(model(d, std::vector<Motion>(6, still)).mechanism);
+  for (Linkage* l : {&at_crank, &at_link, &triad}) expect_solvable_in_order(model(l->take()));
+  Mechanism d = stewart().take();
+  for (Mechanism::Coordinate& c : d.coordinates) c.driven = true;
+  expect_solvable_in_order(model_mechanism(d, std::vector<Motion>(6, still)).model);
 }
 
 TEST(Blocks, OfTheTrucksFirstGroupAreOneOfSixteenSixOfThreeAndFiveOfOne) {
   // Sixteen: the axle's WL.x, WL.y, x2, y2, z2 with S, C4.. as far as its arms hold them.
-  const Mechanism m = truck_mechanism(1);
+  const Model m = truck_model(1);
   std::map<std::size_t, int> sizes;
   for (const PartDefinition& b : make_partition(m, Partition::block))
     if (b.groups.front() == 1) ++sizes[b.unknowns.size()];
@@ -75,7 +75,7 @@ TEST(Blocks, OfTheTrucksFirstGroupAreOneOfSixteenSixOfThreeAndFiveOfOne) {
 
 TEST(Blocks, OfAnOrderedChainAreItsSmallestSteps) {
   // Crank: B.x and B.y from θ. Dyad: C and ψ together, from length and angle.
-  const Mechanism m = four_bar_mechanism(3);
+  const Model m = four_bar_model(3);
   std::vector<std::size_t> sizes;
   for (const PartDefinition& b : make_partition(m, Partition::block))
     sizes.push_back(b.unknowns.size());
@@ -89,7 +89,7 @@ TEST(Growth, OfTheAnalysisIsNearlyLinear) {
     double best = 1e9;
     for (int i = 0; i < runs; ++i) {
       const std::clock_t start = std::clock();
-      const Mechanism m = four_bar_mechanism(dyads);
+      const Model m = four_bar_model(dyads);
       EXPECT_EQ(m.structural_groups(), dyads + 1);
       EXPECT_EQ(make_partition(m, Partition::block).size(), dyads + 2u);
       best = std::min(best, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
@@ -103,7 +103,7 @@ TEST(Growth, OfTheAnalysisIsNearlyLinear) {
 
 TEST(Growth, OfEquationsAndOfWhatTheyReadIsLinear) {
   const auto entries = [](int dyads) {
-    const Mechanism m = four_bar_mechanism(dyads);
+    const Model m = four_bar_model(dyads);
     long count = 0;
     for (const Constraint& c : m.constraints) visit_incidence(m, c, [&](int, int) { ++count; });
     return count;

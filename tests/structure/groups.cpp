@@ -22,7 +22,7 @@ struct Expected {
   std::vector<GroupId> after;
 };
 
-void expect_groups(const Mechanism& m, const std::vector<Expected>& expected) {
+void expect_groups(const Model& m, const std::vector<Expected>& expected) {
   std::vector<GroupId> moving;
   for (GroupId g = 0; g < static_cast<GroupId>(m.groups.size()); ++g)
     if (!m.groups[g].constant) moving.push_back(g);
@@ -52,7 +52,7 @@ TEST(Groups, OfASliderCrankAreTheCrankAndTheRodWithItsSlider) {
   l.sketch().joint(JointType::prismatic, Sketch::ground, l.body("slider"),
                    {l.point("O"), l.point("P")}, {x});
   l.drive("O", "B");
-  expect_groups(mechanism(l.take()), {{{"crank"}, 1, {}}, {{"rod", "slider"}, 0, {0}}});
+  expect_groups(model(l.take()), {{{"crank"}, 1, {}}, {{"rod", "slider"}, 0, {0}}});
 }
 
 TEST(Groups, OfASliderCrankDrivenAtTheSliderStartThere) {
@@ -66,40 +66,39 @@ TEST(Groups, OfASliderCrankDrivenAtTheSliderStartThere) {
   l.sketch().joint(JointType::prismatic, Sketch::ground, l.body("slider"),
                    {l.point("O"), l.point("P")}, {x});
   l.sketch().along("s", l.point("O"), l.point("P"), x).driven = true;
-  expect_groups(mechanism(l.take()), {{{"slider"}, 1, {}}, {{"crank", "rod"}, 0, {0}}});
+  expect_groups(model(l.take()), {{{"slider"}, 1, {}}, {{"crank", "rod"}, 0, {0}}});
 }
 
 TEST(Groups, OfWattsSixBarDependOnTheDrivenLink) {
   Linkage at_crank = watt();
   at_crank.drive("A0", "A");
   expect_groups(
-      mechanism(at_crank.take()),
+      model(at_crank.take()),
       {{{"crank"}, 1, {}}, {{"coupler", "rocker"}, 0, {0}}, {{"link5", "link6"}, 0, {1}}});
 
   Linkage at_rocker = watt();
   at_rocker.drive("B0", "B");
   expect_groups(
-      mechanism(at_rocker.take()),
+      model(at_rocker.take()),
       {{{"rocker"}, 1, {}}, {{"crank", "coupler"}, 0, {0}}, {{"link5", "link6"}, 0, {0, 1}}});
 
   // Driven at a floating link nothing can be solved before anything else.
   Linkage at_link = watt();
   at_link.drive("C", "E");
-  expect_groups(mechanism(at_link.take()),
-                {{{"crank", "coupler", "rocker", "link5", "link6"}, 1, {}}});
+  expect_groups(model(at_link.take()), {{{"crank", "coupler", "rocker", "link5", "link6"}, 1, {}}});
 }
 
 TEST(Groups, OfStephensonsSixBarDependOnTheDrivenLink) {
   Linkage at_crank = stephenson();
   at_crank.drive("A0", "A");
   expect_groups(
-      mechanism(at_crank.take()),
+      model(at_crank.take()),
       {{{"crank"}, 1, {}}, {{"coupler", "rocker"}, 0, {0}}, {{"link5", "link6"}, 0, {1}}});
 
   // From the other side: the coupler with its three arms is a triad, of four links.
   Linkage at_link6 = stephenson();
   at_link6.drive("E0", "E");
-  expect_groups(mechanism(at_link6.take()),
+  expect_groups(model(at_link6.take()),
                 {{{"link6"}, 1, {}}, {{"crank", "coupler", "rocker", "link5"}, 0, {0}}});
 }
 
@@ -118,18 +117,18 @@ TEST(Groups, OfATriadAreNotSplit) {
   l.link("leg c", {"C", "R"});
   l.link("plate", {"P", "Q", "R"});
   l.drive("F", "A");
-  expect_groups(mechanism(l.take()),
+  expect_groups(model(l.take()),
                 {{{"arm"}, 1, {}}, {{"leg a", "leg b", "leg c", "plate"}, 0, {0}}});
 }
 
 TEST(Groups, OfAStewartPlatformDrivenAtItsLegsAreOne) {
-  Description d = stewart().take();
-  for (Description::Coordinate& c : d.coordinates) c.driven = true;
+  Mechanism d = stewart().take();
+  for (Mechanism::Coordinate& c : d.coordinates) c.driven = true;
   std::set<std::string> all;
   for (std::size_t b = 1; b < d.bodies.size(); ++b) all.insert(d.bodies[b].name);
   // Each leg's own direction follows from where the platform holds its head.
   std::vector<Motion> motions(6, still);
-  const Mechanism m = model(d, motions).mechanism;
+  const Model m = model_mechanism(d, motions).model;
   expect_groups(m, {{all, 6, {}}});
 }
 
@@ -144,7 +143,7 @@ TEST(Groups, OfAStewartPlatformWhosePoseIsGivenAreThePlatformAndItsLegs) {
     const std::string n = std::to_string(i);
     expected.push_back({{"cylinder" + n, "piston" + n}, 0, {0}});
   }
-  expect_groups(mechanism(d.take()), expected);
+  expect_groups(model(d.take()), expected);
 }
 
 TEST(Groups, StandInSolutionOrderWhateverTheOrderInTheFile) {
@@ -162,7 +161,7 @@ TEST(Groups, StandInSolutionOrderWhateverTheOrderInTheFile) {
   l.link("crank", {"A", "B"});
   l.ground({"A", "D1", "D2"});
   l.drive("A", "B");
-  const Mechanism m = mechanism(l.take());
+  const Model m = model(l.take());
   expect_groups(
       m,
       {{{"crank"}, 1, {}}, {{"coupler1", "rocker1"}, 0, {0}}, {{"coupler2", "rocker2"}, 0, {1}}});
@@ -184,12 +183,12 @@ TEST(Groups, OfIndependentMechanismsInOneFileDoNotKnowEachOther) {
   l.link("rocker", {"D", "C"});
   l.drive("A", "B");
   l.drive("P", "Q");
-  expect_groups(mechanism(l.take()),
+  expect_groups(model(l.take()),
                 {{{"other crank"}, 1, {}}, {{"crank"}, 1, {}}, {{"coupler", "rocker"}, 0, {1}}});
 }
 
 TEST(Groups, OfTheTruckHangOnTheAxle) {
-  const Mechanism m = truck_mechanism(2);
+  const Model m = truck_model(2);
   std::vector<Expected> expected;
   for (int a = 0; a < 2; ++a) {
     const std::string p = "axle" + std::to_string(a + 1) + "/";
@@ -203,10 +202,10 @@ TEST(Groups, OfTheTruckHangOnTheAxle) {
 }
 
 TEST(Groups, HaveAsManyRestrictionsAsFreedomsUnlessSomeAreRedundant) {
-  const auto structure_of = [](const Description& d) {
+  const auto structure_of = [](const Mechanism& d) {
     return find_structure(d, find_rigid_bodies(d));
   };
-  for (const Description& d : {truck_suspension(2).mechanism, four_bar(7).mechanism})
+  for (const Mechanism& d : {truck_suspension(2).model, four_bar(7).model})
     for (const StructuralGroup& g : structure_of(d).groups) EXPECT_EQ(g.restrictions, g.freedoms);
   // A spatial four-bar with parallel axes: 3 · 6 freedoms, 4 · 5 + 1 restrictions.
   Sketch d("parallel axes", 3);

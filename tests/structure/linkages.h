@@ -6,14 +6,14 @@
 #include <utility>
 #include <vector>
 
-#include "formulations/modelling/model.h"
+#include "formulations/modelling/modelling.h"
 #include "tests/describing.h"
 
 namespace desmo {
 
-inline Mechanism mechanism(const Description& d) {
-  const auto drivers = std::ranges::count(d.coordinates, true, &Description::Coordinate::driven);
-  return model(d, std::vector<Motion>(drivers, still)).mechanism;
+inline Model model(const Mechanism& d) {
+  const auto drivers = std::ranges::count(d.coordinates, true, &Mechanism::Coordinate::driven);
+  return model_mechanism(d, std::vector<Motion>(drivers, still)).model;
 }
 
 /// Describes planar linkages of pinned links by the names of their points.
@@ -43,7 +43,7 @@ class Linkage {
   Sketch& sketch() { return d_; }
   int point(const std::string& pin) const { return point_.at(pin); }
   int body(const std::string& name) const { return body_.at(name); }
-  Description take() { return d_.take(); }
+  Mechanism take() { return d_.take(); }
 
  private:
   void join(const std::string& pin, int body) {

@@ -18,7 +18,7 @@
 #include "bench/kit/timing_windows.h"
 #include "bench/kit/verification.h"
 #include "cases/generators/cases.h"
-#include "formulations/modelling/model.h"
+#include "formulations/modelling/modelling.h"
 #include "formulations/variants.h"
 
 namespace desmo::suite::cells_test {
@@ -142,7 +142,7 @@ TEST(Cells, ShowWhereTheTimeOfKluAsOneBlockGoes) {
 
 TEST(Phases, AreThoseOfTheSettings) {
   const Case& c = find_case("truck_suspension");
-  const Mechanism m = make_mechanism(describe(c, 114));
+  const Model m = make_model(describe(c, 114));
   EXPECT_THROW(measure_phases(find_variant("global_automatic_umfpack"),
                               {.btf = BlockTriangularForm::off}, m, {.step = 0.01, .instants = 2}),
                std::invalid_argument);
@@ -153,7 +153,7 @@ class Idle final : public Part {
 };
 
 TEST(Cells, AreNotTimedWithoutTheGeneratedCodeTheirIdPromises) {
-  const Mechanism m = make_mechanism(four_bar(2));
+  const Model m = make_model(four_bar(2));
   const Settings settings;
   const auto named = make_formulation(find_variant("group_symbolic_klu"), m);
   EXPECT_EQ(missing_code(*named), "");

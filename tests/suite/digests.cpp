@@ -17,7 +17,7 @@
 #include "bench/kit/result_digest.h"
 #include "bench/kit/verification.h"
 #include "cases/generators/cases.h"
-#include "formulations/modelling/model.h"
+#include "formulations/modelling/modelling.h"
 #include "formulations/runtime/digest.h"
 #include "formulations/variants.h"
 
@@ -42,14 +42,14 @@ TEST(Digests, TheBinarysIsThatOfItsFile) {
 }
 
 struct ModelDigest : testing::Test {
-  Mechanism m = make_mechanism(truck_suspension(1));
+  Model m = make_model(truck_suspension(1));
   const std::string original = model_digest(m);
 };
 
 TEST_F(ModelDigest, IsThatOfTheSameModelMadeAgain) {
-  EXPECT_EQ(model_digest(make_mechanism(truck_suspension(1))), original);
-  EXPECT_NE(model_digest(make_mechanism(truck_suspension(2))), original);
-  EXPECT_NE(model_digest(make_mechanism(four_bar(2))), original);
+  EXPECT_EQ(model_digest(make_model(truck_suspension(1))), original);
+  EXPECT_NE(model_digest(make_model(truck_suspension(2))), original);
+  EXPECT_NE(model_digest(make_model(four_bar(2))), original);
 }
 
 TEST_F(ModelDigest, DoesNotFollowTheLastBitsOrNames) {
@@ -63,25 +63,24 @@ TEST_F(ModelDigest, DoesNotFollowTheLastBitsOrNames) {
 
 TEST_F(ModelDigest, FollowsEverythingThatIsSolved) {
   const auto changed = [&](auto&& change) {
-    Mechanism other = m;
+    Model other = m;
     change(other);
     return model_digest(other) != original;
   };
   const auto with_constants =
       std::ranges::find_if(m.constraints, [](const Constraint& c) { return !c.constants.empty(); });
   const auto at = with_constants - m.constraints.begin();
-  EXPECT_TRUE(changed([&](Mechanism& o) { o.constraints[at].constants[0] += 1e-6; }));
-  EXPECT_TRUE(changed([&](Mechanism& o) { ++o.constraints[at].kind; }));
-  EXPECT_TRUE(changed([&](Mechanism& o) { o.constraints[at].left_out ^= 1; }));
-  EXPECT_TRUE(changed([&](Mechanism& o) {
-    std::swap(o.constraints[at].operands[0], o.constraints[at].operands[1]);
-  }));
-  EXPECT_TRUE(changed([&](Mechanism& o) { o.constraints.pop_back(); }));
-  EXPECT_TRUE(changed([](Mechanism& o) { o.estimate[3] += 1e-6; }));
-  EXPECT_TRUE(changed([](Mechanism& o) { o.fixed_values[0] += 1e-6; }));
-  EXPECT_TRUE(changed([](Mechanism& o) { o.entities[0].kind = EntityKind::distance; }));
-  EXPECT_TRUE(changed([](Mechanism& o) { o.groups[0].entities.pop_back(); }));
-  EXPECT_TRUE(changed([](Mechanism& o) { o.length_unit = "1"; }));
+  EXPECT_TRUE(changed([&](Model& o) { o.constraints[at].constants[0] += 1e-6; }));
+  EXPECT_TRUE(changed([&](Model& o) { ++o.constraints[at].kind; }));
+  EXPECT_TRUE(changed([&](Model& o) { o.constraints[at].left_out ^= 1; }));
+  EXPECT_TRUE(changed(
+      [&](Model& o) { std::swap(o.constraints[at].operands[0], o.constraints[at].operands[1]); }));
+  EXPECT_TRUE(changed([&](Model& o) { o.constraints.pop_back(); }));
+  EXPECT_TRUE(changed([](Model& o) { o.estimate[3] += 1e-6; }));
+  EXPECT_TRUE(changed([](Model& o) { o.fixed_values[0] += 1e-6; }));
+  EXPECT_TRUE(changed([](Model& o) { o.entities[0].kind = EntityKind::distance; }));
+  EXPECT_TRUE(changed([](Model& o) { o.groups[0].entities.pop_back(); }));
+  EXPECT_TRUE(changed([](Model& o) { o.length_unit = "1"; }));
   const std::vector<Motion> motions{Polynomial{{1, 2}},
                                     Polynomial{{1, 2.5}},
                                     HarmonicSum{1, {}},
@@ -90,7 +89,7 @@ TEST_F(ModelDigest, FollowsEverythingThatIsSolved) {
                                     make_spline({0, 1, 2}, {0, 1, 0}, SplineEnds::clamped)};
   std::set<std::string> found{original};
   for (const Motion& motion : motions) {
-    Mechanism other = m;
+    Model other = m;
     other.drivers[0].motion = motion;
     found.insert(model_digest(other));
   }

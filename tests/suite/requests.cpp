@@ -61,7 +61,7 @@ TEST_F(Requests, DeliverWhatIsAskedAndNothingElse) {
   const auto request = planned("damper");
   ASSERT_EQ(request->asked.size(), 1u);
   RequestedDelivery delivery(request->asked);
-  const auto f = make_formulation(find_variant("block_symbolic_inlined"), request->plan.mechanism);
+  const auto f = make_formulation(find_variant("block_symbolic_inlined"), request->plan.model);
   f->solve_only(request->plan.levels);
   ASSERT_TRUE(f->run(request->grid, {request->plan.level()}, delivery).ok());
   ASSERT_EQ(delivery.q().size(), 1u);
@@ -76,7 +76,7 @@ TEST_F(Requests, DifferWhereSomethingNeededIsLeftOut) {
   const auto request = planned("damper");
   const Variant& v = find_variant("global_automatic_klu");
   const auto whole = make_formulation(v, request->whole);
-  const auto kept = make_formulation(v, request->plan.mechanism);
+  const auto kept = make_formulation(v, request->plan.model);
   const auto differences = [&](Level level) {
     return largest_differences(*whole, *kept, request->asked, level, request->grid);
   };

@@ -8,7 +8,7 @@
 #include "cases/generators/cases.h"
 #include "cases/io/files.h"
 #include "cases/library/library.h"
-#include "formulations/modelling/model.h"
+#include "formulations/modelling/modelling.h"
 #include "formulations/variants.h"
 #include "formulations/verification/reference/drift.h"
 
@@ -39,7 +39,7 @@ Scene find_scene(std::string_view name) {
 }
 
 bool measure(const Scene& scene, const Variant& variant, int steps, double tolerance) {
-  const Mechanism m = make_mechanism(scene);
+  const Model m = make_model(scene);
   const auto f = make_formulation(variant, m, {.tolerance = tolerance});
   const Drift d = measure_drift(*f, {scene.grid.start, scene.grid.step, steps + 1}, window);
   std::printf("%s, %d coordinates, %s, %d steps of %g s: %s\n", m.name.c_str(), m.coordinates(),

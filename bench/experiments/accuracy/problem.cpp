@@ -29,8 +29,7 @@ std::vector<double> spread(const TimeGrid& grid, int count) {
 }  // namespace
 
 Problem make_problem(Plan plan, const TimeGrid& grid, int compared) {
-  Reference reference =
-      make_reference(plan.mechanism, spread(grid, std::min(grid.instants, compared)));
+  Reference reference = make_reference(plan.model, spread(grid, std::min(grid.instants, compared)));
   return {std::move(plan), grid, std::move(reference), {}};
 }
 

@@ -53,7 +53,7 @@ Json place(const Series& series) {
 
 /// The largest over the instants of the reference.
 double condition(const Problem& problem) {
-  ConditionNumber number(problem.plan.mechanism);
+  ConditionNumber number(problem.plan.model);
   double largest = 0;
   for (const ReferenceInstant& instant : problem.reference.instants)
     largest = std::max(largest, number(instant.q));

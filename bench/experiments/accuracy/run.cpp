@@ -14,7 +14,7 @@
 #include "bench/kit/progress.h"
 #include "bench/kit/recording.h"
 #include "formulations/algebra/blas.h"
-#include "formulations/modelling/model.h"
+#include "formulations/modelling/modelling.h"
 
 namespace desmo::precision {
 
@@ -71,7 +71,7 @@ void measure_all(const Options& options, const std::string& command) {
   const int repetitions = options.repetitions > 0 ? options.repetitions : usual_repetitions;
   suite::Progress progress("comparisons and samples", comparisons_and_samples(all, repetitions));
   for (const Series& series : all) {
-    const Mechanism whole = make_mechanism(describe(*series.definition, series.coordinates));
+    const Model whole = make_model(describe(*series.definition, series.coordinates));
     const TimeGrid grid = time_grid(series.step * (series.instants - 1), series.step);
     if (&series == &all.front()) usual = grid;
     const Problem problem = make_problem(make_plan(whole, {}), grid, compared_instants);

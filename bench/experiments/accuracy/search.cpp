@@ -65,7 +65,7 @@ class Searcher {
     std::vector<const Variant*> all = effort_.formulations, kept;
     if (all.empty())
       for (const Variant& v : variants())
-        if (!is_dense_global(v) || whole_.plan.mechanism.coordinates() <= dense_limit)
+        if (!is_dense_global(v) || whole_.plan.model.coordinates() <= dense_limit)
           all.push_back(&v);
     if (effort_.exhaustive) return all;
     say(std::to_string(all.size()) + " formulations");

@@ -47,20 +47,20 @@ void Trial::compare() {
   if (state != State::untried) return;
   const Plan& plan = problem_.plan;
   try {
-    formulation_ = make_formulation(*configuration_.variant, plan.mechanism,
-                                    configuration_.settings, nullptr, &problem_.kernels);
+    formulation_ = make_formulation(*configuration_.variant, plan.model, configuration_.settings,
+                                    nullptr, &problem_.kernels);
     formulation_->solve_only(plan.levels);
     const Reference& reference = problem_.reference;
     const std::vector<double> times = some_times(reference);
-    ErrorMeasure errors(plan.mechanism, reference.instants, reference.scales, plan.outputs);
-    ViolationMeasure violations(plan.mechanism, reference.scales, times);
+    ErrorMeasure errors(plan.model, reference.instants, reference.scales, plan.outputs);
+    ViolationMeasure violations(plan.model, reference.scales, times);
     Both both(errors, violations);
     const Summary summary = formulation_->run(problem_.grid, {plan.level()}, both);
     error = errors.error();
     violation = violations.violation();
     iterations_per_step = static_cast<double>(summary.iterations) /
                           static_cast<double>(std::max(1L, summary.instants));
-    if (!summary.ok()) return stop(State::failed, describe(summary, plan.mechanism));
+    if (!summary.ok()) return stop(State::failed, describe(summary, plan.model));
     state = State::solved;
   } catch (const std::exception& e) {
     stop(State::failed, e.what());
@@ -69,13 +69,13 @@ void Trial::compare() {
 
 void Trial::time(double least) {
   if (state != State::solved) return;
-  suite::Delivery delivery(problem_.plan.mechanism.coordinates());
+  suite::Delivery delivery(problem_.plan.model.coordinates());
   const double start = suite::cpu_now();
   double spent = 0;
   long instants = 0;
   do {
     const Summary summary = formulation_->run(problem_.grid, {problem_.plan.level()}, delivery);
-    if (!summary.ok()) return stop(State::failed, describe(summary, problem_.plan.mechanism));
+    if (!summary.ok()) return stop(State::failed, describe(summary, problem_.plan.model));
     instants += summary.instants;
     spent = suite::cpu_now() - start;
   } while (spent < least);

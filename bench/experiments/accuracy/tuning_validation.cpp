@@ -14,7 +14,7 @@
 #include "bench/kit/time_json.h"
 #include "cases/generators/cases.h"
 #include "cases/io/files.h"
-#include "formulations/modelling/model.h"
+#include "formulations/modelling/modelling.h"
 
 namespace desmo::precision {
 
@@ -50,7 +50,7 @@ Json rival_json(const Rival& rival) {
 }
 
 void add_promises(Json& list, const Named& named, suite::Progress& progress) {
-  const Plan plan = make_plan(make_mechanism(named.scene), {});
+  const Plan plan = make_plan(make_model(named.scene), {});
   const TimeGrid& grid = named.scene.grid;
   const TunedMotion motion = make_tuned_motion(plan, grid);
   const Problem control = make_problem(plan, grid, grid.instants);
@@ -59,7 +59,7 @@ void add_promises(Json& list, const Named& named, suite::Progress& progress) {
   for (const double allowed : budgets) {
     const Promise p = promise(motion, control, all, allowed);
     list.push_back({{"mechanism", named.name},
-                    {"coordinates", plan.mechanism.coordinates()},
+                    {"coordinates", plan.model.coordinates()},
                     {"step_seconds", grid.step},
                     {"instants", grid.instants},
                     {"allowed", p.allowed},

@@ -21,22 +21,22 @@ namespace {
 void judge_by(Answers& a, const std::vector<double>& conditions,
               std::vector<ReferenceInstant> motion = {}) {
   std::optional<ConditionNumber> number;
-  if (conditions.empty()) number.emplace(a.mechanism);
+  if (conditions.empty()) number.emplace(a.model);
   for (std::size_t i = 0; i < a.right.size(); ++i) {
     PerLevel<double>& floor = a.floor.emplace_back();
     const ReferenceInstant& right = a.right[i];
     if (right.q.empty()) continue;
     const double condition = number ? (*number)(right.q) : conditions[i];
-    floor = floor_at(a.mechanism, right.q, condition);
+    floor = floor_at(a.model, right.q, condition);
     a.condition = std::max(a.condition, condition);
   }
   if (motion.empty())
     std::ranges::copy_if(a.right, std::back_inserter(motion),
                          [](const ReferenceInstant& r) { return !r.q.empty(); });
-  a.scales = make_scales(a.mechanism, motion);
+  a.scales = make_scales(a.model, motion);
 }
 
-std::vector<int> coordinates_of(const Mechanism& part, const Mechanism& whole) {
+std::vector<int> coordinates_of(const Model& part, const Model& whole) {
   std::vector<int> coordinate(part.coordinates());
   for (const Entity& e : part.entities)
     for (int i = 0; !e.fixed && i < e.size; ++i)
@@ -51,13 +51,13 @@ double longest_link(const DyadChain& chain) {
 }
 
 /// The mechanism of one of the chains.
-Mechanism alone(const Problem& p, std::size_t index) {
+Model alone(const Problem& p, std::size_t index) {
   const ExtremeCase& c = *p.definition;
-  if (c.chains.size() == 1) return p.model->mechanism;
-  Describer d(c.scene.mechanism.name, 2);
+  if (c.chains.size() == 1) return p.modelled->model;
+  MechanismBuilder d(c.scene.mechanism.name, 2);
   d.set_length_unit(c.scene.mechanism.length_unit);
   add(d, c.chains[index]);
-  return model(d.take(), {c.scene.motions[index]}).mechanism;
+  return model_mechanism(d.take(), {c.scene.motions[index]}).model;
 }
 
 /// Where, on the way from a time to another, a chain that has an answer at one of them ceases or
@@ -76,15 +76,15 @@ double end_between(ChainSolution& solution, double from, double to) {
 Answers chain_answers(Problem& p, std::size_t index) {
   const ExtremeCase& c = *p.definition;
   const DyadChain& chain = c.chains[index];
-  Answers a{.mechanism = alone(p, index), .coordinate = {}, .right = {}, .floor = {}, .scales = {}};
-  a.coordinate = coordinates_of(a.mechanism, p.model->mechanism);
-  const double size = nominal_size(a.mechanism), longest = longest_link(chain);
+  Answers a{.model = alone(p, index), .coordinate = {}, .right = {}, .floor = {}, .scales = {}};
+  a.coordinate = coordinates_of(a.model, p.modelled->model);
+  const double size = nominal_size(a.model), longest = longest_link(chain);
   const std::size_t links = std::max<std::size_t>(1, chain.dyads.size());
   a.chain_length = longest * static_cast<double>(links) / size;
-  ChainSolution solution(chain, a.mechanism);
+  ChainSolution solution(chain, a.model);
   std::vector<double> conditions;
   std::vector<ReferenceInstant> motion;  // what is said of errors is relative to all of it
-  std::vector<double> start(a.mechanism.coordinates());
+  std::vector<double> start(a.model.coordinates());
   std::size_t next = 0;
   bool before = true;
   for (std::size_t i = 0; i < p.solvable.size(); ++i) {
@@ -115,15 +115,14 @@ Answers chain_answers(Problem& p, std::size_t index) {
 
 Answers reference_answers(const Problem& p) {
   const ExtremeCase& c = *p.definition;
-  Answers a{
-      .mechanism = p.model->mechanism, .coordinate = {}, .right = {}, .floor = {}, .scales = {}};
-  a.coordinate.resize(a.mechanism.coordinates());
+  Answers a{.model = p.modelled->model, .coordinate = {}, .right = {}, .floor = {}, .scales = {}};
+  a.coordinate.resize(a.model.coordinates());
   std::iota(a.coordinate.begin(), a.coordinate.end(), 0);
   std::vector<double> times;
   for (const int i : p.compared)
     if (p.solvable[i]) times.push_back(c.scene.grid.time(c.starts ? 0 : i));
   if (c.starts) times.resize(1);
-  const Reference reference = make_reference(a.mechanism, times);
+  const Reference reference = make_reference(a.model, times);
   if (!(reference.floor.position < 1e-20))
     throw std::runtime_error("the two references differ by more than 1e-20");
   a.right = reference.instants;

@@ -20,7 +20,7 @@ bool is_fast(const Variant& v) {
 std::string why_not_tried(const Configuration& configuration, const Problem& problem) {
   const Variant& v = *configuration.variant;
   if (std::string why = why_not(v, configuration.settings); !why.empty()) return why;
-  const int coordinates = problem.model->mechanism.coordinates();
+  const int coordinates = problem.modelled->model.coordinates();
   if (is_dense_global(v) && coordinates > largest_dense)
     return "dense matrices of all unknowns: a step costs O(n³)";
   if (v.partition == Partition::block && coordinates > largest_in_blocks)

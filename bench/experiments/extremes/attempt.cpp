@@ -57,7 +57,7 @@ class Record final : public Sink {
   }
 
   /// A run is over that was to last so many instants.
-  void end(const SafeSummary& summary, const TimeGrid& grid, const Mechanism& m) {
+  void end(const SafeSummary& summary, const TimeGrid& grid, const Model& m) {
     const std::size_t last = first_ + grid.instants;
     auto& steps = attempt_.steps;
     if (steps.size() < last) {
@@ -87,7 +87,7 @@ class Record final : public Sink {
           static_cast<std::int64_t>(suite::heap_in_use()) - static_cast<std::int64_t>(early_heap_);
   }
 
-  void note_flag(const SafeSummary& s, const Mechanism& m) {
+  void note_flag(const SafeSummary& s, const Model& m) {
     if (!attempt_.message.empty() || s.outcome() == desmo::Outcome::converged) return;
     const Summary& failure = s.gaps.empty() ? s : s.gaps.front().failure;
     attempt_.failed_group = failure.group;
@@ -128,14 +128,14 @@ Attempt attempt(const Problem& problem, const Configuration& configuration, unsi
     a.message = std::move(why);
     return a;
   };
-  if (!problem.model) return stop(Attempt::Ending::refused, problem.refusal);
+  if (!problem.modelled) return stop(Attempt::Ending::refused, problem.refusal);
   if (std::string why = why_not_tried(configuration, problem); !why.empty())
     return stop(Attempt::Ending::not_applicable, std::move(why));
 
   const ExtremeCase& c = *problem.definition;
-  std::optional<Mechanism> started;  // its estimate changes from start to start
-  if (c.starts) started = problem.model->mechanism;
-  const Mechanism& m = started ? *started : problem.model->mechanism;
+  std::optional<Model> started;  // its estimate changes from start to start
+  if (c.starts) started = problem.modelled->model;
+  const Model& m = started ? *started : problem.modelled->model;
   std::unique_ptr<Formulation> f;
   try {
     f = make_formulation(*configuration.variant, m, configuration.settings);

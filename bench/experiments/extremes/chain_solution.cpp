@@ -29,7 +29,7 @@ void split(const std::vector<Quadruple>& wide, std::vector<double>& high,
 
 }  // namespace
 
-ChainSolution::ChainSolution(const DyadChain& chain, const Mechanism& m)
+ChainSolution::ChainSolution(const DyadChain& chain, const Model& m)
     : chain_(chain), m_(m), size_(nominal_size(m)), now_{0, {}, {}, {}} {
   const auto coordinate = [&](const std::string& name) {
     return m.entities[m.find(chain.prefix + name)].first;

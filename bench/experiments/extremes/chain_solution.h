@@ -5,7 +5,7 @@
 
 #include "cases/generators/dyad_chain.h"
 #include "formulations/base/reference_instant.h"
-#include "formulations/model/mechanism.h"
+#include "formulations/model/model.h"
 #include "formulations/verification/reference/wide_instant.h"
 
 namespace desmo::extreme {
@@ -15,7 +15,7 @@ namespace desmo::extreme {
 class ChainSolution {
  public:
   /// mechanism: of the chain and nothing else. Both must outlive the solution.
-  ChainSolution(const DyadChain& chain, const Mechanism& mechanism);
+  ChainSolution(const DyadChain& chain, const Model& model);
 
   /// The branch of each dyad is the one on whose side its joint is in these positions; angles are
   /// those nearest to these, and then to those before. At first the mechanism's estimate holds.
@@ -47,7 +47,7 @@ class ChainSolution {
   void put(int coordinate, const Quadruple& q, const Quadruple& qd, const Quadruple& qdd);
 
   const DyadChain& chain_;
-  const Mechanism& m_;
+  const Model& m_;
   int crank_angle_, crank_joint_;  // coordinates
   std::vector<Place> places_;      // of the dyads
   double size_;

@@ -11,7 +11,7 @@ namespace desmo::extreme {
 
 namespace {
 
-void turn_back(const Mechanism& m, std::span<const double> right, std::vector<double>& q) {
+void turn_back(const Model& m, std::span<const double> right, std::vector<double>& q) {
   constexpr double turn = 2 * std::numbers::pi;
   for (const Entity& e : m.entities)
     if (e.kind == EntityKind::angle && !e.fixed)
@@ -31,9 +31,9 @@ PerLevel<double> error_of(const Instant& instant, const Problem& problem, std::s
   };
   std::vector<double> q = part(instant.q);
   if (const ExtremeCase& c = *problem.definition; c.starts || c.goes_on)
-    turn_back(answers.mechanism, right.q, q);
+    turn_back(answers.model, right.q, q);
   const std::vector<double> qd = part(instant.qd), qdd = part(instant.qdd);
-  ErrorMeasure measure(answers.mechanism, {&right, 1}, answers.scales);
+  ErrorMeasure measure(answers.model, {&right, 1}, answers.scales);
   measure.accept({0, right.time, q, qd, qdd});
   const Error e = measure.error();
   return {e.position.max, e.velocity.max, e.acceleration.max};

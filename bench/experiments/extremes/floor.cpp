@@ -5,7 +5,7 @@
 
 namespace desmo::extreme {
 
-PerLevel<double> floor_at(const Mechanism& m, std::span<const double> q, double condition) {
+PerLevel<double> floor_at(const Model& m, std::span<const double> q, double condition) {
   const double size = nominal_size(m);
   double driven = 1;
   for (const Driver& d : m.drivers) {

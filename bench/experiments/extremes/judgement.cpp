@@ -109,7 +109,7 @@ std::string other_iterations(const Attempt& a, const Attempt& first) {
   return {};
 }
 
-bool is_named(const Mechanism& m, GroupId group, const std::string& body) {
+bool is_named(const Model& m, GroupId group, const std::string& body) {
   return group >= 0 && std::ranges::count(m.groups[group].bodies, body) > 0;
 }
 
@@ -163,8 +163,8 @@ std::string wrong_end(const Problem& p, const Attempt& a) {
              : formatted("it says %zu ends of answers of %zu", found.size(), p.ends.size());
 }
 
-bool is_idle(const Model& model, const std::string& body) {
-  return std::ranges::count(model.idle, body, &IdleFreedom::body) > 0;
+bool is_idle(const ModellingResult& modelled, const std::string& body) {
+  return std::ranges::count(modelled.idle, body, &IdleFreedom::body) > 0;
 }
 
 /// What was expected and is not there, although nothing is wrong.
@@ -174,12 +174,12 @@ std::string shortcoming(const Problem& p, const Attempt& a, const Yardsticks& ya
     if (std::string why = other_iterations(a, *yardsticks.first_case); !why.empty()) return why;
   if (c.bound == Bound::estimates)
     if (std::string why = overstated(p, a); !why.empty()) return why;
-  if (!c.failing_body.empty() && !is_named(p.model->mechanism, a.failed_group, c.failing_body))
+  if (!c.failing_body.empty() && !is_named(p.modelled->model, a.failed_group, c.failing_body))
     return "it does not name the group of " + c.failing_body;
-  if (c.is_redundant && p.model->left_out.empty()) return "it does not report the redundancy";
+  if (c.is_redundant && p.modelled->left_out.empty()) return "it does not report the redundancy";
   if (c.goes_on)
     if (std::string why = wrong_end(p, a); !why.empty()) return why;
-  if (!c.idle_body.empty() && !is_idle(*p.model, c.idle_body))
+  if (!c.idle_body.empty() && !is_idle(*p.modelled, c.idle_body))
     return "it does not report that " + c.idle_body + " may spin";
   if (a.heap_growth > most_growth)
     return formatted("the heap has grown by %lld bytes", static_cast<long long>(a.heap_growth));

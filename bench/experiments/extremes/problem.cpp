@@ -32,7 +32,7 @@ std::vector<int> compared_instants(const ExtremeCase& c) {
 
 Problem make_problem(const ExtremeCase& c) {
   Problem p{.definition = &c,
-            .model = {},
+            .modelled = {},
             .refusal = {},
             .no_answer = {},
             .answers = {},
@@ -43,16 +43,16 @@ Problem make_problem(const ExtremeCase& c) {
   p.solvable.assign(c.starts ? c.starts->count : c.scene.grid.instants, true);
   if (c.ends_singular) p.solvable.back() = false;
   try {
-    p.model = model(c.scene.mechanism, c.scene.motions);
+    p.modelled = model_mechanism(c.scene.mechanism, c.scene.motions);
   } catch (const std::invalid_argument& error) {
     p.refusal = error.what();
     return p;
   }
-  if (c.starts) p.starts = make_starts(p.model->mechanism, *c.starts);
+  if (c.starts) p.starts = make_starts(p.modelled->model, *c.starts);
   if (c.is_refused) return p;  // there is none
   try {
     for (std::size_t i = 0; i < c.chains.size(); ++i) p.answers.push_back(chain_answers(p, i));
-    if (c.chains.empty() && p.model->mechanism.coordinates() > 0)
+    if (c.chains.empty() && p.modelled->model.coordinates() > 0)
       p.answers.push_back(reference_answers(p));
   } catch (const std::exception& error) {
     p.no_answer = error.what();

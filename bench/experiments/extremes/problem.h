@@ -8,14 +8,14 @@
 #include "cases/extremes/extremes.h"
 #include "formulations/base/per_level.h"
 #include "formulations/base/reference_instant.h"
-#include "formulations/modelling/model.h"
+#include "formulations/modelling/modelling.h"
 #include "formulations/scaling/scales.h"
 
 namespace desmo::extreme {
 
 /// What is right, for a part of a mechanism that is judged by its own size.
 struct Answers {
-  Mechanism mechanism;                  ///< of the part alone
+  Model model;                          ///< of the part alone
   std::vector<int> coordinate;          ///< in the whole, of each of the part
   std::vector<ReferenceInstant> right;  ///< one for each instant compared; no q where there is none
   std::vector<PerLevel<double>> floor;  ///< of each
@@ -27,7 +27,7 @@ struct Answers {
 /// A case of an extreme with what is known of it.
 struct Problem {
   const ExtremeCase* definition;
-  std::optional<Model> model;  ///< nothing: refused
+  std::optional<ModellingResult> modelled;  ///< nothing: refused
   std::string refusal;
   std::string no_answer;  ///< why nothing is known to compare with; then answers is empty
   std::vector<Answers> answers;

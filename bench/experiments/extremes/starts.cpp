@@ -7,8 +7,7 @@
 
 namespace desmo::extreme {
 
-std::vector<std::vector<double>> make_starts(const Mechanism& m,
-                                             const ExtremeCase::Starts& starts) {
+std::vector<std::vector<double>> make_starts(const Model& m, const ExtremeCase::Starts& starts) {
   const std::vector<double> magnitude = natural_magnitudes(m);
   const std::vector<bool> driven = independent_coordinates(m);
   std::mt19937_64 bits(1);

@@ -3,13 +3,12 @@
 #include <vector>
 
 #include "cases/extremes/extremes.h"
-#include "formulations/model/mechanism.h"
+#include "formulations/model/model.h"
 
 namespace desmo::extreme {
 
 /// Estimates of a mechanism's positions that are off by up to `off` of natural magnitudes, the
 /// drivers' excepted: evenly distributed, the same in every run.
-std::vector<std::vector<double>> make_starts(const Mechanism& mechanism,
-                                             const ExtremeCase::Starts& starts);
+std::vector<std::vector<double>> make_starts(const Model& model, const ExtremeCase::Starts& starts);
 
 }  // namespace desmo::extreme

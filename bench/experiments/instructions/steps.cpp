@@ -75,7 +75,7 @@ int main(int argc, char** argv) {
     if (s.ok() && s.residual > subject.settings().tolerance)  // possible with fixed iterations only
       s.status = Status::not_converged;
     if (s.ok()) return 0;
-    std::cerr << "desmo_steps: " << describe(s, subject.mechanism()) << '\n';
+    std::cerr << "desmo_steps: " << describe(s, subject.model()) << '\n';
     return 1;
   } catch (const std::exception& e) {
     std::cerr << "desmo_steps: " << e.what() << '\n';

@@ -10,7 +10,7 @@
 #include "bench/kit/cpu_clock.h"
 #include "cases/generators/cases.h"
 #include "cases/io/files.h"
-#include "formulations/modelling/model.h"
+#include "formulations/modelling/modelling.h"
 #include "formulations/variants.h"
 
 namespace desmo::sizes {
@@ -26,8 +26,7 @@ constexpr double tolerance = 1e-7;
 
 /// Bodies of a case with two units less those with one, ground and crank left out.
 int bodies_per_unit(const Case& c) {
-  return static_cast<int>(c.describe(2).mechanism.bodies.size() -
-                          c.describe(1).mechanism.bodies.size());
+  return static_cast<int>(c.describe(2).model.bodies.size() - c.describe(1).model.bodies.size());
 }
 
 void measure(const Case& c, int bodies) {
@@ -35,9 +34,9 @@ void measure(const Case& c, int bodies) {
   const std::string text = write_mechanism(scene.mechanism);
 
   const double start = cpu_now();
-  const Description description = parse_mechanism(text, std::string(c.name));
+  const Mechanism mechanism = parse_mechanism(text, std::string(c.name));
   const double read = cpu_now();
-  const Mechanism m = model(description, scene.motions).mechanism;
+  const Model m = model_mechanism(mechanism, scene.motions).model;
   const double modelled = cpu_now();
   const std::size_t blocks = make_partition(m, Partition::block).size();
   const double cut = cpu_now();
@@ -54,7 +53,7 @@ void measure(const Case& c, int bodies) {
   }
 
   std::printf("%-18.*s %8zu %8d %8zu %8.1f %9.4f %9.4f %9.4f %9.4f %12.2f\n",
-              static_cast<int>(c.name.size()), c.name.data(), description.bodies.size() - 1,
+              static_cast<int>(c.name.size()), c.name.data(), mechanism.bodies.size() - 1,
               m.coordinates(), blocks, static_cast<double>(text.size()) / 1024, read - start,
               modelled - read, cut - modelled, constructed - cut, fastest * 1e6);
 }

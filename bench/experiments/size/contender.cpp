@@ -21,7 +21,7 @@ long heap_bytes() {
   return static_cast<long>(heap.uordblks + heap.hblkhd);
 }
 
-std::unique_ptr<Formulation> make(const Configuration& c, const Mechanism& m) {
+std::unique_ptr<Formulation> make(const Configuration& c, const Model& m) {
   return make_formulation(*c.variant, m, c.settings);
 }
 
@@ -43,7 +43,7 @@ void Contender::verify() {
 
 void Contender::compare() {
   const long before = heap_bytes();
-  const auto formulation = make(configuration_, problem_.mechanism);
+  const auto formulation = make(configuration_, problem_.model);
   bytes = heap_bytes() - before;
   message = suite::missing_code(*formulation);
   if (!message.empty()) return;
@@ -51,7 +51,7 @@ void Contender::compare() {
   const Summary summary = formulation->run(problem_.grid, {}, sink);
   errors = sink.errors();
   if (!summary.ok()) {
-    message = describe(summary, problem_.mechanism);
+    message = describe(summary, problem_.model);
     return;
   }
   message = suite::complaint(errors, problem_.reference.size(),
@@ -72,15 +72,15 @@ void Contender::time(double least) {
 }
 
 double Contender::measure(double least) {
-  const auto formulation = make(configuration_, problem_.mechanism);
+  const auto formulation = make(configuration_, problem_.model);
   formulation->assemble(problem_.grid.time(0));  // memory is touched for the first time
-  suite::Delivery delivery(problem_.mechanism.coordinates());
+  suite::Delivery delivery(problem_.model.coordinates());
   const double start = suite::cpu_now();
   double spent = 0;
   long instants = 0;
   do {
     const Summary summary = formulation->run(problem_.grid, {}, delivery);
-    if (!summary.ok()) throw std::runtime_error(describe(summary, problem_.mechanism));
+    if (!summary.ok()) throw std::runtime_error(describe(summary, problem_.model));
     instants += summary.instants;
     spent = suite::cpu_now() - start;
   } while (spent < least);

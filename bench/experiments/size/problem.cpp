@@ -21,17 +21,17 @@ std::vector<double> compared_times(const TimeGrid& grid) {
 }
 
 /// What the first entities need; nothing where none of them moves.
-std::optional<Mechanism> of_first_entities(const Mechanism& whole, int count) {
+std::optional<Model> of_first_entities(const Model& whole, int count) {
   std::vector<Asked> asked;
   for (EntityId e = 0; e < count; ++e)
     if (!whole.rests(e)) asked.push_back({e, Level::acceleration});
   if (asked.empty()) return std::nullopt;
-  return make_plan(whole, asked).mechanism;
+  return make_plan(whole, asked).model;
 }
 
 }  // namespace
 
-Problem make_problem(Mechanism m, const TimeGrid& grid, double tolerance) {
+Problem make_problem(Model m, const TimeGrid& grid, double tolerance) {
   const std::vector<double> times = compared_times(grid);
   if (m.coordinates() > largest_quadruple) {
     auto reference = reference_solution(m, times, Precision::standard);
@@ -42,12 +42,12 @@ Problem make_problem(Mechanism m, const TimeGrid& grid, double tolerance) {
   return {std::move(m), grid, tolerance, std::move(reference.instants), "quadruple"};
 }
 
-Mechanism cut_to(const Mechanism& whole, int least) {
+Model cut_to(const Model& whole, int least) {
   // More entities never need less.
   int first = 1, last = static_cast<int>(whole.entities.size()) + 1;
   while (first < last) {
     const int middle = first + (last - first) / 2;
-    const std::optional<Mechanism> cut = of_first_entities(whole, middle);
+    const std::optional<Model> cut = of_first_entities(whole, middle);
     if (!cut || suite::moving_unknowns(*cut) < least)
       first = middle + 1;
     else

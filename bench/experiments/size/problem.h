@@ -4,13 +4,13 @@
 
 #include "cases/mechanism/motion.h"
 #include "formulations/base/reference_instant.h"
-#include "formulations/model/mechanism.h"
+#include "formulations/model/model.h"
 
 namespace desmo::sizes {
 
 /// A mechanism to be solved in many ways over the same motion, and what is right.
 struct Problem {
-  Mechanism mechanism;
+  Model model;
   TimeGrid grid;
   double tolerance;
   std::vector<ReferenceInstant> reference;  ///< at the first, the middle and the last instant
@@ -21,10 +21,10 @@ struct Problem {
 
 /// grid: of three instants or more. Throws what make_reference throws, and see
 /// suite::require_agreement.
-Problem make_problem(Mechanism mechanism, const TimeGrid& grid, double tolerance);
+Problem make_problem(Model model, const TimeGrid& grid, double tolerance);
 
 /// What finding `least` unknowns or more of a mechanism takes, and no more than it must: what the
 /// first of its entities need, of all of them if it has fewer.
-Mechanism cut_to(const Mechanism& whole, int least);
+Model cut_to(const Model& whole, int least);
 
 }  // namespace desmo::sizes

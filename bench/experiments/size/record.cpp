@@ -11,7 +11,7 @@ namespace desmo::sizes {
 
 nlohmann::ordered_json entry_json(const Series& series, const Problem& problem,
                                   const Contender& contender) {
-  const Mechanism& m = problem.mechanism;
+  const Model& m = problem.model;
   nlohmann::ordered_json j = {
       {"case", series.definition->name},       {"coordinates", m.coordinates()},
       {"unknowns", suite::moving_unknowns(m)}, {"id", contender.id},

@@ -5,7 +5,7 @@
 #include <iterator>
 
 #include "bench/kit/structure.h"
-#include "formulations/modelling/model.h"
+#include "formulations/modelling/modelling.h"
 #include "formulations/variants.h"
 
 namespace desmo::sizes {
@@ -61,11 +61,11 @@ void add(std::vector<Series>& all, Question question, const Case& c, int size,
   std::ranges::copy_if(ids, std::back_inserter(all.back().ids), exists);
 }
 
-Mechanism largest(const Case& c) { return make_mechanism(describe(c, c.sizes.back())); }
+Model largest(const Case& c) { return make_model(describe(c, c.sizes.back())); }
 
 /// Each number of unknowns once: the first entities may need more than they were asked for.
 void add_break_even(std::vector<Series>& all, const Case& c, int most_unknowns) {
-  const Mechanism whole = largest(c);
+  const Model whole = largest(c);
   int last = 0;
   for (const int least : unknowns) {
     if (least > most_unknowns) return;
@@ -92,7 +92,7 @@ std::string_view name_of(Question question) {
 
 Problem Series::problem() const {
   if (question == Question::growth)
-    return make_problem(make_mechanism(describe(*definition, size)),
+    return make_problem(make_model(describe(*definition, size)),
                         begin_of(*definition, growth_instants), tolerance_of(size));
   return make_problem(cut_to(largest(*definition), size),
                       begin_of(*definition, break_even_instants), Settings{}.tolerance);

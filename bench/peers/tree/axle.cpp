@@ -45,7 +45,7 @@ struct Axle::Closure {
   double error;              // √Σ (gᵢ/Lᵢ²)²
 };
 
-Axle::Axle(const Description& d, const std::string& prefix, double tolerance)
+Axle::Axle(const Mechanism& d, const std::string& prefix, double tolerance)
     : prefix_(prefix), tolerance_(tolerance) {
   const auto at = [&](const char* name) { return nominal(d, prefix + name); };
   const Vec s = at("S");

@@ -6,7 +6,7 @@
 
 #include "bench/peers/tree/delivery.h"
 #include "bench/peers/tree/moving.h"
-#include "cases/mechanism/description.h"
+#include "cases/mechanism/mechanism.h"
 #include "cases/mechanism/motion.h"
 
 namespace desmo::tree {
@@ -36,7 +36,7 @@ class Axle {
   };
 
   /// prefix: of the axle's names.
-  Axle(const Description& description, const std::string& prefix, double tolerance);
+  Axle(const Mechanism& mechanism, const std::string& prefix, double tolerance);
 
   /// Names of what solve() delivers, in its order.
   static std::vector<std::string> delivered(const std::string& prefix);

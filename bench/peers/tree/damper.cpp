@@ -4,7 +4,7 @@
 
 namespace desmo::tree {
 
-Damper::Damper(const Description& d, const std::string& prefix, const std::string& rod,
+Damper::Damper(const Mechanism& d, const std::string& prefix, const std::string& rod,
                const std::string& tube)
     : a_(nominal(d, prefix + "A" + rod) - nominal(d, prefix + "S")),
       t_(nominal(d, prefix + "T" + tube)) {}

@@ -5,7 +5,7 @@
 
 #include "bench/peers/tree/axle.h"
 #include "bench/peers/tree/delivery.h"
-#include "cases/mechanism/description.h"
+#include "cases/mechanism/mechanism.h"
 
 namespace desmo::tree {
 
@@ -14,7 +14,7 @@ namespace desmo::tree {
 class Damper {
  public:
   /// rod, tube: the bodies' numbers, "10" and "11".
-  Damper(const Description& description, const std::string& prefix, const std::string& rod,
+  Damper(const Mechanism& mechanism, const std::string& prefix, const std::string& rod,
          const std::string& tube);
 
   /// Names of what solve() delivers, in its order.

@@ -17,7 +17,7 @@ using Vec2 = Eigen::Vector2d;
 /// a turned by 90° to the left.
 Vec2 left_of(const Vec2& a) { return {-a.y(), a.x()}; }
 
-Vec2 nominal_in_plane(const Description& d, const std::string& point) {
+Vec2 nominal_in_plane(const Mechanism& d, const std::string& point) {
   return nominal(d, point).head<2>();
 }
 
@@ -26,7 +26,7 @@ Vec2 nominal_in_plane(const Description& d, const std::string& point) {
 class Dyad {
  public:
   /// before: the point B.
-  Dyad(const Description& d, const std::string& prefix, const std::string& before)
+  Dyad(const Mechanism& d, const std::string& prefix, const std::string& before)
       : name_(prefix),
         pivot_(nominal_in_plane(d, prefix + "D")),
         coupler_(length(d, prefix + "coupler")),
@@ -68,19 +68,19 @@ class Dyad {
 
 class FourBar final : public TreePeer {
  public:
-  FourBar(const Scene& scene, const Mechanism& mechanism)
+  FourBar(const Scene& scene, const Model& model)
       : motion_(scene.motions.at(0)),
         pivot_(nominal_in_plane(scene.mechanism, "crank/A")),
         crank_(length(scene.mechanism, "crank")) {
-    const Description& d = scene.mechanism;
-    will_deliver(mechanism, {"crank/theta", "crank/B"});
+    const Mechanism& d = scene.mechanism;
+    will_deliver(model, {"crank/theta", "crank/B"});
     const int dyads = static_cast<int>(d.bodies.size() - 2) / 2;  // without ground and crank
     std::string before = "crank/B";
     for (int k = 1; k <= dyads; ++k) {
       const std::string prefix = "dyad" + std::to_string(k) + "/";
       dyads_.emplace_back(d, prefix, before);
       before = prefix + "C";
-      will_deliver(mechanism, {before, prefix + "psi"});
+      will_deliver(model, {before, prefix + "psi"});
     }
   }
 
@@ -108,8 +108,8 @@ class FourBar final : public TreePeer {
 
 }  // namespace
 
-std::unique_ptr<Peer> make_four_bar(const Scene& scene, const Mechanism& mechanism) {
-  return std::make_unique<FourBar>(scene, mechanism);
+std::unique_ptr<Peer> make_four_bar(const Scene& scene, const Model& model) {
+  return std::make_unique<FourBar>(scene, model);
 }
 
 }  // namespace desmo::tree

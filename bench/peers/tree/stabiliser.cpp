@@ -7,7 +7,7 @@
 
 namespace desmo::tree {
 
-Stabiliser::Stabiliser(const Description& d, const std::string& prefix, const std::string& lever,
+Stabiliser::Stabiliser(const Mechanism& d, const std::string& prefix, const std::string& lever,
                        const std::string& link)
     : name_(prefix + lever) {
   const Vec s = nominal(d, prefix + "S"), a = nominal(d, prefix + "A" + lever);

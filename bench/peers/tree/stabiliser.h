@@ -5,7 +5,7 @@
 
 #include "bench/peers/tree/axle.h"
 #include "bench/peers/tree/delivery.h"
-#include "cases/mechanism/description.h"
+#include "cases/mechanism/mechanism.h"
 
 namespace desmo::tree {
 
@@ -16,7 +16,7 @@ namespace desmo::tree {
 class Stabiliser {
  public:
   /// lever, link: the bodies' numbers, "6" and "8".
-  Stabiliser(const Description& description, const std::string& prefix, const std::string& lever,
+  Stabiliser(const Mechanism& mechanism, const std::string& prefix, const std::string& lever,
              const std::string& link);
 
   /// Names of what solve() delivers, in its order.

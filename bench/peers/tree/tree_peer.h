@@ -14,9 +14,9 @@ class TreePeer : public Peer {
  protected:
   /// What is delivered next: the coordinates of these entities. Throws std::invalid_argument when
   /// the mechanism has no such entity.
-  void will_deliver(const Mechanism& mechanism, const std::vector<std::string>& entities) {
+  void will_deliver(const Model& model, const std::vector<std::string>& entities) {
     for (const std::string& name : entities) {
-      const Entity& e = mechanism.entities[mechanism.find(name)];
+      const Entity& e = model.entities[model.find(name)];
       for (int i = 0; i < e.size; ++i) answer_.coordinates.push_back(e.first + i);
     }
     for (auto* values : {&answer_.q, &answer_.qd, &answer_.qdd})
@@ -29,9 +29,9 @@ class TreePeer : public Peer {
 
 /// truck_suspension, one axle after the other. The guess is that of the two angles of an axle for
 /// which Newton's method is needed.
-std::unique_ptr<Peer> make_truck(const Scene& scene, const Mechanism& mechanism, Guess guess);
+std::unique_ptr<Peer> make_truck(const Scene& scene, const Model& model, Guess guess);
 
 /// four_bar, one dyad after the other, in closed form.
-std::unique_ptr<Peer> make_four_bar(const Scene& scene, const Mechanism& mechanism);
+std::unique_ptr<Peer> make_four_bar(const Scene& scene, const Model& model);
 
 }  // namespace desmo::tree

@@ -21,7 +21,7 @@ namespace {
 
 /// An axle with all that hangs on it.
 struct Suspension {
-  Suspension(const Description& d, const std::string& prefix, double tolerance)
+  Suspension(const Mechanism& d, const std::string& prefix, double tolerance)
       : axle(d, prefix, tolerance),
         stabilisers{Stabiliser(d, prefix, "6", "8"), Stabiliser(d, prefix, "7", "9")},
         dampers{Damper(d, prefix, "10", "11"), Damper(d, prefix, "12", "13")} {}
@@ -52,23 +52,22 @@ struct AnglesOfAll {
 
 class Truck final : public TreePeer {
  public:
-  Truck(const Scene& scene, const Mechanism& mechanism, Guess guess)
-      : motions_(addresses(scene.motions)) {
+  Truck(const Scene& scene, const Model& model, Guess guess) : motions_(addresses(scene.motions)) {
     const int axles = static_cast<int>(scene.motions.size()) / 2;
     last_ = one_before_ = AnglesOfAll(axles);
     expected_ = Predictor(guess, {{0, 2 * axles}});
     // As ours: the whole mechanism meets the tolerance.
     const double tolerance = Settings{}.tolerance / std::sqrt(axles);
     suspensions_.reserve(axles);
-    will_deliver(mechanism, {"y1"});
+    will_deliver(model, {"y1"});
     for (int a = 0; a < axles; ++a) {
       const std::string prefix = "axle" + std::to_string(a + 1) + "/";
       suspensions_.emplace_back(scene.mechanism, prefix, tolerance);
-      will_deliver(mechanism, Axle::delivered(prefix));
-      will_deliver(mechanism, Stabiliser::delivered(prefix, "6", "8"));
-      will_deliver(mechanism, Stabiliser::delivered(prefix, "7", "9"));
-      will_deliver(mechanism, Damper::delivered(prefix, "10", "11"));
-      will_deliver(mechanism, Damper::delivered(prefix, "12", "13"));
+      will_deliver(model, Axle::delivered(prefix));
+      will_deliver(model, Stabiliser::delivered(prefix, "6", "8"));
+      will_deliver(model, Stabiliser::delivered(prefix, "7", "9"));
+      will_deliver(model, Damper::delivered(prefix, "10", "11"));
+      will_deliver(model, Damper::delivered(prefix, "12", "13"));
     }
   }
 
@@ -134,8 +133,8 @@ class Truck final : public TreePeer {
 
 }  // namespace
 
-std::unique_ptr<Peer> make_truck(const Scene& scene, const Mechanism& mechanism, Guess guess) {
-  return std::make_unique<Truck>(scene, mechanism, guess);
+std::unique_ptr<Peer> make_truck(const Scene& scene, const Model& model, Guess guess) {
+  return std::make_unique<Truck>(scene, model, guess);
 }
 
 }  // namespace desmo::tree

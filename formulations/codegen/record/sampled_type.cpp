@@ -8,7 +8,7 @@
 
 namespace desmo::generate {
 
-SampledType& add_part(const Mechanism& m, const PartDefinition& part,
+SampledType& add_part(const Model& m, const PartDefinition& part,
                       std::span<const std::vector<double>> states,
                       std::vector<SampledType>& found) {
   constexpr std::size_t pivot_samples = 12;

@@ -25,7 +25,7 @@ struct SampledType {
 /// Adds the type of a part of one group, without a name, to those found, unless it is one of them.
 /// Adds to its samples one for each state (q, then the fixed values) of the mechanism, and some
 /// twelve of these to those for pivots. Returns the type; valid until more are added.
-SampledType& add_part(const Mechanism& mechanism, const PartDefinition& part,
+SampledType& add_part(const Model& model, const PartDefinition& part,
                       std::span<const std::vector<double>> states, std::vector<SampledType>& found);
 
 /// The type with names made of numbers, the same for all types of one fingerprint: u4, an unknown,

@@ -10,7 +10,7 @@ namespace desmo {
 namespace {
 
 using nominal::Vec;
-using Direction = Description::Direction;
+using Direction = Mechanism::Direction;
 
 /// target = [origin +] Σ cᵢ directionᵢ
 struct Relation {
@@ -26,7 +26,7 @@ void relate_in_plane(EquationWriter& w, const Relation& r) {
   if (r.basis.directions.empty())  // a second name for the same place
     return w.constrain<Rigid<2, 0>>(Origin::body, r.name, {r.target, w.point(r.basis.origin)}, {});
   const Direction& d = r.basis.directions.front();
-  const Vec x = nominal::direction(w.description, d);
+  const Vec x = nominal::direction(w.mechanism, d);
   const double x2 = nominal::dot(x, x), least = r.magnitude / std::sqrt(x2);
   const std::array c{snap(nominal::dot(x, r.offset) / x2, least),
                      snap((x[0] * r.offset[1] - x[1] * r.offset[0]) / x2, least)};
@@ -54,7 +54,7 @@ void with_terms(std::size_t terms, F&& f) {
 }
 
 /// The cᵢ, without what rounding leaves.
-std::vector<double> coefficients_in_space(const Description& d, const Relation& r) {
+std::vector<double> coefficients_in_space(const Mechanism& d, const Relation& r) {
   const int n = static_cast<int>(r.basis.directions.size());
   if (n == 0) return {};
   Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3> directions(3, n);
@@ -73,7 +73,7 @@ std::vector<double> coefficients_in_space(const Description& d, const Relation& 
 /// A segment ends at the sum of itself and the origin, so that its term is its end and takes as
 /// much away from the origin.
 void relate_in_space(EquationWriter& w, const Relation& r) {
-  const std::vector<double> c = coefficients_in_space(w.description, r);
+  const std::vector<double> c = coefficients_in_space(w.mechanism, r);
   double of_origin = r.is_point ? 1 : 0;
   bool has_segments = false;
   std::vector<EntityId> terms;
@@ -113,18 +113,18 @@ void relate_in_space(EquationWriter& w, const Relation& r) {
 }
 
 void relate(EquationWriter& w, const Relation& r) {
-  w.description.dimension == 2 ? relate_in_plane(w, r) : relate_in_space(w, r);
+  w.mechanism.dimension == 2 ? relate_in_plane(w, r) : relate_in_space(w, r);
 }
 
 }  // namespace
 
 void relate_point(EquationWriter& w, const std::string& prefix, const RigidBody& body, int p) {
-  relate(w, {prefix + w.description.points[p].name + " rigid", body.basis, w.point(p), true,
-             nominal::direction(w.description, body, {-1, body.basis.origin, p}), w.reach});
+  relate(w, {prefix + w.mechanism.points[p].name + " rigid", body.basis, w.point(p), true,
+             nominal::direction(w.mechanism, body, {-1, body.basis.origin, p}), w.reach});
 }
 
 void relate_vector(EquationWriter& w, const std::string& prefix, const RigidBody& body, int v) {
-  const Description::Vector& vector = w.description.vectors[v];
+  const Mechanism::Vector& vector = w.mechanism.vectors[v];
   relate(w, {prefix + vector.name + " rigid", body.basis, w.vector(v), false, vector.direction, 1});
 }
 

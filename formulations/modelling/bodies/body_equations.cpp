@@ -8,13 +8,13 @@ namespace {
 
 using nominal::Vec;
 using nominal::operator-;
-using Direction = Description::Direction;
+using Direction = Mechanism::Direction;
 
 template <int D>
 void hold_ground_vectors(EquationWriter& w) {
   for (const int v : w.rigid.list.front().vectors) {
-    if (w.coordinates().mechanism.entities[w.vector(v)].fixed) continue;
-    const Description::Vector& vector = w.description.vectors[v];
+    if (w.coordinates().model.entities[w.vector(v)].fixed) continue;
+    const Mechanism::Vector& vector = w.mechanism.vectors[v];
     const EntityId held = w.add_fixed_vector("ground: " + vector.name, vector.direction);
     w.constrain<Rigid<D, 0>>(Origin::ground, vector.name + " on the ground", {w.vector(v), held},
                              {});
@@ -43,8 +43,8 @@ void keep_product_of_two(EquationWriter& w, const std::string& name, const Direc
 template <int D>
 void keep_product(EquationWriter& w, const std::string& name, const RigidBody& body,
                   const Direction& a, const Direction& b) {
-  const Vec u = nominal::direction(w.description, body, a),
-            v = nominal::direction(w.description, body, b);
+  const Vec u = nominal::direction(w.mechanism, body, a),
+            v = nominal::direction(w.mechanism, body, b);
   if (!w.note_product(a, b, nominal::dot(u, v))) return;
   if (!a.is_segment() && a.vector == b.vector)
     return w.constrain<Unit<D>>(Origin::body, name + w.text(a) + " unit", {w.vector(a.vector)}, {});
@@ -56,16 +56,16 @@ void keep_product(EquationWriter& w, const std::string& name, const RigidBody& b
 
 template <int D>
 void keep_along(EquationWriter& w, const std::string& name, const RigidBody& body, int v) {
-  const Description::Vector& vector = w.description.vectors[v];
+  const Mechanism::Vector& vector = w.mechanism.vectors[v];
   const auto& [from, to] = *vector.along;
-  const double length = nominal::norm(nominal::direction(w.description, body, {-1, from, to}));
+  const double length = nominal::norm(nominal::direction(w.mechanism, body, {-1, from, to}));
   w.constrain<Rigid<D, 1>>(Origin::body, name + vector.name + " along " + w.text({-1, from, to}),
                            {w.point(to), w.point(from), w.vector(v)}, {length});
 }
 
 template <int D>
 void write_body(EquationWriter& w, const RigidBody& body) {
-  const std::string name = w.description.bodies[body.bodies.front()].name + ": ";
+  const std::string name = w.mechanism.bodies[body.bodies.front()].name + ": ";
   const std::vector<Direction>& directions = body.basis.directions;
   for (std::size_t i = 0; i < directions.size(); ++i)
     for (std::size_t j = i; j < directions.size(); ++j)
@@ -73,7 +73,7 @@ void write_body(EquationWriter& w, const RigidBody& body) {
   for (const int p : body.points)
     if (!body.basis.has_point(p)) relate_point(w, name, body, p);
   for (const int v : body.vectors)
-    if (follows_from_points(w.description, body, v))
+    if (follows_from_points(w.mechanism, body, v))
       keep_along<D>(w, name, body, v);
     else if (!body.basis.has_vector(v))
       relate_vector(w, name, body, v);

@@ -25,12 +25,12 @@ void require(double length, const std::string& body) {
 
 }  // namespace
 
-void require_representable(const Description& d) {
-  for (const Description::Body& body : d.bodies) {
+void require_representable(const Mechanism& d) {
+  for (const Mechanism::Body& body : d.bodies) {
     if (&body == &d.bodies.front()) continue;  // its points are where they are
     if (body.length) require(*body.length, body.name);
     for (const int p : body.points) {
-      const Description::Vec &a = d.points[body.points.front()].position, &b = d.points[p].position;
+      const Mechanism::Vec &a = d.points[body.points.front()].position, &b = d.points[p].position;
       require(std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]), body.name);
     }
   }

@@ -10,7 +10,7 @@ namespace desmo {
 
 namespace nominal {
 
-Vec direction(const Description& d, const RigidBody& body, const Description::Direction& segment) {
+Vec direction(const Mechanism& d, const RigidBody& body, const Mechanism::Direction& segment) {
   Vec v = direction(d, segment);
   for (const auto& [a, b, length] : body.lengths)
     if (segment.is_segment() && std::minmax({segment.from, segment.to}) == std::minmax({a, b})) {
@@ -43,7 +43,7 @@ bool extend(std::vector<Vec>& orthonormal, Vec v, double least_sine) {
   return true;
 }
 
-Basis choose_basis(const Description& d, const RigidBody& body) {
+Basis choose_basis(const Mechanism& d, const RigidBody& body) {
   const std::size_t enough = d.dimension == 2 ? 1 : 3;
   Basis basis;
   std::vector<Vec> orthonormal;
@@ -55,7 +55,7 @@ Basis choose_basis(const Description& d, const RigidBody& body) {
           extend(orthonormal, d.vectors[v].direction, least_sine))
         basis.directions.push_back({v});
     for (const int p : body.points) {
-      const Description::Direction segment{-1, basis.origin, p};
+      const Mechanism::Direction segment{-1, basis.origin, p};
       if (orthonormal.size() < enough && !basis.has_point(p) &&
           extend(orthonormal, nominal::direction(d, segment), least_sine))
         basis.directions.push_back(segment);
@@ -87,15 +87,15 @@ class Carried {
 };
 
 /// For each body the first of those that it moves with.
-std::vector<int> merge_fixed(const Description& d) {
+std::vector<int> merge_fixed(const Mechanism& d) {
   std::vector<int> first(d.bodies.size());
   std::iota(first.begin(), first.end(), 0);
   const auto root = [&](int b) {
     while (first[b] != b) b = first[b] = first[first[b]];
     return b;
   };
-  for (const Description::Joint& j : d.joints) {
-    if (j.type != Description::JointType::fixed) continue;
+  for (const Mechanism::Joint& j : d.joints) {
+    if (j.type != Mechanism::JointType::fixed) continue;
     const auto [a, b] = std::minmax({root(j.bodies[0]), root(j.bodies[1])});
     first[b] = a;
   }
@@ -104,7 +104,7 @@ std::vector<int> merge_fixed(const Description& d) {
 }
 
 /// Where a fixed joint adds other points to a link, all have their places in the nominal position.
-void require_nominal_lengths(const Description& d, const RigidBody& body) {
+void require_nominal_lengths(const Mechanism& d, const RigidBody& body) {
   for (const auto& [a, b, given] : body.lengths) {
     const double actual = nominal::norm(nominal::direction(d, {-1, a, b}));
     if (std::abs(actual - given) > 1e-9 * given)
@@ -129,7 +129,7 @@ bool Basis::has_vector(int vector) const {
                              [&](const auto& d) { return !d.is_segment() && d.vector == vector; });
 }
 
-bool follows_from_points(const Description& d, const RigidBody& body, int vector) {
+bool follows_from_points(const Mechanism& d, const RigidBody& body, int vector) {
   const auto& along = d.vectors[vector].along;
   const auto carries = [&](int point) {
     return std::ranges::find(body.points, point) != body.points.end();
@@ -137,7 +137,7 @@ bool follows_from_points(const Description& d, const RigidBody& body, int vector
   return along && carries((*along)[0]) && carries((*along)[1]);
 }
 
-RigidBodies find_rigid_bodies(const Description& d) {
+RigidBodies find_rigid_bodies(const Mechanism& d) {
   RigidBodies rigid;
   const std::vector<int> first = merge_fixed(d);
   rigid.of_body.resize(d.bodies.size());
@@ -155,7 +155,7 @@ RigidBodies find_rigid_bodies(const Description& d) {
   for (int r = 0; r < static_cast<int>(rigid.list.size()); ++r) {
     RigidBody& body = rigid.list[r];
     for (const int b : body.bodies) {
-      const Description::Body& part = d.bodies[b];
+      const Mechanism::Body& part = d.bodies[b];
       points.add(part.points, r, body.points);
       vectors.add(part.vectors, r, body.vectors);
       if (part.length) body.lengths.push_back({part.points[0], part.points[1], *part.length});

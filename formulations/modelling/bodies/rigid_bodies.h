@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "cases/mechanism/description.h"
+#include "cases/mechanism/mechanism.h"
 #include "formulations/modelling/coordinates/nominal.h"
 
 namespace desmo {
@@ -13,7 +13,7 @@ namespace desmo {
 /// Everything else on the body is a linear function of them.
 struct Basis {
   int origin = -1;  ///< point; -1: the body carries none
-  std::vector<Description::Direction> directions;
+  std::vector<Mechanism::Direction> directions;
 
   bool has_point(int point) const;
   bool has_vector(int vector) const;
@@ -42,20 +42,19 @@ struct RigidBodies {
 };
 
 /// Whether a vector is defined along two points of this body, and so follows from them.
-bool follows_from_points(const Description& description, const RigidBody& body, int vector);
+bool follows_from_points(const Mechanism& mechanism, const RigidBody& body, int vector);
 
 /// Merges bodies and chooses bases: vectors first, in the order of the description, those that
 /// follow from points left out; then segments from the first point; what is within 6 degrees of the
 /// span of those before only at the end, where nothing better is left. Throws
 /// std::invalid_argument, naming the body, when one carries nothing.
-RigidBodies find_rigid_bodies(const Description& description);
+RigidBodies find_rigid_bodies(const Mechanism& mechanism);
 
 namespace nominal {
 
 /// The same on a rigid body: a segment has the length that the body gives for its points, if it
 /// does.
-Vec direction(const Description& description, const RigidBody& body,
-              const Description::Direction& d);
+Vec direction(const Mechanism& mechanism, const RigidBody& body, const Mechanism::Direction& d);
 
 }  // namespace nominal
 

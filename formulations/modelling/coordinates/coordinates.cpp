@@ -20,14 +20,14 @@ using nominal::Vec;
 
 class Modeller {
  public:
-  Modeller(const Description& d, const RigidBodies& rigid, const Structure& structure,
+  Modeller(const Mechanism& d, const RigidBodies& rigid, const Structure& structure,
            const std::vector<Motion>& motions)
       : d_(d),
         rigid_(rigid),
         structure_(structure),
         placement_(place_entities(d, rigid, structure)),
         motions_(motions),
-        m_(result_.mechanism) {
+        m_(result_.model) {
     result_.points.assign(d.points.size(), -1);
     result_.vectors.assign(d.vectors.size(), -1);
     m_.name = d.name;
@@ -68,11 +68,11 @@ class Modeller {
   void place_coordinates() {
     result_.measured = d_.coordinates;
     const DeclaredSlides declared(d_);
-    for (const Description::Joint& j : d_.joints)
+    for (const Mechanism::Joint& j : d_.joints)
       if (d_.dimension == 3 && DeclaredSlides::slides(j) && !declared.contain(j)) {
-        Description::Coordinate& c = result_.measured.emplace_back();
+        Mechanism::Coordinate& c = result_.measured.emplace_back();
         c.name = j.name + "/distance";
-        c.type = Description::CoordinateType::along;
+        c.type = Mechanism::CoordinateType::along;
         c.of = {-1, j.points[0], j.points[1]};
         c.vector = j.vectors[0];
       }
@@ -104,7 +104,7 @@ class Modeller {
       for (const int a : group.after) m_.groups[g].after.push_back(constant_groups_ + a);
       for (const int b : order) add_entities(b, static_cast<int>(position), g);
       for (const int c : measured_by_[position]) {
-        const bool angle = result_.measured[c].type == Description::CoordinateType::angle;
+        const bool angle = result_.measured[c].type == Mechanism::CoordinateType::angle;
         const double start = result_.measured[c].estimate ? *result_.measured[c].estimate
                                                           : nominal::value(d_, result_.measured[c]);
         result_.coordinates[c] = m_.add(angle ? EntityKind::angle : EntityKind::distance,
@@ -147,7 +147,7 @@ class Modeller {
       for (const int p : d_.bodies[b].points) list(g, result_.points[p]);
       for (const int v : d_.bodies[b].vectors) list(g, result_.vectors[v]);
     }
-    for (const Description::Joint& j : d_.joints) {
+    for (const Mechanism::Joint& j : d_.joints) {
       const GroupId g = std::max(group_of(j.bodies[0]), group_of(j.bodies[1]));
       if (g < 0) continue;
       for (const int p : j.points) list(g, result_.points[p]);
@@ -160,20 +160,20 @@ class Modeller {
     return {v.data(), static_cast<std::size_t>(d_.dimension)};
   }
 
-  const Description& d_;
+  const Mechanism& d_;
   const RigidBodies& rigid_;
   const Structure& structure_;
   const Placement placement_;
   const std::vector<Motion>& motions_;
   Coordinates result_;
-  Mechanism& m_;  // result_.mechanism
+  Model& m_;  // result_.mechanism
   int constant_groups_ = 0;
   std::vector<std::vector<int>> measured_by_;  // positions in `measured`, by structural group
 };
 
 }  // namespace
 
-Coordinates make_coordinates(const Description& d, const RigidBodies& rigid,
+Coordinates make_coordinates(const Mechanism& d, const RigidBodies& rigid,
                              const Structure& structure, const std::vector<Motion>& motions) {
   return Modeller(d, rigid, structure, motions).make();
 }

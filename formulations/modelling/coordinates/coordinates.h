@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "cases/mechanism/motion.h"
-#include "formulations/model/mechanism.h"
+#include "formulations/model/model.h"
 #include "formulations/modelling/bodies/rigid_bodies.h"
 #include "formulations/modelling/groups/structure.h"
 
@@ -11,11 +11,11 @@ namespace desmo {
 
 /// Natural and mixed coordinates of a description, and where its entities went.
 struct Coordinates {
-  Mechanism mechanism;                    ///< groups, entities and drivers; no constraints yet
+  Model model;                            ///< groups, entities and drivers; no constraints yet
   std::vector<EntityId> points, vectors;  ///< of the description's; -1: carried by no body
   /// Relative coordinates: those of the description, then the distances of its spatial sliding
   /// joints that it does not declare, `<joint>/distance`.
-  std::vector<Description::Coordinate> measured;
+  std::vector<Mechanism::Coordinate> measured;
   std::vector<EntityId> coordinates;  ///< of those measured
 };
 
@@ -24,7 +24,7 @@ struct Coordinates {
 /// place_entities; how groups are named: GroupNames. motions: one for each driven coordinate, in
 /// order. Throws std::invalid_argument, naming the coordinate, for one that measures nothing that
 /// can move.
-Coordinates make_coordinates(const Description& description, const RigidBodies& rigid,
+Coordinates make_coordinates(const Mechanism& mechanism, const RigidBodies& rigid,
                              const Structure& structure, const std::vector<Motion>& motions);
 
 }  // namespace desmo

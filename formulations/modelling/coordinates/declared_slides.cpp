@@ -4,18 +4,18 @@
 
 namespace desmo {
 
-DeclaredSlides::DeclaredSlides(const Description& d) {
-  for (const Description::Coordinate& c : d.coordinates)
-    if (c.type == Description::CoordinateType::along)
+DeclaredSlides::DeclaredSlides(const Mechanism& d) {
+  for (const Mechanism::Coordinate& c : d.coordinates)
+    if (c.type == Mechanism::CoordinateType::along)
       declared_.insert({c.vector, std::min(c.of.from, c.of.to), std::max(c.of.from, c.of.to)});
 }
 
-bool DeclaredSlides::slides(const Description::Joint& j) {
-  using enum Description::JointType;
+bool DeclaredSlides::slides(const Mechanism::Joint& j) {
+  using enum Mechanism::JointType;
   return j.type == prismatic || j.type == cylindrical || j.type == revolute_on_slider;
 }
 
-bool DeclaredSlides::contain(const Description::Joint& j) const {
+bool DeclaredSlides::contain(const Mechanism::Joint& j) const {
   if (!slides(j)) return false;
   const auto [low, high] = std::minmax(j.points[0], j.points[1]);
   return declared_.contains({j.vectors[0], low, high});

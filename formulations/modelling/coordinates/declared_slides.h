@@ -3,18 +3,18 @@
 #include <array>
 #include <set>
 
-#include "cases/mechanism/description.h"
+#include "cases/mechanism/mechanism.h"
 
 namespace desmo {
 
 /// The distances along sliding joints that a description declares.
 class DeclaredSlides {
  public:
-  explicit DeclaredSlides(const Description& description);
+  explicit DeclaredSlides(const Mechanism& mechanism);
   /// Whether a joint slides, so that a distance along it can define it.
-  static bool slides(const Description::Joint& joint);
+  static bool slides(const Mechanism::Joint& joint);
   /// Whether its distance is declared.
-  bool contain(const Description::Joint& joint) const;
+  bool contain(const Mechanism::Joint& joint) const;
 
  private:
   std::set<std::array<int, 3>> declared_;  // vector, and the points in ascending order

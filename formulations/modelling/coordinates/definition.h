@@ -9,7 +9,7 @@ namespace desmo {
 /// The definition of a relative coordinate, about to be written.
 struct Definition {
   EquationWriter& writer;
-  const Description::Coordinate& coordinate;
+  const Mechanism::Coordinate& coordinate;
   EntityId value;  ///< the coordinate's
 
   /// Writes it as a constraint of this kind.

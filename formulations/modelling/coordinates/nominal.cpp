@@ -9,14 +9,14 @@ Vec operator-(const Vec& a, const Vec& b) { return {a[0] - b[0], a[1] - b[1], a[
 double dot(const Vec& a, const Vec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 double norm(const Vec& a) { return std::sqrt(dot(a, a)); }
 
-Vec direction(const Description& d, const Description::Direction& direction) {
+Vec direction(const Mechanism& d, const Mechanism::Direction& direction) {
   return direction.is_segment()
              ? d.points[direction.to].position - d.points[direction.from].position
              : d.vectors[direction.vector].direction;
 }
 
-double value(const Description& d, const Description::Coordinate& c) {
-  using enum Description::CoordinateType;
+double value(const Mechanism& d, const Mechanism::Coordinate& c) {
+  using enum Mechanism::CoordinateType;
   if (c.type == component) return d.points[c.point].position[c.axis];
   const Vec w = direction(d, c.of);
   if (c.type == distance) return norm(w);
@@ -29,9 +29,9 @@ double value(const Description& d, const Description::Coordinate& c) {
   return std::atan2(x[0] * w[1] - x[1] * w[0], dot(x, w));
 }
 
-double size(const Description& d) {
+double size(const Mechanism& d) {
   double largest = 0;
-  for (const Description::Point& p : d.points)
+  for (const Mechanism::Point& p : d.points)
     largest = std::max(largest, norm(p.position - d.points.front().position));
   return largest > 0 ? largest : 1;
 }

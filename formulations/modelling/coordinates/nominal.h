@@ -1,20 +1,20 @@
 #pragma once
 
-#include "cases/mechanism/description.h"
+#include "cases/mechanism/mechanism.h"
 
 /// What a description is in its nominal position.
 namespace desmo::nominal {
 
-using Vec = Description::Vec;
+using Vec = Mechanism::Vec;
 
 Vec operator-(const Vec& a, const Vec& b);
 double dot(const Vec& a, const Vec& b);
 double norm(const Vec& a);
 /// A direction; a segment with its length.
-Vec direction(const Description& description, const Description::Direction& d);
+Vec direction(const Mechanism& mechanism, const Mechanism::Direction& d);
 /// The value of a relative coordinate, rad or length.
-double value(const Description& description, const Description::Coordinate& coordinate);
+double value(const Mechanism& mechanism, const Mechanism::Coordinate& coordinate);
 /// The largest distance between a point and the first, but 1 for a mechanism that has no extent.
-double size(const Description& description);
+double size(const Mechanism& mechanism);
 
 }  // namespace desmo::nominal

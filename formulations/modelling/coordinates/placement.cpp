@@ -6,13 +6,13 @@ namespace desmo {
 
 namespace {
 
-using Direction = Description::Direction;
+using Direction = Mechanism::Direction;
 
 /// What drivers are measured from, and so is needed by the first group that carries it.
 struct NeededByDrivers {
-  explicit NeededByDrivers(const Description& d)
+  explicit NeededByDrivers(const Mechanism& d)
       : points(d.points.size(), false), vectors(d.vectors.size(), false) {
-    for (const Description::Coordinate& c : d.coordinates) {
+    for (const Mechanism::Coordinate& c : d.coordinates) {
       if (!c.driven) continue;
       for (const Direction* direction : {&c.of, &c.from, &c.towards}) {
         if (direction->is_segment())
@@ -50,7 +50,7 @@ int finder(const RigidBodies& rigid, const Structure& structure, const std::vect
 
 }  // namespace
 
-int Placement::of(const Description::Coordinate& c) const {
+int Placement::of(const Mechanism::Coordinate& c) const {
   int last = -1;
   for (const Direction* d : {&c.of, &c.from, &c.towards}) {
     if (d->is_segment())
@@ -63,8 +63,7 @@ int Placement::of(const Description::Coordinate& c) const {
   return last;
 }
 
-Placement place_entities(const Description& d, const RigidBodies& rigid,
-                         const Structure& structure) {
+Placement place_entities(const Mechanism& d, const RigidBodies& rigid, const Structure& structure) {
   const NeededByDrivers needed(d);
   Placement result;
   for (int p = 0; p < static_cast<int>(d.points.size()); ++p)

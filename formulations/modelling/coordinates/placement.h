@@ -13,13 +13,13 @@ struct Placement {
   std::vector<int> of_point, of_vector;
 
   /// The last group that finds something a coordinate is measured from; -1: none does.
-  int of(const Description::Coordinate& coordinate) const;
+  int of(const Mechanism::Coordinate& coordinate) const;
 };
 
 /// An entity is found by the first group in which it is in the basis of a body; one that follows
 /// from an earlier body by a linear relation, by the only later group that builds on it, if nothing
 /// needs it before.
-Placement place_entities(const Description& description, const RigidBodies& rigid,
+Placement place_entities(const Mechanism& mechanism, const RigidBodies& rigid,
                          const Structure& structure);
 
 }  // namespace desmo

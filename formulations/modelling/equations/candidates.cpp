@@ -19,8 +19,8 @@ Candidates write_all(EquationWriter& w) {
 
 }  // namespace
 
-Candidates make_candidates(const Description& d, const RigidBodies& rigid,
-                           const Structure& structure, const std::vector<Motion>& motions) {
+Candidates make_candidates(const Mechanism& d, const RigidBodies& rigid, const Structure& structure,
+                           const std::vector<Motion>& motions) {
   EquationWriter w(d, rigid, make_coordinates(d, rigid, structure, motions));
   return d.dimension == 2 ? write_all<2>(w) : write_all<3>(w);
 }

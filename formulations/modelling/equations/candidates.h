@@ -13,7 +13,7 @@ enum class Origin { ground, coordinate, joint, body };
 /// A mechanism with all the constraint equations that its description gives rise to; some may
 /// depend on others.
 struct Candidates {
-  Mechanism mechanism;          ///< constraints in group order
+  Model model;                  ///< constraints in group order
   std::vector<Origin> origins;  ///< of each constraint
 };
 
@@ -26,7 +26,7 @@ struct Candidates {
 /// An equation belongs to the last of the groups that find its coordinates.
 /// motions: one for each driven coordinate, in order. Throws std::invalid_argument, naming the
 /// coordinate, for one that cannot be modelled.
-Candidates make_candidates(const Description& description, const RigidBodies& rigid,
+Candidates make_candidates(const Mechanism& mechanism, const RigidBodies& rigid,
                            const Structure& structure, const std::vector<Motion>& motions);
 
 }  // namespace desmo

@@ -11,8 +11,8 @@ namespace {
 using nominal::Vec;
 using nominal::operator-;
 
-void require_along(const EquationWriter& w, const Description::Coordinate& c) {
-  const Description& d = w.description;
+void require_along(const EquationWriter& w, const Mechanism::Coordinate& c) {
+  const Mechanism& d = w.mechanism;
   const Vec s = nominal::direction(d, c.of), u = d.vectors[c.vector].direction;
   const double along = nominal::dot(s, u);
   const Vec off = s - Vec{along * u[0], along * u[1], along * u[2]};
@@ -23,7 +23,7 @@ void require_along(const EquationWriter& w, const Description::Coordinate& c) {
 
 template <int D>
 void define_component(const Definition& definition) {
-  const Description::Coordinate& c = definition.coordinate;
+  const Mechanism::Coordinate& c = definition.coordinate;
   const EntityId point = definition.writer.point(c.point), value = definition.value;
   if (c.axis == 0)
     definition.as<Component<D, 0>>({point, value});
@@ -35,7 +35,7 @@ void define_component(const Definition& definition) {
 
 template <int D>
 void define(const Definition& definition) {
-  using enum Description::CoordinateType;
+  using enum Mechanism::CoordinateType;
   const auto& [w, c, value] = definition;
   switch (c.type) {
     case distance:

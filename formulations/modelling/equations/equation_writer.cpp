@@ -10,30 +10,30 @@ namespace desmo {
 
 namespace {
 
-double largest_coordinate(const Description& d) {
+double largest_coordinate(const Mechanism& d) {
   double largest = 0;
-  for (const Description::Point& p : d.points)
+  for (const Mechanism::Point& p : d.points)
     for (const double x : p.position) largest = std::max(largest, std::abs(x));
   return largest;
 }
 
 }  // namespace
 
-EquationWriter::EquationWriter(const Description& d, const RigidBodies& bodies,
+EquationWriter::EquationWriter(const Mechanism& d, const RigidBodies& bodies,
                                Coordinates coordinates)
-    : description(d),
+    : mechanism(d),
       rigid(bodies),
       reach(largest_coordinate(d)),
       coordinates_(std::move(coordinates)) {}
 
-EntityId EquationWriter::add_fixed_vector(std::string name, const Description::Vec& direction) {
-  return coordinates_.mechanism.add_fixed(EntityKind::vector, std::move(name),
-                                          std::span(direction).first(description.dimension));
+EntityId EquationWriter::add_fixed_vector(std::string name, const Mechanism::Vec& direction) {
+  return coordinates_.model.add_fixed(EntityKind::vector, std::move(name),
+                                      std::span(direction).first(mechanism.dimension));
 }
 
-bool EquationWriter::note_product(const Description::Direction& a, const Description::Direction& b,
+bool EquationWriter::note_product(const Mechanism::Direction& a, const Mechanism::Direction& b,
                                   double product) {
-  const auto key = [](const Description::Direction& d) {
+  const auto key = [](const Mechanism::Direction& d) {
     return d.is_segment() ? Key{1, std::min(d.from, d.to), std::max(d.from, d.to)}
                           : Key{0, d.vector, d.vector};
   };
@@ -42,13 +42,13 @@ bool EquationWriter::note_product(const Description::Direction& a, const Descrip
          std::abs(std::abs(it->second) - std::abs(product)) > 1e-12 * std::max(1.0, reach * reach);
 }
 
-std::string EquationWriter::text(const Description::Direction& d) const {
-  return d.is_segment() ? description.points[d.from].name + "-" + description.points[d.to].name
-                        : description.vectors[d.vector].name;
+std::string EquationWriter::text(const Mechanism::Direction& d) const {
+  return d.is_segment() ? mechanism.points[d.from].name + "-" + mechanism.points[d.to].name
+                        : mechanism.vectors[d.vector].name;
 }
 
 Candidates EquationWriter::take() {
-  Mechanism& m = coordinates_.mechanism;
+  Model& m = coordinates_.model;
   std::vector<int> order(origins_.size());
   std::iota(order.begin(), order.end(), 0);
   std::ranges::stable_sort(order, {}, [&](int c) { return m.constraints[c].group; });
@@ -64,7 +64,7 @@ Candidates EquationWriter::take() {
 
 GroupId EquationWriter::last_group(const std::vector<EntityId>& operands) const {
   GroupId g = -1;
-  for (const EntityId e : operands) g = std::max(g, coordinates_.mechanism.entities.at(e).group);
+  for (const EntityId e : operands) g = std::max(g, coordinates_.model.entities.at(e).group);
   return g;
 }
 

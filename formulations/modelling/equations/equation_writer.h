@@ -14,9 +14,9 @@ namespace desmo {
 class EquationWriter {
  public:
   /// The description and its bodies must outlive it.
-  EquationWriter(const Description& description, const RigidBodies& rigid, Coordinates coordinates);
+  EquationWriter(const Mechanism& mechanism, const RigidBodies& rigid, Coordinates coordinates);
 
-  const Description& description;
+  const Mechanism& mechanism;
   const RigidBodies& rigid;
   const double reach;  ///< largest nominal coordinate of a point
 
@@ -25,7 +25,7 @@ class EquationWriter {
   /// Their mechanism contains what has been written.
   const Coordinates& coordinates() const { return coordinates_; }
 
-  EntityId add_fixed_vector(std::string name, const Description::Vec& direction);
+  EntityId add_fixed_vector(std::string name, const Mechanism::Vec& direction);
 
   /// Adds an equation of the last of the groups that find its operands; none when all are fixed,
   /// for then nothing in it can move.
@@ -35,17 +35,16 @@ class EquationWriter {
                  const std::array<double, Kind::constants>& constants) {
     const GroupId g = last_group({operands.begin(), operands.end()});
     if (g < 0) return;
-    coordinates_.mechanism.constrain<Kind>(g, std::move(name), operands, constants);
+    coordinates_.model.constrain<Kind>(g, std::move(name), operands, constants);
     origins_.push_back(origin);
   }
 
   /// Notes a constant product of two directions. Returns whether it has to be stated: bodies that
   /// share both directions state it once, unless they contradict each other.
-  bool note_product(const Description::Direction& a, const Description::Direction& b,
-                    double product);
+  bool note_product(const Mechanism::Direction& a, const Mechanism::Direction& b, double product);
 
   /// For the names of equations: "v" or "P-Q".
-  std::string text(const Description::Direction& direction) const;
+  std::string text(const Mechanism::Direction& direction) const;
 
   /// All that was written, in group order; leaves the writer empty.
   Candidates take();

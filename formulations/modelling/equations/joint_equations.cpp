@@ -10,8 +10,8 @@ using nominal::Vec;
 using nominal::operator-;
 
 /// What slides stays at the same offset from the line along which it does.
-void keep_offset(EquationWriter& w, const Description::Joint& j) {
-  const Description& d = w.description;
+void keep_offset(EquationWriter& w, const Mechanism::Joint& j) {
+  const Mechanism& d = w.mechanism;
   const Vec u = d.vectors[j.vectors[0]].direction;
   const Vec s = d.points[j.points[1]].position - d.points[j.points[0]].position;
   w.constrain<Offset>(Origin::joint, j.name + ": offset",
@@ -20,10 +20,10 @@ void keep_offset(EquationWriter& w, const Description::Joint& j) {
 }
 
 /// The axes of a universal joint stay at the same angle.
-void keep_angle(EquationWriter& w, const Description::Joint& j) {
-  const Description::Direction a{j.vectors[0]}, b{j.vectors[1]};
-  const double product = snap(
-      nominal::dot(nominal::direction(w.description, a), nominal::direction(w.description, b)), 1);
+void keep_angle(EquationWriter& w, const Mechanism::Joint& j) {
+  const Mechanism::Direction a{j.vectors[0]}, b{j.vectors[1]};
+  const double product =
+      snap(nominal::dot(nominal::direction(w.mechanism, a), nominal::direction(w.mechanism, b)), 1);
   if (w.note_product(a, b, product))
     w.constrain<Dot<3>>(Origin::joint, j.name + ": " + w.text(a) + " with " + w.text(b),
                         {w.vector(a.vector), w.vector(b.vector)}, {product});
@@ -32,12 +32,12 @@ void keep_angle(EquationWriter& w, const Description::Joint& j) {
 }  // namespace
 
 void write_joint_equations(EquationWriter& w) {
-  const DeclaredSlides declared(w.description);
-  for (const Description::Joint& j : w.description.joints) {
+  const DeclaredSlides declared(w.mechanism);
+  for (const Mechanism::Joint& j : w.mechanism.joints) {
     if (w.rigid.of_body[j.bodies[0]] == w.rigid.of_body[j.bodies[1]]) continue;
-    if (w.description.dimension == 2) {
+    if (w.mechanism.dimension == 2) {
       if (DeclaredSlides::slides(j) && !declared.contain(j)) keep_offset(w, j);
-    } else if (j.type == Description::JointType::universal) {
+    } else if (j.type == Mechanism::JointType::universal) {
       keep_angle(w, j);
     }
   }

@@ -10,8 +10,8 @@ namespace {
 
 using nominal::Vec;
 
-void require_in_plane(const EquationWriter& w, const Description::Coordinate& c) {
-  const Description& d = w.description;
+void require_in_plane(const EquationWriter& w, const Mechanism::Coordinate& c) {
+  const Mechanism& d = w.mechanism;
   const Vec u = nominal::direction(d, c.of), x = nominal::direction(d, c.from),
             z = nominal::direction(d, c.towards);
   const Vec normal{x[1] * z[2] - x[2] * z[1], x[2] * z[0] - x[0] * z[2], x[0] * z[1] - x[1] * z[0]};

@@ -8,26 +8,26 @@ namespace {
 
 std::string in_quotes(const std::string& name) { return "'" + name + "'"; }
 
-std::string line_of(const Description& d, int a, int b) {
+std::string line_of(const Mechanism& d, int a, int b) {
   return "the line of " + in_quotes(d.points[a].name) + " and " + in_quotes(d.points[b].name);
 }
 
-std::string axis(const Description& d, const Basis& basis) {
+std::string axis(const Mechanism& d, const Basis& basis) {
   const std::string& origin = d.points[basis.origin].name;
   if (basis.directions.empty()) return in_quotes(origin);
-  const Description::Direction& along = basis.directions.front();
+  const Mechanism::Direction& along = basis.directions.front();
   return along.is_segment() ? line_of(d, along.from, along.to)
                             : "the line through " + in_quotes(origin) + " along " +
                                   in_quotes(d.vectors[along.vector].name);
 }
 
-bool concerns(const RigidBodies& rigid, const Description::Joint& j, int body) {
+bool concerns(const RigidBodies& rigid, const Mechanism::Joint& j, int body) {
   return (rigid.of_body[j.bodies[0]] == body) != (rigid.of_body[j.bodies[1]] == body);
 }
 
 }  // namespace
 
-std::vector<IdleFreedom> find_idle_freedoms(const Description& d, const RigidBodies& rigid) {
+std::vector<IdleFreedom> find_idle_freedoms(const Mechanism& d, const RigidBodies& rigid) {
   std::vector<IdleFreedom> idle;
   if (d.dimension == 2) return idle;
   for (std::size_t r = 1; r < rigid.list.size(); ++r) {
@@ -38,11 +38,11 @@ std::vector<IdleFreedom> find_idle_freedoms(const Description& d, const RigidBod
   return idle;
 }
 
-std::string undetermined_spin(const Description& d, const RigidBodies& rigid, int body) {
+std::string undetermined_spin(const Mechanism& d, const RigidBodies& rigid, int body) {
   std::vector<int> centres;
-  for (const Description::Joint& j : d.joints) {
+  for (const Mechanism::Joint& j : d.joints) {
     if (!concerns(rigid, j, body)) continue;
-    if (j.type != Description::JointType::spherical) return {};
+    if (j.type != Mechanism::JointType::spherical) return {};
     if (std::ranges::find(centres, j.points[0]) == centres.end()) centres.push_back(j.points[0]);
   }
   return centres.size() == 2 ? line_of(d, centres[0], centres[1]) : std::string();

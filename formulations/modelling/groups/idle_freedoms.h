@@ -19,11 +19,10 @@ struct IdleFreedom {
 /// Those of spatial bodies all of whose points and vectors lie along one line, or that carry one
 /// point alone: a joint that keeps a body from spinning gives it a vector across. In the order of
 /// the bodies.
-std::vector<IdleFreedom> find_idle_freedoms(const Description& description,
-                                            const RigidBodies& rigid);
+std::vector<IdleFreedom> find_idle_freedoms(const Mechanism& mechanism, const RigidBodies& rigid);
 
 /// What a rigid body spins about that carries more than the centres of the two spherical joints by
 /// which alone it hangs, so that its other points are not determined; otherwise empty.
-std::string undetermined_spin(const Description& description, const RigidBodies& rigid, int body);
+std::string undetermined_spin(const Mechanism& mechanism, const RigidBodies& rigid, int body);
 
 }  // namespace desmo

@@ -9,8 +9,8 @@ namespace desmo {
 namespace {
 
 /// Freedoms that a joint removes.
-int freedoms_removed(Description::JointType type, int dimension) {
-  using enum Description::JointType;
+int freedoms_removed(Mechanism::JointType type, int dimension) {
+  using enum Mechanism::JointType;
   switch (type) {
     case revolute:
       return dimension == 2 ? 2 : 5;
@@ -32,9 +32,9 @@ int freedoms_removed(Description::JointType type, int dimension) {
 
 }  // namespace
 
-std::vector<Restriction> find_restrictions(const Description& d, const RigidBodies& rigid) {
+std::vector<Restriction> find_restrictions(const Mechanism& d, const RigidBodies& rigid) {
   std::vector<Restriction> all;
-  for (const Description::Joint& j : d.joints) {
+  for (const Mechanism::Joint& j : d.joints) {
     Restriction r{{}, freedoms_removed(j.type, d.dimension)};
     for (const int b : j.bodies)
       if (rigid.of_body[b] != 0) r.bodies.push_back(rigid.of_body[b]);
@@ -42,7 +42,7 @@ std::vector<Restriction> find_restrictions(const Description& d, const RigidBodi
     const bool one_body = rigid.of_body[j.bodies[0]] == rigid.of_body[j.bodies[1]];
     if (!one_body) all.push_back(std::move(r));
   }
-  for (const Description::Coordinate& c : d.coordinates) {
+  for (const Mechanism::Coordinate& c : d.coordinates) {
     if (!c.driven) continue;
     all.push_back({bodies_related(rigid, c), 1});
     if (all.back().bodies.empty())
@@ -51,12 +51,12 @@ std::vector<Restriction> find_restrictions(const Description& d, const RigidBodi
   return all;
 }
 
-std::vector<int> bodies_related(const RigidBodies& rigid, const Description::Coordinate& c) {
+std::vector<int> bodies_related(const RigidBodies& rigid, const Mechanism::Coordinate& c) {
   std::vector<int> result;
   const auto add = [&](const std::vector<int>& carriers) {
     if (!carriers.empty() && carriers.front() != 0) result.push_back(carriers.front());
   };
-  const auto add_direction = [&](const Description::Direction& direction) {
+  const auto add_direction = [&](const Mechanism::Direction& direction) {
     if (!direction.is_given()) return;
     if (!direction.is_segment()) return add(rigid.of_vector[direction.vector]);
     const std::vector<int>&a = rigid.of_point[direction.from], &b = rigid.of_point[direction.to];
@@ -66,7 +66,7 @@ std::vector<int> bodies_related(const RigidBodies& rigid, const Description::Coo
     add(a);
     add(b);
   };
-  if (c.type == Description::CoordinateType::along) {
+  if (c.type == Mechanism::CoordinateType::along) {
     // What slides along the vector are the bodies that carry it, as far as they do.
     for (const int point : {c.of.from, c.of.to}) {
       std::vector<int> both;

@@ -11,7 +11,7 @@ namespace desmo {
 
 namespace {
 
-std::string names_of(const Description& d, const RigidBodies& rigid, const std::vector<int>& list) {
+std::string names_of(const Mechanism& d, const RigidBodies& rigid, const std::vector<int>& list) {
   constexpr std::size_t shown = 8;
   std::string text;
   for (std::size_t i = 0; i < list.size() && i < shown; ++i)
@@ -19,10 +19,10 @@ std::string names_of(const Description& d, const RigidBodies& rigid, const std::
   return list.size() > shown ? text + ", …" : text;
 }
 
-[[noreturn]] void refuse_undetermined(const Description& d, const RigidBodies& rigid,
+[[noreturn]] void refuse_undetermined(const Mechanism& d, const RigidBodies& rigid,
                                       const std::vector<int>& bodies, int missing) {
   std::string measured;
-  for (const Description::Coordinate& c : d.coordinates)
+  for (const Mechanism::Coordinate& c : d.coordinates)
     if (!c.driven && std::ranges::any_of(bodies_related(rigid, c), [&](int b) {
           return std::ranges::binary_search(bodies, b);
         }))
@@ -43,7 +43,7 @@ std::string names_of(const Description& d, const RigidBodies& rigid, const std::
 
 }  // namespace
 
-Structure find_structure(const Description& d, const RigidBodies& rigid) {
+Structure find_structure(const Mechanism& d, const RigidBodies& rigid) {
   if (rigid.list.size() == 1) throw std::invalid_argument(d.name + " has no body that moves");
   const std::vector<Restriction> all = find_restrictions(d, rigid);
   const Matching matching(rigid, all);

@@ -26,6 +26,6 @@ struct Structure {
 /// one group; whether the surplus is consistent is not seen from the structure.
 /// Throws std::invalid_argument, naming bodies and coordinates, when bodies are left that nothing
 /// determines: a driver is missing.
-Structure find_structure(const Description& description, const RigidBodies& rigid);
+Structure find_structure(const Mechanism& mechanism, const RigidBodies& rigid);
 
 }  // namespace desmo

@@ -36,7 +36,7 @@ VectorXd least_residual(std::vector<double>& state, const GroupSystem& s, Linear
 }
 
 /// The length that an equation's points are judged by, or 1.
-double unit_of(const Mechanism& m, const Constraint& c) {
+double unit_of(const Model& m, const Constraint& c) {
   for (const EntityId e : c.operands)
     if (is_length(m.entities[e].kind)) return CharacteristicLengths(m).of(c);
   return 1;
@@ -44,7 +44,7 @@ double unit_of(const Mechanism& m, const Constraint& c) {
 
 }  // namespace
 
-std::optional<Contradiction> find_contradiction(const Mechanism& m, const GroupSystem& s,
+std::optional<Contradiction> find_contradiction(const Model& m, const GroupSystem& s,
                                                 const std::vector<double>& position,
                                                 Lineariser& lineariser) {
   if (s.unknowns == 0 || s.rows.empty()) return {};

@@ -17,8 +17,7 @@ struct Contradiction {
 
 /// Whether all candidates of a group, those that look dependent included, can follow its drivers
 /// from an assembled position; the best position is that of least squares.
-std::optional<Contradiction> find_contradiction(const Mechanism& mechanism,
-                                                const GroupSystem& system,
+std::optional<Contradiction> find_contradiction(const Model& model, const GroupSystem& system,
                                                 const std::vector<double>& position,
                                                 Lineariser& lineariser);
 

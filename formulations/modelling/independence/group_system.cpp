@@ -4,7 +4,7 @@ namespace desmo {
 
 namespace {
 
-std::vector<GroupSystem> list_columns(const Mechanism& m) {
+std::vector<GroupSystem> list_columns(const Model& m) {
   const std::vector<bool> independent = independent_coordinates(m);
   std::vector<GroupSystem> systems(m.groups.size());
   for (GroupId g = 0; g < static_cast<GroupId>(systems.size()); ++g) systems[g].group = g;
@@ -21,7 +21,7 @@ std::vector<GroupSystem> list_columns(const Mechanism& m) {
 
 }  // namespace
 
-std::vector<GroupSystem> group_systems(const Mechanism& m) {
+std::vector<GroupSystem> group_systems(const Model& m) {
   std::vector<GroupSystem> systems = list_columns(m);
   int c = 0;
   for (GroupSystem& s : systems) {
@@ -33,7 +33,7 @@ std::vector<GroupSystem> group_systems(const Mechanism& m) {
   return systems;
 }
 
-void list_rows(const Mechanism& m, GroupSystem& s) {
+void list_rows(const Model& m, GroupSystem& s) {
   s.rows.clear();
   for (int c = s.first_constraint; c < s.end_constraint; ++c)
     for (int r = 0; r < rows(m.constraints[c]); ++r) s.rows.emplace_back(c, r);

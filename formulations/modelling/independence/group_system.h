@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "formulations/model/mechanism.h"
+#include "formulations/model/model.h"
 
 namespace desmo {
 
@@ -19,9 +19,9 @@ struct GroupSystem {
 };
 
 /// Those of all groups, in group order.
-std::vector<GroupSystem> group_systems(const Mechanism& mechanism);
+std::vector<GroupSystem> group_systems(const Model& model);
 
 /// Lists the rows anew, after constraints of the group have changed.
-void list_rows(const Mechanism& mechanism, GroupSystem& system);
+void list_rows(const Model& model, GroupSystem& system);
 
 }  // namespace desmo

@@ -20,8 +20,8 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// The constraints of which a row is a combination.
-std::vector<std::string> sources(const Mechanism& m, const GroupSystem& s,
-                                 const SelectedRows& selected, int row) {
+std::vector<std::string> sources(const Model& m, const GroupSystem& s, const SelectedRows& selected,
+                                 int row) {
   const MatrixXd& j = selected.jacobians[1];
   std::vector<int> taken;
   for (std::size_t i = 0; i < selected.taken.size(); ++i)
@@ -42,7 +42,7 @@ std::vector<std::string> sources(const Mechanism& m, const GroupSystem& s,
 }
 
 /// Marks what was not selected in the mechanism.
-void mark_left_out(Mechanism& m, const GroupSystem& s, const SelectedRows& selected, bool redundant,
+void mark_left_out(Model& m, const GroupSystem& s, const SelectedRows& selected, bool redundant,
                    std::vector<LeftOut>& left_out) {
   for (std::size_t i = 0; i < selected.taken.size(); ++i) {
     if (selected.taken[i]) continue;
@@ -62,7 +62,7 @@ void mark_left_out(Mechanism& m, const GroupSystem& s, const SelectedRows& selec
 }  // namespace
 
 std::vector<LeftOut> leave_out_dependent(Candidates& candidates, const std::vector<int>& surplus) {
-  Mechanism& m = candidates.mechanism;
+  Model& m = candidates.model;
   std::vector<GroupSystem> systems = group_systems(m);
   Lineariser lineariser(m);
   const JudgedPositions positions = assemble_positions(m, systems, lineariser);

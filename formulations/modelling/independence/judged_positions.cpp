@@ -52,7 +52,7 @@ std::optional<std::vector<double>> perturb(std::vector<double> state, double amo
 
 }  // namespace
 
-JudgedPositions assemble_positions(const Mechanism& m, const std::vector<GroupSystem>& systems,
+JudgedPositions assemble_positions(const Model& m, const std::vector<GroupSystem>& systems,
                                    Lineariser& lineariser) {
   JudgedPositions positions;
   std::vector<double>& nominal = positions[0];

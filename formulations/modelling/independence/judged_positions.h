@@ -14,7 +14,7 @@ using JudgedPositions = std::array<std::vector<double>, 3>;
 /// Assembles them, each group over unknowns and drivers; where a perturbed one cannot be
 /// assembled, it is the nominal one. Throws std::invalid_argument, naming group, bodies and
 /// constraint, when the nominal position cannot be assembled.
-JudgedPositions assemble_positions(const Mechanism& mechanism,
-                                   const std::vector<GroupSystem>& systems, Lineariser& lineariser);
+JudgedPositions assemble_positions(const Model& model, const std::vector<GroupSystem>& systems,
+                                   Lineariser& lineariser);
 
 }  // namespace desmo

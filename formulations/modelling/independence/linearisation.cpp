@@ -10,8 +10,8 @@
 
 namespace desmo {
 
-Lineariser::Lineariser(const Mechanism& mechanism)
-    : m_(mechanism), scale_(mechanism.state_size(), 1.0), column_(mechanism.state_size(), -1) {
+Lineariser::Lineariser(const Model& model)
+    : m_(model), scale_(model.state_size(), 1.0), column_(model.state_size(), -1) {
   const CharacteristicLengths lengths(m_);
   for (EntityId e = 0; e < static_cast<EntityId>(m_.entities.size()); ++e) {
     if (!is_length(m_.entities[e].kind)) continue;

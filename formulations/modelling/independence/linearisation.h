@@ -19,7 +19,7 @@ struct Linearisation {
 class Lineariser {
  public:
   /// The mechanism must outlive it; its constraints may change.
-  explicit Lineariser(const Mechanism& mechanism);
+  explicit Lineariser(const Model& model);
 
   Linearisation at(const std::vector<double>& state, const GroupSystem& system);
 
@@ -28,7 +28,7 @@ class Lineariser {
             const Eigen::VectorXd& step) const;
 
  private:
-  const Mechanism& m_;
+  const Model& m_;
   std::vector<double> scale_;  // natural magnitude of each component of the state
   std::vector<int> column_;    // of each component in the system at hand, or -1
 };

@@ -15,7 +15,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-std::string where(const Mechanism& m, const GroupSystem& s) {
+std::string where(const Model& m, const GroupSystem& s) {
   constexpr std::size_t shown = 6;
   const std::vector<std::string>& bodies = m.groups[s.group].bodies;
   std::string text = m.name + ", group '" + m.groups[s.group].name + "' (";
@@ -24,7 +24,7 @@ std::string where(const Mechanism& m, const GroupSystem& s) {
   return text + (bodies.size() > shown ? ", …): " : "): ");
 }
 
-std::string driver_names(const Mechanism& m, const GroupSystem& s) {
+std::string driver_names(const Model& m, const GroupSystem& s) {
   const std::vector<EntityId> owner = entity_of_coordinate(m);
   std::string text;
   for (std::size_t j = s.unknowns; j < s.columns.size(); ++j)
@@ -48,7 +48,7 @@ int mobility(const GroupSystem& s, const SelectedRows& selected) {
 }
 
 /// The entity that moves most when all candidates and drivers hold.
-std::string loosest(const Mechanism& m, const GroupSystem& s, const SelectedRows& selected) {
+std::string loosest(const Model& m, const GroupSystem& s, const SelectedRows& selected) {
   const MatrixXd j = selected.jacobians[1].leftCols(s.unknowns);
   VectorXd best = VectorXd::Zero(s.unknowns);
   const SmallestCorrection correction(j);
@@ -63,7 +63,7 @@ std::string loosest(const Mechanism& m, const GroupSystem& s, const SelectedRows
 }
 
 /// "with its drivers ('theta') moved by 0.01, 'rod/length' is off by 1.2e-08 m at best"
-std::string described(const Contradiction& c, const Mechanism& m, const GroupSystem& s) {
+std::string described(const Contradiction& c, const Model& m, const GroupSystem& s) {
   char moved[24], amount[24];
   std::snprintf(moved, sizeof moved, "%g", c.moved);
   std::snprintf(amount, sizeof amount, "%.1e", c.amount);
@@ -79,7 +79,7 @@ std::string described(const Contradiction& c, const Mechanism& m, const GroupSys
 
 }  // namespace
 
-void refuse_assembly(const Mechanism& m, const GroupSystem& s, const VectorXd& phi) {
+void refuse_assembly(const Model& m, const GroupSystem& s, const VectorXd& phi) {
   Eigen::Index worst = 0;
   if (phi.allFinite()) phi.cwiseAbs().maxCoeff(&worst);
   throw std::invalid_argument(where(m, s) +
@@ -88,7 +88,7 @@ void refuse_assembly(const Mechanism& m, const GroupSystem& s, const VectorXd& p
                               "' is satisfied worst; check the dimensions of these bodies");
 }
 
-void require_determined(const Mechanism& m, const GroupSystem& s, const SelectedRows& selected,
+void require_determined(const Model& m, const GroupSystem& s, const SelectedRows& selected,
                         const std::optional<Contradiction>& contradiction) {
   const int count = static_cast<int>(std::ranges::count(selected.taken, true));
   const bool some_left = count < static_cast<int>(selected.taken.size());

@@ -31,7 +31,7 @@ bool make_scalar(Constraint& constraint) {
 
 RowSelector::RowSelector(Candidates& candidates, const JudgedPositions& positions,
                          Lineariser& lineariser)
-    : m_(candidates.mechanism),
+    : m_(candidates.model),
       origins_(candidates.origins),
       positions_(positions),
       lineariser_(lineariser),

@@ -34,7 +34,7 @@ class RowSelector {
   std::vector<int> preference(const GroupSystem& system) const;
   bool shorten_definitions(const GroupSystem& system, const std::vector<bool>& taken);
 
-  Mechanism& m_;
+  Model& m_;
   const std::vector<Origin>& origins_;  // of its constraints
   const JudgedPositions& positions_;
   Lineariser& lineariser_;

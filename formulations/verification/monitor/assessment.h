@@ -1,7 +1,7 @@
 #pragma once
 
 #include "formulations/base/per_level.h"
-#include "formulations/model/mechanism.h"
+#include "formulations/model/model.h"
 
 namespace desmo {
 

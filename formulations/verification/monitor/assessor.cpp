@@ -19,7 +19,7 @@ Assessment undetermined(Assessment a, GroupId group) {
   return a;
 }
 
-std::vector<Level> all_levels(const Mechanism& m, std::span<const Level> given) {
+std::vector<Level> all_levels(const Model& m, std::span<const Level> given) {
   std::vector<Level> result(given.begin(), given.end());
   result.resize(m.coordinates(), Level::acceleration);
   return result;
@@ -27,8 +27,8 @@ std::vector<Level> all_levels(const Mechanism& m, std::span<const Level> given) 
 
 }  // namespace
 
-Assessor::Assessor(const Mechanism& m, std::span<const Level> levels)
-    : mechanism_(m),
+Assessor::Assessor(const Model& m, std::span<const Level> levels)
+    : model_(m),
       levels_(all_levels(m, levels)),
       row_levels_(levels_of_rows(m, levels_)),
       system_(m),
@@ -108,10 +108,10 @@ Limit Assessor::limit(const Instant& instant, const Scales& scales, const Assess
     if (a.condition * motion_.of_drivers(level, scales) > share * a.bound[level] &&
         a.bound[level] > 0)
       return Limit::drivers;
-  for (const Entity& e : mechanism_.entities)
+  for (const Entity& e : model_.entities)
     if (!e.fixed && e.kind == EntityKind::point)
       for (int i = e.first; i < e.first + e.size; ++i)
-        if (std::abs(instant.q[i]) > far * nominal_size(mechanism_)) return Limit::origin;
+        if (std::abs(instant.q[i]) > far * nominal_size(model_)) return Limit::origin;
   return std::max(spread, a.condition / own) > far ? Limit::sizes : Limit::rounding;
 }
 

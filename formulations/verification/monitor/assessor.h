@@ -31,7 +31,7 @@ class Assessor {
  public:
   /// levels: as far as each coordinate is solved (Plan::levels); none: as far as the instant. The
   /// mechanism must outlive the assessor.
-  explicit Assessor(const Mechanism& mechanism, std::span<const Level> levels = {});
+  explicit Assessor(const Model& model, std::span<const Level> levels = {});
   Assessor(const Assessor&) = delete;
   Assessor& operator=(const Assessor&) = delete;
 
@@ -64,7 +64,7 @@ class Assessor {
   void widen(Level level, double times);
   double correct(Level level, std::vector<double>& values);
 
-  const Mechanism& mechanism_;
+  const Model& model_;
   std::vector<Level> levels_, row_levels_;
   ScaledSystem system_;
   EnclosedMotion motion_;

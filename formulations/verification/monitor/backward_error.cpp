@@ -7,7 +7,7 @@
 
 namespace desmo {
 
-std::vector<Level> levels_of_rows(const Mechanism& m, std::span<const Level> levels) {
+std::vector<Level> levels_of_rows(const Model& m, std::span<const Level> levels) {
   std::vector<Level> result;
   for (const Constraint& c : m.constraints) {
     Level level = Level::acceleration;
@@ -18,8 +18,8 @@ std::vector<Level> levels_of_rows(const Mechanism& m, std::span<const Level> lev
   return result;
 }
 
-BackwardError::BackwardError(const Mechanism& m, std::span<const Level> levels)
-    : mechanism_(m),
+BackwardError::BackwardError(const Model& m, std::span<const Level> levels)
+    : model_(m),
       levels_(levels),
       row_levels_(levels_of_rows(m, levels)),
       size_(nominal_size(m)),
@@ -34,7 +34,7 @@ PerLevel<double> BackwardError::operator()(const Instant& instant, const ScaledS
   const auto rate = [&](std::span<const double> values, Level level, int i) {
     return values.empty() || levels_[i] < level ? 0 : values[i];
   };
-  for (int i = 0; i < mechanism_.coordinates(); ++i)
+  for (int i = 0; i < model_.coordinates(); ++i)
     state_[i] = {instant.q[i], rate(instant.qd, Level::velocity, i),
                  rate(instant.qdd, Level::acceleration, i)};
   system.equations().residual<Jet<double>>(state_, phi_);

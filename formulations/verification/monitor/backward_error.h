@@ -15,7 +15,7 @@ namespace desmo {
 class BackwardError {
  public:
   /// levels: as far as each coordinate is solved. Both must outlive it.
-  BackwardError(const Mechanism& mechanism, std::span<const Level> levels);
+  BackwardError(const Model& model, std::span<const Level> levels);
 
   /// Bounds of the errors that the residuals of each level cause at a condition number
   /// (verification/condition.h), relative to the scales; what errors of one level cause at the next
@@ -24,7 +24,7 @@ class BackwardError {
                               const Scales& scales, double condition);
 
  private:
-  const Mechanism& mechanism_;
+  const Model& model_;
   std::span<const Level> levels_;
   std::vector<Level> row_levels_;
   double size_;
@@ -32,6 +32,6 @@ class BackwardError {
 };
 
 /// Of each row, the lowest level to which one of its coordinates is solved.
-std::vector<Level> levels_of_rows(const Mechanism& mechanism, std::span<const Level> levels);
+std::vector<Level> levels_of_rows(const Model& model, std::span<const Level> levels);
 
 }  // namespace desmo

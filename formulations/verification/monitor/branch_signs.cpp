@@ -18,10 +18,10 @@ constexpr double near = 0.4;
 }  // namespace
 
 void BranchSigns::declare(const Instant& first) {
-  std::vector<double> state = mechanism_.estimate;
-  state.insert(state.end(), mechanism_.fixed_values.begin(), mechanism_.fixed_values.end());
-  for (const Driver& d : mechanism_.drivers) {
-    const int i = mechanism_.entities[d.coordinate].first;
+  std::vector<double> state = model_.estimate;
+  state.insert(state.end(), model_.fixed_values.begin(), model_.fixed_values.end());
+  for (const Driver& d : model_.drivers) {
+    const int i = model_.entities[d.coordinate].first;
     state[i] = first.q[i];
   }
   if (!system_.factorise(state)) return;
@@ -52,14 +52,13 @@ std::optional<Crossing> BranchSigns::change(double time, std::optional<double> s
 /// the distance of the next singular position, of the order of 1 / κ. Links are as long as they
 /// are where they have been assembled: an estimate that is far off stretches them.
 bool BranchSigns::is_near_estimate(const Instant& instant, double condition, double gain) const {
-  const std::vector<double> magnitude =
-      CharacteristicLengths(mechanism_, instant.q).of_coordinates();
+  const std::vector<double> magnitude = CharacteristicLengths(model_, instant.q).of_coordinates();
   const auto moved = [&](int i) {
-    return std::abs(instant.q[i] - mechanism_.estimate[i]) / magnitude[i];
+    return std::abs(instant.q[i] - model_.estimate[i]) / magnitude[i];
   };
   double by_drivers = 0;
-  for (const Driver& d : mechanism_.drivers)
-    by_drivers = std::max(by_drivers, moved(mechanism_.entities[d.coordinate].first));
+  for (const Driver& d : model_.drivers)
+    by_drivers = std::max(by_drivers, moved(model_.entities[d.coordinate].first));
   for (int j = 0; j < system_.size(); ++j) {
     const double nearest = system_.block_size(j) <= mirrored ? 1 : 1 / condition;
     if (moved(system_.unknowns()[j]) > near * nearest + 2 * gain * by_drivers) return false;

@@ -16,8 +16,7 @@ namespace desmo {
 class BranchSigns {
  public:
   /// Both must outlive it.
-  BranchSigns(const Mechanism& mechanism, ScaledSystem& system)
-      : mechanism_(mechanism), system_(system) {}
+  BranchSigns(const Model& model, ScaledSystem& system) : model_(model), system_(system) {}
 
   /// The estimate, with the drivers of the first instant, has the signs that this should have.
   /// Overwrites what the system has factorised.
@@ -38,7 +37,7 @@ class BranchSigns {
   std::optional<Crossing> change(double time, std::optional<double> since);
   bool is_near_estimate(const Instant& instant, double condition, double gain) const;
 
-  const Mechanism& mechanism_;
+  const Model& model_;
   ScaledSystem& system_;
   std::vector<signed char> signs_;
 };

@@ -17,7 +17,7 @@ constexpr double remembered = 0.5;
 
 }  // namespace
 
-ConditionMonitor::ConditionMonitor(const Mechanism& m, const ScaledSystem& system)
+ConditionMonitor::ConditionMonitor(const Model& m, const ScaledSystem& system)
     : state_(m.state_size()),
       right_(system.size()),
       x_(system.size()),

@@ -19,7 +19,7 @@ namespace desmo {
 class ConditionMonitor {
  public:
   /// system: that of the mechanism.
-  ConditionMonitor(const Mechanism& mechanism, const ScaledSystem& system);
+  ConditionMonitor(const Model& model, const ScaledSystem& system);
 
   /// The motion has come to that instant. Instants in order of time.
   void go_on(const Instant& instant);

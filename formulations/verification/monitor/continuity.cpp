@@ -31,8 +31,8 @@ Eigen::Map<const Eigen::ArrayXd> array(std::span<const double> values) {
 
 }  // namespace
 
-Continuity::Continuity(const Mechanism& m, const TimeGrid& grid, std::span<const double> magnitude)
-    : mechanism_(m) {
+Continuity::Continuity(const Model& m, const TimeGrid& grid, std::span<const double> magnitude)
+    : model_(m) {
   for (const Driver& d : m.drivers) {
     const int i = m.entities[d.coordinate].first;
     driven_.push_back({i, 1 / magnitude[i]});
@@ -120,14 +120,14 @@ bool Continuity::in_doubt(const Instant& instant, const Eigen::ArrayXd& weights)
 void Continuity::lead_on(double t, const Instant& like, Assessor& assessor) {
   const double h = t - reached_.time;
   const State& from = reached_.state;
-  for (int i = 0; i < mechanism_.coordinates(); ++i) {
+  for (int i = 0; i < model_.coordinates(); ++i) {
     const double a = like.qdd.empty() ? 0 : from.qdd[i];
     next_.state.q[i] = from.q[i] + h * (from.qd[i] + h / 2 * a);
     next_.state.qd[i] = from.qd[i] + h * a;
     next_.state.qdd[i] = from.qdd[i];
   }
   next_.time = t;
-  drive(mechanism_, t, next_.state);
+  drive(model_, t, next_.state);
   const Instant solved = assessor.corrected(view(next_, like));
   std::ranges::copy(solved.q, next_.state.q.begin());
   std::ranges::copy(solved.qd, next_.state.qd.begin());
@@ -149,7 +149,7 @@ std::optional<Instant> Continuity::solve_anew(const Instant& instant, const Eige
 
 Instant Continuity::driven(const Instant& instant) {
   next_.take(instant);
-  drive(mechanism_, instant.time, next_.state);
+  drive(model_, instant.time, next_.state);
   return view(next_, instant);
 }
 

@@ -19,7 +19,7 @@ class Continuity {
  public:
   /// grid: of the motion, which tells how fast drivers will be. magnitudes: of each coordinate. The
   /// mechanism must outlive it.
-  Continuity(const Mechanism& mechanism, const TimeGrid& grid, std::span<const double> magnitudes);
+  Continuity(const Model& model, const TimeGrid& grid, std::span<const double> magnitudes);
 
   /// Whether the step from the instant taken last is in doubt. weights: of each coordinate, 1 over
   /// what it moves when the drivers move by their magnitudes (GainMonitor).
@@ -67,7 +67,7 @@ class Continuity {
   std::optional<Jump> go(const Instant& instant, End end, const Eigen::ArrayXd& weights,
                          Assessor& assessor);
 
-  const Mechanism& mechanism_;
+  const Model& model_;
   struct Driven {
     int coordinate;
     double unit;  // 1 over its magnitude

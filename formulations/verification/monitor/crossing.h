@@ -1,6 +1,6 @@
 #pragma once
 
-#include "formulations/model/mechanism.h"
+#include "formulations/model/model.h"
 
 namespace desmo {
 

@@ -57,7 +57,7 @@ bool holds(const DenseGroup& group, const std::vector<double>& state, const Sett
 }
 
 /// What it would take to satisfy one equation alone.
-Deficit shortfall(const Mechanism& m, const Equation& equation, const std::vector<double>& state) {
+Deficit shortfall(const Model& m, const Equation& equation, const std::vector<double>& state) {
   const Constraint& c = m.constraints[equation.constraint];
   Deficit d{c.group, equation.constraint, 0, false};
   visit_kind(c.kind, [&]<class Kind>(Kind) {
@@ -82,7 +82,7 @@ Deficit shortfall(const Mechanism& m, const Equation& equation, const std::vecto
 
 }  // namespace
 
-std::optional<Deficit> find_deficit(const Mechanism& m, std::vector<double> state,
+std::optional<Deficit> find_deficit(const Model& m, std::vector<double> state,
                                     const Settings& settings) {
   const Magnitudes magnitudes(m);
   for (const PartDefinition& definition : make_partition(m, Partition::group)) {

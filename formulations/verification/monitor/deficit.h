@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "formulations/base/settings.h"
-#include "formulations/model/mechanism.h"
+#include "formulations/model/model.h"
 
 namespace desmo {
 
@@ -23,7 +23,7 @@ struct Deficit {
 /// method finds from there. Nothing when all groups can be, in singular positions too. Not for
 /// timed code: it allocates. state: as of the last instant solved, with the drivers of the one that
 /// failed.
-std::optional<Deficit> find_deficit(const Mechanism& mechanism, std::vector<double> state,
+std::optional<Deficit> find_deficit(const Model& model, std::vector<double> state,
                                     const Settings& settings);
 
 }  // namespace desmo

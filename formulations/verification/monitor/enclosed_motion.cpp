@@ -7,8 +7,8 @@
 
 namespace desmo {
 
-EnclosedMotion::EnclosedMotion(const Mechanism& m, std::span<const Level> solved)
-    : mechanism_(m),
+EnclosedMotion::EnclosedMotion(const Model& m, std::span<const Level> solved)
+    : model_(m),
       levels_(solved),
       entity_(entity_of_coordinate(m)),
       state_(m.state_size()),
@@ -21,12 +21,12 @@ void EnclosedMotion::take(const Instant& instant) {
   const auto given = [&](Level level, std::span<const double> values, int i) {
     return values.empty() || !is_solved(i, level) ? 0 : values[i];
   };
-  for (int i = 0; i < mechanism_.coordinates(); ++i)
+  for (int i = 0; i < model_.coordinates(); ++i)
     state_[i] = {instant.q[i], given(Level::velocity, instant.qd, i),
                  given(Level::acceleration, instant.qdd, i)};
-  for (const Driver& d : mechanism_.drivers) {
+  for (const Driver& d : model_.drivers) {
     const MotionSample<Rounded> meant = sample(d.motion, Rounded(instant.time));
-    Jet<Rounded>& used = state_[mechanism_.entities[d.coordinate].first];
+    Jet<Rounded>& used = state_[model_.entities[d.coordinate].first];
     const auto add = [](Rounded& x, const Rounded& z) {
       x.radius = z.radius + std::abs(z.value - x.value);
     };
@@ -45,8 +45,8 @@ void EnclosedMotion::widen(Level level, std::span<const int> unknowns,
 
 double EnclosedMotion::of_drivers(Level level, const Scales& scales) const {
   double worst = 0;
-  for (const Driver& d : mechanism_.drivers) {
-    const int i = mechanism_.entities[d.coordinate].first;
+  for (const Driver& d : model_.drivers) {
+    const int i = model_.entities[d.coordinate].first;
     const double radius = (state_[i].*order_of<Rounded>(level)).radius;
     if (radius > 0) worst = std::max(worst, radius / scale(i, level, scales));
   }

@@ -24,7 +24,7 @@ constexpr S Jet<S>::*order_of(Level level) {
 class EnclosedMotion {
  public:
   /// levels: as far as each coordinate is solved; it and the mechanism must outlive this.
-  EnclosedMotion(const Mechanism& mechanism, std::span<const Level> levels);
+  EnclosedMotion(const Model& model, std::span<const Level> levels);
 
   /// Starts anew: unknowns as they are.
   void take(const Instant& instant);
@@ -38,13 +38,13 @@ class EnclosedMotion {
   double scale(int coordinate, Level level, const Scales& scales) const {
     return scales.of(kind(coordinate), level);
   }
-  EntityKind kind(int coordinate) const { return mechanism_.entities[entity_[coordinate]].kind; }
-  int size_of_output(int coordinate) const { return mechanism_.entities[entity_[coordinate]].size; }
-  GroupId group(int coordinate) const { return mechanism_.entities[entity_[coordinate]].group; }
+  EntityKind kind(int coordinate) const { return model_.entities[entity_[coordinate]].kind; }
+  int size_of_output(int coordinate) const { return model_.entities[entity_[coordinate]].size; }
+  GroupId group(int coordinate) const { return model_.entities[entity_[coordinate]].group; }
   bool is_solved(int coordinate, Level level) const { return levels_[coordinate] >= level; }
 
  private:
-  const Mechanism& mechanism_;
+  const Model& model_;
   std::span<const Level> levels_;
   std::vector<EntityId> entity_;  // of each coordinate
   std::vector<Jet<Rounded>> state_;

@@ -18,7 +18,7 @@ Eigen::Map<const Eigen::ArrayXd> as_array(std::span<const double> values) {
 
 }  // namespace
 
-GainMonitor::GainMonitor(const Mechanism& m, std::span<const Level> levels,
+GainMonitor::GainMonitor(const Model& m, std::span<const Level> levels,
                          std::span<const double> magnitude)
     : group_(m.coordinates()),
       unit_(Eigen::ArrayXd::Zero(m.coordinates())),

@@ -15,7 +15,7 @@ namespace desmo {
 class GainMonitor {
  public:
   /// levels: as far as each coordinate is solved. magnitudes: of each coordinate.
-  GainMonitor(const Mechanism& mechanism, std::span<const Level> levels,
+  GainMonitor(const Model& model, std::span<const Level> levels,
               std::span<const double> magnitudes);
 
   /// At least 1. Where no driver moves there is nothing to compare with: infinite at the first such

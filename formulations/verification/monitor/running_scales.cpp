@@ -34,8 +34,7 @@ std::vector<double> looks_ahead(const TimeGrid& grid) {
   return times;
 }
 
-RunningScales::RunningScales(const Mechanism& m, const TimeGrid& grid)
-    : is_length_(m.coordinates()) {
+RunningScales::RunningScales(const Model& m, const TimeGrid& grid) : is_length_(m.coordinates()) {
   for (const Entity& e : m.entities)
     if (!e.fixed) std::fill_n(is_length_.begin() + e.first, e.size, is_length(e.kind) ? 1.0 : 0.0);
   const double size = nominal_size(m);

@@ -14,7 +14,7 @@ std::vector<double> looks_ahead(const TimeGrid& grid);
 /// will have, and those of the instants so far, components standing for norms.
 class RunningScales {
  public:
-  RunningScales(const Mechanism& mechanism, const TimeGrid& grid);
+  RunningScales(const Model& model, const TimeGrid& grid);
 
   /// True when one of them has grown.
   bool take(const Instant& instant);

@@ -32,7 +32,7 @@ class Run {
         grid_(grid),
         request_(request),
         options_(options),
-        watch_(formulation.mechanism(), grid, with_pivots(options, formulation)),
+        watch_(formulation.model(), grid, with_pivots(options, formulation)),
         sink_(watch_, options_, sink, summary_) {}
 
   SafeSummary operator()() {
@@ -71,7 +71,7 @@ class Run {
 
   void measure_deficit() {
     if (summary_.status != Status::not_converged) return;
-    const Mechanism& m = formulation_.mechanism();
+    const Model& m = formulation_.model();
     State state;
     state.q.assign(formulation_.q().begin(), formulation_.q().end());
     state.q.insert(state.q.end(), m.fixed_values.begin(), m.fixed_values.end());

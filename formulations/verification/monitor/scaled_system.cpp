@@ -10,7 +10,7 @@
 
 namespace desmo {
 
-ScaledSystem::ScaledSystem(const Mechanism& m)
+ScaledSystem::ScaledSystem(const Model& m)
     : equations_(m),
       magnitude_(CharacteristicLengths(m).of_coordinates()),
       of_whole_(natural_magnitudes(m)),

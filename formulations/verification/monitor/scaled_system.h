@@ -20,7 +20,7 @@ class ScaledSystem {
   using Array = Eigen::ArrayXd;
 
   /// The mechanism must outlive it.
-  explicit ScaledSystem(const Mechanism& mechanism);
+  explicit ScaledSystem(const Model& model);
   ~ScaledSystem();
 
   const WholeSystem& equations() const { return equations_; }

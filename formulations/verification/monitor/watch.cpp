@@ -34,7 +34,7 @@ constexpr double shown_by = 10;
 }  // namespace
 
 struct Watch::State {
-  const Mechanism& mechanism;
+  const Model& model;
   const Options options;
   const Limits limits;
   Assessor assessor;
@@ -58,8 +58,8 @@ struct Watch::State {
   Degradations degradations;
   long assessed = 0, corrected = 0;
 
-  State(const Mechanism& m, const TimeGrid& grid, const Options& o)
-      : mechanism(m),
+  State(const Model& m, const TimeGrid& grid, const Options& o)
+      : model(m),
         options(o),
         limits(o.tolerance),
         assessor(m, o.levels),
@@ -165,7 +165,7 @@ struct Watch::State {
   std::optional<Crossing> find_jump(const Instant& instant) {
     const auto jump = continuity.find_jump(instant, gain.weights(), assessor);
     if (!jump) return {};
-    return Crossing{jump->after, jump->before, mechanism.entities[entity[jump->coordinate]].group,
+    return Crossing{jump->after, jump->before, model.entities[entity[jump->coordinate]].group,
                     Crossing::Kind::jumped};
   }
 
@@ -246,7 +246,7 @@ struct Watch::State {
   }
 };
 
-Watch::Watch(const Mechanism& m, const TimeGrid& grid, const Options& options)
+Watch::Watch(const Model& m, const TimeGrid& grid, const Options& options)
     : state_(std::make_unique<State>(m, grid, options)) {}
 Watch::~Watch() = default;
 

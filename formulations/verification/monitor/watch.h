@@ -69,7 +69,7 @@ class Watch {
 
   /// grid: of the motion, whose drivers tell how fast it will be. The mechanism must outlive the
   /// watch.
-  Watch(const Mechanism& mechanism, const TimeGrid& grid, const Options& options);
+  Watch(const Model& model, const TimeGrid& grid, const Options& options);
   ~Watch();
 
   struct Judgement {

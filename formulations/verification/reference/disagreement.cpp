@@ -7,8 +7,8 @@ namespace desmo {
 
 namespace {
 
-double at_level(const Mechanism& m, const std::vector<Quadruple>& a,
-                const std::vector<Quadruple>& b, const Scales& scales, Level level) {
+double at_level(const Model& m, const std::vector<Quadruple>& a, const std::vector<Quadruple>& b,
+                const Scales& scales, Level level) {
   double largest = 0;
   for (const Entity& e : m.entities) {
     if (e.fixed) continue;
@@ -24,7 +24,7 @@ double at_level(const Mechanism& m, const std::vector<Quadruple>& a,
 
 }  // namespace
 
-PerLevel<double> disagreement(const Mechanism& m, std::span<const WideInstant> a,
+PerLevel<double> disagreement(const Model& m, std::span<const WideInstant> a,
                               std::span<const WideInstant> b, const Scales& scales) {
   PerLevel<double> largest;
   const auto raise = [&](Level level, const auto& x, const auto& y) {

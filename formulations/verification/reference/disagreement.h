@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "formulations/model/mechanism.h"
+#include "formulations/model/model.h"
 #include "formulations/scaling/scales.h"
 #include "formulations/verification/reference/wide_instant.h"
 
@@ -10,7 +10,7 @@ namespace desmo {
 
 /// Largest difference of two solutions at the same instants, over all outputs (see ErrorMeasure),
 /// relative to the scales; taken in quadruple precision.
-PerLevel<double> disagreement(const Mechanism& mechanism, std::span<const WideInstant> a,
+PerLevel<double> disagreement(const Model& model, std::span<const WideInstant> a,
                               std::span<const WideInstant> b, const Scales& scales);
 
 }  // namespace desmo

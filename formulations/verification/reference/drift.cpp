@@ -9,7 +9,7 @@ namespace {
 
 class Ends final : public Sink {
  public:
-  Ends(const Mechanism& m, const Reference& reference, std::size_t window)
+  Ends(const Model& m, const Reference& reference, std::size_t window)
       : first_(m, std::span(reference.instants).first(window), reference.scales),
         last_(m, std::span(reference.instants).subspan(window), reference.scales) {}
 
@@ -31,8 +31,8 @@ Drift measure_drift(Formulation& formulation, const TimeGrid& grid, int window) 
   std::vector<double> times;
   for (int i = 0; i < window; ++i) times.push_back(grid.time(i));
   for (int i = grid.instants - window; i < grid.instants; ++i) times.push_back(grid.time(i));
-  const Reference reference = make_reference(formulation.mechanism(), times);
-  Ends ends(formulation.mechanism(), reference, window);
+  const Reference reference = make_reference(formulation.model(), times);
+  Ends ends(formulation.model(), reference, window);
   const Summary summary = formulation.run(grid, {}, ends);
   return {summary, ends.first(), ends.last(), reference.floor};
 }

@@ -29,7 +29,7 @@ struct GlobalSolver<S>::Linear {
 };
 
 template <class S>
-GlobalSolver<S>::GlobalSolver(const Mechanism& m)
+GlobalSolver<S>::GlobalSolver(const Model& m)
     : m_(m),
       system_(m),
       magnitude_(natural_magnitudes(m)),
@@ -114,7 +114,7 @@ double GlobalSolver<S>::correct(S Jet<S>::*order) {
 
 template class GlobalSolver<Quadruple>;
 // Follows the motion, for which positions are enough.
-template GlobalSolver<double>::GlobalSolver(const Mechanism&);
+template GlobalSolver<double>::GlobalSolver(const Model&);
 template GlobalSolver<double>::~GlobalSolver();
 template void GlobalSolver<double>::solve_positions(double);
 

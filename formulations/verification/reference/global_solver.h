@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "formulations/groupwise/jet.h"
-#include "formulations/model/mechanism.h"
+#include "formulations/model/model.h"
 #include "formulations/verification/reference/whole_system.h"
 
 namespace desmo {
@@ -18,7 +18,7 @@ template <class S>
 class GlobalSolver {
  public:
   /// Starts at the mechanism's estimate. The mechanism must outlive the solver.
-  explicit GlobalSolver(const Mechanism& mechanism);
+  explicit GlobalSolver(const Model& model);
   ~GlobalSolver();
 
   /// Newton starts there next: the positions of another solver.
@@ -53,7 +53,7 @@ class GlobalSolver {
     return values;
   }
 
-  const Mechanism& m_;
+  const Model& m_;
   WholeSystem system_;
   std::vector<double> magnitude_;  // of each coordinate
   std::vector<Jet<S>> state_;

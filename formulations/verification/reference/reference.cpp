@@ -15,7 +15,7 @@ namespace {
 
 /// Follows the motion in double precision and solves each of the times again in quadruple.
 template <template <class> class Solver>
-std::vector<WideInstant> quadruple_solution(const Mechanism& m, std::span<const double> times) {
+std::vector<WideInstant> quadruple_solution(const Model& m, std::span<const double> times) {
   Solver<double> walker(m);
   Solver<Quadruple> solver(m);
   std::vector<WideInstant> result;
@@ -51,7 +51,7 @@ ReferenceInstant rounded(const WideInstant& wide) {
 
 }  // namespace
 
-std::vector<ReferenceInstant> reference_solution(const Mechanism& m, std::span<const double> times,
+std::vector<ReferenceInstant> reference_solution(const Model& m, std::span<const double> times,
                                                  Precision precision) {
   if (precision == Precision::standard) return double_solution(m, times);
   std::vector<ReferenceInstant> result;
@@ -60,7 +60,7 @@ std::vector<ReferenceInstant> reference_solution(const Mechanism& m, std::span<c
   return result;
 }
 
-Reference make_reference(const Mechanism& m, std::span<const double> times) {
+Reference make_reference(const Model& m, std::span<const double> times) {
   const std::vector<WideInstant> groupwise = quadruple_solution<GroupwiseSolver>(m, times);
   const std::vector<WideInstant> global = quadruple_solution<GlobalSolver>(m, times);
   Reference r;

@@ -5,7 +5,7 @@
 
 #include "formulations/base/per_level.h"
 #include "formulations/base/reference_instant.h"
-#include "formulations/model/mechanism.h"
+#include "formulations/model/model.h"
 #include "formulations/scaling/scales.h"
 
 namespace desmo {
@@ -18,8 +18,7 @@ enum class Precision { standard, quadruple };
 /// times.front(). With quadruple precision, each instant is then solved again in that precision,
 /// and has rests. Solved as far as the precision allows, whatever the units. Throws
 /// std::runtime_error, naming the group and the instant, when it does not converge.
-std::vector<ReferenceInstant> reference_solution(const Mechanism& mechanism,
-                                                 std::span<const double> times,
+std::vector<ReferenceInstant> reference_solution(const Model& model, std::span<const double> times,
                                                  Precision precision);
 
 /// A motion solved twice in quadruple precision.
@@ -38,6 +37,6 @@ struct Reference {
 /// residuals and the motions; an error of the partition, of a derivative, of an elimination or a
 /// branch taken by one of them shows as their difference, `floor`. Throws std::runtime_error,
 /// naming the instant, when either does not converge.
-Reference make_reference(const Mechanism& mechanism, std::span<const double> times);
+Reference make_reference(const Model& model, std::span<const double> times);
 
 }  // namespace desmo

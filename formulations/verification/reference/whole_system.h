@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "formulations/model/mechanism.h"
+#include "formulations/model/model.h"
 
 namespace desmo {
 
@@ -15,7 +15,7 @@ namespace desmo {
 class WholeSystem {
  public:
   /// The mechanism must outlive it.
-  explicit WholeSystem(const Mechanism& m) : m_(m), column_(m.state_size(), -1) {
+  explicit WholeSystem(const Model& m) : m_(m), column_(m.state_size(), -1) {
     const std::vector<bool> driven = independent_coordinates(m);
     for (int i = 0; i < m.coordinates(); ++i)
       if (!driven[i]) {
@@ -76,7 +76,7 @@ class WholeSystem {
     return x;
   }
 
-  const Mechanism& m_;
+  const Model& m_;
   std::vector<int> unknowns_, column_;
   int rows_ = 0;
 };

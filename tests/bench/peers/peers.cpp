@@ -13,7 +13,7 @@
 
 #include "bench/kit/peer_cell.h"
 #include "cases/generators/cases.h"
-#include "formulations/modelling/model.h"
+#include "formulations/modelling/modelling.h"
 
 namespace desmo::peers_test {
 namespace {
@@ -42,8 +42,8 @@ TEST_P(Peers, AgreeWithTheQuadrupleReference) {
 
 TEST_P(Peers, AssembleAnewWhateverWasSolvedBefore) {
   const Scene scene = truck_suspension(1);
-  const Mechanism mechanism = make_mechanism(scene);
-  const auto solver = peer.make(scene, mechanism);
+  const Model model = make_model(scene);
+  const auto solver = peer.make(scene, model);
   solver->assemble(0);
   const std::vector<double> first = solver->answer().q;
   const long iterations = solver->iterations();
@@ -56,13 +56,13 @@ TEST_P(Peers, AssembleAnewWhateverWasSolvedBefore) {
 
 TEST_P(Peers, FindEveryCoordinateOnce) {
   const Scene scene = truck_suspension(2);
-  const Mechanism mechanism = make_mechanism(scene);
-  const auto solver = peer.make(scene, mechanism);
+  const Model model = make_model(scene);
+  const auto solver = peer.make(scene, model);
   std::vector<int> found = solver->answer().coordinates;
   std::ranges::sort(found);
   EXPECT_EQ(std::ranges::adjacent_find(found), found.end());
   EXPECT_GE(found.front(), 0);
-  EXPECT_LT(found.back(), mechanism.coordinates());
+  EXPECT_LT(found.back(), model.coordinates());
 }
 
 INSTANTIATE_TEST_SUITE_P(Build, Peers, testing::Values("simbody", "simbody_direct", "ceres"),
@@ -91,9 +91,9 @@ TEST(SimbodyPeer, NeedsAsManyLoopEquationsAsFreeMobilities) {
 
 TEST(SimbodyPeer, KnowsTheCasesOfTheSuiteOnly) {
   Scene scene = four_bar(1);
-  const Mechanism mechanism = make_mechanism(scene);
+  const Model model = make_model(scene);
   scene.mechanism.name = "five_bar";
-  EXPECT_THROW(find_peer("simbody").make(scene, mechanism), std::invalid_argument);
+  EXPECT_THROW(find_peer("simbody").make(scene, model), std::invalid_argument);
 }
 
 TEST(CeresPeer, SolvesForWhatMovesAndIsNotDriven) {

@@ -1,4 +1,4 @@
-#include "formulations/model/mechanism.h"
+#include "formulations/model/model.h"
 
 #include <algorithm>
 #include <bit>
@@ -19,38 +19,38 @@ bool all_finite(std::span<const double> values) {
 
 }  // namespace
 
-int Mechanism::structural_groups() const {
+int Model::structural_groups() const {
   return static_cast<int>(std::ranges::count(groups, false, &Group::constant));
 }
 
-EntityId Mechanism::find(const std::string& entity_name) const {
+EntityId Model::find(const std::string& entity_name) const {
   const auto it = by_name_.find(entity_name);
   require(it != by_name_.end(), name + ": there is no entity '" + entity_name + "'");
   return it->second;
 }
 
-GroupId Mechanism::add_group(std::string group_name, std::vector<std::string> bodies) {
+GroupId Model::add_group(std::string group_name, std::vector<std::string> bodies) {
   groups.push_back({std::move(group_name), std::move(bodies), {}, {}, false});
   return static_cast<GroupId>(groups.size()) - 1;
 }
 
-EntityId Mechanism::add_entity(Entity entity) {
+EntityId Model::add_entity(Entity entity) {
   const EntityId id = static_cast<EntityId>(entities.size());
   by_name_.try_emplace(entity.name, id);
   entities.push_back(std::move(entity));
   return id;
 }
 
-EntityId Mechanism::add(EntityKind kind, std::string entity_name,
-                        std::span<const double> initial_estimate, GroupId group) {
+EntityId Model::add(EntityKind kind, std::string entity_name,
+                    std::span<const double> initial_estimate, GroupId group) {
   const EntityId id = add_entity({std::move(entity_name), kind, false, coordinates(),
                                   static_cast<int>(initial_estimate.size()), group});
   estimate.insert(estimate.end(), initial_estimate.begin(), initial_estimate.end());
   return id;
 }
 
-EntityId Mechanism::add_fixed(EntityKind kind, std::string entity_name,
-                              std::span<const double> values) {
+EntityId Model::add_fixed(EntityKind kind, std::string entity_name,
+                          std::span<const double> values) {
   const EntityId id =
       add_entity({std::move(entity_name), kind, true, static_cast<int>(fixed_values.size()),
                   static_cast<int>(values.size()), -1});
@@ -58,13 +58,13 @@ EntityId Mechanism::add_fixed(EntityKind kind, std::string entity_name,
   return id;
 }
 
-void Mechanism::drive(EntityId coordinate, Motion motion) {
+void Model::drive(EntityId coordinate, Motion motion) {
   const Entity& e = entities.at(coordinate);
   require(e.size == 1 && !e.fixed, "driver of '" + e.name + "': not a scalar coordinate");
   drivers.push_back({coordinate, motion});
 }
 
-void Mechanism::add_constraint(Constraint constraint, std::span<const int> operand_sizes) {
+void Model::add_constraint(Constraint constraint, std::span<const int> operand_sizes) {
   const std::string where = "constraint '" + constraint.name + "'";
   for (std::size_t k = 0; k < operand_sizes.size(); ++k) {
     const Entity& e = entities.at(constraint.operands[k]);
@@ -75,7 +75,7 @@ void Mechanism::add_constraint(Constraint constraint, std::span<const int> opera
   constraints.push_back(std::move(constraint));
 }
 
-std::vector<EntityId> entity_of_coordinate(const Mechanism& m) {
+std::vector<EntityId> entity_of_coordinate(const Model& m) {
   std::vector<EntityId> result(m.coordinates());
   for (EntityId e = 0; e < static_cast<EntityId>(m.entities.size()); ++e)
     for (int i = 0; !m.entities[e].fixed && i < m.entities[e].size; ++i)
@@ -83,7 +83,7 @@ std::vector<EntityId> entity_of_coordinate(const Mechanism& m) {
   return result;
 }
 
-std::vector<bool> independent_coordinates(const Mechanism& m) {
+std::vector<bool> independent_coordinates(const Model& m) {
   std::vector<bool> independent(m.coordinates(), false);
   for (const Driver& d : m.drivers) independent[m.entities[d.coordinate].first] = true;
   return independent;
@@ -99,7 +99,7 @@ int kept_rows(const Constraint& constraint) {
   return rows(constraint) - std::popcount(constraint.left_out);
 }
 
-std::vector<int> unknowns(const Mechanism& m, GroupId group) {
+std::vector<int> unknowns(const Model& m, GroupId group) {
   const std::vector<bool> independent = independent_coordinates(m);
   std::vector<int> result;
   for (const Entity& e : m.entities) {
@@ -110,7 +110,7 @@ std::vector<int> unknowns(const Mechanism& m, GroupId group) {
   return result;
 }
 
-void validate(const Mechanism& m) {
+void validate(const Model& m) {
   std::unordered_set<std::string> names;
   for (const Entity& e : m.entities)
     require(names.insert(e.name).second, m.name + ": two entities are named '" + e.name + "'");

@@ -7,13 +7,13 @@
 
 namespace desmo {
 
-/// A mechanism as an engineer describes it: bodies that carry named points and unit vectors, joints
+/// A mechanism: bodies that carry named points and unit vectors, joints
 /// by type and by the entities they join, relative coordinates and drivers. Coordinates q and
-/// constraint equations are not in it; they are generated from it (formulations/modelling).
+/// constraint equations are not in it; they are those of its model (formulations/modelling).
 ///
 /// Plain data; entities refer to each other by position in the lists. Lengths in SI (metres, or a
 /// free unit when `length_unit` is "1"), angles in radians; in the plane the third component is 0.
-struct Description {
+struct Mechanism {
   using Vec = std::array<double, 3>;
 
   struct Point {
@@ -111,6 +111,6 @@ struct Description {
 /// `towards`, vectors at a right angle; no segment that is used as a direction has zero length, and
 /// the points of a body that carries nothing else do not all coincide; a given length is positive
 /// and of a body with exactly two points.
-void validate(const Description& description);
+void validate(const Mechanism& mechanism);
 
 }  // namespace desmo

@@ -4,14 +4,14 @@
 #include <utility>
 #include <vector>
 
-#include "cases/mechanism/description.h"
+#include "cases/mechanism/mechanism.h"
 
 namespace desmo {
 
-/// Writes a description step by step; everything added is referred to by the position returned.
-class Describer {
+/// Builds a mechanism step by step. Whatever is added is referred to by the position returned.
+class MechanismBuilder {
  public:
-  explicit Describer(std::string name, int dimension) {
+  explicit MechanismBuilder(std::string name, int dimension) {
     d_.name = std::move(name);
     d_.dimension = dimension;
     d_.bodies.push_back({"ground", {}, {}, {}});
@@ -19,15 +19,15 @@ class Describer {
 
   static constexpr int ground = 0;
 
-  int point(std::string name, const Description::Vec& position) {
+  int point(std::string name, const Mechanism::Vec& position) {
     d_.points.push_back({std::move(name), position});
     return static_cast<int>(d_.points.size()) - 1;
   }
-  int vector(std::string name, const Description::Vec& direction) {
+  int vector(std::string name, const Mechanism::Vec& direction) {
     d_.vectors.push_back({std::move(name), direction, {}});
     return static_cast<int>(d_.vectors.size()) - 1;
   }
-  int vector_along(std::string name, const Description::Vec& direction, int from, int to) {
+  int vector_along(std::string name, const Mechanism::Vec& direction, int from, int to) {
     const int v = vector(std::move(name), direction);
     d_.vectors[v].along = {from, to};
     return v;
@@ -46,7 +46,7 @@ class Describer {
     own_points.insert(own_points.end(), points.begin(), points.end());
     own_vectors.insert(own_vectors.end(), vectors.begin(), vectors.end());
   }
-  void joint(Description::JointType type, int a, int b, std::vector<int> points,
+  void joint(Mechanism::JointType type, int a, int b, std::vector<int> points,
              std::vector<int> vectors = {}) {
     d_.joints.push_back({d_.bodies[a].name + "-" + d_.bodies[b].name,
                          type,
@@ -54,19 +54,19 @@ class Describer {
                          std::move(points),
                          std::move(vectors)});
   }
-  Description::Coordinate& coordinate(std::string name, Description::CoordinateType type) {
-    Description::Coordinate& c = d_.coordinates.emplace_back();
+  Mechanism::Coordinate& coordinate(std::string name, Mechanism::CoordinateType type) {
+    Mechanism::Coordinate& c = d_.coordinates.emplace_back();
     c.name = std::move(name);
     c.type = type;
     return c;
   }
 
-  Description take() { return std::move(d_); }
+  Mechanism take() { return std::move(d_); }
 
   void set_length_unit(std::string unit) { d_.length_unit = std::move(unit); }
 
  private:
-  Description d_;
+  Mechanism d_;
 };
 
 }  // namespace desmo

@@ -12,8 +12,8 @@
 
 namespace desmo {
 
-using EntityId = int;  ///< position in Mechanism::entities
-using GroupId = int;   ///< position in Mechanism::groups
+using EntityId = int;  ///< position in Model::entities
+using GroupId = int;   ///< position in Model::groups
 
 enum class EntityKind { point, vector, angle, distance };
 
@@ -22,7 +22,7 @@ struct Entity {
   std::string name;
   EntityKind kind;
   bool fixed;
-  int first;      ///< first component, in q or (fixed) in Mechanism::fixed_values
+  int first;      ///< first component, in q or (fixed) in Model::fixed_values
   int size;       ///< 2 or 3 for points and vectors, 1 for angles and distances
   GroupId group;  ///< the group whose solution yields it; -1 when fixed
 };
@@ -53,12 +53,12 @@ struct Driver {
   Motion motion;
 };
 
-/// A mechanism as plain data: coordinates q, constraint equations Φ(q) = 0 by structural group
-/// in solution order, and drivers. Everything that solves it reads it as const.
+/// A model of a mechanism as plain data: coordinates q, constraint equations Φ(q) = 0 by structural
+/// group in solution order, and drivers. Everything that solves it reads it as const.
 ///
 /// The *state* is q followed by the components of the fixed entities, so that constraints read
 /// both alike.
-struct Mechanism {
+struct Model {
   std::string name;
   std::string length_unit = "m";  ///< "1": any one unit
   std::vector<Entity> entities;
@@ -119,10 +119,10 @@ struct Mechanism {
 };
 
 /// For each coordinate, the entity that it belongs to.
-std::vector<EntityId> entity_of_coordinate(const Mechanism& mechanism);
+std::vector<EntityId> entity_of_coordinate(const Model& model);
 
 /// For each coordinate, whether it is driven.
-std::vector<bool> independent_coordinates(const Mechanism& mechanism);
+std::vector<bool> independent_coordinates(const Model& model);
 
 /// Scalar equations of a constraint, those left out included.
 int rows(const Constraint& constraint);
@@ -130,10 +130,10 @@ int rows(const Constraint& constraint);
 int kept_rows(const Constraint& constraint);
 
 /// The coordinates that a group solves for, ascending; independent ones are left out.
-std::vector<int> unknowns(const Mechanism& mechanism, GroupId group);
+std::vector<int> unknowns(const Model& model, GroupId group);
 
 /// Throws std::invalid_argument, naming the offender, unless names are unique, values are finite,
 /// constraints stand in group order, and every group has as many equations as unknowns.
-void validate(const Mechanism& mechanism);
+void validate(const Model& model);
 
 }  // namespace desmo

@@ -1,4 +1,4 @@
-#include "formulations/modelling/model.h"
+#include "formulations/modelling/modelling.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -11,10 +11,10 @@
 
 namespace desmo {
 
-Model model(const Description& d, const std::vector<Motion>& motions) {
+ModellingResult model_mechanism(const Mechanism& d, const std::vector<Motion>& motions) {
   validate(d);
   require_representable(d);
-  const auto drivers = std::ranges::count(d.coordinates, true, &Description::Coordinate::driven);
+  const auto drivers = std::ranges::count(d.coordinates, true, &Mechanism::Coordinate::driven);
   if (static_cast<std::size_t>(drivers) != motions.size())
     throw std::invalid_argument(d.name + ": " + std::to_string(motions.size()) + " motions for " +
                                 std::to_string(drivers) + " drivers");
@@ -22,19 +22,19 @@ Model model(const Description& d, const std::vector<Motion>& motions) {
   const Structure structure = find_structure(d, rigid);
   Candidates candidates = make_candidates(d, rigid, structure, motions);
 
-  const std::size_t constant = candidates.mechanism.groups.size() - structure.groups.size();
+  const std::size_t constant = candidates.model.groups.size() - structure.groups.size();
   std::vector<int> surplus(constant, 0);
   for (const StructuralGroup& g : structure.groups) surplus.push_back(g.restrictions - g.freedoms);
-  Model result;
+  ModellingResult result;
   result.left_out = leave_out_dependent(candidates, surplus);
   result.idle = find_idle_freedoms(d, rigid);
-  result.mechanism = std::move(candidates.mechanism);
-  validate(result.mechanism);
+  result.model = std::move(candidates.model);
+  validate(result.model);
   return result;
 }
 
-Mechanism make_mechanism(const Scene& scene) {
-  return model(scene.mechanism, scene.motions).mechanism;
+Model make_model(const Scene& scene) {
+  return model_mechanism(scene.mechanism, scene.motions).model;
 }
 
 }  // namespace desmo
