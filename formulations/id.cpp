@@ -126,8 +126,8 @@ const std::vector<Suffix>& suffixes() {
         choice("scalar", &Settings::scalar, names(scalar_names)),
         at_once("lanes", &Settings::lanes),
         at_once("segments", &Settings::segments),
-        whole_number("threads", &Settings::threads, most_threads),
-        whole_number("stride", &Settings::stride, largest_stride),
+        whole_number("threads", &Settings::threads, max_threads),
+        whole_number("stride", &Settings::stride, max_stride),
         whole_number("iterations", &Settings::fixed_iterations, 1000),
         tolerance()};
   }();
@@ -175,7 +175,8 @@ Configuration parse_id(std::string_view id, const Settings& base) {
     apply(id, id.substr(slash + 1, end - slash - 1), given, result.settings);
     slash = end;
   }
-  if (const std::string reason = why_not(*result.variant, result.settings); !reason.empty())
+  if (const std::string reason = unsupported_reason(*result.variant, result.settings);
+      !reason.empty())
     throw std::invalid_argument("formulation " + in_quotes(id) + ": " + reason);
   return result;
 }

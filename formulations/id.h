@@ -25,7 +25,7 @@ std::string id_with(const Variant& variant, const Settings& settings);
 /// What an id says, its suffixes in any order; of settings that it does not name, `base` holds.
 /// Throws std::invalid_argument, naming the suffix and what could stand there, for a formulation,
 /// suffix or value that there is not and for a suffix given twice; and with the reason for what the
-/// formulation does not offer (why_not).
+/// formulation does not offer (unsupported_reason).
 Configuration parse_id(std::string_view id, const Settings& base = {});
 
 }  // namespace desmo

@@ -112,7 +112,7 @@ std::unique_ptr<WholeMotion> on_threads(const Variant& v, const Model& m, Settin
   std::vector<std::unique_ptr<Formulation>> workers(settings.threads);
   settings.threads = settings.stride = 1;
   for (auto& worker : workers) worker = make_formulation(v, m, settings, nullptr, &table);
-  return std::make_unique<ParallelMotion>(std::move(workers), shortest_segment * settings.segments);
+  return std::make_unique<ParallelMotion>(std::move(workers), min_segment * settings.segments);
 }
 
 }  // namespace
@@ -120,9 +120,9 @@ std::unique_ptr<WholeMotion> on_threads(const Variant& v, const Model& m, Settin
 std::unique_ptr<Formulation> make_formulation(const Variant& v, const Model& m,
                                               const Settings& settings, Profile* profile,
                                               const KernelTable* added) {
-  if (const std::string reason = why_not(v, settings); !reason.empty())
+  if (const std::string reason = unsupported_reason(v, settings); !reason.empty())
     throw std::invalid_argument(v.id + ": " + reason);
-  if (const std::string reason = not_here(settings); !reason.empty())
+  if (const std::string reason = unavailable_reason(settings); !reason.empty())
     throw std::invalid_argument(id_with(v, settings) + ": " + reason);
   std::vector<PartDefinition> definitions = make_partition(m, v.partition);
   std::vector<int> run_ends{static_cast<int>(definitions.size())};

@@ -44,7 +44,7 @@ std::span<const Variant> variants() {
 const Variant& find_variant(std::string_view id) {
   const auto it = std::ranges::find(variants(), id, &Variant::id);
   if (it != variants().end()) return *it;
-  for (const std::string& reason : {not_here(id), why_gone(id)})
+  for (const std::string& reason : {unavailable_reason(id), why_gone(id)})
     if (!reason.empty())
       throw std::invalid_argument("formulation '" + std::string(id) + "': " + reason);
   std::string known;
@@ -62,15 +62,15 @@ bool is_dense_global(const Variant& v) {
 
 bool has_phases(const Variant& v) { return v.backend != nullptr; }
 
-std::string why_not(const Variant& v, const Settings& s) {
+std::string unsupported_reason(const Variant& v, const Settings& s) {
   if (!(s.tolerance > 0) || s.max_iterations < 1 || s.fixed_iterations < 0)
     return "the tolerance must be positive, at least one iteration allowed, and the fixed number "
            "of iterations not negative";
-  if (s.stride < 1 || s.stride > largest_stride)
-    return "every instant is solved, or every so manieth up to the " +
-           std::to_string(largest_stride) + "th";
-  if (s.threads < 1 || s.threads > most_threads)
-    return "a motion is solved on one thread or several, up to " + std::to_string(most_threads);
+  if (s.stride < 1 || s.stride > max_stride)
+    return "every instant is solved, or every so manieth up to the " + std::to_string(max_stride) +
+           "th";
+  if (s.threads < 1 || s.threads > max_threads)
+    return "a motion is solved on one thread or several, up to " + std::to_string(max_threads);
   for (const int at_once : {s.lanes, s.segments})
     if (at_once != 1 && (std::ranges::count(lane_counts, at_once) == 0 || !v.explicit_order))
       return "there is code for four lanes or eight, in explicit order";
@@ -100,7 +100,7 @@ std::string why_not(const Variant& v, const Settings& s) {
   return {};
 }
 
-std::string not_here(const Settings& s) {
+std::string unavailable_reason(const Settings& s) {
   for (const int at_once : {s.lanes, s.segments})
     if (at_once != 1 && !has_lanes(at_once))
       return std::to_string(at_once) +
@@ -108,7 +108,7 @@ std::string not_here(const Settings& s) {
   return {};
 }
 
-std::string not_here(std::string_view id) {
+std::string unavailable_reason(std::string_view id) {
   for (const Backend* b : absent_backends())
     for (const Variant& v : make_variants({&b, 1}))
       if (v.backend && v.id == id) return b->absence().reason;

@@ -31,8 +31,8 @@ struct Variant {
 /// documents iterate this table.
 std::span<const Variant> variants();
 
-/// Returns the variant of that id. Throws std::invalid_argument with the reason when it is not_here
-/// or no longer exists, and otherwise with a list of the ids when there is none.
+/// Returns the variant of that id. Throws std::invalid_argument with the reason when it is
+/// unavailable_reason or no longer exists, and otherwise with a list of the ids when there is none.
 const Variant& find_variant(std::string_view id);
 
 /// "lapack", "klu", …, "inlined", "explicit".
@@ -46,15 +46,15 @@ bool has_phases(const Variant& variant);
 
 /// Why a variant does not offer these settings, in a sentence without a full stop; empty when it
 /// does. What it names is not applicable: it is refused, never silently replaced.
-std::string why_not(const Variant& variant, const Settings& settings);
+std::string unsupported_reason(const Variant& variant, const Settings& settings);
 
-/// Why settings that a variant offers cannot be had on this machine, as why_not says it; empty when
-/// they can.
-std::string not_here(const Settings& settings);
+/// Why settings that a variant offers cannot be had on this machine, as unsupported_reason says it;
+/// empty when they can.
+std::string unavailable_reason(const Settings& settings);
 
 /// Why the variant of that id, which this build has, cannot be had on this machine; empty when it
 /// can, and when there is no such variant.
-std::string not_here(std::string_view id);
+std::string unavailable_reason(std::string_view id);
 
 /// Says what became of an id that earlier versions had, and what to use instead; empty for all
 /// other ids.
@@ -69,7 +69,7 @@ std::vector<std::string> faulty_libraries();
 /// time of its phases on the caller's thread; `table`, when given, has generated code beside what
 /// desmo was built with; both must outlive the formulation. Throws std::invalid_argument, naming
 /// the place, for a mechanism that it cannot solve, and with the reason for settings that it does
-/// not offer (why_not, not_here).
+/// not offer (unsupported_reason, unavailable_reason).
 std::unique_ptr<Formulation> make_formulation(const Variant& variant, const Model& model,
                                               const Settings& settings = {},
                                               Profile* profile = nullptr,

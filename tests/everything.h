@@ -16,11 +16,11 @@
 namespace desmo {
 
 /// Everything that comes, by instant.
-class Everything : public Sink {
+class Everything : public Observer {
  public:
   Everything(int instants, bool any_order)
       : all(static_cast<std::size_t>(instants)), any_order_(any_order) {}
-  void accept(const Instant& i) override {
+  void observe(const Instant& i) override {
     order.push_back(i.index);
     threads.insert(std::this_thread::get_id());
     std::vector<double>& values = all.at(i.index);

@@ -13,12 +13,12 @@
 namespace desmo {
 
 /// Room for some coordinates of each instant of a motion, up to a level.
-class Rooms : public Sink {
+class Rooms : public Observer {
  public:
   Rooms(int instants, std::vector<int> coordinates, Level level, int at_once = 1)
       : coordinates_(std::move(coordinates)), level_(level), at_once_(at_once), values_(instants) {}
 
-  void accept(const Instant& instant) override { handed_over += !instant.in_room(); }
+  void observe(const Instant& instant) override { handed_over += !instant.in_room(); }
   std::optional<RoomShape> rooms() const override {
     return RoomShape{coordinates_, level_, at_once_};
   }

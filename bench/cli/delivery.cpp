@@ -22,7 +22,7 @@ Delivery::Delivery(SeriesHeading heading, std::unique_ptr<SeriesFormat> format, 
       monitor_(plan, tolerance),
       text_(format_->heading(heading_)) {}
 
-void Delivery::accept(const Instant& instant) {
+void Delivery::observe(const Instant& instant) {
   if (const int c = monitor_.violated(instant); c >= 0)
     throw NotToDeliver{instant.index, branch_text(c, instant.time, plan_.model)};
   const auto finite = [&](const Column& column) { return std::isfinite(column.value(instant)); };

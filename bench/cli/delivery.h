@@ -20,13 +20,13 @@ struct NotToDeliver {
 /// Writes each instant it is handed, some at a time. Throws what Output throws, and NotToDeliver,
 /// the instants before it handed on, where BranchMonitor finds something violated or a number is
 /// not finite.
-class Delivery final : public Sink {
+class Delivery final : public Observer {
  public:
   /// tolerance: to which positions are solved. The plan must outlive the delivery.
   Delivery(SeriesHeading heading, std::unique_ptr<SeriesFormat> format, const Plan& plan,
            double tolerance, Output& output, Progress& progress);
 
-  void accept(const Instant& instant) override;
+  void observe(const Instant& instant) override;
   /// Writes what has been handed to it but not written.
   void flush();
 

@@ -31,7 +31,7 @@ std::string read_standard_input(const std::string& source) {
                                         "); send a scene or give a file");
     if (size == 0) return text;
     text.append(buffer.data(), static_cast<std::size_t>(size));
-    if (text.size() > largest_file)
+    if (text.size() > max_file)
       throw Error(unreadable_input, source + ": is larger than 64 MiB; divide it");
   }
 }

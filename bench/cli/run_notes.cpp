@@ -64,7 +64,7 @@ std::string crossing_text(const Crossing& c, const Model& m) {
                                            : "it passes a singular position, where branches meet");
 }
 
-std::string deficit_text(const std::optional<Deficit>& d, const Model& m) {
+std::string assembly_error_text(const std::optional<AssemblyError>& d, const Model& m) {
   if (!d || d->constraint < 0) return "";
   char amount[24];
   std::snprintf(amount, sizeof amount, "%.1e", d->amount);
@@ -138,9 +138,9 @@ std::string note_on_gaps(const SafeSummary& s, const Model& m) {
             interval(gap.from, gap.to) + (gap.ends ? "" : ", the end") + ": " +
             (gap.failure.status == Status::singular     ? "the position is singular"
              : gap.failure.status == Status::not_finite ? "the equations are not finite"
-             : gap.deficit                              ? "no position was found"
+             : gap.assembly_error                       ? "no position was found"
                                                         : not_reached) +
-            deficit_text(gap.deficit, m) + '\n';
+            assembly_error_text(gap.assembly_error, m) + '\n';
   return note;
 }
 
@@ -173,7 +173,7 @@ std::string failure_text(const SafeSummary& s, const Model& m) {
       : s.status == Status::not_converged && s.residual < near_rounding
           ? Reason{"the tolerance was not met, being near or below what rounding leaves",
                    "ask for a larger tolerance"}
-      : s.status == Status::not_converged && !s.deficit
+      : s.status == Status::not_converged && !s.assembly_error
           ? Reason{not_reached, "take smaller steps, or start elsewhere"}
       : s.status == Status::not_converged
           ? Reason{"no position was found", "keep the motion within reach, or take smaller steps"}
@@ -183,8 +183,8 @@ std::string failure_text(const SafeSummary& s, const Model& m) {
   char residual[40] = "";  // none where an instant between those solved is not right
   if (std::isfinite(s.residual))
     std::snprintf(residual, sizeof residual, " (residual %.1e)", s.residual);
-  return place + moment(s.time) + ": " + reason.what + residual + deficit_text(s.deficit, m) +
-         "; " + reason.remedy;
+  return place + moment(s.time) + ": " + reason.what + residual +
+         assembly_error_text(s.assembly_error, m) + "; " + reason.remedy;
 }
 
 }  // namespace desmo::cli

@@ -51,7 +51,7 @@ Configuration choose_formulation(const SolveOptions& options, const Input& input
     throw InputError(input.source + ": /formulation: " + what);
   };
   const std::string variant = id.substr(0, id.find('/'));
-  for (const std::string& reason : {not_here(variant), why_gone(variant)})
+  for (const std::string& reason : {unavailable_reason(variant), why_gone(variant)})
     if (!reason.empty())
       refuse("formulation " + desmo::in_quotes(variant) + ": " + printable(reason, 500));
   std::vector<std::string_view> ids;

@@ -61,7 +61,8 @@ std::string Cell::name() const {
 
 void Cell::verify(ReferenceCache& references) {
   if (state != State::untouched) return;
-  if (const std::string reason = not_here(settings); !reason.empty()) return leave_out(reason);
+  if (const std::string reason = unavailable_reason(settings); !reason.empty())
+    return leave_out(reason);
   try {
     model_ = std::make_unique<Model>(make_model(describe(definition, coordinates)));
     model = model_digest(*model_);
@@ -74,12 +75,12 @@ void Cell::verify(ReferenceCache& references) {
       return fail(missing);
 
     const auto reference = references.get(*model_, grid);
-    VerifyingSink sink(reference);
+    VerifyingObserver observer(reference);
     const double start = now(clock);
-    const Summary summary = formulation_->run(grid, {}, sink);
+    const Summary summary = formulation_->run(grid, {}, observer);
     analysis_seconds = now(clock) - start;
-    errors = sink.errors();
-    results = sink.results();
+    errors = observer.errors();
+    results = observer.results();
     conclude(summary, *model_, reference.size());
   } catch (const std::exception& e) {
     fail(e.what());

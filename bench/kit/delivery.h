@@ -10,12 +10,12 @@ namespace desmo::suite {
 
 /// Delivers each instant as the design asks: q, q̇, q̈ of the whole mechanism into plain vectors
 /// in coordinate order.
-class Delivery final : public Sink {
+class Delivery final : public Observer {
  public:
   explicit Delivery(int coordinates)
       : rooms_({{}, Level::acceleration}, static_cast<std::size_t>(coordinates)) {}
 
-  void accept(const Instant& instant) override {
+  void observe(const Instant& instant) override {
     last_ = instant.room;
     if (!instant.in_room()) {
       last_ = rooms_.take();

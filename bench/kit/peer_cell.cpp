@@ -90,7 +90,7 @@ void PeerCell::verify(ReferenceCache& references) {
       if (whole > limit_) return leave_out(too_long(whole, limit_));
     }
     analysis_seconds = cpu_now() - start;
-    if (const std::string wrong = complaint(errors, reference.size()); !wrong.empty())
+    if (const std::string wrong = verification_failure(errors, reference.size()); !wrong.empty())
       return fail(wrong);
     iterations_per_step = static_cast<double>(peer_->iterations()) / grid.instants;
     for (auto* delivered : {&q_, &qd_, &qdd_}) delivered->resize(compared);

@@ -29,10 +29,10 @@ double clock_seconds() {
 /// One pass over the grid.
 PhaseTimes one_pass(Formulation& formulation, Profile& profile, const TimeGrid& grid,
                     double clock) {
-  Delivery sink(formulation.model().coordinates());
+  Delivery observer(formulation.model().coordinates());
   profile = {};
   const auto start = std::chrono::steady_clock::now();
-  const Summary summary = formulation.run(grid, {}, sink);
+  const Summary summary = formulation.run(grid, {}, observer);
   const std::chrono::duration<double> total = std::chrono::steady_clock::now() - start;
   if (!summary.ok()) throw std::runtime_error(describe(summary, formulation.model()));
 
@@ -63,8 +63,8 @@ PhaseTimes measure_phases(const Variant& variant, const Settings& settings, cons
   for (int i = 0; i < passes; ++i) times.push_back(one_pass(*formulation, profile, grid, clock));
   std::ranges::sort(times, {}, &PhaseTimes::total);
   PhaseTimes median = times[passes / 2];
-  median.least_total = times.front().total();
-  median.most_total = times.back().total();
+  median.min_total = times.front().total();
+  median.max_total = times.back().total();
   return median;
 }
 

@@ -130,7 +130,7 @@ Json profile_json(const Cell& cell) {
           {"time_per_step",
            {{"clock", clock_name(Clock::wall)},
             {"phases", seconds},
-            {"total_range", {cell.phases->least_total, cell.phases->most_total}}}}};
+            {"total_range", {cell.phases->min_total, cell.phases->max_total}}}}};
 }
 
 /// Each list stands in the section of its experiment.

@@ -148,7 +148,7 @@ std::size_t RequestedDelivery::place(int coordinate, Level level) const {
   return std::ranges::lower_bound(asked, coordinate) - asked.begin();
 }
 
-void RequestedDelivery::accept(const Instant& instant) {
+void RequestedDelivery::observe(const Instant& instant) {
   last_ = instant.room;
   if (!instant.in_room()) {
     last_ = rooms_.take();
@@ -163,9 +163,8 @@ void RequestedDelivery::accept(const Instant& instant) {
   rooms_.give_back(last_);
 }
 
-Errors largest_differences(Formulation& whole, Formulation& kept,
-                           std::span<const AskedComponent> asked, Level level,
-                           const TimeGrid& grid) {
+Errors max_differences(Formulation& whole, Formulation& kept, std::span<const AskedComponent> asked,
+                       Level level, const TimeGrid& grid) {
   Errors largest;
   for (int i = 0; i < grid.instants; ++i) {
     const double t = grid.time(i);
@@ -201,7 +200,8 @@ std::unique_ptr<Formulation> RequestCell::made_with_tolerance(double tolerance) 
 
 void RequestCell::verify(ReferenceCache& references) {
   if (state != State::untouched) return;
-  if (const std::string reason = not_here(settings); !reason.empty()) return leave_out(reason);
+  if (const std::string reason = unavailable_reason(settings); !reason.empty())
+    return leave_out(reason);
   try {
     model = model_digest(request_->whole);
     const double before_setup = cpu_now();
@@ -212,11 +212,11 @@ void RequestCell::verify(ReferenceCache& references) {
     if (const std::string wrong = compare_with_whole(); !wrong.empty()) return fail(wrong);
 
     const auto reference = references.get(request_->whole, request_->grid);
-    VerifyingRequest sink(reference, request_->asked);
+    VerifyingRequest observer(reference, request_->asked);
     const double start = now(clock);
-    const Summary summary = run(sink);
+    const Summary summary = run(observer);
     analysis_seconds = now(clock) - start;
-    const Comparison found = sink.compare();
+    const Comparison found = observer.compare();
     errors = found.errors;
     results = found.results;
     conclude(summary, request_->plan.model, reference.size());
@@ -235,13 +235,14 @@ std::string RequestCell::compare_with_whole() {
                        static_cast<double>(whole->parts().size());
   const auto kept = made_with_tolerance(converged * std::sqrt(share));
   const Errors largest =
-      largest_differences(*whole, *kept, request_->asked, request_->plan.level(), request_->grid);
+      max_differences(*whole, *kept, request_->asked, request_->plan.level(), request_->grid);
   difference = std::max({largest.position, largest.velocity, largest.acceleration});
   return difference <= allowed_request_difference ? "" : difference_complaint(difference);
 }
 
-Summary RequestCell::run(Sink& sink) {
-  return formulation_->run(request_->grid, {request_->plan.level(), request_->coordinates}, sink);
+Summary RequestCell::run(Observer& observer) {
+  return formulation_->run(request_->grid, {request_->plan.level(), request_->coordinates},
+                           observer);
 }
 
 void RequestCell::make() {

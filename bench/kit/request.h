@@ -47,10 +47,10 @@ struct PlannedRequest {
 
 /// Delivers, of each instant, what is asked and nothing else into plain vectors, in coordinate
 /// order.
-class RequestedDelivery final : public Sink {
+class RequestedDelivery final : public Observer {
  public:
   explicit RequestedDelivery(std::span<const AskedComponent> asked);
-  void accept(const Instant& instant) override;
+  void observe(const Instant& instant) override;
   /// Where every level is asked of the same coordinates, each once.
   std::optional<RoomShape> rooms() const override;
   void take_rooms(std::span<const int>, std::span<Room> rooms) override {
@@ -75,9 +75,8 @@ class RequestedDelivery final : public Sink {
 /// Largest absolute differences of what is asked, at the levels asked, between two formulations
 /// that step through the same instants. Throws std::runtime_error, saying where, when one of them
 /// cannot be solved.
-Errors largest_differences(Formulation& whole, Formulation& kept,
-                           std::span<const AskedComponent> asked, Level level,
-                           const TimeGrid& grid);
+Errors max_differences(Formulation& whole, Formulation& kept, std::span<const AskedComponent> asked,
+                       Level level, const TimeGrid& grid);
 
 /// What a request's answers may differ from those of the whole mechanism when both are converged
 /// as far as double precision goes.
@@ -112,7 +111,7 @@ class RequestCell final : public Timed {
   std::unique_ptr<Formulation> made_with_tolerance(double tolerance) const;
   /// Empty when the answers are those of the whole mechanism; otherwise what is wrong.
   std::string compare_with_whole();
-  Summary run(Sink& sink);
+  Summary run(Observer& observer);
 
   std::shared_ptr<const PlannedRequest> request_;
   std::unique_ptr<Formulation> formulation_;

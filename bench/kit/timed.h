@@ -93,7 +93,7 @@ class Timed {
   /// reference in all `expected_instants` is verified.
   void conclude(const Summary& summary, const Model& model, std::size_t expected_instants) {
     if (!summary.ok()) return fail(describe(summary, model));
-    if (std::string wrong = complaint(errors, expected_instants); !wrong.empty())
+    if (std::string wrong = verification_failure(errors, expected_instants); !wrong.empty())
       return fail(std::move(wrong));
     iterations_per_step = static_cast<double>(summary.iterations) / summary.instants;
     residual = summary.residual;

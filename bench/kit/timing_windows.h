@@ -56,13 +56,13 @@ class TimingWindows {
 
 /// Delivers as `Inner` does and tells the windows.
 template <class Inner>
-class WindowedDelivery final : public Sink {
+class WindowedDelivery final : public Observer {
  public:
   WindowedDelivery(Inner inner, TimingWindows& windows)
       : inner_(std::move(inner)), windows_(windows) {}
 
-  void accept(const Instant& instant) override {
-    inner_.accept(instant);
+  void observe(const Instant& instant) override {
+    inner_.observe(instant);
     windows_.passed(instant.updates);
   }
   std::optional<RoomShape> rooms() const override { return inner_.rooms(); }

@@ -29,12 +29,12 @@ void widen(double& largest, double a, double b) {
   if (!(d <= largest)) largest = std::isnan(d) ? INFINITY : d;
 }
 
-VerifyingSink::VerifyingSink(std::span<const ReferenceInstant> reference)
+VerifyingObserver::VerifyingObserver(std::span<const ReferenceInstant> reference)
     : DeliveryAtReference(
           Delivery(reference.empty() ? 0 : static_cast<int>(reference.front().q.size())),
           reference) {}
 
-Comparison VerifyingSink::compare() const {
+Comparison VerifyingObserver::compare() const {
   Errors errors;
   ResultDigest results;
   for_each([&](const ReferenceInstant& r, const State& came) {
@@ -46,7 +46,7 @@ Comparison VerifyingSink::compare() const {
   return {errors, results.hex()};
 }
 
-std::string complaint(const Errors& e, std::size_t expected_instants, double times) {
+std::string verification_failure(const Errors& e, std::size_t expected_instants, double times) {
   const Errors bound{0, times * allowed.position, times * allowed.velocity,
                      times * allowed.acceleration};
   if (static_cast<std::size_t>(e.instants) != expected_instants)

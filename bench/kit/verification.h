@@ -37,13 +37,13 @@ struct Comparison {
 
 /// Delivers as `Inner` does when it is timed, and keeps what came at the instants of a reference.
 template <class Inner>
-class DeliveryAtReference : public Sink {
+class DeliveryAtReference : public Observer {
  public:
   DeliveryAtReference(Inner inner, std::span<const ReferenceInstant> reference)
       : reference_(reference), came_(reference.size()), inner_(std::move(inner)) {}
 
-  void accept(const Instant& i) override {
-    inner_.accept(i);
+  void observe(const Instant& i) override {
+    inner_.observe(i);
     const auto r = std::ranges::lower_bound(reference_, i.time, {}, &ReferenceInstant::time);
     if (r == reference_.end() || r->time != i.time) return;
     const auto copy = [](std::span<const double> v) { return std::vector(v.begin(), v.end()); };
@@ -71,9 +71,9 @@ class DeliveryAtReference : public Sink {
 };
 
 /// What came of a whole mechanism beside a reference.
-class VerifyingSink final : public DeliveryAtReference<Delivery> {
+class VerifyingObserver final : public DeliveryAtReference<Delivery> {
  public:
-  explicit VerifyingSink(std::span<const ReferenceInstant> reference);
+  explicit VerifyingObserver(std::span<const ReferenceInstant> reference);
   Errors errors() const { return compare().errors; }
   std::string results() const { return compare().results; }
 
@@ -82,7 +82,8 @@ class VerifyingSink final : public DeliveryAtReference<Delivery> {
 };
 
 /// Empty when within so many times what is allowed; otherwise what is wrong, in words.
-std::string complaint(const Errors& errors, std::size_t expected_instants, double times = 1);
+std::string verification_failure(const Errors& errors, std::size_t expected_instants,
+                                 double times = 1);
 
 /// Throws std::runtime_error, naming the mechanism, where two quadruple solutions differ by more
 /// than 1e-20 of its scales: then neither is a reference.

@@ -140,8 +140,8 @@ class CeresPeer final : public Peer {
   }
 
   void step(double t) override {
-    const Past past{t - time_, 0, Level::acceleration};
-    Extrapolation(Guess::quadratic, past)(runs_, state_, state_, state_.q.data());
+    const StepHistory history{t - time_, 0, Level::acceleration};
+    Extrapolation(Guess::quadratic, history)(runs_, state_, state_, state_.q.data());
     solve(t);
   }
 
@@ -216,8 +216,8 @@ class CeresPeer final : public Peer {
   ceres::Problem problem_;
   State state_;  // Ceres' parameter blocks are places in its q
   std::vector<bool> is_unknown_;
-  std::vector<CoordinateRun> runs_;  // of the unknowns
-  double time_ = 0;                  // of the last instant
+  std::vector<IndexRange> runs_;  // of the unknowns
+  double time_ = 0;               // of the last instant
 };
 
 std::string version() { return CERES_VERSION_STRING; }

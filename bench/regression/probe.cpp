@@ -38,7 +38,7 @@ int whole(std::string_view text, int least) {
 
 /// The least CPU time that one call takes among so many; a first one warms up.
 template <class Call>
-double least_seconds(int repetitions, const Call& call) {
+double min_seconds(int repetitions, const Call& call) {
   call();
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < repetitions; ++i) {
@@ -57,13 +57,13 @@ class Timer {
 
   double time(const std::string& name, int repetitions, int placement) const {
     if (name == "control")
-      return least_seconds(repetitions, [] { control_result = control_kernel(); });
+      return min_seconds(repetitions, [] { control_result = control_kernel(); });
     // Where the cell's data lie beside cache lines and pages is luck; it is drawn anew every time.
     const std::vector<char> shift(16 * static_cast<std::size_t>(placement));
     Subject subject(parse_cell(name), instants_);
     const int last = subject.last_instant();
     const int extra = name == slowed_ ? extra_steps(last, percent_) : 0;
-    return least_seconds(repetitions, [&] {
+    return min_seconds(repetitions, [&] {
       Summary s = subject.analyse();
       if (s.ok() && extra > 0) s = subject.walk(last - 1, last - extra);
       if (!s.ok()) throw std::runtime_error(describe(s, subject.model()));

@@ -21,7 +21,7 @@ Summary Subject::walk(int first, int last) {
   for (int i = first;; i += direction) {
     const Summary s = formulation_->step(grid_.time(i));
     if (!s.ok()) return s;
-    delivery_.accept(
+    delivery_.observe(
         {i, grid_.time(i), formulation_->q(), formulation_->qd(), formulation_->qdd()});
     if (i == last) return s;
   }

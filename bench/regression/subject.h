@@ -38,7 +38,7 @@ class Subject {
   // For what runs it in another way.
   Formulation& formulation() { return *formulation_; }
   const TimeGrid& grid() const { return grid_; }
-  Sink& delivery() { return delivery_; }
+  Observer& delivery() { return delivery_; }
 
   const Model& model() const { return model_; }
 

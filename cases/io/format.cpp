@@ -49,7 +49,7 @@ int check_format(const JsonValue& root, std::string_view format, int latest) {
 
 std::string checked_name(const JsonValue& place, std::string_view name) {
   if (!is_name(name))
-    place.complain(in_quotes(name) + " is not a name; use 1 to " + std::to_string(longest_name) +
+    place.complain(in_quotes(name) + " is not a name; use 1 to " + std::to_string(max_name) +
                    " letters, digits and _ . / - (not first)");
   return std::string(name);
 }

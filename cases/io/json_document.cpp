@@ -14,7 +14,7 @@ namespace desmo {
 namespace {
 
 constexpr std::size_t deepest_nesting = 32;
-constexpr std::size_t most_values = 10'000'000;
+constexpr std::size_t max_values = 10'000'000;
 
 bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
 
@@ -143,10 +143,10 @@ class JsonDocument::Builder {
 
   bool add(Kind kind, double number = 0, Span text = {}) {
     std::vector<Node>& nodes = document_.nodes_;
-    if (nodes.size() == most_values)
+    if (nodes.size() == max_values)
       document_.complain(
           document_.pointer(static_cast<std::uint32_t>(nodes.size() - 1)),
-          "has more than " + std::to_string(most_values) + " values up to here; divide the file");
+          "has more than " + std::to_string(max_values) + " values up to here; divide the file");
     nodes.push_back({number, text, key_, static_cast<std::uint32_t>(nodes.size() + 1), kind});
     key_ = {};
     return true;
@@ -178,8 +178,7 @@ class JsonDocument::Builder {
 
 JsonDocument::JsonDocument(std::string_view text, std::string file_name)
     : file_name_(std::move(file_name)) {
-  if (text.size() > largest_file)
-    complain("top level", "the text is larger than 64 MiB; divide it");
+  if (text.size() > max_file) complain("top level", "the text is larger than 64 MiB; divide it");
   if (text.find_first_not_of(" \t\r\n") == text.npos)
     complain("top level", "the text is empty; give one JSON object");
   Builder builder(*this, text);
@@ -252,7 +251,7 @@ std::string_view JsonValue::text() const {
 }
 
 std::string_view JsonValue::line() const {
-  constexpr std::size_t longest_line = 200;
+  constexpr std::size_t max_line = 200;
   const std::string_view line = text();
   if (line.empty()) complain("is empty; give a text");
   const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
@@ -260,16 +259,16 @@ std::string_view JsonValue::line() const {
     complain(in_quotes(line) + " has control characters; leave them out");
   const auto characters =
       std::ranges::count_if(line, [](char c) { return !continues_character(c); });
-  if (characters > static_cast<std::ptrdiff_t>(longest_line))
-    complain(in_quotes(line) + " is longer than " + std::to_string(longest_line) +
+  if (characters > static_cast<std::ptrdiff_t>(max_line))
+    complain(in_quotes(line) + " is longer than " + std::to_string(max_line) +
              " characters; shorten it");
   return line;
 }
 
 double JsonValue::number() const {
-  constexpr double largest_number = 1e100;
+  constexpr double max_number = 1e100;
   expect(JsonDocument::Kind::number, "a number");
-  if (!(std::abs(node().number) <= largest_number))
+  if (!(std::abs(node().number) <= max_number))
     complain("the number is too large; give one below 1e100");
   return node().number;
 }

@@ -12,7 +12,7 @@
 namespace desmo {
 namespace {
 
-constexpr std::size_t most_coefficients = 100;
+constexpr std::size_t max_coefficients = 100;
 
 std::vector<double> read_numbers(const JsonValue& list, double unit) {
   std::vector<double> numbers;
@@ -48,9 +48,9 @@ Motion read_polynomial(const JsonValue& value, double unit) {
   value.allow({"type", "coefficients"});
   const JsonValue coefficients = value["coefficients"];
   const std::size_t count = coefficients.elements().size();
-  if (count < 1 || count > most_coefficients)
+  if (count < 1 || count > max_coefficients)
     coefficients.complain("has " + std::to_string(count) + " coefficients; give 1 to " +
-                          std::to_string(most_coefficients));
+                          std::to_string(max_coefficients));
   return Polynomial{read_numbers(coefficients, unit)};
 }
 

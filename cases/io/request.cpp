@@ -13,7 +13,7 @@ namespace {
 
 using Kind = Wanted::Kind;
 
-constexpr int most_patterns = 100;  // each is compared with every name
+constexpr int max_patterns = 100;  // each is compared with every name
 constexpr int not_wanted = -1;
 
 template <class Entry>
@@ -139,11 +139,11 @@ class RequestReader {
   }
 
   void check_pattern(const JsonValue& pattern) {
-    if (pattern.text().size() > longest_name)
-      pattern.complain("the pattern is longer than " + std::to_string(longest_name) +
+    if (pattern.text().size() > max_name)
+      pattern.complain("the pattern is longer than " + std::to_string(max_name) +
                        " characters; shorten it");
-    if (++patterns_ > most_patterns)
-      pattern.complain("the request has more than " + std::to_string(most_patterns) +
+    if (++patterns_ > max_patterns)
+      pattern.complain("the request has more than " + std::to_string(max_patterns) +
                        " patterns with *; join some");
   }
 

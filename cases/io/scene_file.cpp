@@ -13,8 +13,8 @@
 namespace desmo {
 namespace {
 
-constexpr int most_units = 100'000;  // of a generator, from a file
-constexpr double most_instants = 1e9;
+constexpr int max_units = 100'000;  // of a generator, from a file
+constexpr double max_instants = 1e9;
 
 constexpr int latest_version = 2;
 
@@ -64,7 +64,7 @@ Start from_generator(const JsonValue& value) {
     if (c.name != name.text()) continue;
     value.allow({"generator", c.unit_name});
     const JsonValue units = value[c.unit_name];
-    const int count = units.whole_number(1, most_units);
+    const int count = units.whole_number(1, max_units);
     try {
       Scene scene = c.describe(count);
       Units units;
@@ -129,7 +129,7 @@ TimeGrid read_time(const JsonValue& value) {
     step_given.complain("the step is not above 0; give seconds from instant to instant");
   if (!(end > start)) end_given.complain("the end is not after the start; give a later one");
   const double intervals = (end - start) / step;
-  if (!(intervals <= most_instants - 1))
+  if (!(intervals <= max_instants - 1))
     step_given.complain("gives more than 1e9 instants; choose a longer step or an earlier end");
   constexpr double rounding = 1e-3;  // of a step: for steps such as 0.3333
   if (intervals < 1 - rounding || std::abs(intervals - std::round(intervals)) > rounding)
@@ -147,8 +147,8 @@ std::string read_formulation(const JsonValue& value) {
   constexpr const char* allowed =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_/:.-";
   const std::string_view id = value.text();
-  constexpr std::size_t longest_id = 200;
-  if (id.empty() || id.size() > longest_id || id.find_first_not_of(allowed) != id.npos)
+  constexpr std::size_t max_id = 200;
+  if (id.empty() || id.size() > max_id || id.find_first_not_of(allowed) != id.npos)
     value.complain(in_quotes(id) + " is no formulation; give an id that 'desmo list' shows");
   return std::string(id);
 }

@@ -23,7 +23,7 @@ void check_regular(const std::filesystem::path& file) {
     throw UnreadableFile("cannot be read (" + error.message() + "); check its name");
   if (status.type() != fs::file_type::regular)
     throw UnreadableFile("is not a regular file; save its contents in one");
-  if (fs::file_size(file, error) > largest_file && !error) throw UnreadableFile(too_large);
+  if (fs::file_size(file, error) > max_file && !error) throw UnreadableFile(too_large);
 }
 
 }  // namespace
@@ -39,7 +39,7 @@ std::string read_text(const std::filesystem::path& file) {
   std::array<char, 1 << 16> buffer;
   while (stream.read(buffer.data(), buffer.size()), stream.gcount() > 0) {
     text.append(buffer.data(), static_cast<std::size_t>(stream.gcount()));
-    if (text.size() > largest_file) throw UnreadableFile(too_large);  // it can have grown
+    if (text.size() > max_file) throw UnreadableFile(too_large);  // it can have grown
   }
   if (stream.bad()) throw UnreadableFile("cannot be read to its end; check the disk");
   return text;

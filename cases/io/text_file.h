@@ -6,7 +6,7 @@
 
 namespace desmo {
 
-constexpr std::size_t largest_file = std::size_t{64} << 20;  ///< bytes
+constexpr std::size_t max_file = std::size_t{64} << 20;  ///< bytes
 
 /// Why a file cannot be read, and the remedy.
 class UnreadableFile : public std::runtime_error {
@@ -14,7 +14,7 @@ class UnreadableFile : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The bytes of a regular file, at most `largest_file`. Throws UnreadableFile.
+/// The bytes of a regular file, at most `max_file`. Throws UnreadableFile.
 std::string read_text(const std::filesystem::path& file);
 
 }  // namespace desmo

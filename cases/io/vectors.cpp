@@ -122,10 +122,10 @@ class VectorReader {
     int n = 0;
     while (normals_[n].open == 0) ++n;
     for (std::size_t i = 0; i < normals_.size(); ++i) n = waits_for(n);
-    constexpr int most_shown = 5;
+    constexpr int max_shown = 5;
     std::string cycle = in_quotes(vectors_[normals_[n].vector].name);
     int next = waits_for(n);
-    for (int shown = 1; next != n && shown < most_shown; ++shown, next = waits_for(next))
+    for (int shown = 1; next != n && shown < max_shown; ++shown, next = waits_for(next))
       cycle += " of " + in_quotes(vectors_[normals_[next].vector].name);
     cycle += next == n ? " of " + in_quotes(vectors_[normals_[n].vector].name) : " and so on";
     normals_[n].place.complain("is defined by itself, a normal " + cycle +

@@ -7,9 +7,9 @@
 namespace desmo {
 namespace {
 
-constexpr int largest_distance = 3;
-constexpr std::size_t most_suggestions = 3;
-constexpr std::size_t most_listed = 8;
+constexpr int max_distance = 3;
+constexpr std::size_t max_suggestions = 3;
+constexpr std::size_t max_listed = 8;
 
 bool is_name_character(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
@@ -75,7 +75,7 @@ std::string list(std::span<const std::string_view> names) {
 }  // namespace
 
 bool is_name(std::string_view text) {
-  return !text.empty() && text.size() <= longest_name && text.front() != '-' &&
+  return !text.empty() && text.size() <= max_name && text.front() != '-' &&
          std::ranges::all_of(text, is_name_character);
 }
 
@@ -100,15 +100,15 @@ bool matches(std::string_view pattern, std::string_view name) {
 
 std::vector<std::string_view> nearest_names(std::string_view name,
                                             std::span<const std::string_view> known) {
-  if (name.size() > longest_name) return {};
-  const int limit = std::clamp(static_cast<int>(name.size()) / 2, 1, largest_distance);
+  if (name.size() > max_name) return {};
+  const int limit = std::clamp(static_cast<int>(name.size()) / 2, 1, max_distance);
   std::vector<std::pair<int, std::string_view>> near;
   for (const std::string_view candidate : known) {
     const int distance = edit_distance(name, candidate, limit);
     if (distance <= limit) near.emplace_back(distance, candidate);
   }
   std::ranges::stable_sort(near, {}, &std::pair<int, std::string_view>::first);
-  if (near.size() > most_suggestions) near.resize(most_suggestions);
+  if (near.size() > max_suggestions) near.resize(max_suggestions);
   std::vector<std::string_view> names;
   for (const auto& [distance, candidate] : near) names.push_back(candidate);
   return names;
@@ -116,9 +116,9 @@ std::vector<std::string_view> nearest_names(std::string_view name,
 
 std::string enumeration(std::span<const std::string_view> known) {
   if (known.empty()) return "there are none";
-  if (known.size() <= most_listed) return "there are " + list(known);
+  if (known.size() <= max_listed) return "there are " + list(known);
   return "there are " + std::to_string(known.size()) + ", the first are " +
-         list(known.first(most_listed));
+         list(known.first(max_listed));
 }
 
 std::string suggestion(std::string_view name, std::span<const std::string_view> known) {

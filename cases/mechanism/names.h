@@ -8,10 +8,10 @@
 namespace desmo {
 
 /// The longest name that a file may give, in characters.
-constexpr std::size_t longest_name = 100;
+constexpr std::size_t max_name = 100;
 
 /// Whether a text consists of letters, digits and `_ . / -` only, does not begin with `-`, and is
-/// neither empty nor longer than `longest_name`.
+/// neither empty nor longer than `max_name`.
 bool is_name(std::string_view text);
 
 /// What a pattern matches: `*` stands for any characters, also none.

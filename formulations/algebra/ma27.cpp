@@ -47,7 +47,7 @@ class Ma27 final : public LinearSolver<double> {
     a_.normal.right_side(values_, b, right_.data());
     const int reals = count(reals_), integers = count(integers_);
     coinhsl().ma27.solve(&n_, reals_.data(), &reals, integers_.data(), &integers, front_.data(),
-                         &largest_front_, right_.data(), a_.work.data(), &a_.steps,
+                         &max_front_, right_.data(), a_.work.data(), &a_.steps,
                          a_.dialogue.icntl.data(), a_.dialogue.info.data());
     a_.normal.solution(values_, right_.data(), b);
   }
@@ -60,9 +60,8 @@ class Ma27 final : public LinearSolver<double> {
     const int reals = count(reals_), integers = count(integers_);
     Ma27Dialogue& d = a_.dialogue;
     coinhsl().ma27.factorise(&n_, &entries_, a_.row.data(), a_.column.data(), reals_.data(), &reals,
-                             integers_.data(), &integers, a_.order.data(), &a_.steps,
-                             &largest_front_, a_.work.data(), d.icntl.data(), d.cntl.data(),
-                             d.info.data());
+                             integers_.data(), &integers, a_.order.data(), &a_.steps, &max_front_,
+                             a_.work.data(), d.icntl.data(), d.cntl.data(), d.info.data());
   }
 
   /// Whether memory was short, and there is more of it now.
@@ -77,7 +76,7 @@ class Ma27 final : public LinearSolver<double> {
   std::vector<double> reals_;  // the matrix, then its factors, with what is in integers_
   std::vector<int> integers_;
   std::vector<double> front_;  // no front is larger than the matrix
-  int largest_front_ = 0;
+  int max_front_ = 0;
   std::vector<double> right_;       // right-hand side, then solution
   const double* values_ = nullptr;  // those factorised last
 };

@@ -37,11 +37,11 @@ enum class Factorisation {
 /// Whether KLU brings a matrix into block triangular form before it factorises the blocks.
 enum class BlockTriangularForm { on, off };
 
-inline constexpr int largest_stride = 64;
-inline constexpr int most_threads = 64;
+inline constexpr int max_stride = 64;
+inline constexpr int max_threads = 64;
 
 /// What an analysis may use. The defaults are the paper's. Not every formulation offers every
-/// combination (see why_not in formulations/variants.h).
+/// combination (see unsupported_reason in formulations/variants.h).
 struct Settings {
   /// On ‖Φ‖₂ of the whole mechanism, each equation divided by its natural magnitude (see
   /// formulations/scaling/magnitudes.h): relative, whatever the units are. Of the paper's two cases
@@ -65,10 +65,10 @@ struct Settings {
   /// registers, by variants that have code for it: as many as lanes. 1: it is solved step by step.
   int segments = 1;
   /// Into how many stretches a motion known in advance is cut, to be solved on as many threads at
-  /// once, 1 … most_threads; fewer where there is little to do. 1: all is done on the caller's.
+  /// once, 1 … max_threads; fewer where there is little to do. 1: all is done on the caller's.
   int threads = 1;
   /// Of a motion known in advance every so manieth instant is solved, and the last; those between
-  /// are interpolated (see formulations/stepping/dense_output.h), 2 … largest_stride. 1: all are
+  /// are interpolated (see formulations/stepping/dense_output.h), 2 … max_stride. 1: all are
   /// solved, as they are when instants are asked for one at a time.
   int stride = 1;
 };

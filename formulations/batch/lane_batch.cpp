@@ -101,14 +101,14 @@ LaneBatch::LaneBatch(std::span<Copy> copies, const CopyKernels& kernels,
   std::ranges::set_union(unknowns_, driven_, std::back_inserter(own_));
   near_.assign(near.begin(), near.end());
   std::erase_if(starts, [&](int n) { return near.contains(n); });
-  std::vector<CoordinateRun> runs = runs_of(starts);
-  for (CoordinateRun& run : runs)
+  std::vector<IndexRange> runs = runs_of(starts);
+  for (IndexRange& run : runs)
     run = {run.first * static_cast<int>(lanes_), run.end * static_cast<int>(lanes_)};
   predictor_ = Predictor(guess, std::move(runs));
 
   for (LaneState* s : {now_, before_})
     for (LaneValues* values : {&s->q, &s->qd, &s->qdd}) values->resize(states.size() * lanes_);
-  residuals2_.resize(stages_.size() * most_lanes);
+  residuals2_.resize(stages_.size() * max_lanes);
   write_only(std::vector<bool>(kinds.size(), true));
 }
 
@@ -134,11 +134,11 @@ void LaneBatch::for_numbers(std::span<const int> numbers, std::size_t lane, Visi
   for (const int n : numbers) visit(n * lanes_ + lane, places_[lane][n]);
 }
 
-void LaneBatch::begin_step(const Past& past, const MotionRow& row) {
-  predicted_ = kept_ && past.last;
+void LaneBatch::begin_step(const StepHistory& history, const MotionRow& row) {
+  predicted_ = kept_ && history.last;
   if (predicted_) {
     std::swap(now_, before_);
-    if (!predictor_.empty()) predictor_(past, *before_, *now_, now_->q.data());
+    if (!predictor_.empty()) predictor_(history, *before_, *now_, now_->q.data());
     for (const int n : near_) std::copy_n(&before_->q[n * lanes_], lanes_, &now_->q[n * lanes_]);
   }
   lanes_ == 8 ? drive<8>(row) : drive<4>(row);
@@ -169,14 +169,14 @@ const LaneBatch::Step& LaneBatch::solve(const State& s) {
   double* of_stage = residuals2_.data();
   for (const LaneStage& stage : stages_) {
     const LaneResult r = stage.solve(*now_, of_stage);
-    of_stage += most_lanes;
+    of_stage += max_lanes;
     // What is refused goes on without meaning, and never converges.
     if (step_.accepted == all()) step_.iterations = std::max(step_.iterations, r.iterations);
     step_.accepted &= r.accepted;
   }
-  std::array<double, most_lanes> sums{};
-  for (const double* r = residuals2_.data(); r != of_stage; r += most_lanes)
-    for (int l = 0; l < most_lanes; ++l) sums[l] += r[l];
+  std::array<double, max_lanes> sums{};
+  for (const double* r = residuals2_.data(); r != of_stage; r += max_lanes)
+    for (int l = 0; l < max_lanes; ++l) sums[l] += r[l];
   step_.residual2 = sums;
   kept_ = true;
   return step_;

@@ -29,9 +29,9 @@ class LaneBatch {
  public:
   /// What became of a step.
   struct Step {
-    unsigned accepted = 0;                       ///< bit by bit, copies of which every part is
-    int iterations = 0;                          ///< the most of any part
-    std::array<double, most_lanes> residual2{};  ///< ‖Φ‖₂² of each; of meaning where accepted
+    unsigned accepted = 0;                      ///< bit by bit, copies of which every part is
+    int iterations = 0;                         ///< the most of any part
+    std::array<double, max_lanes> residual2{};  ///< ‖Φ‖₂² of each; of meaning where accepted
   };
 
   /// copies: alike, as are_copies() says; they outlive the batch. kinds: of each position in the
@@ -45,7 +45,7 @@ class LaneBatch {
   /// See Keeper.
   std::vector<int> drivers() const;
   std::vector<int> reads() const;
-  void begin_step(const Past& past, const MotionRow& row);
+  void begin_step(const StepHistory& history, const MotionRow& row);
   /// So many numbers of the row are those of its drivers.
   std::size_t in_row() const { return driven_.size() * lanes_; }
   /// Whether the step starts from the instant before, which is kept, and not from the state.

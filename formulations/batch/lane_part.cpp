@@ -127,10 +127,10 @@ std::vector<int> LanePart::reads() const {
   return all;
 }
 
-void LanePart::begin_step(const Past& past, const MotionRow& row) {
+void LanePart::begin_step(const StepHistory& history, const MotionRow& row) {
   std::size_t first = 0;
   for (LaneBatch& batch : batches_) {
-    batch.begin_step(past, row.from(first));
+    batch.begin_step(history, row.from(first));
     first += batch.in_row();
   }
 }

@@ -30,7 +30,7 @@ class LanePart final : public GuardedPart, public Keeper {
 
   std::vector<int> drivers() const override;
   std::vector<int> reads() const override;
-  void begin_step(const Past& past, const MotionRow& row) override;
+  void begin_step(const StepHistory& history, const MotionRow& row) override;
   void write_last(std::span<double> q) const override;
   void write(State& state) const override;
   void prepare_rooms(std::span<int> slots, bool drivers_too) override;

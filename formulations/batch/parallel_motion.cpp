@@ -20,7 +20,7 @@ namespace {
 
 /// Unknowns times instants of a stretch: some ten times the work that takes as long as a thread
 /// takes to begin.
-constexpr long least_work = 100'000;
+constexpr long min_work = 100'000;
 
 long moving_unknowns(const Formulation& f) {
   long sum = 0;
@@ -68,14 +68,14 @@ TimeGrid cut(const TimeGrid& grid, int begin, int end) {
 }  // namespace
 
 /// Hands instants of a stretch on as those of the whole motion, one thread after the other.
-class ParallelMotion::SharedSink final : public Sink {
+class ParallelMotion::SharedObserver final : public Observer {
  public:
-  SharedSink(Sink& sink, std::mutex& mutex, const TimeGrid& grid, int begin)
-      : sink_(sink), mutex_(mutex), grid_(grid), begin_(begin), rooms_(sink.rooms()) {
+  SharedObserver(Observer& observer, std::mutex& mutex, const TimeGrid& grid, int begin)
+      : observer_(observer), mutex_(mutex), grid_(grid), begin_(begin), rooms_(observer.rooms()) {
     if (rooms_) rooms_->at_once = handed_on_together;
   }
 
-  void accept(const Instant& of_stretch) override {
+  void observe(const Instant& of_stretch) override {
     waiting_.push_back(of_stretch);
     waiting_.back().index += begin_;
     waiting_.back().time = grid_.time(waiting_.back().index);
@@ -87,27 +87,27 @@ class ParallelMotion::SharedSink final : public Sink {
     hand_on_alone();
   }
   std::optional<RoomShape> rooms() const override { return rooms_; }
-  /// Hands on as well: threads wait less often, and a sink may give the same rooms again, whose
-  /// memory this thread has at hand.
+  /// Hands on as well: threads wait less often, and an observer may give the same rooms again,
+  /// whose memory this thread has at hand.
   void take_rooms(std::span<const int> indices, std::span<Room> rooms) override {
     indices_.assign(indices.begin(), indices.end());
     for (int& index : indices_) index += begin_;
     const std::scoped_lock lock(mutex_);
     hand_on_alone();
-    sink_.take_rooms(indices_, rooms);
+    observer_.take_rooms(indices_, rooms);
   }
   bool takes_any_order() const override { return true; }
 
  private:
   void hand_on_alone() {
-    for (const Instant& instant : waiting_) sink_.accept(instant);
+    for (const Instant& instant : waiting_) observer_.observe(instant);
     waiting_.clear();
   }
 
   /// Waiting for another thread takes as long as solving some instants.
   static constexpr int handed_on_together = 32;
 
-  Sink& sink_;
+  Observer& observer_;
   std::mutex& mutex_;
   const TimeGrid& grid_;
   const int begin_;
@@ -116,11 +116,10 @@ class ParallelMotion::SharedSink final : public Sink {
   std::vector<int> indices_;      // of rooms that are taken
 };
 
-ParallelMotion::ParallelMotion(std::vector<std::unique_ptr<Formulation>> workers,
-                               int least_instants)
+ParallelMotion::ParallelMotion(std::vector<std::unique_ptr<Formulation>> workers, int min_instants)
     : workers_(std::move(workers)),
       stretches_(workers_.size()),
-      least_instants_(least_instants),
+      min_instants_(min_instants),
       moving_unknowns_(moving_unknowns(*workers_.front())) {
   start_threads(static_cast<int>(workers_.size()));
 }
@@ -130,13 +129,13 @@ void ParallelMotion::solve_only(std::span<const Level> needed) {
 }
 
 int ParallelMotion::stretches(int instants) const {
-  const long worth = std::min(instants * moving_unknowns_ / least_work,
-                              static_cast<long>(instants) / least_instants_);
+  const long worth =
+      std::min(instants * moving_unknowns_ / min_work, static_cast<long>(instants) / min_instants_);
   return static_cast<int>(std::clamp<long>(worth, 1, std::ssize(workers_)));
 }
 
 std::optional<Summary> ParallelMotion::run(const TimeGrid& grid, const Request& request,
-                                           State& state, Sink& sink) {
+                                           State& state, Observer& observer) {
   const int count = stretches(grid.instants);
   std::mutex mutex;
   for (int k = 0; k < count; ++k) {
@@ -146,7 +145,7 @@ std::optional<Summary> ParallelMotion::run(const TimeGrid& grid, const Request& 
 #pragma omp parallel for num_threads(count) schedule(static, 1)
   for (int k = 0; k < count; ++k) {
     try {
-      SharedSink shared(sink, mutex, grid, stretches_[k].begin);
+      SharedObserver shared(observer, mutex, grid, stretches_[k].begin);
       solve(k, grid, request, state, shared);
       shared.hand_on();
     } catch (...) {  // must not leave its thread
@@ -172,7 +171,7 @@ std::optional<Summary> ParallelMotion::run(const TimeGrid& grid, const Request& 
 }
 
 void ParallelMotion::solve(int k, const TimeGrid& grid, const Request& request, const State& first,
-                           Sink& sink) {
+                           Observer& observer) {
   Stretch& s = stretches_[k];
   s.total.reset();
   s.error = nullptr;
@@ -180,7 +179,7 @@ void ParallelMotion::solve(int k, const TimeGrid& grid, const Request& request, 
   Formulation& worker = *workers_[k];
   if (!worker.enter(first.q, grid.time(s.begin))) return;
   s.entered.assign(worker.q().begin(), worker.q().end());
-  s.total = worker.run_on(cut(grid, s.begin, s.end), request, sink);
+  s.total = worker.run_on(cut(grid, s.begin, s.end), request, observer);
   if (s.total && s.end < grid.instants)
     s.ended = worker.step(grid.time(s.end), Level::position).ok();
 }

@@ -18,12 +18,12 @@ class ParallelMotion final : public WholeMotion {
  public:
   /// workers: one for each thread, alike, of the mechanism of which this is the motion; each is
   /// used by one thread at a time and shares nothing with the others but what is const.
-  /// least_instants: of a stretch that is worth entering.
-  ParallelMotion(std::vector<std::unique_ptr<Formulation>> workers, int least_instants);
+  /// min_instants: of a stretch that is worth entering.
+  ParallelMotion(std::vector<std::unique_ptr<Formulation>> workers, int min_instants);
 
-  /// The sink is called by all threads, one call at a time, and what it throws is thrown again.
+  /// The observer is called by all threads, one call at a time, and what it throws is thrown again.
   std::optional<Summary> run(const TimeGrid& grid, const Request& request, State& state,
-                             Sink& sink) override;
+                             Observer& observer) override;
   void solve_only(std::span<const Level> needed) override;
 
   /// Into how many stretches a motion of so many instants is cut: fewer than there are threads
@@ -31,7 +31,7 @@ class ParallelMotion final : public WholeMotion {
   int stretches(int instants) const;
 
  private:
-  class SharedSink;
+  class SharedObserver;
 
   /// A part of the motion, and what became of it.
   struct Stretch {
@@ -42,12 +42,13 @@ class ParallelMotion final : public WholeMotion {
     std::exception_ptr error;
   };
 
-  void solve(int k, const TimeGrid& grid, const Request& request, const State& first, Sink& sink);
+  void solve(int k, const TimeGrid& grid, const Request& request, const State& first,
+             Observer& observer);
   bool meet(int k) const;
 
   std::vector<std::unique_ptr<Formulation>> workers_;
   std::vector<Stretch> stretches_;
-  const int least_instants_;
+  const int min_instants_;
   const long moving_unknowns_;
 };
 

@@ -45,8 +45,8 @@ TimeLanes::TimeLanes(const Model& model, std::vector<Parts> parts, const Setting
       std::ranges::copy(parts_[0][i].solver->stays_near(), std::back_inserter(near_));
   }
   std::ranges::sort(started_from);
-  std::vector<CoordinateRun> runs = runs_of(started_from);
-  for (CoordinateRun& run : runs) run = {run.first * lanes_, run.end * lanes_};
+  std::vector<IndexRange> runs = runs_of(started_from);
+  for (IndexRange& run : runs) run = {run.first * lanes_, run.end * lanes_};
   predictor_ = Predictor(settings_.guess, std::move(runs));
 }
 
@@ -66,10 +66,10 @@ TimeLanes::Stage TimeLanes::make_stage(std::size_t part, const KernelTable& tabl
 }
 
 std::optional<Summary> TimeLanes::run(const TimeGrid& grid, const Request& request, State& state,
-                                      Sink& sink) {
+                                      Observer& observer) {
   const int length = (grid.instants + lanes_ - 1) / lanes_;
-  if (length < shortest_segment || !enter(grid, length, state)) return {};
-  const auto rooms = sink.rooms();
+  if (length < min_segment || !enter(grid, length, state)) return {};
+  const auto rooms = observer.rooms();
   wanted_ = coordinates_in_room(rooms ? rooms->coordinates : std::span<const int>(),
                                 model_.coordinates());
   for (int& coordinate : wanted_) coordinate *= lanes_;
@@ -77,23 +77,23 @@ std::optional<Summary> TimeLanes::run(const TimeGrid& grid, const Request& reque
   used_ = 0;
 
   Summary total;
-  double largest_residual2 = 0;
+  double max_residual2 = 0;
   for (int i = 0; i <= length; ++i) {  // up to the first instant of the next segment
     guess(grid.interval(), i);
     drive(grid, length, i);
     const Step step = solve();
     if (!step.ok) return {};
-    largest_residual2 = std::max(largest_residual2, *std::ranges::max_element(residual2_));
+    max_residual2 = std::max(max_residual2, *std::ranges::max_element(residual2_));
     if (i == 0) entered_ = now_.q;
     if (i == length) break;
     total.iterations += static_cast<long>(step.iterations) * lanes_;
     total.updates += step.updates * lanes_;
-    deliver(grid, length, i, request, step, sink);
+    deliver(grid, length, i, request, step, observer);
   }
   if (!meet()) return {};
   total.instants = grid.instants;
   total.time = grid.time(grid.instants - 1);
-  total.residual = std::sqrt(largest_residual2);
+  total.residual = std::sqrt(max_residual2);
   for (std::size_t k = 0; k < state.q.size(); ++k) {
     const std::size_t last = (k + 1) * lanes_ - 1;
     state.q[k] = now_.q[last];
@@ -175,9 +175,9 @@ void TimeLanes::take_branches() {
 void TimeLanes::guess(double h, int known) {
   std::swap(now_, before_);
   const LaneState &last = before_, &one_before = now_;
-  const Past past{h, h, known > 0 ? std::optional(Level::acceleration) : std::nullopt,
-                  known > 1 ? std::optional(Level::acceleration) : std::nullopt};
-  if (!predictor_.empty()) predictor_(past, last, one_before, now_.q.data());
+  const StepHistory history{h, h, known > 0 ? std::optional(Level::acceleration) : std::nullopt,
+                            known > 1 ? std::optional(Level::acceleration) : std::nullopt};
+  if (!predictor_.empty()) predictor_(history, last, one_before, now_.q.data());
   for (const int i : near_) {
     const std::size_t first = static_cast<std::size_t>(i) * lanes_;
     std::copy_n(&before_.q[first], lanes_, &now_.q[first]);
@@ -185,7 +185,7 @@ void TimeLanes::guess(double h, int known) {
 }
 
 void TimeLanes::drive(const TimeGrid& grid, int length, int i) {
-  std::array<double, most_lanes> of_lanes;
+  std::array<double, max_lanes> of_lanes;
   for (int l = 0; l < lanes_; ++l)
     of_lanes[l] = grid.time(std::min(l * length + i, grid.instants - 1));
   motions_({of_lanes.data(), of_lanes.data() + lanes_}, now_.q.data(), now_.qd.data(),
@@ -199,7 +199,7 @@ TimeLanes::Step TimeLanes::solve() {
   for (Stage& stage : stages_) {
     unsigned accepted = 0;
     if (stage.together) {
-      alignas(64) std::array<double, most_lanes> residual2;
+      alignas(64) std::array<double, max_lanes> residual2;
       const LaneResult r = stage.together->solve(now_, residual2.data());
       accepted = r.accepted;
       step.iterations = std::max(step.iterations, r.iterations);
@@ -255,7 +255,7 @@ bool TimeLanes::meet() const {
 
 /// A room for the instant of each lane that lies within the motion.
 std::span<const Room> TimeLanes::take_rooms(const TimeGrid& grid, int length, int i, int at_once,
-                                            Sink& sink) {
+                                            Observer& observer) {
   const auto count = [&](int step) {
     return std::min<std::size_t>(lanes_, (grid.instants - step + length - 1) / length);
   };
@@ -266,7 +266,7 @@ std::span<const Room> TimeLanes::take_rooms(const TimeGrid& grid, int length, in
       for (std::size_t l = 0; l < count(step); ++l)
         indices_.push_back(static_cast<int>(l) * length + step);
     rooms_.resize(indices_.size());
-    sink.take_rooms(indices_, rooms_);
+    observer.take_rooms(indices_, rooms_);
     used_ = 0;
   }
   const std::size_t first = used_;
@@ -274,21 +274,22 @@ std::span<const Room> TimeLanes::take_rooms(const TimeGrid& grid, int length, in
   return {&rooms_[first], count(i)};
 }
 
-/// Into the room that the sink has for each instant, what it asks for; where it has none, all in
-/// coordinate order. What lies beyond the end of the motion goes nowhere.
+/// Into the room that the observer has for each instant, what it asks for; where it has none, all
+/// in coordinate order. What lies beyond the end of the motion goes nowhere.
 void TimeLanes::deliver(const TimeGrid& grid, int length, int i, const Request& request,
-                        const Step& step, Sink& sink) {
-  std::array<Room, most_lanes> rooms;
+                        const Step& step, Observer& observer) {
+  std::array<Room, max_lanes> rooms;
   for (int l = 0; l < lanes_; ++l) {
     State& own = delivered_[l];
     rooms[l] = {own.q.data(), own.qd.data(), own.qdd.data()};
   }
-  const std::optional<RoomShape> shape = sink.rooms();
-  if (shape) std::ranges::copy(take_rooms(grid, length, i, shape->at_once, sink), rooms.begin());
+  const std::optional<RoomShape> shape = observer.rooms();
+  if (shape)
+    std::ranges::copy(take_rooms(grid, length, i, shape->at_once, observer), rooms.begin());
   const Level as_far_as = shape ? std::min(shape->level, request.level) : request.level;
   const auto unpacked = [&](Level level, const LaneValues& from, double* Room::*to) {
     if (as_far_as < level) return;
-    std::array<double*, most_lanes> lanes;
+    std::array<double*, max_lanes> lanes;
     for (int l = 0; l < lanes_; ++l) lanes[l] = rooms[l].*to;
     unpack(from.data(), wanted_, {lanes.data(), lanes.data() + lanes_});
   };
@@ -305,7 +306,7 @@ void TimeLanes::deliver(const TimeGrid& grid, int length, int i, const Request& 
       if (request.level >= Level::velocity) instant.qd = delivered_[l].qd;
       if (request.level >= Level::acceleration) instant.qdd = delivered_[l].qdd;
     }
-    sink.accept(instant);
+    observer.observe(instant);
   }
 }
 

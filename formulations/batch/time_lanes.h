@@ -16,7 +16,7 @@
 namespace desmo {
 
 /// In instants: entering a shorter segment costs more than the lanes gain.
-inline constexpr int shortest_segment = 16;
+inline constexpr int min_segment = 16;
 
 /// Runs through a motion in as many equal segments as there are lanes, all of them at once. The
 /// first position of a segment is found on the way from that of the motion along which the drivers
@@ -35,7 +35,7 @@ class TimeLanes final : public WholeMotion {
   /// Nothing where the motion is too short, a segment was not entered or solved, or two did not
   /// meet.
   std::optional<Summary> run(const TimeGrid& grid, const Request& request, State& state,
-                             Sink& sink) override;
+                             Observer& observer) override;
 
  private:
   /// A part, and the same part in every lane.
@@ -64,9 +64,9 @@ class TimeLanes final : public WholeMotion {
   void solve_lane(Stage& stage, int lane, Step& step);
   bool meet() const;
   std::span<const Room> take_rooms(const TimeGrid& grid, int length, int i, int at_once,
-                                   Sink& sink);
+                                   Observer& observer);
   void deliver(const TimeGrid& grid, int length, int i, const Request& request, const Step& step,
-               Sink& sink);
+               Observer& observer);
 
   const Model& model_;
   const Settings settings_;
@@ -81,7 +81,7 @@ class TimeLanes final : public WholeMotion {
   LaneValues residual2_;                   // of the step, by lane
   State alone_;                            // of one lane …
   std::vector<double> last_alone_;         // … and its last positions
-  std::vector<State> delivered_;           // to a sink that has no room
+  std::vector<State> delivered_;           // to an observer that has no room
   std::vector<std::vector<double>> ways_;  // of the drivers to each segment
   std::vector<int> wanted_;                // where the coordinates in a room begin in lanes
   std::vector<int> indices_;               // of instants for which rooms were taken …

@@ -30,7 +30,7 @@ DESMO_INLINE T select(const Mask<T>& mask, const T& a, const T& b) {
 }
 
 /// Where the reduction of an angle keeps its accuracy.
-inline constexpr double largest_reduced = 1e6;
+inline constexpr double max_reduced = 1e6;
 
 /// Σ c[i] xⁱ, in pairs: about as much work as Horner's rule, in less than half its time where
 /// nothing else is waiting to be done.
@@ -78,12 +78,12 @@ struct SineCosine {
 };
 
 /// Both at once: asked for both of one angle, a compiler computes what they share once. Not numbers
-/// beyond ±largest_reduced.
+/// beyond ±max_reduced.
 template <class T>
 DESMO_INLINE SineCosine<T> sine_cosine(const T& far_or_near) {
   using std::abs, std::floor, std::nearbyint;
   const T none = std::numeric_limits<double>::quiet_NaN();
-  const T x = select<T>(abs(far_or_near) < largest_reduced, far_or_near, none);
+  const T x = select<T>(abs(far_or_near) < max_reduced, far_or_near, none);
   // Half turns, and what remains, within ±π/2: π in three parts, of which the first two leave room
   // for the product with the half turns.
   constexpr double first = 0x1.921fb544p+1, second = 0x1.0b4611a6p-33,

@@ -10,7 +10,7 @@ namespace desmo {
 
 /// How many parts of one type may be solved at once: what registers of 256 and of 512 bits hold.
 inline constexpr std::array lane_counts{4, 8};
-inline constexpr int most_lanes = lane_counts.back();
+inline constexpr int max_lanes = lane_counts.back();
 
 /// Where an explicit order ended in several lanes.
 struct LaneResult {

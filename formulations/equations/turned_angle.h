@@ -19,7 +19,7 @@ inline constexpr double near_anchor = 1.0 / 2;
 /// Where `before` is near it and the turn from there is small, sines are short; elsewhere
 /// everything is evaluated, and the angle found is the new anchor. All interpolated at zeros of
 /// Chebyshev polynomials, errors below 1e-17. Not a number at the origin, and where `before` is
-/// beyond ±largest_reduced.
+/// beyond ±max_reduced.
 template <class T>
 DESMO_INLINE TurnedAngle<T> turned_angle(const T& y, const T& x, const T& before, T* anchor) {
   using std::abs;

@@ -12,7 +12,7 @@
 #include "formulations/algebra/equilibration.h"
 #include "formulations/algebra/linear_solver.h"
 #include "formulations/algebra/refinement.h"
-#include "formulations/base/coordinate_run.h"
+#include "formulations/base/index_range.h"
 #include "formulations/base/part.h"
 #include "formulations/equations/equations.h"
 
@@ -55,9 +55,9 @@ class NewtonSolver {
         per_level_(settings.factorisation == Factorisation::per_level),
         tolerance_(settings.fixed_iterations ? std::numeric_limits<double>::infinity()
                                              : settings.tolerance),
-        least_iterations_(settings.fixed_iterations),
-        most_iterations_(settings.fixed_iterations ? settings.fixed_iterations
-                                                   : settings.max_iterations),
+        min_iterations_(settings.fixed_iterations),
+        max_iterations_(settings.fixed_iterations ? settings.fixed_iterations
+                                                  : settings.max_iterations),
         at_rounding_(settings.at_rounding),
         runs_(long_runs(pattern_.unknowns)),
         values_(pattern_.size(), Real(0)),
@@ -94,10 +94,10 @@ class NewtonSolver {
  private:
   /// Of unknowns side by side in the state: what is done with these fits wide registers. None where
   /// most have few neighbours, so that loops over runs would cost more.
-  static std::vector<CoordinateRun> long_runs(std::span<const int> unknowns) {
-    constexpr std::size_t least_mean = 8;
-    std::vector<CoordinateRun> runs = runs_of(unknowns);
-    if (runs.size() * least_mean > unknowns.size()) runs.clear();
+  static std::vector<IndexRange> long_runs(std::span<const int> unknowns) {
+    constexpr std::size_t min_mean = 8;
+    std::vector<IndexRange> runs = runs_of(unknowns);
+    if (runs.size() * min_mean > unknowns.size()) runs.clear();
     return runs;
   }
 
@@ -124,11 +124,11 @@ class NewtonSolver {
       const double residual = weights_.cwiseProduct(b_).norm();
       result.residual2 = residual * residual;
       const bool solved = residual < tolerance_;
-      if (solved && result.iterations >= least_iterations_ &&
-          (std::exchange(is_last, true) || result.iterations == most_iterations_))
+      if (solved && result.iterations >= min_iterations_ &&
+          (std::exchange(is_last, true) || result.iterations == max_iterations_))
         return result;
       const bool old_serve = update != JacobianUpdate::newton && has_factors_;
-      if (result.iterations == most_iterations_) {
+      if (result.iterations == max_iterations_) {
         result.status = std::isfinite(residual) ? Status::not_converged : Status::not_finite;
       } else if (by_old_factors && !solved && !(residual < before)) {
         each_unknown([&](int at, int i) { q[at] += correction_[i]; });
@@ -233,7 +233,7 @@ class NewtonSolver {
     if (runs_.empty())
       for (int i = 0; i < pattern_.n; ++i) call(pattern_.unknowns[i], i);
     int i = 0;
-    for (const CoordinateRun run : runs_) {
+    for (const IndexRange run : runs_) {
       const int shift = i - run.first;
       for (int at = run.first; at < run.end; ++at) call(at, at + shift);
       i += run.end - run.first;
@@ -249,10 +249,10 @@ class NewtonSolver {
   JacobianUpdate update_;
   bool per_level_;
   double tolerance_;
-  int least_iterations_, most_iterations_;
-  bool at_rounding_;                 // see PartSettings
-  std::vector<CoordinateRun> runs_;  // see long_runs
-  std::vector<Real> values_;         // Φ_φ and Φ_h, laid out by the pattern
+  int min_iterations_, max_iterations_;
+  bool at_rounding_;              // see PartSettings
+  std::vector<IndexRange> runs_;  // see long_runs
+  std::vector<Real> values_;      // Φ_φ and Φ_h, laid out by the pattern
   Vector weights_;
   Vector b_;           // right-hand side, then solution
   Vector correction_;  // the last one by old factors

@@ -25,8 +25,7 @@ std::vector<int> constraints_of(const PartDefinition& part) {
 
 /// The longest of the part's unknowns that are lengths; 0: none is. They are found among what its
 /// equations read: to look through the whole mechanism for each part would take its square.
-double longest_length(const Model& m, const PartDefinition& part,
-                      std::span<const double> magnitudes) {
+double max_length(const Model& m, const PartDefinition& part, std::span<const double> magnitudes) {
   double longest = 0;
   for (const int c : constraints_of(part))
     for (const EntityId id : m.constraints[c].operands) {
@@ -65,7 +64,7 @@ class OwnUnitPart::InUnitOfAll final : public Part {
 
 std::optional<OwnUnitPart::Unit> OwnUnitPart::find_unit(const Model& m, const PartDefinition& part,
                                                         std::span<const double> magnitudes) {
-  const double longest = longest_length(m, part, magnitudes);
+  const double longest = max_length(m, part, magnitudes);
   if (!(longest > 0) || std::abs(std::ilogb(longest)) <= far) return {};
   Unit unit{std::ilogb(longest), {}};
   for (const int c : constraints_of(part)) {

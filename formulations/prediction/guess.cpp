@@ -50,18 +50,18 @@ std::string_view guess_name(Guess guess) {
   return {};
 }
 
-Guess best_guess(Guess wanted, const Past& past) {
-  const bool apart = std::abs(past.h) < longest_stretch * std::abs(past.h_before);
+Guess best_guess(Guess wanted, const StepHistory& history) {
+  const bool apart = std::abs(history.h) < max_stretch * std::abs(history.h_before);
   for (const Guess guess : {Guess::hermite5, Guess::hermite3, Guess::quadratic, Guess::linear}) {
     const auto [last, before] = needs(guess);
-    if (guess <= wanted && past.last >= last && (!before || (apart && past.before >= before)))
+    if (guess <= wanted && history.last >= last && (!before || (apart && history.before >= before)))
       return guess;
   }
   return Guess::previous;
 }
 
-Extrapolation::Extrapolation(Guess guess, const Past& past) : guess_(guess) {
-  const double h = past.h, k = past.h_before, r = h / k, s = 1 + r;
+Extrapolation::Extrapolation(Guess guess, const StepHistory& history) : guess_(guess) {
+  const double h = history.h, k = history.h_before, r = h / k, s = 1 + r;
   // Hermite's basis on [0, 1] at s, factored about its zeros at 1 so that nothing cancels there.
   switch (guess_) {
     case Guess::previous:

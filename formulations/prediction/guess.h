@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-#include "formulations/base/coordinate_run.h"
+#include "formulations/base/index_range.h"
 #include "formulations/base/part.h"
 
 namespace desmo {
@@ -17,16 +17,16 @@ std::string_view guess_name(Guess guess);
 /// How many times longer than the step before it a step may be for earlier instants to predict it:
 /// at 4 the quintic magnifies the errors of their positions 10,000 times, and at 10 a million
 /// times.
-inline constexpr double longest_stretch = 4;
+inline constexpr double max_stretch = 4;
 
 /// What is known of the two instants before the one sought.
-struct Past {
+struct StepHistory {
   double h;                             ///< from the last instant to the one sought, s
   double h_before;                      ///< from the one before it to the last, s
   std::optional<Level> last, before{};  ///< how far they were solved; nothing: they are unknown
 
   /// The same of coordinates that are solved up to this level only.
-  Past up_to(Level level) const {
+  StepHistory up_to(Level level) const {
     if (level == Level::acceleration) return *this;
     const auto cut = [&](std::optional<Level> l) { return l ? std::min(*l, level) : l; };
     return {h, h_before, cut(last), cut(before)};
@@ -36,7 +36,7 @@ struct Past {
 /// The best guess that two instants allow, up to the one wanted: previous, linear, quadratic,
 /// hermite3, hermite5, in this order. Two instants too close together beside the step sought count
 /// as one: what they say of it is mostly the rounding of their difference.
-Guess best_guess(Guess wanted, const Past& past);
+Guess best_guess(Guess wanted, const StepHistory& history);
 
 /// A guess as weights of what is known, worked out once a step and then a few operations for each
 /// coordinate: with the last instant as 1 and the one before as 0,
@@ -44,13 +44,13 @@ Guess best_guess(Guess wanted, const Past& past);
 class Extrapolation {
  public:
   /// guess: one that the past allows.
-  Extrapolation(Guess guess, const Past& past);
+  Extrapolation(Guess guess, const StepHistory& history);
 
   /// Writes where the guess expects the coordinates of some runs into q, which may be that of
   /// `last` or of `before`: states of numbers, or of several side by side. Of these two only what
   /// the guess needs is read.
   template <class States, class T>
-  void operator()(std::span<const CoordinateRun> runs, const States& last, const States& before,
+  void operator()(std::span<const IndexRange> runs, const States& last, const States& before,
                   T* q) const;
 
  private:
@@ -59,14 +59,14 @@ class Extrapolation {
 };
 
 template <class States, class T>
-void Extrapolation::operator()(std::span<const CoordinateRun> runs, const States& last,
+void Extrapolation::operator()(std::span<const IndexRange> runs, const States& last,
                                const States& before, T* q) const {
   const T *q1 = last.q.data(), *v1 = last.qd.data(), *a1 = last.qdd.data();
   const T *q0 = before.q.data(), *v0 = before.qd.data(), *a0 = before.qdd.data();
   const double w_q = w_q_, w_v1 = w_v1_, w_a1 = w_a1_, w_v0 = w_v0_, w_a0 = w_a0_;
   // Many runs are single coordinates, for which a loop on wide registers takes long to begin.
   const auto write = [&](auto expected) {
-    for (const CoordinateRun run : runs) {
+    for (const IndexRange run : runs) {
       if (run.end - run.first == 1) {
         q[run.first] = expected(run.first);
         continue;

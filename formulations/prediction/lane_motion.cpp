@@ -18,7 +18,7 @@ namespace simd = std::experimental;
 using Quad = simd::simd<double, simd::simd_abi::deduce_t<double, 4>>;
 
 [[gnu::always_inline]] inline elementary::SineCosine<Quad> sine_cosine(const Quad& angle) {
-  if (all_of(abs(angle) < elementary::largest_reduced)) return elementary::sine_cosine(angle);
+  if (all_of(abs(angle) < elementary::max_reduced)) return elementary::sine_cosine(angle);
   return {Quad([&](auto l) { return std::sin(angle[l]); }),
           Quad([&](auto l) { return std::cos(angle[l]); })};
 }

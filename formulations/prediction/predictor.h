@@ -15,30 +15,29 @@ class Predictor {
  public:
   Predictor() = default;  ///< of no coordinate
   /// runs: of coordinates, ascending.
-  Predictor(Guess wanted, std::vector<CoordinateRun> runs)
-      : wanted_(wanted), runs_(std::move(runs)) {
+  Predictor(Guess wanted, std::vector<IndexRange> runs) : wanted_(wanted), runs_(std::move(runs)) {
     if (wanted_ == Guess::adams8) history_.emplace(runs_);
   }
 
   /// As Extrapolation: writes where the coordinates are expected into q, which may be that of
   /// `last` or of `before`. Of an instant more than one step ago it knows what was `last` then.
   template <class States>
-  void operator()(const Past& past, const States& last, const States& before, double* q) {
+  void operator()(const StepHistory& history, const States& last, const States& before, double* q) {
     if (history_) {
-      if (past.before != Level::acceleration) history_->forget();
-      if (past.last == Level::acceleration &&
-          history_->lead_on(past.h_before, past.h, last.q.data(), last.qd.data(), last.qdd.data(),
-                            q))
+      if (history.before != Level::acceleration) history_->forget();
+      if (history.last == Level::acceleration &&
+          history_->lead_on(history.h_before, history.h, last.q.data(), last.qd.data(),
+                            last.qdd.data(), q))
         return;
     }
-    Extrapolation(best_guess(wanted_, past), past)(runs_, last, before, q);
+    Extrapolation(best_guess(wanted_, history), history)(runs_, last, before, q);
   }
 
   bool empty() const { return runs_.empty(); }
 
  private:
   Guess wanted_ = Guess::previous;
-  std::vector<CoordinateRun> runs_;
+  std::vector<IndexRange> runs_;
   std::optional<RateHistory> history_;  // where the guess needs more than two instants
 };
 

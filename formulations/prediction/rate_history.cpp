@@ -37,14 +37,14 @@ bool are_ratios(const std::array<double, size>& intervals, const std::array<doub
 
 }  // namespace
 
-RateHistory::RateHistory(std::span<const CoordinateRun> runs) {
+RateHistory::RateHistory(std::span<const IndexRange> runs) {
   const auto cut_by = [&](int block) {
-    return std::ranges::all_of(runs, [=](const CoordinateRun& run) {
+    return std::ranges::all_of(runs, [=](const IndexRange& run) {
       return run.first % block == 0 && run.end % block == 0;
     });
   };
   block_ = *std::ranges::find_if(block_sizes, cut_by);
-  for (const CoordinateRun run : runs)
+  for (const IndexRange run : runs)
     for (int i = run.first; i < run.end; i += block_) blocks_.push_back(i);
   changes_.resize(blocks_.size() * block_);
   rates_.resize(2 * changes_.size() * instants);
@@ -130,8 +130,8 @@ bool RateHistory::lead_on(double interval, double h, const double* last, const d
 bool RateHistory::weigh(double h) {
   Intervals ratios;
   for (std::size_t j = 0; j < ratios.size(); ++j) ratios[j] = intervals_[j] / h;
-  const auto forward = [](double ratio) { return ratio * longest_stretch > 1; };
-  const auto backward = [](double ratio) { return ratio * longest_stretch < -1; };
+  const auto forward = [](double ratio) { return ratio * max_stretch > 1; };
+  const auto backward = [](double ratio) { return ratio * max_stretch < -1; };
   if (!std::ranges::all_of(ratios, forward) && !std::ranges::all_of(ratios, backward)) return false;
   std::array<double, instants> x{};  // the instants in units of h
   for (int j = 1; j < instants; ++j) x[j] = x[j - 1] - ratios[j - 1];

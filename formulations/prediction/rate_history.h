@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "formulations/base/coordinate_run.h"
+#include "formulations/base/index_range.h"
 
 namespace desmo {
 
@@ -21,7 +21,7 @@ class RateHistory {
   static constexpr int degree = 2 * instants;
 
   /// runs: the coordinates.
-  explicit RateHistory(std::span<const CoordinateRun> runs);
+  explicit RateHistory(std::span<const IndexRange> runs);
 
   void forget() { known_ = 0, newest_ = 0; }
   /// Remembers the rates of the last instant, `interval` (s) after the one before, which is what

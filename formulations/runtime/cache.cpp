@@ -26,10 +26,10 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr mode_t all_of_others = 0077, writing_of_others = 0022;
-constexpr std::size_t most_files = 256;
+constexpr std::size_t max_files = 256;
 constexpr const char* unfinished = "unfinished.";  // how names of such files begin
 constexpr std::chrono::hours abandoned{1};         // nobody works on an older one
-constexpr off_t largest_file = off_t{256} << 20;   // bytes
+constexpr off_t max_file = off_t{256} << 20;       // bytes
 
 // A comment, so that a sealed C++ file is one still.
 constexpr std::string_view seal_begin = "\n// desmo ";
@@ -91,7 +91,7 @@ off_t size_of(const Descriptor& file, mode_t forbidden = 0) {
   struct stat status {};
   const bool good = file.is_open() && ::fstat(file.number(), &status) == 0 &&
                     S_ISREG(status.st_mode) && status.st_uid == ::geteuid() &&
-                    (status.st_mode & forbidden) == 0 && status.st_size <= largest_file;
+                    (status.st_mode & forbidden) == 0 && status.st_size <= max_file;
   return good ? status.st_size : -1;
 }
 
@@ -190,9 +190,9 @@ void Cache::remove_old() const {
     else if (name.starts_with(unfinished) && time + abandoned < now)
       remove(name);
   }
-  if (finished.size() < most_files) return;
+  if (finished.size() < max_files) return;
   std::ranges::sort(finished);
-  for (std::size_t i = 0; i <= finished.size() - most_files; ++i) remove(finished[i].second);
+  for (std::size_t i = 0; i <= finished.size() - max_files; ++i) remove(finished[i].second);
 }
 
 }  // namespace desmo::load

@@ -25,7 +25,7 @@ constexpr const char* all_flags = DESMO_KERNEL_FLAGS " -w -pipe -fPIC -shared -f
 constexpr const char* more_for_eight_lanes = " -march=x86-64-v4 -mno-red-zone";
 
 constexpr std::chrono::seconds time_for_version{10};
-constexpr std::size_t most_shown = 300;  // characters of a compiler's complaint
+constexpr std::size_t max_shown = 300;  // characters of a compiler's complaint
 
 bool is_program(const std::string& file) {
   struct stat status {};
@@ -64,7 +64,7 @@ std::string first_line(const std::string& text) { return text.substr(0, text.fin
 std::string complaint(const std::string& output) {
   const std::size_t error = output.find("error");
   const std::size_t line = error == std::string::npos ? 0 : output.rfind('\n', error) + 1;
-  return printable(first_line(output.substr(line)), most_shown);
+  return printable(first_line(output.substr(line)), max_shown);
 }
 
 Ending run(const std::string& file, std::vector<std::string> arguments, int folder,

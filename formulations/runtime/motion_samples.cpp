@@ -11,14 +11,14 @@ namespace {
 
 using generate::sample_count;
 
-constexpr int most_steps = 400;
+constexpr int max_steps = 400;
 constexpr double tolerance = 1e-6;  // of what only sizes are looked at
 
-class Sampler final : public Sink {
+class Sampler final : public Observer {
  public:
   Sampler(const Model& model, int instants) : m_(model), instants_(instants) {}
 
-  void accept(const Instant& instant) override {
+  void observe(const Instant& instant) override {
     const int samples = static_cast<int>(states.size());
     if (instant.index < (instants_ - 1) * samples / (sample_count - 1)) return;
     std::vector<double>& state = states.emplace_back(instant.q.begin(), instant.q.end());
@@ -36,9 +36,9 @@ class Sampler final : public Sink {
 
 std::vector<std::vector<double>> sample_motion(const Model& m, const TimeGrid& grid) {
   TimeGrid coarse = grid;
-  if (grid.instants - 1 > most_steps) {
-    coarse.instants = most_steps + 1;
-    coarse.step = (grid.instants - 1) * grid.step / most_steps;
+  if (grid.instants - 1 > max_steps) {
+    coarse.instants = max_steps + 1;
+    coarse.step = (grid.instants - 1) * grid.step / max_steps;
   }
   Sampler sampler(m, coarse.instants);
   make_formulation(find_variant("group_automatic_klu"), m, Settings{.tolerance = tolerance})

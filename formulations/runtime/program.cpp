@@ -23,7 +23,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t most_output = std::size_t{1} << 16;
+constexpr std::size_t max_output = std::size_t{1} << 16;
 
 // It leads a process group of the same number.
 std::atomic<pid_t> running{0};
@@ -119,7 +119,7 @@ bool read_all(int from, Clock::time_point end, std::string& text) {
     const ssize_t size = ::read(from, buffer.data(), buffer.size());
     if (size < 0 && errno == EINTR) continue;
     if (size <= 0) return true;
-    text.append(buffer.data(), std::min(static_cast<std::size_t>(size), most_output - text.size()));
+    text.append(buffer.data(), std::min(static_cast<std::size_t>(size), max_output - text.size()));
   }
 }
 

@@ -14,7 +14,7 @@ namespace {
 using generate::LibraryContents, generate::SampledType;
 
 /// The work of a generator and a compiler grows faster than the size of a part.
-constexpr std::size_t most_unknowns = 100;
+constexpr std::size_t max_unknowns = 100;
 /// More than these tell no more of a type.
 constexpr std::size_t enough_samples = 4 * generate::sample_count, enough_for_pivots = 48;
 
@@ -42,7 +42,7 @@ WantedTypes wanted_types(const Variant& v, LibraryContents contents, const Model
   WantedTypes wanted;
   std::vector<PartDefinition> parts = parts_without_code(v, contents, m, table);
   wanted.parts_too_large = static_cast<int>(std::erase_if(
-      parts, [](const PartDefinition& part) { return part.unknowns.size() > most_unknowns; }));
+      parts, [](const PartDefinition& part) { return part.unknowns.size() > max_unknowns; }));
   if (parts.empty()) return wanted;
 
   const std::vector<std::vector<double>> states = sample_motion(m, grid);

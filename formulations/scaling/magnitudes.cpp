@@ -14,7 +14,7 @@ namespace {
 
 /// Of its second-order change, what an equation without a derivative is judged by: links down to
 /// this fraction of the bodies they join keep their own magnitude.
-constexpr double least_share = 1e-3;
+constexpr double min_share = 1e-3;
 
 std::vector<double> nominal_state(const Model& m) {
   std::vector<double> state = m.estimate;
@@ -69,7 +69,7 @@ std::array<double, Kind::rows> magnitudes(Kind, const Model& m, const Constraint
   });
   Kind::quadratic(x.data(), v.data(), c.constants.data(), second.data());
   for (int row = 0; row < Kind::rows; ++row) {
-    result[row] = std::max(result[row], least_share * std::abs(second[row]) / 2);
+    result[row] = std::max(result[row], min_share * std::abs(second[row]) / 2);
     if (!(result[row] > 0) || !std::isfinite(result[row])) result[row] = 1;
   }
   return result;

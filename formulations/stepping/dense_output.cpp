@@ -7,7 +7,7 @@ namespace desmo {
 
 namespace {
 
-std::vector<CoordinateRun> runs_asked(const Request& request, int coordinates) {
+std::vector<IndexRange> runs_asked(const Request& request, int coordinates) {
   if (request.coordinates.empty()) return {{0, coordinates}};
   return runs_of(request.coordinates);
 }
@@ -15,18 +15,18 @@ std::vector<CoordinateRun> runs_asked(const Request& request, int coordinates) {
 }  // namespace
 
 DenseOutput::DenseOutput(const TimeGrid& grid, int stride, const Request& request, int coordinates,
-                         Sink& sink)
+                         Observer& observer)
     : grid_(grid),
       stride_(stride),
       level_(request.level),
       runs_(runs_asked(request, coordinates)),
-      sink_(sink) {
+      observer_(observer) {
   for (State* s : {&last_, &between_})
     for (std::vector<double>* values : {&s->q, &s->qd, &s->qdd})
       values->resize(static_cast<std::size_t>(coordinates));
 }
 
-void DenseOutput::accept(const Instant& solved) {
+void DenseOutput::observe(const Instant& solved) {
   const int index = std::min(solved.index * stride_, grid_.instants - 1);
   if (solved.index > 0) interpolate_to(solved, index);
   Instant in_grid = solved;
@@ -93,7 +93,7 @@ void DenseOutput::combine(Weights w, const Instant& next, std::vector<double>& r
   const double *q0 = last_.q.data(), *v0 = last_.qd.data(), *a0 = last_.qdd.data();
   const double *q1 = next.q.data(), *v1 = next.qd.data(), *a1 = next.qdd.data();
   double* const y = result.data();
-  for (const CoordinateRun run : runs_)
+  for (const IndexRange run : runs_)
     for (int i = run.first; i < run.end; ++i)
       y[i] = w.q0 * q0[i] + w.change * (q1[i] - q0[i]) + w.v0 * v0[i] + w.v1 * v1[i] +
              w.a0 * a0[i] + w.a1 * a1[i];
@@ -103,11 +103,11 @@ void DenseOutput::hand_on(const Instant& instant) const {
   Instant asked = instant;
   if (level_ < Level::velocity) asked.qd = {};
   if (level_ < Level::acceleration) asked.qdd = {};
-  sink_.accept(asked);
+  observer_.observe(asked);
 }
 
 void DenseOutput::keep(const Instant& solved) {
-  for (const CoordinateRun run : runs_)
+  for (const IndexRange run : runs_)
     for (const auto& [from, to] :
          {std::pair{solved.q, &last_.q}, {solved.qd, &last_.qd}, {solved.qdd, &last_.qdd}})
       std::copy(from.begin() + run.first, from.begin() + run.end, to->begin() + run.first);

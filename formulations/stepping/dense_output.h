@@ -7,22 +7,22 @@
 
 namespace desmo {
 
-/// Hands every instant of a grid to a sink, given every stride-th and the last of them, solved at
-/// every level and in order of time. Solved ones are handed on as they are; those between are on
+/// Hands every instant of a grid to an observer, given every stride-th and the last of them, solved
+/// at every level and in order of time. Solved ones are handed on as they are; those between are on
 /// the quintic through q, q̇ and q̈ of the two solved about them (Hermite interpolation; as dense
 /// output: Hairer, Nørsett & Wanner, Solving Ordinary Differential Equations I, II.6). Where the
 /// motion is smooth its errors are O(h⁶) in position, O(h⁵) in velocity, O(h⁴) in acceleration,
 /// h being the time from one solved instant to the next. Errors of the solved positions go into
 /// velocities divided by h and into accelerations divided by h².
-class DenseOutput final : public Sink {
+class DenseOutput final : public Observer {
  public:
   /// grid: of all instants. coordinates: how many there are, of which those are interpolated that
-  /// the request names. The sink must outlive this.
+  /// the request names. The observer must outlive this.
   DenseOutput(const TimeGrid& grid, int stride, const Request& request, int coordinates,
-              Sink& sink);
+              Observer& observer);
 
   /// The index counts solved instants. Allocates nothing.
-  void accept(const Instant& solved) override;
+  void observe(const Instant& solved) override;
 
   int delivered() const { return last_index_ + 1; }
 
@@ -44,8 +44,8 @@ class DenseOutput final : public Sink {
   const TimeGrid grid_;
   const int stride_;
   const Level level_;
-  const std::vector<CoordinateRun> runs_;
-  Sink& sink_;
+  const std::vector<IndexRange> runs_;
+  Observer& observer_;
   State last_;           // the instant solved last
   int last_index_ = -1;  // of it, in the grid
   State between_;

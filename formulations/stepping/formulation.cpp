@@ -204,9 +204,9 @@ void Formulation::want(std::span<const int> coordinates, bool in_rooms) {
   });
 }
 
-/// In the sink's rooms where that saves anything.
-void Formulation::want_as(const Request& request, Sink& sink) {
-  const auto rooms = keepers_.empty() ? std::nullopt : sink.rooms();
+/// In the observer's rooms where that saves anything.
+void Formulation::want_as(const Request& request, Observer& observer) {
+  const auto rooms = keepers_.empty() ? std::nullopt : observer.rooms();
   rooms ? want(rooms->coordinates, true) : want(request.coordinates);
 }
 
@@ -224,15 +224,15 @@ void Formulation::solve_only(std::span<const Level> needed) {
 /// solvers start from; the rest of state_ is of the instant before, and of no meaning until it is
 /// solved. Sines of drivers take longest and wait for nothing: they come first.
 void Formulation::begin_step(double t) {
-  const Past past{t - now_.time, now_.time - then_.time, now_.level, then_.level};
+  const StepHistory history{t - now_.time, now_.time - then_.time, now_.level, then_.level};
   std::swap(state_, before_);
   drive(t);
   const State &last = before_, &one_before = state_;
   for (std::size_t level = 0; level < predictors_.size(); ++level)
     if (Predictor& predictor = predictors_[level]; !predictor.empty())
-      predictor(past.up_to(static_cast<Level>(level)), last, one_before, state_.q.data());
+      predictor(history.up_to(static_cast<Level>(level)), last, one_before, state_.q.data());
   for (const int i : near_) state_.q[i] = before_.q[i];
-  keepers_.begin_step(past, sampled_);
+  keepers_.begin_step(history, sampled_);
 }
 
 /// As the function of that name, all drivers at once, as far as they are read in the state.

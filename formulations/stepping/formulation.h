@@ -21,7 +21,7 @@ namespace desmo {
 /// What is asked of an analysis.
 struct Request {
   Level level = Level::acceleration;
-  /// Those that the sink reads, none standing for all; the others may be unspecified.
+  /// Those that the observer reads, none standing for all; the others may be unspecified.
   std::span<const int> coordinates{};
 };
 
@@ -34,27 +34,27 @@ struct Instant {
   long updates = 0;           ///< that it took: see Summary
   double residual = 0;        ///< ‖Φ‖₂ where it was accepted, as in Summary
   bool interpolated = false;  ///< between those solved (see Settings::stride)
-  Room room{};                ///< the sink's own, if the values are there; the spans are then empty
+  Room room{};  ///< the observer's own, if the values are there; the spans are then empty
 
   bool in_room() const { return room.q; }
 };
 
 /// Receives the instants of a motion in order of time.
-class Sink {
+class Observer {
  public:
-  virtual ~Sink() = default;
-  virtual void accept(const Instant& instant) = 0;
-  /// What rooms are for, at a sink that has one for every instant. A solver may put the values
-  /// there, which saves a copy, or hand them to accept() all the same.
+  virtual ~Observer() = default;
+  virtual void observe(const Instant& instant) = 0;
+  /// What rooms are for, at an observer that has one for every instant. A solver may put the values
+  /// there, which saves a copy, or hand them to observe() all the same.
   virtual std::optional<RoomShape> rooms() const { return {}; }
-  /// At such a sink, a room for each of these instants, which are to come. It is the solver's until
-  /// it comes back with its instant. Many may be under way, and come back in any order; those of a
-  /// run that is given up do not.
+  /// At such an observer, a room for each of these instants, which are to come. It is the solver's
+  /// until it comes back with its instant. Many may be under way, and come back in any order; those
+  /// of a run that is given up do not.
   virtual void take_rooms(std::span<const int> indices, std::span<Room> rooms) {
     static_cast<void>(indices), static_cast<void>(rooms);
   }
   /// Whether they may come in any order, and again, the later then being the one that holds. Who
-  /// solves several at once keeps all of them for a sink that needs their order.
+  /// solves several at once keeps all of them for an observer that needs their order.
   virtual bool takes_any_order() const { return false; }
 };
 
@@ -86,11 +86,11 @@ void drive(const Model& model, double t, State& state);
 class WholeMotion {
  public:
   virtual ~WholeMotion() = default;
-  /// Hands every instant of the grid to a sink that takes any order. state: the first, assembled;
-  /// overwritten by the last. Nothing when it has to be done step by step after all; the state and
-  /// what the sink was given are then of no meaning.
+  /// Hands every instant of the grid to an observer that takes any order. state: the first,
+  /// assembled; overwritten by the last. Nothing when it has to be done step by step after all; the
+  /// state and what the observer was given are then of no meaning.
   virtual std::optional<Summary> run(const TimeGrid& grid, const Request& request, State& state,
-                                     Sink& sink) = 0;
+                                     Observer& observer) = 0;
   /// As Formulation::solve_only(): what may be left out.
   virtual void solve_only(std::span<const Level>) {}
 };
@@ -122,16 +122,17 @@ class Formulation {
   Summary step(double t, Level level = Level::acceleration);
   /// Assembles at the first instant of the grid and steps through the others, or takes several at
   /// once, or solves some and interpolates the others, where settings say so; hands each to the
-  /// sink. Stops at the first failure: up to the last instant solved before it, all were handed on.
-  Summary run(const TimeGrid& grid, const Request& request, Sink& sink);
+  /// observer. Stops at the first failure: up to the last instant solved before it, all were handed
+  /// on.
+  Summary run(const TimeGrid& grid, const Request& request, Observer& observer);
 
   /// Goes to where a motion is at time t without its instants before: from q (the state as far as
   /// positions, coordinates and fixed entities), solved at another instant, along a way on which
   /// the drivers go straight. A step goes on from there. False where that way cannot be gone.
   bool enter(std::span<const double> q, double t);
   /// As run(), of a motion whose first instant is where enter() has gone. Nothing when an instant
-  /// could not be solved, or not at once; what the sink was given is then of no meaning.
-  std::optional<Summary> run_on(const TimeGrid& grid, const Request& request, Sink& sink);
+  /// could not be solved, or not at once; what the observer was given is then of no meaning.
+  std::optional<Summary> run_on(const TimeGrid& grid, const Request& request, Observer& observer);
 
   /// Leaves out the levels of parts that nobody asks for: a part is solved as far as the highest
   /// level of its unknowns. needed: one for each coordinate; what a part needs must be asked for at
@@ -194,15 +195,16 @@ class Formulation {
   void forget();
   void end_assembly();
   void want(std::span<const int> coordinates, bool in_rooms = false);
-  void want_as(const Request& request, Sink& sink);
+  void want_as(const Request& request, Observer& observer);
   void write_kept(const Summary& total);
   Summary assemble_alone(double t, Level level);
   Summary advance(double t, Level level);
   bool solve_positions(State& state, std::span<const double> last);
-  Summary solve_all(const TimeGrid& grid, const Request& request, Sink& sink);
-  Summary take_steps(const TimeGrid& grid, const Request& request, Sink& sink);
-  bool solve_next(int i, double t, const Request& request, Sink& sink, Summary& total);
-  std::optional<Summary> run_at_once(const TimeGrid& grid, const Request& request, Sink& sink);
+  Summary solve_all(const TimeGrid& grid, const Request& request, Observer& observer);
+  Summary take_steps(const TimeGrid& grid, const Request& request, Observer& observer);
+  bool solve_next(int i, double t, const Request& request, Observer& observer, Summary& total);
+  std::optional<Summary> run_at_once(const TimeGrid& grid, const Request& request,
+                                     Observer& observer);
   void begin_step(double t);
   void drive(double t);
   void write(std::span<const Driven> drivers);

@@ -1,4 +1,4 @@
-// Whole motions: instant after instant, or at once, and what is handed to the sink.
+// Whole motions: instant after instant, or at once, and what is handed to the observer.
 
 #include <algorithm>
 #include <optional>
@@ -12,22 +12,23 @@ namespace desmo {
 /// From the instant that was solved last, which is that of the grid's first or another from which
 /// the drivers can go there straight.
 std::optional<Summary> Formulation::run_at_once(const TimeGrid& grid, const Request& request,
-                                                Sink& sink) {
+                                                Observer& observer) {
   std::optional<Trajectory> kept;
-  if (!sink.takes_any_order()) kept.emplace(grid.instants, model_.coordinates());
+  if (!observer.takes_any_order()) kept.emplace(grid.instants, model_.coordinates());
   const std::optional<Summary> total =
-      whole_motion_->run(grid, request, state_, kept ? static_cast<Sink&>(*kept) : sink);
+      whole_motion_->run(grid, request, state_, kept ? static_cast<Observer&>(*kept) : observer);
   if (!total) return {};
   forget();  // they have not come along
   now_ = {grid.time(grid.instants - 1), request.level};
   then_ = {};
-  if (kept) kept->hand_on(sink);
+  if (kept) kept->hand_on(observer);
   return total;
 }
 
 /// Solves the instant after the last, or assembles where there is none, and adds it to the total.
 /// False: it failed.
-bool Formulation::solve_next(int i, double t, const Request& request, Sink& sink, Summary& total) {
+bool Formulation::solve_next(int i, double t, const Request& request, Observer& observer,
+                             Summary& total) {
   const Summary s = advance(t, request.level);
   total.time = t;
   total.iterations += s.iterations;
@@ -43,33 +44,33 @@ bool Formulation::solve_next(int i, double t, const Request& request, Sink& sink
   total.residual = std::max(total.residual, s.residual);
   if (wanted_.in_rooms) {
     Room room;
-    sink.take_rooms({&i, 1}, {&room, 1});
+    observer.take_rooms({&i, 1}, {&room, 1});
     keepers_.fill(room, request.level, state_);
-    sink.accept({i, t, {}, {}, {}, s.updates, s.residual, false, room});
+    observer.observe({i, t, {}, {}, {}, s.updates, s.residual, false, room});
     return true;
   }
-  sink.accept({i, t, q(), request.level >= Level::velocity ? qd() : std::span<const double>{},
-               request.level >= Level::acceleration ? qdd() : std::span<const double>{}, s.updates,
-               s.residual});
+  observer.observe({i, t, q(), request.level >= Level::velocity ? qd() : std::span<const double>{},
+                    request.level >= Level::acceleration ? qdd() : std::span<const double>{},
+                    s.updates, s.residual});
   return true;
 }
 
-Summary Formulation::solve_all(const TimeGrid& grid, const Request& request, Sink& sink) {
+Summary Formulation::solve_all(const TimeGrid& grid, const Request& request, Observer& observer) {
   if (whole_motion_) {
     if (grid.instants > 0 && assemble(grid.time(0), request.level).ok())
-      if (const std::optional<Summary> total = run_at_once(grid, request, sink)) return *total;
+      if (const std::optional<Summary> total = run_at_once(grid, request, observer)) return *total;
     ++run_by_steps_;
   }
   assembled_ = false;
-  return take_steps(grid, request, sink);
+  return take_steps(grid, request, observer);
 }
 
-Summary Formulation::take_steps(const TimeGrid& grid, const Request& request, Sink& sink) {
+Summary Formulation::take_steps(const TimeGrid& grid, const Request& request, Observer& observer) {
   Summary total;
-  want_as(request, sink);
+  want_as(request, observer);
   motions_.expect(grid);
   for (int i = 0; i < grid.instants; ++i)
-    if (!solve_next(i, grid.time(i), request, sink, total)) break;
+    if (!solve_next(i, grid.time(i), request, observer, total)) break;
   write_kept(total);
   return total;
 }
@@ -80,17 +81,17 @@ void Formulation::write_kept(const Summary& total) {
 }
 
 std::optional<Summary> Formulation::run_on(const TimeGrid& grid, const Request& request,
-                                           Sink& sink) {
-  if (whole_motion_) return run_at_once(grid, request, sink);
-  const Summary total = take_steps(grid, request, sink);
+                                           Observer& observer) {
+  if (whole_motion_) return run_at_once(grid, request, observer);
+  const Summary total = take_steps(grid, request, observer);
   return total.ok() ? std::optional(total) : std::nullopt;
 }
 
-Summary Formulation::run(const TimeGrid& grid, const Request& request, Sink& sink) {
-  if (settings_.stride == 1) return solve_all(grid, request, sink);
+Summary Formulation::run(const TimeGrid& grid, const Request& request, Observer& observer) {
+  if (settings_.stride == 1) return solve_all(grid, request, observer);
   const TimeGrid solved = grid.every(settings_.stride);
   const Request every_level{Level::acceleration, request.coordinates};
-  DenseOutput all(grid, settings_.stride, request, model_.coordinates(), sink);
+  DenseOutput all(grid, settings_.stride, request, model_.coordinates(), observer);
   Summary total = solve_all(solved, every_level, all);
   if (total.ok() && all.delivered() < grid.instants) {  // the rest, shorter than the stride
     want_as(every_level, all);

@@ -26,7 +26,7 @@ class Keeper {
   /// Before a step. past: of the instants solved, of which the last is kept; where it is unknown,
   /// as after a failure, solve() starts from the positions in the state, which are then complete,
   /// and leaves all of them there. row: begins with what drivers() do at the instant to come.
-  virtual void begin_step(const Past& past, const MotionRow& row) = 0;
+  virtual void begin_step(const StepHistory& history, const MotionRow& row) = 0;
 
   /// Writes positions of the instant before the one solved last, or tried: those from which it was
   /// predicted, and nothing where it was not.

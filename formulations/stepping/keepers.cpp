@@ -15,9 +15,9 @@ void Keepers::add(Keeper& keeper, Level level) {
   std::ranges::copy(keeper.drivers(), std::back_inserter(drivers_));
 }
 
-void Keepers::begin_step(const Past& past, const MotionRow& row) {
+void Keepers::begin_step(const StepHistory& history, const MotionRow& row) {
   for (const auto& [keeper, level, first_driver] : keepers_)
-    keeper->begin_step(past.up_to(level), row.from(first_driver));
+    keeper->begin_step(history.up_to(level), row.from(first_driver));
 }
 
 void Keepers::write_last(std::span<double> q) const {

@@ -21,7 +21,7 @@ class Keepers {
   /// Driven coordinates, as Keeper::drivers(), one keeper behind the other.
   std::span<const int> drivers() const { return drivers_; }
   /// See Keeper, of all. row: begins with these drivers.
-  void begin_step(const Past& past, const MotionRow& row);
+  void begin_step(const StepHistory& history, const MotionRow& row);
   void write_last(std::span<double> q) const;
   void write(State& state) const;
 

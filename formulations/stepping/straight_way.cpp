@@ -13,9 +13,9 @@ namespace desmo {
 namespace {
 
 /// A piece that cannot be solved is halved, down to the shortest.
-constexpr double longest_piece = 1.0 / pieces_of_a_way, shortest_piece = longest_piece / 16;
+constexpr double max_piece = 1.0 / pieces_of_a_way, min_piece = max_piece / 16;
 
-double shortest_way(const Model& m, const Driver& d, double from, double to) {
+double min_way(const Model& m, const Driver& d, double from, double to) {
   const double way = to - from;
   return m.entities[d.coordinate].kind == EntityKind::angle
              ? std::remainder(way, 2 * std::numbers::pi)
@@ -28,7 +28,7 @@ std::vector<double> straight_way(const Model& m, const State& from, double t) {
   std::vector<double> way;
   for (const Driver& d : m.drivers)
     way.push_back(
-        shortest_way(m, d, from.q[m.entities[d.coordinate].first], sample(d.motion, t).position));
+        min_way(m, d, from.q[m.entities[d.coordinate].first], sample(d.motion, t).position));
   return way;
 }
 
@@ -47,11 +47,11 @@ bool go_straight(const Model& m, double t, State& state,
       reached = state;
       done += piece;
       if (done >= 1) return true;
-      piece = std::min(longest_piece, 1 - done);
+      piece = std::min(max_piece, 1 - done);
     } else {
       state = reached;
       piece /= 2;
-      if (piece < shortest_piece) return false;
+      if (piece < min_piece) return false;
     }
   }
 }

@@ -10,7 +10,7 @@ Trajectory::Trajectory(int instants, int coordinates)
       updates_(instants),
       residuals_(instants) {}
 
-void Trajectory::accept(const Instant& instant) {
+void Trajectory::observe(const Instant& instant) {
   times_[instant.index] = instant.time;
   updates_[instant.index] = instant.updates;
   residuals_[instant.index] = instant.residual;
@@ -32,10 +32,10 @@ std::span<const double> Trajectory::kept(const Values& values, std::size_t insta
   return std::span(values.of_all).subspan(instant * coordinates_, coordinates_);
 }
 
-void Trajectory::hand_on(Sink& sink) const {
+void Trajectory::hand_on(Observer& observer) const {
   for (std::size_t i = 0; i < times_.size(); ++i)
-    sink.accept({static_cast<int>(i), times_[i], kept(q_, i), kept(qd_, i), kept(qdd_, i),
-                 updates_[i], residuals_[i]});
+    observer.observe({static_cast<int>(i), times_[i], kept(q_, i), kept(qd_, i), kept(qdd_, i),
+                      updates_[i], residuals_[i]});
 }
 
 }  // namespace desmo

@@ -9,15 +9,15 @@
 namespace desmo {
 
 /// Keeps the instants of a motion, in whatever order they come.
-class Trajectory final : public Sink {
+class Trajectory final : public Observer {
  public:
   Trajectory(int instants, int coordinates);
 
-  void accept(const Instant& instant) override;
+  void observe(const Instant& instant) override;
   bool takes_any_order() const override { return true; }
 
   /// In order of time.
-  void hand_on(Sink& sink) const;
+  void hand_on(Observer& observer) const;
 
  private:
   struct Values {

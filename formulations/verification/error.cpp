@@ -44,7 +44,7 @@ ErrorMeasure::ErrorMeasure(const Model& m, std::span<const ReferenceInstant> ref
   }
 }
 
-void ErrorMeasure::accept(const Instant& instant) {
+void ErrorMeasure::observe(const Instant& instant) {
   while (next_ < reference_.size() && reference_[next_].time < instant.time) ++next_;
   if (next_ == reference_.size() || reference_[next_].time != instant.time) return;
   const ReferenceInstant& r = reference_[next_++];

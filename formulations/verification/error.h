@@ -40,9 +40,9 @@ class ErrorSum {
 /// norm of the difference, by its scale; angles differ by whole turns if they do. It is exact where
 /// the reference has rests: an error of 1e-20 shows as that.
 ///
-/// As a Sink: hand it to Formulation::run, instants in order of time. Instants that the reference
-/// has not are skipped at the cost of a comparison; nothing is taken from the heap.
-class ErrorMeasure final : public Sink {
+/// As a Observer: hand it to Formulation::run, instants in order of time. Instants that the
+/// reference has not are skipped at the cost of a comparison; nothing is taken from the heap.
+class ErrorMeasure final : public Observer {
  public:
   /// All outputs at all levels. The reference must outlive the measure.
   ErrorMeasure(const Model& model, std::span<const ReferenceInstant> reference,
@@ -51,7 +51,7 @@ class ErrorMeasure final : public Sink {
   ErrorMeasure(const Model& model, std::span<const ReferenceInstant> reference,
                const Scales& scales, std::span<const Asked> outputs);
 
-  void accept(const Instant& instant) override;
+  void observe(const Instant& instant) override;
   /// Of what was accepted so far. An error exists only where instants were compared: see
   /// Error::instants, which is the size of the reference after a complete run.
   Error error() const;

@@ -45,7 +45,7 @@ ViolationMeasure::ViolationMeasure(const Model& m, const Scales& scales,
 
 ViolationMeasure::~ViolationMeasure() = default;
 
-void ViolationMeasure::accept(const Instant& instant) {
+void ViolationMeasure::observe(const Instant& instant) {
   while (next_ < times_.size() && times_[next_] < instant.time) ++next_;
   if (next_ == times_.size() || times_[next_] != instant.time) return;
   ++next_;

@@ -15,16 +15,16 @@ namespace desmo {
 /// residuals alone. Each equation is relative to the magnitude of its terms, Σ |∂Φ/∂q_i| s_i at the
 /// position at hand, where s_i is the scale of coordinate i at that level: numbers without unit.
 ///
-/// As a Sink: hand it to Formulation::run. Instants before the first and after the last of `times`,
-/// and those between that are not in it, are skipped; nothing is taken from the heap. An instant
-/// costs a few microseconds a coordinate.
-class ViolationMeasure final : public Sink {
+/// As a Observer: hand it to Formulation::run. Instants before the first and after the last of
+/// `times`, and those between that are not in it, are skipped; nothing is taken from the heap. An
+/// instant costs a few microseconds a coordinate.
+class ViolationMeasure final : public Observer {
  public:
   /// times: ascending, not empty; they must outlive the measure, and so must the mechanism.
   ViolationMeasure(const Model& model, const Scales& scales, std::span<const double> times);
   ~ViolationMeasure() override;
 
-  void accept(const Instant& instant) override;
+  void observe(const Instant& instant) override;
   /// Maximum and rms over all equations and instants accepted so far. What was not requested of
   /// the run has nothing compared.
   Error violation() const;

@@ -56,7 +56,7 @@ TEST_F(SliderCrank, SaysMaximumAndRmsOfAKnownError) {
   wrong[3].qdd[first("phi")] += 1e-4 * scales.rotation.acceleration;
 
   ErrorMeasure measure(model(), reference().instants, scales);
-  for (int i = 0; i < 4; ++i) measure.accept(instant(i, wrong[i]));
+  for (int i = 0; i < 4; ++i) measure.observe(instant(i, wrong[i]));
   const Error e = measure.error();
   EXPECT_EQ(e.instants, 4);
   const double n = 4.0 * outputs();
@@ -74,7 +74,7 @@ TEST_F(SliderCrank, ResolvesWhatRoundingToDoubleLoses) {
   double expected = 0;
   for (int i = 0; i < 4; ++i) {
     const ReferenceInstant& r = reference().instants[i];
-    measure.accept(instant(i, r));
+    measure.observe(instant(i, r));
     expected = std::max(expected, std::abs(r.rest.q[first("phi")]));
   }
   EXPECT_GT(expected, 0);
@@ -88,7 +88,7 @@ TEST_F(SliderCrank, CountsAWholeTurnAsAnError) {
   std::vector<ReferenceInstant> wrong = reference().instants;
   wrong[1].q[first("phi")] += 2 * 3.14159265358979323846;
   ErrorMeasure measure(model(), reference().instants, reference().scales);
-  measure.accept(instant(1, wrong[1]));
+  measure.observe(instant(1, wrong[1]));
   EXPECT_NEAR(measure.error().position.max, 6.283, 1e-3);
 }
 
@@ -96,7 +96,7 @@ TEST_F(SliderCrank, NotANumberIsInfinitelyWrong) {
   std::vector<ReferenceInstant> wrong = reference().instants;
   wrong[0].qd[first("s")] = std::numeric_limits<double>::quiet_NaN();
   ErrorMeasure measure(model(), reference().instants, reference().scales);
-  for (int i = 0; i < 4; ++i) measure.accept(instant(i, wrong[i]));
+  for (int i = 0; i < 4; ++i) measure.observe(instant(i, wrong[i]));
   EXPECT_LT(measure.error().position.max, 1e-15);
   EXPECT_EQ(measure.error().velocity.max, INFINITY);
   EXPECT_EQ(measure.error().velocity.rms, INFINITY);
@@ -111,14 +111,14 @@ TEST_F(SliderCrank, ComparesOnlyWhatIsAskedAndDelivered) {
   const std::vector<Asked> asked{{model().find("s"), Level::position},
                                  {model().find("A"), Level::acceleration}};  // A is fixed
   ErrorMeasure measure(model(), reference().instants, reference().scales, asked);
-  for (int i = 0; i < 4; ++i) measure.accept(instant(i, wrong[i]));
+  for (int i = 0; i < 4; ++i) measure.observe(instant(i, wrong[i]));
   EXPECT_EQ(measure.error().position.compared, 4);
   EXPECT_LT(measure.error().position.max, 1e-15);
   EXPECT_EQ(measure.error().velocity.compared, 0);
 
   ErrorMeasure positions(model(), reference().instants, reference().scales);
   const ReferenceInstant& r = reference().instants[0];
-  positions.accept({0, r.time, r.q, {}, {}});
+  positions.observe({0, r.time, r.q, {}, {}});
   EXPECT_EQ(positions.error().position.compared, outputs());
   EXPECT_EQ(positions.error().velocity.compared, 0);
 }
@@ -155,7 +155,7 @@ TEST(ErrorMeasure, IsTheSameInMetresAndMillimetres) {
           qd[i] += 1e-4 * wrong;
           qdd[i] += 1e-5 * wrong;
         }
-      measure.accept({0, at.time, q, qd, qdd});
+      measure.observe({0, at.time, q, qd, qdd});
     }
     errors[unit] = measure.error();
   }

@@ -20,7 +20,7 @@ struct Violated {
 
   Error of(const std::vector<ReferenceInstant>& instants) const {
     ViolationMeasure measure(m, reference.scales, times);
-    for (const ReferenceInstant& r : instants) measure.accept({0, r.time, r.q, r.qd, r.qdd});
+    for (const ReferenceInstant& r : instants) measure.observe({0, r.time, r.q, r.qd, r.qdd});
     return measure.violation();
   }
 

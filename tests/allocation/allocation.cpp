@@ -132,8 +132,8 @@ TEST(Measures, AllocateNothingWhileInstantsArrive) {
     for (int i = 0; i <= 2; ++i) {
       const ReferenceInstant& r = reference.instants[i];
       const Instant instant{i, r.time, r.q, r.qd, r.qdd};
-      error.accept(instant);
-      violation.accept(instant);
+      error.observe(instant);
+      violation.observe(instant);
     }
   });
   EXPECT_EQ(n, 0);
@@ -187,16 +187,16 @@ TEST(TreePeers, AllocateNothingInAStep) {
 
 /// Interpolation takes its memory once a motion, however many instants that has.
 TEST(DenseOutput, AllocatesNothingFromInstantToInstant) {
-  class Discard final : public Sink {
+  class Discard final : public Observer {
    public:
-    void accept(const Instant&) override {}
-  } sink;
+    void observe(const Instant&) override {}
+  } observer;
   const Model m = make_model(describe(find_case("truck_suspension"), 114));
   const auto f = make_formulation(find_variant("group_symbolic_klu"), m, {.stride = 8});
-  ASSERT_TRUE(f->run(time_grid(1, 0.01), {}, sink).ok());
-  const long once = count([&] { f->run(time_grid(0.08, 0.01), {}, sink); });
+  ASSERT_TRUE(f->run(time_grid(1, 0.01), {}, observer).ok());
+  const long once = count([&] { f->run(time_grid(0.08, 0.01), {}, observer); });
   EXPECT_GT(once, 0);
-  EXPECT_EQ(count([&] { f->run(time_grid(1, 0.01), {}, sink); }), once);
+  EXPECT_EQ(count([&] { f->run(time_grid(1, 0.01), {}, observer); }), once);
 }
 
 INSTANTIATE_TEST_SUITE_P(Table, EveryStep, testing::ValuesIn(tested_variants()),

@@ -30,8 +30,8 @@
 namespace desmo::lanes_test {
 namespace {
 
-struct LastInstant final : Sink {
-  void accept(const Instant& i) override {
+struct LastInstant final : Observer {
+  void observe(const Instant& i) override {
     values.assign(i.q.begin(), i.q.end());
     values.insert(values.end(), i.qd.begin(), i.qd.end());
     values.insert(values.end(), i.qdd.begin(), i.qdd.end());
@@ -97,9 +97,9 @@ TEST(Lanes, StandInTheIdAndAreRefusedWhereThereIsNoCode) {
   EXPECT_THROW(make_formulation(v, m, {.lanes = 5}), std::invalid_argument);
   EXPECT_THROW(make_formulation(find_variant("group_symbolic_inlined"), m, on_lanes),
                std::invalid_argument);
-  EXPECT_EQ(why_not(v, {.lanes = 8}), "");
+  EXPECT_EQ(unsupported_reason(v, {.lanes = 8}), "");
   if (!has_lanes(8)) {
-    EXPECT_NE(not_here({.lanes = 8}), "");
+    EXPECT_NE(unavailable_reason({.lanes = 8}), "");
     EXPECT_THROW(make_formulation(v, m, {.segments = 8}), std::invalid_argument);
   }
 }
@@ -117,12 +117,12 @@ TEST(Lanes, TakeWholeAxlesAsCopies) {
   EXPECT_EQ(parts(5, 4), 5u);  // y1, four axles, and of the fifth itself, its levers, its dampers
   EXPECT_EQ(parts(6, 4), 5u);  // four axles; the others would leave lanes empty that twins fill
   EXPECT_EQ(parts(2, 4), 4u);
-  if (!has_lanes(8)) GTEST_SKIP() << not_here({.lanes = 8});
+  if (!has_lanes(8)) GTEST_SKIP() << unavailable_reason({.lanes = 8});
   EXPECT_EQ(parts(5, 8), 2u);
 }
 
 TEST(Lanes, AreAsManyAsThereAre) {
-  if (!has_lanes(8)) GTEST_SKIP() << not_here({.lanes = 8});
+  if (!has_lanes(8)) GTEST_SKIP() << unavailable_reason({.lanes = 8});
   const Model m = truck_model(5);
   const auto four = make_formulation(find_variant("group_symbolic_explicit"), m, {.lanes = 4}),
              eight = make_formulation(find_variant("group_symbolic_explicit"), m, {.lanes = 8});

@@ -79,11 +79,12 @@ TEST(ParallelMotion, IsSolvedByAsManyThreadsAsAskedFor) {
       const Model m = make_model(c.describe(2));
       const auto f = make(m, id);
       const TimeGrid grid = worth_three_threads(time_grid(3, 0.01), *f);
-      Everything sink(grid.instants, true);
-      ASSERT_TRUE(f->run(grid, {}, sink).ok());
+      Everything observer(grid.instants, true);
+      ASSERT_TRUE(f->run(grid, {}, observer).ok());
       EXPECT_EQ(f->run_by_steps(), 0) << c.name << " " << id;
-      EXPECT_EQ(sink.threads.size(), 3u) << c.name << " " << id;
-      EXPECT_EQ(sink.order.size(), static_cast<std::size_t>(grid.instants)) << c.name << " " << id;
+      EXPECT_EQ(observer.threads.size(), 3u) << c.name << " " << id;
+      EXPECT_EQ(observer.order.size(), static_cast<std::size_t>(grid.instants))
+          << c.name << " " << id;
     }
 }
 
@@ -107,11 +108,11 @@ TEST(ParallelMotion, StaysOnOneThreadWhereThereIsLittleToDo) {
   const Model m = four_bar_model(1);
   const auto f = make(m, "group_symbolic_explicit/threads:3");
   const TimeGrid grid = time_grid(3, 0.01);
-  Everything sink(grid.instants, true);
-  ASSERT_TRUE(f->run(grid, {}, sink).ok());
+  Everything observer(grid.instants, true);
+  ASSERT_TRUE(f->run(grid, {}, observer).ok());
   EXPECT_EQ(f->run_by_steps(), 0);
-  EXPECT_EQ(sink.threads, std::set{std::this_thread::get_id()});
-  EXPECT_TRUE(std::ranges::is_sorted(sink.order));
+  EXPECT_EQ(observer.threads, std::set{std::this_thread::get_id()});
+  EXPECT_TRUE(std::ranges::is_sorted(observer.order));
 }
 
 TEST(ParallelMotion, LeavesTheLastInstantToStepOnFrom) {
@@ -119,8 +120,8 @@ TEST(ParallelMotion, LeavesTheLastInstantToStepOnFrom) {
   const auto f = make(m, "group_symbolic_explicit/threads:2"),
              g = make(m, "group_symbolic_explicit");
   const TimeGrid grid = worth_three_threads(time_grid(2, 0.01), *f);
-  Everything sink(grid.instants, true);
-  ASSERT_TRUE(f->run(grid, {}, sink).ok() && g->assemble(2).ok());
+  Everything observer(grid.instants, true);
+  ASSERT_TRUE(f->run(grid, {}, observer).ok() && g->assemble(2).ok());
   expect_to_step_on_alike(*f, *g, 2);
 }
 
@@ -130,8 +131,8 @@ TEST(ParallelMotion, LeavesOutWhatNobodyAsksFor) {
   const auto f = make(m, "group_symbolic_explicit/threads:2");
   f->solve_only(std::vector(m.coordinates(), Level::position));
   const TimeGrid grid = worth_three_threads(time_grid(2, 0.01), *f);
-  Everything sink(grid.instants, true);
-  ASSERT_TRUE(f->run(grid, {}, sink).ok());
+  Everything observer(grid.instants, true);
+  ASSERT_TRUE(f->run(grid, {}, observer).ok());
   for (const Formulation::DefinedPart& part : f->parts())
     for (const int k : part.definition.unknowns) EXPECT_EQ(f->qdd()[k], 0) << k;
 }
@@ -177,24 +178,24 @@ TEST(ParallelMotion, IsGivenUpWhereStretchesDoNotMeet) {
   state.q.insert(state.q.end(), m.fixed_values.begin(), m.fixed_values.end());
   state.qd.resize(m.state_size());
   state.qdd.resize(m.state_size());
-  Everything sink(grid.instants, true);
-  EXPECT_FALSE(motion.run(grid, {}, state, sink));
+  Everything observer(grid.instants, true);
+  EXPECT_FALSE(motion.run(grid, {}, state, observer));
 }
 
 TEST(ParallelMotion, HandsOnWhatASinkThrows) {
   const Model m = truck_model(2);
   const auto f = make(m, "group_symbolic_explicit/threads:2");
   const TimeGrid grid = worth_three_threads(time_grid(1, 0.01), *f);
-  class Full final : public Sink {
+  class Full final : public Observer {
    public:
-    void accept(const Instant& i) override {
+    void observe(const Instant& i) override {
       if (i.index == 700) throw std::runtime_error("no space left");
     }
     bool takes_any_order() const override { return true; }
   } full;
   EXPECT_THROW(f->run(grid, {}, full), std::runtime_error);
-  Everything sink(grid.instants, true);
-  EXPECT_TRUE(f->run(grid, {}, sink).ok());
+  Everything observer(grid.instants, true);
+  EXPECT_TRUE(f->run(grid, {}, observer).ok());
 }
 
 TEST(ParallelMotion, StandsInTheId) {

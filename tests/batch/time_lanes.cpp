@@ -121,8 +121,8 @@ TEST(TimeLanes, LeaveTheLastInstantToStepOnFrom) {
   const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, at_once),
              g = make_formulation(find_variant("group_symbolic_explicit"), m);
   const TimeGrid grid = time_grid(2, 0.01);
-  Everything sink(grid.instants, true), other(grid.instants, true);
-  ASSERT_TRUE(f->run(grid, {}, sink).ok() && g->run(grid, {}, other).ok());
+  Everything observer(grid.instants, true), other(grid.instants, true);
+  ASSERT_TRUE(f->run(grid, {}, observer).ok() && g->run(grid, {}, other).ok());
   expect_to_step_on_alike(*f, *g, 2);
 }
 
@@ -130,10 +130,10 @@ TEST(TimeLanes, LeaveShortMotionsToSteps) {
   const Model m = truck_model(1);
   const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, at_once);
   const TimeGrid grid = time_grid(0.2, 0.01);
-  Everything sink(grid.instants, true);
-  ASSERT_TRUE(f->run(grid, {}, sink).ok());
+  Everything observer(grid.instants, true);
+  ASSERT_TRUE(f->run(grid, {}, observer).ok());
   EXPECT_EQ(f->run_by_steps(), 1);
-  EXPECT_EQ(sink.order.size(), static_cast<std::size_t>(grid.instants));
+  EXPECT_EQ(observer.order.size(), static_cast<std::size_t>(grid.instants));
 }
 
 /// Links that are too short where the crank points away: the same failure, and nothing after it.
@@ -161,9 +161,10 @@ TEST(TimeLanes, FailAsStepsFail) {
 /// Runs that are never what they should be.
 class Reluctant final : public WholeMotion {
  public:
-  std::optional<Summary> run(const TimeGrid&, const Request&, State& state, Sink& sink) override {
+  std::optional<Summary> run(const TimeGrid&, const Request&, State& state,
+                             Observer& observer) override {
     std::ranges::fill(state.q, 17.0);
-    sink.accept({3, 17.0, state.q, {}, {}});
+    observer.observe({3, 17.0, state.q, {}, {}});
     return {};
   }
 };

@@ -76,9 +76,9 @@ TEST(ExplicitOrder, TearsNoMoreThanTheFreedomsOfAPlatform) {
   EXPECT_GT(orders().size(), 90u);
 }
 
-class Discard final : public Sink {
+class Discard final : public Observer {
  public:
-  void accept(const Instant&) override {}
+  void observe(const Instant&) override {}
 };
 
 const ExplicitPart& part(const Formulation& f, std::size_t i) {
@@ -96,8 +96,8 @@ TEST(Explicit, NeedsNoFallbackOnTheCases) {
     for (const Case& c : cases()) {
       const Model m = make_model(c.describe(2));
       const auto f = make_formulation(find_variant(id), m);
-      Discard sink;
-      ASSERT_TRUE(f->run(time_grid(3, 0.01), {}, sink).ok());
+      Discard observer;
+      ASSERT_TRUE(f->run(time_grid(3, 0.01), {}, observer).ok());
       EXPECT_EQ(fallbacks(*f), 0) << c.name;
       for (const auto& p : f->parts()) EXPECT_TRUE(p.as_named);
     }
@@ -130,9 +130,9 @@ TEST(Explicit, NeedsNoFallbackHoweverLargeOrSmallLengthsAre) {
       const auto [variant, settings] = parse_id(id);
       const auto f = make_formulation(*variant, m, settings),
                  expected = make_formulation(*variant, usual, settings);
-      Discard sink;
-      ASSERT_TRUE(f->run({0, 0.05, 61}, {}, sink).ok() &&
-                  expected->run({0, 0.05, 61}, {}, sink).ok());
+      Discard observer;
+      ASSERT_TRUE(f->run({0, 0.05, 61}, {}, observer).ok() &&
+                  expected->run({0, 0.05, 61}, {}, observer).ok());
       EXPECT_EQ(fallbacks(*f), 0);
       for (const Entity& e : m.entities)
         for (int i = e.first; i < e.first + e.size && !e.fixed; ++i)

@@ -87,7 +87,7 @@ TEST(ChainSolution, AgreesWithTheQuadrupleReference) {
   for (const double t : times) {
     ASSERT_TRUE(solution.solve(t));
     const ReferenceInstant found = solution.instant();
-    errors.accept({0, t, found.q, found.qd, found.qdd});
+    errors.observe({0, t, found.q, found.qd, found.qdd});
   }
   const Error e = errors.error();
   ASSERT_EQ(e.instants, c.scene.grid.instants);

@@ -7,8 +7,8 @@
 namespace desmo::fuzz {
 namespace {
 
-constexpr int most_units = 3;
-constexpr std::size_t longest_text = 400'000;
+constexpr int max_units = 3;
+constexpr std::size_t max_text = 400'000;
 
 /// A mutation that needs what the input has not ends where it sees that.
 template <class Mutation, class Input>
@@ -67,8 +67,8 @@ std::string Mutator::make(Random& random) const {
   if (way >= 8)
     for (std::size_t count = few(random); count > 0; --count)
       apply(random.pick(of_text), text, random);
-  if (text.size() > longest_text) text.resize(longest_text);
-  return with_few_units(std::move(text), most_units);
+  if (text.size() > max_text) text.resize(max_text);
+  return with_few_units(std::move(text), max_units);
 }
 
 std::string with_few_units(std::string text, int most) {

@@ -19,8 +19,8 @@
 namespace desmo::fuzz {
 namespace {
 
-constexpr int most_instants = 5;
-constexpr int largest_dense = 400;  // coordinates that a dense global solve is worth
+constexpr int max_instants = 5;
+constexpr int max_dense = 400;  // coordinates that a dense global solve is worth
 constexpr const char* file_name = "fuzz.json";
 
 std::string type_name(const std::exception& error) {
@@ -51,13 +51,13 @@ std::string kind_of(std::string message) {
 
 /// What a terminal may be sent: one line of UTF-8 that is not endless.
 void check_message(const std::string& message, const std::string& stage) {
-  constexpr std::size_t longest_message = 1000;
+  constexpr std::size_t max_message = 1000;
   if (message.empty()) throw Finding(stage + ": an empty message", "");
-  if (message.size() > longest_message)
+  if (message.size() > max_message)
     throw Finding(stage + ": a message that is too long: " + kind_of(message.substr(0, 200)),
                   std::to_string(message.size()) + " bytes: " + message.substr(0, 300));
   // printable() changes nothing in what is fit for a terminal.
-  if (printable(message, longest_message) != message)
+  if (printable(message, max_message) != message)
     throw Finding(stage + ": characters that are not fit for a terminal", message);
 }
 
@@ -153,7 +153,7 @@ Scene at_rest(Mechanism mechanism) {
   scene.name = mechanism.name;
   for (const Mechanism::Coordinate& c : mechanism.coordinates)
     if (c.driven) scene.motions.push_back(Polynomial{{c.estimate.value_or(0)}});
-  scene.grid = {0, 0.1, most_instants};
+  scene.grid = {0, 0.1, max_instants};
   scene.mechanism = std::move(mechanism);
   return scene;
 }
@@ -178,7 +178,7 @@ void check_code(const Variant& variant, const Model& mechanism, const TimeGrid& 
 }
 
 const Variant& affordable(const Variant& variant, const Model& mechanism) {
-  return is_dense_global(variant) && mechanism.coordinates() > largest_dense
+  return is_dense_global(variant) && mechanism.coordinates() > max_dense
              ? find_variant("global_automatic_klu")
              : variant;
 }
@@ -223,7 +223,7 @@ Outcome attempt(std::string_view text, const std::filesystem::path& folder,
   passes<void>("solution", folder, [&] {
     formulation->solve_only(plan.levels);
     const Level level = plan.level();
-    for (int i = 0; i < std::min(scene.grid.instants, most_instants); ++i) {
+    for (int i = 0; i < std::min(scene.grid.instants, max_instants); ++i) {
       const double t = scene.grid.time(i);
       const Summary s = i == 0 ? formulation->assemble(t, level) : formulation->step(t, level);
       if (!s.ok()) {
@@ -237,7 +237,7 @@ Outcome attempt(std::string_view text, const std::filesystem::path& folder,
   });
   if (outcome == Outcome::solved)
     passes<void>("code", folder, [&] {
-      const TimeGrid begin{scene.grid.start, scene.grid.step, most_instants};
+      const TimeGrid begin{scene.grid.start, scene.grid.step, max_instants};
       check_code(variant, plan.mechanism, begin);
     });
   return outcome;

@@ -23,8 +23,8 @@ constexpr Settings quadratic{.guess = Guess::quadratic};
 constexpr Guess extrapolating[] = {Guess::linear, Guess::quadratic, Guess::hermite3,
                                    Guess::hermite5, Guess::adams8};
 
-struct LastInstant final : Sink {
-  void accept(const Instant& i) override {
+struct LastInstant final : Observer {
+  void observe(const Instant& i) override {
     q.assign(i.q.begin(), i.q.end());
     qdd.assign(i.qdd.begin(), i.qdd.end());
   }
@@ -44,13 +44,13 @@ State polynomial(double t, int degree) {
 }
 
 TEST(Guess, IsExactForPolynomialsOfItsDegreeWhateverTheSteps) {
-  constexpr CoordinateRun first[] = {{0, 1}};
+  constexpr IndexRange first[] = {{0, 1}};
   const std::pair<Guess, int> degrees[] = {
       {Guess::linear, 1}, {Guess::quadratic, 2}, {Guess::hermite3, 3}, {Guess::hermite5, 5}};
   for (const auto& [guess, degree] : degrees)
     for (const double h : {0.1, 0.25, -0.05})
       for (const double before : {0.1, 0.07, 0.3, -0.2}) {
-        const Past past{h, before, Level::acceleration, Level::acceleration};
+        const StepHistory past{h, before, Level::acceleration, Level::acceleration};
         const State last = polynomial(0.5, degree), earlier = polynomial(0.5 - before, degree);
         double q = NAN;
         Extrapolation(guess, past)(first, last, earlier, &q);
@@ -61,7 +61,7 @@ TEST(Guess, IsExactForPolynomialsOfItsDegreeWhateverTheSteps) {
 
 TEST(Guess, MovesTheCoordinatesGivenAndNoOthers) {
   const State last{{1, 2, 3}, {10, 20, 30}, {100, 200, 300}};
-  const Past past{0.1, 0, Level::acceleration};
+  const StepHistory past{0.1, 0, Level::acceleration};
   std::vector<double> q = {7, 8, 9};
   Extrapolation(Guess::previous, past)(runs_of(std::vector{0, 1, 2}), last, last, q.data());
   EXPECT_EQ(q, last.q);
@@ -92,7 +92,7 @@ TEST(Guess, DoesWithWhatThePastAllows) {
   EXPECT_EQ(best(Guess::hermite5, a, a, 0.01, 0.001), Guess::quadratic) << "too close together";
   EXPECT_EQ(best(Guess::hermite5, a, a, 0.01, 0), Guess::quadratic) << "the same instant twice";
   EXPECT_EQ(best(Guess::hermite5, a, a, 0, 0), Guess::quadratic);
-  EXPECT_EQ(best_guess(Guess::hermite5, Past{0.01, 0.01, a, a}.up_to(v)), Guess::hermite3);
+  EXPECT_EQ(best_guess(Guess::hermite5, StepHistory{0.01, 0.01, a, a}.up_to(v)), Guess::hermite3);
 }
 
 /// The error of a guess falls with the step as theory says: halving it divides the error by 2 to
@@ -118,8 +118,8 @@ TEST(Guess, HasTheOrderOfItsName) {
   const auto error = [&](Guess guess, double h, double stretch) {
     const State before = solved(0.4 - h), last = solved(0.4), sought = solved(0.4 + stretch * h);
     std::vector<double> q = last.q;
-    const CoordinateRun all[] = {{0, static_cast<int>(q.size())}};
-    const Past past{stretch * h, h, Level::acceleration, Level::acceleration};
+    const IndexRange all[] = {{0, static_cast<int>(q.size())}};
+    const StepHistory past{stretch * h, h, Level::acceleration, Level::acceleration};
     Extrapolation(guess, past)(all, last, before, q.data());
     double largest = 0;
     for (std::size_t i = 0; i < q.size(); ++i)

@@ -26,7 +26,7 @@ struct Walk {
 
   /// The guess at t; then t is solved, to this level. Coordinate 1 is none of the predictor's.
   double to(double t, std::optional<Level> level = solved) {
-    const Past past{t - last.t, last.t - before.t, last.level, before.level};
+    const StepHistory past{t - last.t, last.t - before.t, last.level, before.level};
     std::vector<double> q = last.state.q;
     if (last.level) predictor(past, last.state, before.state, q.data());
     if (last.level) {

@@ -91,7 +91,7 @@ struct Scales {
 };
 
 /// Compares everything that the mechanism's file names, at every instant.
-class Comparison final : public Sink {
+class Comparison final : public Observer {
  public:
   struct Worst {
     double error = 0;  ///< by the scale
@@ -101,7 +101,7 @@ class Comparison final : public Sink {
   Comparison(const Model& m, const std::vector<Solution>& motion)
       : m_(m), motion_(motion), scales_(m, motion) {}
 
-  void accept(const Instant& instant) override {
+  void observe(const Instant& instant) override {
     ++instants;
     for (const auto& [name, q] : motion_[instant.index].quantities) {
       const Entity& e = m_.entities[m_.find(name)];

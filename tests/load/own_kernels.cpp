@@ -9,8 +9,8 @@
 namespace desmo::load::own_kernels_test {
 namespace {
 
-struct Recorder final : Sink {
-  void accept(const Instant& i) override {
+struct Recorder final : Observer {
+  void observe(const Instant& i) override {
     values.insert(values.end(), i.q.begin(), i.q.end());
     values.insert(values.end(), i.qd.begin(), i.qd.end());
     values.insert(values.end(), i.qdd.begin(), i.qdd.end());
@@ -97,7 +97,7 @@ TEST_F(OwnKernelsTest, SolveSegmentsOfTheMotionInLanes) {
 }
 
 TEST_F(OwnKernelsTest, SolveInWiderRegistersWhereThereAreAny) {
-  if (!has_lanes(8)) GTEST_SKIP() << not_here({.lanes = 8});
+  if (!has_lanes(8)) GTEST_SKIP() << unavailable_reason({.lanes = 8});
   take(8);
   EXPECT_TRUE(has<LanePart>(*compare("group_symbolic_explicit/lanes:8")));
   scene_.grid = time_grid(2, 0.01);

@@ -32,7 +32,7 @@ Problem problem(const Scene& scene, double duration, int compared) {
 TEST(Knobs, AreAllDifferentAndIncludeThePapers) {
   const Variant& in_order = find_variant("group_symbolic_explicit");
   const auto of_all = all_settings(variants().front()), with_lanes = all_settings(in_order);
-  for (const auto& all : {fewest_settings(), few_settings(), of_all, with_lanes}) {
+  for (const auto& all : {min_settings(), few_settings(), of_all, with_lanes}) {
     std::set<std::string> ids;
     for (const Settings& s : all) ids.insert(id_with(variants().front(), s));
     EXPECT_EQ(ids.size(), all.size());
@@ -59,7 +59,7 @@ TEST(Trials, FewSettingsReachErrorsOfFourSizes) {
     for (const char* id : {"global_automatic_klu", "group_symbolic_inlined", "block_symbolic_klu",
                            "group_symbolic_explicit", "block_symbolic_explicit"})
       EXPECT_GE(levels(p, id, few_settings()).size(), 4u) << c.name << ' ' << id;
-    EXPECT_GE(levels(p, "global_automatic_klu", fewest_settings()).size(), 4u) << c.name;
+    EXPECT_GE(levels(p, "global_automatic_klu", min_settings()).size(), 4u) << c.name;
   }
 }
 
@@ -87,9 +87,9 @@ TEST(Problems, CompareInstantsWhereverTheyStandBetweenSolvedOnes) {
   const Scene scene = library_scene("slider_crank");
   struct Spread {
     int instants, compared;
-    std::size_t least_places;  // between two instants solved of 16
+    std::size_t min_places;  // between two instants solved of 16
   };
-  for (const auto& [instants, compared, least_places] :
+  for (const auto& [instants, compared, min_places] :
        {Spread{101, 21, 8}, {101, 50, 16}, {1001, 21, 8}, {2001, 1001, 16}, {3, 2, 2}}) {
     const TimeGrid grid{0, 1e-3, instants};
     const Problem p = make_problem(whole(scene), grid, compared);
@@ -104,7 +104,7 @@ TEST(Problems, CompareInstantsWhereverTheyStandBetweenSolvedOnes) {
       indices.insert(index);
       places.insert(index % 16);
     }
-    EXPECT_GE(places.size(), least_places) << instants;
+    EXPECT_GE(places.size(), min_places) << instants;
   }
 }
 

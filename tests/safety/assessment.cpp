@@ -19,18 +19,18 @@ namespace desmo::assessment_test {
 namespace {
 
 /// Compares each instant that a reference has with what is said of it.
-class Comparison final : public Sink {
+class Comparison final : public Observer {
  public:
   Comparison(const Model& m, const Reference& reference, bool corrected)
       : m_(m), reference_(reference), assessor_(m), condition_(m), corrected_(corrected) {}
 
-  void accept(const Instant& given) override {
+  void observe(const Instant& given) override {
     if (next_ == reference_.instants.size() || given.time != reference_.instants[next_].time)
       return;
     const Instant instant = corrected_ ? assessor_.corrected(given) : given;
     const Assessment a = assessor_(instant, reference_.scales);
     ErrorMeasure measure(m_, std::span(reference_.instants).subspan(next_, 1), reference_.scales);
-    measure.accept(instant);
+    measure.observe(instant);
     const double condition = condition_(reference_.instants[next_].q);
     EXPECT_LT(a.condition, 10 * condition) << instant.time;
     EXPECT_GT(a.condition, condition / 10) << instant.time;

@@ -4,10 +4,10 @@
 
 namespace desmo {
 
-/// A sink for runs of which only the summary matters.
-class Discard final : public Sink {
+/// An observer for runs of which only the summary matters.
+class Discard final : public Observer {
  public:
-  void accept(const Instant&) override {}
+  void observe(const Instant&) override {}
 };
 
 }  // namespace desmo

@@ -11,17 +11,17 @@
 namespace desmo::fallbacks_test {
 namespace {
 
-class Discard final : public Sink {
+class Discard final : public Observer {
  public:
-  void accept(const Instant&) override {}
+  void observe(const Instant&) override {}
 };
 
 /// Returns the largest condition number of a motion, of which every instant is assessed.
 double condition(const Model& m, const TimeGrid& grid) {
-  Discard sink;
+  Discard observer;
   SafetyOptions options;
   options.every = 1;
-  return run_safely(*make_formulation(find_variant("global_automatic_klu"), m), grid, {}, sink,
+  return run_safely(*make_formulation(find_variant("global_automatic_klu"), m), grid, {}, observer,
                     options)
       .condition;
 }
@@ -29,8 +29,8 @@ double condition(const Model& m, const TimeGrid& grid) {
 /// Returns how many steps the parts of a motion left to pivoting.
 long fallbacks(const Variant& v, const Model& m, const Scene& scene) {
   const auto f = make_formulation(v, m, {.tolerance = scene.tolerance});
-  Discard sink;
-  const Summary s = f->run(scene.grid, {}, sink);
+  Discard observer;
+  const Summary s = f->run(scene.grid, {}, observer);
   EXPECT_TRUE(s.ok()) << m.name << ", " << v.id;
   long steps = 0, guarded_parts = 0;
   for (const Formulation::DefinedPart& part : f->parts())

@@ -18,16 +18,16 @@ TEST(Reasons, AreNoDeficitWhereAPositionExists) {
   const Model m = locking_four_bar(Polynomial{{dead_point}});
   std::vector<double> state = m.estimate;
   state.insert(state.end(), m.fixed_values.begin(), m.fixed_values.end());
-  EXPECT_FALSE(find_deficit(m, state, {}));
+  EXPECT_FALSE(find_assembly_error(m, state, {}));
 }
 
 /// A crank that begins to turn as t⁵: the trapezoid rule leads nowhere, however short the step.
 TEST(Reasons, AreNoJumpWhereAMotionStartsAtRest) {
   const Model m = locking_four_bar(Polynomial{{0.5, 0, 0, 0, 0, 1}});
   for (const char* id : {"global_automatic_klu", "group_symbolic_explicit"}) {
-    Discard sink;
+    Discard observer;
     const SafeSummary s =
-        run_safely(*make_formulation(find_variant(id), m, {}), {0, 0.01, 101}, {}, sink, {});
+        run_safely(*make_formulation(find_variant(id), m, {}), {0, 0.01, 101}, {}, observer, {});
     EXPECT_FALSE(s.crossing) << id;
     EXPECT_EQ(s.outcome(), Outcome::converged) << id;
   }
@@ -36,18 +36,18 @@ TEST(Reasons, AreNoJumpWhereAMotionStartsAtRest) {
 /// Of a motion at late times its drivers are to blame, at a condition number of ten.
 TEST(Reasons, NameRoundedDriversAtLateTimes) {
   Model m = four_bar_model(1);
-  Discard sink;
+  Discard observer;
   const SafeSummary s = run_safely(*make_formulation(find_variant("group_symbolic_inlined"), m, {}),
-                                   {0x1p26, 0.125, 9}, {}, sink, {});
+                                   {0x1p26, 0.125, 9}, {}, observer, {});
   ASSERT_TRUE(s.first_degraded);
   EXPECT_EQ(s.first_degraded->assessment.limit, Limit::drivers);
 }
 
 TEST(Reasons, NameASingularPositionNearADeadPoint) {
   const Model m = locking_four_bar(Polynomial{{dead_point - 1e-11}});
-  Discard sink;
+  Discard observer;
   const SafeSummary s = run_safely(*make_formulation(find_variant("group_symbolic_inlined"), m, {}),
-                                   {0, 1, 1}, {}, sink, {});
+                                   {0, 1, 1}, {}, observer, {});
   ASSERT_TRUE(s.first_degraded);
   EXPECT_EQ(s.first_degraded->assessment.limit, Limit::singular_position);
 }
@@ -60,9 +60,9 @@ TEST(Reasons, StateBoundsThatAgreeWithTheOutcome) {
     const Model m = locking_four_bar(Polynomial{coefficients});
     for (const char* id : {"global_automatic_klu", "group_automatic_lapack",
                            "group_symbolic_inlined", "group_symbolic_explicit"}) {
-      Discard sink;
+      Discard observer;
       const SafeSummary s =
-          run_safely(*make_formulation(find_variant(id), m, {}), {0, 0.01, 101}, {}, sink, {});
+          run_safely(*make_formulation(find_variant(id), m, {}), {0, 0.01, 101}, {}, observer, {});
       EXPECT_FALSE(s.crossing) << id << ", t^" << power;
       EXPECT_EQ(s.degraded > 0, exceeds(s.bound, Limits(1e-12).degraded)) << id << ", t^" << power;
       EXPECT_EQ(s.degraded > 0, s.first_degraded.has_value()) << id << ", t^" << power;

@@ -18,17 +18,17 @@
 namespace desmo::run_test {
 namespace {
 
-SafeSummary run(const Model& m, const TimeGrid& grid, const char* id, Sink& sink,
+SafeSummary run(const Model& m, const TimeGrid& grid, const char* id, Observer& observer,
                 SafetyOptions options = {}, const Settings& settings = {}) {
-  return run_safely(*make_formulation(find_variant(id), m, settings), grid, {}, sink, options);
+  return run_safely(*make_formulation(find_variant(id), m, settings), grid, {}, observer, options);
 }
 
 TEST(SafeRun, FindsOrdinaryMotionsConverged) {
   for (const char* id :
        {"global_automatic_klu", "group_symbolic_inlined", "group_symbolic_explicit"})
     for (const auto& [m, grid] : every_motion()) {
-      Discard sink;
-      const SafeSummary s = run(m, grid, id, sink);
+      Discard observer;
+      const SafeSummary s = run(m, grid, id, observer);
       EXPECT_EQ(s.outcome(), Outcome::converged)
           << m.name << ", " << id << ": "
           << describe_accuracy(s.condition, s.bound, Level::acceleration);
@@ -87,8 +87,8 @@ TEST(SafeRun, IsDegradedNearADeadPointAndRightToItsBounds) {
 TEST(SafeRun, FailsAtASingularPosition) {
   const Model m = locking_four_bar(Polynomial{{dead_point - 0.25, 1}});
   for (const char* id : {"global_automatic_klu", "group_symbolic_explicit"}) {
-    Discard sink;
-    const SafeSummary s = run(m, {0, 0.25, 2}, id, sink);
+    Discard observer;
+    const SafeSummary s = run(m, {0, 0.25, 2}, id, observer);
     EXPECT_EQ(s.outcome(), Outcome::failed) << id;
     EXPECT_EQ(s.instants, 1) << id;
     EXPECT_NEAR(s.time, 0.25, 1e-12) << id;
@@ -99,8 +99,8 @@ TEST(SafeRun, FailsAtASingularPosition) {
 
 TEST(SafeRun, StrictEndsAtTheFirstDegradedInstant) {
   const Model m = swinging(1e-11);
-  Discard sink;
-  const SafeSummary s = run(m, {0, 1e-3, 501}, "group_symbolic_inlined", sink, {{}, true});
+  Discard observer;
+  const SafeSummary s = run(m, {0, 1e-3, 501}, "group_symbolic_inlined", observer, {{}, true});
   EXPECT_TRUE(s.refused);
   EXPECT_EQ(s.outcome(), Outcome::failed);
   ASSERT_TRUE(s.first_degraded);
@@ -113,9 +113,9 @@ Model overswinging() {
 }
 const double locked = std::asin(0.5 / 0.6) / (2 * std::numbers::pi);  // until 0.5 s less that
 
-class Times final : public Sink {
+class Times final : public Observer {
  public:
-  void accept(const Instant& instant) override {
+  void observe(const Instant& instant) override {
     ASSERT_TRUE(indices.empty() || instant.index > indices.back());
     indices.push_back(instant.index);
   }
@@ -152,14 +152,14 @@ TEST(SafeRun, EndsAtAnIntervalThatCannotBeAssembledAndSaysByHowMuch) {
   const SafeSummary s = run(m, grid, "group_symbolic_inlined", times);
   EXPECT_EQ(s.outcome(), Outcome::failed);
   EXPECT_EQ(s.time, 0.16);
-  ASSERT_TRUE(s.deficit);
-  EXPECT_TRUE(s.deficit->is_length);
-  EXPECT_TRUE(m.constraints[s.deficit->constraint].name.starts_with("dyad1/"));
+  ASSERT_TRUE(s.assembly_error);
+  EXPECT_TRUE(s.assembly_error->is_length);
+  EXPECT_TRUE(m.constraints[s.assembly_error->constraint].name.starts_with("dyad1/"));
   // Coupler and rocker lack what is between the pin of the crank and 9 from the pivot.
   const double theta = sample(m.drivers[0].motion, s.time).position;
   const double lacking = std::hypot(8 - 2 * std::cos(theta), 2 * std::sin(theta)) - 9;
-  EXPECT_GT(s.deficit->amount, lacking / 5);
-  EXPECT_LT(s.deficit->amount, lacking);
+  EXPECT_GT(s.assembly_error->amount, lacking / 5);
+  EXPECT_LT(s.assembly_error->amount, lacking);
 }
 
 /// A parallelogram turns through its change points with rates that are as ever.
@@ -176,12 +176,12 @@ Model parallelogram() {
 
 TEST(SafeRun, SaysThatAChangePointWasPassed) {
   const Model m = parallelogram();
-  Discard sink;
+  Discard observer;
   const TimeGrid grid{0, 0.01, 400};  // θ = π/3 + t passes π at 2.09 s
   SafetyOptions options;
   options.every = 50;
   const SafeSummary s =
-      run(m, grid, "group_symbolic_inlined", sink, options, {.guess = Guess::quadratic});
+      run(m, grid, "group_symbolic_inlined", observer, options, {.guess = Guess::quadratic});
   EXPECT_EQ(s.outcome(), Outcome::degraded);
   ASSERT_TRUE(s.crossing);
   EXPECT_LE(s.crossing->after, 2 * std::numbers::pi / 3);
@@ -193,8 +193,8 @@ TEST(SafeRun, SaysThatAChangePointWasPassed) {
 /// longer stays parallel to the ground.
 TEST(SafeRun, SaysThatTheMotionJumpedAtAChangePoint) {
   const Model m = parallelogram();
-  Discard sink;
-  const SafeSummary s = run(m, {0, 0.01, 300}, "group_symbolic_inlined", sink);
+  Discard observer;
+  const SafeSummary s = run(m, {0, 0.01, 300}, "group_symbolic_inlined", observer);
   EXPECT_EQ(s.outcome(), Outcome::degraded);
   ASSERT_TRUE(s.crossing);
   EXPECT_EQ(s.crossing->kind, Crossing::Kind::jumped);
@@ -206,13 +206,14 @@ TEST(SafeRun, SaysThatTheMotionJumpedAtAChangePoint) {
 /// Steps of a radian are gone again in shorter ones, and found to lead where they ended.
 TEST(SafeRun, DoesNotTakeALongStepForAJump) {
   for (const double step : {0.3, 1.0}) {
-    Discard sink;
-    const SafeSummary s = run(four_bar_model(1), {0, step, 21}, "group_symbolic_explicit", sink);
+    Discard observer;
+    const SafeSummary s =
+        run(four_bar_model(1), {0, step, 21}, "group_symbolic_explicit", observer);
     EXPECT_EQ(s.outcome(), Outcome::converged) << step;
   }
   for (const char* id : {"global_automatic_klu", "group_symbolic_explicit"}) {
-    Discard sink;
-    const SafeSummary s = run(make_model(library_scene("rssr")), {0, 0.125, 25}, id, sink);
+    Discard observer;
+    const SafeSummary s = run(make_model(library_scene("rssr")), {0, 0.125, 25}, id, observer);
     EXPECT_EQ(s.outcome(), Outcome::converged) << id;
   }
 }
@@ -221,8 +222,8 @@ TEST(SafeRun, DoesNotTakeALongStepForAJump) {
 TEST(SafeRun, SaysWhichAngleJumpsByWholeTurns) {
   const Model m = make_model(library_scene("whitworth"));
   const TimeGrid grid{0, 1. / 6, 19};
-  Discard sink;
-  const SafeSummary s = run(m, grid, "group_automatic_klu", sink);
+  Discard observer;
+  const SafeSummary s = run(m, grid, "group_automatic_klu", observer);
   EXPECT_EQ(s.outcome(), Outcome::degraded);
   ASSERT_TRUE(s.crossing);
   EXPECT_EQ(s.crossing->kind, Crossing::Kind::jumped);
@@ -231,14 +232,14 @@ TEST(SafeRun, SaysWhichAngleJumpsByWholeTurns) {
 }
 
 /// What a run ends as without a monitor.
-SafeSummary without(Monitor monitor, const Model& m, const TimeGrid& grid, Sink& sink,
+SafeSummary without(Monitor monitor, const Model& m, const TimeGrid& grid, Observer& observer,
                     const Settings& settings = {}, Level level = Level::acceleration) {
   SafetyOptions options;
   options.tolerance = settings.tolerance;
   options.without = static_cast<unsigned>(monitor);
   options.every = 100;
   const auto f = make_formulation(find_variant("group_symbolic_inlined"), m, settings);
-  return run_safely(*f, grid, {level}, sink, options);
+  return run_safely(*f, grid, {level}, observer, options);
 }
 
 /// A crank that turns at a constant rate until it has all but come to its dead point.
@@ -246,9 +247,10 @@ const Model arriving = locking_four_bar(Polynomial{{dead_point - 0.5 - 1e-12, 1}
 
 TEST(Monitors, OfGainTellsADeadPoint) {
   const TimeGrid grid{0, 0.01, 51};
-  Discard sink;
+  Discard observer;
   const auto outcome = [&](Monitor monitor) {
-    return without(monitor, arriving, grid, sink, {.tolerance = 1e-14}, Level::position).outcome();
+    return without(monitor, arriving, grid, observer, {.tolerance = 1e-14}, Level::position)
+        .outcome();
   };
   EXPECT_EQ(outcome(Monitor::gain), Outcome::converged);
   EXPECT_EQ(outcome(Monitor{}), Outcome::degraded);
@@ -256,18 +258,18 @@ TEST(Monitors, OfGainTellsADeadPoint) {
 
 TEST(Monitors, OfBoundsTellADeadPoint) {
   const TimeGrid grid{0.5, 0.01, 1};
-  Discard sink;
-  EXPECT_EQ(without(Monitor::bounds, arriving, grid, sink).outcome(), Outcome::converged);
-  EXPECT_EQ(without(Monitor{}, arriving, grid, sink).outcome(), Outcome::degraded);
+  Discard observer;
+  EXPECT_EQ(without(Monitor::bounds, arriving, grid, observer).outcome(), Outcome::converged);
+  EXPECT_EQ(without(Monitor{}, arriving, grid, observer).outcome(), Outcome::degraded);
 }
 
 TEST(Monitors, OfOrientationTellsAChangePoint) {
   const Model m = parallelogram();
   const TimeGrid grid{0, 0.01, 400};
   const Settings straight_on{.guess = Guess::quadratic};
-  Discard sink;
-  EXPECT_FALSE(without(Monitor::orientation, m, grid, sink, straight_on).crossing);
-  const SafeSummary s = without(Monitor{}, m, grid, sink, straight_on);
+  Discard observer;
+  EXPECT_FALSE(without(Monitor::orientation, m, grid, observer, straight_on).crossing);
+  const SafeSummary s = without(Monitor{}, m, grid, observer, straight_on);
   ASSERT_TRUE(s.crossing);
   EXPECT_EQ(s.crossing->kind, Crossing::Kind::passed);
 }
@@ -275,9 +277,9 @@ TEST(Monitors, OfOrientationTellsAChangePoint) {
 TEST(Monitors, OfContinuityTellsAJump) {
   const Model m = parallelogram();
   const TimeGrid grid{0, 0.01, 300};
-  Discard sink;
-  EXPECT_FALSE(without(Monitor::continuity, m, grid, sink).crossing);
-  EXPECT_TRUE(without(Monitor{}, m, grid, sink).crossing);
+  Discard observer;
+  EXPECT_FALSE(without(Monitor::continuity, m, grid, observer).crossing);
+  EXPECT_TRUE(without(Monitor{}, m, grid, observer).crossing);
 }
 
 TEST(Monitors, OfResidualsTellWhatATolerancePermits) {

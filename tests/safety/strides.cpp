@@ -17,10 +17,10 @@
 namespace desmo {
 namespace {
 
-SafeSummary run_with_stride(const Model& m, const TimeGrid& grid, const std::string& id, Sink& sink,
-                            SafetyOptions options = {}) {
+SafeSummary run_with_stride(const Model& m, const TimeGrid& grid, const std::string& id,
+                            Observer& observer, SafetyOptions options = {}) {
   const Configuration c = parse_id(id);
-  return run_safely(*make_formulation(*c.variant, m, c.settings), grid, {}, sink, options);
+  return run_safely(*make_formulation(*c.variant, m, c.settings), grid, {}, observer, options);
 }
 
 const char* const with_strides[] = {"global_automatic_klu/stride:2",
@@ -63,9 +63,9 @@ TEST(Strides, AreAsRightAsTheToleranceAsksForWhereTheyAreLong) {
 
 TEST(Strides, KeepRowsThatAreGoodEnough) {
   const Model m = make_model(library_scene("slider_crank"));
-  Discard sink;
+  Discard observer;
   const SafeSummary s =
-      run_with_stride(m, {0, 1e-3, 1001}, "group_symbolic_explicit/stride:2", sink);
+      run_with_stride(m, {0, 1e-3, 1001}, "group_symbolic_explicit/stride:2", observer);
   EXPECT_EQ(s.outcome(), Outcome::converged);
   EXPECT_EQ(s.corrected, 0);
 }
@@ -78,8 +78,8 @@ TEST(Strides, FindIntervalsThatCannotBeAssembledAsStepsDo) {
   SafetyOptions options;
   options.past_failures = true;
   for (const char* id : with_strides) {
-    Discard sink;
-    const SafeSummary s = run_with_stride(m, grid, id, sink, options);
+    Discard observer;
+    const SafeSummary s = run_with_stride(m, grid, id, observer, options);
     ASSERT_EQ(s.gaps.size(), 1u) << id;
     EXPECT_NEAR(s.gaps.front().from, locked, 2e-9) << id;
     EXPECT_NEAR(s.gaps.front().to, 0.5 - locked, 2e-9) << id;

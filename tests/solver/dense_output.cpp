@@ -25,9 +25,9 @@ struct Kept {
 };
 
 /// Everything that comes, in the order in which it does.
-class Everything final : public Sink {
+class Everything final : public Observer {
  public:
-  void accept(const Instant& i) override {
+  void observe(const Instant& i) override {
     EXPECT_EQ(i.index, static_cast<int>(all.size()));
     all.push_back({i.time,
                    {i.q.begin(), i.q.end()},
@@ -48,12 +48,12 @@ Solution run(const std::string& id, const Model& m, const TimeGrid& grid,
              const Request& request = {}) {
   const Configuration c = parse_id(id);
   const auto f = make_formulation(*c.variant, m, c.settings);
-  Everything sink;
-  const Summary summary = f->run(grid, request, sink);
-  return {summary, std::move(sink.all)};
+  Everything observer;
+  const Summary summary = f->run(grid, request, observer);
+  return {summary, std::move(observer.all)};
 }
 
-double largest_difference(std::span<const double> a, std::span<const double> b) {
+double max_difference(std::span<const double> a, std::span<const double> b) {
   double largest = 0;
   for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
   return largest;
@@ -73,9 +73,9 @@ Errors errors_between(const Model& m, double t, double h) {
   EXPECT_TRUE(exact.summary.ok() && between.summary.ok());
   Errors e;
   for (std::size_t i = 0; i < exact.all.size(); ++i) {
-    e.q = std::max(e.q, largest_difference(exact.all[i].q, between.all[i].q));
-    e.qd = std::max(e.qd, largest_difference(exact.all[i].qd, between.all[i].qd));
-    e.qdd = std::max(e.qdd, largest_difference(exact.all[i].qdd, between.all[i].qdd));
+    e.q = std::max(e.q, max_difference(exact.all[i].q, between.all[i].q));
+    e.qd = std::max(e.qd, max_difference(exact.all[i].qd, between.all[i].qd));
+    e.qdd = std::max(e.qdd, max_difference(exact.all[i].qdd, between.all[i].qdd));
   }
   return e;
 }
@@ -102,14 +102,14 @@ TEST(DenseOutput, IsExactOnAQuintic) {
                    std::span(values).subspan(2, 1)};
   };
   const TimeGrid grid{0.3, 0.1, 12};
-  Everything sink;
-  DenseOutput all(grid, 4, {}, 1, sink);
+  Everything observer;
+  DenseOutput all(grid, 4, {}, 1, observer);
   std::vector<double> values;
   for (int i = 0; i < 4; ++i)  // 0, 4, 8 and 11
-    all.accept(at(i, grid.time(std::min(4 * i, 11)), values));
+    all.observe(at(i, grid.time(std::min(4 * i, 11)), values));
   EXPECT_EQ(all.delivered(), 12);
-  ASSERT_EQ(sink.all.size(), 12u);
-  for (const Kept& kept : sink.all) {
+  ASSERT_EQ(observer.all.size(), 12u);
+  for (const Kept& kept : observer.all) {
     at(0, kept.time, values);
     EXPECT_NEAR(kept.q[0], values[0], 1e-13) << kept.time;
     EXPECT_NEAR(kept.qd[0], values[1], 1e-12) << kept.time;
@@ -143,7 +143,7 @@ TEST(DenseOutput, EndsWithTheLastInstantSolved) {
                  some = run("group_symbolic_klu/stride:8", m, grid);
   const auto solved = std::ranges::count(some.all, false, &Kept::interpolated);
   EXPECT_EQ(solved, 4);
-  EXPECT_LT(largest_difference(some.all[23].qdd, every.all[23].qdd), 1e-7);
+  EXPECT_LT(max_difference(some.all[23].qdd, every.all[23].qdd), 1e-7);
   long updates = 0;
   for (const Kept& kept : some.all) updates += kept.updates;
   EXPECT_EQ(updates, some.summary.updates);
@@ -180,11 +180,11 @@ TEST(DenseOutput, NeedsEveryLevelOfEveryPart) {
   const Configuration c = parse_id("group_symbolic_eigen/stride:4");
   const auto f = make_formulation(*c.variant, m, c.settings);
   f->solve_only(std::vector(m.coordinates(), Level::position));
-  Everything sink;
-  ASSERT_TRUE(f->run(grid, {Level::position}, sink).ok());
+  Everything observer;
+  ASSERT_TRUE(f->run(grid, {Level::position}, observer).ok());
   const Solution expected = run("group_symbolic_eigen/stride:4", m, grid);
-  for (std::size_t i = 0; i < sink.all.size(); ++i)
-    EXPECT_EQ(sink.all[i].q, expected.all[i].q) << i;
+  for (std::size_t i = 0; i < observer.all.size(); ++i)
+    EXPECT_EQ(observer.all[i].q, expected.all[i].q) << i;
 }
 
 /// Segments of the motion come in any order, and parts on lanes; what is between comes in order.
@@ -197,16 +197,16 @@ TEST(DenseOutput, GoesWithSegmentsAndLanes) {
   for (const std::string how : {"/segments:4", "/lanes:4", "/threads:2", "/segments:4/threads:2"}) {
     const Configuration c = parse_id(id + how + "/stride:4");
     const auto f = make_formulation(*c.variant, m, c.settings);
-    Everything sink;
-    const Summary s = f->run(grid, {}, sink);
+    Everything observer;
+    const Summary s = f->run(grid, {}, observer);
     ASSERT_TRUE(s.ok());
     EXPECT_EQ(s.instants, grid.instants);
     EXPECT_EQ(f->run_by_steps(), 0);
-    ASSERT_EQ(sink.all.size(), by_steps.all.size());
-    for (std::size_t i = 0; i < sink.all.size(); ++i) {
-      EXPECT_EQ(sink.all[i].interpolated, by_steps.all[i].interpolated) << i;
-      EXPECT_LT(largest_difference(sink.all[i].q, by_steps.all[i].q), 1e-9) << how << i;
-      EXPECT_LT(largest_difference(sink.all[i].qdd, by_steps.all[i].qdd), 1e-4) << how << i;
+    ASSERT_EQ(observer.all.size(), by_steps.all.size());
+    for (std::size_t i = 0; i < observer.all.size(); ++i) {
+      EXPECT_EQ(observer.all[i].interpolated, by_steps.all[i].interpolated) << i;
+      EXPECT_LT(max_difference(observer.all[i].q, by_steps.all[i].q), 1e-9) << how << i;
+      EXPECT_LT(max_difference(observer.all[i].qdd, by_steps.all[i].qdd), 1e-4) << how << i;
     }
   }
 }

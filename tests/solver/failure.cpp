@@ -23,9 +23,9 @@
 namespace desmo::failure_test {
 namespace {
 
-class Discard final : public Sink {
+class Discard final : public Observer {
  public:
-  void accept(const Instant&) override { ++instants; }
+  void observe(const Instant&) override { ++instants; }
   int instants = 0;
 };
 
@@ -41,11 +41,11 @@ class EveryFailure : public EveryVariant {};
 TEST_P(EveryFailure, NamesTheGroupThatCannotBeAssembled) {
   const Model m = unreachable();
   const auto f = make_formulation(GetParam(), m);
-  Discard sink;
-  const Summary s = f->run(time_grid(1, 0.01), {}, sink);
+  Discard observer;
+  const Summary s = f->run(time_grid(1, 0.01), {}, observer);
   ASSERT_FALSE(s.ok());
   ASSERT_GE(s.group, 0);
-  EXPECT_EQ(sink.instants, 0);
+  EXPECT_EQ(observer.instants, 0);
   EXPECT_EQ(s.time, 0);
   EXPECT_EQ(m.groups[s.group].name, "dyad2/SG-I");
   EXPECT_TRUE(m.constraints[s.constraint].name.starts_with("dyad2")) << s.constraint;
@@ -57,13 +57,13 @@ TEST_P(EveryFailure, NamesTheInstantOfALockUp) {
   const Model m = locking_four_bar();
   const double lock = dead_point - std::numbers::pi / 3;
   const auto f = make_formulation(GetParam(), m);
-  Discard sink;
-  const Summary s = f->run(time_grid(3, 0.01), {}, sink);
+  Discard observer;
+  const Summary s = f->run(time_grid(3, 0.01), {}, observer);
   ASSERT_FALSE(s.ok());
   ASSERT_GE(s.group, 0);
   EXPECT_EQ(m.groups[s.group].name, "dyad1/SG-I");
   EXPECT_NEAR(s.time, lock, 0.011) << describe(s, m);
-  EXPECT_EQ(sink.instants, static_cast<int>(std::lround(s.time / 0.01)));
+  EXPECT_EQ(observer.instants, static_cast<int>(std::lround(s.time / 0.01)));
 }
 
 TEST_P(EveryFailure, CallsWhatIsNotFiniteByItsName) {
@@ -238,8 +238,8 @@ TEST(Inlined, NeedsNoFallbackOnTheCases) {
   for (const Case& c : cases()) {
     const Model m = make_model(c.describe(2));
     const auto f = make_formulation(find_variant("group_symbolic_inlined"), m);
-    Discard sink;
-    ASSERT_TRUE(f->run(time_grid(3, 0.01), {}, sink).ok());
+    Discard observer;
+    ASSERT_TRUE(f->run(time_grid(3, 0.01), {}, observer).ok());
     for (const auto& part : f->parts())
       EXPECT_EQ(dynamic_cast<const InlinedPart&>(*part.solver).fallbacks(), 0)
           << m.groups[part.definition.groups.front()].name;

@@ -115,16 +115,16 @@ INSTANTIATE_TEST_SUITE_P(Cases, LargestSizes, testing::ValuesIn(all_cases()),
                          [](const auto& info) { return std::string(info.param->name); });
 
 /// Equal lengths: every rocker moves in parallel with the first.
-class ChainSink final : public Sink {
+class ChainObserver final : public Observer {
  public:
-  explicit ChainSink(const Model& m) {
+  explicit ChainObserver(const Model& m) {
     for (int k = 1; k < m.structural_groups(); ++k) {
       const std::string dyad = "dyad" + std::to_string(k) + "/";
       c_.push_back(m.entities[m.find(dyad + "C")].first);
       psi_.push_back(m.entities[m.find(dyad + "psi")].first);
     }
   }
-  void accept(const Instant& instant) override {
+  void observe(const Instant& instant) override {
     for (std::size_t k = 1; k < c_.size(); ++k)
       worst = std::max({worst, std::abs(instant.q[c_[k]] - (instant.q[c_[0]] + 6.0 * k)),
                         std::abs(instant.q[c_[k] + 1] - instant.q[c_[0] + 1]),
@@ -151,21 +151,21 @@ TEST_P(EveryFormulation, KeepsTheChainParallel) {
   const Motion begin{is_dense_global(v) ? 37 : 185, DESMO_SANITIZED ? 0.2 : 1};
   for (const auto& [dyads, seconds] : {turn, begin}) {
     const Model m = four_bar_model(dyads);
-    ChainSink sink(m);
+    ChainObserver observer(m);
     const TimeGrid grid = time_grid(seconds, 0.01);
-    const Summary s = make_formulation(v, m)->run(grid, {}, sink);
+    const Summary s = make_formulation(v, m)->run(grid, {}, observer);
     EXPECT_TRUE(s.ok()) << dyads << ": " << describe(s, m);
-    EXPECT_EQ(sink.instants, grid.instants) << dyads;
-    EXPECT_LT(sink.worst, 1e-9) << dyads;
+    EXPECT_EQ(observer.instants, grid.instants) << dyads;
+    EXPECT_LT(observer.worst, 1e-9) << dyads;
   }
 }
 
 TEST_P(EveryFormulation, RepeatsARunToTheLastBit) {
   const Model m = truck_model(1);
   const auto f = make_formulation(GetParam(), m);
-  struct Last final : Sink {
+  struct Last final : Observer {
     std::vector<double> values;
-    void accept(const Instant& i) override {
+    void observe(const Instant& i) override {
       values.assign(i.q.begin(), i.q.end());
       values.insert(values.end(), i.qdd.begin(), i.qdd.end());
     }
@@ -195,17 +195,19 @@ TEST_P(EveryFormulation, TakesAFixedNumberOfIterationsWhereAsked) {
 
 TEST_P(EveryFormulation, SolvesOnlyTheLevelAsked) {
   const Model m = truck_model(1);
-  struct Spans final : Sink {
+  struct Spans final : Observer {
     std::size_t q = 0, qd = 0, qdd = 0;
-    void accept(const Instant& i) override { q = i.q.size(), qd = i.qd.size(), qdd = i.qdd.size(); }
-  } sink;
+    void observe(const Instant& i) override {
+      q = i.q.size(), qd = i.qd.size(), qdd = i.qdd.size();
+    }
+  } observer;
   const auto f = make_formulation(GetParam(), m);
-  f->run(time_grid(0.1, 0.01), {Level::position}, sink);
-  EXPECT_EQ(sink.q, 114u);
-  EXPECT_EQ(sink.qd, 0u);
-  f->run(time_grid(0.1, 0.01), {Level::velocity}, sink);
-  EXPECT_EQ(sink.qd, 114u);
-  EXPECT_EQ(sink.qdd, 0u);
+  f->run(time_grid(0.1, 0.01), {Level::position}, observer);
+  EXPECT_EQ(observer.q, 114u);
+  EXPECT_EQ(observer.qd, 0u);
+  f->run(time_grid(0.1, 0.01), {Level::velocity}, observer);
+  EXPECT_EQ(observer.qd, 114u);
+  EXPECT_EQ(observer.qdd, 0u);
 }
 
 TEST_P(EveryFormulation, VelocitiesAndAccelerationsAreDerivativesOfPositions) {

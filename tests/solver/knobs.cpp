@@ -28,7 +28,7 @@ std::unique_ptr<Formulation> make(const std::string& id, const Model& m,
   return make_formulation(*c.variant, m, c.settings);
 }
 
-double largest_difference(std::span<const double> a, std::span<const double> b) {
+double max_difference(std::span<const double> a, std::span<const double> b) {
   double largest = 0;
   for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
   return largest;
@@ -45,7 +45,7 @@ double order_in_the_step(const std::string& id, int iterations) {
     const auto f = make(id + "/iterations:" + std::to_string(iterations), m);
     EXPECT_TRUE(f->assemble(t).ok());
     EXPECT_TRUE(f->step(t + h, Level::position).ok());
-    return largest_difference(f->q(), reference[1].q);
+    return max_difference(f->q(), reference[1].q);
   };
   constexpr double h = 0.02;
   return std::log2(error(h) / error(h / 2));
@@ -213,10 +213,9 @@ TEST_P(Knobs, AgreeWithTheReference) {
         ASSERT_TRUE(s.ok()) << id << " on " << m.name << ": " << describe(s, m);
         if (i % 20 != 0) continue;
         const ReferenceInstant& r = reference[i / 20];
-        EXPECT_LT(largest_difference(f->q(), r.q), size * knob.position) << id << " on " << m.name;
-        EXPECT_LT(largest_difference(f->qd(), r.qd), size * knob.velocity)
-            << id << " on " << m.name;
-        EXPECT_LT(largest_difference(f->qdd(), r.qdd), size * knob.acceleration)
+        EXPECT_LT(max_difference(f->q(), r.q), size * knob.position) << id << " on " << m.name;
+        EXPECT_LT(max_difference(f->qd(), r.qd), size * knob.velocity) << id << " on " << m.name;
+        EXPECT_LT(max_difference(f->qdd(), r.qdd), size * knob.acceleration)
             << id << " on " << m.name;
       }
     }
@@ -237,12 +236,12 @@ TEST_P(Knobs, WorkAtEveryLevel) {
                               Level::velocity, Level::acceleration, Level::acceleration}) {
       ASSERT_TRUE(f->step(0.01 * i, level).ok()) << id;
       ASSERT_TRUE(plain->step(0.01 * i++).ok());
-      EXPECT_LT(largest_difference(f->q(), plain->q()), 1e-9) << id;
+      EXPECT_LT(max_difference(f->q(), plain->q()), 1e-9) << id;
       if (level >= Level::velocity) {
-        EXPECT_LT(largest_difference(f->qd(), plain->qd()), 1e-8) << id;
+        EXPECT_LT(max_difference(f->qd(), plain->qd()), 1e-8) << id;
       }
       if (level >= Level::acceleration) {
-        EXPECT_LT(largest_difference(f->qdd(), plain->qdd()), 1e-7) << id;
+        EXPECT_LT(max_difference(f->qdd(), plain->qdd()), 1e-7) << id;
       }
     }
   }
@@ -286,9 +285,9 @@ TEST(MixedScalar, NeverPassesSinglePrecisionOffAsDouble) {
       if (!ok) break;
       ASSERT_TRUE(full->step(t).ok());
       const std::vector<double> zero(full->qd().size());
-      const double size = largest_difference(full->qd(), zero);
+      const double size = max_difference(full->qd(), zero);
       // Both positions are within the tolerance, from which the velocity differs by its condition.
-      EXPECT_LT(largest_difference(mixed->qd(), full->qd()), 1e-8 * (1 + size * size * size));
+      EXPECT_LT(max_difference(mixed->qd(), full->qd()), 1e-8 * (1 + size * size * size));
     }
     if (distance >= 1e-2) {
       EXPECT_TRUE(ok) << distance;

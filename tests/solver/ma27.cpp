@@ -73,9 +73,9 @@ TEST_F(Ma27, TheRecordNamesTheLibrary) {
 }
 
 TEST_F(Ma27, IsHereWhereItsLibraryIs) {
-  EXPECT_EQ(not_here("global_automatic_ma27"), "");
+  EXPECT_EQ(unavailable_reason("global_automatic_ma27"), "");
   EXPECT_TRUE(faulty_libraries().empty());
-  EXPECT_EQ(not_here("global_automatic_ma57"), "") << "that is not of this build";
+  EXPECT_EQ(unavailable_reason("global_automatic_ma57"), "") << "that is not of this build";
 }
 
 TEST(CoinHsl, SaysWhichEntryIsLacking) {

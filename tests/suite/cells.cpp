@@ -75,16 +75,16 @@ TEST(Cells, HaveWindowsThatAreAllOfTheirTime) {
   };
   // Between two windows something else may run and leave the caches cold: not always.
   constexpr int attempts = 50;
-  double largest_share = 0;
+  double max_share = 0;
   int taken = 0;
-  while (taken++ < attempts && largest_share < 0.95) {
+  while (taken++ < attempts && max_share < 0.95) {
     const double least_before = sum(cell.windows.least()), seconds = cell.time_afresh();
     const double in_windows = sum(cell.windows.samples().back());
     EXPECT_LE(in_windows, seconds);
     EXPECT_LE(sum(cell.windows.least()), std::min(least_before, in_windows));
-    largest_share = std::max(largest_share, in_windows / seconds);
+    max_share = std::max(max_share, in_windows / seconds);
   }
-  EXPECT_GE(largest_share, 0.95);
+  EXPECT_GE(max_share, 0.95);
   EXPECT_EQ(cell.state, Timed::State::verified);
   EXPECT_EQ(cell.windows.samples().size(), static_cast<std::size_t>(taken) - 1);
 }

@@ -129,10 +129,10 @@ TEST(ResultDigests, AreTheSameForEveryRightFormulationAndNoWrongOne) {
 
   const std::vector<ReferenceInstant> reference{{0, {1, 2}, {3, 4}, {5, 6}}};
   const auto digest = [&](std::vector<double> q) {
-    VerifyingSink sink(reference);
+    VerifyingObserver observer(reference);
     const std::vector<double> qd{3, 4}, qdd{5, 6};
-    sink.accept({0, 0, q, qd, qdd});
-    return sink.results();
+    observer.observe({0, 0, q, qd, qdd});
+    return observer.results();
   };
   EXPECT_EQ(digest({1 + 1e-12, 2 - 1e-10}), digest({1, 2}));
   EXPECT_NE(digest({1, 2 + 1e-8}), digest({1, 2}));

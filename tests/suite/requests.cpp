@@ -42,7 +42,7 @@ TEST_F(Requests, AreVerifiedBeforeTheyAreTimed) {
         << cell->name();
     cell->verify(references);
     if (cell->is_not_run()) {  // this build has not the code, or this processor not the registers
-      EXPECT_TRUE(cell->message == not_here(cell->settings) ||
+      EXPECT_TRUE(cell->message == unavailable_reason(cell->settings) ||
                   cell->message.find("no generated code") != std::string::npos)
           << cell->name() << ": " << cell->message;
       continue;
@@ -78,7 +78,7 @@ TEST_F(Requests, DifferWhereSomethingNeededIsLeftOut) {
   const auto whole = make_formulation(v, request->whole);
   const auto kept = make_formulation(v, request->plan.model);
   const auto differences = [&](Level level) {
-    return largest_differences(*whole, *kept, request->asked, level, request->grid);
+    return max_differences(*whole, *kept, request->asked, level, request->grid);
   };
   EXPECT_LT(differences(Level::velocity).velocity, 1e-9);
   EXPECT_GT(differences(Level::position).velocity, 1e-3);  // its velocities are never solved

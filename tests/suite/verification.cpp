@@ -13,38 +13,38 @@ namespace {
 
 struct Verification : testing::Test {
   std::vector<ReferenceInstant> reference{{0, {1, 2}, {3, 4}, {5, 6}}, {1, {1, 2}, {3, 4}, {5, 6}}};
-  VerifyingSink sink{reference};
+  VerifyingObserver observer{reference};
 
-  void accept(int index, double time, std::vector<double> q) {
+  void observe(int index, double time, std::vector<double> q) {
     const std::vector<double> qd{3, 4}, qdd{5, 6};
-    sink.accept({index, time, q, qd, qdd});
+    observer.observe({index, time, q, qd, qdd});
   }
 };
 
 TEST_F(Verification, AcceptsWhatAgrees) {
-  accept(0, 0, {1, 2});
-  accept(1, 0.5, {7, 7});  // the reference has nothing to say here
-  accept(2, 1, {1, 2 + 1e-10});
-  EXPECT_EQ(complaint(sink.errors(), 2), "");
-  EXPECT_NEAR(sink.errors().position, 1e-10, 1e-15);
+  observe(0, 0, {1, 2});
+  observe(1, 0.5, {7, 7});  // the reference has nothing to say here
+  observe(2, 1, {1, 2 + 1e-10});
+  EXPECT_EQ(complaint(observer.errors(), 2), "");
+  EXPECT_NEAR(observer.errors().position, 1e-10, 1e-15);
 }
 
 TEST_F(Verification, RefusesWhatDiffers) {
-  accept(0, 0, {1, 2});
-  accept(1, 1, {1, 2 + 1e-8});
-  EXPECT_NE(complaint(sink.errors(), 2), "");
+  observe(0, 0, {1, 2});
+  observe(1, 1, {1, 2 + 1e-8});
+  EXPECT_NE(complaint(observer.errors(), 2), "");
 }
 
 TEST_F(Verification, RefusesWhatIsNotANumber) {
-  accept(0, 0, {1, NAN});
-  accept(1, 1, {1, 2});
-  EXPECT_NE(complaint(sink.errors(), 2), "");
+  observe(0, 0, {1, NAN});
+  observe(1, 1, {1, 2});
+  EXPECT_NE(complaint(observer.errors(), 2), "");
 }
 
 TEST_F(Verification, RefusesWhatIsMissing) {
-  accept(0, 0, {});
-  accept(1, 1, {1, 2});
-  EXPECT_NE(complaint(sink.errors(), 2), "");
+  observe(0, 0, {});
+  observe(1, 1, {1, 2});
+  EXPECT_NE(complaint(observer.errors(), 2), "");
 }
 
 /// Two under way at once, as when several instants are solved together; the later may come first.
@@ -52,7 +52,7 @@ TEST_F(Verification, ComparesWhatStandsInRooms) {
   const auto come = [&](std::array<double, 2> second, std::array<int, 2> order) {
     const std::array indices{0, 1};
     std::array<Room, 2> rooms;
-    sink.take_rooms(indices, rooms);
+    observer.take_rooms(indices, rooms);
     for (int i = 0; i < 2; ++i)
       for (int k = 0; k < 2; ++k) {
         rooms[i].q[k] = k == 0 ? 1 : second[i];
@@ -60,19 +60,19 @@ TEST_F(Verification, ComparesWhatStandsInRooms) {
         rooms[i].qdd[k] = 5 + k;
       }
     for (const int i : order)
-      sink.accept({i, static_cast<double>(i), {}, {}, {}, 0, 0, false, rooms[i]});
+      observer.observe({i, static_cast<double>(i), {}, {}, {}, 0, 0, false, rooms[i]});
   };
   come({2, 2 + 1e-10}, {0, 1});
-  EXPECT_EQ(complaint(sink.errors(), 2), "");
-  EXPECT_NEAR(sink.errors().position, 1e-10, 1e-15);
+  EXPECT_EQ(complaint(observer.errors(), 2), "");
+  EXPECT_NEAR(observer.errors().position, 1e-10, 1e-15);
   come({2, 2.5}, {1, 0});  // once more: what comes later holds
-  EXPECT_EQ(sink.errors().instants, 2);
-  EXPECT_NEAR(sink.errors().position, 0.5, 1e-15);
+  EXPECT_EQ(observer.errors().instants, 2);
+  EXPECT_NEAR(observer.errors().position, 0.5, 1e-15);
 }
 
 TEST_F(Verification, RefusesInstantsThatWereNeverSeen) {
-  accept(0, 0, {1, 2});
-  EXPECT_NE(complaint(sink.errors(), 2), "");
+  observe(0, 0, {1, 2});
+  EXPECT_NE(complaint(observer.errors(), 2), "");
 }
 
 }  // namespace

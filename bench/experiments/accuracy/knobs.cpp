@@ -41,7 +41,7 @@ std::vector<Settings> solved_from() {
 
 }  // namespace
 
-std::vector<Settings> fewest_settings() {
+std::vector<Settings> min_settings() {
   std::vector<Settings> all{Settings{}};
   for (const Guess guess : {Guess::previous, Guess::linear, Guess::quadratic})
     all.push_back({.guess = guess, .fixed_iterations = 1});
@@ -50,7 +50,7 @@ std::vector<Settings> fewest_settings() {
 }
 
 std::vector<Settings> few_settings() {
-  std::vector<Settings> all = fewest_settings();
+  std::vector<Settings> all = min_settings();
   all.push_back({.fixed_iterations = 3});
   for (const Guess guess : {Guess::previous, Guess::linear})
     for (const double tolerance : {1e-4, 1e-6, 1e-8})
@@ -81,7 +81,8 @@ std::vector<Settings> all_settings(const Variant& variant) {
   if (!variant.explicit_order) return all;
   std::vector<Settings> with_lanes = all;
   for (Settings& s : with_lanes) s.lanes = lane_counts.front();
-  std::erase_if(with_lanes, [&](const Settings& s) { return !why_not(variant, s).empty(); });
+  std::erase_if(with_lanes,
+                [&](const Settings& s) { return !unsupported_reason(variant, s).empty(); });
   all.insert(all.end(), with_lanes.begin(), with_lanes.end());
   return all;
 }

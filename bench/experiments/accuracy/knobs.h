@@ -9,7 +9,7 @@ namespace desmo::precision {
 
 /// Settings that end at errors of five sizes where all unknowns are solved at once: the paper's,
 /// and with one and two iterations a step from different guesses.
-std::vector<Settings> fewest_settings();
+std::vector<Settings> min_settings();
 
 /// Those, and with three iterations, some tolerances, and instants interpolated between those that
 /// the paper's settings solve: they end at errors of four sizes or more in every formulation. (The
@@ -20,7 +20,7 @@ std::vector<Settings> few_settings();
 /// Guesses × Jacobian updates × where to stop (tolerances and numbers of iterations), in double
 /// precision; single and mixed precision with the paper's guess and the best one; strides with the
 /// paper's settings and what usually costs least. Among them is what the variant does not offer
-/// (why_not), to be told. Where it has code for lanes, all with them, too.
+/// (unsupported_reason), to be told. Where it has code for lanes, all with them, too.
 std::vector<Settings> all_settings(const Variant& variant);
 
 }  // namespace desmo::precision

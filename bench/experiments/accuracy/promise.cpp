@@ -9,7 +9,7 @@ namespace desmo::precision {
 namespace {
 
 constexpr double as_fast = 1.3;  // what a single sample may be off
-constexpr std::size_t most_rivals = 24;
+constexpr std::size_t max_rivals = 24;
 constexpr int rounds = 7;
 constexpr double promise_sample = 5e-3;  // s
 
@@ -21,7 +21,7 @@ std::vector<std::string> rivals(const std::vector<Tried>& all, double allowed) {
   for (const Tried& t : all) {  // fastest first
     if (!(t.error <= allowed / safety)) continue;
     if (found.empty()) best = t.seconds;
-    if (found.size() == most_rivals || t.seconds > as_fast * best) break;
+    if (found.size() == max_rivals || t.seconds > as_fast * best) break;
     found.push_back(t.id);
   }
   return found;
@@ -60,7 +60,7 @@ Promise promise(const TunedMotion& motion, const Problem& control, const std::ve
   for (int round = 0; round < rounds; ++round)
     for (Trial& t : trials) t.time(promise_sample);
   return {allowed, found.error.position.max, measured(trials.front()),
-          measured(*std::ranges::min_element(trials, {}, &Trial::least_seconds))};
+          measured(*std::ranges::min_element(trials, {}, &Trial::min_seconds))};
 }
 
 }  // namespace desmo::precision

@@ -31,14 +31,14 @@ Json per_level(const PerLevel<double>& values) {
   return j;
 }
 
-constexpr double largest_error = 1e100;  // that a record holds
+constexpr double max_error = 1e100;  // that a record holds
 
 /// Nothing for an error beyond all measure, or none at all: JSON has no number for it.
 Json error_json(const Error& error) {
   Json j = Json::object();
   for (const Level level : levels) {
     const LevelError& e = error[level];
-    if (e.compared > 0 && e.max <= largest_error && std::isfinite(e.rms))
+    if (e.compared > 0 && e.max <= max_error && std::isfinite(e.rms))
       j[level_names[static_cast<int>(level)]] = {{"max", rounded(e.max)}, {"rms", rounded(e.rms)}};
   }
   return j;

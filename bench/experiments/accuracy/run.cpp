@@ -22,8 +22,8 @@ namespace {
 
 constexpr int compared_instants = 21;
 constexpr int usual_repetitions = 5;
-constexpr double least_seconds = 0.01;  // of a sample
-constexpr double dear_seconds = 0.3;    // a motion that takes longer has two samples only
+constexpr double min_seconds = 0.01;  // of a sample
+constexpr double dear_seconds = 0.3;  // a motion that takes longer has two samples only
 
 struct Options : experiments::CommonOptions {
   bool validates_tuning = false;
@@ -32,8 +32,7 @@ struct Options : experiments::CommonOptions {
 };
 
 bool is_sampled(const Trial& trial, const Series& series) {
-  return trial.seconds_per_step.size() >= 2 &&
-         trial.least_seconds() * series.instants > dear_seconds;
+  return trial.seconds_per_step.size() >= 2 && trial.min_seconds() * series.instants > dear_seconds;
 }
 
 /// Compares every configuration, then times them in turn, so that whatever slows the machine down
@@ -48,7 +47,7 @@ std::vector<Trial> measure(const Series& series, const Problem& problem, int rep
   }
   for (int round = 0; round < repetitions; ++round)
     for (Trial& trial : trials) {
-      if (!is_sampled(trial, series)) trial.time(least_seconds);
+      if (!is_sampled(trial, series)) trial.time(min_seconds);
       progress.one_done();
     }
   return trials;

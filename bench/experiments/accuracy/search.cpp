@@ -13,11 +13,11 @@ namespace desmo::precision {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double least_sample = 2e-3;  // s
-constexpr int dense_limit = 114;       // coordinates of a dense global solve, O(n³) a step
-constexpr double near_best = 1.6;      // formulations that other settings may yet make the fastest
-constexpr double perhaps_best = 1.5;   // times, of one sample each, that further ones may turn over
-constexpr double even = 1.25;          // times on the begin that may change places on the whole
+constexpr double min_sample = 2e-3;   // s
+constexpr int dense_limit = 114;      // coordinates of a dense global solve, O(n³) a step
+constexpr double near_best = 1.6;     // formulations that other settings may yet make the fastest
+constexpr double perhaps_best = 1.5;  // times, of one sample each, that further ones may turn over
+constexpr double even = 1.25;         // times on the begin that may change places on the whole
 constexpr std::size_t finalists = 16;
 constexpr std::size_t most_accurate = 100;  // on the begin, within a budget
 
@@ -39,7 +39,7 @@ class Searcher {
         add(trials, effort_.exhaustive ? whole_ : begin_, *v, s);
     say(std::to_string(trials.size()) + " configurations");
     for (Trial& t : trials) t.compare();
-    for (Trial& t : trials) t.time(least_sample);
+    for (Trial& t : trials) t.time(min_sample);
     std::vector<Trial*> hopeful;
     for (Trial& t : trials)
       if (may_do(t)) hopeful.push_back(&t);
@@ -57,7 +57,7 @@ class Searcher {
 
   static void add(std::list<Trial>& trials, const Problem& problem, const Variant& v,
                   const Settings& s) {
-    if (why_not(v, s).empty()) trials.emplace_back(problem, Configuration{&v, s});
+    if (unsupported_reason(v, s).empty()) trials.emplace_back(problem, Configuration{&v, s});
   }
 
   /// Those that some settings may make the best.
@@ -74,11 +74,11 @@ class Searcher {
       for (const Variant* v : all) add(trials, begin_, *v, s);
       for (Trial& t : trials) t.compare();
       for (int round = 0; round < 2; ++round)
-        for (Trial& t : trials) t.time(least_sample);
+        for (Trial& t : trials) t.time(min_sample);
       double best = infinity;
-      for (const Trial& t : trials) best = std::min(best, t.least_seconds());
+      for (const Trial& t : trials) best = std::min(best, t.min_seconds());
       for (const Trial& t : trials)
-        if (t.least_seconds() <= near_best * best &&
+        if (t.min_seconds() <= near_best * best &&
             std::ranges::find(kept, t.configuration().variant) == kept.end())
           kept.push_back(t.configuration().variant);
     }
@@ -92,20 +92,20 @@ class Searcher {
   bool is_cheap(double seconds) const { return seconds <= goal_.budget; }
   bool may_do(const Trial& t) const {
     if (t.state != Trial::State::solved) return false;
-    return goal_.budget > 0 ? is_cheap(t.least_seconds()) : is_accurate(t);
+    return goal_.budget > 0 ? is_cheap(t.min_seconds()) : is_accurate(t);
   }
 
   /// Errors of the same size count as one: rounding makes them, and time then decides.
   double wrong(const Trial& t) const { return std::round(2 * std::log10(error(t))); }
 
   bool is_even(const Trial& best, const Trial& other) const {
-    return other.least_seconds() <= even * best.least_seconds() &&
+    return other.min_seconds() <= even * best.min_seconds() &&
            (goal_.budget == 0 || wrong(other) <= wrong(best));
   }
 
   /// The best first, as far as their motion tells.
   void sort(std::vector<Trial*>& trials) const {
-    const auto time = [](const Trial* t) { return t->least_seconds(); };
+    const auto time = [](const Trial* t) { return t->min_seconds(); };
     std::ranges::stable_sort(trials, {}, time);
     if (goal_.budget > 0)
       std::ranges::stable_sort(trials, {}, [&](const Trial* t) { return wrong(*t); });
@@ -127,7 +127,7 @@ class Searcher {
                                 hopeful.begin() + static_cast<std::ptrdiff_t>(last));
       say("the best " + std::to_string(batch.size()) + " once more, and over the whole motion");
       for (int round = 0; round < effort_.rounds; ++round)
-        for (Trial* t : batch) t->time(least_sample);
+        for (Trial* t : batch) t->time(min_sample);
       sort(batch);
       play_off(batch);
     }
@@ -136,10 +136,10 @@ class Searcher {
   /// A sample that was disturbed must not keep anything out of the finals.
   void sample_again(const std::vector<Trial*>& hopeful) const {
     double best = infinity;
-    for (const Trial* t : hopeful) best = std::min(best, t->least_seconds());
+    for (const Trial* t : hopeful) best = std::min(best, t->min_seconds());
     for (int round = 0; round < 2; ++round)
       for (Trial* t : hopeful)
-        if (t->least_seconds() <= perhaps_best * best) t->time(least_sample);
+        if (t->min_seconds() <= perhaps_best * best) t->time(min_sample);
   }
 
   /// What is most accurate on the begin of a motion need not be so later.
@@ -149,7 +149,7 @@ class Searcher {
     for (const Trial* t : std::span(hopeful).first(std::min(hopeful.size(), most_accurate))) {
       Trial& trial = trials.emplace_back(whole_, t->configuration());
       trial.compare();
-      trial.time(least_sample);
+      trial.time(min_sample);
       if (may_do(trial)) kept.push_back(&trial);
     }
     return kept;
@@ -165,13 +165,13 @@ class Searcher {
       if (first && !is_even(*first, *t)) break;
       Trial& trial = trials.emplace_back(whole_, t->configuration());
       trial.compare();
-      trial.time(least_sample);
+      trial.time(min_sample);
       if (!may_do(trial)) continue;
       holding.push_back(&trial);
       if (!first) first = t;
     }
     for (int round = 0; round < effort_.rounds; ++round)
-      for (Trial* t : holding) t->time(least_sample);
+      for (Trial* t : holding) t->time(min_sample);
     if (!effort_.exhaustive)
       for (const Trial& t : trials) tried_.push_back(tried(t, true));
     if (holding.empty()) return;
@@ -182,15 +182,15 @@ class Searcher {
   void choose(Trial& best) {
     Trial usual(whole_, {best.configuration().variant, Settings{}});
     usual.compare();
-    for (int round = 0; round < effort_.rounds; ++round) usual.time(least_sample);
+    for (int round = 0; round < effort_.rounds; ++round) usual.time(min_sample);
     found_.choice = best.configuration();
     found_.error = best.error;
-    found_.seconds = best.least_seconds();
-    found_.usual_seconds = usual.least_seconds();
+    found_.seconds = best.min_seconds();
+    found_.usual_seconds = usual.min_seconds();
   }
 
   Tried tried(const Trial& t, bool whole) const {
-    return {t.id(), error(t), t.least_seconds(), whole};
+    return {t.id(), error(t), t.min_seconds(), whole};
   }
 
   const Problem &whole_, &begin_;

@@ -71,7 +71,7 @@ void add_size(std::vector<Series>& all, const Case& c, int coordinates, bool lar
   Adder add_usual(usual), add_dense(dense);
   for (const Variant& v : variants()) {
     if (is_dense_global(v))
-      add_dense(v, fewest_settings());
+      add_dense(v, min_settings());
     else
       add_usual(v, few_settings());
     if (largest && is_tuned(v)) {

@@ -15,16 +15,16 @@ namespace {
 
 constexpr std::size_t violations_looked_at = 5;  // an instant costs as much as many steps
 
-class Both final : public Sink {
+class Both final : public Observer {
  public:
-  Both(Sink& first, Sink& second) : first_(first), second_(second) {}
-  void accept(const Instant& instant) override {
-    first_.accept(instant);
-    second_.accept(instant);
+  Both(Observer& first, Observer& second) : first_(first), second_(second) {}
+  void observe(const Instant& instant) override {
+    first_.observe(instant);
+    second_.observe(instant);
   }
 
  private:
-  Sink &first_, &second_;
+  Observer &first_, &second_;
 };
 
 std::vector<double> some_times(const Reference& reference) {
@@ -39,7 +39,8 @@ std::vector<double> some_times(const Reference& reference) {
 
 Trial::Trial(const Problem& problem, const Configuration& configuration)
     : problem_(problem), configuration_(configuration) {
-  if (std::string why = why_not(*configuration.variant, configuration.settings); !why.empty())
+  if (std::string why = unsupported_reason(*configuration.variant, configuration.settings);
+      !why.empty())
     stop(State::not_applicable, std::move(why));
 }
 
@@ -82,7 +83,7 @@ void Trial::time(double least) {
   seconds_per_step.push_back(spent / static_cast<double>(instants));
 }
 
-double Trial::least_seconds() const {
+double Trial::min_seconds() const {
   return seconds_per_step.empty() ? std::numeric_limits<double>::infinity()
                                   : std::ranges::min(seconds_per_step);
 }

@@ -42,7 +42,7 @@ class Trial {
   std::vector<double> seconds_per_step;  ///< samples
 
   /// The least of the samples; infinite when there is none.
-  double least_seconds() const;
+  double min_seconds() const;
 
  private:
   void stop(State reached, std::string why);

@@ -8,7 +8,7 @@ namespace desmo::extreme {
 namespace {
 
 /// Over all answers, of the first `count` instants that were compared.
-PerLevel<double> largest_errors(const Attempt& attempt, std::size_t count) {
+PerLevel<double> max_errors(const Attempt& attempt, std::size_t count) {
   PerLevel<double> largest;
   for (const auto& of_part : attempt.errors)
     for (std::size_t i = 0; i < std::min(count, of_part.size()); ++i)
@@ -22,13 +22,11 @@ PerLevel<double> measured(const Problem& problem, const Attempt& attempt,
   constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
   switch (problem.definition->bound) {
     case Bound::first_case:
-      return yardsticks.first_case ? largest_errors(*yardsticks.first_case, all)
-                                   : PerLevel<double>{};
+      return yardsticks.first_case ? max_errors(*yardsticks.first_case, all) : PerLevel<double>{};
     case Bound::new_pivots:
-      return yardsticks.new_pivots ? largest_errors(*yardsticks.new_pivots, all)
-                                   : PerLevel<double>{};
+      return yardsticks.new_pivots ? max_errors(*yardsticks.new_pivots, all) : PerLevel<double>{};
     case Bound::first_part:
-      return largest_errors(attempt, problem.compared.size() / 2);
+      return max_errors(attempt, problem.compared.size() / 2);
     default:
       return {};
   }

@@ -44,7 +44,7 @@ std::vector<int> coordinates_of(const Model& part, const Model& whole) {
   return coordinate;
 }
 
-double longest_link(const DyadChain& chain) {
+double max_link(const DyadChain& chain) {
   double longest = chain.crank;
   for (const DyadChain::Dyad& d : chain.dyads) longest = std::max({longest, d.coupler, d.rocker});
   return longest;
@@ -78,7 +78,7 @@ Answers chain_answers(Problem& p, std::size_t index) {
   const DyadChain& chain = c.chains[index];
   Answers a{.model = alone(p, index), .coordinate = {}, .right = {}, .floor = {}, .scales = {}};
   a.coordinate = coordinates_of(a.model, p.modelled->model);
-  const double size = nominal_size(a.model), longest = longest_link(chain);
+  const double size = nominal_size(a.model), longest = max_link(chain);
   const std::size_t links = std::max<std::size_t>(1, chain.dyads.size());
   a.chain_length = longest * static_cast<double>(links) / size;
   ChainSolution solution(chain, a.model);

@@ -4,7 +4,7 @@ namespace desmo::extreme {
 
 namespace {
 
-constexpr int largest_dense = 400;     // unknowns: a step costs O(n³)
+constexpr int max_dense = 400;         // unknowns: a step costs O(n³)
 constexpr int largest_any = 5'000;     // for all but the fastest formulations
 constexpr long longest_any = 100'000;  // instants, likewise
 /// Coordinates: every part keeps a workspace of some kilobytes, and blocks are more than groups.
@@ -19,9 +19,9 @@ bool is_fast(const Variant& v) {
 
 std::string why_not_tried(const Configuration& configuration, const Problem& problem) {
   const Variant& v = *configuration.variant;
-  if (std::string why = why_not(v, configuration.settings); !why.empty()) return why;
+  if (std::string why = unsupported_reason(v, configuration.settings); !why.empty()) return why;
   const int coordinates = problem.modelled->model.coordinates();
-  if (is_dense_global(v) && coordinates > largest_dense)
+  if (is_dense_global(v) && coordinates > max_dense)
     return "dense matrices of all unknowns: a step costs O(n³)";
   if (v.partition == Partition::block && coordinates > largest_in_blocks)
     return "workspaces of so many blocks take too much memory";

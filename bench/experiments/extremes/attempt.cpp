@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t early = 1000;
 
 /// Keeps what becomes of each instant, or start.
-class Record final : public Sink {
+class Record final : public Observer {
  public:
   Record(const Problem& problem, const Formulation& formulation, Attempt& attempt)
       : problem_(problem), attempt_(attempt) {
@@ -38,7 +38,7 @@ class Record final : public Sink {
     stated_ = {judgement.assessment.condition, judgement.assessment.bound};
   }
 
-  void accept(const Instant& instant) override {
+  void observe(const Instant& instant) override {
     const std::size_t i = first_ + instant.index;
     weigh(i);
     attempt_.steps.resize(i, {Attempt::Flag::failed});  // those that were passed over

@@ -34,7 +34,7 @@ PerLevel<double> error_of(const Instant& instant, const Problem& problem, std::s
     turn_back(answers.model, right.q, q);
   const std::vector<double> qd = part(instant.qd), qdd = part(instant.qdd);
   ErrorMeasure measure(answers.model, {&right, 1}, answers.scales);
-  measure.accept({0, right.time, q, qd, qdd});
+  measure.observe({0, right.time, q, qd, qdd});
   const Error e = measure.error();
   return {e.position.max, e.velocity.max, e.acceleration.max};
 }

@@ -15,7 +15,7 @@ namespace {
 constexpr PerLevel<const char*> level_names{"position", "velocity", "acceleration"};
 
 /// Bytes that a long run may hold more of at its end: factors made anew are not always of one size.
-constexpr std::int64_t most_growth = 4096;
+constexpr std::int64_t max_growth = 4096;
 
 std::string formatted(const char* format, auto... values) {
   char text[256];
@@ -181,7 +181,7 @@ std::string shortcoming(const Problem& p, const Attempt& a, const Yardsticks& ya
     if (std::string why = wrong_end(p, a); !why.empty()) return why;
   if (!c.idle_body.empty() && !is_idle(*p.modelled, c.idle_body))
     return "it does not report that " + c.idle_body + " may spin";
-  if (a.heap_growth > most_growth)
+  if (a.heap_growth > max_growth)
     return formatted("the heap has grown by %lld bytes", static_cast<long long>(a.heap_growth));
   return {};
 }

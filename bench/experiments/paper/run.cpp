@@ -134,9 +134,9 @@ int run(const experiments::CommandLine& line) {
   // Defaults first, so that the user's flags win. An iteration is a whole analysis, and a
   // repetition is one iteration: the least time is met by the first.
   std::string interleave = "--benchmark_enable_random_interleaving=true";
-  std::string least_time = "--benchmark_min_time=1e-6";
+  std::string min_time = "--benchmark_min_time=1e-6";
   std::string help = "--help";
-  arguments.insert(arguments.begin(), {line.program, interleave.data(), least_time.data()});
+  arguments.insert(arguments.begin(), {line.program, interleave.data(), min_time.data()});
   if (options.help) arguments.push_back(help.data());
   // Before Google Benchmark takes its flags away.
   const std::optional<int> asked_repetitions = repetitions_of(arguments);

@@ -47,15 +47,15 @@ void Contender::compare() {
   bytes = heap_bytes() - before;
   message = suite::missing_code(*formulation);
   if (!message.empty()) return;
-  suite::VerifyingSink sink(problem_.reference);
-  const Summary summary = formulation->run(problem_.grid, {}, sink);
-  errors = sink.errors();
+  suite::VerifyingObserver observer(problem_.reference);
+  const Summary summary = formulation->run(problem_.grid, {}, observer);
+  errors = observer.errors();
   if (!summary.ok()) {
     message = describe(summary, problem_.model);
     return;
   }
-  message = suite::complaint(errors, problem_.reference.size(),
-                             std::max(1.0, problem_.tolerance / Settings{}.tolerance));
+  message = suite::verification_failure(errors, problem_.reference.size(),
+                                        std::max(1.0, problem_.tolerance / Settings{}.tolerance));
   iterations_per_step =
       static_cast<double>(summary.iterations) / static_cast<double>(summary.instants);
   residual = summary.residual;

@@ -13,7 +13,7 @@ namespace desmo::sizes {
 namespace {
 
 /// Coordinates beyond which a reference in quadruple precision takes minutes.
-constexpr int largest_quadruple = 12'000;
+constexpr int max_quadruple = 12'000;
 
 std::vector<double> compared_times(const TimeGrid& grid) {
   const int last = grid.instants - 1;
@@ -33,7 +33,7 @@ std::optional<Model> of_first_entities(const Model& whole, int count) {
 
 Problem make_problem(Model m, const TimeGrid& grid, double tolerance) {
   const std::vector<double> times = compared_times(grid);
-  if (m.coordinates() > largest_quadruple) {
+  if (m.coordinates() > max_quadruple) {
     auto reference = reference_solution(m, times, Precision::standard);
     return {std::move(m), grid, tolerance, std::move(reference), "double"};
   }

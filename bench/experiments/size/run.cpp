@@ -21,8 +21,8 @@ namespace desmo::sizes {
 namespace {
 
 constexpr int usual_repetitions = 5;
-constexpr double least_seconds = 0.02;  // of a sample
-constexpr double dear_seconds = 1;      // a motion that takes longer has two samples only
+constexpr double min_seconds = 0.02;  // of a sample
+constexpr double dear_seconds = 1;    // a motion that takes longer has two samples only
 
 bool is_sampled(const Contender& contender, const Problem& problem) {
   const std::vector<double>& samples = contender.seconds_per_step;
@@ -57,7 +57,7 @@ void measure(const Series& series, int repetitions, nlohmann::ordered_json& list
   for (const std::string_view id : series.ids) contenders.emplace_back(problem, id).verify();
   for (int round = 0; round < repetitions; ++round)
     for (Contender& contender : contenders)
-      if (!is_sampled(contender, problem)) contender.time(least_seconds);
+      if (!is_sampled(contender, problem)) contender.time(min_seconds);
   for (const Contender& contender : contenders)
     list.push_back(entry_json(series, problem, contender));
 }

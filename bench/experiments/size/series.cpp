@@ -64,22 +64,22 @@ void add(std::vector<Series>& all, Question question, const Case& c, int size,
 Model largest(const Case& c) { return make_model(describe(c, c.sizes.back())); }
 
 /// Each number of unknowns once: the first entities may need more than they were asked for.
-void add_break_even(std::vector<Series>& all, const Case& c, int most_unknowns) {
+void add_break_even(std::vector<Series>& all, const Case& c, int max_unknowns) {
   const Model whole = largest(c);
   int last = 0;
   for (const int least : unknowns) {
-    if (least > most_unknowns) return;
+    if (least > max_unknowns) return;
     const int found = suite::moving_unknowns(cut_to(whole, least));
     if (found != last) add(all, Question::break_even, c, last = found, break_even);
   }
 }
 
-std::vector<Series> series_up_to(int most_coordinates, int most_unknowns) {
+std::vector<Series> series_up_to(int max_coordinates, int max_unknowns) {
   std::vector<Series> all;
   for (const Case& c : cases()) {
     for (const int n : coordinates)
-      if (n <= most_coordinates) add(all, Question::growth, c, n, growing);
-    add_break_even(all, c, most_unknowns);
+      if (n <= max_coordinates) add(all, Question::growth, c, n, growing);
+    add_break_even(all, c, max_unknowns);
   }
   return all;
 }

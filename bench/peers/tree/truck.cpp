@@ -81,10 +81,10 @@ class Truck final : public TreePeer {
   }
 
   void step(double t) override {
-    const Past past{t - time_, h_, Level::acceleration, before_};
+    const StepHistory history{t - time_, h_, Level::acceleration, before_};
     std::swap(last_, one_before_);
-    expected_(past, one_before_, last_, last_.q.data());
-    h_ = past.h;
+    expected_(history, one_before_, last_, last_.q.data());
+    h_ = history.h;
     before_ = Level::acceleration;
     solve(t);
   }

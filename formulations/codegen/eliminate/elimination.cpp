@@ -15,12 +15,12 @@ using Rows = std::vector<std::map<int, Expr>>;
 
 // Of a pivot beside the largest entry of its column. A constant costs nothing to divide by, and
 // what it lets through is bounded: KLU prefers its diagonal down to the same ratio.
-constexpr double least_constant = 1e-3, least_variable = 0.1;
+constexpr double min_constant = 1e-3, min_variable = 0.1;
 
 /// The ratio of an entry to the largest of its column, over the sample points.
 struct RelativeSize {
   double worst = 1;
-  double share = 0;  ///< of the samples: where it is at least `least_constant`
+  double share = 0;  ///< of the samples: where it is at least `min_constant`
 };
 
 struct Candidate {
@@ -40,7 +40,7 @@ RelativeSize relative_size(const Rows& rows, int row, int column) {
         largest = std::max(largest, std::abs(Graph::current().samples(it->second.id())[s]));
     const double ratio = largest > 0 ? std::abs(pivot[s]) / largest : 0.0;
     size.worst = std::min(size.worst, ratio);
-    size.share += (ratio >= least_constant) / static_cast<double>(pivot.size());
+    size.share += (ratio >= min_constant) / static_cast<double>(pivot.size());
   }
   return size;
 }
@@ -56,7 +56,7 @@ Candidate choose_pivot(const Rows& rows) {
       const int fill = (static_cast<int>(rows[i].size()) - 1) * (column_count[j] - 1);
       const RelativeSize size = relative_size(rows, i, j);
       const Candidate c{i, j, true, size, {!value.is_constant(), fill, -size.worst}};
-      if (size.worst >= (value.is_constant() ? least_constant : least_variable) &&
+      if (size.worst >= (value.is_constant() ? min_constant : min_variable) &&
           (best.row < 0 || c.rank < best.rank))
         best = c;
       const Candidate l{i, j, false, size, {false, 0, -size.worst}};
@@ -67,7 +67,7 @@ Candidate choose_pivot(const Rows& rows) {
 
 /// The largest |a| / |b| over the sample points, except where it is not finite: where the order of
 /// the pivots fails, the monitors shall refuse it.
-double largest_ratio(Expr a, Expr b) {
+double max_ratio(Expr a, Expr b) {
   const auto& x = Graph::current().samples(a.id());
   const auto& y = Graph::current().samples(b.id());
   double largest = 0;
@@ -79,7 +79,7 @@ double largest_ratio(Expr a, Expr b) {
 
 /// The share of the samples that a pivot has to serve. Where even the best does not, parts of the
 /// type point different ways; a single sample is left to the monitors.
-constexpr double least_share = 0.9;
+constexpr double min_share = 0.9;
 
 /// Where an elimination was before its first pivot that is not sound.
 struct Mark {
@@ -114,7 +114,7 @@ Elimination::Elimination(Rows rows) {
     const std::size_t open = n - steps_.size();
     if (!pivot.is_sound && !mark && open >= Adjugate::least && open <= Adjugate::most)
       mark = {rows, steps_.size(), monitors_.size()};
-    if (mark && pivot.size.share < least_share) {
+    if (mark && pivot.size.share < min_share) {
       steps_.resize(mark->steps);
       monitors_.resize(mark->monitors);
       solve_last_by_adjugate(mark->rows);
@@ -142,13 +142,12 @@ Elimination::Elimination(Rows rows) {
       step.lower.emplace_back(i, multiplier);
       if (!multiplier.is_constant())
         monitor.magnified.push_back(
-            {multiplier, bound(magnification_allowed, largest_ratio(multiplier, Expr(1)))});
+            {multiplier, bound(magnification_allowed, max_ratio(multiplier, Expr(1)))});
     }
     for (const Step& earlier : steps_)
       for (const auto& [j, value] : earlier.upper)
         if (j == pivot.column)
-          monitor.against.push_back(
-              {value, 1 / bound(cancellation_allowed, largest_ratio(value, p))});
+          monitor.against.push_back({value, 1 / bound(cancellation_allowed, max_ratio(value, p))});
     if (!p.is_constant()) monitors_.push_back(std::move(monitor));
     steps_.push_back(std::move(step));
   }
@@ -172,7 +171,7 @@ void Elimination::solve_last_by_adjugate(const Rows& rows) {
 
   const auto watch = [&](Expr what, Expr against) {
     monitors_.push_back(
-        {what, {}, {{against, 1 / bound(cancellation_allowed, largest_ratio(against, what))}}});
+        {what, {}, {{against, 1 / bound(cancellation_allowed, max_ratio(against, what))}}});
   };
   watch(last_->inverse.determinant(), last_->inverse.magnitude());
   // What is left of a column beside the entries that it was eliminated with.

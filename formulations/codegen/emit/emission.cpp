@@ -6,7 +6,7 @@ namespace desmo::generate {
 
 namespace {
 
-constexpr std::size_t longest_inline = 100;  // characters of an expression used once
+constexpr std::size_t max_inline = 100;  // characters of an expression used once
 
 void count_uses(int id, std::vector<int>& uses) {
   if (uses[id]++) return;
@@ -90,7 +90,7 @@ void Emitter::declare(int id) {
   declare(n.a);
   if (n.b >= 0) declare(n.b);
   const std::string expression = text(id);
-  if (uses_[id] < 2 && expression.size() <= longest_inline) return;
+  if (uses_[id] < 2 && expression.size() <= max_inline) return;
   const std::string variable = "t" + std::to_string(id);
   assign(variable, expression, known(Expr::node(id)));
   names_[id] = variable;

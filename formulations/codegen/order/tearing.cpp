@@ -10,11 +10,11 @@ namespace desmo::generate {
 namespace {
 
 /// Below this, a closed form would be singular not far from where it was sampled.
-constexpr double least_quality = 0.03;
+constexpr double min_quality = 0.03;
 /// From here on, one is as good as another.
 constexpr double good_quality = 0.25;
 
-constexpr std::size_t largest_set = 4, largest_tried = 3, most_tried = 3000;
+constexpr std::size_t max_set = 4, max_tried = 3, max_tried = 3000;
 
 std::vector<int> members(const auto& set, std::size_t n) {
   std::vector<int> result;
@@ -33,7 +33,7 @@ auto rank(const Torn& t) {
 Tearing::Tearing(const std::vector<Expr>& equations, const std::vector<Expr>& unknowns,
                  const Facts& facts)
     : unknowns_(unknowns.size()), matcher_(equations, unknowns, facts), reads_(equations.size()) {
-  if (unknowns_ > most_unknowns)
+  if (unknowns_ > max_unknowns)
     throw std::invalid_argument("too many unknowns in one irreducible block to be torn");
   for (std::size_t e = 0; e < equations.size(); ++e)
     for (const int i : matcher_.read_by(static_cast<int>(e))) reads_[e].set(i);
@@ -46,7 +46,7 @@ bool Tearing::extend(Walk& w, Torn& order, std::vector<int>& equations, const Se
     if (unknowns.count() != size) return false;
     const std::vector<int> found = members(unknowns, unknowns_);
     const Match& m = matcher_.match(found, equations);
-    if (!m.form || m.quality < least_quality) return false;
+    if (!m.form || m.quality < min_quality) return false;
     order.placed.push_back({*m.form, found, equations});
     order.quality = std::min(order.quality, m.quality);
     order.cost += m.form->cost;
@@ -68,7 +68,7 @@ bool Tearing::extend(Walk& w, Torn& order, std::vector<int>& equations, const Se
 }
 
 bool Tearing::place_next(Walk& w, Torn& order) {
-  for (std::size_t size = 1; size <= largest_set; ++size) {
+  for (std::size_t size = 1; size <= max_set; ++size) {
     std::vector<int> equations;
     if (extend(w, order, equations, {}, size)) return true;
   }
@@ -139,13 +139,13 @@ Torn Tearing::best() {
   if (order.unplaced == 0) return order;
   std::vector<int> all(unknowns_);
   std::iota(all.begin(), all.end(), 0);
-  if (all.size() <= largest_set)
+  if (all.size() <= max_set)
     if (const Match& m = matcher_.match(all, all); m.form)
       return {{}, {{*m.form, all, all}}, {}, 0, m.quality, m.form->cost};
   std::size_t combinations = 1;
-  for (std::size_t size = 1; size <= largest_tried && size < all.size(); ++size) {
+  for (std::size_t size = 1; size <= max_tried && size < all.size(); ++size) {
     combinations = combinations * (all.size() - size + 1) / size;
-    if (combinations > most_tried) break;
+    if (combinations > max_tried) break;
     if (std::optional<Torn> found = best_of_size(size)) return *found;
   }
   return greedy();

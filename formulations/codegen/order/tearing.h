@@ -30,7 +30,7 @@ struct Torn {
 /// their determinant is not small (Match::quality).
 class Tearing {
  public:
-  /// facts must outlive it. More than `most_unknowns` throw std::invalid_argument.
+  /// facts must outlive it. More than `max_unknowns` throw std::invalid_argument.
   Tearing(const std::vector<Expr>& equations, const std::vector<Expr>& unknowns,
           const Facts& facts);
 
@@ -38,10 +38,10 @@ class Tearing {
   /// one that frees most.
   Torn best();
 
-  static constexpr std::size_t most_unknowns = 256;
+  static constexpr std::size_t max_unknowns = 256;
 
  private:
-  using Set = std::bitset<most_unknowns>;
+  using Set = std::bitset<max_unknowns>;
   struct Walk {
     Set open;                // unknowns not yet placed
     std::vector<bool> used;  // equations

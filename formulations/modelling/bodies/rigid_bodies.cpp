@@ -28,7 +28,7 @@ using nominal::Vec;
 
 /// Adds to an orthonormal set what is new in a direction; false when the angle between it and
 /// their span has no larger sine than that.
-bool extend(std::vector<Vec>& orthonormal, Vec v, double least_sine) {
+bool extend(std::vector<Vec>& orthonormal, Vec v, double min_sine) {
   const double length = nominal::norm(v);
   if (length == 0) return false;
   for (int pass = 0; pass < 2; ++pass)
@@ -37,7 +37,7 @@ bool extend(std::vector<Vec>& orthonormal, Vec v, double least_sine) {
       for (int i = 0; i < 3; ++i) v[i] -= along * u[i];
     }
   const double rest = nominal::norm(v);
-  if (rest < least_sine * length) return false;
+  if (rest < min_sine * length) return false;
   for (double& x : v) x /= rest;
   orthonormal.push_back(v);
   return true;
@@ -49,15 +49,15 @@ Basis choose_basis(const Mechanism& d, const RigidBody& body) {
   std::vector<Vec> orthonormal;
   if (!body.points.empty()) basis.origin = body.points.front();
   // Directions nearly in the span of others make bad coordinates: only where there is no choice.
-  for (const double least_sine : {0.1, 1e-6}) {
+  for (const double min_sine : {0.1, 1e-6}) {
     for (const int v : body.vectors)
       if (!follows_from_points(d, body, v) && orthonormal.size() < enough && !basis.has_vector(v) &&
-          extend(orthonormal, d.vectors[v].direction, least_sine))
+          extend(orthonormal, d.vectors[v].direction, min_sine))
         basis.directions.push_back({v});
     for (const int p : body.points) {
       const Mechanism::Direction segment{-1, basis.origin, p};
       if (orthonormal.size() < enough && !basis.has_point(p) &&
-          extend(orthonormal, nominal::direction(d, segment), least_sine))
+          extend(orthonormal, nominal::direction(d, segment), min_sine))
         basis.directions.push_back(segment);
     }
   }

@@ -10,7 +10,7 @@ namespace desmo {
 
 namespace {
 
-double largest_coordinate(const Mechanism& d) {
+double max_coordinate(const Mechanism& d) {
   double largest = 0;
   for (const Mechanism::Point& p : d.points)
     for (const double x : p.position) largest = std::max(largest, std::abs(x));
@@ -21,10 +21,7 @@ double largest_coordinate(const Mechanism& d) {
 
 EquationWriter::EquationWriter(const Mechanism& d, const RigidBodies& bodies,
                                Coordinates coordinates)
-    : mechanism(d),
-      rigid(bodies),
-      reach(largest_coordinate(d)),
-      coordinates_(std::move(coordinates)) {}
+    : mechanism(d), rigid(bodies), reach(max_coordinate(d)), coordinates_(std::move(coordinates)) {}
 
 EntityId EquationWriter::add_fixed_vector(std::string name, const Mechanism::Vec& direction) {
   return coordinates_.model.add_fixed(EntityKind::vector, std::move(name),

@@ -22,7 +22,7 @@ constexpr int steps = 10;
 constexpr double agrees = 1e-10;
 
 /// Φ where Gauss and Newton's method, over the unknowns alone, ends; the state with it.
-VectorXd least_residual(std::vector<double>& state, const GroupSystem& s, Lineariser& lineariser) {
+VectorXd min_residual(std::vector<double>& state, const GroupSystem& s, Lineariser& lineariser) {
   constexpr int most = 50;
   for (int iteration = 0;; ++iteration) {
     const auto [phi, jacobian] = lineariser.at(state, s);
@@ -56,7 +56,7 @@ std::optional<Contradiction> find_contradiction(const Model& m, const GroupSyste
     VectorXd phi;
     for (int i = 0; i < steps; ++i) {
       lineariser.move(state, s, step);
-      phi = least_residual(state, s, lineariser);
+      phi = min_residual(state, s, lineariser);
     }
     Eigen::Index worst = 0;
     const double off = phi.cwiseAbs().maxCoeff<Eigen::PropagateNaN>(&worst);

@@ -42,7 +42,7 @@ Assessor::Assessor(const Model& m, std::span<const Level> levels)
       unknown_(system_.size()),
       change_(system_.size()),
       error_(system_.size()),
-      largest_(m.groups.size()),
+      max_(m.groups.size()),
       state_(m.state_size()),
       phi_(system_.size()),
       phi_motion_(system_.size()) {
@@ -156,7 +156,7 @@ Assessor::Bound Assessor::of_outputs(Level level, const Scales& scales) {
 /// signs without a pattern show of each, and as many times that as it takes.
 void Assessor::enclose(Level level) {
   constexpr int probes = 2;
-  std::ranges::fill(largest_, 0.0);
+  std::ranges::fill(max_, 0.0);
   unsigned bits = 0;
   for (int probe = 0; probe < probes && system_.size() > 0; ++probe) {
     for (int r = 0; r < system_.size(); ++r) {
@@ -166,16 +166,16 @@ void Assessor::enclose(Level level) {
     system_.solve(change_.data());
     at_least(change_);
   }
-  for (int j = 0; j < system_.size(); ++j) error_[j] = largest_[group_[j]];
+  for (int j = 0; j < system_.size(); ++j) error_[j] = max_[group_[j]];
   error_ *= missed * to_errors_[level](system_, inverse(error_), unknown_).value;
-  std::ranges::fill(largest_, 0.0);
+  std::ranges::fill(max_, 0.0);
   at_least(off_);
-  for (int j = 0; j < system_.size(); ++j) error_[j] += largest_[group_[j]];
+  for (int j = 0; j < system_.size(); ++j) error_[j] += max_[group_[j]];
 }
 
 void Assessor::at_least(const Eigen::ArrayXd& errors) {
   for (int j = 0; j < system_.size(); ++j)
-    largest_[group_[j]] = std::max(largest_[group_[j]], std::abs(errors[j]));
+    max_[group_[j]] = std::max(max_[group_[j]], std::abs(errors[j]));
 }
 
 /// 1 / errors; 0 of what is exact.
@@ -217,7 +217,7 @@ double Assessor::correct(Level level, std::vector<double>& values) {
 }
 
 Instant Assessor::corrected(const Instant& instant) {
-  constexpr int most_corrections = 10;
+  constexpr int max_corrections = 10;
   auto& [q, qd, qdd] = corrected_;
   Instant result = instant;
   const auto put = [](std::span<const double> from, std::vector<double>& to) {
@@ -228,7 +228,7 @@ Instant Assessor::corrected(const Instant& instant) {
   result.qd = put(instant.qd, qd);
   result.qdd = put(instant.qdd, qdd);
   double before = INFINITY;
-  for (int i = 0; i < most_corrections; ++i) {
+  for (int i = 0; i < max_corrections; ++i) {
     std::ranges::copy(q, state_.begin());
     if (!system_.factorise(state_)) return instant;
     motion_.take(result);

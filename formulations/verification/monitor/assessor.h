@@ -71,9 +71,9 @@ class Assessor {
   InverseNorm of_system_, of_change_;  // each is asked the same again and again
   PerLevel<InverseNorm> to_outputs_, to_errors_;
   Eigen::ArrayXd weights_, off_, unknown_, change_;
-  Eigen::ArrayXd error_;         // of each unknown at most, in its magnitude, as large in a group
-  std::vector<GroupId> group_;   // of each unknown
-  std::vector<double> largest_;  // error of each group
+  Eigen::ArrayXd error_;        // of each unknown at most, in its magnitude, as large in a group
+  std::vector<GroupId> group_;  // of each unknown
+  std::vector<double> max_;     // error of each group
   std::vector<double> state_;
   std::vector<Rounded> phi_;
   std::vector<Jet<Rounded>> phi_motion_;

@@ -30,9 +30,9 @@ void BranchSigns::declare(const Instant& first) {
 }
 
 std::optional<Crossing> BranchSigns::at_first(const Instant& instant, const Assessment& assessment,
-                                              double gain) {
+                                              double sensitivity) {
   const std::optional<Crossing> other = change(instant.time, {});
-  if (is_near_estimate(instant, assessment.condition, gain)) return other;
+  if (is_near_estimate(instant, assessment.condition, sensitivity)) return other;
   return Crossing{instant.time, instant.time, assessment.group, Crossing::Kind::not_declared};
 }
 
@@ -51,7 +51,8 @@ std::optional<Crossing> BranchSigns::change(double time, std::optional<double> s
 /// a link where two mirror images are all that there is, which signs tell apart, and else against
 /// the distance of the next singular position, of the order of 1 / κ. Links are as long as they
 /// are where they have been assembled: an estimate that is far off stretches them.
-bool BranchSigns::is_near_estimate(const Instant& instant, double condition, double gain) const {
+bool BranchSigns::is_near_estimate(const Instant& instant, double condition,
+                                   double sensitivity) const {
   const std::vector<double> magnitude = CharacteristicLengths(model_, instant.q).of_coordinates();
   const auto moved = [&](int i) {
     return std::abs(instant.q[i] - model_.estimate[i]) / magnitude[i];
@@ -61,7 +62,7 @@ bool BranchSigns::is_near_estimate(const Instant& instant, double condition, dou
     by_drivers = std::max(by_drivers, moved(model_.entities[d.coordinate].first));
   for (int j = 0; j < system_.size(); ++j) {
     const double nearest = system_.block_size(j) <= mirrored ? 1 : 1 / condition;
-    if (moved(system_.unknowns()[j]) > near * nearest + 2 * gain * by_drivers) return false;
+    if (moved(system_.unknowns()[j]) > near * nearest + 2 * sensitivity * by_drivers) return false;
   }
   return true;
 }

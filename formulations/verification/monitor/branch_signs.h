@@ -23,9 +23,9 @@ class BranchSigns {
   void declare(const Instant& first);
 
   /// What an assessed instant shows, whose factors the system has. gain: of the drivers at most
-  /// (GainMonitor::largest).
+  /// (SensitivityMonitor::largest).
   std::optional<Crossing> at_first(const Instant& instant, const Assessment& assessment,
-                                   double gain);
+                                   double sensitivity);
   /// After an interval that was left out.
   std::optional<Crossing> after_gap(const Instant& instant) { return change(instant.time, {}); }
   /// last: the time of the instant assessed before [s].
@@ -35,7 +35,7 @@ class BranchSigns {
 
  private:
   std::optional<Crossing> change(double time, std::optional<double> since);
-  bool is_near_estimate(const Instant& instant, double condition, double gain) const;
+  bool is_near_estimate(const Instant& instant, double condition, double sensitivity) const;
 
   const Model& model_;
   ScaledSystem& system_;

@@ -8,7 +8,7 @@ namespace desmo {
 namespace {
 
 /// Groups that the right-hand side hardly moves count as this part of the one that it moves most.
-constexpr double least_part = 0.5;
+constexpr double min_part = 0.5;
 /// From one look to the next: by what part a share may change, and how far drivers may go, in their
 /// magnitudes and beside the way to the look before.
 constexpr double allowed = 0.5, longest = 2, stretch = 4;
@@ -70,7 +70,7 @@ void ConditionMonitor::take(ScaledSystem& system) {
   now_.setZero();
   for (int j = 0; j < system.size(); ++j)
     now_[group_[j]] = std::max(now_[group_[j]], std::abs(x_[j]));
-  now_ = now_.max(least_part * x_.abs().maxCoeff());
+  now_ = now_.max(min_part * x_.abs().maxCoeff());
   growth_ = 1;
   double fall = 0, change = 0;
   for (Eigen::Index g = 0; g < now_.size(); ++g) {

@@ -16,7 +16,7 @@ constexpr double shortest = 0x1p-40;
 /// Drivers slower than this, relative to their fastest, tell nothing of what follows them.
 constexpr double at_rest = 1e-6;
 /// Steps that one is gone again in, at most.
-constexpr int most_steps = 4096;
+constexpr int max_steps = 4096;
 
 /// The coordinate that is off most.
 constexpr auto worst = [](const auto& off) {
@@ -158,7 +158,7 @@ std::optional<Continuity::Jump> Continuity::go(const Instant& instant, End end,
   const double whole = instant.time - last_.time;
   reached_ = last_;
   double step = whole / 2;
-  for (int i = 0; i < most_steps; ++i) {
+  for (int i = 0; i < max_steps; ++i) {
     const bool to_end = std::abs(step) >= std::abs(instant.time - reached_.time);
     const bool is_given = to_end && end == End::given;
     if (!is_given) lead_on(to_end ? instant.time : reached_.time + step, instant, assessor);

@@ -22,7 +22,7 @@ class Continuity {
   Continuity(const Model& model, const TimeGrid& grid, std::span<const double> magnitudes);
 
   /// Whether the step from the instant taken last is in doubt. weights: of each coordinate, 1 over
-  /// what it moves when the drivers move by their magnitudes (GainMonitor).
+  /// what it moves when the drivers move by their magnitudes (SensitivityMonitor).
   bool in_doubt(const Instant& instant, const Eigen::ArrayXd& weights) const;
 
   /// Where a step that is in doubt is not continuous.

@@ -16,7 +16,7 @@ class Degradations {
   explicit Degradations(const PerLevel<double>& limit) : limit_(limit) {}
 
   void add(const Degradation& degradation) {
-    if (kept_.size() < most_kept)
+    if (kept_.size() < max_kept)
       kept_.push_back(degradation);
     else
       ++others_;
@@ -34,7 +34,7 @@ class Degradations {
   }
 
  private:
-  static constexpr std::size_t most_kept = 10000;  // the others stay as they were found
+  static constexpr std::size_t max_kept = 10000;  // the others stay as they were found
 
   PerLevel<double> limit_;
   std::vector<Degradation> kept_;

@@ -12,9 +12,9 @@ namespace {
 /// By how much a residual may rise above those assessed, and a condition number likewise.
 constexpr double risen = 4;
 /// Residuals below it are rounding.
-constexpr double least_residual = 1e-15;
+constexpr double min_residual = 1e-15;
 /// Of expectations: what neither signal shows, and as much again where they have been off.
-constexpr double least_margin = 10, doubled = 2;
+constexpr double min_margin = 10, doubled = 2;
 
 }  // namespace
 
@@ -27,8 +27,8 @@ void Expectation::learn(const Assessment& a, double growth, double residual) {
       if (expected.bound[l] > 0)
         margin_[l] = std::max(margin_[l], doubled * a.bound[l] / expected.bound[l]);
   }
-  largest_residual_ = std::max(largest_residual_, residual);
-  if (residual > least_residual)
+  max_residual_ = std::max(max_residual_, residual);
+  if (residual > min_residual)
     slope_ = std::max(0.0, a.bound.position - a.rounding) / (a.condition * residual);
   last_ = a;
 }
@@ -50,12 +50,12 @@ Assessment Expectation::operator()(double growth, double residual) const {
 }
 
 Assessment Expectation::with_margin(Assessment expected) const {
-  for (const Level l : levels) expected.bound[l] *= std::max(least_margin, margin_[l]);
+  for (const Level l : levels) expected.bound[l] *= std::max(min_margin, margin_[l]);
   return expected;
 }
 
 bool Expectation::is_new(double residual) const {
-  return residual > least_residual && residual > risen * largest_residual_;
+  return residual > min_residual && residual > risen * max_residual_;
 }
 
 }  // namespace desmo

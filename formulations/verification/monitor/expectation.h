@@ -29,7 +29,7 @@ class Expectation {
 
  private:
   Assessment last_{};
-  double largest_residual_ = 0;
+  double max_residual_ = 0;
   double slope_ = 0;  // of position over the residual and the condition number
   PerLevel<double> margin_;
 };

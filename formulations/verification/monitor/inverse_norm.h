@@ -44,7 +44,7 @@ class InverseNorm {
       x_.setConstant(1.0 / static_cast<double>(n));
       worst.value = row();
     }
-    for (int attempt = 0; attempt < most_attempts; ++attempt) {
+    for (int attempt = 0; attempt < max_attempts; ++attempt) {
       sign_ = (x_ < 0).select(Eigen::ArrayXd::Constant(n, -1.0), 1.0);
       x_ = f * sign_;
       factors.solve(x_.data());
@@ -70,7 +70,7 @@ class InverseNorm {
   }
 
  private:
-  static constexpr int most_attempts = 5;
+  static constexpr int max_attempts = 5;
 
   Eigen::ArrayXd x_, sign_;
   int last_worst_ = -1;

@@ -11,7 +11,7 @@ namespace {
 /// Instants at which drivers are looked at beforehand.
 constexpr int looks = 64;
 /// What unknowns do at least of what drivers do, before they have been seen.
-constexpr double least_scale = 0.01;
+constexpr double min_scale = 0.01;
 
 /// The largest of drivers at one level, of lengths or of rotations.
 struct Largest {
@@ -45,10 +45,10 @@ RunningScales::RunningScales(const Model& m, const TimeGrid& grid) : is_length_(
       (is_length(m.entities[d.coordinate].kind) ? length : rotation)
           .take(z.velocity, z.acceleration);
     }
-  seen_.length = {size, std::max(length.velocity, least_scale * size * rotation.velocity),
-                  std::max(length.acceleration, least_scale * size * rotation.acceleration)};
-  seen_.rotation = {1, std::max(rotation.velocity, least_scale * length.velocity / size),
-                    std::max(rotation.acceleration, least_scale * length.acceleration / size)};
+  seen_.length = {size, std::max(length.velocity, min_scale * size * rotation.velocity),
+                  std::max(length.acceleration, min_scale * size * rotation.acceleration)};
+  seen_.rotation = {1, std::max(rotation.velocity, min_scale * length.velocity / size),
+                    std::max(rotation.acceleration, min_scale * length.acceleration / size)};
   now_ = completed(seen_);
 }
 
@@ -84,7 +84,7 @@ bool RunningScales::grow(Scales& seen, const Instant& instant) const {
 Scales RunningScales::completed(Scales seen) {
   for (PerLevel<double>* of : {&seen.length, &seen.rotation})
     of->acceleration =
-        std::max(of->acceleration, least_scale * of->velocity * of->velocity / of->position);
+        std::max(of->acceleration, min_scale * of->velocity * of->velocity / of->position);
   return seen;
 }
 

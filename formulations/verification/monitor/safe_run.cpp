@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "formulations/parts/guarded_part.h"
-#include "formulations/verification/monitor/watched_sink.h"
+#include "formulations/verification/monitor/monitored_observer.h"
 
 namespace desmo {
 
@@ -26,27 +26,28 @@ Watch::Options with_pivots(Watch::Options options, const Formulation& f) {
 /// One run, stretch by stretch between the intervals that cannot be assembled.
 class Run {
  public:
-  Run(Formulation& formulation, const TimeGrid& grid, const Request& request, Sink& sink,
+  Run(Formulation& formulation, const TimeGrid& grid, const Request& request, Observer& observer,
       const SafetyOptions& options)
       : formulation_(formulation),
         grid_(grid),
         request_(request),
         options_(options),
         watch_(formulation.model(), grid, with_pivots(options, formulation)),
-        sink_(watch_, options_, sink, summary_) {}
+        observer_(watch_, options_, observer, summary_) {}
 
   SafeSummary operator()() {
-    watched([&] { static_cast<Summary&>(summary_) = formulation_.run(grid_, request_, sink_); });
+    watched(
+        [&] { static_cast<Summary&>(summary_) = formulation_.run(grid_, request_, observer_); });
     tried_ = static_cast<int>(summary_.instants);  // all before it were handed on
     if (!summary_.ok() && grid_.time(tried_) < summary_.time) {
       summary_.status = Status::converged;  // a stride was too long: in steps from there
       watched([&] { go_on(tried_, From::last); });
     }
-    measure_deficit();
+    measure_assembly_error();
     while (!summary_.ok() && options_.past_failures) {
       const int again = pass_gap();
       watched([&] { go_on(again, From::estimate); });
-      measure_deficit();
+      measure_assembly_error();
     }
     summary_.condition = watch_.condition();
     summary_.bound = watch_.bound();
@@ -69,7 +70,7 @@ class Run {
   /// Whether the run ended between two instants that could be solved.
   bool was_interpolated() const { return summary_.residual == INFINITY; }
 
-  void measure_deficit() {
+  void measure_assembly_error() {
     if (summary_.status != Status::not_converged) return;
     const Model& m = formulation_.model();
     State state;
@@ -77,15 +78,15 @@ class Run {
     state.q.insert(state.q.end(), m.fixed_values.begin(), m.fixed_values.end());
     state.qd = state.qdd = state.q;
     drive(m, summary_.time, state);
-    summary_.deficit = find_deficit(m, state.q, {.tolerance = options_.tolerance});
+    summary_.assembly_error = find_assembly_error(m, state.q, {.tolerance = options_.tolerance});
     // Continued from the row before, in ever shorter steps, and stuck all the same.
-    if (!summary_.deficit && was_interpolated()) summary_.status = Status::singular;
+    if (!summary_.assembly_error && was_interpolated()) summary_.status = Status::singular;
   }
 
   /// From the instant that failed to the first that can be assembled again.
   int pass_gap() {
     const double end = grid_.time(grid_.instants - 1);
-    Gap gap{summary_.time, end, false, summary_, summary_.deficit};
+    Gap gap{summary_.time, end, false, summary_, summary_.assembly_error};
     if (tried_ > 0) {
       const double good = grid_.time(tried_ - 1);
       if (was_interpolated()) formulation_.assemble(good);  // it has been beyond
@@ -99,8 +100,8 @@ class Run {
     summary_.gaps.push_back(gap);
     summary_.status = Status::converged;
     summary_.group = summary_.constraint = -1;
-    summary_.residual = sink_.largest_residual();
-    summary_.deficit.reset();
+    summary_.residual = observer_.max_residual();
+    summary_.assembly_error.reset();
     watch_.resume();
     return again;
   }
@@ -132,10 +133,10 @@ class Run {
         return;
       }
       const std::span<const double> none;
-      sink_.accept({tried_, t, formulation_.q(),
-                    request_.level >= Level::velocity ? formulation_.qd() : none,
-                    request_.level >= Level::acceleration ? formulation_.qdd() : none, s.updates,
-                    s.residual});
+      observer_.observe({tried_, t, formulation_.q(),
+                         request_.level >= Level::velocity ? formulation_.qd() : none,
+                         request_.level >= Level::acceleration ? formulation_.qdd() : none,
+                         s.updates, s.residual});
     }
   }
 
@@ -145,15 +146,15 @@ class Run {
   const SafetyOptions options_;
   SafeSummary summary_{};
   Watch watch_;
-  WatchedSink sink_;
+  MonitoredObserver observer_;
   int tried_ = 0;  // the instant tried last
 };
 
 }  // namespace
 
 SafeSummary run_safely(Formulation& formulation, const TimeGrid& grid, const Request& request,
-                       Sink& sink, const SafetyOptions& options) {
-  return Run(formulation, grid, request, sink, options)();
+                       Observer& observer, const SafetyOptions& options) {
+  return Run(formulation, grid, request, observer, options)();
 }
 
 std::string describe_accuracy(double condition, const PerLevel<double>& bound, Level level) {

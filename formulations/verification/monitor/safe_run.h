@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "formulations/stepping/formulation.h"
-#include "formulations/verification/monitor/deficit.h"
+#include "formulations/verification/monitor/assembly_error.h"
 #include "formulations/verification/monitor/watch.h"
 
 namespace desmo {
@@ -25,7 +25,7 @@ struct Gap {
   double from, to;  ///< s
   bool ends;        ///< false: it lasts as long as the run
   Summary failure;  ///< at the first instant of the grid in it
-  std::optional<Deficit> deficit;
+  std::optional<AssemblyError> assembly_error;
 };
 
 /// What became of a run, and how right it is.
@@ -37,9 +37,9 @@ struct SafeSummary : Summary {
   long corrected = 0;        ///< of these
   long degraded = 0;         ///< of these
   std::optional<Degradation> first_degraded{};
-  std::optional<Crossing> crossing{};  ///< the first
-  std::optional<Deficit> deficit{};    ///< on failure, where no position was found
-  std::vector<Gap> gaps{};             ///< that the run went on after
+  std::optional<Crossing> crossing{};             ///< the first
+  std::optional<AssemblyError> assembly_error{};  ///< on failure, where no position was found
+  std::vector<Gap> gaps{};                        ///< that the run went on after
 
   Outcome outcome() const {
     return !ok() || refused                            ? Outcome::failed
@@ -51,16 +51,16 @@ struct SafeSummary : Summary {
 struct SafetyOptions : Watch::Options {
   bool strict = false;         ///< what is degraded has failed
   bool past_failures = false;  ///< go on after an interval that cannot be assembled
-  /// Called with what is said of each instant, before the sink has it; empty: nobody listens.
+  /// Called with what is said of each instant, before the observer has it; empty: nobody listens.
   std::function<void(const Watch::Judgement&)> judged{};
 };
 
-/// Formulation::run, watched: every instant handed to the sink is as right as the summary says.
+/// Formulation::run, watched: every instant handed to the observer is as right as the summary says.
 /// Ends, as a failure, at the first that cannot be assembled or is singular, the instants before it
 /// handed on; or goes on where it can be assembled again from the mechanism's estimate, which
 /// declares the branch. The request must ask for all coordinates: they are what is judged.
 SafeSummary run_safely(Formulation& formulation, const TimeGrid& grid, const Request& request,
-                       Sink& sink, const SafetyOptions& options);
+                       Observer& observer, const SafetyOptions& options);
 
 /// "condition 4.1e+02, errors up to 3.2e-13, 1.1e-11 in velocity, 7.3e-11 in acceleration"
 std::string describe_accuracy(double condition, const PerLevel<double>& bound, Level level);

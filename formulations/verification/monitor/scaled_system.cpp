@@ -103,7 +103,7 @@ GroupId ScaledSystem::singular_group() const {
   return row_groups_[pattern_.row[pattern_.column_start[column]]];
 }
 
-const ScaledSystem::Array& ScaledSystem::gains() {
+const ScaledSystem::Array& ScaledSystem::sensitivities() {
   if (factors_) factors_->solve(by_drivers_.data());
   return by_drivers_;
 }

@@ -53,7 +53,7 @@ class ScaledSystem {
   void solve_transposed(double* x);
   /// x of each unknown, in its magnitude, when every driver moves by plus or minus its own.
   /// Once after each factorise().
-  const Array& gains();
+  const Array& sensitivities();
   /// The sign of det A of each irreducible block, up to one that never changes: a motion takes it
   /// through zero only.
   std::span<const signed char> orientation() const { return orientation_; }

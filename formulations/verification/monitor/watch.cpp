@@ -12,9 +12,9 @@
 #include "formulations/verification/monitor/continuity.h"
 #include "formulations/verification/monitor/degradations.h"
 #include "formulations/verification/monitor/expectation.h"
-#include "formulations/verification/monitor/gain_monitor.h"
 #include "formulations/verification/monitor/limits.h"
 #include "formulations/verification/monitor/running_scales.h"
+#include "formulations/verification/monitor/sensitivity_monitor.h"
 
 namespace desmo {
 
@@ -39,7 +39,7 @@ struct Watch::State {
   const Limits limits;
   Assessor assessor;
   RunningScales scales;
-  GainMonitor gain;
+  SensitivityMonitor sensitivity;
   ConditionMonitor conditioning;
   Continuity continuity;
   BackwardError backward_error;
@@ -64,7 +64,7 @@ struct Watch::State {
         limits(o.tolerance),
         assessor(m, o.levels),
         scales(m, grid),
-        gain(m, assessor.levels(), assessor.system().magnitudes()),
+        sensitivity(m, assessor.levels(), assessor.system().magnitudes()),
         conditioning(m, assessor.system()),
         continuity(m, grid, assessor.system().magnitudes()),
         backward_error(m, assessor.levels()),
@@ -132,8 +132,8 @@ struct Watch::State {
 
   /// Of the condition number since the last assessment, as far as it shows.
   double growth_at(const Instant& instant) {
-    if (!has(Monitor::gain)) return 1;
-    const double of_rates = gain.growth(instant);
+    if (!has(Monitor::sensitivity)) return 1;
+    const double of_rates = sensitivity.growth(instant);
     if (!has(Monitor::clock)) return of_rates;
     conditioning.go_on(instant);
     if (conditioning.is_due()) conditioning.look(instant, assessor.system());
@@ -159,11 +159,11 @@ struct Watch::State {
   bool rates_are_known() const { return !exceeds(last.bound, {noise, noise, noise}); }
 
   bool is_in_doubt(const Instant& instant) const {
-    return has(Monitor::continuity) && continuity.in_doubt(instant, gain.weights());
+    return has(Monitor::continuity) && continuity.in_doubt(instant, sensitivity.weights());
   }
 
   std::optional<Crossing> find_jump(const Instant& instant) {
-    const auto jump = continuity.find_jump(instant, gain.weights(), assessor);
+    const auto jump = continuity.find_jump(instant, sensitivity.weights(), assessor);
     if (!jump) return {};
     return Crossing{jump->after, jump->before, model.entities[entity[jump->coordinate]].group,
                     Crossing::Kind::jumped};
@@ -201,7 +201,7 @@ struct Watch::State {
     j.degraded = degraded;
     j.assessment = last;
     if (last.condition < INFINITY) {
-      gain.reset(j.instant, assessor.system());
+      sensitivity.reset(j.instant, assessor.system());
       conditioning.reset(assessor.system());
       j.crossing = crossing(j.instant);
       started = true;
@@ -214,7 +214,7 @@ struct Watch::State {
   /// solved.
   bool improve(Judgement& j) {
     if (j.instant.interpolated && exceeds(last.bound, limits.degraded)) {
-      if (const auto solved = continuity.solve_anew(j.instant, gain.weights(), assessor))
+      if (const auto solved = continuity.solve_anew(j.instant, sensitivity.weights(), assessor))
         return j.solved_anew = take_if_better(j.instant, *solved);
       assessor(j.instant, scales.with(j.instant));  // its factors, after those of other instants
     }
@@ -240,7 +240,7 @@ struct Watch::State {
 
   std::optional<Crossing> crossing(const Instant& instant) {
     if (!has(Monitor::orientation)) return {};
-    return !started    ? signs.at_first(instant, last, gain.largest())
+    return !started    ? signs.at_first(instant, last, sensitivity.largest())
            : after_gap ? signs.after_gap(instant)
                        : signs.since(last_time, instant);
   }

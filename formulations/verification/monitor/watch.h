@@ -14,7 +14,7 @@ namespace desmo {
 
 /// What makes a watch assess an instant, and what it looks at when it does.
 enum class Monitor : unsigned {
-  gain = 1,          ///< rates of unknowns over those of the drivers; at looks, of anything
+  sensitivity = 1,   ///< rates of unknowns over those of the drivers; at looks, of anything
   residual = 2,      ///< ‖Φ‖ at which positions were accepted
   clock = 4,         ///< so many instants since the last; looks at what rates may not show
   bounds = 8,        ///< degraded and singular instants are told from others
@@ -27,7 +27,7 @@ struct MonitorName {
   std::string_view name;
 };
 inline constexpr std::array monitor_names{
-    MonitorName{Monitor::gain, "gain"},
+    MonitorName{Monitor::sensitivity, "gain"},
     MonitorName{Monitor::residual, "residual"},
     MonitorName{Monitor::clock, "clock"},
     MonitorName{Monitor::bounds, "bounds"},

@@ -7,15 +7,15 @@ namespace desmo {
 
 namespace {
 
-class Ends final : public Sink {
+class Ends final : public Observer {
  public:
   Ends(const Model& m, const Reference& reference, std::size_t window)
       : first_(m, std::span(reference.instants).first(window), reference.scales),
         last_(m, std::span(reference.instants).subspan(window), reference.scales) {}
 
-  void accept(const Instant& instant) override {
-    first_.accept(instant);
-    last_.accept(instant);
+  void observe(const Instant& instant) override {
+    first_.observe(instant);
+    last_.observe(instant);
   }
   Error first() const { return first_.error(); }
   Error last() const { return last_.error(); }

@@ -1,4 +1,4 @@
-#include "formulations/verification/monitor/deficit.h"
+#include "formulations/verification/monitor/assembly_error.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -18,8 +18,8 @@ namespace {
 /// through singular positions. Unknowns are in natural magnitudes.
 void approach(const DenseGroup& group, const std::vector<double>& magnitudes,
               std::vector<double>& state) {
-  constexpr int most_steps = 200;
-  constexpr double most_damping = 1e12, settled = 1e-12;
+  constexpr int max_steps = 200;
+  constexpr double max_damping = 1e12, settled = 1e-12;
   const auto weighted = [&](const std::vector<double>& at) -> Eigen::VectorXd {
     return group.weights().cwiseProduct(group.residual(at));
   };
@@ -27,7 +27,7 @@ void approach(const DenseGroup& group, const std::vector<double>& magnitudes,
   for (int i = 0; i < scales.size(); ++i) scales[i] = magnitudes[group.unknowns()[i]];
   Eigen::VectorXd phi = weighted(state);
   double damping = 1e-3;
-  for (int step = 0; step < most_steps && phi.allFinite() && damping < most_damping; ++step) {
+  for (int step = 0; step < max_steps && phi.allFinite() && damping < max_damping; ++step) {
     const Eigen::MatrixXd a =
         group.weights().asDiagonal() * group.jacobian(state) * scales.asDiagonal();
     Eigen::MatrixXd normal = a.transpose() * a;
@@ -57,9 +57,10 @@ bool holds(const DenseGroup& group, const std::vector<double>& state, const Sett
 }
 
 /// What it would take to satisfy one equation alone.
-Deficit shortfall(const Model& m, const Equation& equation, const std::vector<double>& state) {
+AssemblyError shortfall(const Model& m, const Equation& equation,
+                        const std::vector<double>& state) {
   const Constraint& c = m.constraints[equation.constraint];
-  Deficit d{c.group, equation.constraint, 0, false};
+  AssemblyError d{c.group, equation.constraint, 0, false};
   visit_kind(c.kind, [&]<class Kind>(Kind) {
     std::array<const double*, Kind::operand_sizes.size()> x;
     for (std::size_t k = 0; k < x.size(); ++k) x[k] = state.data() + m.state_index(c.operands[k]);
@@ -82,8 +83,8 @@ Deficit shortfall(const Model& m, const Equation& equation, const std::vector<do
 
 }  // namespace
 
-std::optional<Deficit> find_deficit(const Model& m, std::vector<double> state,
-                                    const Settings& settings) {
+std::optional<AssemblyError> find_assembly_error(const Model& m, std::vector<double> state,
+                                                 const Settings& settings) {
   const Magnitudes magnitudes(m);
   for (const PartDefinition& definition : make_partition(m, Partition::group)) {
     const DenseGroup group(m, definition, magnitudes);

@@ -1,9 +1,9 @@
-#include "formulations/base/coordinate_run.h"
+#include "formulations/base/index_range.h"
 
 namespace desmo {
 
-std::vector<CoordinateRun> runs_of(std::span<const int> coordinates) {
-  std::vector<CoordinateRun> runs;
+std::vector<IndexRange> runs_of(std::span<const int> coordinates) {
+  std::vector<IndexRange> runs;
   for (const int i : coordinates) {
     if (runs.empty() || runs.back().end != i) runs.push_back({i, i});
     ++runs.back().end;

@@ -1,4 +1,4 @@
-#include "formulations/verification/monitor/gain_monitor.h"
+#include "formulations/verification/monitor/sensitivity_monitor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +8,9 @@ namespace desmo {
 namespace {
 
 /// Groups that hardly follow their drivers are compared with this part of the one that does most.
-constexpr double least_gain = 0.01;
+constexpr double min_sensitivity = 0.01;
 /// Drivers slower than this, relative to their fastest, tell nothing of what follows them.
-constexpr double gain_at_rest = 1e-6;
+constexpr double sensitivity_at_rest = 1e-6;
 
 Eigen::Map<const Eigen::ArrayXd> as_array(std::span<const double> values) {
   return {values.data(), static_cast<Eigen::Index>(values.size())};
@@ -18,13 +18,13 @@ Eigen::Map<const Eigen::ArrayXd> as_array(std::span<const double> values) {
 
 }  // namespace
 
-GainMonitor::GainMonitor(const Model& m, std::span<const Level> levels,
-                         std::span<const double> magnitude)
+SensitivityMonitor::SensitivityMonitor(const Model& m, std::span<const Level> levels,
+                                       std::span<const double> magnitude)
     : group_(m.coordinates()),
       unit_(Eigen::ArrayXd::Zero(m.coordinates())),
       weight_(unit_),
       difference_(unit_),
-      gain_(m.groups.size()) {
+      sensitivity_(m.groups.size()) {
   const std::vector<bool> driven = independent_coordinates(m);
   const std::vector<EntityId> entity = entity_of_coordinate(m);
   const bool has_rates = std::ranges::any_of(levels, [](Level l) { return l > Level::position; });
@@ -38,19 +38,19 @@ GainMonitor::GainMonitor(const Model& m, std::span<const Level> levels,
   }
 }
 
-std::span<const double> GainMonitor::rates(const Instant& instant) const {
+std::span<const double> SensitivityMonitor::rates(const Instant& instant) const {
   if (!instant.qd.empty()) return instant.qd;
   return {difference_.data(), static_cast<std::size_t>(difference_.size())};
 }
 
-double GainMonitor::of_drivers(std::span<const double> rates) const {
+double SensitivityMonitor::of_drivers(std::span<const double> rates) const {
   double largest = 0;
   for (const Driven& d : drivers_)
     largest = std::max(largest, std::abs(rates[d.coordinate]) / d.magnitude);
   return largest;
 }
 
-double GainMonitor::growth(const Instant& instant) {
+double SensitivityMonitor::growth(const Instant& instant) {
   if (unit_.size() == 0) return 1;
   if (instant.qd.empty()) {
     if (last_.size() > 0) difference_ = as_array(instant.q) - last_;
@@ -60,29 +60,30 @@ double GainMonitor::growth(const Instant& instant) {
   const double drivers = of_drivers(rate);
   fastest_ = std::max(fastest_, drivers);
   const bool moved = moves_;
-  moves_ = drivers > gain_at_rest * fastest_;
+  moves_ = drivers > sensitivity_at_rest * fastest_;
   if (!moves_) return moved ? INFINITY : 1;
   return std::max(1.0, (as_array(rate).abs() * weight_).maxCoeff() / drivers);
 }
 
-void GainMonitor::reset(const Instant& instant, ScaledSystem& system) {
-  std::ranges::fill(gain_, 0.0);
-  largest_ = 0;
-  const auto at_least = [&](int i, double gain) {
-    gain_[group_[i]] = std::max(gain_[group_[i]], gain);
-    largest_ = std::max(largest_, gain);
+void SensitivityMonitor::reset(const Instant& instant, ScaledSystem& system) {
+  std::ranges::fill(sensitivity_, 0.0);
+  max_ = 0;
+  const auto at_least = [&](int i, double sensitivity) {
+    sensitivity_[group_[i]] = std::max(sensitivity_[group_[i]], sensitivity);
+    max_ = std::max(max_, sensitivity);
   };
-  const Eigen::ArrayXd& gains = system.gains();
+  const Eigen::ArrayXd& sensitivities = system.sensitivities();
   const std::span<const double> rate = rates(instant);
   const double drivers = of_drivers(rate);
   for (int j = 0; j < system.size(); ++j) {
     const int i = system.unknowns()[j];
     if (unit_[i] == 0) continue;
-    at_least(i, std::abs(gains[j]));
+    at_least(i, std::abs(sensitivities[j]));
     if (moves_) at_least(i, std::abs(rate[i]) * unit_[i] / drivers);
   }
   for (int i = 0; i < weight_.size(); ++i)
-    weight_[i] = largest_ > 0 ? unit_[i] / std::max(gain_[group_[i]], least_gain * largest_) : 0;
+    weight_[i] =
+        max_ > 0 ? unit_[i] / std::max(sensitivity_[group_[i]], min_sensitivity * max_) : 0;
 }
 
 }  // namespace desmo

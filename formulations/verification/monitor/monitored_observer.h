@@ -4,28 +4,29 @@
 
 namespace desmo {
 
-/// Ends a run from within its sink.
+/// Ends a run from within its observer.
 struct Ended {};
 
 /// Hands on what a watch has judged, and counts it in a summary. Throws Ended, the summary saying
 /// why, at an instant that is singular or, being strict, degraded.
-class WatchedSink final : public Sink {
+class MonitoredObserver final : public Observer {
  public:
   /// All must outlive it.
-  WatchedSink(Watch& watch, const SafetyOptions& options, Sink& next, SafeSummary& summary)
+  MonitoredObserver(Watch& watch, const SafetyOptions& options, Observer& next,
+                    SafeSummary& summary)
       : watch_(watch), options_(options), next_(next), summary_(summary) {}
 
-  void accept(const Instant& instant) override;
-  double largest_residual() const { return largest_residual_; }  ///< of instants handed on
+  void observe(const Instant& instant) override;
+  double max_residual() const { return max_residual_; }  ///< of instants handed on
 
  private:
   void hand_on(const Instant& instant);
 
   Watch& watch_;
   const SafetyOptions& options_;
-  Sink& next_;
+  Observer& next_;
   SafeSummary& summary_;
-  double largest_residual_ = 0;
+  double max_residual_ = 0;
 };
 
 }  // namespace desmo

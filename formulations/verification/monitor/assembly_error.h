@@ -9,7 +9,7 @@
 namespace desmo {
 
 /// By how much a group cannot be assembled.
-struct Deficit {
+struct AssemblyError {
   GroupId group = -1;
   int constraint = -1;  ///< the one worst satisfied in the position that satisfies all best
   /// How far a point or a distance would have to be moved for it to hold, or, where it joins none,
@@ -23,7 +23,7 @@ struct Deficit {
 /// method finds from there. Nothing when all groups can be, in singular positions too. Not for
 /// timed code: it allocates. state: as of the last instant solved, with the drivers of the one that
 /// failed.
-std::optional<Deficit> find_deficit(const Model& model, std::vector<double> state,
-                                    const Settings& settings);
+std::optional<AssemblyError> find_assembly_error(const Model& model, std::vector<double> state,
+                                                 const Settings& settings);
 
 }  // namespace desmo

@@ -1,11 +1,11 @@
-#include "formulations/verification/monitor/watched_sink.h"
+#include "formulations/verification/monitor/monitored_observer.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace desmo {
 
-void WatchedSink::accept(const Instant& instant) {
+void MonitoredObserver::observe(const Instant& instant) {
   const Watch::Judgement j = watch_.judge(instant);
   summary_.time = instant.time;
   if (j.assessment.singular) {
@@ -20,13 +20,13 @@ void WatchedSink::accept(const Instant& instant) {
   summary_.refused = options_.strict && (j.degraded || j.crossing);
   if (summary_.refused) throw Ended{};
   summary_.updates += instant.updates;
-  summary_.residual = largest_residual_ = std::max(largest_residual_, instant.residual);
+  summary_.residual = max_residual_ = std::max(max_residual_, instant.residual);
   if (options_.judged) options_.judged(j);
   hand_on(j.instant);
 }
 
-void WatchedSink::hand_on(const Instant& instant) {
-  next_.accept(instant);
+void MonitoredObserver::hand_on(const Instant& instant) {
+  next_.observe(instant);
   ++summary_.instants;
 }
 

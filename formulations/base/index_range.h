@@ -6,11 +6,11 @@
 namespace desmo {
 
 /// Coordinates that stand together: what is done to all is done without looking any up.
-struct CoordinateRun {
+struct IndexRange {
   int first, end;
 };
 
 /// Ascending coordinates as runs.
-std::vector<CoordinateRun> runs_of(std::span<const int> coordinates);
+std::vector<IndexRange> runs_of(std::span<const int> coordinates);
 
 }  // namespace desmo
