@@ -8,20 +8,22 @@
 #include "formulations/algebra/backend.h"
 #include "formulations/batch/on_lanes.h"
 #include "formulations/batch/parallel_motion.h"
+#include "formulations/batch/segmented.h"
 #include "formulations/batch/time_lanes.h"
 #include "formulations/id.h"
 #include "formulations/parts/explicit_part.h"
 #include "formulations/parts/inlined_part.h"
+#include "formulations/parts/newton_part.h"
 #include "formulations/parts/own_unit_part.h"
 #include "formulations/scaling/magnitudes.h"
+#include "formulations/stepping/interpolated.h"
+#include "formulations/stepping/time_stepping.h"
 #include "formulations/structure/schedule.h"
 #include "formulations/variants.h"
 
 namespace desmo {
 
 namespace {
-
-using DefinedPart = Formulation::DefinedPart;
 
 /// What generated eliminations fall back to: it pivots, and allocates nothing.
 const Backend& pivoting_backend() {
@@ -57,7 +59,7 @@ Draft draft(const Common& common, PartDefinition d) {
   if (v.evaluation == Evaluation::symbolic) context.kernels = bind_kernels(m, d, table);
   const bool as_named = v.evaluation == Evaluation::automatic || context.kernels;
   const Backend& backend = v.backend ? *v.backend : pivoting_backend();
-  std::unique_ptr<Part> part = backend.make_part(context);
+  std::unique_ptr<Part> part = make_newton_part(context, backend);
   std::optional<BoundKernel> bound;
   if (!v.backend && context.kernels) bound = std::move(context.kernels->front());
   std::vector<double> weights = std::move(context.weights);
@@ -107,8 +109,8 @@ std::vector<DefinedPart> make_parts(const Common& common, std::vector<PartDefini
 }
 
 /// Formulations that differ from what is to be made in that each has one thread alone.
-std::unique_ptr<WholeMotion> on_threads(const Variant& v, const Model& m, Settings settings,
-                                        const KernelTable& table) {
+std::unique_ptr<SegmentExecutor> on_threads(const Variant& v, const Model& m, Settings settings,
+                                            const KernelTable& table) {
   std::vector<std::unique_ptr<Formulation>> workers(settings.threads);
   settings.threads = settings.stride = 1;
   for (auto& worker : workers) worker = make_formulation(v, m, settings, nullptr, &table);
@@ -137,17 +139,25 @@ std::unique_ptr<Formulation> make_formulation(const Variant& v, const Model& m,
     single = std::make_shared<SinglePrecisionState>(m.state_size());
   const Common common{m, v, own, Magnitudes(m), std::move(single), profile, table};
 
-  std::unique_ptr<WholeMotion> whole_motion;
+  std::unique_ptr<SegmentExecutor> segments;
   if (settings.threads > 1) {
-    whole_motion = on_threads(v, m, settings, table);
+    segments = on_threads(v, m, settings, table);
   } else if (settings.segments > 1) {
     std::vector<TimeLanes::Parts> lanes(settings.segments);
     for (TimeLanes::Parts& parts : lanes) parts = make_parts(common, definitions);
-    whole_motion = std::make_unique<TimeLanes>(m, std::move(lanes), settings, table);
+    segments = std::make_unique<TimeLanes>(m, std::move(lanes), settings, table);
   }
   std::vector<DefinedPart> parts = make_parts(common, std::move(definitions));
   if (settings.lanes > 1) parts = on_lanes(m, std::move(parts), run_ends, settings, table);
-  return std::make_unique<Formulation>(m, std::move(parts), settings, std::move(whole_motion));
+  auto steps = std::make_unique<TimeStepping>(m, std::move(parts), settings);
+  std::unique_ptr<Formulation> formulation;
+  if (segments)
+    formulation = std::make_unique<Segmented>(std::move(steps), std::move(segments));
+  else
+    formulation = std::move(steps);
+  if (settings.stride > 1)
+    formulation = std::make_unique<Interpolated>(std::move(formulation), settings.stride);
+  return formulation;
 }
 
 }  // namespace desmo

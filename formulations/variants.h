@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "formulations/base/part.h"
+#include "formulations/formulation.h"
 #include "formulations/model/model.h"
 #include "formulations/parts/profile.h"
-#include "formulations/stepping/formulation.h"
 #include "formulations/structure/partition.h"
 
 namespace desmo {

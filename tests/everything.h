@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-#include "formulations/stepping/formulation.h"
+#include "formulations/formulation.h"
 
 namespace desmo {
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "formulations/stepping/formulation.h"
+#include "formulations/formulation.h"
 
 namespace desmo {
 

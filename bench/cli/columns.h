@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "cases/mechanism/scene.h"
+#include "formulations/formulation.h"
 #include "formulations/planning/plan.h"
-#include "formulations/stepping/formulation.h"
 
 namespace desmo::cli {
 

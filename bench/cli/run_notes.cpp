@@ -82,7 +82,7 @@ constexpr double near_rounding = 1e-11;
 }  // namespace
 
 std::string note_on_code(const Formulation& f, bool named) {
-  const auto without = std::ranges::count(f.parts(), false, &Formulation::DefinedPart::as_named);
+  const auto without = std::ranges::count(f.parts(), false, &DefinedPart::as_named);
   if (without == 0) return "";
   return "note: no generated code for " + std::to_string(without) + " of " +
          count(static_cast<long>(f.parts().size()), "part") +
@@ -102,7 +102,7 @@ std::string note_on_tolerance(const Formulation& f, double asked) {
 
 std::string note_on_refusals(const Formulation& f) {
   long steps = 0, parts = 0, changes = 0;
-  for (const Formulation::DefinedPart& part : f.parts())
+  for (const DefinedPart& part : f.parts())
     if (const auto* guarded = dynamic_cast<const GuardedPart*>(part.solver.get())) {
       steps += guarded->fallbacks();
       parts += guarded->fallbacks() > 0;

@@ -4,7 +4,7 @@
 #include <optional>
 #include <span>
 
-#include "formulations/stepping/formulation.h"
+#include "formulations/formulation.h"
 
 namespace desmo::suite {
 

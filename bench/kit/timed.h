@@ -9,7 +9,7 @@
 #include "bench/kit/timing_windows.h"
 #include "bench/kit/verification.h"
 #include "cases/mechanism/motion.h"
-#include "formulations/stepping/formulation.h"
+#include "formulations/formulation.h"
 
 namespace desmo::suite {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bench/kit/clock.h"
-#include "formulations/stepping/formulation.h"
+#include "formulations/formulation.h"
 
 namespace desmo::suite {
 

@@ -11,7 +11,7 @@
 
 #include "bench/kit/delivery.h"
 #include "bench/kit/result_digest.h"
-#include "formulations/stepping/formulation.h"
+#include "formulations/formulation.h"
 #include "formulations/verification/reference/reference.h"
 
 namespace desmo::suite {

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "bench/peers/peer.h"
+#include "formulations/prediction/driver_source.h"
 #include "formulations/prediction/guess.h"
 #include "formulations/scaling/magnitudes.h"
 #include "formulations/variants.h"

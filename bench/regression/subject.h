@@ -4,9 +4,9 @@
 
 #include "bench/kit/delivery.h"
 #include "bench/regression/cell_name.h"
+#include "formulations/formulation.h"
 #include "formulations/id.h"
 #include "formulations/model/model.h"
-#include "formulations/stepping/formulation.h"
 
 namespace desmo::regression {
 

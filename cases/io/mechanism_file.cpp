@@ -115,7 +115,7 @@ ReadMechanism mechanism_from(const JsonValue& root) {
 
 Mechanism parse_mechanism(std::string_view text, const std::string& file_name) {
   const JsonDocument document(text, file_name);
-  return mechanism_from(document.root()).description;
+  return mechanism_from(document.root()).mechanism;
 }
 
 Mechanism read_mechanism(const std::filesystem::path& file) {

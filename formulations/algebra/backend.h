@@ -9,7 +9,6 @@
 #include "formulations/algebra/linear_solver.h"
 #include "formulations/base/settings.h"
 #include "formulations/equations/pattern.h"
-#include "formulations/parts/newton_part.h"
 
 namespace desmo {
 
@@ -25,11 +24,6 @@ struct Backend {
   Absence (*absence)() = nullptr;  ///< null: it is linked, and always there
   /// Makes a solver in single precision. Dense libraries offer it, sparse ones do not: null.
   std::unique_ptr<LinearSolver<float>> (*make_single_solver)(const Pattern&) = nullptr;
-
-  /// Makes the part that a context describes.
-  std::unique_ptr<Part> make_part(const PartContext& context) const {
-    return make_newton_part(context, *this);
-  }
 };
 
 /// Makes a solver of a class whose constructor takes the pattern alone.

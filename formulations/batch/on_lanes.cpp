@@ -14,7 +14,6 @@ namespace desmo {
 
 namespace {
 
-using DefinedPart = Formulation::DefinedPart;
 /// Of parts, in the order of solution.
 using Positions = std::vector<int>;
 

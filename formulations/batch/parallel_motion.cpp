@@ -24,7 +24,7 @@ constexpr long min_work = 100'000;
 
 long moving_unknowns(const Formulation& f) {
   long sum = 0;
-  for (const Formulation::DefinedPart& part : f.parts())
+  for (const DefinedPart& part : f.parts())
     if (!part.definition.constant) sum += static_cast<long>(part.definition.unknowns.size());
   return sum;
 }
@@ -177,7 +177,7 @@ void ParallelMotion::solve(int k, const TimeGrid& grid, const Request& request, 
   s.error = nullptr;
   s.ended = false;
   Formulation& worker = *workers_[k];
-  if (!worker.enter(first.q, grid.time(s.begin))) return;
+  if (!worker.start_at(first.q, grid.time(s.begin))) return;
   s.entered.assign(worker.q().begin(), worker.q().end());
   s.total = worker.run_on(cut(grid, s.begin, s.end), request, observer);
   if (s.total && s.end < grid.instants)

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "formulations/stepping/formulation.h"
+#include "formulations/batch/segmented.h"
 
 namespace desmo {
 
@@ -14,7 +14,7 @@ namespace desmo {
 /// the motion's first position along a way on which the drivers go straight; that it lies on the
 /// same branch shows at the end of the stretch before, where both must agree. How a motion is cut
 /// depends on its work alone, so that results do not depend on the machine or its load.
-class ParallelMotion final : public WholeMotion {
+class ParallelMotion final : public SegmentExecutor {
  public:
   /// workers: one for each thread, alike, of the mechanism of which this is the motion; each is
   /// used by one thread at a time and shares nothing with the others but what is const.

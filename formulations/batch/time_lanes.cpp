@@ -107,7 +107,7 @@ std::optional<Summary> TimeLanes::run(const TimeGrid& grid, const Request& reque
 bool TimeLanes::enter(const TimeGrid& grid, int length, const State& first) {
   if (enter_together(grid, length, first)) return true;
   for (int l = 0; l < lanes_; ++l) {
-    for (const Formulation::DefinedPart& part : parts_[l]) part.solver->forget();
+    for (const DefinedPart& part : parts_[l]) part.solver->forget();
     alone_ = first;
     const auto solve = [&](State& state, std::span<const double> last) {
       return solve_alone(l, state, last);
@@ -123,7 +123,7 @@ bool TimeLanes::enter(const TimeGrid& grid, int length, const State& first) {
 /// be gone in shorter pieces.
 bool TimeLanes::enter_together(const TimeGrid& grid, int length, const State& first) {
   for (int l = 0; l < lanes_; ++l) {
-    for (const Formulation::DefinedPart& part : parts_[l]) part.solver->forget();
+    for (const DefinedPart& part : parts_[l]) part.solver->forget();
     alone_ = first;
     if (!solve_alone(l, alone_, first.q)) return false;  // finds the branches
     pack(l, alone_);

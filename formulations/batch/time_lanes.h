@@ -6,12 +6,12 @@
 
 #include "formulations/base/lane_values.h"
 #include "formulations/batch/lane_stage.h"
+#include "formulations/batch/segmented.h"
 #include "formulations/equations/kernel_table.h"
 #include "formulations/equations/lane_kernel.h"
 #include "formulations/parts/explicit_part.h"
 #include "formulations/prediction/lane_motion.h"
 #include "formulations/prediction/predictor.h"
-#include "formulations/stepping/formulation.h"
 
 namespace desmo {
 
@@ -23,9 +23,9 @@ inline constexpr int min_segment = 16;
 /// go straight; that it lies on the same branch shows at the end of the segment before, where both
 /// must agree. A part without code for lanes is solved lane by lane, as is a lane that the code
 /// refuses.
-class TimeLanes final : public WholeMotion {
+class TimeLanes final : public SegmentExecutor {
  public:
-  using Parts = std::vector<Formulation::DefinedPart>;
+  using Parts = std::vector<DefinedPart>;
 
   /// parts: of each lane, the same in all, in the order of solution. table: where code for lanes
   /// is; it must outlive this.

@@ -3,7 +3,10 @@
 #include <span>
 #include <vector>
 
-#include "formulations/stepping/formulation.h"
+#include "cases/mechanism/motion.h"
+#include "formulations/base/index_range.h"
+#include "formulations/base/observer.h"
+#include "formulations/base/part.h"
 
 namespace desmo {
 

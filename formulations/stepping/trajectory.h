@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "formulations/stepping/formulation.h"
+#include "formulations/base/observer.h"
 
 namespace desmo {
 

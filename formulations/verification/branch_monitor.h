@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "formulations/base/observer.h"
 #include "formulations/planning/plan.h"
-#include "formulations/stepping/formulation.h"
 
 namespace desmo {
 

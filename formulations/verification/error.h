@@ -5,9 +5,9 @@
 
 #include "formulations/base/per_level.h"
 #include "formulations/base/reference_instant.h"
+#include "formulations/formulation.h"
 #include "formulations/planning/plan.h"
 #include "formulations/scaling/scales.h"
-#include "formulations/stepping/formulation.h"
 
 namespace desmo {
 

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "formulations/formulation.h"
 #include "formulations/scaling/scales.h"
-#include "formulations/stepping/formulation.h"
 #include "formulations/verification/error.h"
 
 namespace desmo {

@@ -136,7 +136,7 @@ INSTANTIATE_TEST_SUITE_P(Rooms, OnLanes, testing::ValuesIn(lanes_here()));
 
 TEST(Rooms, AreNotNeededByWhoKeepsNothing) {
   const auto f = make_formulation(find_variant("group_symbolic_explicit"), truck());
-  for (const Formulation::DefinedPart& part : f->parts()) EXPECT_EQ(part.solver->keeper(), nullptr);
+  for (const DefinedPart& part : f->parts()) EXPECT_EQ(part.solver->keeper(), nullptr);
   Rooms rooms(grid.instants, {7}, Level::position);
   ASSERT_TRUE(f->run(grid, {}, rooms).ok());
   EXPECT_EQ(rooms.handed_over, grid.instants);

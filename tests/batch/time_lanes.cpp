@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cases/generators/cases.h"
+#include "formulations/batch/segmented.h"
 #include "formulations/id.h"
 #include "formulations/variants.h"
 #include "tests/borrowed_part.h"
@@ -159,7 +160,7 @@ TEST(TimeLanes, FailAsStepsFail) {
 }
 
 /// Runs that are never what they should be.
-class Reluctant final : public WholeMotion {
+class Reluctant final : public SegmentExecutor {
  public:
   std::optional<Summary> run(const TimeGrid&, const Request&, State& state,
                              Observer& observer) override {
@@ -173,10 +174,11 @@ TEST(TimeLanes, ThatGiveUpLeaveNoTrace) {
   const Model m = four_bar_model(2);
   auto parts = make_partition(m, Partition::group);
   const auto g = make_formulation(find_variant("group_automatic_eigen"), m);
-  std::vector<Formulation::DefinedPart> borrowed;
+  std::vector<DefinedPart> borrowed;
   for (const auto& p : g->parts())
     borrowed.push_back({p.definition, std::make_unique<Borrowed>(*p.solver)});
-  Formulation f(m, std::move(borrowed), {}, std::make_unique<Reluctant>());
+  Segmented f(std::make_unique<TimeStepping>(m, std::move(borrowed), Settings{}),
+              std::make_unique<Reluctant>());
   const TimeGrid grid = time_grid(1, 0.01);
   for (const bool any_order : {false, true}) {
     Everything actual(grid.instants, any_order), expected(grid.instants, any_order);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "formulations/scaling/magnitudes.h"
+#include "formulations/stepping/time_stepping.h"
 #include "formulations/variants.h"
 #include "tests/borrowed_part.h"
 #include "tests/mechanisms.h"
@@ -37,7 +38,7 @@ class Runs : public testing::Test {
     const std::vector<PartDefinition> parts = make_partition(m_, Partition::group);
     const Magnitudes magnitudes(m_);
     Refusing::sound = nullptr;
-    std::vector<Formulation::DefinedPart> defined;
+    std::vector<DefinedPart> defined;
     for (std::size_t i = 0; i < parts.size(); ++i) {
       auto fallback = std::make_unique<Borrowed>(*reference_->parts()[i].solver);
       if (i == 0) {
@@ -55,7 +56,7 @@ class Runs : public testing::Test {
       dyads_.push_back(part.get());
       defined.push_back({.definition = parts[i], .solver = std::move(part)});
     }
-    f_ = std::make_unique<Formulation>(m_, std::move(defined), settings_);
+    f_ = std::make_unique<TimeStepping>(m_, std::move(defined), settings_);
   }
 
   const Settings settings_{.tolerance = 1e-13};
@@ -69,7 +70,7 @@ class Runs : public testing::Test {
 
 TEST_F(Runs, HoldPartsOfOneKernelAndNoOthers) {
   std::vector<Part*> solvers;
-  for (const Formulation::DefinedPart& part : f_->parts()) solvers.push_back(part.solver.get());
+  for (const DefinedPart& part : f_->parts()) solvers.push_back(part.solver.get());
   const std::span<Part* const> all(solvers);
   EXPECT_EQ(solvers.front()->make_run(all), nullptr) << "the crank is none";
   const auto run = solvers[1]->make_run(all.subspan(1));

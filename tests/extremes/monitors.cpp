@@ -42,7 +42,7 @@ TEST_P(EveryMonitor, FindsWhatNoOtherDoes) {
 }
 
 constexpr Found all[] = {
-    {Monitor::gain, 14, "^approaching a dead point$", "^group_automatic_eigen$"},
+    {Monitor::sensitivity, 14, "^approaching a dead point$", "^group_automatic_eigen$"},
     {Monitor::residual, 14, "^1e-6$", "^global_automatic_klu$"},
     {Monitor::clock, 14, "^through a change point$", "^group_automatic_eigen$"},
     {Monitor::bounds, 3, "^dead point$", "^global_automatic_klu$"},

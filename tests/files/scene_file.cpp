@@ -131,7 +131,7 @@ TEST(SceneFile, StartsFromALibraryMechanismOrAGenerator) {
     const std::string generator =
         "{\"generator\": \"" + std::string(c.name) + "\", \"" + std::string(c.unit_name) + "\": 3}";
     const Scene s = parse_scene(scene_of(generator, R"("time": {"end": 1, "step": 0.5})"), "", "");
-    EXPECT_EQ(s.mechanism.bodies.size(), c.describe(3).model.bodies.size());
+    EXPECT_EQ(s.mechanism.bodies.size(), c.describe(3).mechanism.bodies.size());
     EXPECT_EQ(s.motions.size(), c.describe(3).motions.size());
     EXPECT_EQ(s.grid.instants, 3);
   }
@@ -148,7 +148,7 @@ TEST(SceneFile, FindsItsMechanismBesideIt) {
   const auto complaint_of = [&](const char* file) {
     return complaint([&] { read_scene(folder / file); });
   };
-  EXPECT_EQ(read_scene(folder / "good.scene.json").model.name, "slider_crank");
+  EXPECT_EQ(read_scene(folder / "good.scene.json").mechanism.name, "slider_crank");
   expect_start(complaint_of("bad.scene.json"),
                (folder / "bad.json").string() + ": /points/B: wrong dimension");
   expect_start(complaint_of("lost.scene.json"),

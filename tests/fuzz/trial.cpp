@@ -129,7 +129,7 @@ bool all_finite(std::span<const double> values) {
 
 void check_delivered(const Plan& plan, const Formulation& f, double time) {
   for (const Asked& asked : plan.outputs) {
-    const Entity& e = plan.mechanism.entities.at(asked.entity);
+    const Entity& e = plan.model.entities.at(asked.entity);
     if (e.fixed) continue;
     const std::span<const double> found[] = {f.q(), f.qd(), f.qdd()};
     for (int level = 0; level <= static_cast<int>(asked.level); ++level)
@@ -199,7 +199,7 @@ Outcome attempt(std::string_view text, const std::filesystem::path& folder,
   Model whole;
   if (!passes<std::invalid_argument>("model", folder, [&] {
         ModellingResult modelled = model_mechanism(scene.mechanism, scene.motions);
-        whole = std::move(modelled.mechanism);
+        whole = std::move(modelled.model);
         for (const LeftOut& l : modelled.left_out) check_message(l.equation, "model");
         if (!is_scene) rest_where_measured(whole);
       }))
@@ -209,12 +209,12 @@ Outcome attempt(std::string_view text, const std::filesystem::path& folder,
   Plan plan;
   passes<void>("plan", folder, [&] {
     plan = make_plan(whole, asked_by(scene, whole));
-    validate(plan.mechanism);
+    validate(plan.model);
   });
 
   std::unique_ptr<Formulation> formulation;
   if (!passes<std::invalid_argument>("formulation", folder, [&] {
-        formulation = make_formulation(affordable(variant, plan.mechanism), plan.mechanism,
+        formulation = make_formulation(affordable(variant, plan.model), plan.model,
                                        Settings{scene.tolerance});
       }))
     return Outcome::refused_by_formulation;
@@ -227,7 +227,7 @@ Outcome attempt(std::string_view text, const std::filesystem::path& folder,
       const double t = scene.grid.time(i);
       const Summary s = i == 0 ? formulation->assemble(t, level) : formulation->step(t, level);
       if (!s.ok()) {
-        check_message(describe(s, plan.mechanism), "summary");
+        check_message(describe(s, plan.model), "summary");
         outcome = Outcome::not_solved;
         return;
       }
@@ -238,7 +238,7 @@ Outcome attempt(std::string_view text, const std::filesystem::path& folder,
   if (outcome == Outcome::solved)
     passes<void>("code", folder, [&] {
       const TimeGrid begin{scene.grid.start, scene.grid.step, max_instants};
-      check_code(variant, plan.mechanism, begin);
+      check_code(variant, plan.model, begin);
     });
   return outcome;
 }

@@ -40,7 +40,7 @@ Scene scene_of(const LibraryMechanism& l) {
 
 const exact::LibrarySolution& solution_of(std::string_view name) {
   const auto all = exact::library_solutions();
-  const auto it = std::ranges::find(all, name, &exact::LibrarySolution::model);
+  const auto it = std::ranges::find(all, name, &exact::LibrarySolution::mechanism);
   if (it == all.end()) throw std::runtime_error(std::string(name) + " has no solution");
   return *it;
 }

@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace desmo::layering_test {
 namespace {
@@ -40,6 +41,61 @@ TEST(Layering, IncludesFollowTheDesign) {
       }
     }
   EXPECT_GT(includes, 50);
+}
+
+/// A folder of cases or formulations may include itself and those before it. `formulation.h` is the
+/// interface that stepping and batches implement; the other files at the door stand after codegen.
+TEST(Layering, FoldersIncludeOnlyThoseBeforeThem) {
+  const std::vector<std::string> order = {"cases/mechanism",
+                                          "cases/generators",
+                                          "cases/library",
+                                          "cases/io",
+                                          "cases/extremes",
+                                          "formulations/constraints",
+                                          "formulations/model",
+                                          "formulations/base",
+                                          "formulations/structure",
+                                          "formulations/scaling",
+                                          "formulations/modelling",
+                                          "formulations/planning",
+                                          "formulations/equations",
+                                          "formulations/prediction",
+                                          "formulations/algebra",
+                                          "formulations/parts",
+                                          "formulations/formulation.h",
+                                          "formulations/stepping",
+                                          "formulations/batch",
+                                          "formulations/groupwise",
+                                          "formulations/codegen",
+                                          "formulations",
+                                          "formulations/verification",
+                                          "formulations/runtime"};
+  const auto rank = [&](const std::string& file) {  // of the longest entry that it stands in
+    std::size_t best = order.size(), length = 0;
+    for (std::size_t i = 0; i < order.size(); ++i)
+      if ((file == order[i] || file.starts_with(order[i] + "/")) && order[i].size() > length) {
+        best = i;
+        length = order[i].size();
+      }
+    return best;
+  };
+  int includes = 0;
+  for (const char* top : {"cases", "formulations"})
+    for (const auto& file : fs::recursive_directory_iterator(source_dir / top)) {
+      const std::string extension = file.path().extension().string();
+      if (extension != ".h" && extension != ".cpp") continue;
+      const std::string name = fs::relative(file.path(), source_dir).generic_string();
+      ASSERT_LT(rank(name), order.size()) << name << " stands in no folder of the design";
+      std::ifstream in(file.path());
+      for (std::string line; std::getline(in, line);) {
+        if (!line.starts_with("#include \"")) continue;
+        const std::string path = line.substr(10, line.rfind('"') - 10);
+        if (!path.starts_with("cases/") && !path.starts_with("formulations/")) continue;
+        ++includes;
+        EXPECT_LE(rank(path), rank(name)) << name << " includes " << path;
+      }
+    }
+  EXPECT_GT(includes, 500);
 }
 
 TEST(Layering, JsonStaysInSourceFiles) {

@@ -137,7 +137,7 @@ TEST_F(Driver, OnePercentMoreInstructionsRaiseAnAlarm) {
 
 // What is measured is compiled without line numbers: another line of comment gives the same object.
 TEST_F(Driver, ACommentChangesNoInstruction) {
-  const std::string source = DESMO_SOURCE_DIR "/formulations/inlined_part.cpp";
+  const std::string source = DESMO_SOURCE_DIR "/formulations/parts/inlined_part.cpp";
   std::stringstream code;
   code << std::ifstream(source).rdbuf();
   std::ofstream(folder_ / "plain.cpp") << code.str();

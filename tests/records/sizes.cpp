@@ -55,7 +55,7 @@ TEST(Contender, ThatIsWrongHasNoTime) {
       << inexact.message;
   EXPECT_TRUE(inexact.seconds_per_step.empty());
   Problem undefined = problem;
-  undefined.mechanism.drivers.front().motion = Polynomial{{NAN}};
+  undefined.model.drivers.front().motion = Polynomial{{NAN}};
   Contender failing(undefined, "global_automatic_klu");
   failing.verify();
   EXPECT_NE(failing.message.find("not finite"), std::string::npos) << failing.message;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "formulations/stepping/formulation.h"
+#include "formulations/base/observer.h"
 
 namespace desmo {
 

@@ -33,7 +33,7 @@ long fallbacks(const Variant& v, const Model& m, const Scene& scene) {
   const Summary s = f->run(scene.grid, {}, observer);
   EXPECT_TRUE(s.ok()) << m.name << ", " << v.id;
   long steps = 0, guarded_parts = 0;
-  for (const Formulation::DefinedPart& part : f->parts())
+  for (const DefinedPart& part : f->parts())
     if (const auto* guarded = dynamic_cast<const GuardedPart*>(part.solver.get())) {
       steps += guarded->fallbacks();
       ++guarded_parts;

@@ -252,7 +252,7 @@ TEST(Monitors, OfGainTellsADeadPoint) {
     return without(monitor, arriving, grid, observer, {.tolerance = 1e-14}, Level::position)
         .outcome();
   };
-  EXPECT_EQ(outcome(Monitor::gain), Outcome::converged);
+  EXPECT_EQ(outcome(Monitor::sensitivity), Outcome::converged);
   EXPECT_EQ(outcome(Monitor{}), Outcome::degraded);
 }
 

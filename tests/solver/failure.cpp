@@ -14,6 +14,7 @@
 #include "formulations/algebra/backend.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/parts/inlined_part.h"
+#include "formulations/parts/newton_part.h"
 #include "formulations/scaling/magnitudes.h"
 #include "formulations/variants.h"
 #include "tests/dead_point.h"
@@ -159,8 +160,9 @@ TEST(Inlined, FallsBackToPivotingWhereItsOrderFails) {
     return s;
   };
   InlinedPart good(bind_kernel(m, make_partition(m, Partition::group)[1]).value(), weights,
-                   settings, eigen->make_part(context), parts[1].unknowns);
-  InlinedPart bad(sabotaged, weights, settings, eigen->make_part(context), parts[1].unknowns);
+                   settings, make_newton_part(context, *eigen), parts[1].unknowns);
+  InlinedPart bad(sabotaged, weights, settings, make_newton_part(context, *eigen),
+                  parts[1].unknowns);
   State expected = at_start(), actual = at_start();
   ASSERT_EQ(good.solve(expected, expected.q, Level::acceleration).status, Status::converged);
   ASSERT_EQ(bad.solve(actual, actual.q, Level::acceleration).status, Status::converged);

@@ -12,6 +12,7 @@
 #include "cases/generators/cases.h"
 #include "formulations/algebra/backend.h"
 #include "formulations/algebra/klu_factors.h"
+#include "formulations/parts/newton_part.h"
 #include "formulations/scaling/magnitudes.h"
 #include "formulations/variants.h"
 #include "formulations/verification/reference/reference.h"
@@ -39,7 +40,7 @@ TEST_P(EveryBackend, VelocityHasASmallBackwardError) {
     State s{at.q, at.qd, at.qdd};
     for (auto* v : {&s.q, &s.qd, &s.qdd}) v->resize(m.state_size(), 0.0);
     std::copy(m.fixed_values.begin(), m.fixed_values.end(), s.q.begin() + m.coordinates());
-    const auto solver = GetParam()->make_part(context(m, part, {.tolerance = 1e-8}));
+    const auto solver = make_newton_part(context(m, part, {.tolerance = 1e-8}), *GetParam());
     ASSERT_EQ(solver->solve(s, s.q, Level::velocity).status, Status::converged);
 
     std::vector<double> values(p.size());
@@ -86,7 +87,7 @@ AtTheFold velocity_at_the_fold(const Backend& backend, const Settings& settings)
   set(s.q, "dyad1/psi", 0, 0);
   set(s.qd, "crank/B", 0, 2);
   const auto parts = make_partition(m, Partition::group);
-  const auto solver = backend.make_part(context(m, parts[1], settings));
+  const auto solver = make_newton_part(context(m, parts[1], settings), backend);
   const PartResult result = solver->solve(s, s.q, Level::velocity);
   return {result, s.qd[m.entities[m.find("dyad1/psi")].first]};
 }

@@ -205,7 +205,7 @@ TEST(Groups, HaveAsManyRestrictionsAsFreedomsUnlessSomeAreRedundant) {
   const auto structure_of = [](const Mechanism& d) {
     return find_structure(d, find_rigid_bodies(d));
   };
-  for (const Mechanism& d : {truck_suspension(2).model, four_bar(7).model})
+  for (const Mechanism& d : {truck_suspension(2).mechanism, four_bar(7).mechanism})
     for (const StructuralGroup& g : structure_of(d).groups) EXPECT_EQ(g.restrictions, g.freedoms);
   // A spatial four-bar with parallel axes: 3 · 6 freedoms, 4 · 5 + 1 restrictions.
   Sketch d("parallel axes", 3);

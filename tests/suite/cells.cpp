@@ -19,6 +19,7 @@
 #include "bench/kit/verification.h"
 #include "cases/generators/cases.h"
 #include "formulations/modelling/modelling.h"
+#include "formulations/stepping/time_stepping.h"
 #include "formulations/variants.h"
 
 namespace desmo::suite::cells_test {
@@ -157,10 +158,10 @@ TEST(Cells, AreNotTimedWithoutTheGeneratedCodeTheirIdPromises) {
   const Settings settings;
   const auto named = make_formulation(find_variant("group_symbolic_klu"), m);
   EXPECT_EQ(missing_code(*named), "");
-  std::vector<Formulation::DefinedPart> parts;
+  std::vector<DefinedPart> parts;
   for (PartDefinition& d : make_partition(m, Partition::group))
     parts.push_back({std::move(d), std::make_unique<Idle>(), parts.size() != 1});
-  const Formulation unnamed(m, std::move(parts), settings);
+  const TimeStepping unnamed(m, std::move(parts), settings);
   EXPECT_EQ(missing_code(unnamed),
             "no generated code for 1 of 3 parts, first of group '" + m.groups[1].name + "'");
 }

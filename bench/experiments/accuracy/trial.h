@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "bench/experiments/accuracy/problem.h"
+#include "formulations/formulation.h"
 #include "formulations/id.h"
-#include "formulations/stepping/formulation.h"
 #include "formulations/verification/error.h"
 
 namespace desmo::precision {

@@ -33,7 +33,7 @@ std::string why_not_tried(const Configuration& configuration, const Problem& pro
 }
 
 std::string lacks_generated_code(const Formulation& formulation) {
-  for (const Formulation::DefinedPart& part : formulation.parts())
+  for (const DefinedPart& part : formulation.parts())
     if (!part.as_named) return "there is no generated code for groups of this type";
   return {};
 }

@@ -3,8 +3,8 @@
 #include <string>
 
 #include "bench/experiments/extremes/problem.h"
+#include "formulations/formulation.h"
 #include "formulations/id.h"
-#include "formulations/stepping/formulation.h"
 
 namespace desmo::extreme {
 

@@ -22,7 +22,7 @@ class Record final : public Observer {
  public:
   Record(const Problem& problem, const Formulation& formulation, Attempt& attempt)
       : problem_(problem), attempt_(attempt) {
-    for (const Formulation::DefinedPart& part : formulation.parts())
+    for (const DefinedPart& part : formulation.parts())
       if (!part.definition.constant) unknowns_ += std::ssize(part.definition.unknowns);
     for (const Answers& answers : problem.answers)
       attempt.errors.emplace_back(answers.right.size());

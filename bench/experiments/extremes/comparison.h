@@ -3,7 +3,7 @@
 #include <cstddef>
 
 #include "bench/experiments/extremes/problem.h"
-#include "formulations/stepping/formulation.h"
+#include "formulations/formulation.h"
 
 namespace desmo::extreme {
 

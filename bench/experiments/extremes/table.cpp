@@ -44,7 +44,7 @@ Configuration configuration(const Variant& v, const ExtremeCase& c) {
   return {&v, settings};
 }
 
-/// ", without gain"
+/// ", without sensitivity"
 std::string note_on(unsigned without) {
   std::string note;
   for (const auto& [monitor, name] : monitor_names)

@@ -26,7 +26,8 @@ constexpr double tolerance = 1e-7;
 
 /// Bodies of a case with two units less those with one, ground and crank left out.
 int bodies_per_unit(const Case& c) {
-  return static_cast<int>(c.describe(2).model.bodies.size() - c.describe(1).model.bodies.size());
+  return static_cast<int>(c.describe(2).mechanism.bodies.size() -
+                          c.describe(1).mechanism.bodies.size());
 }
 
 void measure(const Case& c, int bodies) {

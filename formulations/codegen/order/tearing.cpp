@@ -14,7 +14,7 @@ constexpr double min_quality = 0.03;
 /// From here on, one is as good as another.
 constexpr double good_quality = 0.25;
 
-constexpr std::size_t max_set = 4, max_tried = 3, max_tried = 3000;
+constexpr std::size_t max_set = 4, max_torn = 3, max_combinations = 3000;
 
 std::vector<int> members(const auto& set, std::size_t n) {
   std::vector<int> result;
@@ -143,9 +143,9 @@ Torn Tearing::best() {
     if (const Match& m = matcher_.match(all, all); m.form)
       return {{}, {{*m.form, all, all}}, {}, 0, m.quality, m.form->cost};
   std::size_t combinations = 1;
-  for (std::size_t size = 1; size <= max_tried && size < all.size(); ++size) {
+  for (std::size_t size = 1; size <= max_torn && size < all.size(); ++size) {
     combinations = combinations * (all.size() - size + 1) / size;
-    if (combinations > max_tried) break;
+    if (combinations > max_combinations) break;
     if (std::optional<Torn> found = best_of_size(size)) return *found;
   }
   return greedy();

@@ -4,8 +4,9 @@
 #include <span>
 #include <vector>
 
+#include "formulations/base/observer.h"
+#include "formulations/model/model.h"
 #include "formulations/scaling/scales.h"
-#include "formulations/stepping/formulation.h"
 #include "formulations/verification/monitor/assessment.h"
 #include "formulations/verification/monitor/enclosed_motion.h"
 #include "formulations/verification/monitor/inverse_norm.h"

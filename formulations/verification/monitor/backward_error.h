@@ -3,8 +3,9 @@
 #include <span>
 #include <vector>
 
+#include "formulations/base/observer.h"
 #include "formulations/groupwise/jet.h"
-#include "formulations/stepping/formulation.h"
+#include "formulations/model/model.h"
 #include "formulations/verification/monitor/scaled_system.h"
 
 namespace desmo {

@@ -4,7 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "formulations/stepping/formulation.h"
+#include "formulations/base/observer.h"
+#include "formulations/model/model.h"
 #include "formulations/verification/monitor/assessment.h"
 #include "formulations/verification/monitor/crossing.h"
 #include "formulations/verification/monitor/scaled_system.h"

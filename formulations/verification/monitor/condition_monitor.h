@@ -5,7 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "formulations/stepping/formulation.h"
+#include "formulations/base/observer.h"
+#include "formulations/model/model.h"
 #include "formulations/verification/monitor/scaled_system.h"
 
 namespace desmo {

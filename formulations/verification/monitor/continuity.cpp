@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "formulations/prediction/driver_source.h"
 #include "formulations/verification/monitor/running_scales.h"
 
 namespace desmo {

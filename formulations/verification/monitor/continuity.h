@@ -5,7 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "formulations/stepping/formulation.h"
+#include "formulations/base/observer.h"
+#include "formulations/base/part.h"
+#include "formulations/model/model.h"
 #include "formulations/verification/monitor/assessor.h"
 
 namespace desmo {

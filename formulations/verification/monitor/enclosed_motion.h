@@ -4,9 +4,10 @@
 #include <span>
 #include <vector>
 
+#include "formulations/base/observer.h"
 #include "formulations/groupwise/jet.h"
+#include "formulations/model/model.h"
 #include "formulations/scaling/scales.h"
-#include "formulations/stepping/formulation.h"
 #include "formulations/verification/monitor/rounded.h"
 
 namespace desmo {

@@ -2,8 +2,10 @@
 
 #include <vector>
 
+#include "cases/mechanism/motion.h"
+#include "formulations/base/observer.h"
+#include "formulations/model/model.h"
 #include "formulations/scaling/scales.h"
-#include "formulations/stepping/formulation.h"
 
 namespace desmo {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "formulations/parts/guarded_part.h"
+#include "formulations/prediction/driver_source.h"
 #include "formulations/verification/monitor/monitored_observer.h"
 
 namespace desmo {
@@ -16,9 +16,7 @@ constexpr double bracket = 1e-9;
 
 /// What a watch has to know of a formulation.
 Watch::Options with_pivots(Watch::Options options, const Formulation& f) {
-  const auto reuses = [](const Formulation::DefinedPart& part) {
-    return part.algebra == "klu" && !dynamic_cast<const GuardedPart*>(part.solver.get());
-  };
+  const auto reuses = [](const DefinedPart& part) { return part.solver->reuses_pivots(); };
   options.reuses_pivots |= std::ranges::any_of(f.parts(), reuses);
   return options;
 }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "formulations/stepping/formulation.h"
+#include "formulations/formulation.h"
 #include "formulations/verification/monitor/assembly_error.h"
 #include "formulations/verification/monitor/watch.h"
 

@@ -6,7 +6,10 @@
 #include <span>
 #include <string_view>
 
-#include "formulations/stepping/formulation.h"
+#include "cases/mechanism/motion.h"
+#include "formulations/base/observer.h"
+#include "formulations/base/part.h"
+#include "formulations/model/model.h"
 #include "formulations/verification/monitor/assessment.h"
 #include "formulations/verification/monitor/crossing.h"
 
@@ -27,7 +30,7 @@ struct MonitorName {
   std::string_view name;
 };
 inline constexpr std::array monitor_names{
-    MonitorName{Monitor::sensitivity, "gain"},
+    MonitorName{Monitor::sensitivity, "sensitivity"},
     MonitorName{Monitor::residual, "residual"},
     MonitorName{Monitor::clock, "clock"},
     MonitorName{Monitor::bounds, "bounds"},

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "formulations/stepping/formulation.h"
+#include "formulations/formulation.h"
 #include "formulations/verification/error.h"
 #include "formulations/verification/reference/reference.h"
 

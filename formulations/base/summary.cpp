@@ -1,0 +1,40 @@
+#include "formulations/base/summary.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace desmo {
+
+void Summary::add(const Summary& instant) {
+  time = instant.time;
+  iterations += instant.iterations;
+  updates += instant.updates;
+  if (instant.ok()) {
+    ++instants;
+    residual = std::max(residual, instant.residual);
+    return;
+  }
+  status = instant.status;
+  group = instant.group;
+  constraint = instant.constraint;
+  residual = instant.residual;
+}
+
+std::string describe(const Summary& s, const Model& m) {
+  char text[160];
+  if (s.ok()) {
+    std::snprintf(text, sizeof text, "converged: %ld instants, %ld iterations, residual %.2e",
+                  s.instants, s.iterations, s.residual);
+    return text;
+  }
+  const char* reason = s.status == Status::singular        ? "singular Jacobian"
+                       : s.status == Status::not_converged ? "no convergence"
+                                                           : "the equations are not finite";
+  std::snprintf(text, sizeof text, "%s at t = %.9g s, residual %.2e", reason, s.time, s.residual);
+  std::string result = text;
+  if (s.group >= 0) result += ", group '" + m.groups[s.group].name + "'";
+  if (s.constraint >= 0) result += ", constraint '" + m.constraints[s.constraint].name + "'";
+  return result;
+}
+
+}  // namespace desmo

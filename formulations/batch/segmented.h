@@ -1,0 +1,50 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "formulations/formulation.h"
+#include "formulations/stepping/time_stepping.h"
+
+namespace desmo {
+
+/// Solves the segments of a motion known in advance at once.
+class SegmentExecutor {
+ public:
+  virtual ~SegmentExecutor() = default;
+  /// Hands every instant of the grid to an observer that takes any order. state: the first instant,
+  /// assembled; overwritten by the last. Returns nothing when the motion has to be solved step by
+  /// step after all; the state and what the observer was given are then void.
+  virtual std::optional<Summary> run(const TimeGrid& grid, const Request& request, State& state,
+                                     Observer& observer) = 0;
+  /// As Formulation::solve_only(): what may be left out.
+  virtual void solve_only(std::span<const Level>) {}
+};
+
+/// A formulation that solves the segments of a motion at once, in lanes or on threads, or, where
+/// they do not meet, the motion step by step after all. Single instants are solved by steps.
+class Segmented final : public Formulation {
+ public:
+  Segmented(std::unique_ptr<TimeStepping> steps, std::unique_ptr<SegmentExecutor> executor);
+
+  Summary assemble(double t, Level level) override { return steps_->assemble(t, level); }
+  Summary step(double t, Level level) override { return steps_->step(t, level); }
+  Summary run(const TimeGrid& grid, const Request& request, Observer& observer) override;
+  bool start_at(std::span<const double> q, double t) override { return steps_->start_at(q, t); }
+  std::optional<Summary> run_on(const TimeGrid& grid, const Request& request,
+                                Observer& observer) override;
+  void solve_only(std::span<const Level> needed) override;
+  long run_by_steps() const override { return run_by_steps_; }
+  const std::vector<DefinedPart>& parts() const override { return steps_->parts(); }
+  const State& state() const override { return steps_->state(); }
+
+ private:
+  std::unique_ptr<TimeStepping> steps_;
+  std::unique_ptr<SegmentExecutor> executor_;
+  State last_;  // the instant where the executor ended
+  long run_by_steps_ = 0;
+};
+
+}  // namespace desmo

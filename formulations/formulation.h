@@ -1,0 +1,103 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "formulations/base/observer.h"
+#include "formulations/base/part.h"
+#include "formulations/base/settings.h"
+#include "formulations/base/summary.h"
+#include "formulations/model/model.h"
+#include "formulations/structure/defined_part.h"
+
+namespace desmo {
+
+/// One way of solving the kinematics of a mechanism: an ordered list of parts, and how they go
+/// through a motion. make_formulation() (variants.h) makes one:
+///
+///   const Model model = make_model(scene);
+///   const auto formulation = make_formulation(find_variant("group_symbolic_explicit"), model);
+///   formulation->assemble(0);
+///   for (int i = 1; i <= 100; ++i)
+///     if (formulation->step(0.01 * i).ok()) use(formulation->q(), formulation->qd());
+///
+/// The model is read only, outlives the formulation, and may be shared by formulations on any
+/// number of threads. A formulation owns all that changes: it is used by one thread at a time.
+class Formulation {
+ public:
+  virtual ~Formulation() = default;
+  Formulation(const Formulation&) = delete;
+  Formulation& operator=(const Formulation&) = delete;
+
+  /// Assembles the mechanism at time t [s] from the model's estimate, whatever was solved before.
+  virtual Summary assemble(double t, Level level = Level::acceleration) = 0;
+
+  /// Solves at time t [s], starting from the prediction or, where that fails, by sub-steps;
+  /// assembles where nothing was solved before. After a failure positions are as they were, for a
+  /// later step to go on from there; rates are unspecified. The predictor does without what it
+  /// needs and was not solved in the instants before.
+  virtual Summary step(double t, Level level = Level::acceleration) = 0;
+
+  /// Runs through a motion: assembles at the first instant of the grid, solves the others as the
+  /// settings say, and hands each to the observer. Stops at the first failure: all instants before
+  /// it were handed on.
+  virtual Summary run(const TimeGrid& grid, const Request& request, Observer& observer) = 0;
+
+  /// Goes to the position of a motion at time t [s] without its instants before, by continuation:
+  /// from q (state_size() values of positions, solved at another instant) the drivers go straight.
+  /// A step goes on from there. Returns false where that cannot be done.
+  virtual bool start_at(std::span<const double> q, double t) = 0;
+
+  /// Like run(), but starts at the position that start_at() reached. Returns nothing when an
+  /// instant could not be solved, or not at once; what the observer was given is then void.
+  virtual std::optional<Summary> run_on(const TimeGrid& grid, const Request& request,
+                                        Observer& observer) = 0;
+
+  /// Leaves out the levels of parts that nobody asks for: a part is solved to the highest level of
+  /// its unknowns. needed: one for each coordinate; what a part needs must be asked for at the
+  /// part's own level or a higher one. Values of levels left out are unspecified. Where instants
+  /// are interpolated nothing is left out, for that takes all levels.
+  virtual void solve_only(std::span<const Level> needed) = 0;
+
+  /// Returns how often a motion that was to be solved at once was solved step by step after all.
+  virtual long run_by_steps() const { return 0; }
+
+  virtual const std::vector<DefinedPart>& parts() const = 0;
+
+  /// The instant solved last: q, q̇, q̈ of the coordinates, then of the fixed entities. While a run
+  /// goes on that is asked for some coordinates, the others are unspecified.
+  virtual const State& state() const = 0;
+
+  const Model& model() const { return model_; }
+
+  /// On ‖Φ‖₂ of the whole mechanism: as asked for, or what rounding leaves if that is more, as in
+  /// long chains and far from the origin (Magnitudes::rounding).
+  double tolerance() const { return tolerance_; }
+
+  /// Returns how often, in all parts, pivots that were to be kept had gone bad
+  /// (Part::refactorisations).
+  long refactorisations() const {
+    long sum = 0;
+    for (const DefinedPart& part : parts()) sum += part.solver->refactorisations();
+    return sum;
+  }
+
+  /// The instant solved last, in coordinate order (coordinates() values).
+  std::span<const double> q() const { return coordinates(state().q); }
+  std::span<const double> qd() const { return coordinates(state().qd); }
+  std::span<const double> qdd() const { return coordinates(state().qdd); }
+
+ protected:
+  Formulation(const Model& model, double tolerance) : model_(model), tolerance_(tolerance) {}
+
+ private:
+  std::span<const double> coordinates(const std::vector<double>& v) const {
+    return {v.data(), static_cast<std::size_t>(model_.coordinates())};
+  }
+
+  const Model& model_;
+  double tolerance_;
+};
+
+}  // namespace desmo

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "cases/mechanism/motion.h"
+#include "formulations/base/part.h"
+#include "formulations/model/model.h"
+#include "formulations/prediction/motions_ahead.h"
+
+namespace desmo {
+
+/// Writes the position, velocity and acceleration that the motions of all drivers have at time t
+/// [s] to the state.
+void drive(const Model& model, double t, State& state);
+
+/// The drivers of a model, whose motions are known in advance: z, ż and z̈ at one time after the
+/// other, all sampled in one row, and from there written to the state.
+class DriverSource {
+ public:
+  /// in_row: driven coordinates whose readers take them from the row; they stand there first, in
+  /// this order, as often as they are named. The model outlives the source.
+  explicit DriverSource(const Model& model, std::span<const int> in_row = {});
+
+  /// From now on times are those of this grid, in order from the first. Other times are possible,
+  /// one by one.
+  void expect(const TimeGrid& grid) { motions_.expect(grid); }
+
+  /// Samples all drivers at time t [s] and writes to the state those that are read there.
+  const MotionRow& drive(double t, State& state) {
+    row_ = motions_(t);
+    write(written_, state);
+    return row_;
+  }
+
+  /// Writes all drivers to the state as they were sampled last, if they were.
+  void write_all(State& state) const;
+
+  /// Sets which drivers drive() writes: those that are read in the state, or nowhere else.
+  /// read: of each position in the state.
+  void write_only(const std::vector<bool>& read);
+
+ private:
+  struct Driven {
+    int coordinate, place;  // its place in the row
+  };
+  void write(std::span<const Driven> drivers, State& state) const {
+    for (const auto& [coordinate, place] : drivers) {
+      state.q[coordinate] = row_.z[place];
+      state.qd[coordinate] = row_.zd[place];
+      state.qdd[coordinate] = row_.zdd[place];
+    }
+  }
+
+  std::vector<bool> in_row_;  // of each position in the state: some reader takes it from the row
+  std::vector<Driven> drivers_;
+  std::vector<Driven> written_;  // by drive()
+  MotionsAhead motions_;
+  MotionRow row_{};
+};
+
+}  // namespace desmo

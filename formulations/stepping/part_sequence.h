@@ -1,0 +1,68 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "formulations/base/part.h"
+#include "formulations/structure/defined_part.h"
+
+namespace desmo {
+
+/// The parts of a formulation in the order of solution: the constant ones, then the structural
+/// groups or whatever else the unknowns were cut into.
+class PartSequence {
+ public:
+  /// What became of the parts in one step.
+  struct Result {
+    Status status = Status::converged;
+    long iterations = 0;   ///< the most of any part
+    long updates = 0;      ///< see Summary
+    double residual2 = 0;  ///< ‖Φ‖₂² of all
+    int failed = -1;       ///< position of the part that could not be solved
+  };
+
+  explicit PartSequence(std::vector<DefinedPart> parts);
+
+  const std::vector<DefinedPart>& parts() const { return parts_; }
+
+  /// Leaves out the levels of parts that nobody asks for (see Formulation::solve_only).
+  void solve_only(std::span<const Level> needed);
+
+  /// Solves the constant parts, or the moving ones, one after the other up to `level`; see
+  /// Part::solve. Ends with the first part that cannot be solved.
+  Result solve_constant(State& state, std::span<const double> last, Level level) const {
+    return solve(constant_, state, last, level);
+  }
+  Result solve_moving(State& state, std::span<const double> last, Level level) const {
+    return solve(moving_, state, last, level);
+  }
+  /// Solves positions of the moving parts, each by itself. Returns whether all could be solved.
+  bool solve_positions(State& state, std::span<const double> last) const;
+
+  /// What earlier steps left behind no longer holds (see Part::forget).
+  void forget();
+  /// An assembly has ended (see Part::end_assembly).
+  void end_assembly();
+
+ private:
+  /// What a step does with a part; the elements stand next to each other in memory.
+  struct Stage {
+    Part* solver;
+    Level level;  // the highest level at which anyone asks for its unknowns
+    int part, unknowns;
+    PartRun* run = nullptr;  // of which it is a member, if any …
+    int member = 0;          // … and which
+  };
+
+  static Result solve(std::span<const Stage> stages, State& state, std::span<const double> last,
+                      Level level);
+  void make_stages();
+  void make_runs();
+
+  std::vector<DefinedPart> parts_;
+  std::vector<Stage> constant_, moving_;
+  std::vector<std::unique_ptr<PartRun>> runs_;  // of moving parts
+};
+
+}  // namespace desmo

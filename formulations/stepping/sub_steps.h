@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cmath>
+
+namespace desmo {
+
+/// Goes from a time to another in sub-steps. One that cannot be gone is halved, down to 2⁻¹⁰ of
+/// the whole step; the next is twice as long again. go(to) goes there, and returns whether it
+/// could. Returns whether `to` was reached.
+template <class Go>
+bool go_in_sub_steps(double from, double to, Go&& go) {
+  constexpr double min_sub_step = 0x1p-10;  // of the whole step
+  double reached = from, sub_step = (to - from) / 2;
+  while (true) {
+    const bool is_last = !(std::abs(to - reached) > std::abs(sub_step));
+    const double next = is_last ? to : reached + sub_step;
+    if (go(next)) {
+      if (is_last) return true;
+      reached = next;
+      sub_step *= 2;
+    } else {
+      sub_step = (next - reached) / 2;
+      if (!(std::abs(sub_step) >= min_sub_step * std::abs(to - from))) return false;
+    }
+  }
+}
+
+}  // namespace desmo

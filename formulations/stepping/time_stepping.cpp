@@ -1,0 +1,273 @@
+#include "formulations/stepping/time_stepping.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "formulations/stepping/diagnosis.h"
+#include "formulations/stepping/straight_way.h"
+#include "formulations/stepping/sub_steps.h"
+
+namespace desmo {
+
+namespace {
+
+double sum_of_tolerances(const std::vector<DefinedPart>& parts) {
+  double norm = 0;
+  for (const DefinedPart& part : parts) norm = std::hypot(norm, part.tolerance);
+  return norm;
+}
+
+Summary summary_of(const PartSequence::Result& result, double t) {
+  Summary summary;
+  summary.status = result.status;
+  summary.instants = summary.ok();
+  summary.iterations = result.iterations;
+  summary.updates = result.updates;
+  summary.residual = std::sqrt(result.residual2);
+  summary.time = t;
+  return summary;
+}
+
+void clear_rates(State& state) {
+  std::ranges::fill(state.qd, 0.0);
+  std::ranges::fill(state.qdd, 0.0);
+}
+
+}  // namespace
+
+TimeStepping::TimeStepping(const Model& m, std::vector<DefinedPart> parts, const Settings& settings)
+    : Formulation(m, std::max(settings.tolerance, sum_of_tolerances(parts))),
+      settings_(settings),
+      sequence_(std::move(parts)),
+      drivers_(m) {
+  for (State* s : {&state_, &before_})
+    for (std::vector<double>* values : {&s->q, &s->qd, &s->qdd}) values->resize(m.state_size());
+  prepare();
+}
+
+void TimeStepping::prepare() {
+  keepers_.clear();
+  for (const DefinedPart& part : parts())
+    if (Keeper* const keeper = part.definition.constant ? nullptr : part.solver->keeper())
+      keepers_.add(*keeper, part.level);
+  predict_ = StatePredictor(settings_.guess, parts());
+  drivers_ = DriverSource(model(), keepers_.drivers());
+}
+
+void TimeStepping::solve_only(std::span<const Level> needed) {
+  sequence_.solve_only(needed);
+  prepare();
+}
+
+void TimeStepping::forget() {
+  sequence_.forget();
+  now_ = then_ = {};  // nothing to predict from
+}
+
+// ---- A motion, the paper's Fig. 2a ----
+
+Summary TimeStepping::run(const TimeGrid& grid, const Request& request, Observer& observer) {
+  assembled_ = false;
+  return take_steps(grid, request, observer);
+}
+
+std::optional<Summary> TimeStepping::run_on(const TimeGrid& grid, const Request& request,
+                                            Observer& observer) {
+  const Summary total = take_steps(grid, request, observer);
+  return total.ok() ? std::optional(total) : std::nullopt;
+}
+
+Summary TimeStepping::take_steps(const TimeGrid& grid, const Request& request, Observer& observer) {
+  Summary total;
+  want(request, observer);
+  drivers_.expect(grid);
+  for (int i = 0; i < grid.instants; ++i) {
+    const double t = grid.time(i);
+    const Summary step =
+        assembled_ ? solve_or_sub_step(t, request.level) : assemble_alone(t, request.level);
+    total.add(step);
+    if (!step.ok()) return total;
+    deliver(i, t, step, request.level, observer);
+  }
+  if (grid.instants > 0) keepers_.write(state_);  // all, whatever was wanted
+  return total;
+}
+
+/// Leaves the last instant in before_. Until it is solved the rest of state_ is of the instant
+/// before, and of no meaning. Sines of drivers take longest and wait for nothing: they come first.
+Summary TimeStepping::solve_at(double t, Level level) {
+  const StepHistory history{t - now_.time, now_.time - then_.time, now_.level, then_.level};
+  std::swap(state_, before_);
+  const MotionRow& row = drivers_.drive(t, state_);  // z, ż, z̈
+  predict_(history, before_, state_, state_);
+  keepers_.begin_step(history, row);
+  const PartSequence::Result result = sequence_.solve_moving(state_, before_.q, level);  // in order
+  Summary summary = summary_of(result, t);
+  if (!summary.ok()) [[unlikely]] {
+    find_culprit_of(result, summary);
+    std::ranges::copy(before_.q, state_.q.begin());
+  }
+  then_ = summary.ok() ? now_ : Solved{};
+  now_ = {t, summary.ok() ? std::optional(level) : std::nullopt};
+  return summary;
+}
+
+/// Returns the summary of the whole step if sub-steps fail, too.
+Summary TimeStepping::solve_or_sub_step(double t, Level level) {
+  const Solved start = now_;
+  const Summary at_once = solve_at(t, level);
+  if (at_once.ok() || !start.level || start.time == t) [[likely]]
+    return at_once;
+
+  const std::vector<double> position = state_.q;
+  Summary summary;
+  long iterations = at_once.iterations, updates = at_once.updates;
+  const bool arrived = go_in_sub_steps(start.time, t, [&](double to) {
+    summary = solve_at(to, to == t ? level : Level::position);
+    iterations += summary.iterations;
+    updates += summary.updates;
+    return summary.ok();
+  });
+  if (!arrived) {
+    std::ranges::copy(position, state_.q.begin());
+    return at_once;
+  }
+  summary.iterations = iterations;
+  summary.updates = updates;
+  return summary;
+}
+
+/// Finds the group and the constraint that could not be solved, from the last positions of the
+/// part.
+void TimeStepping::find_culprit_of(const PartSequence::Result& result, Summary& summary) {
+  const PartDefinition& failed = parts()[result.failed].definition;
+  keepers_.write_last(before_.q);
+  drivers_.write_all(state_);
+  for (const int i : failed.unknowns) state_.q[i] = before_.q[i];
+  const Culprit culprit = find_culprit(model(), failed.groups, state_.q, settings_);
+  summary.group = culprit.group;
+  summary.constraint = culprit.constraint;
+}
+
+// ---- Single instants ----
+
+Summary TimeStepping::step(double t, Level level) {
+  want({});
+  return assembled_ ? solve_or_sub_step(t, level) : assemble_alone(t, level);
+}
+
+Summary TimeStepping::assemble(double t, Level level) {
+  want({});
+  return assemble_alone(t, level);
+}
+
+Summary TimeStepping::assemble_alone(double t, Level level) {
+  std::ranges::copy(model().estimate, state_.q.begin());
+  std::ranges::copy(model().fixed_values, state_.q.begin() + model().coordinates());
+  for (State* s : {&state_, &before_}) clear_rates(*s);
+  std::ranges::copy(state_.q, before_.q.begin());
+  forget();
+  assembled_ = false;
+  const PartSequence::Result constant = sequence_.solve_constant(state_, before_.q, level);
+  Summary summary = summary_of(constant, t);
+  if (!summary.ok()) {
+    find_culprit_of(constant, summary);
+    return summary;
+  }
+  before_ = state_;  // what is solved once is in both
+  summary = solve_at(t, level);
+  // The estimate may be far off: a fixed number of iterations is for steps.
+  for (int i = 0; i < settings_.max_iterations && summary.ok() && settings_.fixed_iterations > 0 &&
+                  summary.residual >= tolerance();
+       ++i) {
+    const Summary before = summary;
+    now_ = then_ = {};
+    summary = solve_at(t, level);
+    summary.iterations += before.iterations;
+    summary.updates += before.updates;
+  }
+  sequence_.end_assembly();
+  assembled_ = summary.ok();
+  return summary;
+}
+
+bool TimeStepping::start_at(std::span<const double> q, double t) {
+  want({});
+  for (State* s : {&state_, &before_}) {
+    std::ranges::copy(q, s->q.begin());
+    clear_rates(*s);
+  }
+  forget();
+  const auto solve = [&](State& state, std::span<const double> last) {
+    return sequence_.solve_positions(state, last);
+  };
+  assembled_ = go_straight(model(), t, state_, solve);
+  if (!assembled_) return false;
+  before_.q = state_.q;
+  drivers_.drive(t, state_);  // whole turns
+  assembled_ = sequence_.solve_positions(state_, before_.q);
+  sequence_.end_assembly();
+  return assembled_;
+}
+
+void TimeStepping::take(const State& solved, double t, Level level) {
+  state_ = solved;
+  forget();
+  now_ = {t, level};
+}
+
+// ---- What is read of each instant ----
+
+/// In the observer's rooms where that saves anything.
+void TimeStepping::want(const Request& request, const Observer& observer) {
+  const auto rooms = keepers_.empty() ? std::nullopt : observer.rooms();
+  rooms ? want(rooms->coordinates, true) : want(request.coordinates);
+}
+
+void TimeStepping::want(std::span<const int> coordinates, bool in_rooms) {
+  if (in_rooms == wanted_.in_rooms && std::ranges::equal(coordinates, wanted_.coordinates)) return;
+  if (in_rooms) keepers_.prepare_rooms(coordinates, model());
+  wanted_.coordinates.assign(coordinates.begin(), coordinates.end());
+  wanted_.in_rooms = in_rooms;
+  std::vector<bool> read(model().state_size(), !in_rooms && coordinates.empty());
+  const auto are_read = [&](std::span<const int> all) {
+    for (const int i : all) read[i] = true;
+  };
+  are_read(in_rooms ? keepers_.not_kept() : wanted_.coordinates);
+  for (const DefinedPart& part : parts()) {
+    const std::vector<int>& unknowns = part.definition.unknowns;
+    are_read(part.solver->starts_from(unknowns));
+    are_read(part.solver->stays_near());
+    if (const Keeper* const keeper = part.solver->keeper()) {
+      are_read(keeper->reads());
+      continue;
+    }
+    for (const int i : states_read(model(), part.definition))
+      if (!std::ranges::binary_search(unknowns, i)) read[i] = true;
+  }
+  for (const DefinedPart& part : parts()) part.solver->write_only(read);
+  drivers_.write_only(read);
+}
+
+void TimeStepping::deliver(int index, double t, const Summary& step, Level level,
+                           Observer& observer) {
+  Instant instant{.index = index,
+                  .time = t,
+                  .q = {},
+                  .qd = {},
+                  .qdd = {},
+                  .updates = step.updates,
+                  .residual = step.residual};
+  if (wanted_.in_rooms) {
+    observer.take_rooms({&index, 1}, {&instant.room, 1});
+    keepers_.fill(instant.room, level, state_);
+  } else {
+    instant.q = q();
+    if (level >= Level::velocity) instant.qd = qd();
+    if (level >= Level::acceleration) instant.qdd = qdd();
+  }
+  observer.observe(instant);
+}
+
+}  // namespace desmo

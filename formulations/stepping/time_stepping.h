@@ -1,0 +1,70 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "formulations/formulation.h"
+#include "formulations/prediction/driver_source.h"
+#include "formulations/prediction/state_predictor.h"
+#include "formulations/stepping/keepers.h"
+#include "formulations/stepping/part_sequence.h"
+
+namespace desmo {
+
+/// The paper's Fig. 2a: instant after instant, drivers, prediction, and the parts in order.
+class TimeStepping final : public Formulation {
+ public:
+  /// settings: those that the parts were made with. The model outlives this.
+  TimeStepping(const Model& model, std::vector<DefinedPart> parts, const Settings& settings);
+
+  Summary assemble(double t, Level level) override;
+  Summary step(double t, Level level) override;
+  Summary run(const TimeGrid& grid, const Request& request, Observer& observer) override;
+  bool start_at(std::span<const double> q, double t) override;
+  std::optional<Summary> run_on(const TimeGrid& grid, const Request& request,
+                                Observer& observer) override;
+  void solve_only(std::span<const Level> needed) override;
+  const std::vector<DefinedPart>& parts() const override { return sequence_.parts(); }
+  const State& state() const override { return state_; }
+
+  /// Takes over an instant that was solved otherwise, up to `level`: steps go on from there.
+  void take(const State& solved, double t, Level level);
+
+ private:
+  /// How far an instant was solved; nothing: it is unknown.
+  struct Solved {
+    double time = 0;  // s
+    std::optional<Level> level{};
+  };
+
+  /// What of each instant is read by others than parts.
+  struct Wanted {
+    std::vector<int> coordinates{};  // empty: all …
+    bool in_rooms = false;           // … in rooms that are for them, or in the state
+  };
+
+  void prepare();
+  void forget();
+  void want(std::span<const int> coordinates, bool in_rooms = false);
+  void want(const Request& request, const Observer& observer);
+  Summary take_steps(const TimeGrid& grid, const Request& request, Observer& observer);
+  Summary solve_at(double t, Level level);
+  Summary solve_or_sub_step(double t, Level level);
+  Summary assemble_alone(double t, Level level);
+  void find_culprit_of(const PartSequence::Result& result, Summary& summary);
+  void deliver(int index, double t, const Summary& step, Level level, Observer& observer);
+
+  const Settings settings_;
+  PartSequence sequence_;
+  Keepers keepers_;  // of moving parts
+  DriverSource drivers_;
+  StatePredictor predict_;
+  Wanted wanted_;
+  State state_;
+  State before_;       // the instant before that of state_
+  Solved now_, then_;  // what state_ and before_ hold
+  bool assembled_ = false;
+};
+
+}  // namespace desmo
