@@ -24,6 +24,7 @@ class NewtonPart final : public Part {
     return solver_.solve(s.q.data(), s.qd.data(), s.qdd.data(), level);
   }
   long refactorisations() const override { return solver_.refactorisations(); }
+  bool reuses_pivots() const override { return solver_.reuses_pivots(); }
 
  private:
   NewtonSolver<double> solver_;

@@ -75,6 +75,8 @@ class NewtonSolver {
 
   const Pattern& pattern() const { return pattern_; }
 
+  /// See Part::reuses_pivots.
+  bool reuses_pivots() const { return reuses_pivots_; }
   /// See Part::refactorisations.
   long refactorisations() const { return std::max(0L, linear_solver_->pivot_choices() - 1); }
 

@@ -90,6 +90,10 @@ class Part {
   /// generated code, had gone bad, and pivots were chosen anew.
   virtual long refactorisations() const { return 0; }
 
+  /// Returns whether its rates may come from an order of pivots that was chosen at another
+  /// position.
+  virtual bool reuses_pivots() const { return false; }
+
   /// What earlier steps left behind no longer holds: the next solve() starts from an estimate.
   virtual void forget() {}
   /// Says that the assembly is over, which began with forget(): what follows are steps.

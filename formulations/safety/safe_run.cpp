@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include "formulations/guarded_part.h"
 #include "formulations/safety/watched_sink.h"
 
 namespace desmo {
@@ -17,7 +16,7 @@ constexpr double bracket = 1e-9;
 /// What a watch has to know of a formulation.
 Watch::Options with_pivots(Watch::Options options, const Formulation& f) {
   const auto reuses = [](const Formulation::DefinedPart& part) {
-    return part.algebra == "klu" && !dynamic_cast<const GuardedPart*>(part.solver.get());
+    return part.solver->reuses_pivots();
   };
   options.reuses_pivots |= std::ranges::any_of(f.parts(), reuses);
   return options;
