@@ -23,7 +23,7 @@ std::vector<Difference> why_incomparable(const Record& first, const Record& seco
 /// Likewise, but for the environment: whether speed-ups of two machines may stand side by side.
 std::vector<Difference> why_not_the_same_work(const Record& first, const Record& second);
 
-/// Whether the records are of two CPU models.
+/// Tells whether the records are of two CPU models.
 bool are_of_two_machines(const Record& first, const Record& second);
 
 /// Why times of the two records cannot stand on one page, one beside the other; empty when they

@@ -12,7 +12,7 @@
 
 namespace desmo::report {
 
-/// What inconclusive_mark, "one run" and "two runs" mean, for the notes of a table.
+/// Returns what inconclusive_mark, "one run" and "two runs" mean, for the notes of a table.
 std::string inconclusive_note();
 
 /// Adds a reservation about what the entry shows.
@@ -26,7 +26,7 @@ Entry seconds_entry(const Measured& measured);
 /// median where that is the time.
 Entry median_entry(const Measured& measured);
 
-/// So many significant digits, or the mark of what is missing.
+/// Writes so many significant digits, or the mark of what is missing.
 Entry number_entry(const std::optional<double>& value, int significant);
 
 /// A number of things, in full.

@@ -21,7 +21,7 @@ struct Measured {
   Clock clock = Clock::cpu;
 };
 
-/// Of a cell that the CPU clock measured.
+/// The time of a cell that the CPU clock measured.
 Measured measured(const Record& record, const CellKey& key);
 Measured measured(const Request& request);
 Measured measured(const Cell& cell);

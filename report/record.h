@@ -60,7 +60,7 @@ struct Settings {
   std::optional<std::int64_t> windows;  ///< timing windows into which the motion is cut
 };
 
-/// What a time is of. Digests are SHA-256.
+/// The origin of a time. Digests are SHA-256.
 struct Origin {
   std::optional<std::string> machine;  ///< CPU that it was measured on
   std::optional<std::string> model;    ///< digest of the mechanism
@@ -203,13 +203,13 @@ struct Record {
   std::vector<ExtremeResult> extremes;   ///< in the record's order
 };
 
-/// Whether it has the paper's experiment.
+/// Tells whether it has the paper's experiment.
 inline bool has_cells(const Record& record) {
   return !record.cells.empty() || !record.requests.empty() || !record.peers.empty() ||
          !record.wall_cells.empty() || !record.wall_requests.empty();
 }
 
-/// Whether it has the experiment on size.
+/// Tells whether it has the experiment on size.
 inline bool has_sizes(const Record& record) {
   return !record.growth.empty() || !record.break_even.empty();
 }

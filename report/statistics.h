@@ -31,13 +31,13 @@ struct Summary {
   double median_high = 0;
   std::size_t count = 0;
   std::vector<double> windows;  ///< the least time of each; may be empty
-  /// Where the samples of windows are known: the undisturbed time without its best repetition.
+  /// The undisturbed time without its best repetition, where the samples of windows are known.
   std::optional<double> without_best;
   bool has_interval() const { return count >= fewest_for_interval; }
   double half_range() const { return (largest - least) / 2; }
 };
 
-/// Of one sample or more; with the windows that they consist of, where known.
+/// Summarises one sample or more, with the windows that they consist of, where known.
 Summary summarise(std::span<const double> samples, const Windows& windows = {});
 
 /// Relative half-width of a speed-up's interval beyond which it is called inconclusive. An idle
@@ -65,8 +65,8 @@ struct SpeedUp {
   bool inconclusive() const { return spread && half_width() > widest_conclusive; }
 };
 
-/// Of undisturbed times, where samples of windows are known of both, or their least times and of
-/// as many; otherwise of the medians.
+/// Returns the ratio of undisturbed times, where both have samples of windows or as many least
+/// times; otherwise the ratio of medians.
 SpeedUp speed_up(const Summary& reference, const Summary& variant);
 
 /// Each member the arithmetic mean over the sizes, as in the last row of the paper's table 2; the

@@ -8,10 +8,10 @@
 
 namespace desmo::report {
 
-/// Whether times are taken from samples of timing windows.
+/// Tells whether times are taken from samples of timing windows.
 bool has_samples_of_windows(const Record& record);
 
-/// What the times of a record are, in the words of its notes: undisturbed times where it has timing
+/// The words for the times of a record in its notes: undisturbed times where it has timing
 /// windows, medians where it has none.
 struct TimeWords {
   std::string time;        ///< "median"

@@ -54,7 +54,7 @@ std::string_view setting(std::string_view id, std::string_view name);
 /// The id without a setting.
 std::string without_setting(std::string id, const std::string& name);
 
-/// Whether a formulation stands beside peers, with no other setting than their guess.
+/// Tells whether a formulation stands next to peers, with no other setting than their guess.
 bool is_beside_peers(const Record& record, std::string_view id);
 
 /// TS-TPA_MA27 and klu: TS-TPA_klu.

@@ -16,7 +16,7 @@ struct CommonOptions {
   std::string filter;   ///< regular expression; empty: everything
 };
 
-/// What an experiment says of them.
+/// The help text that an experiment gives them.
 struct CommonHelp {
   std::string quick;        ///< what is left out
   std::string filtered;     ///< what the filter is searched in: "<case>/<coordinates>/<id>"

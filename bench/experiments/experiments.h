@@ -7,7 +7,7 @@
 
 namespace desmo::experiments {
 
-/// What an experiment is called with.
+/// The arguments of an experiment.
 struct CommandLine {
   std::string text;              ///< for the record: program, experiment and arguments
   char* program;                 ///< its path, as Google Benchmark wants it

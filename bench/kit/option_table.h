@@ -35,7 +35,7 @@ class OptionTable {
   /// std::invalid_argument, naming the option, for a missing or unusable value.
   std::vector<char*> take(const std::vector<char*>& arguments) const;
 
-  /// Whether --help or -h was among the arguments taken.
+  /// Tells whether --help or -h was among the arguments taken.
   bool asks_for_help() const { return asks_for_help_; }
   /// The title, and what each option does.
   std::string help() const;

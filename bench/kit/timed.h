@@ -81,9 +81,9 @@ class Timed {
   virtual void make() = 0;
   virtual void discard() = 0;
 
-  /// By the wall clock, solves until threads are awake, on processors that are: from asleep that
-  /// may take as long as a motion, and longer where the processors are not the system's own. One
-  /// thread that several are compared with is treated alike.
+  /// Solves, where the wall clock measures, until threads and their processors are awake: from
+  /// asleep that may take as long as a motion, and longer where the processors are not the system's
+  /// own. One thread that several are compared with is treated alike.
   void wake_threads(const std::function<void()>& solve) const;
 
   void fail(std::string why) { stop(State::failed, std::move(why)); }

@@ -15,7 +15,7 @@ int check_format(const JsonValue& root, std::string_view format, int latest);
 /// A name as cases/files.md defines it: the text given, which stands at `place`.
 std::string checked_name(const JsonValue& place, std::string_view name);
 
-/// What one unit of a file is in metres and in radians.
+/// The units of a file, in metres and in radians.
 struct Units {
   double length = 1;
   double angle = 1;

@@ -7,7 +7,7 @@
 
 namespace desmo {
 
-/// What is known by name; texts of the document.
+/// Names that are known; texts of the document.
 struct Names {
   NameTable points{"point"}, vectors{"vector"}, bodies{"body"}, coordinates{"coordinate"};
 };
@@ -19,7 +19,7 @@ struct ReadMechanism {
 };
 ReadMechanism mechanism_from(const JsonValue& root);
 
-/// As many components as the mechanism has dimensions; the third is 0 in the plane.
+/// Has as many components as the mechanism has dimensions; the third is 0 in the plane.
 Mechanism::Vec read_components(const JsonValue& value, int dimension);
 
 /// A vector's name, or a list of two points.

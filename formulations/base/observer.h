@@ -8,7 +8,7 @@
 
 namespace desmo {
 
-/// What is asked of an analysis.
+/// A request: what an analysis is asked for.
 struct Request {
   Level level = Level::acceleration;
   /// Coordinates that the observer reads; empty means all. All others are unspecified.

@@ -94,7 +94,7 @@ class Part {
   /// position.
   virtual bool reuses_pivots() const { return false; }
 
-  /// What earlier steps left behind no longer holds: the next solve() starts from an estimate.
+  /// Voids what earlier steps left behind: the next solve() starts from an estimate.
   virtual void forget() {}
   /// Says that the assembly is over, which began with forget(): what follows are steps.
   virtual void end_assembly() {}

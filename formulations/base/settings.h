@@ -4,7 +4,7 @@
 
 namespace desmo {
 
-/// Where Newton–Raphson starts in a step (see formulations/prediction/guess.h).
+/// The prediction from which Newton–Raphson starts in a step (see formulations/prediction/guess.h).
 enum class Guess {
   previous,   ///< q of the last instant
   linear,     ///< its tangent, from q̇

@@ -7,7 +7,7 @@
 
 namespace desmo {
 
-/// What became of a step, or of a whole run.
+/// The outcome of a step, or of a whole run.
 struct Summary {
   Status status = Status::converged;
   long instants = 0;    ///< solved, or interpolated between those solved

@@ -19,7 +19,7 @@ class SegmentExecutor {
   /// step after all; the state and what the observer was given are then void.
   virtual std::optional<Summary> run(const TimeGrid& grid, const Request& request, State& state,
                                      Observer& observer) = 0;
-  /// As Formulation::solve_only(): what may be left out.
+  /// Leaves out levels, as Formulation::solve_only() does.
   virtual void solve_only(std::span<const Level>) {}
 };
 

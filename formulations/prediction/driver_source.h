@@ -22,7 +22,7 @@ class DriverSource {
   /// this order, as often as they are named. The model outlives the source.
   explicit DriverSource(const Model& model, std::span<const int> in_row = {});
 
-  /// From now on times are those of this grid, in order from the first. Other times are possible,
+  /// Announces the grid whose times follow, in order from the first. Other times are possible,
   /// one by one.
   void expect(const TimeGrid& grid) { motions_.expect(grid); }
 

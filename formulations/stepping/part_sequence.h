@@ -13,7 +13,7 @@ namespace desmo {
 /// groups or whatever else the unknowns were cut into.
 class PartSequence {
  public:
-  /// What became of the parts in one step.
+  /// The outcome of all parts in one step.
   struct Result {
     Status status = Status::converged;
     long iterations = 0;   ///< the most of any part
@@ -40,13 +40,13 @@ class PartSequence {
   /// Solves positions of the moving parts, each by itself. Returns whether all could be solved.
   bool solve_positions(State& state, std::span<const double> last) const;
 
-  /// What earlier steps left behind no longer holds (see Part::forget).
+  /// Voids what earlier steps left behind (see Part::forget).
   void forget();
-  /// An assembly has ended (see Part::end_assembly).
+  /// Tells that the assembly is over (see Part::end_assembly).
   void end_assembly();
 
  private:
-  /// What a step does with a part; the elements stand next to each other in memory.
+  /// A part as a step uses it; the elements stand next to each other in memory.
   struct Stage {
     Part* solver;
     Level level;  // the highest level at which anyone asks for its unknowns

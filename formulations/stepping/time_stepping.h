@@ -32,13 +32,13 @@ class TimeStepping final : public Formulation {
   void take(const State& solved, double t, Level level);
 
  private:
-  /// How far an instant was solved; nothing: it is unknown.
+  /// The level to which an instant was solved; nothing: it is unknown.
   struct Solved {
     double time = 0;  // s
     std::optional<Level> level{};
   };
 
-  /// What of each instant is read by others than parts.
+  /// The coordinates of each instant that others than parts read.
   struct Wanted {
     std::vector<int> coordinates{};  // empty: all …
     bool in_rooms = false;           // … in rooms that are for them, or in the state

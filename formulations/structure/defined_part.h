@@ -11,8 +11,8 @@ namespace desmo {
 struct DefinedPart {
   PartDefinition definition;
   std::unique_ptr<Part> solver;
-  /// Whether the part is what the formulation's id promises; false: its equations are automatic,
-  /// for want of generated code.
+  /// Says whether the part is what the formulation's id promises; false: its equations are
+  /// automatic, for want of generated code.
   bool as_named = true;
   Level level = Level::acceleration;  ///< the highest level at which anyone asks for its unknowns
   /// On ‖Φ‖₂ of its equations: its share, or what rounding leaves if that is more.

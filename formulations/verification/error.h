@@ -40,7 +40,7 @@ class ErrorSum {
 /// norm of the difference, by its scale; angles differ by whole turns if they do. It is exact where
 /// the reference has rests: an error of 1e-20 shows as that.
 ///
-/// As a Observer: hand it to Formulation::run, instants in order of time. Instants that the
+/// An observer: hand it to Formulation::run, instants in order of time. Instants that the
 /// reference has not are skipped at the cost of a comparison; nothing is taken from the heap.
 class ErrorMeasure final : public Observer {
  public:

@@ -15,7 +15,7 @@ namespace desmo {
 /// residuals alone. Each equation is relative to the magnitude of its terms, Σ |∂Φ/∂q_i| s_i at the
 /// position at hand, where s_i is the scale of coordinate i at that level: numbers without unit.
 ///
-/// As a Observer: hand it to Formulation::run. Instants before the first and after the last of
+/// An observer: hand it to Formulation::run. Instants before the first and after the last of
 /// `times`, and those between that are not in it, are skipped; nothing is taken from the heap. An
 /// instant costs a few microseconds a coordinate.
 class ViolationMeasure final : public Observer {

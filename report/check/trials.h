@@ -9,14 +9,15 @@
 
 namespace desmo::report {
 
-/// Where trials were made: those of two machines or compilers do not make one certificate.
+/// The machine on which trials were made: those of two machines or compilers do not make one
+/// certificate.
 struct TrialsHead {
   std::string date;  ///< of the first
   std::string cpu, compiler, flags;
   std::int64_t cores = 0;
 };
 
-/// What was done to the check, and what it said.
+/// A trial: what was done to the check, and what it said.
 struct Trial {
   std::string kind, load, cell;
   std::string verdict;                                 ///< "pass", "regression" ...

@@ -12,8 +12,8 @@ namespace desmo::report {
 /// Aligned text for people; leaves out tables of detail and says so. UTF-8.
 std::string to_terminal(const Document& document);
 
-/// What stands in front, for the end of a run: at most 60 lines of at most 100 characters for one
-/// experiment.
+/// Writes the front of a document, for the end of a run: at most 60 lines of at most 100 characters
+/// for one experiment.
 std::string front_to_terminal(const Document& document);
 
 /// {"schema": "desmo-tables", "version", "title", "sections": [{"title", "paragraphs", "tables":

@@ -9,7 +9,7 @@
 
 namespace desmo::report {
 
-/// What a formulation solves side by side.
+/// The things that a formulation solves side by side.
 enum class Batch { none, lanes, segments };
 
 /// A formulation at the truck's largest size, and how many times as fast it is as the fastest

@@ -16,7 +16,7 @@ struct SizedTimes {
   std::string mark;  ///< of a size that has no number; empty where there is none
 };
 
-/// What the words of slope_entry mean, for the notes of a table.
+/// Returns what the words of slope_entry mean, for the notes of a table.
 std::string linear_note();
 bool is_linear(double slope);
 

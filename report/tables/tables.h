@@ -13,7 +13,7 @@
 namespace desmo::report {
 
 /// The answer: three fixed sentences with numbers, the data of figure 6, and the best formulations.
-/// Where fewer than three repetitions were measured, no number stands in a sentence.
+/// Puts no number into a sentence where fewer than three repetitions were measured.
 Section answer(const Record& record);
 
 /// Table 1 of the paper for one sparse family: CPU seconds of every analysis, ours above the
@@ -70,13 +70,13 @@ Section limitations(const Record& record);
 /// with settings. Without tables when none was.
 Section beyond(const Record& record);
 
-/// What several threads gain over one, by the wall clock: a table for each case that was solved on
-/// several.
+/// Makes the tables of what several threads gain over one, by the wall clock: a table for each case
+/// that was solved on several.
 std::vector<Table> threads(const Record& record);
 
-/// What peers take beside the formulations that start from the same guess: a table for
-/// each case, and one of what they needed to be set up. Without tables when the record has no
-/// peers.
+/// Makes the tables of what peers take next to the formulations that start from the same guess: a
+/// table for each case, and one of what they needed to be set up. Without tables when the record
+/// has no peers.
 Section peers(const Record& record);
 
 /// One line for every cell, request or peer that failed its verification; empty when none did.

@@ -9,8 +9,9 @@
 
 namespace desmo::generate {
 
-/// How many states of a motion are looked at. A closed form may be singular between two that are
-/// far apart: with twelve, a square root of `stephenson_six_bar` passed its branch point unseen.
+/// The number of states of a motion that are sampled. A closed form may be singular between two
+/// that are far apart: with twelve, a square root of `stephenson_six_bar` passed its branch point
+/// unseen.
 inline constexpr int sample_count = 45;
 
 /// A type of part to generate code for, and places along motions where its parts were.
@@ -30,7 +31,7 @@ SampledType& add_part(const Model& model, const PartDefinition& part,
 
 /// The type with names made of numbers, the same for all types of one fingerprint: u4, an unknown,
 /// k0, known, or f7, fixed, is the input at that position, and "unit#2" the constraint at that one.
-/// What a file calls its entities stays out of code that is generated for it.
+/// The names that a file gives its entities stay out of code that is generated for it.
 PartType without_names(PartType type);
 
 }  // namespace desmo::generate

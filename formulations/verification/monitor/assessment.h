@@ -5,7 +5,7 @@
 
 namespace desmo {
 
-/// What keeps an instant from being as right as its tolerance asks for.
+/// The limit that keeps an instant from being as right as its tolerance asks for.
 enum class Limit {
   singular_position,
   drivers,   ///< their motions, which are rounded where they come to large numbers or late
@@ -14,14 +14,14 @@ enum class Limit {
   rounding,  ///< of the equations, and nothing in particular
 };
 
-/// How right a solved instant is, from its numbers alone.
+/// The accuracy of a solved instant, from its numbers alone.
 struct Assessment {
   bool singular = false;  ///< the equations do not determine the position, to working precision
   /// Estimate of the condition number (verification/condition.h), within a factor of three;
   /// infinite where Φ_φ could not be factorised.
   double condition = 1;
-  /// Of the error of any output, as verification/error.h measures it; infinite where singular. 0
-  /// beyond the level solved.
+  /// Bound on the error of any output, as verification/error.h measures it; infinite where
+  /// singular. 0 beyond the level solved.
   PerLevel<double> bound;
   double rounding = 0;  ///< what bound.position would be if Φ were nothing but its rounding
   GroupId group = -1;   ///< of the unknown that the condition is worst for

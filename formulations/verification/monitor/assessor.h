@@ -40,7 +40,7 @@ class Assessor {
   /// the heap but by KLU.
   Assessment operator()(const Instant& instant, const Scales& scales);
 
-  /// What limits the instant assessed last, of these bounds.
+  /// Returns which of these bounds limits the instant assessed last.
   Limit limit(const Instant& instant, const Scales& scales, const Assessment& assessment);
 
   /// An instant with the corrections that factors at its own position make, and then another, as

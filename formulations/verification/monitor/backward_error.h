@@ -10,9 +10,9 @@
 
 namespace desmo {
 
-/// What the equations of an instant and their time derivatives are off by, whatever solved it, at
-/// the cost of evaluating them once: a residual r leaves errors of up to ‖A⁻¹‖∞ ‖r‖∞. A rate that
-/// was solved with a small pivot shows in it, and a row that was interpolated.
+/// The residuals of the equations of an instant and of their time derivatives, whatever solved it,
+/// at the cost of evaluating them once: a residual r leaves errors of up to ‖A⁻¹‖∞ ‖r‖∞. A rate
+/// that was solved with a small pivot shows in it, and a row that was interpolated.
 class BackwardError {
  public:
   /// levels: as far as each coordinate is solved. Both must outlive it.
@@ -32,7 +32,7 @@ class BackwardError {
   std::vector<Jet<double>> state_, phi_;
 };
 
-/// Of each row, the lowest level to which one of its coordinates is solved.
+/// Returns, for each row, the lowest level to which one of its coordinates is solved.
 std::vector<Level> levels_of_rows(const Model& model, std::span<const Level> levels);
 
 }  // namespace desmo

@@ -12,8 +12,8 @@
 
 namespace desmo {
 
-/// Whether a motion stays on the assembly branch that its mechanism's estimate declares: the signs
-/// of the determinants of irreducible blocks, from one assessed instant to the next.
+/// Tells whether a motion stays on the assembly branch that its mechanism's estimate declares, by
+/// the signs of the determinants of irreducible blocks, from one assessed instant to the next.
 class BranchSigns {
  public:
   /// Both must outlive it.
@@ -23,8 +23,8 @@ class BranchSigns {
   /// Overwrites what the system has factorised.
   void declare(const Instant& first);
 
-  /// What an assessed instant shows, whose factors the system has. gain: of the drivers at most
-  /// (SensitivityMonitor::largest).
+  /// Returns the crossing that an assessed instant shows; the system has its factors. sensitivity:
+  /// the largest to any driver (SensitivityMonitor::largest).
   std::optional<Crossing> at_first(const Instant& instant, const Assessment& assessment,
                                    double sensitivity);
   /// After an interval that was left out.

@@ -4,8 +4,8 @@
 
 namespace desmo {
 
-/// From here on the assembly branch is not the one that continuity and the estimate declare, or
-/// nobody knows.
+/// An instant from which the assembly branch is not the one that continuity and the estimate
+/// declare, or is unknown.
 struct Crossing {
   enum class Kind {
     passed,        ///< a singular position: a block's determinant has changed its sign
