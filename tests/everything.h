@@ -5,10 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <set>
 #include <span>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "formulations/formulation.h"
@@ -18,24 +16,18 @@ namespace desmo {
 /// Everything that comes, by instant.
 class Everything : public Observer {
  public:
-  Everything(int instants, bool any_order)
-      : all(static_cast<std::size_t>(instants)), any_order_(any_order) {}
-  void observe(const Instant& i) override {
+  explicit Everything(int instants) : all(static_cast<std::size_t>(instants)) {}
+  Flow observe(const Instant& i) noexcept override {
     order.push_back(i.index);
-    threads.insert(std::this_thread::get_id());
     std::vector<double>& values = all.at(i.index);
     values.clear();
     for (const std::span<const double> given : {i.q, i.qd, i.qdd})
       values.insert(values.end(), given.begin(), given.end());
+    return Flow::go_on;
   }
-  bool takes_any_order() const override { return any_order_; }
 
   std::vector<std::vector<double>> all;
   std::vector<int> order;
-  std::set<std::thread::id> threads;  // that they came from
-
- private:
-  bool any_order_;
 };
 
 /// That both, solved at time t, have the same positions and accelerations there and a few steps on.

@@ -22,16 +22,26 @@ Delivery::Delivery(SeriesHeading heading, std::unique_ptr<SeriesFormat> format, 
       monitor_(plan, tolerance),
       text_(format_->heading(heading_)) {}
 
-void Delivery::observe(const Instant& instant) {
+Flow Delivery::observe(const Instant& instant) noexcept try {
   if (const int c = monitor_.violated(instant); c >= 0)
-    throw NotToDeliver{instant.index, branch_text(c, instant.time, plan_.model)};
+    wrong_ = {instant.index, branch_text(c, instant.time, plan_.model)};
   const auto finite = [&](const Column& column) { return std::isfinite(column.value(instant)); };
   if (const auto c = std::ranges::find_if_not(heading_.columns, finite);
-      c != heading_.columns.end())
-    throw NotToDeliver{instant.index, overflow_text(c->name, instant.time)};
+      !wrong_ && c != heading_.columns.end())
+    wrong_ = {instant.index, overflow_text(c->name, instant.time)};
+  if (wrong_) return Flow::stop;
   format_->append(heading_, instant, text_);
   if (text_.size() >= enough_to_write) flush();
   progress_.solved(instant.index + 1);
+  return Flow::go_on;
+} catch (...) {
+  unwritable_ = std::current_exception();
+  return Flow::stop;
+}
+
+const std::optional<NotToDeliver>& Delivery::wrong() const {
+  if (unwritable_) std::rethrow_exception(unwritable_);
+  return wrong_;
 }
 
 void Delivery::flush() {

@@ -1,7 +1,9 @@
 // From solved instants to the output.
 #pragma once
 
+#include <exception>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "bench/cli/output.h"
@@ -17,16 +19,18 @@ struct NotToDeliver {
   std::string what;  ///< "constraint 'theta: definition', t = 0.3 s: solved on another branch …"
 };
 
-/// Writes each instant it is handed, some at a time. Throws what Output throws, and NotToDeliver,
-/// the instants before it handed on, where BranchMonitor finds something violated or a number is
-/// not finite.
+/// Writes each instant it is handed, some at a time. Stops the run where Output throws, where
+/// BranchMonitor finds something violated, and where a number is not finite.
 class Delivery final : public Observer {
  public:
   /// tolerance: to which positions are solved. The plan must outlive the delivery.
   Delivery(SeriesHeading heading, std::unique_ptr<SeriesFormat> format, const Plan& plan,
            double tolerance, Output& output, Progress& progress);
 
-  void observe(const Instant& instant) override;
+  Flow observe(const Instant& instant) noexcept override;
+  /// Returns the instant that was not to deliver, those before it written. Throws what Output threw
+  /// in the run.
+  const std::optional<NotToDeliver>& wrong() const;
   /// Writes what has been handed to it but not written.
   void flush();
 
@@ -38,6 +42,8 @@ class Delivery final : public Observer {
   const Plan& plan_;
   BranchMonitor monitor_;
   std::string text_;
+  std::optional<NotToDeliver> wrong_;
+  std::exception_ptr unwritable_;
 };
 
 }  // namespace desmo::cli

@@ -103,18 +103,14 @@ void solve(const SolveOptions& options) {
   Delivery delivery(
       {whole.name, input.scene.name, id_with(*variant, settings), make_columns(plan, input.scene)},
       std::move(format), plan, settings.tolerance, output, progress);
-  SafeSummary summary;
-  std::optional<NotToDeliver> wrong;
-  try {
-    summary = run_safely(*formulation, input.scene.grid, Request{plan.level()}, delivery,
-                         {{.tolerance = settings.tolerance,
-                           .levels = plan.levels,
-                           .every = options.strict ? 1 : Watch::usual},
-                          options.strict,
-                          options.past_failures});
-  } catch (const NotToDeliver& instant) {
-    wrong = instant;
-  }
+  const SafeSummary summary =
+      run_safely(*formulation, input.scene.grid, Request{plan.level()}, delivery,
+                 {{.tolerance = settings.tolerance,
+                   .levels = plan.levels,
+                   .every = options.strict ? 1 : Watch::usual},
+                  options.strict,
+                  options.past_failures});
+  const std::optional<NotToDeliver>& wrong = delivery.wrong();
   progress.clear();
   const bool all = summary.outcome() != Outcome::failed && !wrong;
   if (all || output.is_standard_output()) delivery.flush();

@@ -51,7 +51,7 @@ Cell::Cell(const Case& d, int n, const Variant& v, const Options& options, const
       coordinates(n),
       variant(v),
       settings(s),
-      delivery_(Delivery(n), windows) {
+      delivery_(n, Level::acceleration, windows) {
   if (const std::string reason = too_costly(v, n, options); !reason.empty()) leave_out(reason);
 }
 

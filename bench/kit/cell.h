@@ -47,7 +47,7 @@ class Cell final : public Timed {
 
   std::unique_ptr<Model> model_;  // the formulation refers to it
   std::unique_ptr<Formulation> formulation_;
-  WindowedDelivery<Delivery> delivery_;
+  WindowedDelivery delivery_;
 };
 
 /// Every cell of the suite, in the order of the tables. Dense global solves beyond the limit are

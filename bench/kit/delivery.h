@@ -1,44 +1,41 @@
 #pragma once
 
-#include <algorithm>
-#include <optional>
 #include <span>
 
 #include "formulations/formulation.h"
 
 namespace desmo::suite {
 
-/// Delivers each instant as the design asks: q, q̇, q̈ of the whole mechanism into plain vectors
-/// in coordinate order.
-class Delivery final : public Observer {
+/// Delivers each instant as the design asks: q, q̇, q̈ of what is requested, by default of the
+/// whole mechanism, into plain vectors in the order of the request.
+class Delivery : public Observer {
  public:
-  explicit Delivery(int coordinates)
-      : rooms_({{}, Level::acceleration}, static_cast<std::size_t>(coordinates)) {}
+  explicit Delivery(std::size_t coordinates, Level level = Level::acceleration)
+      : outputs_(coordinates, level) {}
 
-  void observe(const Instant& instant) override {
-    last_ = instant.room;
-    if (!instant.in_room()) {
-      last_ = rooms_.take();
-      std::ranges::copy(instant.q, last_.q);
-      std::ranges::copy(instant.qd, last_.qd);
-      std::ranges::copy(instant.qdd, last_.qdd);
-    }
-    rooms_.give_back(last_);
+  Flow observe(const Instant& instant) noexcept override {
+    last_ = instant.output;
+    outputs_.give_back(last_);
+    return Flow::go_on;
   }
-  std::optional<RoomShape> rooms() const override { return rooms_.shape(); }
-  void take_rooms(std::span<const int>, std::span<Room> rooms) override {
-    for (Room& room : rooms) room = rooms_.take();
+  int lent_at_once() const noexcept override { return 1; }
+  void lend(std::span<const int>, std::span<OutputView> outputs) noexcept override {
+    for (OutputView& output : outputs) output = outputs_.take();
   }
-  bool takes_any_order() const override { return true; }
+  bool any_order() const noexcept override { return true; }
 
-  /// What came last.
-  std::span<const double> q() const { return {last_.q, rooms_.size()}; }
-  std::span<const double> qd() const { return {last_.qd, rooms_.size()}; }
-  std::span<const double> qdd() const { return {last_.qdd, rooms_.size()}; }
+  /// What came last; empty above the level.
+  std::span<const double> q() const { return shown(last_.q); }
+  std::span<const double> qd() const { return shown(last_.qd); }
+  std::span<const double> qdd() const { return shown(last_.qdd); }
 
  private:
-  RoomPool rooms_;
-  Room last_{};
+  std::span<const double> shown(const double* values) const {
+    return {values, values ? outputs_.size() : 0};
+  }
+
+  OutputPool outputs_;
+  OutputView last_{};
 };
 
 }  // namespace desmo::suite

@@ -58,22 +58,24 @@ void compare(Errors& largest, std::span<const AskedComponent> asked, const Insta
 Instant instant_of(const Formulation& f, double t) { return {0, t, f.q(), f.qd(), f.qdd()}; }
 
 /// What came of a request beside a reference of the whole mechanism.
-class VerifyingRequest final : public DeliveryAtReference<RequestedDelivery> {
+class VerifyingRequest final : public DeliveryAtReference {
  public:
-  VerifyingRequest(std::span<const ReferenceInstant> reference,
-                   std::span<const AskedComponent> asked)
-      : DeliveryAtReference(RequestedDelivery(asked), reference), asked_(asked) {}
+  VerifyingRequest(std::span<const ReferenceInstant> reference, const PlannedRequest& request)
+      : DeliveryAtReference(request.coordinates.size(), request.plan.level(), reference),
+        request_(request) {}
 
   Comparison compare() const {
     Errors errors;
     ResultDigest results;
     for_each([&](const ReferenceInstant& r, const State& came) {
       ++errors.instants;
-      for (const AskedComponent& a : asked_) {
+      for (const AskedComponent& a : request_.asked) {
+        const std::size_t place =
+            std::ranges::lower_bound(request_.coordinates, a.kept) - request_.coordinates.begin();
         const auto compare = [&](Level level, double& largest, const std::vector<double>& found,
                                  const std::vector<double>& reference, double unit) {
           if (a.level < level) return;
-          const double value = found[inner().place(a.kept, level)];
+          const double value = found[place];
           widen(largest, value, reference[a.whole]);
           results.add(value, reference[a.whole], unit);
         };
@@ -86,21 +88,8 @@ class VerifyingRequest final : public DeliveryAtReference<RequestedDelivery> {
   }
 
  private:
-  std::span<const AskedComponent> asked_;
+  const PlannedRequest& request_;
 };
-
-/// Coordinates of the mechanism solved that are asked as far as `level`, ascending.
-std::vector<int> asked_at(Level level, std::span<const AskedComponent> asked) {
-  std::vector<int> result;
-  for (const AskedComponent& a : asked)
-    if (a.level >= level) result.push_back(a.kept);
-  std::ranges::sort(result);
-  return result;
-}
-
-Level highest_level(std::span<const AskedComponent> asked) {
-  return std::ranges::max_element(asked, {}, &AskedComponent::level)->level;
-}
 
 std::string difference_complaint(double difference) {
   char text[120];
@@ -125,42 +114,10 @@ PlannedRequest::PlannedRequest(std::string_view short_name, const Scene& scene,
   if (asked.empty())
     throw std::invalid_argument("request " + name + ": asks for nothing that moves");
   for (const AskedComponent& a : asked) coordinates.push_back(a.kept);
+  std::ranges::sort(coordinates);
+  coordinates.erase(std::ranges::unique(coordinates).begin(), coordinates.end());
   unknowns = moving_unknowns(plan.model);
   all_unknowns = moving_unknowns(whole);
-}
-
-RequestedDelivery::RequestedDelivery(std::span<const AskedComponent> asked)
-    : q_(asked_at(Level::position, asked)),
-      qd_(asked_at(Level::velocity, asked)),
-      qdd_(asked_at(Level::acceleration, asked)),
-      has_room_(!q_.empty() && (qd_.empty() || qd_ == q_) && (qdd_.empty() || qdd_ == q_) &&
-                std::ranges::adjacent_find(q_) == q_.end()),
-      rooms_({q_, has_room_ ? highest_level(asked) : Level::acceleration}, q_.size()) {}
-
-std::optional<RoomShape> RequestedDelivery::rooms() const {
-  return has_room_ ? std::optional(rooms_.shape()) : std::nullopt;
-}
-
-std::size_t RequestedDelivery::place(int coordinate, Level level) const {
-  const std::vector<int>& asked = level == Level::position   ? q_
-                                  : level == Level::velocity ? qd_
-                                                             : qdd_;
-  return std::ranges::lower_bound(asked, coordinate) - asked.begin();
-}
-
-void RequestedDelivery::observe(const Instant& instant) {
-  last_ = instant.room;
-  if (!instant.in_room()) {
-    last_ = rooms_.take();
-    const auto pick = [](const std::vector<int>& asked, std::span<const double> from,
-                         double* values) {
-      for (const int i : asked) *values++ = from[i];
-    };
-    pick(q_, instant.q, last_.q);
-    pick(qd_, instant.qd, last_.qd);
-    pick(qdd_, instant.qdd, last_.qdd);
-  }
-  rooms_.give_back(last_);
 }
 
 Errors max_differences(Formulation& whole, Formulation& kept, std::span<const AskedComponent> asked,
@@ -183,7 +140,7 @@ RequestCell::RequestCell(std::shared_ptr<const PlannedRequest> request, const Va
       variant(v),
       settings(s),
       request_(std::move(request)),
-      delivery_(RequestedDelivery(request_->asked), windows) {}
+      delivery_(request_->coordinates.size(), request_->plan.level(), windows) {}
 
 std::string RequestCell::name() const {
   return std::string(request_->definition.name) + "/" +
@@ -212,7 +169,7 @@ void RequestCell::verify(ReferenceCache& references) {
     if (const std::string wrong = compare_with_whole(); !wrong.empty()) return fail(wrong);
 
     const auto reference = references.get(request_->whole, request_->grid);
-    VerifyingRequest observer(reference, request_->asked);
+    VerifyingRequest observer(reference, *request_);
     const double start = now(clock);
     const Summary summary = run(observer);
     analysis_seconds = now(clock) - start;
@@ -248,7 +205,7 @@ Summary RequestCell::run(Observer& observer) {
 void RequestCell::make() {
   formulation_ = made_with_tolerance(settings.tolerance);
   formulation_->assemble(grid.time(0), request_->plan.level());
-  RequestedDelivery elsewhere(request_->asked);
+  Delivery elsewhere(request_->coordinates.size(), request_->plan.level());
   wake_threads([&] { run(elsewhere); });
 }
 

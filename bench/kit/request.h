@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -41,35 +40,8 @@ struct PlannedRequest {
   const Case& definition;
   TimeGrid grid;
   std::vector<AskedComponent> asked;  ///< without what never moves
-  std::vector<int> coordinates;       ///< of the part that is solved, those asked for
+  std::vector<int> coordinates;       ///< of the part that is solved, those asked for, ascending
   int unknowns, all_unknowns;         ///< solved for at every instant, of how many
-};
-
-/// Delivers, of each instant, what is asked and nothing else into plain vectors, in coordinate
-/// order.
-class RequestedDelivery final : public Observer {
- public:
-  explicit RequestedDelivery(std::span<const AskedComponent> asked);
-  void observe(const Instant& instant) override;
-  /// Where every level is asked of the same coordinates, each once.
-  std::optional<RoomShape> rooms() const override;
-  void take_rooms(std::span<const int>, std::span<Room> rooms) override {
-    for (Room& room : rooms) room = rooms_.take();
-  }
-  bool takes_any_order() const override { return true; }
-
-  /// Where a coordinate that is asked for stands in the values of a level.
-  std::size_t place(int coordinate, Level level) const;
-  /// What came last.
-  std::span<const double> q() const { return {last_.q, q_.size()}; }
-  std::span<const double> qd() const { return {last_.qd, qd_.size()}; }
-  std::span<const double> qdd() const { return {last_.qdd, qdd_.size()}; }
-
- private:
-  std::vector<int> q_, qd_, qdd_;  // coordinates of the mechanism solved
-  bool has_room_;
-  RoomPool rooms_;
-  Room last_{};
 };
 
 /// Largest absolute differences of what is asked, at the levels asked, between two formulations
@@ -115,7 +87,7 @@ class RequestCell final : public Timed {
 
   std::shared_ptr<const PlannedRequest> request_;
   std::unique_ptr<Formulation> formulation_;
-  WindowedDelivery<RequestedDelivery> delivery_;
+  WindowedDelivery delivery_;
 };
 
 /// Every request of the library with every formulation that requests are timed with.

@@ -29,11 +29,16 @@ TimingWindows::TimingWindows(int instants, Clock clock) : clock_(clock) {
 }
 
 void TimingWindows::begin() {
+  samples_.reserve(samples_.size() + 1);
+  analysis_began_ = now(clock_);
+  restart();
+}
+
+void TimingWindows::restart() {
   next_ = 0;
   passed_ = 0;
   sum_ = 0;
-  samples_.reserve(samples_.size() + 1);
-  began_ = now(clock_);
+  began_ = analysis_began_;
 }
 
 std::vector<double> TimingWindows::least() const {

@@ -1,12 +1,10 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
-#include <utility>
 #include <vector>
 
 #include "bench/kit/clock.h"
-#include "formulations/formulation.h"
+#include "bench/kit/delivery.h"
 
 namespace desmo::suite {
 
@@ -24,6 +22,8 @@ class TimingWindows {
 
   /// An analysis begins. What one that did not come to its end has left is dropped.
   void begin();
+  /// What was solved so far was in vain, and is part of the first window.
+  void restart();
   /// An instant has been delivered: every one of the motion, in whatever order, with the updates
   /// that it took (see Summary) where somebody counts. From several threads they come in another
   /// order every time, so that their work is not that of a window: it is not counted.
@@ -51,28 +51,22 @@ class TimingWindows {
   std::size_t next_ = 0;  // to end
   int passed_ = 0;        // instants
   long sum_ = 0;          // of updates in the window that goes on
-  double began_ = 0;
+  double began_ = 0, analysis_began_ = 0;
 };
 
-/// Delivers as `Inner` does and tells the windows.
-template <class Inner>
-class WindowedDelivery final : public Observer {
+/// Delivers and tells the windows.
+class WindowedDelivery final : public Delivery {
  public:
-  WindowedDelivery(Inner inner, TimingWindows& windows)
-      : inner_(std::move(inner)), windows_(windows) {}
+  WindowedDelivery(std::size_t coordinates, Level level, TimingWindows& windows)
+      : Delivery(coordinates, level), windows_(windows) {}
 
-  void observe(const Instant& instant) override {
-    inner_.observe(instant);
+  Flow observe(const Instant& instant) noexcept override {
     windows_.passed(instant.updates);
+    return Delivery::observe(instant);
   }
-  std::optional<RoomShape> rooms() const override { return inner_.rooms(); }
-  void take_rooms(std::span<const int> indices, std::span<Room> rooms) override {
-    inner_.take_rooms(indices, rooms);
-  }
-  bool takes_any_order() const override { return inner_.takes_any_order(); }
+  void restart() noexcept override { windows_.restart(); }
 
  private:
-  Inner inner_;
   TimingWindows& windows_;
 };
 

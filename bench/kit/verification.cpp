@@ -29,10 +29,18 @@ void widen(double& largest, double a, double b) {
   if (!(d <= largest)) largest = std::isnan(d) ? INFINITY : d;
 }
 
+Flow DeliveryAtReference::observe(const Instant& i) noexcept {
+  const auto r = std::ranges::lower_bound(reference_, i.time, {}, &ReferenceInstant::time);
+  if (r != reference_.end() && r->time == i.time) {
+    const auto copy = [](std::span<const double> v) { return std::vector(v.begin(), v.end()); };
+    came_[r - reference_.begin()] = {copy(i.q), copy(i.qd), copy(i.qdd)};
+  }
+  return Delivery::observe(i);
+}
+
 VerifyingObserver::VerifyingObserver(std::span<const ReferenceInstant> reference)
-    : DeliveryAtReference(
-          Delivery(reference.empty() ? 0 : static_cast<int>(reference.front().q.size())),
-          reference) {}
+    : DeliveryAtReference(reference.empty() ? 0 : reference.front().q.size(), Level::acceleration,
+                          reference) {}
 
 Comparison VerifyingObserver::compare() const {
   Errors errors;

@@ -1,9 +1,7 @@
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <map>
-#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -35,25 +33,14 @@ struct Comparison {
   std::string results;
 };
 
-/// Delivers as `Inner` does when it is timed, and keeps what came at the instants of a reference.
-template <class Inner>
-class DeliveryAtReference : public Observer {
+/// Delivers, and keeps what came at the instants of a reference.
+class DeliveryAtReference : public Delivery {
  public:
-  DeliveryAtReference(Inner inner, std::span<const ReferenceInstant> reference)
-      : reference_(reference), came_(reference.size()), inner_(std::move(inner)) {}
+  DeliveryAtReference(std::size_t coordinates, Level level,
+                      std::span<const ReferenceInstant> reference)
+      : Delivery(coordinates, level), reference_(reference), came_(reference.size()) {}
 
-  void observe(const Instant& i) override {
-    inner_.observe(i);
-    const auto r = std::ranges::lower_bound(reference_, i.time, {}, &ReferenceInstant::time);
-    if (r == reference_.end() || r->time != i.time) return;
-    const auto copy = [](std::span<const double> v) { return std::vector(v.begin(), v.end()); };
-    came_[r - reference_.begin()] = {copy(inner_.q()), copy(inner_.qd()), copy(inner_.qdd())};
-  }
-  std::optional<RoomShape> rooms() const override { return inner_.rooms(); }
-  void take_rooms(std::span<const int> indices, std::span<Room> rooms) override {
-    inner_.take_rooms(indices, rooms);
-  }
-  bool takes_any_order() const override { return inner_.takes_any_order(); }
+  Flow observe(const Instant& instant) noexcept override;
 
  protected:
   /// compare(reference, came), of each instant that came.
@@ -62,16 +49,14 @@ class DeliveryAtReference : public Observer {
     for (std::size_t r = 0; r < came_.size(); ++r)
       if (!came_[r].q.empty()) compare(reference_[r], came_[r]);
   }
-  const Inner& inner() const { return inner_; }
 
  private:
   std::span<const ReferenceInstant> reference_;
   std::vector<State> came_;  // empty: not yet
-  Inner inner_;
 };
 
 /// What came of a whole mechanism beside a reference.
-class VerifyingObserver final : public DeliveryAtReference<Delivery> {
+class VerifyingObserver final : public DeliveryAtReference {
  public:
   explicit VerifyingObserver(std::span<const ReferenceInstant> reference);
   Errors errors() const { return compare().errors; }

@@ -1,51 +1,66 @@
 #pragma once
 
-#include <optional>
 #include <span>
 
 #include "cases/mechanism/level.h"
-#include "formulations/base/room.h"
+#include "formulations/base/output.h"
 
 namespace desmo {
 
-/// A request: what an analysis is asked for.
-struct Request {
-  Level level = Level::acceleration;
-  /// Coordinates that the observer reads; empty means all. All others are unspecified.
-  std::span<const int> coordinates{};
-};
-
-/// One instant of a motion. The spans are in coordinate order and valid until the next step; those
-/// beyond the requested level are empty.
+/// One instant of a motion. The spans are valid until the next instant comes; those beyond the
+/// requested level are empty. They hold all coordinates in their order, or, at an observer that
+/// lends memory, the requested ones, in that memory.
 struct Instant {
   int index;
-  double time;  ///< s
+  double time;  ///< [s]
   std::span<const double> q, qd, qdd;
   long updates = 0;           ///< that it took: see Summary
   double residual = 0;        ///< ‖Φ‖₂ where it was accepted, as in Summary
   bool interpolated = false;  ///< between those solved (see Settings::stride)
-  Room room{};  ///< the observer's own, if the values are there; the spans are then empty
-
-  bool in_room() const { return room.q; }
+  OutputView output{};        ///< the lent memory, which the observer may lend again
 };
 
-/// Receives the instants of a motion in order of time.
+/// Receives the instants of a run. Nothing is thrown through a run: an observer that cannot go on
+/// returns Flow::stop and keeps the reason.
+///
+///   class Peak final : public Observer {
+///    public:
+///     Flow observe(const Instant& instant) noexcept override {
+///       highest = std::max(highest, instant.q[0]);
+///       return Flow::go_on;
+///     }
+///     double highest = -INFINITY;
+///   };
 class Observer {
  public:
   virtual ~Observer() = default;
-  virtual void observe(const Instant& instant) = 0;
-  /// Returns what rooms are for, at an observer that has one for every instant. A solver may put
-  /// the values there, which saves a copy, or hand them to observe() all the same.
-  virtual std::optional<RoomShape> rooms() const { return {}; }
-  /// Gives, at such an observer, a room for each of these instants, which are to come. It is the
-  /// solver's until it comes back with its instant. Many may be under way, and come back in any
-  /// order; those of a run that is given up do not.
-  virtual void take_rooms(std::span<const int> indices, std::span<Room> rooms) {
-    static_cast<void>(indices), static_cast<void>(rooms);
+
+  /// Takes an instant: in order of time, each once, unless any_order() allows others. Returns
+  /// whether the run goes on.
+  virtual Flow observe(const Instant& instant) noexcept = 0;
+
+  /// Returns for how many instants the observer lends memory at a time. 0: it lends none, and
+  /// instants come in memory of the solver.
+  virtual int lent_at_once() const noexcept { return 0; }
+  /// Lends memory for instants to come, asked of an observer whose lent_at_once() is not 0. Every
+  /// instant then comes in memory that was lent for it, which is the solver's until that moment.
+  /// Memory of a run that restarts or ends early does not come back.
+  virtual void lend(std::span<const int> instants, std::span<OutputView> outputs) noexcept {
+    static_cast<void>(instants), static_cast<void>(outputs);
   }
-  /// Returns whether instants may come in any order, and again, the later then being the one that
-  /// holds. A solver of several at once keeps all of them for an observer that needs their order.
-  virtual bool takes_any_order() const { return false; }
+
+  /// Returns whether instants may come in any order. A solver of several at once hands these over
+  /// as they are solved where memory is lent for them, and keeps all of them otherwise.
+  virtual bool any_order() const noexcept { return false; }
+  /// Returns the observer that a thread (0, 1, …) uses on its own, at an observer that takes any
+  /// order. Null: all threads share this one, one call at a time.
+  virtual Observer* of_thread(int thread) noexcept {
+    static_cast<void>(thread);
+    return nullptr;
+  }
+  /// Tells that all instants so far are void: the run begins again at the first, for segments that
+  /// were solved at once do not meet. Asked of an observer that takes any order.
+  virtual void restart() noexcept {}
 };
 
 }  // namespace desmo

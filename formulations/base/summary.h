@@ -18,9 +18,10 @@ struct Summary {
   /// Largest ‖Φ‖₂ of the whole mechanism accepted, or that which failed: relative, as the
   /// tolerance.
   double residual = 0;
-  GroupId group = -1;   ///< on failure, the group that could not be solved (see find_culprit)
-  int constraint = -1;  ///< on failure, the constraint most concerned
-  double time = 0;      ///< of the last instant tried, s
+  GroupId group = -1;    ///< on failure, the group that could not be solved (see find_culprit)
+  int constraint = -1;   ///< on failure, the constraint most concerned
+  double time = 0;       ///< of the last instant tried, s
+  bool stopped = false;  ///< the observer ended the run
   bool ok() const { return status == Status::converged; }
 
   /// Adds what the next instant took. After a failure status, group, constraint and residual are

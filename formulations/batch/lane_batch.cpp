@@ -220,7 +220,7 @@ void LaneBatch::write_only(const std::vector<bool>& read) {
   read_ = targets(unknowns_, slots);
 }
 
-void LaneBatch::prepare_rooms(std::span<int> slots, bool drivers_too) {
+void LaneBatch::prepare_outputs(std::span<int> slots, bool drivers_too) {
   asked_ = targets(drivers_too ? own_ : unknowns_, slots);
 }
 
@@ -232,9 +232,11 @@ LaneTargets LaneBatch::targets(std::span<const int> numbers, std::span<int> slot
   return {numbers, to, copies_.size()};
 }
 
-void LaneBatch::fill(const Room& room, Level level) const { scatter(asked_, level, room); }
+void LaneBatch::fill(const OutputView& output, Level level) const {
+  scatter(asked_, level, output);
+}
 
-void LaneBatch::scatter(const LaneTargets& targets, Level level, const Room& to) const {
+void LaneBatch::scatter(const LaneTargets& targets, Level level, const OutputView& to) const {
   std::array<LaneCopy, 3> copies;
   std::size_t count = 0;
   const auto add = [&](Level least, const LaneValues& values, double* array) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "formulations/base/lane_values.h"
-#include "formulations/base/room.h"
+#include "formulations/base/output.h"
 #include "formulations/batch/lane_stage.h"
 #include "formulations/batch/lane_transport.h"
 #include "formulations/prediction/guess.h"
@@ -69,15 +69,15 @@ class LaneBatch {
   void write_last(std::size_t copy, std::span<double> q) const;
 
   /// See Keeper.
-  void prepare_rooms(std::span<int> slots, bool drivers_too);
-  void fill(const Room& room, Level level) const;
+  void prepare_outputs(std::span<int> slots, bool drivers_too);
+  void fill(const OutputView& output, Level level) const;
 
  private:
   LaneTargets targets(std::span<const int> numbers, std::span<int> slots) const;
   template <std::size_t lanes>
   void drive(MotionRow row);
   void write(std::span<const int> numbers, std::size_t copy, State& state) const;
-  void scatter(const LaneTargets& targets, Level level, const Room& to) const;
+  void scatter(const LaneTargets& targets, Level level, const OutputView& to) const;
   template <class Visit>
   void for_numbers(std::span<const int> numbers, std::size_t lane, Visit&& visit) const;
 

@@ -146,12 +146,12 @@ void LanePart::write(State& s) const {
     for (std::size_t l = 0; l < batch.copies().size(); ++l) batch.write(l, s);
 }
 
-void LanePart::prepare_rooms(std::span<int> slots, bool drivers_too) {
-  for (LaneBatch& batch : batches_) batch.prepare_rooms(slots, drivers_too);
+void LanePart::prepare_outputs(std::span<int> slots, bool drivers_too) {
+  for (LaneBatch& batch : batches_) batch.prepare_outputs(slots, drivers_too);
 }
 
-void LanePart::fill(const Room& room, Level level) const {
-  for (const LaneBatch& batch : batches_) batch.fill(room, level);
+void LanePart::fill(const OutputView& output, Level level) const {
+  for (const LaneBatch& batch : batches_) batch.fill(output, level);
 }
 
 long LanePart::fallbacks() const {

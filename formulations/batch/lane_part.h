@@ -33,8 +33,8 @@ class LanePart final : public GuardedPart, public Keeper {
   void begin_step(const StepHistory& history, const MotionRow& row) override;
   void write_last(std::span<double> q) const override;
   void write(State& state) const override;
-  void prepare_rooms(std::span<int> slots, bool drivers_too) override;
-  void fill(const Room& room, Level level) const override;
+  void prepare_outputs(std::span<int> slots, bool drivers_too) override;
+  void fill(const OutputView& output, Level level) const override;
 
   /// Of its members.
   long fallbacks() const override;

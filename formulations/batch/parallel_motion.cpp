@@ -67,53 +67,71 @@ TimeGrid cut(const TimeGrid& grid, int begin, int end) {
 
 }  // namespace
 
-/// Hands instants of a stretch on as those of the whole motion, one thread after the other.
-class ParallelMotion::SharedObserver final : public Observer {
- public:
-  SharedObserver(Observer& observer, std::mutex& mutex, const TimeGrid& grid, int begin)
-      : observer_(observer), mutex_(mutex), grid_(grid), begin_(begin), rooms_(observer.rooms()) {
-    if (rooms_) rooms_->at_once = handed_on_together;
-  }
+/// What the threads share.
+struct ParallelMotion::Shared {
+  std::mutex mutex{};                // of the observer
+  std::atomic<bool> stopped{false};  // by it
+};
 
-  void observe(const Instant& of_stretch) override {
+/// Hands instants of a stretch on as those of the whole motion: to the thread's own observer, or
+/// to one that all share, several at a time.
+class ParallelMotion::StretchObserver final : public Observer {
+ public:
+  StretchObserver(Observer& all, int thread, Shared& shared, const TimeGrid& grid, int begin)
+      : own_(all.of_thread(thread)),
+        observer_(own_ ? *own_ : all),
+        shared_(shared),
+        grid_(grid),
+        begin_(begin) {}
+
+  Flow observe(const Instant& of_stretch) noexcept override {
     waiting_.push_back(of_stretch);
     waiting_.back().index += begin_;
     waiting_.back().time = grid_.time(waiting_.back().index);
-    if (!of_stretch.in_room()) hand_on();  // it holds until the next
+    if (own_) hand_on_alone();
+    return shared_.stopped ? Flow::stop : Flow::go_on;
   }
-  /// Those that are left, too.
-  void hand_on() {
-    const std::scoped_lock lock(mutex_);
+  /// Hands on those that are left, too.
+  void hand_on() noexcept {
+    const std::unique_lock lock = wait();
     hand_on_alone();
   }
-  std::optional<RoomShape> rooms() const override { return rooms_; }
-  /// Hands on as well: threads wait less often, and an observer may give the same rooms again,
-  /// whose memory this thread has at hand.
-  void take_rooms(std::span<const int> indices, std::span<Room> rooms) override {
-    indices_.assign(indices.begin(), indices.end());
-    for (int& index : indices_) index += begin_;
-    const std::scoped_lock lock(mutex_);
-    hand_on_alone();
-    observer_.take_rooms(indices_, rooms);
+  int lent_at_once() const noexcept override {
+    return own_ ? own_->lent_at_once() : handed_on_together;
   }
-  bool takes_any_order() const override { return true; }
+  /// Hands on as well: threads wait less often, and an observer may lend the same memory again,
+  /// which this thread has at hand.
+  void lend(std::span<const int> instants, std::span<OutputView> outputs) noexcept override {
+    instants_.assign(instants.begin(), instants.end());
+    for (int& instant : instants_) instant += begin_;
+    const std::unique_lock lock = wait();
+    hand_on_alone();
+    observer_.lend(instants_, outputs);
+  }
+  bool any_order() const noexcept override { return true; }
 
  private:
+  std::unique_lock<std::mutex> wait() const {
+    return own_ ? std::unique_lock<std::mutex>() : std::unique_lock(shared_.mutex);
+  }
   void hand_on_alone() {
-    for (const Instant& instant : waiting_) observer_.observe(instant);
+    for (const Instant& instant : waiting_) {
+      if (shared_.stopped) break;
+      if (observer_.observe(instant) == Flow::stop) shared_.stopped = true;
+    }
     waiting_.clear();
   }
 
   /// Waiting for another thread takes as long as solving some instants.
   static constexpr int handed_on_together = 32;
 
+  Observer* const own_;
   Observer& observer_;
-  std::mutex& mutex_;
+  Shared& shared_;
   const TimeGrid& grid_;
   const int begin_;
-  std::optional<RoomShape> rooms_;
-  std::vector<Instant> waiting_;  // in rooms
-  std::vector<int> indices_;      // of rooms that are taken
+  std::vector<Instant> waiting_;
+  std::vector<int> instants_;  // for which memory is borrowed
 };
 
 ParallelMotion::ParallelMotion(std::vector<std::unique_ptr<Formulation>> workers, int min_instants)
@@ -137,7 +155,7 @@ int ParallelMotion::stretches(int instants) const {
 std::optional<Summary> ParallelMotion::run(const TimeGrid& grid, const Request& request,
                                            State& state, Observer& observer) {
   const int count = stretches(grid.instants);
-  std::mutex mutex;
+  Shared shared;
   for (int k = 0; k < count; ++k) {
     stretches_[k].begin = static_cast<int>(static_cast<long>(k) * grid.instants / count);
     stretches_[k].end = static_cast<int>((k + 1L) * grid.instants / count);
@@ -145,9 +163,9 @@ std::optional<Summary> ParallelMotion::run(const TimeGrid& grid, const Request& 
 #pragma omp parallel for num_threads(count) schedule(static, 1)
   for (int k = 0; k < count; ++k) {
     try {
-      SharedObserver shared(observer, mutex, grid, stretches_[k].begin);
-      solve(k, grid, request, state, shared);
-      shared.hand_on();
+      StretchObserver own(observer, k, shared, grid, stretches_[k].begin);
+      solve(k, grid, request, state, own);
+      own.hand_on();
     } catch (...) {  // must not leave its thread
       stretches_[k].error = std::current_exception();
     }
@@ -156,13 +174,16 @@ std::optional<Summary> ParallelMotion::run(const TimeGrid& grid, const Request& 
   for (int k = 0; k < count; ++k) {
     const Stretch& s = stretches_[k];
     if (s.error) std::rethrow_exception(s.error);
-    if (!s.total || (k + 1 < count && !meet(k))) return {};
+    if (!shared.stopped && (!s.total || (k + 1 < count && !meet(k)))) return {};
+    if (!s.total) continue;
     whole.instants += s.total->instants;
     whole.iterations += s.total->iterations;
     whole.updates += s.total->updates;
     whole.residual = std::max(whole.residual, s.total->residual);
   }
   whole.time = grid.time(grid.instants - 1);
+  whole.stopped = shared.stopped;
+  if (whole.stopped) return whole;
   const Formulation& last = *workers_[count - 1];
   std::ranges::copy(last.q(), state.q.begin());
   std::ranges::copy(last.qd(), state.qd.begin());
@@ -180,7 +201,7 @@ void ParallelMotion::solve(int k, const TimeGrid& grid, const Request& request, 
   if (!worker.start_at(first.q, grid.time(s.begin))) return;
   s.entered.assign(worker.q().begin(), worker.q().end());
   s.total = worker.run_on(cut(grid, s.begin, s.end), request, observer);
-  if (s.total && s.end < grid.instants)
+  if (s.total && !s.total->stopped && s.end < grid.instants)
     s.ended = worker.step(grid.time(s.end), Level::position).ok();
 }
 

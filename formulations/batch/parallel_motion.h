@@ -21,7 +21,6 @@ class ParallelMotion final : public SegmentExecutor {
   /// min_instants: of a stretch that is worth entering.
   ParallelMotion(std::vector<std::unique_ptr<Formulation>> workers, int min_instants);
 
-  /// The observer is called by all threads, one call at a time, and what it throws is thrown again.
   std::optional<Summary> run(const TimeGrid& grid, const Request& request, State& state,
                              Observer& observer) override;
   void solve_only(std::span<const Level> needed) override;
@@ -31,7 +30,8 @@ class ParallelMotion final : public SegmentExecutor {
   int stretches(int instants) const;
 
  private:
-  class SharedObserver;
+  struct Shared;
+  class StretchObserver;
 
   /// A part of the motion, and what became of it.
   struct Stretch {

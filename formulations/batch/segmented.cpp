@@ -27,14 +27,23 @@ Summary Segmented::run(const TimeGrid& grid, const Request& request, Observer& o
 /// drivers can go there straight.
 std::optional<Summary> Segmented::run_on(const TimeGrid& grid, const Request& request,
                                          Observer& observer) {
+  const OutputWriter output(request, model().coordinates());
+  const bool keeps = !observer.any_order() || observer.lent_at_once() == 0;
   std::optional<Trajectory> kept;
-  if (!observer.takes_any_order()) kept.emplace(grid.instants, model().coordinates());
+  if (keeps) kept.emplace(grid.instants, model().coordinates(), request.level);
   last_ = steps_->state();
-  const std::optional<Summary> total =
-      executor_->run(grid, request, last_, kept ? static_cast<Observer&>(*kept) : observer);
-  if (!total) return {};
+  std::optional<Summary> total = keeps ? executor_->run(grid, {request.level}, last_, *kept)
+                                       : executor_->run(grid, request, last_, observer);
+  if (!total && !keeps) observer.restart();
+  if (!total || total->stopped) return total;
   steps_->take(last_, grid.time(grid.instants - 1), request.level);
-  if (kept) kept->hand_on(observer);
+  if (!keeps) return total;
+  total->instants = 0;
+  for (const Instant& instant : kept->instants()) {
+    ++total->instants;
+    total->stopped = output.hand_over(instant, observer) == Flow::stop;
+    if (total->stopped) break;
+  }
   return total;
 }
 

@@ -14,9 +14,10 @@ namespace desmo {
 class SegmentExecutor {
  public:
   virtual ~SegmentExecutor() = default;
-  /// Hands every instant of the grid to an observer that takes any order. state: the first instant,
-  /// assembled; overwritten by the last. Returns nothing when the motion has to be solved step by
-  /// step after all; the state and what the observer was given are then void.
+  /// Hands every instant of the grid to an observer that lends memory and takes any order. state:
+  /// the first instant, assembled; overwritten by the last, unless the observer stops the run.
+  /// Returns nothing when the motion has to be solved step by step after all; the state and what
+  /// the observer was given are then void.
   virtual std::optional<Summary> run(const TimeGrid& grid, const Request& request, State& state,
                                      Observer& observer) = 0;
   /// Leaves out levels, as Formulation::solve_only() does.

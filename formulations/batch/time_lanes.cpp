@@ -20,7 +20,6 @@ TimeLanes::TimeLanes(const Model& model, std::vector<Parts> parts, const Setting
       motions_(driver_motions(model), lanes_, side_by_side(lanes_)),
       parts_(std::move(parts)),
       residual2_(lanes_),
-      delivered_(lanes_),
       ways_(lanes_) {
   const std::size_t size = model_.state_size();
   for (LaneState* s : {&now_, &before_})
@@ -28,8 +27,6 @@ TimeLanes::TimeLanes(const Model& model, std::vector<Parts> parts, const Setting
   entered_.resize(size * lanes_);
   for (std::vector<double>* values : {&alone_.q, &alone_.qd, &alone_.qdd, &last_alone_})
     values->resize(size);
-  for (State& s : delivered_)
-    for (std::vector<double>* values : {&s.q, &s.qd, &s.qdd}) values->resize(model_.coordinates());
 
   std::vector<int> started_from;
   for (std::size_t i = 0; i < parts_[0].size(); ++i) {
@@ -69,11 +66,10 @@ std::optional<Summary> TimeLanes::run(const TimeGrid& grid, const Request& reque
                                       Observer& observer) {
   const int length = (grid.instants + lanes_ - 1) / lanes_;
   if (length < min_segment || !enter(grid, length, state)) return {};
-  const auto rooms = observer.rooms();
-  wanted_ = coordinates_in_room(rooms ? rooms->coordinates : std::span<const int>(),
-                                model_.coordinates());
-  for (int& coordinate : wanted_) coordinate *= lanes_;
-  rooms_.clear();
+  requested_ = requested_coordinates(request, model_.coordinates());
+  for (int& coordinate : requested_) coordinate *= lanes_;
+  beyond_.resize(requested_.size());
+  outputs_.clear();
   used_ = 0;
 
   Summary total;
@@ -88,7 +84,10 @@ std::optional<Summary> TimeLanes::run(const TimeGrid& grid, const Request& reque
     if (i == length) break;
     total.iterations += static_cast<long>(step.iterations) * lanes_;
     total.updates += step.updates * lanes_;
-    deliver(grid, length, i, request, step, observer);
+    if (deliver(grid, length, i, request.level, step, observer) == Flow::stop) {
+      total.stopped = true;
+      return total;
+    }
   }
   if (!meet()) return {};
   total.instants = grid.instants;
@@ -253,61 +252,56 @@ bool TimeLanes::meet() const {
   return true;
 }
 
-/// A room for the instant of each lane that lies within the motion.
-std::span<const Room> TimeLanes::take_rooms(const TimeGrid& grid, int length, int i, int at_once,
-                                            Observer& observer) {
+/// Borrows an output for the instant of each lane that lies within the motion.
+std::span<const OutputView> TimeLanes::borrow(const TimeGrid& grid, int length, int i,
+                                              Observer& observer) {
   const auto count = [&](int step) {
     return std::min<std::size_t>(lanes_, (grid.instants - step + length - 1) / length);
   };
-  if (used_ == rooms_.size()) {
-    const int last = std::min(length, i + std::max(1, at_once / lanes_));
+  if (used_ == outputs_.size()) {
+    const int last = std::min(length, i + std::max(1, observer.lent_at_once() / lanes_));
     indices_.clear();
     for (int step = i; step < last; ++step)
       for (std::size_t l = 0; l < count(step); ++l)
         indices_.push_back(static_cast<int>(l) * length + step);
-    rooms_.resize(indices_.size());
-    observer.take_rooms(indices_, rooms_);
+    outputs_.resize(indices_.size());
+    observer.lend(indices_, outputs_);
     used_ = 0;
   }
   const std::size_t first = used_;
   used_ += count(i);
-  return {&rooms_[first], count(i)};
+  return {&outputs_[first], count(i)};
 }
 
-/// Into the room that the observer has for each instant, what it asks for; where it has none, all
-/// in coordinate order. What lies beyond the end of the motion goes nowhere.
-void TimeLanes::deliver(const TimeGrid& grid, int length, int i, const Request& request,
-                        const Step& step, Observer& observer) {
-  std::array<Room, max_lanes> rooms;
-  for (int l = 0; l < lanes_; ++l) {
-    State& own = delivered_[l];
-    rooms[l] = {own.q.data(), own.qd.data(), own.qdd.data()};
-  }
-  const std::optional<RoomShape> shape = observer.rooms();
-  if (shape)
-    std::ranges::copy(take_rooms(grid, length, i, shape->at_once, observer), rooms.begin());
-  const Level as_far_as = shape ? std::min(shape->level, request.level) : request.level;
-  const auto unpacked = [&](Level level, const LaneValues& from, double* Room::*to) {
-    if (as_far_as < level) return;
+Flow TimeLanes::deliver(const TimeGrid& grid, int length, int i, Level level, const Step& step,
+                        Observer& observer) {
+  const std::span<const OutputView> lent = borrow(grid, length, i, observer);
+  const auto unpack_level = [&](Level least, const LaneValues& from, double* OutputView::*to) {
+    if (level < least || !(lent[0].*to)) return;
     std::array<double*, max_lanes> lanes;
-    for (int l = 0; l < lanes_; ++l) lanes[l] = rooms[l].*to;
-    unpack(from.data(), wanted_, {lanes.data(), lanes.data() + lanes_});
+    lanes.fill(beyond_.data());
+    for (std::size_t l = 0; l < lent.size(); ++l) lanes[l] = lent[l].*to;
+    unpack(from.data(), requested_, {lanes.data(), lanes.data() + lanes_});
   };
-  unpacked(Level::position, now_.q, &Room::q);
-  unpacked(Level::velocity, now_.qd, &Room::qd);
-  unpacked(Level::acceleration, now_.qdd, &Room::qdd);
-  for (int l = 0; l < lanes_; ++l) {
-    const int index = l * length + i;
-    if (index >= grid.instants) break;
-    Instant instant{index, grid.time(index), {}, {}, {}, step.updates, std::sqrt(residual2_[l])};
-    if (shape) instant.room = rooms[l];
-    if (!shape) {
-      instant.q = delivered_[l].q;
-      if (request.level >= Level::velocity) instant.qd = delivered_[l].qd;
-      if (request.level >= Level::acceleration) instant.qdd = delivered_[l].qdd;
-    }
-    observer.observe(instant);
+  unpack_level(Level::position, now_.q, &OutputView::q);
+  unpack_level(Level::velocity, now_.qd, &OutputView::qd);
+  unpack_level(Level::acceleration, now_.qdd, &OutputView::qdd);
+  for (std::size_t l = 0; l < lent.size(); ++l) {
+    const int index = static_cast<int>(l) * length + i;
+    const auto values = [&](Level least, const double* output) {
+      return std::span(output, output && level >= least ? requested_.size() : 0);
+    };
+    const Instant instant{.index = index,
+                          .time = grid.time(index),
+                          .q = values(Level::position, lent[l].q),
+                          .qd = values(Level::velocity, lent[l].qd),
+                          .qdd = values(Level::acceleration, lent[l].qdd),
+                          .updates = step.updates,
+                          .residual = std::sqrt(residual2_[l]),
+                          .output = lent[l]};
+    if (observer.observe(instant) == Flow::stop) return Flow::stop;
   }
+  return Flow::go_on;
 }
 
 }  // namespace desmo

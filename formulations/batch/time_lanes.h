@@ -63,9 +63,8 @@ class TimeLanes final : public SegmentExecutor {
   Step solve();
   void solve_lane(Stage& stage, int lane, Step& step);
   bool meet() const;
-  std::span<const Room> take_rooms(const TimeGrid& grid, int length, int i, int at_once,
-                                   Observer& observer);
-  void deliver(const TimeGrid& grid, int length, int i, const Request& request, const Step& step,
+  std::span<const OutputView> borrow(const TimeGrid& grid, int length, int i, Observer& observer);
+  Flow deliver(const TimeGrid& grid, int length, int i, Level level, const Step& step,
                Observer& observer);
 
   const Model& model_;
@@ -81,11 +80,11 @@ class TimeLanes final : public SegmentExecutor {
   LaneValues residual2_;                   // of the step, by lane
   State alone_;                            // of one lane …
   std::vector<double> last_alone_;         // … and its last positions
-  std::vector<State> delivered_;           // to an observer that has no room
   std::vector<std::vector<double>> ways_;  // of the drivers to each segment
-  std::vector<int> wanted_;                // where the coordinates in a room begin in lanes
-  std::vector<int> indices_;               // of instants for which rooms were taken …
-  std::vector<Room> rooms_;                // … and these …
+  std::vector<int> requested_;             // where requested coordinates begin in lanes
+  std::vector<int> indices_;               // of instants for which memory was borrowed …
+  std::vector<OutputView> outputs_;        // … and this …
+  std::vector<double> beyond_;             // takes what lies after the end of the motion
   std::size_t used_ = 0;                   // … so many of them already
 };
 

@@ -18,11 +18,12 @@ class Sampler final : public Observer {
  public:
   Sampler(const Model& model, int instants) : m_(model), instants_(instants) {}
 
-  void observe(const Instant& instant) override {
+  Flow observe(const Instant& instant) noexcept override {
     const int samples = static_cast<int>(states.size());
-    if (instant.index < (instants_ - 1) * samples / (sample_count - 1)) return;
+    if (instant.index < (instants_ - 1) * samples / (sample_count - 1)) return Flow::go_on;
     std::vector<double>& state = states.emplace_back(instant.q.begin(), instant.q.end());
     state.insert(state.end(), m_.fixed_values.begin(), m_.fixed_values.end());
+    return Flow::go_on;
   }
 
   std::vector<std::vector<double>> states;

@@ -20,20 +20,22 @@ DenseOutput::DenseOutput(const TimeGrid& grid, int stride, const Request& reques
       stride_(stride),
       level_(request.level),
       runs_(runs_asked(request, coordinates)),
+      output_(request, coordinates),
       observer_(observer) {
   for (State* s : {&last_, &between_})
     for (std::vector<double>* values : {&s->q, &s->qd, &s->qdd})
       values->resize(static_cast<std::size_t>(coordinates));
 }
 
-void DenseOutput::observe(const Instant& solved) {
+Flow DenseOutput::observe(const Instant& solved) noexcept {
   const int index = std::min(solved.index * stride_, grid_.instants - 1);
-  if (solved.index > 0) interpolate_to(solved, index);
+  if (solved.index > 0 && interpolate_to(solved, index) == Flow::stop) return Flow::stop;
   Instant in_grid = solved;
   in_grid.index = index;
-  hand_on(in_grid);
+  const Flow flow = hand_on(in_grid);
   keep(solved);
   last_index_ = index;
+  return flow;
 }
 
 // Hermite's basis on [0, 1] at s, factored about its zeros at both ends so that nothing cancels
@@ -71,7 +73,7 @@ DenseOutput::Weights DenseOutput::of_acceleration(double s, double h) {
 }
 
 /// Every coordinate has the same weights: they are worked out once an instant.
-void DenseOutput::interpolate_to(const Instant& next, int index) {
+Flow DenseOutput::interpolate_to(const Instant& next, int index) {
   const int steps = index - last_index_;
   const double h = steps * grid_.interval();
   for (int k = 1; k < steps; ++k) {
@@ -80,13 +82,15 @@ void DenseOutput::interpolate_to(const Instant& next, int index) {
     if (level_ >= Level::velocity) combine(of_velocity(s, h), next, between_.qd);
     if (level_ >= Level::acceleration) combine(of_acceleration(s, h), next, between_.qdd);
     const int i = last_index_ + k;
-    hand_on({.index = i,
-             .time = grid_.time(i),
-             .q = between_.q,
-             .qd = between_.qd,
-             .qdd = between_.qdd,
-             .interpolated = true});
+    const Flow flow = hand_on({.index = i,
+                               .time = grid_.time(i),
+                               .q = between_.q,
+                               .qd = between_.qd,
+                               .qdd = between_.qdd,
+                               .interpolated = true});
+    if (flow == Flow::stop) return flow;
   }
+  return Flow::go_on;
 }
 
 void DenseOutput::combine(Weights w, const Instant& next, std::vector<double>& result) const {
@@ -99,11 +103,12 @@ void DenseOutput::combine(Weights w, const Instant& next, std::vector<double>& r
              w.a0 * a0[i] + w.a1 * a1[i];
 }
 
-void DenseOutput::hand_on(const Instant& instant) const {
+Flow DenseOutput::hand_on(const Instant& instant) {
+  ++delivered_;
   Instant asked = instant;
   if (level_ < Level::velocity) asked.qd = {};
   if (level_ < Level::acceleration) asked.qdd = {};
-  observer_.observe(asked);
+  return output_.hand_over(asked, observer_);
 }
 
 void DenseOutput::keep(const Instant& solved) {

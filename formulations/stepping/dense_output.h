@@ -25,9 +25,10 @@ class DenseOutput final : public Observer {
               Observer& observer);
 
   /// The index counts solved instants. Allocates nothing.
-  void observe(const Instant& solved) override;
+  Flow observe(const Instant& solved) noexcept override;
 
-  int delivered() const { return last_index_ + 1; }
+  /// Returns how many instants the observer was given.
+  int delivered() const { return delivered_; }
 
  private:
   /// Of what is known at both ends of an interval.
@@ -39,19 +40,21 @@ class DenseOutput final : public Observer {
   static Weights of_velocity(double s, double h);
   static Weights of_acceleration(double s, double h);
 
-  void interpolate_to(const Instant& next, int index);
+  Flow interpolate_to(const Instant& next, int index);
   void combine(Weights w, const Instant& next, std::vector<double>& result) const;
-  void hand_on(const Instant& instant) const;
+  Flow hand_on(const Instant& instant);
   void keep(const Instant& solved);
 
   const TimeGrid grid_;
   const int stride_;
   const Level level_;
   const std::vector<IndexRange> runs_;
+  const OutputWriter output_;
   Observer& observer_;
   State last_;           // the instant solved last
   int last_index_ = -1;  // of it, in the grid
   State between_;
+  int delivered_ = 0;
 };
 
 }  // namespace desmo

@@ -13,18 +13,19 @@ Summary Interpolated::run(const TimeGrid& grid, const Request& request, Observer
   const TimeGrid solved = grid.every(stride_);
   DenseOutput all(grid, stride_, request, model().coordinates(), observer);
   Summary total = inner_->run(solved, {Level::acceleration, request.coordinates}, all);
-  if (total.ok() && all.delivered() < grid.instants) {  // the rest, shorter than the stride
+  if (total.ok() && !total.stopped &&
+      all.delivered() < grid.instants) {  // the rest, shorter than the stride
     const double t = grid.time(grid.instants - 1);
     const Summary last = inner_->step(t, Level::acceleration);
     total.add(last);
     if (last.ok())
-      all.observe({.index = solved.instants,
-                   .time = t,
-                   .q = q(),
-                   .qd = qd(),
-                   .qdd = qdd(),
-                   .updates = last.updates,
-                   .residual = last.residual});
+      total.stopped = all.observe({.index = solved.instants,
+                                   .time = t,
+                                   .q = q(),
+                                   .qd = qd(),
+                                   .qdd = qdd(),
+                                   .updates = last.updates,
+                                   .residual = last.residual}) == Flow::stop;
   }
   total.instants = all.delivered();
   return total;

@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
+#include "formulations/base/observer.h"
 #include "formulations/base/part.h"
-#include "formulations/base/room.h"
 #include "formulations/prediction/guess.h"
 #include "formulations/prediction/motions_ahead.h"
 
@@ -34,11 +34,11 @@ class Keeper {
   /// Writes the instant solved last.
   virtual void write(State& state) const = 0;
 
-  /// slots: for each position in the state, its place in rooms to come, or −1; becomes −1 where it
-  /// is this that fills it. drivers_too: or its unknowns alone.
-  virtual void prepare_rooms(std::span<int> slots, bool drivers_too) = 0;
-  /// Puts the instant solved last into such a room, as far as `level`.
-  virtual void fill(const Room& room, Level level) const = 0;
+  /// places: for each position in the state, its place in outputs to come, or −1; becomes −1 where
+  /// it is this that writes it. drivers_too: or its unknowns alone.
+  virtual void prepare_outputs(std::span<int> places, bool drivers_too) = 0;
+  /// Writes the instant solved last into such an output, as far as `level`.
+  virtual void fill(const OutputView& output, Level level) const = 0;
 };
 
 }  // namespace desmo

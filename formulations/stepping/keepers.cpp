@@ -28,32 +28,21 @@ void Keepers::write(State& state) const {
   for (const Kept& kept : keepers_) kept.keeper->write(state);
 }
 
-void Keepers::prepare_rooms(std::span<const int> coordinates, const Model& model) {
-  const std::vector<int> named = coordinates_in_room(coordinates, model.coordinates());
-  std::vector<int> slots(model.state_size(), -1);
-  for (std::size_t n = 0; n < named.size(); ++n) slots[named[n]] = static_cast<int>(n);
+void Keepers::bind(const Request& request, const Model& model) {
+  const std::vector<int> requested = requested_coordinates(request, model.coordinates());
+  std::vector<int> places(model.state_size(), -1);
+  for (std::size_t n = 0; n < requested.size(); ++n) places[requested[n]] = static_cast<int>(n);
   for (const Kept& kept : keepers_)  // what is filled to a lower level has drivers up to that only
-    kept.keeper->prepare_rooms(slots, kept.level == Level::acceleration);
+    kept.keeper->prepare_outputs(places, kept.level == Level::acceleration);
   not_kept_.clear();
-  for (const int i : named)
-    if (slots[i] >= 0) not_kept_.push_back({i, slots[i]});
+  std::ranges::copy_if(requested, std::back_inserter(not_kept_),
+                       [&](int i) { return places[i] >= 0; });
+  from_state_ = OutputWriter(places, requested.size());
 }
 
-std::vector<int> Keepers::not_kept() const {
-  std::vector<int> coordinates;
-  for (const CoordinateInRoom& c : not_kept_) coordinates.push_back(c.coordinate);
-  return coordinates;
-}
-
-void Keepers::fill(const Room& room, Level level, const State& s) const {
-  for (const Kept& kept : keepers_) kept.keeper->fill(room, std::min(level, kept.level));
-  const auto copy = [&](Level needed, const std::vector<double>& from, double* to) {
-    if (!to || level < needed) return;
-    for (const auto& [coordinate, slot] : not_kept_) to[slot] = from[coordinate];
-  };
-  copy(Level::position, s.q, room.q);
-  copy(Level::velocity, s.qd, room.qd);
-  copy(Level::acceleration, s.qdd, room.qdd);
+void Keepers::deliver(Instant& instant, Level level) const {
+  for (const Kept& kept : keepers_) kept.keeper->fill(instant.output, std::min(level, kept.level));
+  from_state_.write(instant);
 }
 
 }  // namespace desmo

@@ -25,13 +25,13 @@ class Keepers {
   void write_last(std::span<double> q) const;
   void write(State& state) const;
 
-  /// From now on rooms are for these coordinates of a mechanism; none stands for all. Throws
-  /// std::invalid_argument where one is named twice or does not exist.
-  void prepare_rooms(std::span<const int> coordinates, const Model& model);
-  /// Coordinates that rooms are given from the state.
-  std::vector<int> not_kept() const;
-  /// Puts the instant solved last into a room, as far as `level`: what is not kept from the state.
-  void fill(const Room& room, Level level, const State& state) const;
+  /// From now on outputs are of this request. Throws as requested_coordinates() does.
+  void bind(const Request& request, const Model& model);
+  /// Coordinates that outputs are given from the state.
+  const std::vector<int>& not_kept() const { return not_kept_; }
+  /// Writes the output of the instant solved last, as far as `level`: what is not kept from the
+  /// state, which it shows.
+  void deliver(Instant& instant, Level level) const;
 
  private:
   struct Kept {
@@ -39,12 +39,10 @@ class Keepers {
     Level level;
     std::size_t first_driver;
   };
-  struct CoordinateInRoom {
-    int coordinate, slot;
-  };
   std::vector<Kept> keepers_;
   std::vector<int> drivers_;
-  std::vector<CoordinateInRoom> not_kept_;
+  std::vector<int> not_kept_;
+  OutputWriter from_state_;
 };
 
 }  // namespace desmo

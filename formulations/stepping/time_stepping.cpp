@@ -80,7 +80,7 @@ std::optional<Summary> TimeStepping::run_on(const TimeGrid& grid, const Request&
 
 Summary TimeStepping::take_steps(const TimeGrid& grid, const Request& request, Observer& observer) {
   Summary total;
-  want(request, observer);
+  want(request, observer.lent_at_once() > 0);
   drivers_.expect(grid);
   for (int i = 0; i < grid.instants; ++i) {
     const double t = grid.time(i);
@@ -88,7 +88,8 @@ Summary TimeStepping::take_steps(const TimeGrid& grid, const Request& request, O
         assembled_ ? solve_or_sub_step(t, request.level) : assemble_alone(t, request.level);
     total.add(step);
     if (!step.ok()) return total;
-    deliver(i, t, step, request.level, observer);
+    total.stopped = deliver(i, t, step, request.level, observer) == Flow::stop;
+    if (total.stopped) break;
   }
   if (grid.instants > 0) keepers_.write(state_);  // all, whatever was wanted
   return total;
@@ -219,22 +220,16 @@ void TimeStepping::take(const State& solved, double t, Level level) {
 
 // ---- What is read of each instant ----
 
-/// In the observer's rooms where that saves anything.
-void TimeStepping::want(const Request& request, const Observer& observer) {
-  const auto rooms = keepers_.empty() ? std::nullopt : observer.rooms();
-  rooms ? want(rooms->coordinates, true) : want(request.coordinates);
-}
-
-void TimeStepping::want(std::span<const int> coordinates, bool in_rooms) {
-  if (in_rooms == wanted_.in_rooms && std::ranges::equal(coordinates, wanted_.coordinates)) return;
-  if (in_rooms) keepers_.prepare_rooms(coordinates, model());
-  wanted_.coordinates.assign(coordinates.begin(), coordinates.end());
-  wanted_.in_rooms = in_rooms;
-  std::vector<bool> read(model().state_size(), !in_rooms && coordinates.empty());
+void TimeStepping::want(const Request& request, bool lent) {
+  if (lent == wanted_.lent && std::ranges::equal(request.coordinates, wanted_.coordinates)) return;
+  if (lent) keepers_.bind(request, model());
+  wanted_.coordinates.assign(request.coordinates.begin(), request.coordinates.end());
+  wanted_.lent = lent;
+  std::vector<bool> read(model().state_size(), !lent && request.coordinates.empty());
   const auto are_read = [&](std::span<const int> all) {
     for (const int i : all) read[i] = true;
   };
-  are_read(in_rooms ? keepers_.not_kept() : wanted_.coordinates);
+  are_read(lent ? keepers_.not_kept() : wanted_.coordinates);
   for (const DefinedPart& part : parts()) {
     const std::vector<int>& unknowns = part.definition.unknowns;
     are_read(part.solver->starts_from(unknowns));
@@ -250,24 +245,22 @@ void TimeStepping::want(std::span<const int> coordinates, bool in_rooms) {
   drivers_.write_only(read);
 }
 
-void TimeStepping::deliver(int index, double t, const Summary& step, Level level,
+Flow TimeStepping::deliver(int index, double t, const Summary& step, Level level,
                            Observer& observer) {
   Instant instant{.index = index,
                   .time = t,
-                  .q = {},
+                  .q = q(),
                   .qd = {},
                   .qdd = {},
                   .updates = step.updates,
                   .residual = step.residual};
-  if (wanted_.in_rooms) {
-    observer.take_rooms({&index, 1}, {&instant.room, 1});
-    keepers_.fill(instant.room, level, state_);
-  } else {
-    instant.q = q();
-    if (level >= Level::velocity) instant.qd = qd();
-    if (level >= Level::acceleration) instant.qdd = qdd();
+  if (level >= Level::velocity) instant.qd = qd();
+  if (level >= Level::acceleration) instant.qdd = qdd();
+  if (wanted_.lent) {
+    observer.lend({&index, 1}, {&instant.output, 1});
+    keepers_.deliver(instant, level);
   }
-  observer.observe(instant);
+  return observer.observe(instant);
 }
 
 }  // namespace desmo

@@ -41,19 +41,18 @@ class TimeStepping final : public Formulation {
   /// The coordinates of each instant that others than parts read.
   struct Wanted {
     std::vector<int> coordinates{};  // empty: all …
-    bool in_rooms = false;           // … in rooms that are for them, or in the state
+    bool lent = false;               // … in memory that the observer lends, or in the state
   };
 
   void prepare();
   void forget();
-  void want(std::span<const int> coordinates, bool in_rooms = false);
-  void want(const Request& request, const Observer& observer);
+  void want(const Request& request, bool lent = false);
   Summary take_steps(const TimeGrid& grid, const Request& request, Observer& observer);
   Summary solve_at(double t, Level level);
   Summary solve_or_sub_step(double t, Level level);
   Summary assemble_alone(double t, Level level);
   void find_culprit_of(const PartSequence::Result& result, Summary& summary);
-  void deliver(int index, double t, const Summary& step, Level level, Observer& observer);
+  Flow deliver(int index, double t, const Summary& step, Level level, Observer& observer);
 
   const Settings settings_;
   PartSequence sequence_;

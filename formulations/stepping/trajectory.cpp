@@ -1,41 +1,26 @@
 #include "formulations/stepping/trajectory.h"
 
-#include <algorithm>
-
 namespace desmo {
 
-Trajectory::Trajectory(int instants, int coordinates)
+Trajectory::Trajectory(int instants, int coordinates, Level level)
     : coordinates_(static_cast<std::size_t>(coordinates)),
-      times_(instants),
-      updates_(instants),
-      residuals_(instants) {}
+      instants_(instants),
+      q_(instants_.size() * coordinates_),
+      qd_(level >= Level::velocity ? q_.size() : 0),
+      qdd_(level >= Level::acceleration ? q_.size() : 0) {}
 
-void Trajectory::observe(const Instant& instant) {
-  times_[instant.index] = instant.time;
-  updates_[instant.index] = instant.updates;
-  residuals_[instant.index] = instant.residual;
-  keep(q_, instant, instant.q);
-  keep(qd_, instant, instant.qd);
-  keep(qdd_, instant, instant.qdd);
+Flow Trajectory::observe(const Instant& instant) noexcept {
+  instants_[instant.index] = instant;
+  return Flow::go_on;
 }
 
-void Trajectory::keep(Values& values, const Instant& instant, std::span<const double> given) {
-  if (given.empty()) return;
-  if (!values.known) values.of_all.resize(times_.size() * coordinates_);
-  values.known = true;
-  std::ranges::copy(
-      given, values.of_all.begin() + static_cast<std::ptrdiff_t>(instant.index * coordinates_));
-}
-
-std::span<const double> Trajectory::kept(const Values& values, std::size_t instant) const {
-  if (!values.known) return {};
-  return std::span(values.of_all).subspan(instant * coordinates_, coordinates_);
-}
-
-void Trajectory::hand_on(Observer& observer) const {
-  for (std::size_t i = 0; i < times_.size(); ++i)
-    observer.observe({static_cast<int>(i), times_[i], kept(q_, i), kept(qd_, i), kept(qdd_, i),
-                      updates_[i], residuals_[i]});
+void Trajectory::lend(std::span<const int> instants, std::span<OutputView> outputs) noexcept {
+  for (std::size_t i = 0; i < instants.size(); ++i) {
+    const auto of_instant = [&](std::vector<double>& values) {
+      return values.empty() ? nullptr : &values[instants[i] * coordinates_];
+    };
+    outputs[i] = {of_instant(q_), of_instant(qd_), of_instant(qdd_)};
+  }
 }
 
 }  // namespace desmo

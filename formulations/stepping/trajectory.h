@@ -8,30 +8,25 @@
 
 namespace desmo {
 
-/// Keeps the instants of a motion, in whatever order they come.
+/// Keeps the instants of a motion, in whatever order and from whatever thread they come.
 class Trajectory final : public Observer {
  public:
-  Trajectory(int instants, int coordinates);
+  /// coordinates: of each instant, all of which are requested up to `level`.
+  Trajectory(int instants, int coordinates, Level level);
 
-  void observe(const Instant& instant) override;
-  bool takes_any_order() const override { return true; }
+  Flow observe(const Instant& instant) noexcept override;
+  int lent_at_once() const noexcept override { return static_cast<int>(instants_.size()); }
+  void lend(std::span<const int> instants, std::span<OutputView> outputs) noexcept override;
+  bool any_order() const noexcept override { return true; }
+  Observer* of_thread(int) noexcept override { return this; }
 
-  /// In order of time.
-  void hand_on(Observer& observer) const;
+  /// Returns the instants in order of time.
+  std::span<const Instant> instants() const { return instants_; }
 
  private:
-  struct Values {
-    std::vector<double> of_all;
-    bool known = false;
-  };
-  void keep(Values& values, const Instant& instant, std::span<const double> given);
-  std::span<const double> kept(const Values& values, std::size_t instant) const;
-
   std::size_t coordinates_;
-  std::vector<double> times_;
-  std::vector<long> updates_;
-  std::vector<double> residuals_;
-  Values q_, qd_, qdd_;
+  std::vector<Instant> instants_;
+  std::vector<double> q_, qd_, qdd_;  // of all instants; empty above the level
 };
 
 }  // namespace desmo

@@ -44,14 +44,15 @@ ErrorMeasure::ErrorMeasure(const Model& m, std::span<const ReferenceInstant> ref
   }
 }
 
-void ErrorMeasure::observe(const Instant& instant) {
+Flow ErrorMeasure::observe(const Instant& instant) noexcept {
   while (next_ < reference_.size() && reference_[next_].time < instant.time) ++next_;
-  if (next_ == reference_.size() || reference_[next_].time != instant.time) return;
+  if (next_ == reference_.size() || reference_[next_].time != instant.time) return Flow::go_on;
   const ReferenceInstant& r = reference_[next_++];
   ++instants_;
   compare(Level::position, instant.q, r.q, r.rest.q);
   compare(Level::velocity, instant.qd, r.qd, r.rest.qd);
   compare(Level::acceleration, instant.qdd, r.qdd, r.rest.qdd);
+  return Flow::go_on;
 }
 
 void ErrorMeasure::compare(Level level, std::span<const double> found,

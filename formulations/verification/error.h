@@ -51,7 +51,7 @@ class ErrorMeasure final : public Observer {
   ErrorMeasure(const Model& model, std::span<const ReferenceInstant> reference,
                const Scales& scales, std::span<const Asked> outputs);
 
-  void observe(const Instant& instant) override;
+  Flow observe(const Instant& instant) noexcept override;
   /// Of what was accepted so far. An error exists only where instants were compared: see
   /// Error::instants, which is the size of the reference after a complete run.
   Error error() const;

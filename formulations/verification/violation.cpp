@@ -45,9 +45,9 @@ ViolationMeasure::ViolationMeasure(const Model& m, const Scales& scales,
 
 ViolationMeasure::~ViolationMeasure() = default;
 
-void ViolationMeasure::observe(const Instant& instant) {
+Flow ViolationMeasure::observe(const Instant& instant) noexcept {
   while (next_ < times_.size() && times_[next_] < instant.time) ++next_;
-  if (next_ == times_.size() || times_[next_] != instant.time) return;
+  if (next_ == times_.size() || times_[next_] != instant.time) return Flow::go_on;
   ++next_;
   ++instants_;
   Equations& e = *equations_;
@@ -66,6 +66,7 @@ void ViolationMeasure::observe(const Instant& instant) {
   add(Level::position, &Jet<Quadruple>::value);
   if (!instant.qd.empty()) add(Level::velocity, &Jet<Quadruple>::first);
   if (!instant.qdd.empty()) add(Level::acceleration, &Jet<Quadruple>::second);
+  return Flow::go_on;
 }
 
 Error ViolationMeasure::violation() const {

@@ -24,7 +24,7 @@ class ViolationMeasure final : public Observer {
   ViolationMeasure(const Model& model, const Scales& scales, std::span<const double> times);
   ~ViolationMeasure() override;
 
-  void observe(const Instant& instant) override;
+  Flow observe(const Instant& instant) noexcept override;
   /// Maximum and rms over all equations and instants accepted so far. What was not requested of
   /// the run has nothing compared.
   Error violation() const;

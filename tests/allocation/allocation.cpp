@@ -20,6 +20,7 @@
 #include "formulations/verification/error.h"
 #include "formulations/verification/reference/reference.h"
 #include "formulations/verification/violation.h"
+#include "tests/discard.h"
 #include "tests/every_variant.h"
 #include "tests/mechanisms.h"
 
@@ -187,10 +188,7 @@ TEST(TreePeers, AllocateNothingInAStep) {
 
 /// Interpolation takes its memory once a motion, however many instants that has.
 TEST(DenseOutput, AllocatesNothingFromInstantToInstant) {
-  class Discard final : public Observer {
-   public:
-    void observe(const Instant&) override {}
-  } observer;
+  Discard observer;
   const Model m = make_model(describe(find_case("truck_suspension"), 114));
   const auto f = make_formulation(find_variant("group_symbolic_klu"), m, {.stride = 8});
   ASSERT_TRUE(f->run(time_grid(1, 0.01), {}, observer).ok());

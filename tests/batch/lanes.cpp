@@ -31,10 +31,11 @@ namespace desmo::lanes_test {
 namespace {
 
 struct LastInstant final : Observer {
-  void observe(const Instant& i) override {
+  Flow observe(const Instant& i) noexcept override {
     values.assign(i.q.begin(), i.q.end());
     values.insert(values.end(), i.qd.begin(), i.qd.end());
     values.insert(values.end(), i.qdd.begin(), i.qdd.end());
+    return Flow::go_on;
   }
   std::vector<double> values;
 };

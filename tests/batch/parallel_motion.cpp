@@ -19,6 +19,7 @@
 #include "formulations/variants.h"
 #include "tests/every_variant.h"
 #include "tests/everything.h"
+#include "tests/lender.h"
 #include "tests/mechanisms.h"
 
 namespace desmo::parallel_motion_test {
@@ -47,7 +48,7 @@ void compare(const Model& m, const TimeGrid& of_scene, const std::string& id, in
   const std::string parallel_id = id + "/threads:" + std::to_string(threads);
   const auto serial = make(m, id), parallel = make(m, parallel_id);
   const TimeGrid grid = worth_three_threads(of_scene, *serial);
-  Everything expected(grid.instants, false), actual(grid.instants, true);
+  Everything expected(grid.instants), actual(grid.instants);
   const Summary a = serial->run(grid, {}, expected), b = parallel->run(grid, {}, actual);
   ASSERT_TRUE(a.ok() && b.ok()) << m.name << " " << parallel_id;
   EXPECT_EQ(b.instants, grid.instants) << m.name;
@@ -79,12 +80,11 @@ TEST(ParallelMotion, IsSolvedByAsManyThreadsAsAskedFor) {
       const Model m = make_model(c.describe(2));
       const auto f = make(m, id);
       const TimeGrid grid = worth_three_threads(time_grid(3, 0.01), *f);
-      Everything observer(grid.instants, true);
-      ASSERT_TRUE(f->run(grid, {}, observer).ok());
+      Lender lender(grid.instants, {1}, Level::position);
+      ASSERT_TRUE(f->run(grid, {.coordinates = std::vector{1}}, lender).ok());
       EXPECT_EQ(f->run_by_steps(), 0) << c.name << " " << id;
-      EXPECT_EQ(observer.threads.size(), 3u) << c.name << " " << id;
-      EXPECT_EQ(observer.order.size(), static_cast<std::size_t>(grid.instants))
-          << c.name << " " << id;
+      EXPECT_EQ(lender.threads.size(), 3u) << c.name << " " << id;
+      EXPECT_EQ(lender.instants, grid.instants) << c.name << " " << id;
     }
 }
 
@@ -93,7 +93,7 @@ TEST(ParallelMotion, DoesNotDependOnWhoIsFirst) {
   const Model m = truck_model(2);
   const auto f = make(m, "group_symbolic_explicit/guess:hermite5/threads:3");
   const TimeGrid grid = worth_three_threads(time_grid(3, 0.01), *f);
-  Everything first(grid.instants, true), again(grid.instants, false);
+  Everything first(grid.instants), again(grid.instants);
   const Summary a = f->run(grid, {}, first), b = f->run(grid, {}, again);
   ASSERT_TRUE(a.ok() && b.ok());
   EXPECT_EQ(first.all, again.all);
@@ -101,18 +101,16 @@ TEST(ParallelMotion, DoesNotDependOnWhoIsFirst) {
   EXPECT_EQ(a.updates, b.updates);
   EXPECT_EQ(a.residual, b.residual);
   EXPECT_TRUE(std::ranges::is_sorted(again.order));
-  EXPECT_EQ(again.threads, std::set{std::this_thread::get_id()});
 }
 
 TEST(ParallelMotion, StaysOnOneThreadWhereThereIsLittleToDo) {
   const Model m = four_bar_model(1);
   const auto f = make(m, "group_symbolic_explicit/threads:3");
   const TimeGrid grid = time_grid(3, 0.01);
-  Everything observer(grid.instants, true);
-  ASSERT_TRUE(f->run(grid, {}, observer).ok());
+  Lender lender(grid.instants, {1}, Level::position);
+  ASSERT_TRUE(f->run(grid, {.coordinates = std::vector{1}}, lender).ok());
   EXPECT_EQ(f->run_by_steps(), 0);
-  EXPECT_EQ(observer.threads, std::set{std::this_thread::get_id()});
-  EXPECT_TRUE(std::ranges::is_sorted(observer.order));
+  EXPECT_EQ(lender.threads, std::set{std::this_thread::get_id()});
 }
 
 TEST(ParallelMotion, LeavesTheLastInstantToStepOnFrom) {
@@ -120,7 +118,7 @@ TEST(ParallelMotion, LeavesTheLastInstantToStepOnFrom) {
   const auto f = make(m, "group_symbolic_explicit/threads:2"),
              g = make(m, "group_symbolic_explicit");
   const TimeGrid grid = worth_three_threads(time_grid(2, 0.01), *f);
-  Everything observer(grid.instants, true);
+  Everything observer(grid.instants);
   ASSERT_TRUE(f->run(grid, {}, observer).ok() && g->assemble(2).ok());
   expect_to_step_on_alike(*f, *g, 2);
 }
@@ -131,7 +129,7 @@ TEST(ParallelMotion, LeavesOutWhatNobodyAsksFor) {
   const auto f = make(m, "group_symbolic_explicit/threads:2");
   f->solve_only(std::vector(m.coordinates(), Level::position));
   const TimeGrid grid = worth_three_threads(time_grid(2, 0.01), *f);
-  Everything observer(grid.instants, true);
+  Everything observer(grid.instants);
   ASSERT_TRUE(f->run(grid, {}, observer).ok());
   for (const DefinedPart& part : f->parts())
     for (const int k : part.definition.unknowns) EXPECT_EQ(f->qdd()[k], 0) << k;
@@ -150,7 +148,7 @@ TEST(ParallelMotion, FailsAsStepsFail) {
   const auto f = make(m, "group_symbolic_explicit/threads:3"),
              g = make(m, "group_symbolic_explicit");
   const TimeGrid grid = worth_three_threads(time_grid(6, 0.01), *g);
-  Everything actual(grid.instants, false), expected(grid.instants, false);
+  Everything actual(grid.instants), expected(grid.instants);
   const Summary a = f->run(grid, {}, actual), b = g->run(grid, {}, expected);
   ASSERT_FALSE(b.ok());
   EXPECT_EQ(f->run_by_steps(), 1);
@@ -178,24 +176,41 @@ TEST(ParallelMotion, IsGivenUpWhereStretchesDoNotMeet) {
   state.q.insert(state.q.end(), m.fixed_values.begin(), m.fixed_values.end());
   state.qd.resize(m.state_size());
   state.qdd.resize(m.state_size());
-  Everything observer(grid.instants, true);
-  EXPECT_FALSE(motion.run(grid, {}, state, observer));
+  Lender lender(grid.instants, {1}, Level::position);
+  EXPECT_FALSE(motion.run(grid, {.coordinates = std::vector{1}}, state, lender));
 }
 
-TEST(ParallelMotion, HandsOnWhatASinkThrows) {
+TEST(ParallelMotion, StopsWhereTheObserverStops) {
   const Model m = truck_model(2);
   const auto f = make(m, "group_symbolic_explicit/threads:2");
   const TimeGrid grid = worth_three_threads(time_grid(1, 0.01), *f);
-  class Full final : public Observer {
-   public:
-    void observe(const Instant& i) override {
-      if (i.index == 700) throw std::runtime_error("no space left");
-    }
-    bool takes_any_order() const override { return true; }
-  } full;
-  EXPECT_THROW(f->run(grid, {}, full), std::runtime_error);
-  Everything observer(grid.instants, true);
-  EXPECT_TRUE(f->run(grid, {}, observer).ok());
+  Lender lender(grid.instants, {1}, Level::position);
+  lender.stop_at = 300;
+  const Summary stopped = f->run(grid, {.coordinates = std::vector{1}}, lender);
+  EXPECT_TRUE(stopped.ok() && stopped.stopped);
+  EXPECT_LT(lender.instants, grid.instants);
+  EXPECT_EQ(lender.restarts, 0);
+  Everything observer(grid.instants);
+  EXPECT_FALSE(f->run(grid, {}, observer).stopped);
+  EXPECT_EQ(f->run_by_steps(), 0);
+}
+
+/// Each thread has an observer of its own.
+TEST(ParallelMotion, NeedsNoLockWhereEveryThreadHasAnObserver) {
+  const Model m = truck_model(2);
+  const auto f = make(m, "group_symbolic_explicit/threads:2");
+  const TimeGrid grid = worth_three_threads(time_grid(1, 0.01), *f);
+  struct Split final : Lender {
+    using Lender::Lender;
+    Observer* of_thread(int thread) noexcept override { return &own[thread]; }
+    std::vector<Lender> own;
+  } split(0, {}, Level::position);
+  split.own.assign(2, Lender(grid.instants, {1}, Level::velocity));
+  ASSERT_TRUE(f->run(grid, {.coordinates = std::vector{1}}, split).ok());
+  EXPECT_EQ(f->run_by_steps(), 0);
+  EXPECT_EQ(split.instants, 0);
+  EXPECT_EQ(split.own[0].instants + split.own[1].instants, grid.instants);
+  for (const Lender& own : split.own) EXPECT_EQ(own.threads.size(), 1u);
 }
 
 TEST(ParallelMotion, StandsInTheId) {

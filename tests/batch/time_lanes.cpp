@@ -16,8 +16,8 @@
 #include "tests/borrowed_part.h"
 #include "tests/everything.h"
 #include "tests/lanes_here.h"
+#include "tests/lender.h"
 #include "tests/mechanisms.h"
-#include "tests/rooms.h"
 
 namespace desmo::time_lanes_test {
 namespace {
@@ -39,7 +39,7 @@ TEST(TimeLanes, SolveWhatStepsSolve) {
       for (const auto& [m, grid] : all) {
         const auto by_steps = make_formulation(find_variant(id), m),
                    lanes = make_formulation(find_variant(id), m, settings);
-        Everything expected(grid.instants, false), actual(grid.instants, false);
+        Everything expected(grid.instants), actual(grid.instants);
         const Summary a = by_steps->run(grid, {}, expected), b = lanes->run(grid, {}, actual);
         ASSERT_TRUE(a.ok() && b.ok()) << m.name;
         EXPECT_EQ(b.instants, grid.instants) << m.name;
@@ -58,11 +58,11 @@ TEST_P(OnTheCases, SegmentsNeedNoSteps) {
     const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, GetParam()),
                g = make_formulation(find_variant("group_symbolic_explicit"), m);
     const TimeGrid grid = time_grid(3, 0.01);
-    Everything whole(grid.instants, true), some(grid.instants, true), expected(grid.instants, true);
+    Everything whole(grid.instants), some(grid.instants), expected(grid.instants);
     ASSERT_TRUE(f->run(grid, {}, whole).ok() && g->run(grid, {}, expected).ok());
     EXPECT_EQ(f->run_by_steps(), 0) << c.name;
     EXPECT_EQ(whole.order.size(), static_cast<std::size_t>(grid.instants));
-    EXPECT_FALSE(std::ranges::is_sorted(whole.order));
+    EXPECT_TRUE(std::ranges::is_sorted(whole.order));
     expect_same(whole, expected, std::string(c.name));
 
     const std::vector<int> asked{1, m.coordinates() - 1};
@@ -73,45 +73,46 @@ TEST_P(OnTheCases, SegmentsNeedNoSteps) {
   }
 }
 
-TEST_P(OnTheCases, RoomsAreFilledWithWhatTheyAreFor) {
+TEST_P(OnTheCases, OutputsHoldWhatIsRequested) {
   const Model m = truck_model(2);
   const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, GetParam());
   const TimeGrid grid = time_grid(3, 0.01);  // the last segment is shorter
-  Everything whole(grid.instants, true);
+  Everything whole(grid.instants);
   ASSERT_TRUE(f->run(grid, {}, whole).ok());
   for (const Level level : {Level::position, Level::velocity, Level::acceleration})
     for (const std::vector<int>& some :
          {std::vector{7}, std::vector{m.coordinates() - 1, 3, 4, 5, 20, 2, 50}}) {
-      Rooms rooms(grid.instants, some, level);
-      ASSERT_TRUE(f->run(grid, {Level::acceleration, some}, rooms).ok());
-      expect_in_rooms(rooms, some, level, whole.all);
+      Lender lender(grid.instants, some, level);
+      ASSERT_TRUE(f->run(grid, {Level::acceleration, some}, lender).ok());
+      expect_in_outputs(lender, some, level, whole.all);
     }
 }
 
 /// As many as may be, up to the end of the segments, the last of which is shorter.
-TEST_P(OnTheCases, RoomsOfSeveralInstantsAreAskedForAtOnce) {
+TEST_P(OnTheCases, OutputsOfSeveralInstantsAreBorrowedAtOnce) {
   const Model m = truck_model(1);
   const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, GetParam());
   const TimeGrid grid = time_grid(3, 0.01);
   const std::vector<int> some{7, 3};
   const int lanes = GetParam().segments, length = (grid.instants + lanes - 1) / lanes;
-  Everything whole(grid.instants, true);
+  Everything whole(grid.instants);
   ASSERT_TRUE(f->run(grid, {}, whole).ok());
   for (const int steps : {1, 3, length, 2 * length}) {
-    Rooms rooms(grid.instants, some, Level::velocity, lanes * steps);
-    ASSERT_TRUE(f->run(grid, {Level::acceleration, some}, rooms).ok());
-    expect_in_rooms(rooms, some, Level::velocity, whole.all);
-    EXPECT_EQ(rooms.asked, (length + steps - 1) / steps);
+    Lender lender(grid.instants, some, Level::velocity, lanes * steps);
+    ASSERT_TRUE(f->run(grid, {Level::acceleration, some}, lender).ok());
+    expect_in_outputs(lender, some, Level::velocity, whole.all);
+    EXPECT_EQ(lender.asked, (length + steps - 1) / steps);
   }
 }
 
-TEST_P(OnTheCases, RoomsNameEveryCoordinateOnceOrAreRefused) {
+TEST_P(OnTheCases, RequestsNameEveryCoordinateOnceOrAreRefused) {
   const Model m = truck_model(1);
   const TimeGrid grid = time_grid(3, 0.01);
   const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, GetParam());
-  for (const std::vector<int>& wrong : without_room(m.coordinates())) {
-    Rooms rooms(grid.instants, wrong, Level::position);
-    for (int i = 0; i < 2; ++i) EXPECT_THROW(f->run(grid, {}, rooms), std::invalid_argument);
+  for (const std::vector<int>& wrong : wrong_requests(m.coordinates())) {
+    Lender lender(grid.instants, wrong, Level::position);
+    for (int i = 0; i < 2; ++i)
+      EXPECT_THROW(f->run(grid, {.coordinates = wrong}, lender), std::invalid_argument);
   }
 }
 
@@ -122,7 +123,7 @@ TEST(TimeLanes, LeaveTheLastInstantToStepOnFrom) {
   const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, at_once),
              g = make_formulation(find_variant("group_symbolic_explicit"), m);
   const TimeGrid grid = time_grid(2, 0.01);
-  Everything observer(grid.instants, true), other(grid.instants, true);
+  Everything observer(grid.instants), other(grid.instants);
   ASSERT_TRUE(f->run(grid, {}, observer).ok() && g->run(grid, {}, other).ok());
   expect_to_step_on_alike(*f, *g, 2);
 }
@@ -131,7 +132,7 @@ TEST(TimeLanes, LeaveShortMotionsToSteps) {
   const Model m = truck_model(1);
   const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, at_once);
   const TimeGrid grid = time_grid(0.2, 0.01);
-  Everything observer(grid.instants, true);
+  Everything observer(grid.instants);
   ASSERT_TRUE(f->run(grid, {}, observer).ok());
   EXPECT_EQ(f->run_by_steps(), 1);
   EXPECT_EQ(observer.order.size(), static_cast<std::size_t>(grid.instants));
@@ -150,7 +151,7 @@ TEST(TimeLanes, FailAsStepsFail) {
   const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, at_once),
              g = make_formulation(find_variant("group_symbolic_explicit"), m);
   const TimeGrid grid = time_grid(6, 0.01);
-  Everything actual(grid.instants, false), expected(grid.instants, false);
+  Everything actual(grid.instants), expected(grid.instants);
   const Summary a = f->run(grid, {}, actual), b = g->run(grid, {}, expected);
   ASSERT_FALSE(b.ok());
   EXPECT_EQ(a.status, b.status);
@@ -162,10 +163,10 @@ TEST(TimeLanes, FailAsStepsFail) {
 /// Runs that are never what they should be.
 class Reluctant final : public SegmentExecutor {
  public:
-  std::optional<Summary> run(const TimeGrid&, const Request&, State& state,
+  std::optional<Summary> run(const TimeGrid&, const Request& request, State& state,
                              Observer& observer) override {
     std::ranges::fill(state.q, 17.0);
-    observer.observe({3, 17.0, state.q, {}, {}});
+    OutputWriter(request, 8).hand_over({3, 17.0, std::span(state.q).first(8), {}, {}}, observer);
     return {};
   }
 };
@@ -180,11 +181,13 @@ TEST(TimeLanes, ThatGiveUpLeaveNoTrace) {
   Segmented f(std::make_unique<TimeStepping>(m, std::move(borrowed), Settings{}),
               std::make_unique<Reluctant>());
   const TimeGrid grid = time_grid(1, 0.01);
-  for (const bool any_order : {false, true}) {
-    Everything actual(grid.instants, any_order), expected(grid.instants, any_order);
-    ASSERT_TRUE(f.run(grid, {}, actual).ok() && g->run(grid, {}, expected).ok());
-    expect_same(actual, expected, "reluctant");
-  }
+  Everything actual(grid.instants), expected(grid.instants);
+  ASSERT_TRUE(f.run(grid, {}, actual).ok() && g->run(grid, {}, expected).ok());
+  expect_same(actual, expected, "reluctant");
+  Lender lender(grid.instants, {7}, Level::position);
+  ASSERT_TRUE(f.run(grid, {.coordinates = std::vector{7}}, lender).ok());
+  EXPECT_EQ(lender.restarts, 1);
+  EXPECT_EQ(lender.instants, grid.instants + 1);
   EXPECT_EQ(f.run_by_steps(), 2);
 }
 

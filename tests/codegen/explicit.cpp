@@ -22,6 +22,7 @@
 #include "formulations/scaling/magnitudes.h"
 #include "formulations/variants.h"
 #include "tests/borrowed_part.h"
+#include "tests/discard.h"
 #include "tests/mechanisms.h"
 
 namespace desmo::explicit_test {
@@ -75,11 +76,6 @@ TEST(ExplicitOrder, TearsNoMoreThanTheFreedomsOfAPlatform) {
   for (const auto& [name, order] : orders()) EXPECT_LE(core_size(order), 6) << order;
   EXPECT_GT(orders().size(), 90u);
 }
-
-class Discard final : public Observer {
- public:
-  void observe(const Instant&) override {}
-};
 
 const ExplicitPart& part(const Formulation& f, std::size_t i) {
   return dynamic_cast<const ExplicitPart&>(*f.parts()[i].solver);

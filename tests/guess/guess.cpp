@@ -24,9 +24,10 @@ constexpr Guess extrapolating[] = {Guess::linear, Guess::quadratic, Guess::hermi
                                    Guess::hermite5, Guess::adams8};
 
 struct LastInstant final : Observer {
-  void observe(const Instant& i) override {
+  Flow observe(const Instant& i) noexcept override {
     q.assign(i.q.begin(), i.q.end());
     qdd.assign(i.qdd.begin(), i.qdd.end());
+    return Flow::go_on;
   }
   std::vector<double> q, qdd;
 };

@@ -10,10 +10,11 @@ namespace desmo::load::own_kernels_test {
 namespace {
 
 struct Recorder final : Observer {
-  void observe(const Instant& i) override {
+  Flow observe(const Instant& i) noexcept override {
     values.insert(values.end(), i.q.begin(), i.q.end());
     values.insert(values.end(), i.qd.begin(), i.qd.end());
     values.insert(values.end(), i.qdd.begin(), i.qdd.end());
+    return Flow::go_on;
   }
   std::vector<double> values;
 };

@@ -24,9 +24,9 @@ class Comparison final : public Observer {
   Comparison(const Model& m, const Reference& reference, bool corrected)
       : m_(m), reference_(reference), assessor_(m), condition_(m), corrected_(corrected) {}
 
-  void observe(const Instant& given) override {
+  Flow observe(const Instant& given) noexcept override {
     if (next_ == reference_.instants.size() || given.time != reference_.instants[next_].time)
-      return;
+      return Flow::go_on;
     const Instant instant = corrected_ ? assessor_.corrected(given) : given;
     const Assessment a = assessor_(instant, reference_.scales);
     ErrorMeasure measure(m_, std::span(reference_.instants).subspan(next_, 1), reference_.scales);
@@ -44,6 +44,7 @@ class Comparison final : public Observer {
     }
     singular_ += a.singular;
     ++next_;
+    return Flow::go_on;
   }
   std::size_t compared() const { return next_; }
   int singular() const { return singular_; }

@@ -6,7 +6,7 @@
 #include "formulations/modelling/modelling.h"
 #include "formulations/variants.h"
 #include "formulations/verification/monitor/safe_run.h"
-#include "tests/safety/discard.h"
+#include "tests/discard.h"
 #include "tests/safety/scott_russell.h"
 
 namespace desmo {

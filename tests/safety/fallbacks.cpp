@@ -6,15 +6,11 @@
 #include "formulations/parts/guarded_part.h"
 #include "formulations/variants.h"
 #include "formulations/verification/monitor/safe_run.h"
+#include "tests/discard.h"
 #include "tests/mechanisms.h"
 
 namespace desmo::fallbacks_test {
 namespace {
-
-class Discard final : public Observer {
- public:
-  void observe(const Instant&) override {}
-};
 
 /// Returns the largest condition number of a motion, of which every instant is assessed.
 double condition(const Model& m, const TimeGrid& grid) {

@@ -9,7 +9,7 @@
 #include "formulations/verification/monitor/safe_run.h"
 #include "tests/accuracy/scenes.h"
 #include "tests/dead_point.h"
-#include "tests/safety/discard.h"
+#include "tests/discard.h"
 
 namespace desmo {
 namespace {

@@ -12,7 +12,7 @@
 #include "formulations/verification/reference/reference.h"
 #include "tests/accuracy/scenes.h"
 #include "tests/dead_point.h"
-#include "tests/safety/discard.h"
+#include "tests/discard.h"
 
 namespace desmo {
 namespace {

@@ -27,7 +27,7 @@ struct Kept {
 /// Everything that comes, in the order in which it does.
 class Everything final : public Observer {
  public:
-  void observe(const Instant& i) override {
+  Flow observe(const Instant& i) noexcept override {
     EXPECT_EQ(i.index, static_cast<int>(all.size()));
     all.push_back({i.time,
                    {i.q.begin(), i.q.end()},
@@ -35,6 +35,7 @@ class Everything final : public Observer {
                    {i.qdd.begin(), i.qdd.end()},
                    i.updates,
                    i.interpolated});
+    return Flow::go_on;
   }
   std::vector<Kept> all;
 };

@@ -18,17 +18,12 @@
 #include "formulations/scaling/magnitudes.h"
 #include "formulations/variants.h"
 #include "tests/dead_point.h"
+#include "tests/discard.h"
 #include "tests/every_variant.h"
 #include "tests/mechanisms.h"
 
 namespace desmo::failure_test {
 namespace {
-
-class Discard final : public Observer {
- public:
-  void observe(const Instant&) override { ++instants; }
-  int instants = 0;
-};
 
 /// A chain whose second dyad is pulled apart: its ground pivot is out of reach from the start.
 Model unreachable() {

@@ -124,12 +124,13 @@ class ChainObserver final : public Observer {
       psi_.push_back(m.entities[m.find(dyad + "psi")].first);
     }
   }
-  void observe(const Instant& instant) override {
+  Flow observe(const Instant& instant) noexcept override {
     for (std::size_t k = 1; k < c_.size(); ++k)
       worst = std::max({worst, std::abs(instant.q[c_[k]] - (instant.q[c_[0]] + 6.0 * k)),
                         std::abs(instant.q[c_[k] + 1] - instant.q[c_[0] + 1]),
                         std::abs(instant.q[psi_[k]] - instant.q[psi_[0]])});
     ++instants;
+    return Flow::go_on;
   }
   double worst = 0;
   int instants = 0;
@@ -165,9 +166,10 @@ TEST_P(EveryFormulation, RepeatsARunToTheLastBit) {
   const auto f = make_formulation(GetParam(), m);
   struct Last final : Observer {
     std::vector<double> values;
-    void observe(const Instant& i) override {
+    Flow observe(const Instant& i) noexcept override {
       values.assign(i.q.begin(), i.q.end());
       values.insert(values.end(), i.qdd.begin(), i.qdd.end());
+      return Flow::go_on;
     }
   } first, second;
   // Pivots chosen in the first run may serve the second; the third starts like the second.
@@ -197,8 +199,9 @@ TEST_P(EveryFormulation, SolvesOnlyTheLevelAsked) {
   const Model m = truck_model(1);
   struct Spans final : Observer {
     std::size_t q = 0, qd = 0, qdd = 0;
-    void observe(const Instant& i) override {
+    Flow observe(const Instant& i) noexcept override {
       q = i.q.size(), qd = i.qd.size(), qdd = i.qdd.size();
+      return Flow::go_on;
     }
   } observer;
   const auto f = make_formulation(GetParam(), m);

@@ -60,10 +60,10 @@ TEST_F(Requests, AreVerifiedBeforeTheyAreTimed) {
 TEST_F(Requests, DeliverWhatIsAskedAndNothingElse) {
   const auto request = planned("damper");
   ASSERT_EQ(request->asked.size(), 1u);
-  RequestedDelivery delivery(request->asked);
+  Delivery delivery(request->coordinates.size(), request->plan.level());
   const auto f = make_formulation(find_variant("block_symbolic_inlined"), request->plan.model);
   f->solve_only(request->plan.levels);
-  ASSERT_TRUE(f->run(request->grid, {request->plan.level()}, delivery).ok());
+  ASSERT_TRUE(f->run(request->grid, {request->plan.level(), request->coordinates}, delivery).ok());
   ASSERT_EQ(delivery.q().size(), 1u);
   ASSERT_EQ(delivery.qd().size(), 1u);
   EXPECT_TRUE(delivery.qdd().empty());

@@ -18,9 +18,9 @@ constexpr std::size_t violations_looked_at = 5;  // an instant costs as much as 
 class Both final : public Observer {
  public:
   Both(Observer& first, Observer& second) : first_(first), second_(second) {}
-  void observe(const Instant& instant) override {
+  Flow observe(const Instant& instant) noexcept override {
     first_.observe(instant);
-    second_.observe(instant);
+    return second_.observe(instant);
   }
 
  private:

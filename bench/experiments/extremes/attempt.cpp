@@ -38,7 +38,7 @@ class Record final : public Observer {
     stated_ = {judgement.assessment.condition, judgement.assessment.bound};
   }
 
-  void observe(const Instant& instant) override {
+  Flow observe(const Instant& instant) noexcept override {
     const std::size_t i = first_ + instant.index;
     weigh(i);
     attempt_.steps.resize(i, {Attempt::Flag::failed});  // those that were passed over
@@ -48,12 +48,13 @@ class Record final : public Observer {
                        : 0});
     const auto& compared = problem_.compared;
     const auto found = std::ranges::lower_bound(compared, static_cast<int>(i));
-    if (found == compared.end() || *found != static_cast<int>(i)) return;
+    if (found == compared.end() || *found != static_cast<int>(i)) return Flow::go_on;
     const std::size_t next = found - compared.begin();
     for (std::size_t k = 0; k < problem_.answers.size(); ++k)
       if (!problem_.answers[k].right[next].q.empty())
         attempt_.errors[k][next] = error_of(instant, problem_, k, next);
     attempt_.stated[next] = stated_;
+    return Flow::go_on;
   }
 
   /// A run is over that was to last so many instants.

@@ -5,7 +5,7 @@
 
 namespace desmo {
 
-void MonitoredObserver::observe(const Instant& instant) {
+Flow MonitoredObserver::observe(const Instant& instant) noexcept {
   const Watch::Judgement j = watch_.judge(instant);
   summary_.time = instant.time;
   if (j.assessment.singular) {
@@ -14,20 +14,18 @@ void MonitoredObserver::observe(const Instant& instant) {
     summary_.group = j.assessment.group;
     summary_.constraint = -1;
     summary_.residual = instant.interpolated ? INFINITY : instant.residual;
-    throw Ended{};
+    return Flow::stop;
   }
   if (j.crossing && !summary_.crossing) summary_.crossing = j.crossing;
   summary_.refused = options_.strict && (j.degraded || j.crossing);
-  if (summary_.refused) throw Ended{};
+  if (summary_.refused) return Flow::stop;
   summary_.updates += instant.updates;
   summary_.residual = max_residual_ = std::max(max_residual_, instant.residual);
   if (options_.judged) options_.judged(j);
-  hand_on(j.instant);
-}
-
-void MonitoredObserver::hand_on(const Instant& instant) {
-  next_.observe(instant);
+  const Flow flow = output_.hand_over(j.instant, next_);
   ++summary_.instants;
+  summary_.stopped = flow == Flow::stop;
+  return flow;
 }
 
 }  // namespace desmo

@@ -31,20 +31,21 @@ class Run {
         request_(request),
         options_(options),
         watch_(formulation.model(), grid, with_pivots(options, formulation)),
-        observer_(watch_, options_, observer, summary_) {}
+        observer_(watch_, options_, {request, formulation.model().coordinates()}, observer,
+                  summary_) {}
 
   SafeSummary operator()() {
-    watched(
-        [&] { static_cast<Summary&>(summary_) = formulation_.run(grid_, request_, observer_); });
-    tried_ = static_cast<int>(summary_.instants);  // all before it were handed on
+    const Summary ran = formulation_.run(grid_, request_, observer_);
+    if (!ran.stopped) static_cast<Summary&>(summary_) = ran;  // or the observer has said why
+    tried_ = static_cast<int>(summary_.instants);             // all before it were handed on
     if (!summary_.ok() && grid_.time(tried_) < summary_.time) {
       summary_.status = Status::converged;  // a stride was too long: in steps from there
-      watched([&] { go_on(tried_, From::last); });
+      go_on(tried_, From::last);
     }
     measure_assembly_error();
     while (!summary_.ok() && options_.past_failures) {
       const int again = pass_gap();
-      watched([&] { go_on(again, From::estimate); });
+      go_on(again, From::estimate);
       measure_assembly_error();
     }
     summary_.condition = watch_.condition();
@@ -57,14 +58,6 @@ class Run {
   }
 
  private:
-  template <class Stretch>
-  static void watched(Stretch&& stretch) {
-    try {
-      stretch();
-    } catch (const Ended&) {  // the summary says why
-    }
-  }
-
   /// Whether the run ended between two instants that could be solved.
   bool was_interpolated() const { return summary_.residual == INFINITY; }
 
@@ -131,10 +124,14 @@ class Run {
         return;
       }
       const std::span<const double> none;
-      observer_.observe({tried_, t, formulation_.q(),
-                         request_.level >= Level::velocity ? formulation_.qd() : none,
-                         request_.level >= Level::acceleration ? formulation_.qdd() : none,
-                         s.updates, s.residual});
+      const Instant instant{tried_,
+                            t,
+                            formulation_.q(),
+                            request_.level >= Level::velocity ? formulation_.qd() : none,
+                            request_.level >= Level::acceleration ? formulation_.qdd() : none,
+                            s.updates,
+                            s.residual};
+      if (observer_.observe(instant) == Flow::stop) return;
     }
   }
 

@@ -13,9 +13,9 @@ class Ends final : public Observer {
       : first_(m, std::span(reference.instants).first(window), reference.scales),
         last_(m, std::span(reference.instants).subspan(window), reference.scales) {}
 
-  void observe(const Instant& instant) override {
+  Flow observe(const Instant& instant) noexcept override {
     first_.observe(instant);
-    last_.observe(instant);
+    return last_.observe(instant);
   }
   Error first() const { return first_.error(); }
   Error last() const { return last_.error(); }

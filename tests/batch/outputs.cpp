@@ -1,6 +1,4 @@
-// Sinks with rooms, and parts that keep what they find until it is asked for.
-
-#include "tests/rooms.h"
+// Memory that observers lend, and parts that keep what they find until it is asked for.
 
 #include <gtest/gtest.h>
 
@@ -13,13 +11,13 @@
 
 #include "cases/generators/cases.h"
 #include "formulations/id.h"
-#include "formulations/stepping/keeper.h"
 #include "formulations/variants.h"
 #include "tests/everything.h"
 #include "tests/lanes_here.h"
+#include "tests/lender.h"
 #include "tests/mechanisms.h"
 
-namespace desmo::rooms_test {
+namespace desmo::outputs_test {
 namespace {
 
 /// Five axles: a batch with lanes that are left empty, or one full and an axle left over.
@@ -52,39 +50,39 @@ class OnLanes : public testing::TestWithParam<int> {
   }
 };
 
-TEST_P(OnLanes, RoomsHoldWhatSinksAreHanded) {
+TEST_P(OnLanes, OutputsHoldWhatObserversAreShown) {
   for (const Guess guess : {Guess::previous, Guess::hermite5, Guess::adams8}) {
     const auto f = make(guess), g = make(guess);
-    Everything whole(grid.instants, false);
+    Everything whole(grid.instants);
     ASSERT_TRUE(g->run(grid, {}, whole).ok());
     for (const Level level : {Level::position, Level::velocity, Level::acceleration})
       for (const std::vector<int>& some : selections(truck())) {
-        Rooms rooms(grid.instants, some, level);
-        ASSERT_TRUE(f->run(grid, {Level::acceleration, some}, rooms).ok());
-        expect_in_rooms(rooms, some, level, whole.all);
+        Lender lender(grid.instants, some, level);
+        ASSERT_TRUE(f->run(grid, {Level::acceleration, some}, lender).ok());
+        expect_in_outputs(lender, some, level, whole.all);
       }
   }
 }
 
 /// Whatever is left out of the axles that they drive.
-TEST_P(OnLanes, RoomsHoldDriversAtEveryLevel) {
+TEST_P(OnLanes, OutputsHoldDriversAtEveryLevel) {
   const auto f = make(), g = make();
   std::vector<int> drivers;
   for (const Driver& d : truck().drivers) drivers.push_back(truck().entities[d.coordinate].first);
   f->solve_only(std::vector<Level>(truck().coordinates(), Level::position));
-  Everything whole(grid.instants, false);
-  Rooms rooms(grid.instants, drivers, Level::acceleration);
+  Everything whole(grid.instants);
+  Lender lender(grid.instants, drivers, Level::acceleration);
   ASSERT_TRUE(g->run(grid, {}, whole).ok());
-  ASSERT_TRUE(f->run(grid, {Level::acceleration, drivers}, rooms).ok());
-  expect_in_rooms(rooms, drivers, Level::acceleration, whole.all);
+  ASSERT_TRUE(f->run(grid, {Level::acceleration, drivers}, lender).ok());
+  expect_in_outputs(lender, drivers, Level::acceleration, whole.all);
 }
 
 TEST_P(OnLanes, NothingIsMissingBehindARunThatWasAskedForLittle) {
   const auto f = make(), g = make();
-  Everything whole(grid.instants, false);
-  Rooms rooms(grid.instants, {7}, Level::position);
+  Everything whole(grid.instants);
+  Lender lender(grid.instants, {7}, Level::position);
   ASSERT_TRUE(g->run(grid, {}, whole).ok());
-  ASSERT_TRUE(f->run(grid, {Level::acceleration, std::vector{7}}, rooms).ok());
+  ASSERT_TRUE(f->run(grid, {Level::acceleration, std::vector{7}}, lender).ok());
   EXPECT_TRUE(std::ranges::equal(f->q(), g->q()));
   EXPECT_TRUE(std::ranges::equal(f->qd(), g->qd()));
   EXPECT_TRUE(std::ranges::equal(f->qdd(), g->qdd()));
@@ -107,10 +105,10 @@ TEST_P(OnLanes, PositionsAreAsTheyWereBehindARunThatFails) {
                             {.guess = Guess::adams8, .lanes = lanes});
   };
   const auto f = with(GetParam()), g = with(GetParam()), one_by_one = with(1);
-  Everything whole(far.instants, false);
-  Rooms rooms(far.instants, {7}, Level::position);
+  Everything whole(far.instants);
+  Lender lender(far.instants, {7}, Level::position);
   const Summary expected = g->run(far, {}, whole);
-  const Summary failed = f->run(far, {Level::acceleration, std::vector{7}}, rooms);
+  const Summary failed = f->run(far, {Level::acceleration, std::vector{7}}, lender);
   ASSERT_FALSE(expected.ok());
   ASSERT_GT(expected.instants, 5);
   EXPECT_EQ(failed.instants, expected.instants);
@@ -124,42 +122,50 @@ TEST_P(OnLanes, PositionsAreAsTheyWereBehindARunThatFails) {
     EXPECT_NEAR(f->qdd()[i], one_by_one->qdd()[i], 1e-7) << i;
 }
 
-TEST_P(OnLanes, RoomsNameEveryCoordinateOnceOrAreRefused) {
-  for (const std::vector<int>& wrong : without_room(truck().coordinates())) {
+TEST_P(OnLanes, RequestsNameEveryCoordinateOnceOrAreRefused) {
+  for (const std::vector<int>& wrong : wrong_requests(truck().coordinates())) {
     const auto f = make();
-    Rooms rooms(grid.instants, wrong, Level::position);
-    for (int i = 0; i < 2; ++i) EXPECT_THROW(f->run(grid, {}, rooms), std::invalid_argument);
+    Lender lender(grid.instants, wrong, Level::position);
+    for (int i = 0; i < 2; ++i)
+      EXPECT_THROW(f->run(grid, {.coordinates = wrong}, lender), std::invalid_argument);
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Rooms, OnLanes, testing::ValuesIn(lanes_here()));
+INSTANTIATE_TEST_SUITE_P(Outputs, OnLanes, testing::ValuesIn(lanes_here()));
 
-TEST(Rooms, AreNotNeededByWhoKeepsNothing) {
-  const auto f = make_formulation(find_variant("group_symbolic_explicit"), truck());
-  for (const DefinedPart& part : f->parts()) EXPECT_EQ(part.solver->keeper(), nullptr);
-  Rooms rooms(grid.instants, {7}, Level::position);
-  ASSERT_TRUE(f->run(grid, {}, rooms).ok());
-  EXPECT_EQ(rooms.handed_over, grid.instants);
+/// Steps go on from where the observer stopped the run.
+TEST_P(OnLanes, NothingIsMissingWhereAnObserverStops) {
+  const auto f = make(), g = make();
+  Lender lender(grid.instants, {7}, Level::position), until(21, all_of(truck()), Level::position);
+  lender.stop_at = 20;
+  const Summary stopped = f->run(grid, {Level::acceleration, std::vector{7}}, lender);
+  ASSERT_TRUE(stopped.ok() && g->run({0, 0.01, 21}, {}, until).ok());
+  EXPECT_TRUE(stopped.stopped);
+  EXPECT_EQ(stopped.instants, 21);
+  EXPECT_EQ(lender.instants, 21);
+  EXPECT_TRUE(std::ranges::equal(f->qdd(), g->qdd()));
+  ASSERT_TRUE(f->step(0.21).ok() && g->step(0.21).ok());
+  EXPECT_TRUE(std::ranges::equal(f->qdd(), g->qdd()));
 }
 
-TEST(Rooms, OfAPoolAreTakenAgain) {
-  RoomPool pool({{}, Level::velocity}, 5);
-  const Room a = pool.take(), b = pool.take();
-  for (const Room& room : {a, b}) {
-    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(room.q) % 64, 0u);
-    EXPECT_GE(std::abs(room.qd - room.q), 5);
-    EXPECT_EQ(room.qdd, nullptr);
+TEST(Outputs, OfAPoolAreTakenAgain) {
+  OutputPool pool(5, Level::velocity);
+  const OutputView a = pool.take(), b = pool.take();
+  for (const OutputView& output : {a, b}) {
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(output.q) % 64, 0u);
+    EXPECT_GE(std::abs(output.qd - output.q), 5);
+    EXPECT_EQ(output.qdd, nullptr);
   }
   EXPECT_GE(std::abs(a.q - b.q), 10);
   a.q[4] = 1;
   pool.give_back(a);
-  const Room again = pool.take();
+  const OutputView again = pool.take();
   EXPECT_EQ(again.q, a.q);
   EXPECT_EQ(again.q[4], 1);
   EXPECT_NE(pool.take().q, b.q);
 }
 
-TEST(Rooms, AreFilledByThreads) {
+TEST(Outputs, AreWrittenByThreads) {
   const Variant& v = find_variant("group_symbolic_explicit");
   const TimeGrid long_grid{0, 0.005, 3000};
   const std::vector<int> some{150, 3, 4, 149, 77};
@@ -168,17 +174,17 @@ TEST(Rooms, AreFilledByThreads) {
     threads.threads = 2;
     const auto serial = make_formulation(v, truck(), settings),
                parallel = make_formulation(v, truck(), threads);
-    Everything whole(long_grid.instants, true);
+    Everything whole(long_grid.instants);
     ASSERT_TRUE(serial->run(long_grid, {}, whole).ok());
     for (const Level level : {Level::velocity, Level::acceleration}) {
-      Rooms rooms(long_grid.instants, some, level);
-      ASSERT_TRUE(parallel->run(long_grid, {Level::acceleration, some}, rooms).ok());
+      Lender lender(long_grid.instants, some, level);
+      ASSERT_TRUE(parallel->run(long_grid, {Level::acceleration, some}, lender).ok());
       EXPECT_EQ(parallel->run_by_steps(), 0);
-      EXPECT_EQ(rooms.handed_over, 0);
+      EXPECT_EQ(lender.instants, long_grid.instants);
       for (int i = 0; i < long_grid.instants; ++i)
         for (std::size_t n = 0; n < some.size(); ++n) {
-          EXPECT_NEAR(rooms.values(i)[n], whole.all[i][some[n]], 1e-10) << i;
-          EXPECT_NEAR(rooms.values(i)[some.size() + n],
+          EXPECT_NEAR(lender.values(i)[n], whole.all[i][some[n]], 1e-10) << i;
+          EXPECT_NEAR(lender.values(i)[some.size() + n],
                       whole.all[i][truck().coordinates() + some[n]], 1e-8)
               << i;
         }
@@ -187,4 +193,4 @@ TEST(Rooms, AreFilledByThreads) {
 }
 
 }  // namespace
-}  // namespace desmo::rooms_test
+}  // namespace desmo::outputs_test
