@@ -12,24 +12,21 @@ constexpr std::size_t enough_to_write = std::size_t{1} << 16;
 
 }  // namespace
 
-Delivery::Delivery(SeriesHeading heading, std::unique_ptr<SeriesFormat> format, const Plan& plan,
-                   double tolerance, Output& output, Progress& progress)
+Delivery::Delivery(SeriesHeading heading, std::unique_ptr<SeriesFormat> format, Output& output,
+                   Progress& progress)
     : heading_(std::move(heading)),
       format_(std::move(format)),
       output_(output),
       progress_(progress),
-      plan_(plan),
-      monitor_(plan, tolerance),
       text_(format_->heading(heading_)) {}
 
 Flow Delivery::observe(const Instant& instant) noexcept try {
-  if (const int c = monitor_.violated(instant); c >= 0)
-    wrong_ = {instant.index, branch_text(c, instant.time, plan_.model)};
   const auto finite = [&](const Column& column) { return std::isfinite(column.value(instant)); };
   if (const auto c = std::ranges::find_if_not(heading_.columns, finite);
-      !wrong_ && c != heading_.columns.end())
-    wrong_ = {instant.index, overflow_text(c->name, instant.time)};
-  if (wrong_) return Flow::stop;
+      c != heading_.columns.end()) {
+    overflow_ = overflow_text(c->name, instant.time);
+    return Flow::stop;
+  }
   format_->append(heading_, instant, text_);
   if (text_.size() >= enough_to_write) flush();
   progress_.solved(instant.index + 1);
@@ -39,9 +36,9 @@ Flow Delivery::observe(const Instant& instant) noexcept try {
   return Flow::stop;
 }
 
-const std::optional<NotToDeliver>& Delivery::wrong() const {
+const std::string& Delivery::overflow() const {
   if (unwritable_) std::rethrow_exception(unwritable_);
-  return wrong_;
+  return overflow_;
 }
 
 void Delivery::flush() {

@@ -3,35 +3,27 @@
 
 #include <exception>
 #include <memory>
-#include <optional>
 #include <string>
 
 #include "bench/cli/output.h"
 #include "bench/cli/progress.h"
 #include "bench/cli/series.h"
-#include "formulations/verification/branch_monitor.h"
+#include "formulations/base/observer.h"
 
 namespace desmo::cli {
 
-/// An instant was solved, but is not what was asked for.
-struct NotToDeliver {
-  int index;         ///< of the instant
-  std::string what;  ///< "constraint 'theta: definition', t = 0.3 s: solved on another branch …"
-};
-
-/// Writes each instant it is handed, some at a time. Stops the run where Output throws, where
-/// BranchMonitor finds something violated, and where a number is not finite.
+/// Writes each instant that it receives, some at a time. Stops the run where Output throws and
+/// where a number is not finite.
 class Delivery final : public Observer {
  public:
-  /// tolerance: to which positions are solved. The plan must outlive the delivery.
-  Delivery(SeriesHeading heading, std::unique_ptr<SeriesFormat> format, const Plan& plan,
-           double tolerance, Output& output, Progress& progress);
+  Delivery(SeriesHeading heading, std::unique_ptr<SeriesFormat> format, Output& output,
+           Progress& progress);
 
   Flow observe(const Instant& instant) noexcept override;
-  /// Returns the instant that was not to deliver, those before it written. Throws what Output threw
-  /// in the run.
-  const std::optional<NotToDeliver>& wrong() const;
-  /// Writes what has been handed to it but not written.
+  /// Returns what was not finite in the instant that ended the run, as overflow_text(); empty: all
+  /// was finite. Throws what Output threw in the run.
+  const std::string& overflow() const;
+  /// Writes the instants that were received but not written.
   void flush();
 
  private:
@@ -39,10 +31,7 @@ class Delivery final : public Observer {
   std::unique_ptr<SeriesFormat> format_;
   Output& output_;
   Progress& progress_;
-  const Plan& plan_;
-  BranchMonitor monitor_;
-  std::string text_;
-  std::optional<NotToDeliver> wrong_;
+  std::string text_, overflow_;
   std::exception_ptr unwritable_;
 };
 

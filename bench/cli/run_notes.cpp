@@ -54,14 +54,15 @@ std::string degradation_text(const Degradation& d, Level level, const Model& m) 
          describe_accuracy(d.assessment.condition, d.assessment.bound, level);
 }
 
-std::string crossing_text(const Crossing& c, const Model& m) {
+std::string crossing_text(const SingularityCrossing& c, const Model& m) {
   const std::string group = group_text(c.group, m);
-  if (c.kind == Crossing::Kind::not_declared)
+  if (c.kind == SingularityCrossing::Kind::not_declared)
     return group + moment(c.before) +
            ": assembled on another branch than the one that its estimate declares";
   return group + interval(c.after, c.before) + ": " +
-         (c.kind == Crossing::Kind::jumped ? "the motion jumps onto another assembly branch"
-                                           : "it passes a singular position, where branches meet");
+         (c.kind == SingularityCrossing::Kind::jumped
+              ? "the motion jumps onto another assembly branch"
+              : "it passes a singular position, where branches meet");
 }
 
 std::string assembly_error_text(const std::optional<AssemblyError>& d, const Model& m) {
@@ -78,6 +79,14 @@ constexpr const char* not_reached = "a position exists, but was not found from t
 
 /// A residual below which a position is found but for rounding: no step, however small, helps.
 constexpr double near_rounding = 1e-11;
+
+/// Returns "constraint 'theta: definition', t = 0.3 s: solved on another branch …; <remedy>".
+std::string branch_text(int constraint, double time, const Model& m) {
+  return "constraint '" + m.constraints[constraint].name + "', " + moment(time) +
+         ": solved on another branch than the one it means, such as an angle turns away, or where "
+         "constraints left out do not follow from the others; take smaller time steps, or model it "
+         "in another way";
+}
 
 }  // namespace
 
@@ -121,7 +130,7 @@ std::string note_on_steps(const Formulation& f) {
   return "note: solved step by step, for the motion is short or could not be solved in segments\n";
 }
 
-std::string note_on_accuracy(const SafeSummary& s, Level level, const Model& m) {
+std::string note_on_accuracy(const MonitoredSummary& s, Level level, const Model& m) {
   std::string note = "accuracy: " + describe_accuracy(s.condition, s.bound, level) + '\n';
   if (s.first_degraded)
     note += "accuracy: degraded: " + count(s.degraded, "instant") + " of " +
@@ -131,7 +140,7 @@ std::string note_on_accuracy(const SafeSummary& s, Level level, const Model& m) 
   return note;
 }
 
-std::string note_on_gaps(const SafeSummary& s, const Model& m) {
+std::string note_on_gaps(const MonitoredSummary& s, const Model& m) {
   std::string note;
   for (const Gap& gap : s.gaps)
     note += "accuracy: not assembled: " + group_text(gap.failure.group, m) +
@@ -144,17 +153,10 @@ std::string note_on_gaps(const SafeSummary& s, const Model& m) {
   return note;
 }
 
-std::string refusal_text(const SafeSummary& s, Level level, const Model& m) {
+std::string refusal_text(const MonitoredSummary& s, Level level, const Model& m) {
   return (s.first_degraded ? degradation_text(*s.first_degraded, level, m)
                            : crossing_text(*s.crossing, m)) +
          "; choose a motion that avoids it, or solve without --strict";
-}
-
-std::string branch_text(int constraint, double time, const Model& m) {
-  return "constraint '" + m.constraints[constraint].name + "', " + moment(time) +
-         ": solved on another branch than the one it means, such as an angle turns away, or where "
-         "constraints left out do not follow from the others; take smaller time steps, or model it "
-         "in another way";
 }
 
 std::string overflow_text(const std::string& column, double time) {
@@ -163,7 +165,8 @@ std::string overflow_text(const std::string& column, double time) {
          "holds; choose another motion";
 }
 
-std::string failure_text(const SafeSummary& s, const Model& m) {
+std::string failure_text(const MonitoredSummary& s, const Model& m) {
+  if (s.violated >= 0) return branch_text(s.violated, s.time, m);
   struct Reason {
     const char *what, *remedy;
   };

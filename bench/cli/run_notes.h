@@ -4,7 +4,7 @@
 #include <string>
 
 #include "formulations/variants.h"
-#include "formulations/verification/monitor/safe_run.h"
+#include "formulations/verification/monitor/monitored_run.h"
 
 namespace desmo::cli {
 
@@ -25,20 +25,17 @@ std::string note_on_tolerance(const Formulation& formulation, double asked);
 
 /// How right the results are: a line on condition number and bounds, and one each on degraded
 /// instants and on a singular position that was passed, if any.
-std::string note_on_accuracy(const SafeSummary& summary, Level level, const Model& model);
+std::string note_on_accuracy(const MonitoredSummary& summary, Level level, const Model& model);
 
 /// Why a strict run ended: as failure_text.
-std::string refusal_text(const SafeSummary& summary, Level level, const Model& model);
+std::string refusal_text(const MonitoredSummary& summary, Level level, const Model& model);
 
 /// "group 'SG-I' (crank, rod), constraint 'rod/length', t = 0.3 s: no position was found …;
 /// at the nearest to it 'rod/length' is off by 1.2e-03 m; <remedy>"
-std::string failure_text(const SafeSummary& summary, const Model& model);
+std::string failure_text(const MonitoredSummary& summary, const Model& model);
 
 /// Lines on the intervals that could not be assembled, if any.
-std::string note_on_gaps(const SafeSummary& summary, const Model& model);
-
-/// "constraint 'theta: definition', t = 0.3 s: solved on another branch …; <remedy>"
-std::string branch_text(int constraint, double time, const Model& model);
+std::string note_on_gaps(const MonitoredSummary& summary, const Model& model);
 
 /// "column 'theta', t = 0.3 s: not a finite number …; <remedy>"
 std::string overflow_text(const std::string& column, double time);

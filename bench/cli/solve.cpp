@@ -102,19 +102,17 @@ void solve(const SolveOptions& options) {
   Progress progress(input.scene.grid.instants, !options.quiet && !in_the_way);
   Delivery delivery(
       {whole.name, input.scene.name, id_with(*variant, settings), make_columns(plan, input.scene)},
-      std::move(format), plan, settings.tolerance, output, progress);
-  const SafeSummary summary =
-      run_safely(*formulation, input.scene.grid, Request{plan.level()}, delivery,
-                 {{.tolerance = settings.tolerance,
-                   .levels = plan.levels,
-                   .every = options.strict ? 1 : Watch::usual},
-                  options.strict,
-                  options.past_failures});
-  const std::optional<NotToDeliver>& wrong = delivery.wrong();
+      std::move(format), output, progress);
+  const MonitoredSummary summary =
+      run_monitored(*formulation, input.scene.grid, Request{plan.level()}, delivery,
+                    {{.tolerance = settings.tolerance, .levels = plan.levels},
+                     options.strict,
+                     options.past_failures});
+  const std::string overflow = delivery.overflow();
   progress.clear();
-  const bool all = summary.outcome() != Outcome::failed && !wrong;
+  const bool all = summary.outcome() != Outcome::failed && overflow.empty();
   if (all || output.is_standard_output()) delivery.flush();
-  if (wrong) fail(wrong->what, wrong->index, input, output);
+  if (!overflow.empty()) fail(overflow, summary.instants - 1, input, output);
   if (summary.refused)
     fail(refusal_text(summary, plan.level(), plan.model), summary.instants, input, output);
   if (!all) fail(failure_text(summary, plan.model), summary.instants, input, output);

@@ -5,7 +5,7 @@
 #include "cases/generators/cases.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/variants.h"
-#include "formulations/verification/monitor/safe_run.h"
+#include "formulations/verification/monitor/monitored_run.h"
 #include "tests/discard.h"
 #include "tests/safety/scott_russell.h"
 
@@ -20,7 +20,8 @@ TEST(Doubts, EndInAnAssessmentWhereShorterStepsArgueThemAway) {
     for (const Variant& v : variants()) {
       if (!unavailable_reason(v.id).empty()) continue;
       Discard observer;
-      const SafeSummary s = run_safely(*make_formulation(v, m, {}), scene.grid, {}, observer, {});
+      const MonitoredSummary s =
+          run_monitored(*make_formulation(v, m, {}), scene.grid, {}, observer, {});
       EXPECT_NE(s.outcome(), Outcome::converged) << v.id << " in steps of " << degrees;
       EXPECT_NEAR(s.time, 2, 1e-9) << v.id;
       EXPECT_EQ(s.status, Status::singular) << v.id;

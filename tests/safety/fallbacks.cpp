@@ -5,7 +5,7 @@
 #include "cases/library/library.h"
 #include "formulations/parts/guarded_part.h"
 #include "formulations/variants.h"
-#include "formulations/verification/monitor/safe_run.h"
+#include "formulations/verification/monitor/monitored_run.h"
 #include "tests/discard.h"
 #include "tests/mechanisms.h"
 
@@ -15,10 +15,10 @@ namespace {
 /// Returns the largest condition number of a motion, of which every instant is assessed.
 double condition(const Model& m, const TimeGrid& grid) {
   Discard observer;
-  SafetyOptions options;
+  MonitoredRunOptions options;
   options.every = 1;
-  return run_safely(*make_formulation(find_variant("global_automatic_klu"), m), grid, {}, observer,
-                    options)
+  return run_monitored(*make_formulation(find_variant("global_automatic_klu"), m), grid, {},
+                       observer, options)
       .condition;
 }
 

@@ -6,7 +6,7 @@
 #include "formulations/modelling/modelling.h"
 #include "formulations/variants.h"
 #include "formulations/verification/error.h"
-#include "formulations/verification/monitor/safe_run.h"
+#include "formulations/verification/monitor/monitored_run.h"
 #include "formulations/verification/reference/reference.h"
 #include "tests/accuracy/scenes.h"
 
@@ -44,11 +44,11 @@ TEST(ReusedPivots, ShowInTheResidualsOfRates) {
   const Model m = oscillating_block();
   const TimeGrid grid{0, 1e-5, 201};
   const Reference reference = make_reference(m, sampled(grid, 201));
-  SafetyOptions options;
+  MonitoredRunOptions options;
   options.without = static_cast<unsigned>(Monitor::residual);
   ErrorMeasure measure(m, reference.instants, reference.scales);
-  const SafeSummary s = run_safely(*make_formulation(find_variant("global_automatic_klu"), m, {}),
-                                   grid, {}, measure, options);
+  const MonitoredSummary s = run_monitored(
+      *make_formulation(find_variant("global_automatic_klu"), m, {}), grid, {}, measure, options);
   EXPECT_EQ(s.outcome(), Outcome::converged);
   EXPECT_GT(measure.error().velocity.max, 10 * s.bound.velocity);
 }
@@ -59,8 +59,8 @@ TEST(ReusedPivots, LeaveNoErrorAboveTheBoundsStated) {
   const Reference reference = make_reference(m, sampled(grid, 201));
   for (const char* id : {"global_automatic_klu", "group_automatic_klu", "block_automatic_klu"}) {
     ErrorMeasure measure(m, reference.instants, reference.scales);
-    const SafeSummary s =
-        run_safely(*make_formulation(find_variant(id), m, {}), grid, {}, measure, {});
+    const MonitoredSummary s =
+        run_monitored(*make_formulation(find_variant(id), m, {}), grid, {}, measure, {});
     EXPECT_EQ(s.outcome(), Outcome::converged) << id;
     ASSERT_EQ(measure.error().instants, grid.instants);
     EXPECT_LT(measure.error().velocity.max, 1e-10) << id;

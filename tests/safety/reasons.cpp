@@ -6,7 +6,7 @@
 
 #include "formulations/variants.h"
 #include "formulations/verification/monitor/limits.h"
-#include "formulations/verification/monitor/safe_run.h"
+#include "formulations/verification/monitor/monitored_run.h"
 #include "tests/accuracy/scenes.h"
 #include "tests/dead_point.h"
 #include "tests/discard.h"
@@ -26,8 +26,8 @@ TEST(Reasons, AreNoJumpWhereAMotionStartsAtRest) {
   const Model m = locking_four_bar(Polynomial{{0.5, 0, 0, 0, 0, 1}});
   for (const char* id : {"global_automatic_klu", "group_symbolic_explicit"}) {
     Discard observer;
-    const SafeSummary s =
-        run_safely(*make_formulation(find_variant(id), m, {}), {0, 0.01, 101}, {}, observer, {});
+    const MonitoredSummary s =
+        run_monitored(*make_formulation(find_variant(id), m, {}), {0, 0.01, 101}, {}, observer, {});
     EXPECT_FALSE(s.crossing) << id;
     EXPECT_EQ(s.outcome(), Outcome::converged) << id;
   }
@@ -37,8 +37,9 @@ TEST(Reasons, AreNoJumpWhereAMotionStartsAtRest) {
 TEST(Reasons, NameRoundedDriversAtLateTimes) {
   Model m = four_bar_model(1);
   Discard observer;
-  const SafeSummary s = run_safely(*make_formulation(find_variant("group_symbolic_inlined"), m, {}),
-                                   {0x1p26, 0.125, 9}, {}, observer, {});
+  const MonitoredSummary s =
+      run_monitored(*make_formulation(find_variant("group_symbolic_inlined"), m, {}),
+                    {0x1p26, 0.125, 9}, {}, observer, {});
   ASSERT_TRUE(s.first_degraded);
   EXPECT_EQ(s.first_degraded->assessment.limit, Limit::drivers);
 }
@@ -46,8 +47,9 @@ TEST(Reasons, NameRoundedDriversAtLateTimes) {
 TEST(Reasons, NameASingularPositionNearADeadPoint) {
   const Model m = locking_four_bar(Polynomial{{dead_point - 1e-11}});
   Discard observer;
-  const SafeSummary s = run_safely(*make_formulation(find_variant("group_symbolic_inlined"), m, {}),
-                                   {0, 1, 1}, {}, observer, {});
+  const MonitoredSummary s =
+      run_monitored(*make_formulation(find_variant("group_symbolic_inlined"), m, {}), {0, 1, 1}, {},
+                    observer, {});
   ASSERT_TRUE(s.first_degraded);
   EXPECT_EQ(s.first_degraded->assessment.limit, Limit::singular_position);
 }
@@ -61,8 +63,8 @@ TEST(Reasons, StateBoundsThatAgreeWithTheOutcome) {
     for (const char* id : {"global_automatic_klu", "group_automatic_lapack",
                            "group_symbolic_inlined", "group_symbolic_explicit"}) {
       Discard observer;
-      const SafeSummary s =
-          run_safely(*make_formulation(find_variant(id), m, {}), {0, 0.01, 101}, {}, observer, {});
+      const MonitoredSummary s = run_monitored(*make_formulation(find_variant(id), m, {}),
+                                               {0, 0.01, 101}, {}, observer, {});
       EXPECT_FALSE(s.crossing) << id << ", t^" << power;
       EXPECT_EQ(s.degraded > 0, exceeds(s.bound, Limits(1e-12).degraded)) << id << ", t^" << power;
       EXPECT_EQ(s.degraded > 0, s.first_degraded.has_value()) << id << ", t^" << power;

@@ -9,7 +9,7 @@
 
 #include "formulations/variants.h"
 #include "formulations/verification/error.h"
-#include "formulations/verification/monitor/safe_run.h"
+#include "formulations/verification/monitor/monitored_run.h"
 #include "formulations/verification/reference/reference.h"
 #include "tests/accuracy/scenes.h"
 #include "tests/dead_point.h"
@@ -18,17 +18,18 @@
 namespace desmo::run_test {
 namespace {
 
-SafeSummary run(const Model& m, const TimeGrid& grid, const char* id, Observer& observer,
-                SafetyOptions options = {}, const Settings& settings = {}) {
-  return run_safely(*make_formulation(find_variant(id), m, settings), grid, {}, observer, options);
+MonitoredSummary run(const Model& m, const TimeGrid& grid, const char* id, Observer& observer,
+                     MonitoredRunOptions options = {}, const Settings& settings = {}) {
+  return run_monitored(*make_formulation(find_variant(id), m, settings), grid, {}, observer,
+                       options);
 }
 
-TEST(SafeRun, FindsOrdinaryMotionsConverged) {
+TEST(MonitoredRun, FindsOrdinaryMotionsConverged) {
   for (const char* id :
        {"global_automatic_klu", "group_symbolic_inlined", "group_symbolic_explicit"})
     for (const auto& [m, grid] : every_motion()) {
       Discard observer;
-      const SafeSummary s = run(m, grid, id, observer);
+      const MonitoredSummary s = run(m, grid, id, observer);
       EXPECT_EQ(s.outcome(), Outcome::converged)
           << m.name << ", " << id << ": "
           << describe_accuracy(s.condition, s.bound, Level::acceleration);
@@ -38,7 +39,7 @@ TEST(SafeRun, FindsOrdinaryMotionsConverged) {
 }
 
 /// Of every instant when all are assessed; otherwise where signals show what happens.
-TEST(SafeRun, BoundsTheErrorsOfLibraryMotions) {
+TEST(MonitoredRun, BoundsTheErrorsOfLibraryMotions) {
   for (const LibraryMechanism& l : library()) {
     const Scene scene = library_scene(l.name);
     const Model m = make_model(scene);
@@ -46,9 +47,9 @@ TEST(SafeRun, BoundsTheErrorsOfLibraryMotions) {
     for (const char* id : {"global_automatic_klu", "group_symbolic_explicit"}) {
       for (const int every : {1, 1000}) {
         ErrorMeasure measure(m, reference.instants, reference.scales);
-        SafetyOptions options;
+        MonitoredRunOptions options;
         options.every = every;
-        const SafeSummary s = run(m, scene.grid, id, measure, options);
+        const MonitoredSummary s = run(m, scene.grid, id, measure, options);
         ASSERT_EQ(measure.error().instants, 33);
         for (const Level level : levels) {
           const double hidden = every > 1 && level != Level::position ? 100 : 1;
@@ -66,14 +67,14 @@ Model swinging(double distance) {
       HarmonicSum{dead_point - distance - amplitude, {{amplitude, 2 * std::numbers::pi, 0}}});
 }
 
-TEST(SafeRun, IsDegradedNearADeadPointAndRightToItsBounds) {
+TEST(MonitoredRun, IsDegradedNearADeadPointAndRightToItsBounds) {
   for (const double distance : {1e-11, 1e-12})
     for (const char* id : {"global_automatic_klu", "group_symbolic_explicit"}) {
       const Model m = swinging(distance);
       const TimeGrid grid{0, 1e-3, 501};
       const Reference reference = make_reference(m, std::vector{0.1, 0.249, 0.25});
       ErrorMeasure measure(m, reference.instants, reference.scales);
-      const SafeSummary s = run(m, grid, id, measure);
+      const MonitoredSummary s = run(m, grid, id, measure);
       EXPECT_EQ(s.outcome(), Outcome::degraded) << distance << ", " << id;
       ASSERT_TRUE(s.first_degraded);
       EXPECT_NEAR(s.first_degraded->time, 0.25, 0.002);
@@ -84,11 +85,11 @@ TEST(SafeRun, IsDegradedNearADeadPointAndRightToItsBounds) {
     }
 }
 
-TEST(SafeRun, FailsAtASingularPosition) {
+TEST(MonitoredRun, FailsAtASingularPosition) {
   const Model m = locking_four_bar(Polynomial{{dead_point - 0.25, 1}});
   for (const char* id : {"global_automatic_klu", "group_symbolic_explicit"}) {
     Discard observer;
-    const SafeSummary s = run(m, {0, 0.25, 2}, id, observer);
+    const MonitoredSummary s = run(m, {0, 0.25, 2}, id, observer);
     EXPECT_EQ(s.outcome(), Outcome::failed) << id;
     EXPECT_EQ(s.instants, 1) << id;
     EXPECT_NEAR(s.time, 0.25, 1e-12) << id;
@@ -97,10 +98,10 @@ TEST(SafeRun, FailsAtASingularPosition) {
   }
 }
 
-TEST(SafeRun, StrictEndsAtTheFirstDegradedInstant) {
+TEST(MonitoredRun, StrictEndsAtTheFirstDegradedInstant) {
   const Model m = swinging(1e-11);
   Discard observer;
-  const SafeSummary s = run(m, {0, 1e-3, 501}, "group_symbolic_inlined", observer, {{}, true});
+  const MonitoredSummary s = run(m, {0, 1e-3, 501}, "group_symbolic_inlined", observer, {{}, true});
   EXPECT_TRUE(s.refused);
   EXPECT_EQ(s.outcome(), Outcome::failed);
   ASSERT_TRUE(s.first_degraded);
@@ -123,15 +124,15 @@ class Times final : public Observer {
   std::vector<int> indices;
 };
 
-TEST(SafeRun, GoesOnPastAnIntervalThatCannotBeAssembled) {
+TEST(MonitoredRun, GoesOnPastAnIntervalThatCannotBeAssembled) {
   const Model m = overswinging();
   const TimeGrid grid{0, 1e-2, 101};
-  SafetyOptions options;
+  MonitoredRunOptions options;
   options.past_failures = true;
   for (const char* id :
        {"global_automatic_klu", "group_symbolic_inlined", "group_symbolic_explicit"}) {
     Times times;
-    const SafeSummary s = run(m, grid, id, times, options);
+    const MonitoredSummary s = run(m, grid, id, times, options);
     EXPECT_EQ(s.outcome(), Outcome::degraded) << id;
     ASSERT_EQ(s.gaps.size(), 1u) << id;
     const Gap& gap = s.gaps.front();
@@ -146,11 +147,11 @@ TEST(SafeRun, GoesOnPastAnIntervalThatCannotBeAssembled) {
   }
 }
 
-TEST(SafeRun, EndsAtAnIntervalThatCannotBeAssembledAndSaysByHowMuch) {
+TEST(MonitoredRun, EndsAtAnIntervalThatCannotBeAssembledAndSaysByHowMuch) {
   const Model m = overswinging();
   const TimeGrid grid{0, 1e-2, 101};
   Times times;
-  const SafeSummary s = run(m, grid, "group_symbolic_inlined", times);
+  const MonitoredSummary s = run(m, grid, "group_symbolic_inlined", times);
   EXPECT_EQ(s.outcome(), Outcome::failed);
   EXPECT_EQ(s.time, 0.16);
   ASSERT_TRUE(s.assembly_error);
@@ -168,6 +169,8 @@ Model parallelogram() {
   Model m = four_bar_model(1);
   for (Constraint& c : m.constraints)
     if (c.group == 1 && c.kind == kind_index<PlanarAngle>()) c.constants[0] = 2;  // the rocker
+  std::ranges::find(m.constraints, "dyad1/rocker: dyad1/D-dyad1/C length", &Constraint::name)
+      ->constants[0] = 4;  // its length squared
   const auto at = [&](const char* name) { return m.entities[m.find(name)].first; };
   m.estimate[at("dyad1/C")] = 7;
   m.estimate[at("dyad1/C") + 1] = std::sqrt(3.0);
@@ -175,13 +178,13 @@ Model parallelogram() {
   return m;
 }
 
-TEST(SafeRun, SaysThatAChangePointWasPassed) {
+TEST(MonitoredRun, SaysThatAChangePointWasPassed) {
   const Model m = parallelogram();
   Discard observer;
   const TimeGrid grid{0, 0.01, 400};  // θ = π/3 + t passes π at 2.09 s
-  SafetyOptions options;
+  MonitoredRunOptions options;
   options.every = 50;
-  const SafeSummary s =
+  const MonitoredSummary s =
       run(m, grid, "group_symbolic_inlined", observer, options, {.guess = Guess::quadratic});
   EXPECT_EQ(s.outcome(), Outcome::degraded);
   ASSERT_TRUE(s.crossing);
@@ -192,55 +195,55 @@ TEST(SafeRun, SaysThatAChangePointWasPassed) {
 
 /// Newton's method takes the turn that the links cannot: behind the change point the coupler no
 /// longer stays parallel to the ground.
-TEST(SafeRun, SaysThatTheMotionJumpedAtAChangePoint) {
+TEST(MonitoredRun, SaysThatTheMotionJumpedAtAChangePoint) {
   const Model m = parallelogram();
   Discard observer;
-  const SafeSummary s = run(m, {0, 0.01, 300}, "group_symbolic_inlined", observer);
+  const MonitoredSummary s = run(m, {0, 0.01, 300}, "group_symbolic_inlined", observer);
   EXPECT_EQ(s.outcome(), Outcome::degraded);
   ASSERT_TRUE(s.crossing);
-  EXPECT_EQ(s.crossing->kind, Crossing::Kind::jumped);
+  EXPECT_EQ(s.crossing->kind, SingularityCrossing::Kind::jumped);
   EXPECT_GE(s.crossing->after, 2.09);
   EXPECT_LE(s.crossing->before, 2.1);
   EXPECT_EQ(m.groups[s.crossing->group].name, "dyad1/SG-I");
 }
 
 /// Steps of a radian are gone again in shorter ones, and found to lead where they ended.
-TEST(SafeRun, DoesNotTakeALongStepForAJump) {
+TEST(MonitoredRun, DoesNotTakeALongStepForAJump) {
   for (const double step : {0.3, 1.0}) {
     Discard observer;
-    const SafeSummary s =
+    const MonitoredSummary s =
         run(four_bar_model(1), {0, step, 21}, "group_symbolic_explicit", observer);
     EXPECT_EQ(s.outcome(), Outcome::converged) << step;
   }
   for (const char* id : {"global_automatic_klu", "group_symbolic_explicit"}) {
     Discard observer;
-    const SafeSummary s = run(make_model(library_scene("rssr")), {0, 0.125, 25}, id, observer);
+    const MonitoredSummary s = run(make_model(library_scene("rssr")), {0, 0.125, 25}, id, observer);
     EXPECT_EQ(s.outcome(), Outcome::converged) << id;
   }
 }
 
 /// Of an angle that may end steps of a sixth of a turn anywhere modulo whole turns.
-TEST(SafeRun, SaysWhichAngleJumpsByWholeTurns) {
+TEST(MonitoredRun, SaysWhichAngleJumpsByWholeTurns) {
   const Model m = make_model(library_scene("whitworth"));
   const TimeGrid grid{0, 1. / 6, 19};
   Discard observer;
-  const SafeSummary s = run(m, grid, "group_automatic_klu", observer);
+  const MonitoredSummary s = run(m, grid, "group_automatic_klu", observer);
   EXPECT_EQ(s.outcome(), Outcome::degraded);
   ASSERT_TRUE(s.crossing);
-  EXPECT_EQ(s.crossing->kind, Crossing::Kind::jumped);
+  EXPECT_EQ(s.crossing->kind, SingularityCrossing::Kind::jumped);
   const std::vector<int>& of_angle = m.groups[s.crossing->group].entities;
   EXPECT_TRUE(std::ranges::count(of_angle, m.find("psi"))) << m.groups[s.crossing->group].name;
 }
 
 /// What a run ends as without a monitor.
-SafeSummary without(Monitor monitor, const Model& m, const TimeGrid& grid, Observer& observer,
-                    const Settings& settings = {}, Level level = Level::acceleration) {
-  SafetyOptions options;
+MonitoredSummary without(Monitor monitor, const Model& m, const TimeGrid& grid, Observer& observer,
+                         const Settings& settings = {}, Level level = Level::acceleration) {
+  MonitoredRunOptions options;
   options.tolerance = settings.tolerance;
   options.without = static_cast<unsigned>(monitor);
   options.every = 100;
   const auto f = make_formulation(find_variant("group_symbolic_inlined"), m, settings);
-  return run_safely(*f, grid, {level}, observer, options);
+  return run_monitored(*f, grid, {level}, observer, options);
 }
 
 /// A crank that turns at a constant rate until it has all but come to its dead point.
@@ -270,9 +273,9 @@ TEST(Monitors, OfOrientationTellsAChangePoint) {
   const Settings straight_on{.guess = Guess::quadratic};
   Discard observer;
   EXPECT_FALSE(without(Monitor::orientation, m, grid, observer, straight_on).crossing);
-  const SafeSummary s = without(Monitor{}, m, grid, observer, straight_on);
+  const MonitoredSummary s = without(Monitor{}, m, grid, observer, straight_on);
   ASSERT_TRUE(s.crossing);
-  EXPECT_EQ(s.crossing->kind, Crossing::Kind::passed);
+  EXPECT_EQ(s.crossing->kind, SingularityCrossing::Kind::passed);
 }
 
 TEST(Monitors, OfContinuityTellsAJump) {
@@ -290,7 +293,7 @@ TEST(Monitors, OfResidualsTellWhatATolerancePermits) {
   const Reference reference = make_reference(m, sampled(grid, 34));
   const auto unsaid = [&](Monitor monitor) {
     ErrorMeasure measure(m, reference.instants, reference.scales);
-    const SafeSummary s = without(monitor, m, grid, measure, {.tolerance = 1e-6});
+    const MonitoredSummary s = without(monitor, m, grid, measure, {.tolerance = 1e-6});
     return measure.error().position.max / s.bound.position;
   };
   EXPECT_GT(unsaid(Monitor::residual), 1000);

@@ -8,7 +8,7 @@
 
 #include "formulations/id.h"
 #include "formulations/verification/error.h"
-#include "formulations/verification/monitor/safe_run.h"
+#include "formulations/verification/monitor/monitored_run.h"
 #include "formulations/verification/reference/reference.h"
 #include "tests/accuracy/scenes.h"
 #include "tests/dead_point.h"
@@ -17,10 +17,10 @@
 namespace desmo {
 namespace {
 
-SafeSummary run_with_stride(const Model& m, const TimeGrid& grid, const std::string& id,
-                            Observer& observer, SafetyOptions options = {}) {
+MonitoredSummary run_with_stride(const Model& m, const TimeGrid& grid, const std::string& id,
+                                 Observer& observer, MonitoredRunOptions options = {}) {
   const Configuration c = parse_id(id);
-  return run_safely(*make_formulation(*c.variant, m, c.settings), grid, {}, observer, options);
+  return run_monitored(*make_formulation(*c.variant, m, c.settings), grid, {}, observer, options);
 }
 
 const char* const with_strides[] = {"global_automatic_klu/stride:2",
@@ -38,7 +38,7 @@ TEST(Strides, GiveRowsNearADeadPointThatAreRightToTheBoundsStated) {
   const Reference reference = make_reference(m, sampled(grid, 101));
   for (const char* id : with_strides) {
     ErrorMeasure measure(m, reference.instants, reference.scales);
-    const SafeSummary s = run_with_stride(m, grid, id, measure);
+    const MonitoredSummary s = run_with_stride(m, grid, id, measure);
     EXPECT_EQ(s.instants, grid.instants) << id;
     ASSERT_EQ(measure.error().instants, grid.instants) << id;
     EXPECT_GT(s.corrected, 0) << id;
@@ -53,7 +53,7 @@ TEST(Strides, AreAsRightAsTheToleranceAsksForWhereTheyAreLong) {
   const Reference reference = make_reference(m, sampled(grid, 97));
   for (const char* id : {"global_automatic_klu/stride:16", "group_symbolic_explicit/stride:16"}) {
     ErrorMeasure measure(m, reference.instants, reference.scales);
-    const SafeSummary s = run_with_stride(m, grid, id, measure);
+    const MonitoredSummary s = run_with_stride(m, grid, id, measure);
     EXPECT_EQ(s.outcome(), Outcome::converged) << id;
     EXPECT_LE(measure.error().position.max, 1e-10) << id;
     EXPECT_LE(measure.error().velocity.max, 1e-8) << id;
@@ -64,7 +64,7 @@ TEST(Strides, AreAsRightAsTheToleranceAsksForWhereTheyAreLong) {
 TEST(Strides, KeepRowsThatAreGoodEnough) {
   const Model m = make_model(library_scene("slider_crank"));
   Discard observer;
-  const SafeSummary s =
+  const MonitoredSummary s =
       run_with_stride(m, {0, 1e-3, 1001}, "group_symbolic_explicit/stride:2", observer);
   EXPECT_EQ(s.outcome(), Outcome::converged);
   EXPECT_EQ(s.corrected, 0);
@@ -75,11 +75,11 @@ TEST(Strides, FindIntervalsThatCannotBeAssembledAsStepsDo) {
   const Model m = locking_four_bar(HarmonicSum{dead_point - 0.5, {{0.6, 2 * std::numbers::pi, 0}}});
   const double locked = std::asin(0.5 / 0.6) / (2 * std::numbers::pi);
   const TimeGrid grid{0, 0.01, 101};
-  SafetyOptions options;
+  MonitoredRunOptions options;
   options.past_failures = true;
   for (const char* id : with_strides) {
     Discard observer;
-    const SafeSummary s = run_with_stride(m, grid, id, observer, options);
+    const MonitoredSummary s = run_with_stride(m, grid, id, observer, options);
     ASSERT_EQ(s.gaps.size(), 1u) << id;
     EXPECT_NEAR(s.gaps.front().from, locked, 2e-9) << id;
     EXPECT_NEAR(s.gaps.front().to, 0.5 - locked, 2e-9) << id;

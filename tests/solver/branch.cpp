@@ -9,7 +9,8 @@
 #include "cases/generators/cases.h"
 #include "cases/io/files.h"
 #include "formulations/modelling/modelling.h"
-#include "formulations/verification/branch_monitor.h"
+#include "formulations/planning/plan.h"
+#include "formulations/verification/monitor/branch_monitor.h"
 #include "tests/describing.h"
 
 namespace desmo::branch_test {
@@ -33,7 +34,7 @@ class Position {
   }
   /// The constraint that the monitor names; empty: none.
   std::string violated(bool with_velocity = true, double tolerance = 1e-11) {
-    BranchMonitor monitor(plan, tolerance);
+    BranchMonitor monitor(plan.model, plan.levels, tolerance);
     const int c = monitor.violated(
         {0, 0, q, with_velocity ? std::span<const double>(qd) : std::span<const double>(), {}});
     return c < 0 ? "" : plan.model.constraints[c].name;
@@ -123,7 +124,7 @@ TEST(Branch, OfRedundantCranksIsLeftWhereTheyFold) {
   const Plan plan = make_plan(model_mechanism(d.take(), {Polynomial{{1, 1}}}).model, {});
   const auto f =
       make_formulation(find_variant("block_automatic_klu"), plan.model, Settings{1e-10, 25});
-  BranchMonitor monitor(plan, 1e-10);
+  BranchMonitor monitor(plan.model, plan.levels, 1e-10);
   const auto length3 = [&] {
     const int c = plan.model.entities[plan.model.find("C2")].first;
     return std::hypot(f->q()[c] - 5, f->q()[c + 1]);

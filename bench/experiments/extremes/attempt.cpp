@@ -33,9 +33,9 @@ class Record final : public Observer {
   /// The runs to come begin with that instant, or start.
   void begin(std::size_t first) { first_ = first; }
 
-  void judged(const Watch::Judgement& judgement) {
-    degraded_ = judgement.degraded;
-    stated_ = {judgement.assessment.condition, judgement.assessment.bound};
+  void monitored(const MonitoredInstant& m) {
+    degraded_ = m.degraded;
+    stated_ = {m.assessment.condition, m.assessment.bound};
   }
 
   Flow observe(const Instant& instant) noexcept override {
@@ -58,7 +58,7 @@ class Record final : public Observer {
   }
 
   /// A run is over that was to last so many instants.
-  void end(const SafeSummary& summary, const TimeGrid& grid, const Model& m) {
+  void end(const MonitoredSummary& summary, const TimeGrid& grid, const Model& m) {
     const std::size_t last = first_ + grid.instants;
     auto& steps = attempt_.steps;
     if (steps.size() < last) {
@@ -88,7 +88,7 @@ class Record final : public Observer {
           static_cast<std::int64_t>(suite::heap_in_use()) - static_cast<std::int64_t>(early_heap_);
   }
 
-  void note_flag(const SafeSummary& s, const Model& m) {
+  void note_flag(const MonitoredSummary& s, const Model& m) {
     if (!attempt_.message.empty() || s.outcome() == desmo::Outcome::converged) return;
     const Summary& failure = s.gaps.empty() ? s : s.gaps.front().failure;
     attempt_.failed_group = failure.group;
@@ -97,7 +97,7 @@ class Record final : public Observer {
                                      : describe(*s.first_degraded);
   }
 
-  static std::string describe(const Crossing& c) {
+  static std::string describe(const SingularityCrossing& c) {
     static constexpr const char* what[] = {"passes a singular position", "jumps",
                                            "not assembled as declared"};
     char text[120];
@@ -147,18 +147,18 @@ Attempt attempt(const Problem& problem, const Configuration& configuration, unsi
     return stop(Attempt::Ending::not_applicable, std::move(why));
 
   Record record(problem, *f, a);
-  SafetyOptions options;
+  MonitoredRunOptions options;
   options.tolerance = configuration.settings.tolerance;
   options.without = without;
   options.past_failures = c.goes_on;
-  options.judged = [&](const Watch::Judgement& j) { record.judged(j); };
+  options.monitored = [&](const MonitoredInstant& m) { record.monitored(m); };
   const std::size_t runs = c.starts ? problem.starts.size() : 1;
   const TimeGrid grid =
       c.starts ? TimeGrid{c.scene.grid.start, c.scene.grid.step, 1} : c.scene.grid;
   for (std::size_t i = 0; i < runs; ++i) {
     if (started) started->estimate = problem.starts[i];
     record.begin(i);
-    record.end(run_safely(*f, grid, {}, record, options), grid, m);
+    record.end(run_monitored(*f, grid, {}, record, options), grid, m);
   }
   a.refactorisations = f->refactorisations();
   return a;

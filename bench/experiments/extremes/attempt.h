@@ -6,7 +6,7 @@
 
 #include "bench/experiments/extremes/problem.h"
 #include "formulations/id.h"
-#include "formulations/verification/monitor/safe_run.h"
+#include "formulations/verification/monitor/monitored_run.h"
 
 namespace desmo::extreme {
 
@@ -50,8 +50,8 @@ struct Attempt {
   std::int64_t heap_growth = 0;
 };
 
-/// Solves the problem as `desmo solve` does (run_safely), to the first failure or, where the case
-/// says so, past it; or from every start. without: monitors left out.
+/// Solves the problem as `desmo solve` does (run_monitored), to the first failure or, where the
+/// case says so, past it; or from every start. without: monitors left out.
 Attempt attempt(const Problem& problem, const Configuration& configuration, unsigned without = 0);
 
 }  // namespace desmo::extreme

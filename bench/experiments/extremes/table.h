@@ -24,7 +24,8 @@ struct Selection {
   Extent extent = Extent::full;
   /// To be found in ids, and in the names of cases; by default they are in all.
   std::regex formulations{""}, cases{""};
-  unsigned without = 0;  ///< monitors left out (Watch::Options), which names of cases then tell
+  unsigned without =
+      0;  ///< monitors left out (AccuracyMonitorOptions), which names of cases then tell
   std::function<void(const std::string&)> say = {};  ///< called with what comes next; may be empty
 };
 

@@ -4,7 +4,7 @@
 
 namespace desmo::counting {
 
-/// Ends the id of a formulation whose run is monitored (run_safely): what that costs is part of
+/// Ends the id of a formulation whose run is monitored (run_monitored): what that costs is part of
 /// what is counted.
 inline constexpr std::string_view monitored_suffix = "/monitored";
 

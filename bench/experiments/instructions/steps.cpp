@@ -15,7 +15,7 @@
 
 #include "bench/experiments/instructions/monitored.h"
 #include "bench/regression/subject.h"
-#include "formulations/verification/monitor/safe_run.h"
+#include "formulations/verification/monitor/monitored_run.h"
 
 namespace {
 
@@ -35,8 +35,8 @@ int whole(std::string_view text) {
 /// Runs the whole motion under all monitors. Throws std::runtime_error where one of them finds
 /// something: that is not the motion whose instructions are asked for.
 desmo::Summary run_monitored(Subject& subject) {
-  const desmo::SafeSummary s =
-      run_safely(subject.formulation(), subject.grid(), {}, subject.delivery(), {});
+  const desmo::MonitoredSummary s =
+      run_monitored(subject.formulation(), subject.grid(), {}, subject.delivery(), {});
   if (s.ok() && s.outcome() != desmo::Outcome::converged)
     throw std::runtime_error("the motion is not an ordinary one: " +
                              describe_accuracy(s.condition, s.bound, desmo::Level::acceleration));

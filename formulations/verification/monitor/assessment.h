@@ -28,6 +28,20 @@ struct Assessment {
   Limit limit = Limit::rounding;  ///< of an instant that is degraded
 };
 
+/// An interval after which the assembly branch is not the one that continuity and the estimate
+/// declare, or is unknown.
+struct SingularityCrossing {
+  enum class Kind {
+    passed,        ///< a singular position was passed: a block's determinant has changed its sign
+    jumped,        ///< the later instant is not what the motion from the earlier one leads to
+    not_declared,  ///< assembled with other signs of determinants than the estimate has, or too far
+                   ///< from it for these to mean anything
+  };
+  double after, before;  ///< the ends of the interval [s]
+  GroupId group;
+  Kind kind;
+};
+
 /// An instant that conditioning does not let be as right as its tolerance asks for.
 struct Degradation {
   int index;

@@ -29,20 +29,22 @@ void BranchSigns::declare(const Instant& first) {
   signs_.assign(declared.begin(), declared.end());
 }
 
-std::optional<Crossing> BranchSigns::at_first(const Instant& instant, const Assessment& assessment,
-                                              double sensitivity) {
-  const std::optional<Crossing> other = change(instant.time, {});
+std::optional<SingularityCrossing> BranchSigns::at_first(const Instant& instant,
+                                                         const Assessment& assessment,
+                                                         double sensitivity) {
+  const std::optional<SingularityCrossing> other = change(instant.time, {});
   if (is_near_estimate(instant, assessment.condition, sensitivity)) return other;
-  return Crossing{instant.time, instant.time, assessment.group, Crossing::Kind::not_declared};
+  return SingularityCrossing{instant.time, instant.time, assessment.group,
+                             SingularityCrossing::Kind::not_declared};
 }
 
-std::optional<Crossing> BranchSigns::change(double time, std::optional<double> since) {
+std::optional<SingularityCrossing> BranchSigns::change(double time, std::optional<double> since) {
   const auto now = system_.orientation();
-  std::optional<Crossing> found;
+  std::optional<SingularityCrossing> found;
   for (std::size_t b = 0; b < signs_.size() && !found; ++b)
     if (now[b] != signs_[b])
       found = {since.value_or(time), time, system_.group_of_block(static_cast<int>(b)),
-               since ? Crossing::Kind::passed : Crossing::Kind::not_declared};
+               since ? SingularityCrossing::Kind::passed : SingularityCrossing::Kind::not_declared};
   signs_.assign(now.begin(), now.end());
   return found;
 }

@@ -7,7 +7,6 @@
 #include "formulations/base/observer.h"
 #include "formulations/model/model.h"
 #include "formulations/verification/monitor/assessment.h"
-#include "formulations/verification/monitor/crossing.h"
 #include "formulations/verification/monitor/scaled_system.h"
 
 namespace desmo {
@@ -25,17 +24,19 @@ class BranchSigns {
 
   /// Returns the crossing that an assessed instant shows; the system has its factors. sensitivity:
   /// the largest to any driver (SensitivityMonitor::largest).
-  std::optional<Crossing> at_first(const Instant& instant, const Assessment& assessment,
-                                   double sensitivity);
+  std::optional<SingularityCrossing> at_first(const Instant& instant, const Assessment& assessment,
+                                              double sensitivity);
   /// After an interval that was left out.
-  std::optional<Crossing> after_gap(const Instant& instant) { return change(instant.time, {}); }
+  std::optional<SingularityCrossing> after_gap(const Instant& instant) {
+    return change(instant.time, {});
+  }
   /// last: the time of the instant assessed before [s].
-  std::optional<Crossing> since(double last, const Instant& instant) {
+  std::optional<SingularityCrossing> since(double last, const Instant& instant) {
     return change(instant.time, last);
   }
 
  private:
-  std::optional<Crossing> change(double time, std::optional<double> since);
+  std::optional<SingularityCrossing> change(double time, std::optional<double> since);
   bool is_near_estimate(const Instant& instant, double condition, double sensitivity) const;
 
   const Model& model_;

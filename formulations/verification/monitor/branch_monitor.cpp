@@ -1,4 +1,4 @@
-#include "formulations/verification/branch_monitor.h"
+#include "formulations/verification/monitor/branch_monitor.h"
 
 #include <algorithm>
 #include <array>
@@ -9,46 +9,47 @@ namespace desmo {
 
 namespace {
 
-/// Of what an equation adds up, by which it may be off: what rounding, or so many times a coarse
-/// tolerance, leaves, and less than another branch does.
-constexpr double least = 1e-6, of_tolerance = 1e3, most = 0.1;
+/// Limits of an equation's error relative to the sum of its terms: more than rounding, or a coarse
+/// tolerance times `per_tolerance`, leaves, and less than another branch does.
+constexpr double min_allowed = 1e-6, per_tolerance = 1e3, max_allowed = 0.1;
 
-bool is_watched(const Constraint& constraint) {
+bool is_checked(const Constraint& constraint) {
   bool modulo_pi = false;
   visit_kind(constraint.kind, [&]<class Kind>(Kind) { modulo_pi = holds_modulo_pi<Kind>; });
   return modulo_pi || constraint.left_out != 0;
 }
 
-bool is_solved_to(const Plan& plan, const Constraint& constraint, Level level) {
-  return std::ranges::all_of(constraint.operands, [&](EntityId id) {
-    const Entity& e = plan.model.entities[id];
-    return e.fixed || plan.levels[e.first] >= level;
-  });
+bool is_solved_to(const Model& m, std::span<const Level> solved, const Constraint& constraint,
+                  Level level) {
+  return solved.empty() || std::ranges::all_of(constraint.operands, [&](EntityId id) {
+           return m.entities[id].fixed || solved[m.entities[id].first] >= level;
+         });
 }
 
 }  // namespace
 
-BranchMonitor::BranchMonitor(const Plan& plan, double tolerance)
-    : plan_(plan),
-      allowed_(std::clamp(of_tolerance * tolerance, least, most)),
-      state_(plan.model.state_size()),
-      rate_(plan.model.state_size()),
-      last_(plan.model.estimate),
-      driven_(independent_coordinates(plan.model)) {
-  const Model& m = plan.model;
+BranchMonitor::BranchMonitor(const Model& m, std::span<const Level> levels, double tolerance)
+    : model_(m),
+      levels_(levels.begin(), levels.end()),
+      allowed_(std::clamp(per_tolerance * tolerance, min_allowed, max_allowed)),
+      state_(m.state_size()),
+      rate_(m.state_size()),
+      last_(m.estimate),
+      driven_(independent_coordinates(m)) {
   std::ranges::copy(m.fixed_values, state_.begin() + m.coordinates());
   for (int c = 0; c < static_cast<int>(m.constraints.size()); ++c)
-    if (is_watched(m.constraints[c])) watched_.push_back(c);
+    if (is_checked(m.constraints[c])) checked_.push_back(c);
 }
 
 int BranchMonitor::violated(const Instant& instant) {
-  if (watched_.empty() || instant.interpolated) return -1;
-  const Model& m = plan_.model;
+  if (checked_.empty() || instant.interpolated) return -1;
+  const Model& m = model_;
   std::ranges::copy(instant.q, state_.begin());
   std::ranges::copy(instant.qd, rate_.begin());
-  for (const int c : watched_) {
+  for (const int c : checked_) {
     const Constraint& constraint = m.constraints[c];
-    const bool has_rate = !instant.qd.empty() && is_solved_to(plan_, constraint, Level::velocity);
+    const bool has_rate =
+        !instant.qd.empty() && is_solved_to(m, levels_, constraint, Level::velocity);
     bool holds = true;
     visit_kind(constraint.kind, [&]<class Kind>(Kind) {
       std::array<const double*, Kind::operand_sizes.size()> x;

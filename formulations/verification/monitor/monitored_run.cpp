@@ -1,11 +1,11 @@
-#include "formulations/verification/monitor/safe_run.h"
+#include "formulations/verification/monitor/monitored_run.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
 #include "formulations/prediction/driver_source.h"
-#include "formulations/verification/monitor/monitored_observer.h"
+#include "formulations/verification/monitor/branch_monitor.h"
 
 namespace desmo {
 
@@ -14,28 +14,31 @@ namespace {
 /// To which the ends of an interval that cannot be assembled are found, s.
 constexpr double bracket = 1e-9;
 
-/// What a watch has to know of a formulation.
-Watch::Options with_pivots(Watch::Options options, const Formulation& f) {
+AccuracyMonitorOptions monitor_options(const MonitoredRunOptions& options, const Formulation& f) {
+  AccuracyMonitorOptions result = options;
   const auto reuses = [](const DefinedPart& part) { return part.solver->reuses_pivots(); };
-  options.reuses_pivots |= std::ranges::any_of(f.parts(), reuses);
-  return options;
+  result.reuses_pivots |= std::ranges::any_of(f.parts(), reuses);
+  if (options.strict) result.every = 1;
+  return result;
 }
 
-/// One run, stretch by stretch between the intervals that cannot be assembled.
-class Run {
+/// One run, in spans between the intervals that cannot be assembled. As an observer of the
+/// formulation it hands on what the monitors let pass, and stops the run otherwise.
+class Run final : Observer {
  public:
   Run(Formulation& formulation, const TimeGrid& grid, const Request& request, Observer& observer,
-      const SafetyOptions& options)
+      const MonitoredRunOptions& options)
       : formulation_(formulation),
         grid_(grid),
         request_(request),
         options_(options),
-        watch_(formulation.model(), grid, with_pivots(options, formulation)),
-        observer_(watch_, options_, {request, formulation.model().coordinates()}, observer,
-                  summary_) {}
+        accuracy_(formulation.model(), grid, monitor_options(options, formulation)),
+        branch_(formulation.model(), options.levels, options.tolerance),
+        output_(request, formulation.model().coordinates()),
+        next_(observer) {}
 
-  SafeSummary operator()() {
-    const Summary ran = formulation_.run(grid_, request_, observer_);
+  MonitoredSummary operator()() {
+    const Summary ran = formulation_.run(grid_, request_, *this);
     if (!ran.stopped) static_cast<Summary&>(summary_) = ran;  // or the observer has said why
     tried_ = static_cast<int>(summary_.instants);             // all before it were handed on
     if (!summary_.ok() && grid_.time(tried_) < summary_.time) {
@@ -48,16 +51,40 @@ class Run {
       go_on(again, From::estimate);
       measure_assembly_error();
     }
-    summary_.condition = watch_.condition();
-    summary_.bound = watch_.bound();
-    summary_.assessed = watch_.assessed();
-    summary_.corrected = watch_.corrected();
-    summary_.degraded = watch_.degraded();
-    summary_.first_degraded = watch_.first_degraded();
+    summary_.condition = accuracy_.condition();
+    summary_.bound = accuracy_.bound();
+    summary_.assessed = accuracy_.assessed();
+    summary_.corrected = accuracy_.corrected();
+    summary_.degraded = accuracy_.degraded();
+    summary_.first_degraded = accuracy_.first_degraded();
     return summary_;
   }
 
  private:
+  Flow observe(const Instant& instant) noexcept override {
+    const MonitoredInstant m = accuracy_.examine(instant);
+    summary_.time = instant.time;
+    if (m.assessment.singular) {
+      // What was interpolated is nowhere near a solution.
+      summary_.status = instant.interpolated ? Status::not_converged : Status::singular;
+      summary_.group = m.assessment.group;
+      summary_.constraint = -1;
+      summary_.residual = instant.interpolated ? INFINITY : instant.residual;
+      return Flow::stop;
+    }
+    if (m.crossing && !summary_.crossing) summary_.crossing = m.crossing;
+    summary_.refused = options_.strict && (m.degraded || m.crossing);
+    summary_.violated = branch_.violated(m.instant);
+    if (summary_.refused || summary_.violated >= 0) return Flow::stop;
+    summary_.updates += instant.updates;
+    summary_.residual = max_residual_ = std::max(max_residual_, instant.residual);
+    if (options_.monitored) options_.monitored(m);
+    const Flow flow = output_.hand_over(m.instant, next_);
+    ++summary_.instants;
+    summary_.stopped = flow == Flow::stop;
+    return flow;
+  }
+
   /// Whether the run ended between two instants that could be solved.
   bool was_interpolated() const { return summary_.residual == INFINITY; }
 
@@ -91,9 +118,9 @@ class Run {
     summary_.gaps.push_back(gap);
     summary_.status = Status::converged;
     summary_.group = summary_.constraint = -1;
-    summary_.residual = observer_.max_residual();
+    summary_.residual = max_residual_;
     summary_.assembly_error.reset();
-    watch_.resume();
+    accuracy_.resume();
     return again;
   }
 
@@ -131,24 +158,28 @@ class Run {
                             request_.level >= Level::acceleration ? formulation_.qdd() : none,
                             s.updates,
                             s.residual};
-      if (observer_.observe(instant) == Flow::stop) return;
+      if (observe(instant) == Flow::stop) return;
     }
   }
 
   Formulation& formulation_;
   const TimeGrid grid_;
   const Request request_;
-  const SafetyOptions options_;
-  SafeSummary summary_{};
-  Watch watch_;
-  MonitoredObserver observer_;
-  int tried_ = 0;  // the instant tried last
+  const MonitoredRunOptions options_;
+  MonitoredSummary summary_{};
+  AccuracyMonitor accuracy_;
+  BranchMonitor branch_;
+  const OutputWriter output_;
+  Observer& next_;
+  double max_residual_ = 0;  // of the instants handed on
+  int tried_ = 0;            // the instant tried last
 };
 
 }  // namespace
 
-SafeSummary run_safely(Formulation& formulation, const TimeGrid& grid, const Request& request,
-                       Observer& observer, const SafetyOptions& options) {
+MonitoredSummary run_monitored(Formulation& formulation, const TimeGrid& grid,
+                               const Request& request, Observer& observer,
+                               const MonitoredRunOptions& options) {
   return Run(formulation, grid, request, observer, options)();
 }
 

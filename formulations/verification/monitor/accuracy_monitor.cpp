@@ -1,4 +1,4 @@
-#include "formulations/verification/monitor/watch.h"
+#include "formulations/verification/monitor/accuracy_monitor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,9 +33,9 @@ constexpr double shown_by = 10;
 
 }  // namespace
 
-struct Watch::State {
+struct AccuracyMonitor::State {
   const Model& model;
-  const Options options;
+  const AccuracyMonitorOptions options;
   const Limits limits;
   Assessor assessor;
   RunningScales scales;
@@ -58,7 +58,7 @@ struct Watch::State {
   Degradations degradations;
   long assessed = 0, corrected = 0;
 
-  State(const Model& m, const TimeGrid& grid, const Options& o)
+  State(const Model& m, const TimeGrid& grid, const AccuracyMonitorOptions& o)
       : model(m),
         options(o),
         limits(o.tolerance),
@@ -74,14 +74,14 @@ struct Watch::State {
 
   bool has(Monitor monitor) const { return !(options.without & static_cast<unsigned>(monitor)); }
 
-  Judgement judge(const Instant& instant) {
-    Judgement j{instant};
+  MonitoredInstant examine(const Instant& instant) {
+    MonitoredInstant j{instant};
     const double growth = growth_at(instant);
     const double residual = has(Monitor::residual) ? instant.residual : 0;
     const Assessment expected = expectation(growth, residual);
     const Statement statement = state(instant, expected);
     const bool in_doubt = is_in_doubt(instant);
-    std::optional<Crossing> jump;
+    std::optional<SingularityCrossing> jump;
     if (in_doubt && !instant.interpolated) jump = find_jump(instant);
     const bool known_before = rates_are_known();
     // A doubt that shorter steps have argued away is one: next to where solutions meet they too
@@ -162,11 +162,12 @@ struct Watch::State {
     return has(Monitor::continuity) && continuity.in_doubt(instant, sensitivity.weights());
   }
 
-  std::optional<Crossing> find_jump(const Instant& instant) {
+  std::optional<SingularityCrossing> find_jump(const Instant& instant) {
     const auto jump = continuity.find_jump(instant, sensitivity.weights(), assessor);
     if (!jump) return {};
-    return Crossing{jump->after, jump->before, model.entities[entity[jump->coordinate]].group,
-                    Crossing::Kind::jumped};
+    return SingularityCrossing{jump->after, jump->before,
+                               model.entities[entity[jump->coordinate]].group,
+                               SingularityCrossing::Kind::jumped};
   }
 
   void look_at_scales(const Instant& instant) {
@@ -178,7 +179,7 @@ struct Watch::State {
     degradations.rescale(before, scales.now());
   }
 
-  void assess(Judgement& j, double growth, double residual) {
+  void assess(MonitoredInstant& j, double growth, double residual) {
     if (!started && has(Monitor::orientation)) signs.declare(j.instant);
     last = assessor(j.instant, scales.with(j.instant));
     const Assessment given = last;
@@ -212,7 +213,7 @@ struct Watch::State {
 
   /// Whether it has become better. What was interpolated, and is not even near a solution, is
   /// solved.
-  bool improve(Judgement& j) {
+  bool improve(MonitoredInstant& j) {
     if (j.instant.interpolated && exceeds(last.bound, limits.degraded)) {
       if (const auto solved = continuity.solve_anew(j.instant, sensitivity.weights(), assessor))
         return j.solved_anew = take_if_better(j.instant, *solved);
@@ -238,7 +239,7 @@ struct Watch::State {
     return share;
   }
 
-  std::optional<Crossing> crossing(const Instant& instant) {
+  std::optional<SingularityCrossing> crossing(const Instant& instant) {
     if (!has(Monitor::orientation)) return {};
     return !started    ? signs.at_first(instant, last, sensitivity.largest())
            : after_gap ? signs.after_gap(instant)
@@ -246,20 +247,25 @@ struct Watch::State {
   }
 };
 
-Watch::Watch(const Model& m, const TimeGrid& grid, const Options& options)
+AccuracyMonitor::AccuracyMonitor(const Model& m, const TimeGrid& grid,
+                                 const AccuracyMonitorOptions& options)
     : state_(std::make_unique<State>(m, grid, options)) {}
-Watch::~Watch() = default;
+AccuracyMonitor::~AccuracyMonitor() = default;
 
-Watch::Judgement Watch::judge(const Instant& instant) { return state_->judge(instant); }
-void Watch::resume() {
+MonitoredInstant AccuracyMonitor::examine(const Instant& instant) {
+  return state_->examine(instant);
+}
+void AccuracyMonitor::resume() {
   state_->after_gap = true;
   state_->continuity.forget();
 }
-long Watch::assessed() const { return state_->assessed; }
-long Watch::corrected() const { return state_->corrected; }
-double Watch::condition() const { return state_->condition; }
-const PerLevel<double>& Watch::bound() const { return state_->worst; }
-long Watch::degraded() const { return state_->degradations.count(); }
-std::optional<Degradation> Watch::first_degraded() const { return state_->degradations.first(); }
+long AccuracyMonitor::assessed() const { return state_->assessed; }
+long AccuracyMonitor::corrected() const { return state_->corrected; }
+double AccuracyMonitor::condition() const { return state_->condition; }
+const PerLevel<double>& AccuracyMonitor::bound() const { return state_->worst; }
+long AccuracyMonitor::degraded() const { return state_->degradations.count(); }
+std::optional<Degradation> AccuracyMonitor::first_degraded() const {
+  return state_->degradations.first();
+}
 
 }  // namespace desmo
