@@ -29,64 +29,101 @@ struct PartResult {
   double residual2 = 0;  ///< ‖Φ‖₂² of the part's equations, each over its magnitude, at the end
 };
 
-/// Parts of one formulation, one behind the other, of which many are solved in one call as long as
+/// Coordinates that a part reads.
+struct PartInputs {
+  /// Unknowns of its own, ascending, whose predicted position solve() starts from.
+  std::vector<int> predicted;
+  /// Other unknowns of its own, ascending: angles in closed form, unwrapped to within half a turn
+  /// of their last values.
+  std::vector<int> unwrapped;
+  std::vector<int> others;  ///< coordinates, not its own, that it reads in the state
+  /// Driven coordinates that it takes from the driver row, in the order of the row, as often as
+  /// they stand there. Where no step was begun, solve() reads them in the state.
+  std::vector<int> drivers;
+};
+
+/// Where the results of the parts go in a run.
+struct PartOutputs {
+  /// For each position in the state, whether it is read there by other parts, by the prediction, or
+  /// by an observer that lends no memory.
+  const std::vector<bool>& observed;
+  /// For each position in the state its place in the outputs that an observer lends, or −1. A part
+  /// sets to −1 what it delivers itself. Empty: none are lent.
+  std::span<int> places;
+  Level level;  ///< the highest at which anyone asks for the part's unknowns
+};
+
+/// Parts of one formulation that follow each other, of which many are solved in one call as long as
 /// each finds its solution at once.
-class PartRun {
+class PartChain {
  public:
   struct Result {
-    int solved = 0;      ///< how many, up to the first that has to be solved by itself
+    int solved = 0;      ///< members, up to the first that has to be solved by itself
     int iterations = 0;  ///< the most of any of them …
     long all = 0;        ///< … and of all together
     double residual2 = 0;
   };
 
-  virtual ~PartRun() = default;
+  virtual ~PartChain() = default;
   virtual int size() const = 0;
   /// Solves members from `first` on, each as its own solve() would.
   virtual Result solve(State& state, int first, Level level) = 0;
-  /// What members keep from earlier steps no longer holds: it was said to each of them, too.
+  /// Voids what members keep from earlier steps; each of them is told, too.
   virtual void forget() = 0;
 };
 
-class Keeper;
+struct MotionRow;
+struct OutputView;
+struct StepHistory;
 
 /// Solves its unknowns, given those of all earlier parts. Owns its workspace; never touches the
 /// heap after its construction, apart from what a library does inside.
+///
+/// A scalar part leaves what it finds in the state. A resident part (a batch) keeps it in a layout
+/// of its own from one instant to the next, predicts from there, and writes to the state only what
+/// is observed there; the functions from bind() to restore() are for it, and do nothing in others.
 class Part {
  public:
   virtual ~Part() = default;
 
   /// Solves position, velocity and acceleration of the part's unknowns, up to `level`. Overwrites
-  /// these in `state`; on failure they are unspecified. The initial guess is the positions in
-  /// state.q of those that starts_from() names, and there are the last ones of those that
-  /// stays_near() names; those of the others are not read. last: positions as in state.q, of the
-  /// instant before or of an estimate, for who has to start anew.
+  /// these in `state`; on failure they are unspecified. Of its unknowns it reads in state.q what
+  /// inputs() names, as predicted or last. last: positions as in state.q, of the instant before or
+  /// of an estimate, from which a part starts that has to start anew.
   virtual PartResult solve(State& state, std::span<const double> last, Level level) = 0;
 
-  /// Those of its unknowns, ascending, of which solve() reads the position in the state: what a
-  /// guess is needed for.
-  virtual std::vector<int> starts_from(const std::vector<int>& unknowns) const { return unknowns; }
+  /// Returns what solve() reads. equations: all unknowns, as predicted, and what the equations read
+  /// of others.
+  virtual PartInputs inputs(PartInputs equations) const { return equations; }
 
-  /// Others of its unknowns, ascending: angles in closed form, which lie within half a turn of the
-  /// last ones.
-  virtual std::vector<int> stays_near() const { return {}; }
+  virtual bool is_resident() const { return false; }
+  /// Fixes, before a run, where results go. Until then all are written to the state.
+  virtual void bind(const PartOutputs& outputs) { static_cast<void>(outputs); }
+  /// Begins a step. history: of the instants solved, the last of which the part keeps; where it is
+  /// unknown, as after a failure, solve() starts from the positions in the state, which are then
+  /// complete, and leaves all of them there. row: begins with inputs().drivers at the instant to
+  /// come.
+  virtual void begin_step(const StepHistory& history, const MotionRow& row) {
+    static_cast<void>(history), static_cast<void>(row);
+  }
+  /// Writes the instant solved last to an output, up to `level`, as bound.
+  virtual void deliver(const OutputView& output, Level level) const {
+    static_cast<void>(output), static_cast<void>(level);
+  }
+  /// Writes the instant solved last to the state: unknowns, and drivers taken from the row.
+  virtual void store(State& state) const { static_cast<void>(state); }
+  /// Writes positions of the instant before the one solved last, or tried; nothing where that one
+  /// was not predicted from it.
+  virtual void restore(std::span<double> q) const { static_cast<void>(q); }
 
-  /// Of its unknowns only these are read by others between one instant and the next; of the rest
-  /// solve() may leave velocities and accelerations in the state as they were, and positions where
-  /// a keeper has predicted them. read: of each coordinate. Until then all are.
-  virtual void write_only(const std::vector<bool>& read) { static_cast<void>(read); }
-
-  /// This part where it keeps what it finds (see keeper.h), or null.
-  virtual Keeper* keeper() { return nullptr; }
-
-  /// A run of as many of these, which begin with this one, as can be solved in one call; null where
-  /// that is not worth while.
-  virtual std::unique_ptr<PartRun> make_run(std::span<Part* const> parts) {
+  /// Makes a chain of the first of `parts`, this one and as many as can be solved in one call; null
+  /// where that is not worth while.
+  virtual std::unique_ptr<PartChain> make_chain(std::span<Part* const> parts) {
     static_cast<void>(parts);
     return nullptr;
   }
 
-  /// How often an order of pivots that is meant to last, of the factorisation before or of
+  /// Returns how often an order of pivots that is meant to last, of the factorisation before or of
   /// generated code, had gone bad, and pivots were chosen anew.
   virtual long refactorisations() const { return 0; }
 
@@ -96,7 +133,7 @@ class Part {
 
   /// Voids what earlier steps left behind: the next solve() starts from an estimate.
   virtual void forget() {}
-  /// Says that the assembly is over, which began with forget(): what follows are steps.
+  /// Tells that the assembly is over, which began with forget(): what follows are steps.
   virtual void end_assembly() {}
 };
 

@@ -22,7 +22,7 @@ Members members_of(const Copy& copy) {
 std::vector<int> states_of(std::span<const ExplicitPart* const> copy) {
   std::set<int> states;
   for (const ExplicitPart* const part : copy)
-    states.insert(part->inputs().begin(), part->inputs().end());
+    states.insert(part->places().begin(), part->places().end());
   return {states.begin(), states.end()};
 }
 
@@ -37,9 +37,9 @@ std::optional<std::vector<int>> places_in(std::span<const ExplicitPart* const> o
                                           std::span<const int> states) {
   std::vector<int> places(states.size(), -1);
   for (std::size_t j = 0; j < first.size(); ++j)
-    for (std::size_t i = 0; i < first[j]->inputs().size(); ++i) {
-      int& place = places[position_in(states, first[j]->inputs()[i])];
-      const int state = other[j]->inputs()[i];
+    for (std::size_t i = 0; i < first[j]->places().size(); ++i) {
+      int& place = places[position_in(states, first[j]->places()[i])];
+      const int state = other[j]->places()[i];
       if (place >= 0 && place != state) return std::nullopt;
       place = state;
     }
@@ -69,16 +69,16 @@ LaneBatch::LaneBatch(std::span<Copy> copies, const CopyKernels& kernels,
   for (std::size_t l = 0; l < lanes_; ++l)
     places_.push_back(places_in(members_of(copy_in(l)), first, states).value());
 
-  std::set<int> read, unknowns, near;  // before any part has written them; written
+  std::set<int> read, unknowns, unwrapped;  // before any part has written them; written
   for (std::size_t j = 0; j < kernels.size(); ++j) {
     std::vector<ExplicitPart*> members;
     for (std::size_t l = 0; l < lanes_; ++l) members.push_back(copy_in(l)[j].get());
     std::vector<int> in;
-    for (const int state : first[j]->inputs()) in.push_back(position_in(states, state));
+    for (const int state : first[j]->places()) in.push_back(position_in(states, state));
     for (const int i : kernels[j]->read)
       if (!unknowns.contains(in[i])) read.insert(in[i]);
     for (const int i : kernels[j]->unknowns) unknowns.insert(in[i]);
-    for (const int i : first[j]->kernel().angles) near.insert(in[i]);
+    for (const int i : first[j]->kernel().angles) unwrapped.insert(in[i]);
     stages_.emplace_back(*kernels[j], std::move(members), std::move(in));
   }
   std::vector<int> once, moving, starts;
@@ -99,8 +99,8 @@ LaneBatch::LaneBatch(std::span<Copy> copies, const CopyKernels& kernels,
   starts_ = LaneSources(starts, places_);
   unknowns_.assign(unknowns.begin(), unknowns.end());
   std::ranges::set_union(unknowns_, driven_, std::back_inserter(own_));
-  near_.assign(near.begin(), near.end());
-  std::erase_if(starts, [&](int n) { return near.contains(n); });
+  unwrapped_.assign(unwrapped.begin(), unwrapped.end());
+  std::erase_if(starts, [&](int n) { return unwrapped.contains(n); });
   std::vector<IndexRange> runs = runs_of(starts);
   for (IndexRange& run : runs)
     run = {run.first * static_cast<int>(lanes_), run.end * static_cast<int>(lanes_)};
@@ -109,7 +109,7 @@ LaneBatch::LaneBatch(std::span<Copy> copies, const CopyKernels& kernels,
   for (LaneState* s : {now_, before_})
     for (LaneValues* values : {&s->q, &s->qd, &s->qdd}) values->resize(states.size() * lanes_);
   residuals2_.resize(stages_.size() * max_lanes);
-  write_only(std::vector<bool>(kinds.size(), true));
+  bind({std::vector<bool>(kinds.size(), true), {}, Level::acceleration});
 }
 
 std::vector<int> LaneBatch::drivers() const {
@@ -139,7 +139,8 @@ void LaneBatch::begin_step(const StepHistory& history, const MotionRow& row) {
   if (predicted_) {
     std::swap(now_, before_);
     if (!predictor_.empty()) predictor_(history, *before_, *now_, now_->q.data());
-    for (const int n : near_) std::copy_n(&before_->q[n * lanes_], lanes_, &now_->q[n * lanes_]);
+    for (const int n : unwrapped_)
+      std::copy_n(&before_->q[n * lanes_], lanes_, &now_->q[n * lanes_]);
   }
   lanes_ == 8 ? drive<8>(row) : drive<4>(row);
   is_driven_ = true;
@@ -195,14 +196,14 @@ void LaneBatch::take(const State& s) {
   kept_ = true;
 }
 
-void LaneBatch::write_read(State& s, Level level) const {
+void LaneBatch::write_observed(State& s, Level level) const {
   if (!predicted_)
     for (std::size_t l = 0; l < copies_.size(); ++l)
       for_numbers(own_, l, [&](std::size_t in_lane, int place) { s.q[place] = now_->q[in_lane]; });
-  scatter(read_, level, {predicted_ ? s.q.data() : nullptr, s.qd.data(), s.qdd.data()});
+  scatter(observed_, level, {predicted_ ? s.q.data() : nullptr, s.qd.data(), s.qdd.data()});
 }
 
-void LaneBatch::write(std::span<const int> numbers, std::size_t copy, State& s) const {
+void LaneBatch::store(std::span<const int> numbers, std::size_t copy, State& s) const {
   for_numbers(numbers, copy, [&](std::size_t in_lane, int place) {
     s.q[place] = now_->q[in_lane];
     s.qd[place] = now_->qd[in_lane];
@@ -210,30 +211,30 @@ void LaneBatch::write(std::span<const int> numbers, std::size_t copy, State& s) 
   });
 }
 
-void LaneBatch::write_last(std::size_t copy, std::span<double> q) const {
+void LaneBatch::restore(std::size_t copy, std::span<double> q) const {
   for_numbers(own_, copy, [&](std::size_t in_lane, int place) { q[place] = before_->q[in_lane]; });
 }
 
-void LaneBatch::write_only(const std::vector<bool>& read) {
-  std::vector<int> slots(read.size());
-  for (std::size_t i = 0; i < read.size(); ++i) slots[i] = read[i] ? static_cast<int>(i) : -1;
-  read_ = targets(unknowns_, slots);
+void LaneBatch::bind(const PartOutputs& outputs) {
+  std::vector<int> in_state(outputs.observed.size());
+  for (std::size_t i = 0; i < in_state.size(); ++i)
+    in_state[i] = outputs.observed[i] ? static_cast<int>(i) : -1;
+  observed_ = targets(unknowns_, in_state);
+  // What is solved to a lower level has drivers up to that only.
+  if (!outputs.places.empty())
+    delivered_ = targets(outputs.level == Level::acceleration ? own_ : unknowns_, outputs.places);
 }
 
-void LaneBatch::prepare_outputs(std::span<int> slots, bool drivers_too) {
-  asked_ = targets(drivers_too ? own_ : unknowns_, slots);
-}
-
-/// Each slot once: it becomes −1.
-LaneTargets LaneBatch::targets(std::span<const int> numbers, std::span<int> slots) const {
+/// Each place once: it becomes −1.
+LaneTargets LaneBatch::targets(std::span<const int> numbers, std::span<int> places) const {
   LanePlaces to(lanes_, std::vector<int>(places_.front().size(), -1));
   for (std::size_t l = 0; l < copies_.size(); ++l)
-    for (const int n : numbers) to[l][n] = std::exchange(slots[places_[l][n]], -1);
+    for (const int n : numbers) to[l][n] = std::exchange(places[places_[l][n]], -1);
   return {numbers, to, copies_.size()};
 }
 
-void LaneBatch::fill(const OutputView& output, Level level) const {
-  scatter(asked_, level, output);
+void LaneBatch::deliver(const OutputView& output, Level level) const {
+  scatter(delivered_, level, output);
 }
 
 void LaneBatch::scatter(const LaneTargets& targets, Level level, const OutputView& to) const {

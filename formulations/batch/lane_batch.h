@@ -42,9 +42,11 @@ class LaneBatch {
   std::span<Copy> copies() const { return copies_; }
   unsigned all() const { return (1u << copies_.size()) - 1; }
 
-  /// See Keeper.
+  /// See PartInputs.
   std::vector<int> drivers() const;
   std::vector<int> reads() const;
+  /// See Part.
+  void bind(const PartOutputs& outputs);
   void begin_step(const StepHistory& history, const MotionRow& row);
   /// So many numbers of the row are those of its drivers.
   std::size_t in_row() const { return driven_.size() * lanes_; }
@@ -58,25 +60,22 @@ class LaneBatch {
   /// Takes what the copies have found by themselves.
   void take(const State& state);
 
-  /// What others read in the state, as far as `level`; without prediction all positions.
-  void write_read(State& state, Level level) const;
-  void write_only(const std::vector<bool>& read);
-  /// All of one copy.
-  void write(std::size_t copy, State& state) const { write(own_, copy, state); }
-  /// Its drivers, which it reads in the state when it is solved alone.
-  void write_driven(std::size_t copy, State& state) const { write(driven_, copy, state); }
-  /// Positions of the instant before.
-  void write_last(std::size_t copy, std::span<double> q) const;
+  void deliver(const OutputView& output, Level level) const;
 
-  /// See Keeper.
-  void prepare_outputs(std::span<int> slots, bool drivers_too);
-  void fill(const OutputView& output, Level level) const;
+  /// Writes what is observed in the state, as far as `level`; without prediction all positions.
+  void write_observed(State& state, Level level) const;
+  /// Writes all of one copy.
+  void store(std::size_t copy, State& state) const { store(own_, copy, state); }
+  /// Writes its drivers, which it reads in the state when it is solved alone.
+  void store_drivers(std::size_t copy, State& state) const { store(driven_, copy, state); }
+  /// Writes its positions of the instant before.
+  void restore(std::size_t copy, std::span<double> q) const;
 
  private:
-  LaneTargets targets(std::span<const int> numbers, std::span<int> slots) const;
+  LaneTargets targets(std::span<const int> numbers, std::span<int> places) const;
   template <std::size_t lanes>
   void drive(MotionRow row);
-  void write(std::span<const int> numbers, std::size_t copy, State& state) const;
+  void store(std::span<const int> numbers, std::size_t copy, State& state) const;
   void scatter(const LaneTargets& targets, Level level, const OutputView& to) const;
   template <class Visit>
   void for_numbers(std::span<const int> numbers, std::size_t lane, Visit&& visit) const;
@@ -90,8 +89,8 @@ class LaneBatch {
   LaneSources constants_, moving_;      // of others: once, and in every step
   LaneSources undriven_;                // of drivers, where no step was begun
   LaneSources starts_;                  // of its own
-  std::vector<int> near_;               // of these, angles that stay near the last
-  LaneTargets read_, asked_;
+  std::vector<int> unwrapped_;          // of these, angles that start at their last value
+  LaneTargets observed_, delivered_;
   std::unique_ptr<std::array<LaneState, 2>> states_;  // these two, in turn
   LaneState *now_, *before_;
   Predictor predictor_;

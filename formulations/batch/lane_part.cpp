@@ -56,17 +56,17 @@ void LanePart::solve(LaneBatch& batch, State& s, std::span<const double> last, L
   result.all.residual2 += residual2;
   result.all.iterations = std::max(result.all.iterations, step.iterations);
   if (step.accepted == batch.all()) [[likely]]
-    return batch.write_read(s, level);
+    return batch.write_observed(s, level);
 
   std::ranges::copy(last, last_.begin());
   for (std::size_t l = 0; l < batch.copies().size(); ++l) {
     if (batch.predicted()) {
-      batch.write_last(l, last_);
-      batch.write_last(l, s.q);
+      batch.restore(l, last_);
+      batch.restore(l, s.q);
     }
-    batch.write_driven(l, s);
+    batch.store_drivers(l, s);
     if (step.accepted >> l & 1)
-      batch.write(l, s);
+      batch.store(l, s);
     else
       solve_alone(batch.copies()[l], s, last_, level, result);
   }
@@ -83,48 +83,29 @@ void LanePart::solve_alone(Copy& copy, State& s, std::span<const double> last, L
   }
 }
 
-std::vector<int> LanePart::starts_from(const std::vector<int>& unknowns) const {
-  std::vector<int> all;
+PartInputs LanePart::inputs(PartInputs) const {
+  PartInputs all;
+  const auto append = [](const auto& from, std::vector<int>& to) {
+    std::ranges::copy(from, std::back_inserter(to));
+  };
+  for (const LaneBatch& batch : batches_) {
+    append(batch.drivers(), all.drivers);
+    append(batch.reads(), all.others);
+  }
   if (left_over_)
-    for (const auto& member : *left_over_)
-      std::ranges::copy(member->starts_from(unknowns), std::back_inserter(all));
-  std::ranges::sort(all);
+    for (const auto& member : *left_over_) {
+      const PartInputs inputs = member->inputs({});
+      append(inputs.predicted, all.predicted);
+      append(inputs.unwrapped, all.unwrapped);
+      append(member->places(), all.others);
+    }
+  std::ranges::sort(all.predicted);
+  std::ranges::sort(all.unwrapped);
   return all;
 }
 
-std::vector<int> LanePart::stays_near() const {
-  std::vector<int> all;
-  if (left_over_)
-    for (const auto& member : *left_over_)
-      std::ranges::copy(member->stays_near(), std::back_inserter(all));
-  std::ranges::sort(all);
-  return all;
-}
-
-void LanePart::write_only(const std::vector<bool>& read) {
-  for (LaneBatch& batch : batches_) batch.write_only(read);
-}
-
-void LanePart::forget() {
-  for (LaneBatch& batch : batches_) batch.forget();
-  for (const Copy& copy : copies_)
-    for (const auto& member : copy) member->forget();
-}
-
-std::vector<int> LanePart::drivers() const {
-  std::vector<int> all;
-  for (const LaneBatch& batch : batches_)
-    std::ranges::copy(batch.drivers(), std::back_inserter(all));
-  return all;
-}
-
-std::vector<int> LanePart::reads() const {
-  std::vector<int> all;
-  for (const LaneBatch& batch : batches_) std::ranges::copy(batch.reads(), std::back_inserter(all));
-  if (left_over_)
-    for (const auto& member : *left_over_)
-      std::ranges::copy(member->inputs(), std::back_inserter(all));
-  return all;
+void LanePart::bind(const PartOutputs& outputs) {
+  for (LaneBatch& batch : batches_) batch.bind(outputs);
 }
 
 void LanePart::begin_step(const StepHistory& history, const MotionRow& row) {
@@ -135,23 +116,25 @@ void LanePart::begin_step(const StepHistory& history, const MotionRow& row) {
   }
 }
 
-void LanePart::write_last(std::span<double> q) const {
+void LanePart::deliver(const OutputView& output, Level level) const {
+  for (const LaneBatch& batch : batches_) batch.deliver(output, level);
+}
+
+void LanePart::store(State& s) const {
+  for (const LaneBatch& batch : batches_)
+    for (std::size_t l = 0; l < batch.copies().size(); ++l) batch.store(l, s);
+}
+
+void LanePart::restore(std::span<double> q) const {
   for (const LaneBatch& batch : batches_)
     for (std::size_t l = 0; batch.predicted() && l < batch.copies().size(); ++l)
-      batch.write_last(l, q);
+      batch.restore(l, q);
 }
 
-void LanePart::write(State& s) const {
-  for (const LaneBatch& batch : batches_)
-    for (std::size_t l = 0; l < batch.copies().size(); ++l) batch.write(l, s);
-}
-
-void LanePart::prepare_outputs(std::span<int> slots, bool drivers_too) {
-  for (LaneBatch& batch : batches_) batch.prepare_outputs(slots, drivers_too);
-}
-
-void LanePart::fill(const OutputView& output, Level level) const {
-  for (const LaneBatch& batch : batches_) batch.fill(output, level);
+void LanePart::forget() {
+  for (LaneBatch& batch : batches_) batch.forget();
+  for (const Copy& copy : copies_)
+    for (const auto& member : copy) member->forget();
 }
 
 long LanePart::fallbacks() const {

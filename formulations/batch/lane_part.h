@@ -5,7 +5,6 @@
 
 #include "formulations/batch/lane_batch.h"
 #include "formulations/parts/guarded_part.h"
-#include "formulations/stepping/keeper.h"
 
 namespace desmo {
 
@@ -13,7 +12,7 @@ namespace desmo {
 /// once by explicit code on wide registers: parts of one type, or each copy several parts, whose
 /// results stay in lanes. A copy that has no position yet, or of which the code refuses a part, is
 /// solved alone, by its own parts.
-class LanePart final : public GuardedPart, public Keeper {
+class LanePart final : public GuardedPart {
  public:
   /// kernels: one or more, each for more lanes than the one before. copies: two or more, as alike
   /// as are_copies() says. kinds: of each position in the state. guess: from which a step starts.
@@ -21,20 +20,15 @@ class LanePart final : public GuardedPart, public Keeper {
            const std::vector<StateKind>& kinds, Guess guess);
 
   PartResult solve(State& state, std::span<const double> last, Level level) override;
-  /// Of the copy that is left over, if one is: what is kept starts from there.
-  std::vector<int> starts_from(const std::vector<int>& unknowns) const override;
-  std::vector<int> stays_near() const override;
-  void write_only(const std::vector<bool>& read) override;
-  void forget() override;
-  Keeper* keeper() override { return this; }
-
-  std::vector<int> drivers() const override;
-  std::vector<int> reads() const override;
+  /// Predicted are those of the copy that is left over, if one is: what is kept starts from there.
+  PartInputs inputs(PartInputs equations) const override;
+  bool is_resident() const override { return true; }
+  void bind(const PartOutputs& outputs) override;
   void begin_step(const StepHistory& history, const MotionRow& row) override;
-  void write_last(std::span<double> q) const override;
-  void write(State& state) const override;
-  void prepare_outputs(std::span<int> slots, bool drivers_too) override;
-  void fill(const OutputView& output, Level level) const override;
+  void deliver(const OutputView& output, Level level) const override;
+  void store(State& state) const override;
+  void restore(std::span<double> q) const override;
+  void forget() override;
 
   /// Of its members.
   long fallbacks() const override;

@@ -28,21 +28,20 @@ TimeLanes::TimeLanes(const Model& model, std::vector<Parts> parts, const Setting
   for (std::vector<double>* values : {&alone_.q, &alone_.qd, &alone_.qdd, &last_alone_})
     values->resize(size);
 
-  std::vector<int> started_from;
+  std::vector<int> predicted;
   for (std::size_t i = 0; i < parts_[0].size(); ++i) {
     const PartDefinition& definition = parts_[0][i].definition;
     if (definition.constant) continue;
     stages_.push_back(make_stage(i, table));
     // What is solved lane by lane may start from any of its unknowns.
-    std::ranges::copy(stages_.back().together
-                          ? parts_[0][i].solver->starts_from(definition.unknowns)
-                          : definition.unknowns,
-                      std::back_inserter(started_from));
-    if (stages_.back().together)
-      std::ranges::copy(parts_[0][i].solver->stays_near(), std::back_inserter(near_));
+    PartInputs inputs{
+        .predicted = definition.unknowns, .unwrapped = {}, .others = {}, .drivers = {}};
+    if (stages_.back().together) inputs = parts_[0][i].solver->inputs(std::move(inputs));
+    std::ranges::copy(inputs.predicted, std::back_inserter(predicted));
+    std::ranges::copy(inputs.unwrapped, std::back_inserter(unwrapped_));
   }
-  std::ranges::sort(started_from);
-  std::vector<IndexRange> runs = runs_of(started_from);
+  std::ranges::sort(predicted);
+  std::vector<IndexRange> runs = runs_of(predicted);
   for (IndexRange& run : runs) run = {run.first * lanes_, run.end * lanes_};
   predictor_ = Predictor(settings_.guess, std::move(runs));
 }
@@ -58,7 +57,7 @@ TimeLanes::Stage TimeLanes::make_stage(std::size_t part, const KernelTable& tabl
   if (const ExplicitPart* const any = members.front())
     if (const LaneKernel* k = table.find_lane_kernel(any->kernel().fingerprint, lanes_))
       stage.together.emplace(*k, std::move(members),
-                             std::vector<int>(any->inputs().begin(), any->inputs().end()));
+                             std::vector<int>(any->places().begin(), any->places().end()));
   return stage;
 }
 
@@ -177,7 +176,7 @@ void TimeLanes::guess(double h, int known) {
   const StepHistory history{h, h, known > 0 ? std::optional(Level::acceleration) : std::nullopt,
                             known > 1 ? std::optional(Level::acceleration) : std::nullopt};
   if (!predictor_.empty()) predictor_(history, last, one_before, now_.q.data());
-  for (const int i : near_) {
+  for (const int i : unwrapped_) {
     const std::size_t first = static_cast<std::size_t>(i) * lanes_;
     std::copy_n(&before_.q[first], lanes_, &now_.q[first]);
   }

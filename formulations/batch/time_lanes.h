@@ -74,7 +74,7 @@ class TimeLanes final : public SegmentExecutor {
   std::vector<Parts> parts_;
   std::vector<Stage> stages_;  // those that move
   Predictor predictor_;  // of unknowns of which a part reads the position, lanes beside each other
-  std::vector<int> near_;  // others that stay near their last positions
+  std::vector<int> unwrapped_;  // others that start at their last positions
   LaneState now_, before_;
   LaneValues entered_;                     // positions at the first instant of each segment
   LaneValues residual2_;                   // of the step, by lane

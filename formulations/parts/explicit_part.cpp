@@ -4,8 +4,6 @@
 #include <limits>
 #include <utility>
 
-#include "formulations/parts/explicit_run.h"
-
 namespace desmo {
 
 namespace {
@@ -13,6 +11,36 @@ namespace {
 /// The equations of definitions carry on what is left in those of a core; that it be no more than
 /// the tolerance costs less than an iteration.
 constexpr double core_share = 1.0 / 8;
+
+/// Parts that share a kernel, solved in one call of it. One that the kernel refuses is tried by it
+/// once more when it is solved by itself.
+class ExplicitChain final : public PartChain {
+ public:
+  /// members: of one kernel; they outlive the chain, and what their bindings point to stays where
+  /// it is.
+  explicit ExplicitChain(std::vector<const ExplicitPart*> members) : members_(std::move(members)) {
+    for (const ExplicitPart* const member : members_) bindings_.push_back(member->binding());
+  }
+
+  int size() const override { return static_cast<int>(members_.size()); }
+
+  Result solve(State& s, int first, Level level) override {
+    while (assembled_ < size() && members_[assembled_]->assembled()) ++assembled_;
+    if (assembled_ < size()) return {};
+    ExplicitKernel::Solve* const solve =
+        members_.front()->kernel().solve[static_cast<std::size_t>(level)];
+    const auto [accepted, iterations, all, residual2] =
+        solve(s.q.data(), s.qd.data(), s.qdd.data(), bindings_.data() + first, size() - first);
+    return {accepted, iterations, all, residual2};
+  }
+
+  void forget() override { assembled_ = 0; }
+
+ private:
+  std::vector<const ExplicitPart*> members_;
+  std::vector<ExplicitBinding<double>> bindings_;  // of the members, next to each other in memory
+  int assembled_ = 0;                              // members from the first on, since forget()
+};
 
 }  // namespace
 
@@ -78,20 +106,21 @@ PartResult ExplicitPart::solve(State& s, std::span<const double> last, Level lev
 }
 
 /// Ascending.
-std::vector<int> ExplicitPart::places_of(std::span<const int> inputs) const {
+std::vector<int> ExplicitPart::in_state(std::span<const int> inputs) const {
   std::vector<int> result;
   for (const int input : inputs) result.push_back(inputs_[input]);
   std::ranges::sort(result);
   return result;
 }
 
-std::vector<int> ExplicitPart::starts_from(const std::vector<int>&) const {
-  return places_of(kernel_.torn);
+PartInputs ExplicitPart::inputs(PartInputs equations) const {
+  return {.predicted = in_state(kernel_.torn),
+          .unwrapped = in_state(kernel_.angles),
+          .others = std::move(equations.others),
+          .drivers = {}};
 }
 
-std::vector<int> ExplicitPart::stays_near() const { return places_of(kernel_.angles); }
-
-std::unique_ptr<PartRun> ExplicitPart::make_run(std::span<Part* const> parts) {
+std::unique_ptr<PartChain> ExplicitPart::make_chain(std::span<Part* const> parts) {
   std::vector<const ExplicitPart*> members;
   for (Part* const part : parts) {
     const auto* const next = dynamic_cast<const ExplicitPart*>(part);
@@ -99,7 +128,7 @@ std::unique_ptr<PartRun> ExplicitPart::make_run(std::span<Part* const> parts) {
     members.push_back(next);
   }
   if (members.size() < 2) return nullptr;
-  return std::make_unique<ExplicitRun>(std::move(members));
+  return std::make_unique<ExplicitChain>(std::move(members));
 }
 
 void ExplicitPart::forget() {

@@ -26,11 +26,10 @@ class ExplicitPart final : public GuardedPart {
                std::unique_ptr<Part> fallback);
 
   PartResult solve(State& state, std::span<const double> last, Level level) override;
-  /// Closed forms start from nothing. Before any position, all start from the last.
-  std::vector<int> starts_from(const std::vector<int>& unknowns) const override;
-  std::vector<int> stays_near() const override;
-  /// Of those behind each other that have the same kernel.
-  std::unique_ptr<PartRun> make_run(std::span<Part* const> parts) override;
+  /// Closed forms need no prediction. Before any position, all start from the last.
+  PartInputs inputs(PartInputs equations) const override;
+  /// Makes a chain of parts that share the kernel.
+  std::unique_ptr<PartChain> make_chain(std::span<Part* const> parts) override;
   void forget() override;
 
   long fallbacks() const override { return fallbacks_; }
@@ -40,14 +39,14 @@ class ExplicitPart final : public GuardedPart {
   const ExplicitKernel& kernel() const { return kernel_; }
   const ExplicitBinding<double>& binding() const { return binding_; }
   /// Positions in the state of all that the kernel reads or writes there.
-  std::span<const int> inputs() const { return inputs_; }
+  std::span<const int> places() const { return inputs_; }
   std::size_t constants() const { return constants_; }
   std::size_t equations() const { return equations_; }
   /// The branches kept, ±1 each, in the order of ExplicitKernel::branches; 0 before any position.
   std::span<const double> branches() const { return {branch_, kernel_.branches.size()}; }
 
  private:
-  std::vector<int> places_of(std::span<const int> inputs) const;
+  std::vector<int> in_state(std::span<const int> inputs) const;
   PartResult solve_refused(State& state, std::span<const double> last, Level level);
   PartResult fall_back(State& state, std::span<const double> last, Level level);
 

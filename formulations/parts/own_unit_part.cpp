@@ -136,16 +136,18 @@ void OwnUnitPart::give(State& all) const {
   }
 }
 
-std::vector<int> OwnUnitPart::places_of(std::vector<int> own) const {
+std::vector<int> OwnUnitPart::in_state(std::vector<int> own) const {
   for (int& i : own) i = inputs_[i];
   std::ranges::sort(own);
   return own;
 }
 
-std::vector<int> OwnUnitPart::starts_from(const std::vector<int>& unknowns) const {
-  return places_of(part_->starts_from(unknowns));
+PartInputs OwnUnitPart::inputs(PartInputs equations) const {
+  PartInputs own = part_->inputs({});
+  return {.predicted = in_state(std::move(own.predicted)),
+          .unwrapped = in_state(std::move(own.unwrapped)),
+          .others = std::move(equations.others),
+          .drivers = {}};
 }
-
-std::vector<int> OwnUnitPart::stays_near() const { return places_of(part_->stays_near()); }
 
 }  // namespace desmo

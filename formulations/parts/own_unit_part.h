@@ -32,8 +32,7 @@ class OwnUnitPart final : public GuardedPart {
               std::unique_ptr<Part> fallback);
 
   PartResult solve(State& state, std::span<const double> last, Level level) override;
-  std::vector<int> starts_from(const std::vector<int>& unknowns) const override;
-  std::vector<int> stays_near() const override;
+  PartInputs inputs(PartInputs equations) const override;
   void forget() override { part_->forget(); }
   void end_assembly() override { part_->end_assembly(); }
   long fallbacks() const override { return part_->fallbacks(); }
@@ -41,7 +40,7 @@ class OwnUnitPart final : public GuardedPart {
 
  private:
   class InUnitOfAll;
-  std::vector<int> places_of(std::vector<int> own) const;
+  std::vector<int> in_state(std::vector<int> own) const;
   void take(const State& all);
   void give(State& all) const;
 

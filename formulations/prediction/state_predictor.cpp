@@ -10,9 +10,11 @@ StatePredictor::StatePredictor(Guess wanted, std::span<const DefinedPart> parts)
   std::array<std::vector<int>, 3> unknowns;
   for (const DefinedPart& part : parts) {
     if (part.definition.constant) continue;
-    std::ranges::copy(part.solver->starts_from(part.definition.unknowns),
+    const PartInputs inputs = part.solver->inputs(
+        {.predicted = part.definition.unknowns, .unwrapped = {}, .others = {}, .drivers = {}});
+    std::ranges::copy(inputs.predicted,
                       std::back_inserter(unknowns[static_cast<std::size_t>(part.level)]));
-    std::ranges::copy(part.solver->stays_near(), std::back_inserter(near_));
+    std::ranges::copy(inputs.unwrapped, std::back_inserter(unwrapped_));
   }
   for (std::size_t level = 0; level < unknowns.size(); ++level) {
     std::ranges::sort(unknowns[level]);

@@ -26,12 +26,12 @@ class StatePredictor {
     for (std::size_t level = 0; level < of_level_.size(); ++level)
       if (Predictor& predictor = of_level_[level]; !predictor.empty())
         predictor(history.up_to(static_cast<Level>(level)), last, before, state.q.data());
-    for (const int i : near_) state.q[i] = last.q[i];
+    for (const int i : unwrapped_) state.q[i] = last.q[i];
   }
 
  private:
   std::array<Predictor, 3> of_level_;  // of unknowns by the level to which they are solved
-  std::vector<int> near_;              // coordinates that start at their last value
+  std::vector<int> unwrapped_;         // coordinates that start at their last value
 };
 
 }  // namespace desmo

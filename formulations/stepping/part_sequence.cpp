@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 
 namespace desmo {
 
-PartSequence::PartSequence(std::vector<DefinedPart> parts) : parts_(std::move(parts)) {
+PartSequence::PartSequence(const Model& model, std::vector<DefinedPart> parts)
+    : parts_(std::move(parts)) {
+  for (const DefinedPart& part : parts_)
+    inputs_.push_back(part.solver->inputs(equation_inputs(model, part.definition)));
   make_stages();
 }
 
@@ -21,18 +25,23 @@ void PartSequence::solve_only(std::span<const Level> needed) {
 void PartSequence::make_stages() {
   constant_.clear();
   moving_.clear();
+  residents_.clear();
+  drivers_.clear();
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     const DefinedPart& part = parts_[i];
     (part.definition.constant ? constant_ : moving_)
         .push_back({part.solver.get(), part.level, static_cast<int>(i),
                     static_cast<int>(part.definition.unknowns.size())});
+    if (part.definition.constant || !part.solver->is_resident()) continue;
+    residents_.push_back({part.solver.get(), part.level, drivers_.size()});
+    std::ranges::copy(inputs_[i].drivers, std::back_inserter(drivers_));
   }
-  make_runs();
+  make_chains();
 }
 
-/// Makes runs of moving parts that follow each other and are solved to the same level.
-void PartSequence::make_runs() {
-  runs_.clear();
+/// Makes chains of moving parts that follow each other and are solved to the same level.
+void PartSequence::make_chains() {
+  chains_.clear();
   std::vector<Part*> solvers;
   for (const Stage& stage : moving_) solvers.push_back(stage.solver);
   std::size_t same_level = 0;  // the end of the parts that are solved to one level
@@ -40,14 +49,14 @@ void PartSequence::make_runs() {
     while (same_level < moving_.size() &&
            (same_level <= first || moving_[same_level].level == moving_[first].level))
       ++same_level;
-    std::unique_ptr<PartRun> run =
-        solvers[first]->make_run(std::span(solvers).subspan(first, same_level - first));
-    const int members = run ? run->size() : 1;
-    for (int i = 0; run && i < members; ++i) {
-      moving_[first + i].run = run.get();
+    std::unique_ptr<PartChain> chain =
+        solvers[first]->make_chain(std::span(solvers).subspan(first, same_level - first));
+    const int members = chain ? chain->size() : 1;
+    for (int i = 0; chain && i < members; ++i) {
+      moving_[first + i].chain = chain.get();
       moving_[first + i].member = i;
     }
-    if (run) runs_.push_back(std::move(run));
+    if (chain) chains_.push_back(std::move(chain));
     first += members;
   }
 }
@@ -56,14 +65,14 @@ PartSequence::Result PartSequence::solve(std::span<const Stage> stages, State& s
                                          std::span<const double> last, Level level) {
   Result result;
   for (std::size_t i = 0; i < stages.size();) {
-    if (PartRun* const run = stages[i].run) {
+    if (PartChain* const chain = stages[i].chain) {
       const Stage& first = stages[i];
-      const PartRun::Result r = run->solve(state, first.member, std::min(level, first.level));
+      const PartChain::Result r = chain->solve(state, first.member, std::min(level, first.level));
       result.residual2 += r.residual2;
       result.iterations = std::max<long>(result.iterations, r.iterations);
       result.updates += r.all * first.unknowns;
       i += r.solved;
-      if (first.member + r.solved == run->size()) continue;
+      if (first.member + r.solved == chain->size()) continue;
     }
     const Stage& stage = stages[i++];
     const PartResult r = stage.solver->solve(state, last, std::min(level, stage.level));
@@ -85,9 +94,34 @@ bool PartSequence::solve_positions(State& state, std::span<const double> last) c
   });
 }
 
+void PartSequence::bind(std::vector<bool>& observed, std::span<int> places) {
+  for (const PartInputs& inputs : inputs_)
+    for (const std::vector<int>* read : {&inputs.predicted, &inputs.unwrapped, &inputs.others})
+      for (const int i : *read) observed[i] = true;
+  for (const DefinedPart& part : parts_)
+    if (!part.definition.constant) part.solver->bind({observed, places, part.level});
+}
+
+void PartSequence::begin_step(const StepHistory& history, const MotionRow& row) {
+  for (const auto& [part, level, first_driver] : residents_)
+    part->begin_step(history.up_to(level), row.from(first_driver));
+}
+
+void PartSequence::deliver(const OutputView& output, Level level) const {
+  for (const Resident& part : residents_) part.solver->deliver(output, std::min(level, part.level));
+}
+
+void PartSequence::store(State& state) const {
+  for (const Resident& part : residents_) part.solver->store(state);
+}
+
+void PartSequence::restore(std::span<double> q) const {
+  for (const Resident& part : residents_) part.solver->restore(q);
+}
+
 void PartSequence::forget() {
   for (const DefinedPart& part : parts_) part.solver->forget();
-  for (const auto& run : runs_) run->forget();
+  for (const auto& chain : chains_) chain->forget();
 }
 
 void PartSequence::end_assembly() {

@@ -4,7 +4,10 @@
 #include <span>
 #include <vector>
 
+#include "formulations/base/output.h"
 #include "formulations/base/part.h"
+#include "formulations/prediction/guess.h"
+#include "formulations/prediction/motions_ahead.h"
 #include "formulations/structure/defined_part.h"
 
 namespace desmo {
@@ -22,7 +25,8 @@ class PartSequence {
     int failed = -1;       ///< position of the part that could not be solved
   };
 
-  explicit PartSequence(std::vector<DefinedPart> parts);
+  /// The model outlives the sequence.
+  PartSequence(const Model& model, std::vector<DefinedPart> parts);
 
   const std::vector<DefinedPart>& parts() const { return parts_; }
 
@@ -40,6 +44,20 @@ class PartSequence {
   /// Solves positions of the moving parts, each by itself. Returns whether all could be solved.
   bool solve_positions(State& state, std::span<const double> last) const;
 
+  /// Returns the inputs of a part, by its position.
+  const PartInputs& inputs(std::size_t part) const { return inputs_[part]; }
+  /// Returns the driven coordinates that parts take from the driver row, in its order.
+  std::span<const int> drivers() const { return drivers_; }
+
+  /// Fixes where results go (see PartOutputs). observed: what others than parts read in the state;
+  /// what parts read there is added.
+  void bind(std::vector<bool>& observed, std::span<int> places);
+  /// See Part, of all moving parts.
+  void begin_step(const StepHistory& history, const MotionRow& row);
+  void deliver(const OutputView& output, Level level) const;
+  void store(State& state) const;
+  void restore(std::span<double> q) const;
+
   /// Voids what earlier steps left behind (see Part::forget).
   void forget();
   /// Tells that the assembly is over (see Part::end_assembly).
@@ -51,18 +69,27 @@ class PartSequence {
     Part* solver;
     Level level;  // the highest level at which anyone asks for its unknowns
     int part, unknowns;
-    PartRun* run = nullptr;  // of which it is a member, if any …
-    int member = 0;          // … and which
+    PartChain* chain = nullptr;  // of which it is a member, if any …
+    int member = 0;              // … and which
+  };
+  /// A part that keeps what it finds.
+  struct Resident {
+    Part* solver;
+    Level level;
+    std::size_t first_driver;  // in the row
   };
 
   static Result solve(std::span<const Stage> stages, State& state, std::span<const double> last,
                       Level level);
   void make_stages();
-  void make_runs();
+  void make_chains();
 
   std::vector<DefinedPart> parts_;
   std::vector<Stage> constant_, moving_;
-  std::vector<std::unique_ptr<PartRun>> runs_;  // of moving parts
+  std::vector<std::unique_ptr<PartChain>> chains_;  // of moving parts
+  std::vector<PartInputs> inputs_;                  // of each part
+  std::vector<Resident> residents_;                 // moving ones
+  std::vector<int> drivers_;
 };
 
 }  // namespace desmo

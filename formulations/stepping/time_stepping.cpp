@@ -39,7 +39,7 @@ void clear_rates(State& state) {
 TimeStepping::TimeStepping(const Model& m, std::vector<DefinedPart> parts, const Settings& settings)
     : Formulation(m, std::max(settings.tolerance, sum_of_tolerances(parts))),
       settings_(settings),
-      sequence_(std::move(parts)),
+      sequence_(m, std::move(parts)),
       drivers_(m) {
   for (State* s : {&state_, &before_})
     for (std::vector<double>* values : {&s->q, &s->qd, &s->qdd}) values->resize(m.state_size());
@@ -47,12 +47,9 @@ TimeStepping::TimeStepping(const Model& m, std::vector<DefinedPart> parts, const
 }
 
 void TimeStepping::prepare() {
-  keepers_.clear();
-  for (const DefinedPart& part : parts())
-    if (Keeper* const keeper = part.definition.constant ? nullptr : part.solver->keeper())
-      keepers_.add(*keeper, part.level);
   predict_ = StatePredictor(settings_.guess, parts());
-  drivers_ = DriverSource(model(), keepers_.drivers());
+  drivers_ = DriverSource(model(), sequence_.drivers());
+  wanted_.reset();
 }
 
 void TimeStepping::solve_only(std::span<const Level> needed) {
@@ -91,7 +88,7 @@ Summary TimeStepping::take_steps(const TimeGrid& grid, const Request& request, O
     total.stopped = deliver(i, t, step, request.level, observer) == Flow::stop;
     if (total.stopped) break;
   }
-  if (grid.instants > 0) keepers_.write(state_);  // all, whatever was wanted
+  if (grid.instants > 0) sequence_.store(state_);  // all, whatever was wanted
   return total;
 }
 
@@ -102,7 +99,7 @@ Summary TimeStepping::solve_at(double t, Level level) {
   std::swap(state_, before_);
   const MotionRow& row = drivers_.drive(t, state_);  // z, ż, z̈
   predict_(history, before_, state_, state_);
-  keepers_.begin_step(history, row);
+  sequence_.begin_step(history, row);
   const PartSequence::Result result = sequence_.solve_moving(state_, before_.q, level);  // in order
   Summary summary = summary_of(result, t);
   if (!summary.ok()) [[unlikely]] {
@@ -143,7 +140,7 @@ Summary TimeStepping::solve_or_sub_step(double t, Level level) {
 /// part.
 void TimeStepping::find_culprit_of(const PartSequence::Result& result, Summary& summary) {
   const PartDefinition& failed = parts()[result.failed].definition;
-  keepers_.write_last(before_.q);
+  sequence_.restore(before_.q);
   drivers_.write_all(state_);
   for (const int i : failed.unknowns) state_.q[i] = before_.q[i];
   const Culprit culprit = find_culprit(model(), failed.groups, state_.q, settings_);
@@ -221,28 +218,21 @@ void TimeStepping::take(const State& solved, double t, Level level) {
 // ---- What is read of each instant ----
 
 void TimeStepping::want(const Request& request, bool lent) {
-  if (lent == wanted_.lent && std::ranges::equal(request.coordinates, wanted_.coordinates)) return;
-  if (lent) keepers_.bind(request, model());
-  wanted_.coordinates.assign(request.coordinates.begin(), request.coordinates.end());
-  wanted_.lent = lent;
-  std::vector<bool> read(model().state_size(), !lent && request.coordinates.empty());
-  const auto are_read = [&](std::span<const int> all) {
-    for (const int i : all) read[i] = true;
-  };
-  are_read(lent ? keepers_.not_kept() : wanted_.coordinates);
-  for (const DefinedPart& part : parts()) {
-    const std::vector<int>& unknowns = part.definition.unknowns;
-    are_read(part.solver->starts_from(unknowns));
-    are_read(part.solver->stays_near());
-    if (const Keeper* const keeper = part.solver->keeper()) {
-      are_read(keeper->reads());
-      continue;
-    }
-    for (const int i : states_read(model(), part.definition))
-      if (!std::ranges::binary_search(unknowns, i)) read[i] = true;
+  if (wanted_ && lent == wanted_->lent &&
+      std::ranges::equal(request.coordinates, wanted_->coordinates))
+    return;
+  const std::vector<int> requested = requested_coordinates(request, model().coordinates());
+  wanted_ = {{request.coordinates.begin(), request.coordinates.end()}, lent};
+  std::vector<bool> observed(model().state_size(), false);
+  std::vector<int> places(model().state_size(), -1);
+  for (std::size_t n = 0; n < requested.size(); ++n) {
+    observed[requested[n]] = !lent;
+    if (lent) places[requested[n]] = static_cast<int>(n);
   }
-  for (const DefinedPart& part : parts()) part.solver->write_only(read);
-  drivers_.write_only(read);
+  sequence_.bind(observed, places);
+  output_ = OutputWriter(places, requested.size());  // of what is left
+  for (std::size_t i = 0; i < places.size(); ++i) observed[i] = observed[i] || places[i] >= 0;
+  drivers_.write_only(observed);
 }
 
 Flow TimeStepping::deliver(int index, double t, const Summary& step, Level level,
@@ -256,9 +246,10 @@ Flow TimeStepping::deliver(int index, double t, const Summary& step, Level level
                   .residual = step.residual};
   if (level >= Level::velocity) instant.qd = qd();
   if (level >= Level::acceleration) instant.qdd = qdd();
-  if (wanted_.lent) {
+  if (wanted_->lent) {
     observer.lend({&index, 1}, {&instant.output, 1});
-    keepers_.deliver(instant, level);
+    sequence_.deliver(instant.output, level);
+    output_.write(instant);
   }
   return observer.observe(instant);
 }

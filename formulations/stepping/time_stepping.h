@@ -7,7 +7,6 @@
 #include "formulations/formulation.h"
 #include "formulations/prediction/driver_source.h"
 #include "formulations/prediction/state_predictor.h"
-#include "formulations/stepping/keepers.h"
 #include "formulations/stepping/part_sequence.h"
 
 namespace desmo {
@@ -40,8 +39,8 @@ class TimeStepping final : public Formulation {
 
   /// The coordinates of each instant that others than parts read.
   struct Wanted {
-    std::vector<int> coordinates{};  // empty: all …
-    bool lent = false;               // … in memory that the observer lends, or in the state
+    std::vector<int> coordinates;  // empty: all …
+    bool lent;                     // … in memory that the observer lends, or in the state
   };
 
   void prepare();
@@ -56,10 +55,10 @@ class TimeStepping final : public Formulation {
 
   const Settings settings_;
   PartSequence sequence_;
-  Keepers keepers_;  // of moving parts
   DriverSource drivers_;
   StatePredictor predict_;
-  Wanted wanted_;
+  std::optional<Wanted> wanted_;
+  OutputWriter output_;  // of what no part delivers
   State state_;
   State before_;       // the instant before that of state_
   Solved now_, then_;  // what state_ and before_ hold

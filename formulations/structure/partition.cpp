@@ -89,4 +89,11 @@ std::vector<int> states_read(const Model& m, const PartDefinition& part) {
   return read;
 }
 
+PartInputs equation_inputs(const Model& m, const PartDefinition& part) {
+  PartInputs inputs{.predicted = part.unknowns, .unwrapped = {}, .others = {}, .drivers = {}};
+  std::ranges::set_difference(states_read(m, part), part.unknowns,
+                              std::back_inserter(inputs.others));
+  return inputs;
+}
+
 }  // namespace desmo

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "formulations/base/part.h"
 #include "formulations/model/model.h"
 
 namespace desmo {
@@ -46,6 +47,10 @@ std::vector<PartDefinition> split_by_group(const Model& model, const PartDefinit
 
 /// Positions in the state of all that a part's equations read, ascending, its unknowns among them.
 std::vector<int> states_read(const Model& model, const PartDefinition& part);
+
+/// Returns what a part's equations read: its unknowns, as predicted, and others, drivers among
+/// them.
+PartInputs equation_inputs(const Model& model, const PartDefinition& part);
 
 /// The irreducible blocks of a part's equations in solution order: the strong components of a
 /// matching of equations with unknowns (block triangular form; Dulmage & Mendelsohn 1958, as

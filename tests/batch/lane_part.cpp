@@ -86,13 +86,13 @@ class Pieces : public ::testing::Test {
   void spoil(const std::vector<std::vector<std::size_t>>& copies, const LanePart& together,
              State& s) const {
     for (const int k : unknowns(copies)) s.q[k] = s.qd[k] = s.qdd[k] = 17;
-    for (const int k : together.drivers()) s.q[k] = s.qd[k] = s.qdd[k] = 17;
+    for (const int k : together.inputs({}).drivers) s.q[k] = s.qd[k] = s.qdd[k] = 17;
   }
 
   /// Drivers as they are in a state.
   struct Driven {
     Driven(const LanePart& part, const State& s) {
-      for (const int k : part.drivers()) {
+      for (const int k : part.inputs({}).drivers) {
         z.push_back(s.q[k]);
         zd.push_back(s.qd[k]);
         zdd.push_back(s.qdd[k]);
@@ -162,7 +162,7 @@ class Pieces : public ::testing::Test {
     EXPECT_EQ(together.fallbacks(), 2);
 
     // Predicted, with nobody who reads anything: the state knows nothing of unknowns and drivers.
-    together.write_only(std::vector<bool>(model_.state_size(), false));
+    together.bind({std::vector<bool>(model_.state_size(), false), {}, Level::acceleration});
     const Driven drivers(together, expected);
     EXPECT_EQ(drivers.z.empty(), copies.front().size() == 1);  // levers have none
     for (int i = 0; i < 2; ++i) {
@@ -173,8 +173,8 @@ class Pieces : public ::testing::Test {
     }
     EXPECT_EQ(together.fallbacks(), 4);
     std::vector<double> last = s.q;
-    together.write_last(last);
-    together.write(s);
+    together.restore(last);
+    together.store(s);
     for (int i = 0; i < model_.coordinates(); ++i) EXPECT_NEAR(last[i], s.q[i], 1e-10) << i;
     for (int i = 0; i < model_.coordinates(); ++i) {
       EXPECT_NEAR(s.q[i], expected.q[i], 1e-10) << i;
@@ -220,7 +220,7 @@ TEST_F(Pieces, LeaveInTheStateWhatIsReadThere) {
   std::vector<bool> read(model_.state_size(), false);
   const int there = definitions_[copies[1][0]].unknowns[3];
   read[there] = true;
-  together.write_only(read);
+  together.bind({read, {}, Level::acceleration});
   ASSERT_TRUE(reference_->assemble(0).ok());
   State s = solved();
   const State expected = s;
@@ -236,7 +236,7 @@ TEST_F(Pieces, LeaveInTheStateWhatIsReadThere) {
     EXPECT_NEAR(s.q[k], k == there ? expected.q[k] : 17, 1e-10) << k;
     EXPECT_NEAR(s.qdd[k], k == there ? expected.qdd[k] : 17, 1e-7) << k;
   }
-  together.write(s);
+  together.store(s);
   for (const int k : unknowns(copies)) EXPECT_NEAR(s.q[k], expected.q[k], 1e-10) << k;
 
   for (const int k : unknowns(copies))

@@ -1,20 +1,19 @@
 // Parts of one kernel behind each other, solved in one call: as each by itself, whatever becomes of
 // one of them.
 
-#include "formulations/parts/explicit_run.h"
-
 #include <gtest/gtest.h>
 
 #include <memory>
 #include <vector>
 
+#include "formulations/parts/explicit_part.h"
 #include "formulations/scaling/magnitudes.h"
 #include "formulations/stepping/time_stepping.h"
 #include "formulations/variants.h"
 #include "tests/borrowed_part.h"
 #include "tests/mechanisms.h"
 
-namespace desmo::explicit_run_test {
+namespace desmo::explicit_chain_test {
 namespace {
 
 constexpr int dyads = 5;
@@ -32,9 +31,9 @@ struct Refusing {
   }
 };
 
-class Runs : public testing::Test {
+class Chains : public testing::Test {
  protected:
-  Runs() {
+  Chains() {
     const std::vector<PartDefinition> parts = make_partition(m_, Partition::group);
     const Magnitudes magnitudes(m_);
     Refusing::sound = nullptr;
@@ -68,39 +67,39 @@ class Runs : public testing::Test {
   std::unique_ptr<Formulation> f_;
 };
 
-TEST_F(Runs, HoldPartsOfOneKernelAndNoOthers) {
+TEST_F(Chains, HoldPartsOfOneKernelAndNoOthers) {
   std::vector<Part*> solvers;
   for (const DefinedPart& part : f_->parts()) solvers.push_back(part.solver.get());
   const std::span<Part* const> all(solvers);
-  EXPECT_EQ(solvers.front()->make_run(all), nullptr) << "the crank is none";
-  const auto run = solvers[1]->make_run(all.subspan(1));
-  ASSERT_NE(run, nullptr);
-  EXPECT_EQ(run->size(), dyads);
-  EXPECT_EQ(solvers[dyads]->make_run(all.last(1)), nullptr) << "one is no run";
+  EXPECT_EQ(solvers.front()->make_chain(all), nullptr) << "the crank is none";
+  const auto chain = solvers[1]->make_chain(all.subspan(1));
+  ASSERT_NE(chain, nullptr);
+  EXPECT_EQ(chain->size(), dyads);
+  EXPECT_EQ(solvers[dyads]->make_chain(all.last(1)), nullptr) << "one is no chain";
   solvers.insert(solvers.begin() + 3, solvers.front());
-  EXPECT_EQ(solvers[1]->make_run(std::span(solvers).subspan(1))->size(), 2);
+  EXPECT_EQ(solvers[1]->make_chain(std::span(solvers).subspan(1))->size(), 2);
 }
 
-TEST_F(Runs, SolveNothingBeforeEveryMemberHasAPosition) {
+TEST_F(Chains, SolveNothingBeforeEveryMemberHasAPosition) {
   std::vector<Part*> solvers;
   for (ExplicitPart* const dyad : dyads_) solvers.push_back(dyad);
-  const auto run = solvers[0]->make_run(solvers);
+  const auto chain = solvers[0]->make_chain(solvers);
   State s{m_.estimate, {}, {}};
   s.q.insert(s.q.end(), m_.fixed_values.begin(), m_.fixed_values.end());
   s.qd.assign(s.q.size(), 0);
   s.qdd.assign(s.q.size(), 0);
-  EXPECT_EQ(run->solve(s, 0, Level::acceleration).solved, 0);
+  EXPECT_EQ(chain->solve(s, 0, Level::acceleration).solved, 0);
   for (Part* const dyad : solvers)
     ASSERT_EQ(dyad->solve(s, s.q, Level::acceleration).status, Status::converged);
-  EXPECT_EQ(run->solve(s, 0, Level::acceleration).solved, dyads);
-  EXPECT_EQ(run->solve(s, 2, Level::acceleration).solved, dyads - 2);
+  EXPECT_EQ(chain->solve(s, 0, Level::acceleration).solved, dyads);
+  EXPECT_EQ(chain->solve(s, 2, Level::acceleration).solved, dyads - 2);
   for (Part* const dyad : solvers) dyad->forget();
-  run->forget();
-  EXPECT_EQ(run->solve(s, 0, Level::acceleration).solved, 0);
+  chain->forget();
+  EXPECT_EQ(chain->solve(s, 0, Level::acceleration).solved, 0);
 }
 
 /// Whichever it is, first and last among them.
-TEST_F(Runs, GoOnBehindAMemberThatIsRefused) {
+TEST_F(Chains, GoOnBehindAMemberThatIsRefused) {
   constexpr int steps = 20;
   const auto expected = make_formulation(find_variant("group_symbolic_explicit"), m_, settings_);
   for (int refused = -1; refused < dyads; ++refused) {
@@ -124,4 +123,4 @@ TEST_F(Runs, GoOnBehindAMemberThatIsRefused) {
 }
 
 }  // namespace
-}  // namespace desmo::explicit_run_test
+}  // namespace desmo::explicit_chain_test
