@@ -62,11 +62,11 @@ Json formulations() {
   return list;
 }
 
-std::string cell(const Json& value) {
+std::string text_of(const Json& value) {
   if (value.is_string()) return printable(value.get<std::string>(), 200);
   if (!value.is_array()) return value.dump();
   std::vector<std::string> items;
-  for (const Json& item : value) items.push_back(cell(item));
+  for (const Json& item : value) items.push_back(text_of(item));
   return items.empty() ? "-" : enumerate(items);
 }
 
@@ -104,7 +104,7 @@ std::string to_text(const Section& section, const Json& entries) {
   for (std::string& heading : rows.front()) std::ranges::replace(heading, '_', ' ');
   for (const Json& entry : entries) {
     std::vector<std::string>& row = rows.emplace_back();
-    for (const std::string& column : section.columns) row.push_back(cell(entry[column]));
+    for (const std::string& column : section.columns) row.push_back(text_of(entry[column]));
   }
   return std::string(section.title) + "\n" + table(rows, section.right);
 }

@@ -14,7 +14,7 @@ void append_number(double value, std::string& text) {
 }
 
 /// As RFC 4180 has it.
-std::string csv_cell(const std::string& text) {
+std::string csv_field(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
@@ -25,7 +25,7 @@ class Csv final : public SeriesFormat {
  public:
   std::string heading(const SeriesHeading& heading) const override {
     std::string text = "t [s]";
-    for (const Column& c : heading.columns) text += "," + csv_cell(c.name + " [" + c.unit + "]");
+    for (const Column& c : heading.columns) text += "," + csv_field(c.name + " [" + c.unit + "]");
     return text + "\n";
   }
   void append(const SeriesHeading& heading, const Instant& instant,

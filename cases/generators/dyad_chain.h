@@ -26,7 +26,7 @@ struct DyadChain {
 };
 
 /// Adds its bodies; the crank's angle becomes the next driven coordinate.
-void add(MechanismBuilder& describer, const DyadChain& chain);
+void add(MechanismBuilder& builder, const DyadChain& chain);
 
 /// Where the crank's pin is at its start.
 Mechanism::Vec crank_pin(const DyadChain& chain);

@@ -62,8 +62,8 @@ std::string library_message(const char* what) {
   return printable(shortened, 200);
 }
 
-std::string syntax_complaint(std::string_view text, std::size_t at, int library_id,
-                             const char* library_what) {
+std::string syntax_error(std::string_view text, std::size_t at, int library_id,
+                         const char* library_what) {
   constexpr int number_overflow = 406;
   if (at >= text.size())
     return "the text ends before its value is complete; is the file truncated?";
@@ -124,8 +124,7 @@ class JsonDocument::Builder {
   bool parse_error(std::size_t position, const std::string&,
                    const nlohmann::json::exception& error) {
     const std::size_t at = std::min(position > 0 ? position - 1 : 0, text_.size());
-    document_.complain(line_and_column(text_, at),
-                       syntax_complaint(text_, at, error.id, error.what()));
+    document_.complain(line_and_column(text_, at), syntax_error(text_, at, error.id, error.what()));
   }
 
  private:

@@ -10,10 +10,10 @@ namespace desmo {
 /// Calls step(t) to follow the motion, and arrive(t) after the steps that lead to one of the times.
 template <class Step, class Arrive>
 void walk(std::span<const double> times, Step&& step, Arrive&& arrive) {
-  constexpr double longest_step = 0.01;
+  constexpr double max_step = 0.01;
   double t = times.empty() ? 0 : times.front();
   for (const double target : times) {
-    const int steps = std::max(1, static_cast<int>(std::ceil((target - t) / longest_step - 1e-9)));
+    const int steps = std::max(1, static_cast<int>(std::ceil((target - t) / max_step - 1e-9)));
     const double from = t;
     for (int i = 1; i <= steps; ++i) step(i == steps ? target : from + (target - from) * i / steps);
     arrive(t = target);

@@ -103,7 +103,7 @@ void RateHistory::lead<1>(const Change& change, const double* last, double* q) {
   for (std::size_t n = 0; n < blocks_.size(); ++n) q[blocks_[n]] = last[blocks_[n]] + changes_[n];
 }
 
-bool RateHistory::lead_on(double interval, double h, const double* last, const double* qd,
+bool RateHistory::predict(double interval, double h, const double* last, const double* qd,
                           const double* qdd, double* q) {
   known_ = std::min(known_ + 1, instants);
   newest_ = (newest_ + 1) % instants;  // in the place of the oldest

@@ -28,7 +28,7 @@ class RateHistory {
   /// was remembered last, and writes where the coordinates of the runs are expected after a step of
   /// h (s) into q, which may be `last`: the last positions. False, and nothing is written, where
   /// too little is known: intervals must go one way, and none be short beside the step.
-  bool lead_on(double interval, double h, const double* last, const double* qd, const double* qdd,
+  bool predict(double interval, double h, const double* last, const double* qd, const double* qdd,
                double* q);
 
  private:

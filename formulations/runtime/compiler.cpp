@@ -25,7 +25,7 @@ constexpr const char* all_flags = DESMO_KERNEL_FLAGS " -w -pipe -fPIC -shared -f
 constexpr const char* more_for_eight_lanes = " -march=x86-64-v4 -mno-red-zone";
 
 constexpr std::chrono::seconds time_for_version{10};
-constexpr std::size_t max_shown = 300;  // characters of a compiler's complaint
+constexpr std::size_t max_shown = 300;  // characters of a compiler's error
 
 bool is_program(const std::string& file) {
   struct stat status {};
@@ -61,7 +61,7 @@ std::string locate_any() {
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
 /// What matters of a compiler's output: from its first error on.
-std::string complaint(const std::string& output) {
+std::string error_text(const std::string& output) {
   const std::size_t error = output.find("error");
   const std::size_t line = error == std::string::npos ? 0 : output.rfind('\n', error) + 1;
   return printable(first_line(output.substr(line)), max_shown);
@@ -112,7 +112,7 @@ void Compiler::compile(const std::string& source, const std::string& library, in
   }
   if (!ending.good)
     throw Unavailable(printable(file_, 200) + ": cannot compile the kernels: " +
-                      complaint(ending.output) + "; set CXX to another C++ compiler");
+                      error_text(ending.output) + "; set CXX to another C++ compiler");
 }
 
 }  // namespace desmo::load

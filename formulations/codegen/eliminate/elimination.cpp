@@ -169,11 +169,11 @@ void Elimination::solve_last_by_adjugate(const Rows& rows) {
   }
   last_.emplace(Last{std::move(open), std::move(columns), Adjugate(matrix)});
 
-  const auto watch = [&](Expr what, Expr against) {
+  const auto add_monitors = [&](Expr what, Expr against) {
     monitors_.push_back(
         {what, {}, {{against, 1 / bound(cancellation_allowed, max_ratio(against, what))}}});
   };
-  watch(last_->inverse.determinant(), last_->inverse.magnitude());
+  add_monitors(last_->inverse.determinant(), last_->inverse.magnitude());
   // What is left of a column beside the entries that it was eliminated with.
   for (std::size_t k = 0; k < last_->columns.size(); ++k) {
     Expr size = 0, before = 0;
@@ -181,7 +181,7 @@ void Elimination::solve_last_by_adjugate(const Rows& rows) {
     for (const Step& earlier : steps_)
       for (const auto& [j, value] : earlier.upper)
         if (j == last_->columns[k]) before = before + abs(value);
-    if (!before.is_zero()) watch(size, before);
+    if (!before.is_zero()) add_monitors(size, before);
   }
 }
 

@@ -45,9 +45,9 @@ class Differentiator {
     }
   }
 
-  StretchMotion differentiate(const Stretch& s) {
+  SectionMotion differentiate(const OrderSection& s) {
     const std::size_t torn = s.torn.size();
-    StretchMotion motion;
+    SectionMotion motion;
     // dx/dτ, a column for each torn unknown, and the core's matrix.
     std::vector<Vector> slopes;
     std::vector<std::map<int, Expr>> matrix(torn);
@@ -97,7 +97,7 @@ class Differentiator {
   }
 
   /// Rates of what is defined, one definition after the other; `rates` takes them up.
-  Vector first(const Stretch& s, Rates& rates) const {
+  Vector first(const OrderSection& s, Rates& rates) const {
     Vector all;
     for (const Definition& d : s.definitions) {
       const Vector x = d.form.first(rates);
@@ -106,7 +106,7 @@ class Differentiator {
     }
     return all;
   }
-  Vector second(const Stretch& s, Rates& rates) const {
+  Vector second(const OrderSection& s, Rates& rates) const {
     Vector all;
     for (const Definition& d : s.definitions) {
       const Vector x = d.form.second(rates);
@@ -122,19 +122,19 @@ class Differentiator {
 
 }  // namespace
 
-std::vector<int> unknowns_of(const Stretch& s) {
+std::vector<int> unknowns_of(const OrderSection& s) {
   std::vector<int> result = s.torn;
   for (const Definition& d : s.definitions)
     result.insert(result.end(), d.unknowns.begin(), d.unknowns.end());
   return result;
 }
 
-std::vector<StretchMotion> differentiate(const RecordedPart& part,
-                                         const std::vector<Stretch>& order) {
+std::vector<SectionMotion> differentiate(const RecordedPart& part,
+                                         const std::vector<OrderSection>& order) {
   Differentiator differentiator(part);
-  for (const Stretch& s : order) differentiator.forget(unknowns_of(s));
-  std::vector<StretchMotion> result;
-  for (const Stretch& s : order) result.push_back(differentiator.differentiate(s));
+  for (const OrderSection& s : order) differentiator.forget(unknowns_of(s));
+  std::vector<SectionMotion> result;
+  for (const OrderSection& s : order) result.push_back(differentiator.differentiate(s));
   return result;
 }
 

@@ -6,8 +6,8 @@
 
 namespace desmo::generate {
 
-/// What the code of a stretch computes beside its definitions.
-struct StretchMotion {
+/// What the code of a section computes beside its definitions.
+struct SectionMotion {
   std::vector<Expr> increments;      ///< of Newton–Raphson on the torn unknowns, to be subtracted
   std::vector<PivotMonitor> pivots;  ///< of the core's elimination
   std::vector<SizeMonitor> sizes;    ///< of its determinant, where that serves
@@ -19,10 +19,10 @@ struct StretchMotion {
 /// definitions. With torn unknowns τ and all else x(τ): dx/dτ follows from definition to
 /// definition, gives the core's matrix ∂R/∂τ, and serves x' = x'|τ'=0 + dx/dτ τ' at both levels of
 /// rates.
-std::vector<StretchMotion> differentiate(const RecordedPart& part,
-                                         const std::vector<Stretch>& order);
+std::vector<SectionMotion> differentiate(const RecordedPart& part,
+                                         const std::vector<OrderSection>& order);
 
 /// Its unknowns: torn, then defined.
-std::vector<int> unknowns_of(const Stretch& stretch);
+std::vector<int> unknowns_of(const OrderSection& section);
 
 }  // namespace desmo::generate

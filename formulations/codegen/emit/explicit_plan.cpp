@@ -35,7 +35,7 @@ ExplicitPlan::ExplicitPlan(const PartType& its_type, const RecordedPart& its_par
       part(its_part),
       order(explicit_order(type, part)),
       motion(differentiate(part, order)) {
-  for (const Stretch& s : order) {
+  for (const OrderSection& s : order) {
     Expr sum = 0;
     for (std::size_t r = 0; r < s.residuals.size(); ++r) {
       const Expr weighted = weight(s.residual_rows[r]) * s.residuals[r];
@@ -55,13 +55,13 @@ ExplicitPlan::ExplicitPlan(const PartType& its_type, const RecordedPart& its_par
 
 std::vector<int> ExplicitPlan::torn() const {
   std::vector<int> result;
-  for (const Stretch& s : order) result.insert(result.end(), s.torn.begin(), s.torn.end());
+  for (const OrderSection& s : order) result.insert(result.end(), s.torn.begin(), s.torn.end());
   return result;
 }
 
 std::vector<int> ExplicitPlan::angles() const {
   std::vector<int> result;
-  for (const Stretch& s : order)
+  for (const OrderSection& s : order)
     for (const Definition& d : s.definitions)
       if (d.form.bearing) result.push_back(d.unknowns.front());
   return result;

@@ -18,9 +18,9 @@ struct ExplicitPlan {
 
   const PartType& type;
   const RecordedPart& part;
-  std::vector<Stretch> order;
-  std::vector<StretchMotion> motion;  ///< of each stretch
-  /// ‖·‖² of the residuals of each stretch, each times the weights of the equations it is made of.
+  std::vector<OrderSection> order;
+  std::vector<SectionMotion> motion;  ///< of each section
+  /// ‖·‖² of the residuals of each section, each times the weights of the equations it is made of.
   std::vector<Expr> residual2;
   std::vector<Root> roots;  ///< of all definitions, in order
   std::map<int, std::string>

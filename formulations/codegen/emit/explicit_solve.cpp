@@ -21,16 +21,16 @@ void append(Expressions& all, const Expressions& more) {
   all.insert(all.end(), more.begin(), more.end());
 }
 
-/// What the position of a stretch and its acceptance are written with.
-Expressions position(const ExplicitPlan& plan, std::size_t stretch) {
-  Expressions all{plan.residual2[stretch]};
-  for (const Definition& d : plan.order[stretch].definitions) {
+/// What the position of a section and its acceptance are written with.
+Expressions position(const ExplicitPlan& plan, std::size_t section) {
+  Expressions all{plan.residual2[section]};
+  for (const Definition& d : plan.order[section].definitions) {
     append(all, d.form.values);
     if (d.form.bearing) append(all, {d.form.bearing->x, d.form.bearing->y});
     append(all, monitored(d.form.sizes));
     append(all, monitored(d.form.pivots));
   }
-  const StretchMotion& motion = plan.motion[stretch];
+  const SectionMotion& motion = plan.motion[section];
   append(all, monitored(motion.sizes));
   append(all, motion.increments);
   append(all, monitored(motion.pivots));
@@ -53,11 +53,11 @@ class SolveWriter {
       : out_(out),
         plan_(plan),
         emitter_(out, "  ", everything(plan), {"T", "", "elementary::", true}),
-        has_core_(
-            std::ranges::any_of(plan.order, [](const Stretch& s) { return !s.torn.empty(); })) {
+        has_core_(std::ranges::any_of(plan.order,
+                                      [](const OrderSection& s) { return !s.torn.empty(); })) {
     for (std::size_t k = 0; k < plan.roots.size(); ++k)
       emitter_.name(plan.roots[k].branch, "branch[" + std::to_string(k) + "]");
-    for (const Stretch& s : plan.order)
+    for (const OrderSection& s : plan.order)
       for (const int i : unknowns_of(s))
         for (const Expr e : {plan.part.q[i], plan.part.qd[i], plan.part.qdd[i]}) {
           declared_.insert(e.id());  // where it is defined
@@ -94,7 +94,7 @@ class SolveWriter {
       core(s);
     for (const int i : unknowns_of(plan_.order[s])) open_.erase(plan_.part.q[i].id());
     verify();
-    watch(s);
+    add_monitors(s);
   }
 
   void rates(std::size_t s) {
@@ -150,8 +150,8 @@ class SolveWriter {
   }
 
   void core(std::size_t index) {
-    const Stretch& s = plan_.order[index];
-    const StretchMotion& motion = plan_.motion[index];
+    const OrderSection& s = plan_.order[index];
+    const SectionMotion& motion = plan_.motion[index];
     const std::string number = std::to_string(index), steps = "steps" + number;
     std::ostringstream body;
     emitter_.write_to(body, "    ", true);
@@ -209,22 +209,22 @@ class SolveWriter {
     }
   }
 
-  /// Divisors and square roots of a stretch, against what they are made of.
-  void watch(std::size_t index) {
-    const auto watch_sizes = [&](const std::vector<SizeMonitor>& sizes) {
+  /// Divisors and square roots of a section, against what they are made of.
+  void add_monitors(std::size_t index) {
+    const auto add_sizes = [&](const std::vector<SizeMonitor>& sizes) {
       emitter_.prepare(monitored(sizes));
       sound(conditions(emitter_, sizes));
     };
-    const auto watch_pivots = [&](const std::vector<PivotMonitor>& pivots) {
+    const auto add_pivots = [&](const std::vector<PivotMonitor>& pivots) {
       emitter_.prepare(monitored(pivots));
       sound(conditions(emitter_, pivots));
     };
     for (const Definition& d : plan_.order[index].definitions) {
-      watch_sizes(d.form.sizes);
-      watch_pivots(d.form.pivots);
+      add_sizes(d.form.sizes);
+      add_pivots(d.form.pivots);
     }
-    watch_sizes(plan_.motion[index].sizes);
-    watch_pivots(plan_.motion[index].pivots);
+    add_sizes(plan_.motion[index].sizes);
+    add_pivots(plan_.motion[index].pivots);
   }
 
   void sound(const std::vector<std::string>& conditions) {

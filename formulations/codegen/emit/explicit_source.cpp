@@ -22,7 +22,7 @@ void write_comment(std::ostream& out, const ExplicitPlan& plan) {
 
 void write_branches(std::ostream& out, const ExplicitPlan& plan) {
   out << "constexpr std::array<std::string_view, " << plan.roots.size() << "> branches{{\n";
-  for (const Stretch& s : plan.order)
+  for (const OrderSection& s : plan.order)
     for (const Definition& d : s.definitions)
       for (std::size_t k = 0; k < d.form.roots.size(); ++k)
         out << "    \"" << names_of(plan.type, d.unknowns) << "\",\n";

@@ -37,7 +37,7 @@ class OrderMaker {
  public:
   OrderMaker(const PartType& type, const RecordedPart& part) : type_(type), part_(part) {}
 
-  std::vector<Stretch> make() {
+  std::vector<OrderSection> make() {
     for (Block& block : blocks_of(type_, part_)) {
       const std::vector<Said> all = block.equations;
       add(std::move(block));
@@ -87,7 +87,7 @@ class OrderMaker {
 
   void add(const Block& block, Torn torn) {
     solve_knowing_more(block, torn);
-    Stretch core;
+    OrderSection core;
     for (const int t : torn.torn) core.torn.push_back(block.unknowns[t]);
     for (const int e : torn.left_over) {
       core.residuals.push_back(block.equations[e].equation);
@@ -127,12 +127,12 @@ class OrderMaker {
   const RecordedPart& part_;
   Facts facts_;
   std::vector<Solved> solved_;  // in closed form, in order
-  std::vector<Stretch> order_;
+  std::vector<OrderSection> order_;
 };
 
 }  // namespace
 
-std::vector<Stretch> explicit_order(const PartType& type, const RecordedPart& part) {
+std::vector<OrderSection> explicit_order(const PartType& type, const RecordedPart& part) {
   return OrderMaker(type, part).make();
 }
 

@@ -15,10 +15,10 @@ struct Definition {
   std::vector<std::string> because;  ///< the equations it satisfies
 };
 
-/// A stretch of the explicit order: definitions and, where it is a core, the torn unknowns before
+/// A section of the explicit order: definitions and, where it is a core, the torn unknowns before
 /// them and the residuals that Newton–Raphson brings to zero. Every definition of a core is needed
 /// for its residuals.
-struct Stretch {
+struct OrderSection {
   std::vector<int> torn;  ///< inputs of the part
   std::vector<Definition> definitions;
   std::vector<Expr> residuals;
@@ -28,6 +28,6 @@ struct Stretch {
 
 /// The unknowns of a part one after the other: its irreducible blocks in order, each in closed form
 /// or torn to a small core.
-std::vector<Stretch> explicit_order(const PartType& type, const RecordedPart& part);
+std::vector<OrderSection> explicit_order(const PartType& type, const RecordedPart& part);
 
 }  // namespace desmo::generate

@@ -24,9 +24,9 @@ std::string names_of(const PartType& type, const std::vector<int>& inputs) {
   return result;
 }
 
-std::string describe(const PartType& type, const std::vector<Stretch>& order) {
+std::string describe(const PartType& type, const std::vector<OrderSection>& order) {
   std::string text;
-  for (const Stretch& s : order) {
+  for (const OrderSection& s : order) {
     if (!s.torn.empty())
       text += "  core of " + std::to_string(s.torn.size()) + ": " + names_of(type, s.torn) + "\n";
     for (const Definition& d : s.definitions)

@@ -118,7 +118,7 @@ bool Continuity::in_doubt(const Instant& instant, const Eigen::ArrayXd& weights)
 }
 
 /// next_ = the solution at t that Taylor's polynomial from reached_ leads to.
-void Continuity::lead_on(double t, const Instant& like, Assessor& assessor) {
+void Continuity::predict(double t, const Instant& like, Assessor& assessor) {
   const double h = t - reached_.time;
   const State& from = reached_.state;
   for (int i = 0; i < model_.coordinates(); ++i) {
@@ -162,7 +162,7 @@ std::optional<Continuity::Jump> Continuity::go(const Instant& instant, End end,
   for (int i = 0; i < max_steps; ++i) {
     const bool to_end = std::abs(step) >= std::abs(instant.time - reached_.time);
     const bool is_given = to_end && end == End::given;
-    if (!is_given) lead_on(to_end ? instant.time : reached_.time + step, instant, assessor);
+    if (!is_given) predict(to_end ? instant.time : reached_.time + step, instant, assessor);
     const Instant next = is_given ? instant : view(next_, instant);
     const Instant from = view(reached_, instant);
     const double moved = std::max(growth(from, weights), growth(next, weights));

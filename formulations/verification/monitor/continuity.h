@@ -64,7 +64,7 @@ class Continuity {
                                    const Eigen::ArrayXd& weights) const;
   double growth(const Instant& instant, const Eigen::ArrayXd& weights) const;
   Instant view(const Node& node, const Instant& like) const;
-  void lead_on(double t, const Instant& like, Assessor& assessor);
+  void predict(double t, const Instant& like, Assessor& assessor);
   enum class End { given, solved };
   std::optional<Jump> go(const Instant& instant, End end, const Eigen::ArrayXd& weights,
                          Assessor& assessor);
