@@ -2,7 +2,7 @@
 
 namespace desmo {
 
-std::vector<IndexRange> runs_of(std::span<const int> coordinates) {
+std::vector<IndexRange> ranges_of(std::span<const int> coordinates) {
   std::vector<IndexRange> runs;
   for (const int i : coordinates) {
     if (runs.empty() || runs.back().end != i) runs.push_back({i, i});

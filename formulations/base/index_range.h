@@ -11,6 +11,6 @@ struct IndexRange {
 };
 
 /// Ascending coordinates as runs.
-std::vector<IndexRange> runs_of(std::span<const int> coordinates);
+std::vector<IndexRange> ranges_of(std::span<const int> coordinates);
 
 }  // namespace desmo

@@ -64,7 +64,7 @@ struct Settings {
   /// Into how many segments a motion known in advance is cut, to be solved at once on wide
   /// registers, by variants that have code for it: as many as lanes. 1: it is solved step by step.
   int segments = 1;
-  /// Into how many stretches a motion known in advance is cut, to be solved on as many threads at
+  /// Into how many segments a motion known in advance is cut, to be solved on as many threads at
   /// once, 1 … max_threads; fewer where there is little to do. 1: all is done on the caller's.
   int threads = 1;
   /// Of a motion known in advance every so manieth instant is solved, and the last; those between

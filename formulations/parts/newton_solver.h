@@ -98,7 +98,7 @@ class NewtonSolver {
   /// most have few neighbours, so that loops over runs would cost more.
   static std::vector<IndexRange> long_runs(std::span<const int> unknowns) {
     constexpr std::size_t min_mean = 8;
-    std::vector<IndexRange> runs = runs_of(unknowns);
+    std::vector<IndexRange> runs = ranges_of(unknowns);
     if (runs.size() * min_mean > unknowns.size()) runs.clear();
     return runs;
   }

@@ -17,7 +17,7 @@ std::string_view guess_name(Guess guess);
 /// How many times longer than the step before it a step may be for earlier instants to predict it:
 /// at 4 the quintic magnifies the errors of their positions 10,000 times, and at 10 a million
 /// times.
-inline constexpr double max_stretch = 4;
+inline constexpr double max_step_growth = 4;
 
 /// What is known of the two instants before the one sought.
 struct StepHistory {

@@ -130,8 +130,8 @@ bool RateHistory::lead_on(double interval, double h, const double* last, const d
 bool RateHistory::weigh(double h) {
   Intervals ratios;
   for (std::size_t j = 0; j < ratios.size(); ++j) ratios[j] = intervals_[j] / h;
-  const auto forward = [](double ratio) { return ratio * max_stretch > 1; };
-  const auto backward = [](double ratio) { return ratio * max_stretch < -1; };
+  const auto forward = [](double ratio) { return ratio * max_step_growth > 1; };
+  const auto backward = [](double ratio) { return ratio * max_step_growth < -1; };
   if (!std::ranges::all_of(ratios, forward) && !std::ranges::all_of(ratios, backward)) return false;
   std::array<double, instants> x{};  // the instants in units of h
   for (int j = 1; j < instants; ++j) x[j] = x[j - 1] - ratios[j - 1];

@@ -9,7 +9,7 @@ namespace {
 
 std::vector<IndexRange> runs_asked(const Request& request, int coordinates) {
   if (request.coordinates.empty()) return {{0, coordinates}};
-  return runs_of(request.coordinates);
+  return ranges_of(request.coordinates);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "formulations/batch/wide_lanes.h"
+#include "formulations/batch/wide_scatter.h"
 
 #if defined(__x86_64__) && defined(__GNUC__)
 
