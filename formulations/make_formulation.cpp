@@ -16,7 +16,7 @@
 #include "formulations/parts/newton_part.h"
 #include "formulations/parts/own_unit_part.h"
 #include "formulations/scaling/magnitudes.h"
-#include "formulations/stepping/interpolated.h"
+#include "formulations/stepping/dense_output.h"
 #include "formulations/stepping/time_stepping.h"
 #include "formulations/structure/schedule.h"
 #include "formulations/variants.h"

@@ -18,7 +18,8 @@ Members members_of(const Subsystem& subsystem) {
   return members;
 }
 
-/// Of all parts of a subsystem, ascending: components of an entity then follow each other.
+/// Returns the states of all parts of a subsystem, ascending: components of an entity then follow
+/// each other.
 std::vector<int> states_of(std::span<const ExplicitPart* const> subsystem) {
   std::set<int> states;
   for (const ExplicitPart* const part : subsystem)

@@ -8,7 +8,7 @@ namespace {
 
 using Binding = ExplicitBinding<double>;
 
-/// One behind the other the elements of an array of each part, side by side.
+/// Returns an array of each part, the elements of all parts side by side.
 LaneValues side_by_side(const std::vector<ExplicitPart*>& lanes, std::size_t count,
                         const double* Binding::*array) {
   LaneValues result;

@@ -204,7 +204,7 @@ LaneExecutor::Step LaneExecutor::solve() {
   return step;
 }
 
-/// What code for lanes has refused starts from its last position; that of others was guessed.
+/// A lane that the code has refused starts from its last position; others were predicted.
 void LaneExecutor::solve_lane(Stage& stage, int lane, Step& step) {
   for (std::size_t k = 0; k < alone_.q.size(); ++k) {
     const std::size_t in_lane = k * lanes_ + lane;

@@ -10,7 +10,7 @@
 #include "formulations/equations/kernel_table.h"
 #include "formulations/equations/lane_kernel.h"
 #include "formulations/parts/explicit_part.h"
-#include "formulations/prediction/lane_motion.h"
+#include "formulations/prediction/motion_sampler.h"
 
 namespace desmo {
 

@@ -25,7 +25,7 @@ std::array<int, lanes> places_of(int number, const LanePlaces& places, std::size
   return result;
 }
 
-/// Whether these follow so many places that begin at others.
+/// Returns whether places follow `size` others that begin there.
 template <std::size_t lanes>
 bool follow(const std::array<int, lanes>& places, const std::array<int, lanes>& begin, int size) {
   for (std::size_t l = 0; l < lanes; ++l)

@@ -143,8 +143,8 @@ class BatchMaker {
 
   std::size_t calls(std::size_t parts) const { return (parts + lanes_ - 1) / lanes_; }
 
-  /// Whether the first of these subsystems together, and the rest type by type, take no more calls
-  /// of kernels than all of them type by type.
+  /// Returns whether the first of these subsystems together, and the rest type by type, take no
+  /// more calls of kernels than all of them type by type.
   bool gains(const std::vector<Positions>& subsystems, std::size_t together) const {
     if (together < 2 || kernels(subsystems.front()).empty()) return false;
     std::map<int, std::size_t> of_range;

@@ -9,7 +9,7 @@ namespace desmo {
 
 namespace {
 
-/// Of segments that meet, relative to the size of what differs.
+/// Difference of segments that meet, relative to the size of what differs.
 constexpr double max_difference = 1e-6;
 
 bool is_length(const Entity& e) {
@@ -92,8 +92,8 @@ Summary Segmented::run(const TimeGrid& grid, const Request& request, Observer& o
   return steps_->run(grid, request, observer);
 }
 
-/// From the instant that was solved last: that of the grid's first, or another from which the
-/// drivers can go there straight.
+/// Starts from the instant that was solved last: the first of the grid, or another from which it
+/// can be reached by continuation.
 std::optional<Summary> Segmented::run_on(const TimeGrid& grid, const Request& request,
                                          Observer& observer) {
   const OutputWriter output(request, model().coordinates());

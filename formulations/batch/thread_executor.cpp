@@ -27,7 +27,7 @@ long moving_unknowns(const Formulation& f) {
   return sum;
 }
 
-/// On which the calling thread is, from 1; where nobody knows, another for each.
+/// Returns the processor of the calling thread, from 1; where it is unknown, another for each.
 int processor() {
 #ifdef __linux__
   if (const int known = sched_getcpu(); known >= 0) return known + 1;
@@ -65,7 +65,7 @@ TimeGrid cut(const TimeGrid& grid, int begin, int end) {
 
 }  // namespace
 
-/// What the threads share.
+/// State that the threads share.
 struct ThreadExecutor::Shared {
   std::mutex mutex{};                // of the observer
   std::atomic<bool> stopped{false};  // by it

@@ -23,7 +23,7 @@ DESMO_WIDE inline __m512d upper_pairs(__m512d ab, __m512d cd) {
   return _mm512_permutex2var_pd(ab, _mm512_set_epi64(15, 14, 7, 6, 13, 12, 5, 4), cd);
 }
 
-/// Where the lanes that are used go.
+/// Destinations of the lanes that are used.
 template <std::size_t used>
 using Targets = std::array<double*, used>;
 

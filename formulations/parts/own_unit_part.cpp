@@ -40,7 +40,7 @@ double max_length(const Model& m, const PartDefinition& part, std::span<const do
 
 }  // namespace
 
-/// What the part falls back to, called with its own state.
+/// The part that is fallen back to, called with its own state.
 class OwnUnitPart::InUnitOfAll final : public Part {
  public:
   InUnitOfAll(OwnUnitPart& part, std::unique_ptr<Part> solver)

@@ -14,7 +14,7 @@ namespace {
 /// Intervals that differ by less are the same: the times of a grid are rounded.
 constexpr double same = 1e-11;
 
-/// Lanes come in blocks; whatever else is predicted, many runs are of one.
+/// Lanes come in blocks; whatever else is predicted, many ranges are of one.
 constexpr std::array block_sizes{8, 4, 1};
 
 /// Gauss's points and weights on [0, 1], exact up to degree 7: that of a polynomial through values
@@ -25,7 +25,7 @@ constexpr std::array<double, points> point{0.069431844202973712388, 0.3300094782
 constexpr std::array<double, points> weight{0.17392742256872692869, 0.32607257743127307131,
                                             0.32607257743127307131, 0.17392742256872692869};
 
-/// Whether the intervals are so many times h.
+/// Returns whether the intervals are `ratios` times h.
 template <std::size_t size>
 bool are_ratios(const std::array<double, size>& intervals, const std::array<double, size>& ratios,
                 double h) {
@@ -37,15 +37,15 @@ bool are_ratios(const std::array<double, size>& intervals, const std::array<doub
 
 }  // namespace
 
-RateHistory::RateHistory(std::span<const IndexRange> runs) {
+RateHistory::RateHistory(std::span<const IndexRange> ranges) {
   const auto cut_by = [&](int block) {
-    return std::ranges::all_of(runs, [=](const IndexRange& run) {
-      return run.first % block == 0 && run.end % block == 0;
+    return std::ranges::all_of(ranges, [=](const IndexRange& range) {
+      return range.first % block == 0 && range.end % block == 0;
     });
   };
   block_ = *std::ranges::find_if(block_sizes, cut_by);
-  for (const IndexRange run : runs)
-    for (int i = run.first; i < run.end; i += block_) blocks_.push_back(i);
+  for (const IndexRange range : ranges)
+    for (int i = range.first; i < range.end; i += block_) blocks_.push_back(i);
   changes_.resize(blocks_.size() * block_);
   rates_.resize(2 * changes_.size() * instants);
 }
@@ -59,7 +59,7 @@ struct RateHistory::Change {
     }
   }
 
-  /// Of number n. Two sums: neither waits for the other.
+  /// Returns the change of number n. Two sums: neither waits for the other.
   double operator()(std::size_t n) const {
     double of_qd = 0, of_qdd = 0;
     for (std::size_t k = 0; k < instants; ++k) {

@@ -12,21 +12,21 @@ namespace desmo {
 /// q̇ and q̈ of all of them, integrated from the last position on, as Adams and Bashforth do with
 /// first derivatives. With the last instant as 0 and the step sought h long,
 ///   q = q₀ + Σ_j (h β_j q̇_j + h² γ_j q̈_j).
-/// Of positions the last one alone counts: what an instant was solved short of the solution is not
-/// magnified, as it is where several are extrapolated.
+/// Only the last position counts: the error left in an instant is not magnified, as it is where
+/// several positions are extrapolated.
 class RateHistory {
  public:
   static constexpr int instants = 4;
-  /// Of the polynomial that q is expected to be.
+  /// Degree of the polynomial that q is expected to be.
   static constexpr int degree = 2 * instants;
 
-  /// runs: the coordinates.
-  explicit RateHistory(std::span<const IndexRange> runs);
+  /// ranges: of the coordinates.
+  explicit RateHistory(std::span<const IndexRange> ranges);
 
   void forget() { known_ = 0, newest_ = 0; }
   /// Remembers the rates of the last instant, `interval` (s) after the one before, which is what
-  /// was remembered last, and writes where the coordinates of the runs are expected after a step of
-  /// h (s) into q, which may be `last`: the last positions. False, and nothing is written, where
+  /// was remembered last, and writes where the coordinates of the ranges are expected after a step
+  /// of h (s) into q, which may be `last`: the last positions. False, and nothing is written, where
   /// too little is known: intervals must go one way, and none be short beside the step.
   bool lead_on(double interval, double h, const double* last, const double* qd, const double* qdd,
                double* q);
@@ -34,8 +34,8 @@ class RateHistory {
  private:
   /// Before the last instant, the one before it, and so on.
   using Intervals = std::array<double, instants - 1>;
-  /// By age: of the last instant at instants − 1, of the one before it a place before, and so on
-  /// around, so that from any place on stand those of all.
+  /// Weights by age: of the last instant at instants − 1, of the one before it a place before, and
+  /// so on around, so that those of all instants stand from any place on.
   using Weights = std::array<double, 2 * instants - 1>;
   bool weigh(double h);
   struct Change;

@@ -19,7 +19,7 @@
 #include "formulations/equations/lanes.h"
 #include "formulations/equations/turned_angle.h"
 #include "formulations/id.h"
-#include "formulations/prediction/lane_motion.h"
+#include "formulations/prediction/motion_sampler.h"
 #include "formulations/prediction/motions_ahead.h"
 #include "formulations/variants.h"
 #include "tests/everything.h"
