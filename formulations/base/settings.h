@@ -49,9 +49,9 @@ struct Settings {
   double tolerance = default_tolerance;
   int max_iterations = 25;  ///< of Newton–Raphson, a step
   Guess guess = Guess::previous;
-  /// 0: iterate until the tolerance is met. Otherwise exactly so many iterations a step, whatever
-  /// ‖Φ‖₂ is, so that a step's work does not depend on rounding; an assembly repeats them until
-  /// the tolerance is met or max_iterations times.
+  /// 0: iterate until the tolerance is met. Otherwise exactly this number of iterations a step,
+  /// whatever ‖Φ‖₂ is, so that a step's work does not depend on rounding; an assembly repeats them
+  /// until the tolerance is met or max_iterations times.
   int fixed_iterations = 0;
   JacobianUpdate jacobian = JacobianUpdate::newton;
   Factorisation factorisation = Factorisation::shared;

@@ -43,7 +43,7 @@ void put_two(__m256d x, __m256d y, const std::array<double*, quad>& to, std::siz
   _mm_storeu_pd(to[3] + k, _mm256_extractf128_pd(odd, 1));
 }
 
-/// Four numbers of a quad to element k and the three behind it.
+/// Four numbers of a quad to element k and the three after it.
 void unpack_four(const std::array<const double*, 4>& from, const std::array<double*, quad>& to,
                  std::size_t k) {
   const __m256d a = _mm256_load_pd(from[0]), b = _mm256_load_pd(from[1]),

@@ -60,7 +60,7 @@ class Scatter {
   void scatter(std::span<const LaneCopy> copies) const;
 
  private:
-  /// Numbers whose places follow each other in so many lanes.
+  /// Numbers whose places follow each other in each of these lanes.
   template <std::size_t lanes>
   struct Range {
     int size;

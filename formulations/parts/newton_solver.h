@@ -39,7 +39,7 @@ class NewtonSolver {
   using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
 
   /// weights: 1/magnitude of each equation, by which ‖Φ‖₂ does not depend on units; magnitudes: of
-  /// the unknowns, none standing for 1; settings: with the tolerance on that norm of the part's own
+  /// the unknowns, none: all are 1; settings: with the tolerance on that norm of the part's own
   /// equations; linear_solver: of the pattern of these equations.
   NewtonSolver(std::unique_ptr<const Equations<Real>> equations, std::span<const double> weights,
                std::span<const double> magnitudes, const PartSettings& settings,

@@ -12,7 +12,7 @@ namespace desmo {
 
 namespace {
 
-/// Products of fifteen lengths are numbers up to so many binary orders.
+/// Binary orders up to which products of fifteen lengths do not overflow.
 constexpr int far = 64;
 
 /// The constraints of a part, each once.

@@ -18,7 +18,7 @@ class OwnUnitPart final : public GuardedPart {
  public:
   /// The unit, and the powers of it in each constraint of the part.
   struct Unit {
-    int exponent;  ///< a length is so many binary orders smaller in it
+    int exponent;  ///< binary orders by which a length is smaller in it
     std::vector<LengthPowers> powers;
   };
   /// magnitudes: of the part's unknowns. Nothing where lengths are near enough to 1.

@@ -34,7 +34,7 @@ struct StepHistory {
 };
 
 /// The best guess that two instants allow, up to the one wanted: previous, linear, quadratic,
-/// hermite3, hermite5, in this order. Two instants too close together beside the step sought count
+/// hermite3, hermite5, in this order. Two instants too close together compared with the step count
 /// as one: what they say of it is mostly the rounding of their difference.
 Guess best_guess(Guess wanted, const StepHistory& history);
 

@@ -50,7 +50,7 @@ class MotionSampler {
   struct Sums {
     int size;
     std::array<int, 4> place;
-    bool in_order;  // places of four, one behind the other
+    bool in_order;  // places of four, one after the other
     std::array<double, 4> mean;
     std::vector<Term> terms;
   };

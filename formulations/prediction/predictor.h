@@ -27,7 +27,7 @@ class Predictor {
     if (history_) {
       if (history.before != Level::acceleration) history_->forget();
       if (history.last == Level::acceleration &&
-          history_->lead_on(history.h_before, history.h, last.q.data(), last.qd.data(),
+          history_->predict(history.h_before, history.h, last.q.data(), last.qd.data(),
                             last.qdd.data(), q))
         return;
     }

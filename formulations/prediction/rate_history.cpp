@@ -86,7 +86,7 @@ void RateHistory::remember(const double* qd, const double* qdd) {
 
 /// q may be last: a block is written when all of it is known.
 template <std::size_t block>
-void RateHistory::lead(const Change& change, const double* last, double* q) {
+void RateHistory::write_predicted(const Change& change, const double* last, double* q) {
   for (std::size_t m = 0; m < blocks_.size(); ++m) {
     const int i = blocks_[m];
     std::array<double, block> expected;
@@ -97,23 +97,23 @@ void RateHistory::lead(const Change& change, const double* last, double* q) {
 
 /// Changes are worked out several at a time.
 template <>
-void RateHistory::lead<1>(const Change& change, const double* last, double* q) {
+void RateHistory::write_predicted<1>(const Change& change, const double* last, double* q) {
 #pragma GCC ivdep  // they are another array than the rates
   for (std::size_t n = 0; n < changes_.size(); ++n) changes_[n] = change(n);
   for (std::size_t n = 0; n < blocks_.size(); ++n) q[blocks_[n]] = last[blocks_[n]] + changes_[n];
 }
 
-bool RateHistory::lead_on(double interval, double h, const double* last, const double* qd,
+bool RateHistory::predict(double interval, double h, const double* last, const double* qd,
                           const double* qdd, double* q) {
   known_ = std::min(known_ + 1, instants);
   newest_ = (newest_ + 1) % instants;  // in the place of the oldest
   for (std::size_t j = intervals_.size() - 1; j > 0; --j) intervals_[j] = intervals_[j - 1];
   intervals_[0] = interval;
-  const bool leads =
+  const bool predicts =
       known_ == instants && h != 0 && (are_ratios(intervals_, weighed_, h) || weigh(h));
   const auto go = [&](auto block) {
     remember<block()>(qd, qdd);
-    if (leads) lead<block()>(Change(*this, h), last, q);
+    if (predicts) write_predicted<block()>(Change(*this, h), last, q);
   };
   if (block_ == 8)
     go(std::integral_constant<std::size_t, 8>());
@@ -121,7 +121,7 @@ bool RateHistory::lead_on(double interval, double h, const double* last, const d
     go(std::integral_constant<std::size_t, 4>());
   else
     go(std::integral_constant<std::size_t, 1>());
-  return leads;
+  return predicts;
 }
 
 /// The integrals over the step of Hermite's basis at the instants, with ℓ_j of Lagrange:

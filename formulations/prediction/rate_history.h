@@ -24,11 +24,11 @@ class RateHistory {
   explicit RateHistory(std::span<const IndexRange> ranges);
 
   void forget() { known_ = 0, newest_ = 0; }
-  /// Remembers the rates of the last instant, `interval` (s) after the one before, which is what
-  /// was remembered last, and writes where the coordinates of the ranges are expected after a step
-  /// of h (s) into q, which may be `last`: the last positions. False, and nothing is written, where
-  /// too little is known: intervals must go one way, and none be short beside the step.
-  bool lead_on(double interval, double h, const double* last, const double* qd, const double* qdd,
+  /// Remembers the rates of the last instant, `interval` [s] after the one remembered before it,
+  /// and writes the positions predicted for a step of h [s] into q, which may be `last`: the last
+  /// positions. Returns false and writes nothing where too little is known: intervals must have one
+  /// sign, and none be short compared with the step.
+  bool predict(double interval, double h, const double* last, const double* qd, const double* qdd,
                double* q);
 
  private:
@@ -42,15 +42,15 @@ class RateHistory {
   template <std::size_t block>
   void remember(const double* qd, const double* qdd);
   template <std::size_t block>
-  void lead(const Change& change, const double* last, double* q);
+  void write_predicted(const Change& change, const double* last, double* q);
 
-  int block_;                  // so many coordinates at a time: 1, or as many as lanes
+  int block_;                  // coordinates at a time: 1, or as many as lanes
   std::vector<int> blocks_;    // the first of each
-  std::vector<double> rates_;  // q̇ and q̈, one instant behind the other, around
+  std::vector<double> rates_;  // q̇ and q̈, one instant after the other, around
   std::size_t newest_ = 0;     // which of them is the last
   Intervals intervals_{};      // s
   int known_ = 0;
-  Intervals weighed_{};  // beside the step sought, those that the weights are for; zero: none
+  Intervals weighed_{};  // of which the weights are, in units of the step; zero: none
   Weights beta_{}, gamma_{};
   std::vector<double> changes_;  // over the step sought, of all
 };
