@@ -6,17 +6,17 @@
 #include <utility>
 
 #include "formulations/algebra/backend.h"
-#include "formulations/batch/on_lanes.h"
-#include "formulations/batch/parallel_motion.h"
+#include "formulations/batch/lane_executor.h"
+#include "formulations/batch/make_batches.h"
 #include "formulations/batch/segmented.h"
-#include "formulations/batch/time_lanes.h"
+#include "formulations/batch/thread_executor.h"
 #include "formulations/id.h"
 #include "formulations/parts/explicit_part.h"
 #include "formulations/parts/inlined_part.h"
 #include "formulations/parts/newton_part.h"
 #include "formulations/parts/own_unit_part.h"
 #include "formulations/scaling/magnitudes.h"
-#include "formulations/stepping/interpolated.h"
+#include "formulations/stepping/dense_output.h"
 #include "formulations/stepping/time_stepping.h"
 #include "formulations/structure/schedule.h"
 #include "formulations/variants.h"
@@ -114,7 +114,7 @@ std::unique_ptr<SegmentExecutor> on_threads(const Variant& v, const Model& m, Se
   std::vector<std::unique_ptr<Formulation>> workers(settings.threads);
   settings.threads = settings.stride = 1;
   for (auto& worker : workers) worker = make_formulation(v, m, settings, nullptr, &table);
-  return std::make_unique<ParallelMotion>(std::move(workers), min_segment * settings.segments);
+  return std::make_unique<ThreadExecutor>(std::move(workers), min_segment * settings.segments);
 }
 
 }  // namespace
@@ -127,8 +127,8 @@ std::unique_ptr<Formulation> make_formulation(const Variant& v, const Model& m,
   if (const std::string reason = unavailable_reason(settings); !reason.empty())
     throw std::invalid_argument(id_with(v, settings) + ": " + reason);
   std::vector<PartDefinition> definitions = make_partition(m, v.partition);
-  std::vector<int> run_ends{static_cast<int>(definitions.size())};
-  if (!v.backend) run_ends = gather_types(m, definitions);
+  std::vector<int> type_ends{static_cast<int>(definitions.size())};
+  if (!v.backend) type_ends = gather_types(m, definitions);
   // With p parts, each within tolerance/√p, the whole mechanism is within the tolerance, unless
   // rounding leaves a part more than its share.
   Settings own = settings;
@@ -143,12 +143,12 @@ std::unique_ptr<Formulation> make_formulation(const Variant& v, const Model& m,
   if (settings.threads > 1) {
     segments = on_threads(v, m, settings, table);
   } else if (settings.segments > 1) {
-    std::vector<TimeLanes::Parts> lanes(settings.segments);
-    for (TimeLanes::Parts& parts : lanes) parts = make_parts(common, definitions);
-    segments = std::make_unique<TimeLanes>(m, std::move(lanes), settings, table);
+    std::vector<LaneExecutor::Parts> lanes(settings.segments);
+    for (LaneExecutor::Parts& parts : lanes) parts = make_parts(common, definitions);
+    segments = std::make_unique<LaneExecutor>(m, std::move(lanes), settings, table);
   }
   std::vector<DefinedPart> parts = make_parts(common, std::move(definitions));
-  if (settings.lanes > 1) parts = on_lanes(m, std::move(parts), run_ends, settings, table);
+  if (settings.lanes > 1) parts = make_batches(m, std::move(parts), type_ends, settings, table);
   auto steps = std::make_unique<TimeStepping>(m, std::move(parts), settings);
   std::unique_ptr<Formulation> formulation;
   if (segments)

@@ -124,7 +124,7 @@ class CeresPeer final : public Peer {
     for (int c = 0; c < static_cast<int>(m.constraints.size()); ++c)
       if (!m.groups[m.constraints[c].group].constant) add(c, magnitudes);
     for (const auto& part : rates_->parts())  // global: one that moves
-      if (!part.definition.constant) runs_ = runs_of(part.definition.unknowns);
+      if (!part.definition.constant) runs_ = ranges_of(part.definition.unknowns);
     answer_.coordinates.resize(m.coordinates());
     for (int i = 0; i < m.coordinates(); ++i) answer_.coordinates[i] = i;
     for (auto* values : {&answer_.q, &answer_.qd, &answer_.qdd}) values->resize(m.coordinates());

@@ -5,12 +5,19 @@
 
 namespace desmo {
 
-/// Coordinates that stand together: what is done to all is done without looking any up.
+/// Consecutive indices: what is done to all is done without looking any up.
 struct IndexRange {
   int first, end;
 };
 
-/// Ascending coordinates as runs.
-std::vector<IndexRange> runs_of(std::span<const int> coordinates);
+/// Returns ascending indices as ranges.
+inline std::vector<IndexRange> ranges_of(std::span<const int> indices) {
+  std::vector<IndexRange> ranges;
+  for (const int i : indices) {
+    if (ranges.empty() || ranges.back().end != i) ranges.push_back({i, i});
+    ++ranges.back().end;
+  }
+  return ranges;
+}
 
 }  // namespace desmo

@@ -6,7 +6,7 @@
 
 namespace desmo {
 
-/// Allocates where the widest registers can be loaded from at once.
+/// Allocates memory that the widest registers can be loaded from at once.
 template <class T>
 struct LaneAllocator {
   using value_type = T;
@@ -23,10 +23,10 @@ struct LaneAllocator {
   bool operator==(const LaneAllocator&) const = default;
 };
 
-/// Numbers of several lanes, those of one number side by side: number k of lane l at k · lanes + l.
+/// Numbers of a batch, the lanes of each side by side: number k of lane l at k · lanes + l.
 using LaneValues = std::vector<double, LaneAllocator<double>>;
 
-/// So few numbers are not worth the call that std::copy_n makes of them.
+/// Copies a few numbers, which are not worth the call that std::copy_n makes of them.
 template <std::size_t size>
 void copy_in_registers(const double* __restrict from, double* __restrict to) {
   for (std::size_t k = 0; k < size; ++k) to[k] = from[k];

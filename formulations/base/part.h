@@ -22,7 +22,7 @@ enum class Status {
   not_finite,     ///< Φ is not a finite number
 };
 
-/// What became of one part in one step.
+/// The outcome of one part in one step.
 struct PartResult {
   Status status = Status::converged;
   int iterations = 0;
@@ -42,7 +42,7 @@ struct PartInputs {
   std::vector<int> drivers;
 };
 
-/// Where the results of the parts go in a run.
+/// Places where the results of the parts go in a run.
 struct PartOutputs {
   /// For each position in the state, whether it is read there by other parts, by the prediction, or
   /// by an observer that lends no memory.

@@ -9,7 +9,8 @@ struct ReferenceInstant {
   double time;                     ///< s
   std::vector<double> q, qd, qdd;  ///< rounded to double
 
-  /// What rounding left, itself rounded: value = q + rest.q to 1e-32 of it. Empty: not known.
+  /// Rests of the rounding, themselves rounded: value = q + rest.q to 1e-32 of it. Empty: not
+  /// known.
   struct Rests {
     std::vector<double> q, qd, qdd;
   };

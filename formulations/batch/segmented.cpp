@@ -1,10 +1,79 @@
 #include "formulations/batch/segmented.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <utility>
 
-#include "formulations/stepping/trajectory.h"
-
 namespace desmo {
+
+namespace {
+
+/// Difference of segments that meet, relative to the size of what differs.
+constexpr double max_difference = 1e-6;
+
+bool is_length(const Entity& e) {
+  return e.kind == EntityKind::point || e.kind == EntityKind::distance;
+}
+
+/// An observer that keeps the instants of a motion, for one that needs them in order or lends no
+/// memory.
+class MotionBuffer final : public Observer {
+ public:
+  /// coordinates: of each instant, all of which are requested up to `level`.
+  MotionBuffer(int instants, int coordinates, Level level)
+      : instants_(instants),
+        coordinates_(static_cast<std::size_t>(coordinates)),
+        q_(instants_.size() * coordinates_),
+        qd_(level >= Level::velocity ? q_.size() : 0),
+        qdd_(level >= Level::acceleration ? q_.size() : 0) {}
+
+  Flow observe(const Instant& instant) noexcept override {
+    instants_[instant.index] = instant;
+    return Flow::go_on;
+  }
+  int lent_at_once() const noexcept override { return static_cast<int>(instants_.size()); }
+  void lend(std::span<const int> instants, std::span<OutputView> outputs) noexcept override {
+    for (std::size_t i = 0; i < instants.size(); ++i) {
+      const auto of_instant = [&](std::vector<double>& values) {
+        return values.empty() ? nullptr : &values[instants[i] * coordinates_];
+      };
+      outputs[i] = {of_instant(q_), of_instant(qd_), of_instant(qdd_)};
+    }
+  }
+  bool any_order() const noexcept override { return true; }
+  Observer* of_thread(int) noexcept override { return this; }
+
+  /// Hands the instants over in order of time, and counts those that the observer took.
+  void hand_over(const OutputWriter& output, Observer& observer, Summary& total) const {
+    total.instants = 0;
+    for (const Instant& instant : instants_) {
+      ++total.instants;
+      total.stopped = output.hand_over(instant, observer) == Flow::stop;
+      if (total.stopped) return;
+    }
+  }
+
+ private:
+  std::vector<Instant> instants_;
+  std::size_t coordinates_;
+  std::vector<double> q_, qd_, qdd_;  // of all instants; empty above the level
+};
+
+}  // namespace
+
+bool segments_meet(const Model& m, std::span<const double> ended, std::span<const double> begun) {
+  double length = 0;
+  for (const Entity& e : m.entities)
+    for (int k = e.first; !e.fixed && is_length(e) && k < e.first + e.size; ++k)
+      length = std::max(length, std::abs(begun[k]));
+  return std::ranges::all_of(m.entities, [&](const Entity& e) {
+    const double allowed = max_difference * (is_length(e) ? length : 1);
+    for (int k = e.first; !e.fixed && k < e.first + e.size; ++k)
+      if (!(std::abs(ended[k] - begun[k]) <= allowed)) return false;
+    return true;
+  });
+}
 
 Segmented::Segmented(std::unique_ptr<TimeStepping> steps, std::unique_ptr<SegmentExecutor> executor)
     : Formulation(steps->model(), steps->tolerance()),
@@ -23,27 +92,21 @@ Summary Segmented::run(const TimeGrid& grid, const Request& request, Observer& o
   return steps_->run(grid, request, observer);
 }
 
-/// From the instant that was solved last: that of the grid's first, or another from which the
-/// drivers can go there straight.
+/// Starts from the instant that was solved last: the first of the grid, or another from which it
+/// can be reached by continuation.
 std::optional<Summary> Segmented::run_on(const TimeGrid& grid, const Request& request,
                                          Observer& observer) {
   const OutputWriter output(request, model().coordinates());
-  const bool keeps = !observer.any_order() || observer.lent_at_once() == 0;
-  std::optional<Trajectory> kept;
-  if (keeps) kept.emplace(grid.instants, model().coordinates(), request.level);
+  const bool at_once = observer.any_order() && observer.lent_at_once() > 0;
+  std::optional<MotionBuffer> buffer;
+  if (!at_once) buffer.emplace(grid.instants, model().coordinates(), request.level);
   last_ = steps_->state();
-  std::optional<Summary> total = keeps ? executor_->run(grid, {request.level}, last_, *kept)
-                                       : executor_->run(grid, request, last_, observer);
-  if (!total && !keeps) observer.restart();
+  std::optional<Summary> total = at_once ? executor_->run(grid, request, last_, observer)
+                                         : executor_->run(grid, {request.level}, last_, *buffer);
+  if (!total && at_once) observer.restart();
   if (!total || total->stopped) return total;
   steps_->take(last_, grid.time(grid.instants - 1), request.level);
-  if (!keeps) return total;
-  total->instants = 0;
-  for (const Instant& instant : kept->instants()) {
-    ++total->instants;
-    total->stopped = output.hand_over(instant, observer) == Flow::stop;
-    if (total->stopped) break;
-  }
+  if (buffer) buffer->hand_over(output, observer, *total);
   return total;
 }
 

@@ -10,7 +10,9 @@
 
 namespace desmo {
 
-/// Solves the segments of a motion known in advance at once.
+/// Solves the segments of a motion known in advance at once. Each is entered by continuation from
+/// the first position of the motion, and solved on its own; that all lie on one branch shows where
+/// a segment ends and the next has begun (segments_meet).
 class SegmentExecutor {
  public:
   virtual ~SegmentExecutor() = default;
@@ -23,6 +25,12 @@ class SegmentExecutor {
   /// Leaves out levels, as Formulation::solve_only() does.
   virtual void solve_only(std::span<const Level>) {}
 };
+
+/// Returns whether a segment ended where the next had begun, at positions of one instant in
+/// coordinate order: converged, they differ by far less than is allowed; on different branches, by
+/// far more.
+bool segments_meet(const Model& model, std::span<const double> ended,
+                   std::span<const double> begun);
 
 /// A formulation that solves the segments of a motion at once, in lanes or on threads, or, where
 /// they do not meet, the motion step by step after all. Single instants are solved by steps.

@@ -1,9 +1,11 @@
 #include "formulations/groupwise/double_solution.h"
 
-#include "formulations/groupwise/groupwise_solver.h"
+#include "formulations/groupwise/groupwise_solver_impl.h"
 #include "formulations/groupwise/walk.h"
 
 namespace desmo {
+
+template class GroupwiseSolver<double>;
 
 std::vector<ReferenceInstant> double_solution(const Model& m, std::span<const double> times) {
   std::vector<ReferenceInstant> result;

@@ -21,7 +21,8 @@ struct PartSystem {
   std::vector<S> velocity;      ///< −Φ_h ḣ
   std::vector<S> acceleration;  ///< −Φ_h ḧ − Φ̇_q q̇
 
-  /// At a state. `acceleration` also needs the velocities of the part's own unknowns in it.
+  /// Evaluates all at a state. `acceleration` also needs the velocities of the part's own unknowns
+  /// in it.
   PartSystem(const Model& m, const PartDefinition& part, const WideState<S>& state)
       : n(part.unknowns.size()), jacobian(n * n, S(0)), m_(m), part_(part), state_(state) {
     for (std::vector<S>* v : {&phi, &velocity, &acceleration}) v->assign(n, S(0));
@@ -70,7 +71,7 @@ struct PartSystem {
     return row;
   }
 
-  /// Of a component of the state; -1: the part takes it as known.
+  /// Returns the column of a component of the state; -1: the part takes it as known.
   int column(int at) const {
     const auto it = std::ranges::lower_bound(part_.unknowns, at);
     return it != part_.unknowns.end() && *it == at ? static_cast<int>(it - part_.unknowns.begin())

@@ -4,7 +4,7 @@
 
 namespace desmo {
 
-/// q, q̇ and q̈ of a whole mechanism with its fixed entities behind, in any scalar.
+/// The state of a model, in any scalar: q, q̇ and q̈ of its coordinates, then of fixed entities.
 template <class S>
 struct WideState {
   std::vector<S> q, qd, qdd;

@@ -10,7 +10,7 @@
 
 namespace desmo {
 
-/// One group or block solved by generated code in explicit order. The first position after
+/// A group or block solved by generated code in explicit order. The first position after
 /// forget() is found from its estimate by `fallback`, iterating on the original equations; on which
 /// side of each square root it lies is the assembly branch, which later steps keep. A step that the
 /// code refuses, where a root or a divisor is too small or the original equations are not
@@ -34,7 +34,7 @@ class ExplicitPart final : public GuardedPart {
 
   long fallbacks() const override { return fallbacks_; }
   long branch_changes() const override { return branch_changes_; }
-  /// Whether a position was found since forget(), so that the kernel may go on from it.
+  /// Returns whether a position was found since forget(), so that the kernel may go on from it.
   bool assembled() const { return assembled_; }
   const ExplicitKernel& kernel() const { return kernel_; }
   const ExplicitBinding<double>& binding() const { return binding_; }

@@ -11,7 +11,7 @@ class GuardedPart : public Part {
   /// Returns how many steps were left to it. Assemblies, which start from estimates, do not count.
   virtual long fallbacks() const = 0;
   long refactorisations() const final { return fallbacks(); }
-  /// Those of them that came out on another side of a square root, where sides are kept.
+  /// Returns how many of them came out on another branch, where branches are kept.
   virtual long branch_changes() const { return 0; }
 };
 

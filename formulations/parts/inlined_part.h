@@ -8,7 +8,7 @@
 
 namespace desmo {
 
-/// One group solved by generated code throughout: equations, elimination in a pivot order fixed
+/// A group solved by generated code throughout: equations, elimination in a pivot order fixed
 /// at generation time, and substitution. When a pivot turns out too small, or the iterations do
 /// not converge, the step is left to `fallback`, which pivots; fallbacks() counts these steps.
 class InlinedPart final : public GuardedPart {

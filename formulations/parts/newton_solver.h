@@ -39,7 +39,7 @@ class NewtonSolver {
   using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
 
   /// weights: 1/magnitude of each equation, by which ‖Φ‖₂ does not depend on units; magnitudes: of
-  /// the unknowns, none standing for 1; settings: with the tolerance on that norm of the part's own
+  /// the unknowns, none: all are 1; settings: with the tolerance on that norm of the part's own
   /// equations; linear_solver: of the pattern of these equations.
   NewtonSolver(std::unique_ptr<const Equations<Real>> equations, std::span<const double> weights,
                std::span<const double> magnitudes, const PartSettings& settings,
@@ -59,7 +59,7 @@ class NewtonSolver {
         max_iterations_(settings.fixed_iterations ? settings.fixed_iterations
                                                   : settings.max_iterations),
         at_rounding_(settings.at_rounding),
-        runs_(long_runs(pattern_.unknowns)),
+        ranges_(long_ranges(pattern_.unknowns)),
         values_(pattern_.size(), Real(0)),
         weights_(
             Eigen::Map<const Eigen::VectorXd>(weights.data(), pattern_.n).template cast<Real>()),
@@ -94,13 +94,13 @@ class NewtonSolver {
   }
 
  private:
-  /// Of unknowns side by side in the state: what is done with these fits wide registers. None where
-  /// most have few neighbours, so that loops over runs would cost more.
-  static std::vector<IndexRange> long_runs(std::span<const int> unknowns) {
+  /// Returns the ranges of the unknowns in the state, whose loops fit wide registers; none where
+  /// most are short, so that loops over ranges would cost more.
+  static std::vector<IndexRange> long_ranges(std::span<const int> unknowns) {
     constexpr std::size_t min_mean = 8;
-    std::vector<IndexRange> runs = runs_of(unknowns);
-    if (runs.size() * min_mean > unknowns.size()) runs.clear();
-    return runs;
+    std::vector<IndexRange> ranges = ranges_of(unknowns);
+    if (ranges.size() * min_mean > unknowns.size()) ranges.clear();
+    return ranges;
   }
 
   bool refines() const { return rounds_factors_ || update_ == JacobianUpdate::chord; }
@@ -152,7 +152,7 @@ class NewtonSolver {
     }
   }
 
-  /// Whether corrections as slow as the last one still meet the tolerance in good time.
+  /// Returns whether corrections as slow as the last one still meet the tolerance in good time.
   bool fast_enough(double residual, double before) const {
     return residual * std::pow(residual / before, break_even_solves_) < tolerance_;
   }
@@ -232,13 +232,13 @@ class NewtonSolver {
   /// Calls with the place of each unknown in the state, and its own.
   template <class Call>
   void each_unknown(Call call) const {
-    if (runs_.empty())
+    if (ranges_.empty())
       for (int i = 0; i < pattern_.n; ++i) call(pattern_.unknowns[i], i);
     int i = 0;
-    for (const IndexRange run : runs_) {
-      const int shift = i - run.first;
-      for (int at = run.first; at < run.end; ++at) call(at, at + shift);
-      i += run.end - run.first;
+    for (const IndexRange range : ranges_) {
+      const int shift = i - range.first;
+      for (int at = range.first; at < range.end; ++at) call(at, at + shift);
+      i += range.end - range.first;
     }
   }
 
@@ -252,9 +252,9 @@ class NewtonSolver {
   bool per_level_;
   double tolerance_;
   int min_iterations_, max_iterations_;
-  bool at_rounding_;              // see PartSettings
-  std::vector<IndexRange> runs_;  // see long_runs
-  std::vector<Real> values_;      // Φ_φ and Φ_h, laid out by the pattern
+  bool at_rounding_;                // see PartSettings
+  std::vector<IndexRange> ranges_;  // see long_ranges
+  std::vector<Real> values_;        // Φ_φ and Φ_h, laid out by the pattern
   Vector weights_;
   Vector b_;           // right-hand side, then solution
   Vector correction_;  // the last one by old factors

@@ -12,7 +12,7 @@ namespace desmo {
 
 namespace {
 
-/// Products of fifteen lengths are numbers up to so many binary orders.
+/// Binary orders up to which products of fifteen lengths do not overflow.
 constexpr int far = 64;
 
 /// The constraints of a part, each once.
@@ -40,7 +40,7 @@ double max_length(const Model& m, const PartDefinition& part, std::span<const do
 
 }  // namespace
 
-/// What the part falls back to, called with its own state.
+/// The part that is fallen back to, called with its own state.
 class OwnUnitPart::InUnitOfAll final : public Part {
  public:
   InUnitOfAll(OwnUnitPart& part, std::unique_ptr<Part> solver)

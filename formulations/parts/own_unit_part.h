@@ -16,9 +16,9 @@ namespace desmo {
 /// two, which rounds nothing; what is refused even so is left to `fallback` in the unit of all.
 class OwnUnitPart final : public GuardedPart {
  public:
-  /// What is needed besides: the unit, and the powers of it in each constraint of the part.
+  /// The unit, and the powers of it in each constraint of the part.
   struct Unit {
-    int exponent;  ///< a length is so many binary orders smaller in it
+    int exponent;  ///< binary orders by which a length is smaller in it
     std::vector<LengthPowers> powers;
   };
   /// magnitudes: of the part's unknowns. Nothing where lengths are near enough to 1.

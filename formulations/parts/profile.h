@@ -5,7 +5,7 @@
 
 namespace desmo {
 
-/// What a step spends its time on.
+/// Phases that a step spends its time on.
 enum class Phase { residual, jacobian, factorisation, solve, right_hand_sides };
 inline constexpr int phase_count = 5;
 

@@ -51,7 +51,7 @@ std::string_view guess_name(Guess guess) {
 }
 
 Guess best_guess(Guess wanted, const StepHistory& history) {
-  const bool apart = std::abs(history.h) < max_stretch * std::abs(history.h_before);
+  const bool apart = std::abs(history.h) < max_step_growth * std::abs(history.h_before);
   for (const Guess guess : {Guess::hermite5, Guess::hermite3, Guess::quadratic, Guess::linear}) {
     const auto [last, before] = needs(guess);
     if (guess <= wanted && history.last >= last && (!before || (apart && history.before >= before)))

@@ -10,22 +10,22 @@
 
 namespace desmo {
 
-/// How a guess is written in ids: "previous", "linear", "quadratic", "hermite3", "hermite5",
+/// Returns a guess as ids write it: "previous", "linear", "quadratic", "hermite3", "hermite5",
 /// "adams8".
 std::string_view guess_name(Guess guess);
 
-/// How many times longer than the step before it a step may be for earlier instants to predict it:
+/// Ratio of a step to the one before it, above which earlier instants no longer predict it:
 /// at 4 the quintic magnifies the errors of their positions 10,000 times, and at 10 a million
 /// times.
-inline constexpr double max_stretch = 4;
+inline constexpr double max_step_growth = 4;
 
-/// What is known of the two instants before the one sought.
+/// The two instants before the one sought: what a predictor knows of them.
 struct StepHistory {
   double h;                             ///< from the last instant to the one sought, s
   double h_before;                      ///< from the one before it to the last, s
   std::optional<Level> last, before{};  ///< how far they were solved; nothing: they are unknown
 
-  /// The same of coordinates that are solved up to this level only.
+  /// Returns the history of coordinates that are solved up to this level only.
   StepHistory up_to(Level level) const {
     if (level == Level::acceleration) return *this;
     const auto cut = [&](std::optional<Level> l) { return l ? std::min(*l, level) : l; };
@@ -34,7 +34,7 @@ struct StepHistory {
 };
 
 /// The best guess that two instants allow, up to the one wanted: previous, linear, quadratic,
-/// hermite3, hermite5, in this order. Two instants too close together beside the step sought count
+/// hermite3, hermite5, in this order. Two instants too close together compared with the step count
 /// as one: what they say of it is mostly the rounding of their difference.
 Guess best_guess(Guess wanted, const StepHistory& history);
 
@@ -46,11 +46,11 @@ class Extrapolation {
   /// guess: one that the past allows.
   Extrapolation(Guess guess, const StepHistory& history);
 
-  /// Writes where the guess expects the coordinates of some runs into q, which may be that of
+  /// Writes where the guess expects the coordinates of some ranges into q, which may be that of
   /// `last` or of `before`: states of numbers, or of several side by side. Of these two only what
   /// the guess needs is read.
   template <class States, class T>
-  void operator()(std::span<const IndexRange> runs, const States& last, const States& before,
+  void operator()(std::span<const IndexRange> ranges, const States& last, const States& before,
                   T* q) const;
 
  private:
@@ -59,20 +59,20 @@ class Extrapolation {
 };
 
 template <class States, class T>
-void Extrapolation::operator()(std::span<const IndexRange> runs, const States& last,
+void Extrapolation::operator()(std::span<const IndexRange> ranges, const States& last,
                                const States& before, T* q) const {
   const T *q1 = last.q.data(), *v1 = last.qd.data(), *a1 = last.qdd.data();
   const T *q0 = before.q.data(), *v0 = before.qd.data(), *a0 = before.qdd.data();
   const double w_q = w_q_, w_v1 = w_v1_, w_a1 = w_a1_, w_v0 = w_v0_, w_a0 = w_a0_;
-  // Many runs are single coordinates, for which a loop on wide registers takes long to begin.
+  // Many ranges are single coordinates, for which a loop on wide registers takes long to begin.
   const auto write = [&](auto expected) {
-    for (const IndexRange run : runs) {
-      if (run.end - run.first == 1) {
-        q[run.first] = expected(run.first);
+    for (const IndexRange range : ranges) {
+      if (range.end - range.first == 1) {
+        q[range.first] = expected(range.first);
         continue;
       }
 #pragma GCC ivdep  // q is another array than those read, or the same at the same place
-      for (int i = run.first; i < run.end; ++i) q[i] = expected(i);
+      for (int i = range.first; i < range.end; ++i) q[i] = expected(i);
     }
   };
   switch (guess_) {

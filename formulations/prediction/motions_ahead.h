@@ -6,7 +6,7 @@
 
 #include "cases/mechanism/motion.h"
 #include "formulations/base/lane_values.h"
-#include "formulations/prediction/lane_motion.h"
+#include "formulations/prediction/motion_sampler.h"
 
 namespace desmo {
 

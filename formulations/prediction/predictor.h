@@ -9,18 +9,19 @@
 
 namespace desmo {
 
-/// Where solvers start: the guess that is wanted for some coordinates or, where the past does not
-/// allow it, the best that it does (best_guess). Asked once for every step.
+/// Predicts some coordinates: by the guess that is wanted or, where the history does not allow it,
+/// the best that it does (best_guess). Called once for every step.
 class Predictor {
  public:
   Predictor() = default;  ///< of no coordinate
-  /// runs: of coordinates, ascending.
-  Predictor(Guess wanted, std::vector<IndexRange> runs) : wanted_(wanted), runs_(std::move(runs)) {
-    if (wanted_ == Guess::adams8) history_.emplace(runs_);
+  /// ranges: of coordinates, ascending.
+  Predictor(Guess wanted, std::vector<IndexRange> ranges)
+      : wanted_(wanted), ranges_(std::move(ranges)) {
+    if (wanted_ == Guess::adams8) history_.emplace(ranges_);
   }
 
-  /// As Extrapolation: writes where the coordinates are expected into q, which may be that of
-  /// `last` or of `before`. Of an instant more than one step ago it knows what was `last` then.
+  /// Writes the predicted coordinates into q, which may be that of `last` or of `before`. Earlier
+  /// instants are remembered from the steps in which they were `last`.
   template <class States>
   void operator()(const StepHistory& history, const States& last, const States& before, double* q) {
     if (history_) {
@@ -30,14 +31,14 @@ class Predictor {
                             last.qdd.data(), q))
         return;
     }
-    Extrapolation(best_guess(wanted_, history), history)(runs_, last, before, q);
+    Extrapolation(best_guess(wanted_, history), history)(ranges_, last, before, q);
   }
 
-  bool empty() const { return runs_.empty(); }
+  bool empty() const { return ranges_.empty(); }
 
  private:
   Guess wanted_ = Guess::previous;
-  std::vector<IndexRange> runs_;
+  std::vector<IndexRange> ranges_;
   std::optional<RateHistory> history_;  // where the guess needs more than two instants
 };
 

@@ -14,7 +14,7 @@ namespace {
 /// Intervals that differ by less are the same: the times of a grid are rounded.
 constexpr double same = 1e-11;
 
-/// Lanes come in blocks; whatever else is predicted, many runs are of one.
+/// Lanes come in blocks; whatever else is predicted, many ranges are of one.
 constexpr std::array block_sizes{8, 4, 1};
 
 /// Gauss's points and weights on [0, 1], exact up to degree 7: that of a polynomial through values
@@ -25,7 +25,7 @@ constexpr std::array<double, points> point{0.069431844202973712388, 0.3300094782
 constexpr std::array<double, points> weight{0.17392742256872692869, 0.32607257743127307131,
                                             0.32607257743127307131, 0.17392742256872692869};
 
-/// Whether the intervals are so many times h.
+/// Returns whether the intervals are `ratios` times h.
 template <std::size_t size>
 bool are_ratios(const std::array<double, size>& intervals, const std::array<double, size>& ratios,
                 double h) {
@@ -37,15 +37,15 @@ bool are_ratios(const std::array<double, size>& intervals, const std::array<doub
 
 }  // namespace
 
-RateHistory::RateHistory(std::span<const IndexRange> runs) {
+RateHistory::RateHistory(std::span<const IndexRange> ranges) {
   const auto cut_by = [&](int block) {
-    return std::ranges::all_of(runs, [=](const IndexRange& run) {
-      return run.first % block == 0 && run.end % block == 0;
+    return std::ranges::all_of(ranges, [=](const IndexRange& range) {
+      return range.first % block == 0 && range.end % block == 0;
     });
   };
   block_ = *std::ranges::find_if(block_sizes, cut_by);
-  for (const IndexRange run : runs)
-    for (int i = run.first; i < run.end; i += block_) blocks_.push_back(i);
+  for (const IndexRange range : ranges)
+    for (int i = range.first; i < range.end; i += block_) blocks_.push_back(i);
   changes_.resize(blocks_.size() * block_);
   rates_.resize(2 * changes_.size() * instants);
 }
@@ -59,7 +59,7 @@ struct RateHistory::Change {
     }
   }
 
-  /// Of number n. Two sums: neither waits for the other.
+  /// Returns the change of number n. Two sums: neither waits for the other.
   double operator()(std::size_t n) const {
     double of_qd = 0, of_qdd = 0;
     for (std::size_t k = 0; k < instants; ++k) {
@@ -86,7 +86,7 @@ void RateHistory::remember(const double* qd, const double* qdd) {
 
 /// q may be last: a block is written when all of it is known.
 template <std::size_t block>
-void RateHistory::lead(const Change& change, const double* last, double* q) {
+void RateHistory::write_predicted(const Change& change, const double* last, double* q) {
   for (std::size_t m = 0; m < blocks_.size(); ++m) {
     const int i = blocks_[m];
     std::array<double, block> expected;
@@ -97,7 +97,7 @@ void RateHistory::lead(const Change& change, const double* last, double* q) {
 
 /// Changes are worked out several at a time.
 template <>
-void RateHistory::lead<1>(const Change& change, const double* last, double* q) {
+void RateHistory::write_predicted<1>(const Change& change, const double* last, double* q) {
 #pragma GCC ivdep  // they are another array than the rates
   for (std::size_t n = 0; n < changes_.size(); ++n) changes_[n] = change(n);
   for (std::size_t n = 0; n < blocks_.size(); ++n) q[blocks_[n]] = last[blocks_[n]] + changes_[n];
@@ -109,11 +109,11 @@ bool RateHistory::predict(double interval, double h, const double* last, const d
   newest_ = (newest_ + 1) % instants;  // in the place of the oldest
   for (std::size_t j = intervals_.size() - 1; j > 0; --j) intervals_[j] = intervals_[j - 1];
   intervals_[0] = interval;
-  const bool leads =
+  const bool predicts =
       known_ == instants && h != 0 && (are_ratios(intervals_, weighed_, h) || weigh(h));
   const auto go = [&](auto block) {
     remember<block()>(qd, qdd);
-    if (leads) lead<block()>(Change(*this, h), last, q);
+    if (predicts) write_predicted<block()>(Change(*this, h), last, q);
   };
   if (block_ == 8)
     go(std::integral_constant<std::size_t, 8>());
@@ -121,7 +121,7 @@ bool RateHistory::predict(double interval, double h, const double* last, const d
     go(std::integral_constant<std::size_t, 4>());
   else
     go(std::integral_constant<std::size_t, 1>());
-  return leads;
+  return predicts;
 }
 
 /// The integrals over the step of Hermite's basis at the instants, with ℓ_j of Lagrange:
@@ -130,8 +130,8 @@ bool RateHistory::predict(double interval, double h, const double* last, const d
 bool RateHistory::weigh(double h) {
   Intervals ratios;
   for (std::size_t j = 0; j < ratios.size(); ++j) ratios[j] = intervals_[j] / h;
-  const auto forward = [](double ratio) { return ratio * max_stretch > 1; };
-  const auto backward = [](double ratio) { return ratio * max_stretch < -1; };
+  const auto forward = [](double ratio) { return ratio * max_step_growth > 1; };
+  const auto backward = [](double ratio) { return ratio * max_step_growth < -1; };
   if (!std::ranges::all_of(ratios, forward) && !std::ranges::all_of(ratios, backward)) return false;
   std::array<double, instants> x{};  // the instants in units of h
   for (int j = 1; j < instants; ++j) x[j] = x[j - 1] - ratios[j - 1];

@@ -12,45 +12,45 @@ namespace desmo {
 /// q̇ and q̈ of all of them, integrated from the last position on, as Adams and Bashforth do with
 /// first derivatives. With the last instant as 0 and the step sought h long,
 ///   q = q₀ + Σ_j (h β_j q̇_j + h² γ_j q̈_j).
-/// Of positions the last one alone counts: what an instant was solved short of the solution is not
-/// magnified, as it is where several are extrapolated.
+/// Only the last position counts: the error left in an instant is not magnified, as it is where
+/// several positions are extrapolated.
 class RateHistory {
  public:
   static constexpr int instants = 4;
-  /// Of the polynomial that q is expected to be.
+  /// Degree of the polynomial that q is expected to be.
   static constexpr int degree = 2 * instants;
 
-  /// runs: the coordinates.
-  explicit RateHistory(std::span<const IndexRange> runs);
+  /// ranges: of the coordinates.
+  explicit RateHistory(std::span<const IndexRange> ranges);
 
   void forget() { known_ = 0, newest_ = 0; }
-  /// Remembers the rates of the last instant, `interval` (s) after the one before, which is what
-  /// was remembered last, and writes where the coordinates of the runs are expected after a step of
-  /// h (s) into q, which may be `last`: the last positions. False, and nothing is written, where
-  /// too little is known: intervals must go one way, and none be short beside the step.
+  /// Remembers the rates of the last instant, `interval` [s] after the one remembered before it,
+  /// and writes the positions predicted for a step of h [s] into q, which may be `last`: the last
+  /// positions. Returns false and writes nothing where too little is known: intervals must have one
+  /// sign, and none be short compared with the step.
   bool predict(double interval, double h, const double* last, const double* qd, const double* qdd,
                double* q);
 
  private:
   /// Before the last instant, the one before it, and so on.
   using Intervals = std::array<double, instants - 1>;
-  /// By age: of the last instant at instants − 1, of the one before it a place before, and so on
-  /// around, so that from any place on stand those of all.
+  /// Weights by age: of the last instant at instants − 1, of the one before it a place before, and
+  /// so on around, so that those of all instants stand from any place on.
   using Weights = std::array<double, 2 * instants - 1>;
   bool weigh(double h);
   struct Change;
   template <std::size_t block>
   void remember(const double* qd, const double* qdd);
   template <std::size_t block>
-  void lead(const Change& change, const double* last, double* q);
+  void write_predicted(const Change& change, const double* last, double* q);
 
-  int block_;                  // so many coordinates at a time: 1, or as many as lanes
+  int block_;                  // coordinates at a time: 1, or as many as lanes
   std::vector<int> blocks_;    // the first of each
-  std::vector<double> rates_;  // q̇ and q̈, one instant behind the other, around
+  std::vector<double> rates_;  // q̇ and q̈, one instant after the other, around
   std::size_t newest_ = 0;     // which of them is the last
   Intervals intervals_{};      // s
   int known_ = 0;
-  Intervals weighed_{};  // beside the step sought, those that the weights are for; zero: none
+  Intervals weighed_{};  // of which the weights are, in units of the step; zero: none
   Weights beta_{}, gamma_{};
   std::vector<double> changes_;  // over the step sought, of all
 };

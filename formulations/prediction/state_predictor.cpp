@@ -22,7 +22,7 @@ StatePredictor::StatePredictor(Guess wanted, std::span<const DefinedPart> parts)
     const Guess guess = static_cast<Level>(level) == Level::acceleration
                             ? wanted
                             : std::min(wanted, Guess::hermite5);
-    of_level_[level] = Predictor(guess, runs_of(unknowns[level]));
+    of_level_[level] = Predictor(guess, ranges_of(unknowns[level]));
   }
 }
 

@@ -16,7 +16,7 @@ namespace desmo {
 class StatePredictor {
  public:
   StatePredictor() = default;
-  /// guess: the one wanted. parts: of which the unknowns are predicted that they start from.
+  /// guess: the one wanted. parts: whose inputs are predicted.
   StatePredictor(Guess guess, std::span<const DefinedPart> parts);
 
   /// Writes predicted positions into state.q, from the last instant and the one before it. `state`

@@ -7,9 +7,9 @@ namespace desmo {
 
 namespace {
 
-std::vector<IndexRange> runs_asked(const Request& request, int coordinates) {
+std::vector<IndexRange> requested_ranges(const Request& request, int coordinates) {
   if (request.coordinates.empty()) return {{0, coordinates}};
-  return runs_of(request.coordinates);
+  return ranges_of(request.coordinates);
 }
 
 }  // namespace
@@ -19,7 +19,7 @@ DenseOutput::DenseOutput(const TimeGrid& grid, int stride, const Request& reques
     : grid_(grid),
       stride_(stride),
       level_(request.level),
-      runs_(runs_asked(request, coordinates)),
+      ranges_(requested_ranges(request, coordinates)),
       output_(request, coordinates),
       observer_(observer) {
   for (State* s : {&last_, &between_})
@@ -97,8 +97,8 @@ void DenseOutput::combine(Weights w, const Instant& next, std::vector<double>& r
   const double *q0 = last_.q.data(), *v0 = last_.qd.data(), *a0 = last_.qdd.data();
   const double *q1 = next.q.data(), *v1 = next.qd.data(), *a1 = next.qdd.data();
   double* const y = result.data();
-  for (const IndexRange run : runs_)
-    for (int i = run.first; i < run.end; ++i)
+  for (const IndexRange range : ranges_)
+    for (int i = range.first; i < range.end; ++i)
       y[i] = w.q0 * q0[i] + w.change * (q1[i] - q0[i]) + w.v0 * v0[i] + w.v1 * v1[i] +
              w.a0 * a0[i] + w.a1 * a1[i];
 }
@@ -112,10 +112,35 @@ Flow DenseOutput::hand_on(const Instant& instant) {
 }
 
 void DenseOutput::keep(const Instant& solved) {
-  for (const IndexRange run : runs_)
+  for (const IndexRange range : ranges_)
     for (const auto& [from, to] :
          {std::pair{solved.q, &last_.q}, {solved.qd, &last_.qd}, {solved.qdd, &last_.qdd}})
-      std::copy(from.begin() + run.first, from.begin() + run.end, to->begin() + run.first);
+      std::copy(from.begin() + range.first, from.begin() + range.end, to->begin() + range.first);
+}
+
+Interpolated::Interpolated(std::unique_ptr<Formulation> inner, int stride)
+    : Formulation(inner->model(), inner->tolerance()), inner_(std::move(inner)), stride_(stride) {}
+
+Summary Interpolated::run(const TimeGrid& grid, const Request& request, Observer& observer) {
+  const TimeGrid solved = grid.every(stride_);
+  DenseOutput all(grid, stride_, request, model().coordinates(), observer);
+  Summary total = inner_->run(solved, {Level::acceleration, request.coordinates}, all);
+  if (total.ok() && !total.stopped &&
+      all.delivered() < grid.instants) {  // the rest, shorter than the stride
+    const double t = grid.time(grid.instants - 1);
+    const Summary last = inner_->step(t, Level::acceleration);
+    total.add(last);
+    if (last.ok())
+      total.stopped = all.observe({.index = solved.instants,
+                                   .time = t,
+                                   .q = q(),
+                                   .qd = qd(),
+                                   .qdd = qdd(),
+                                   .updates = last.updates,
+                                   .residual = last.residual}) == Flow::stop;
+  }
+  total.instants = all.delivered();
+  return total;
 }
 
 }  // namespace desmo

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -7,6 +9,7 @@
 #include "formulations/base/index_range.h"
 #include "formulations/base/observer.h"
 #include "formulations/base/part.h"
+#include "formulations/formulation.h"
 
 namespace desmo {
 
@@ -31,7 +34,7 @@ class DenseOutput final : public Observer {
   int delivered() const { return delivered_; }
 
  private:
-  /// Of what is known at both ends of an interval.
+  /// Weights of what is known at both ends of an interval.
   struct Weights {
     double q0, change, v0, v1, a0, a1;  // of q₀, q₁ − q₀, q̇₀, q̇₁, q̈₀, q̈₁
   };
@@ -48,13 +51,38 @@ class DenseOutput final : public Observer {
   const TimeGrid grid_;
   const int stride_;
   const Level level_;
-  const std::vector<IndexRange> runs_;
+  const std::vector<IndexRange> ranges_;
   const OutputWriter output_;
   Observer& observer_;
   State last_;           // the instant solved last
   int last_index_ = -1;  // of it, in the grid
   State between_;
   int delivered_ = 0;
+};
+
+/// A formulation that, in a motion, solves every stride-th instant and the last one, and
+/// interpolates the others (see DenseOutput). Single instants are solved by the formulation inside.
+class Interpolated final : public Formulation {
+ public:
+  /// stride: 2 … max_stride.
+  Interpolated(std::unique_ptr<Formulation> inner, int stride);
+
+  Summary assemble(double t, Level level) override { return inner_->assemble(t, level); }
+  Summary step(double t, Level level) override { return inner_->step(t, level); }
+  Summary run(const TimeGrid& grid, const Request& request, Observer& observer) override;
+  bool start_at(std::span<const double> q, double t) override { return inner_->start_at(q, t); }
+  std::optional<Summary> run_on(const TimeGrid& grid, const Request& request,
+                                Observer& observer) override {
+    return inner_->run_on(grid, request, observer);
+  }
+  void solve_only(std::span<const Level>) override {}
+  long run_by_steps() const override { return inner_->run_by_steps(); }
+  const std::vector<DefinedPart>& parts() const override { return inner_->parts(); }
+  const State& state() const override { return inner_->state(); }
+
+ private:
+  std::unique_ptr<Formulation> inner_;
+  int stride_;
 };
 
 }  // namespace desmo

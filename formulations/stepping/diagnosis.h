@@ -1,14 +1,42 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <span>
 #include <vector>
 
 #include "formulations/base/part.h"
+#include "formulations/base/settings.h"
+#include "formulations/equations/automatic.h"
 #include "formulations/model/model.h"
+#include "formulations/scaling/magnitudes.h"
+#include "formulations/structure/partition.h"
 
 namespace desmo {
 
-/// Where a step failed. -1 where it cannot be told.
+/// The equations of one group with dense matrices, for diagnosis: thorough, not fast. States have
+/// Model::state_size() values.
+class DenseGroup {
+ public:
+  /// The mechanism must outlive it.
+  DenseGroup(const Model& model, const PartDefinition& group, const Magnitudes& magnitudes);
+
+  const std::vector<int>& unknowns() const { return equations_.pattern().unknowns; }
+  const Eigen::VectorXd& weights() const { return weights_; }  ///< 1/magnitude of each equation
+  Eigen::VectorXd residual(const std::vector<double>& state) const;  ///< Φ
+  Eigen::MatrixXd jacobian(const std::vector<double>& state) const;  ///< Φ_φ
+
+  /// Solves the positions of its unknowns in `state`; the row that stopped it, or -1.
+  int solve(std::vector<double>& state, const Settings& settings) const;
+
+ private:
+  AutomaticEquations equations_;
+  Eigen::VectorXd weights_;
+};
+
+/// The row of the largest component, or of the first that is not a number.
+int worst_row(const Eigen::VectorXd& v);
+
+/// Group and constraint at which a step failed; -1: unknown.
 struct Culprit {
   GroupId group = -1;
   int constraint = -1;  ///< position in Model::constraints

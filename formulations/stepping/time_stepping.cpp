@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "formulations/stepping/continuation.h"
 #include "formulations/stepping/diagnosis.h"
-#include "formulations/stepping/straight_way.h"
 #include "formulations/stepping/sub_steps.h"
 
 namespace desmo {
@@ -200,7 +200,7 @@ bool TimeStepping::start_at(std::span<const double> q, double t) {
   const auto solve = [&](State& state, std::span<const double> last) {
     return sequence_.solve_positions(state, last);
   };
-  assembled_ = go_straight(model(), t, state_, solve);
+  assembled_ = continue_drivers_to(model(), t, state_, solve);
   if (!assembled_) return false;
   before_.q = state_.q;
   drivers_.drive(t, state_);  // whole turns

@@ -29,14 +29,14 @@ std::vector<int> gather_types(const Model& m, std::vector<PartDefinition>& parts
   std::iota(order.begin(), order.end(), 0);
   std::ranges::stable_sort(order, {}, [&](int i) { return rank[i]; });
   std::vector<PartDefinition> sorted;
-  std::vector<int> run_ends;
+  std::vector<int> type_ends;
   for (std::size_t k = 0; k < order.size(); ++k) {
     sorted.push_back(std::move(parts[order[k]]));
     if (k + 1 == order.size() || rank[order[k]] != rank[order[k + 1]])
-      run_ends.push_back(static_cast<int>(k) + 1);
+      type_ends.push_back(static_cast<int>(k) + 1);
   }
   parts = std::move(sorted);
-  return run_ends;
+  return type_ends;
 }
 
 }  // namespace desmo

@@ -64,9 +64,9 @@ TEST(Guess, MovesTheCoordinatesGivenAndNoOthers) {
   const State last{{1, 2, 3}, {10, 20, 30}, {100, 200, 300}};
   const StepHistory past{0.1, 0, Level::acceleration};
   std::vector<double> q = {7, 8, 9};
-  Extrapolation(Guess::previous, past)(runs_of(std::vector{0, 1, 2}), last, last, q.data());
+  Extrapolation(Guess::previous, past)(ranges_of(std::vector{0, 1, 2}), last, last, q.data());
   EXPECT_EQ(q, last.q);
-  Extrapolation(Guess::quadratic, past)(runs_of(std::vector{0, 2}), last, last, q.data());
+  Extrapolation(Guess::quadratic, past)(ranges_of(std::vector{0, 2}), last, last, q.data());
   EXPECT_DOUBLE_EQ(q[0], 1 + 1 + 0.5);
   EXPECT_EQ(q[1], 2);
   EXPECT_DOUBLE_EQ(q[2], 3 + 3 + 1.5);

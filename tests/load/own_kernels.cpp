@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "formulations/batch/lane_part.h"
+#include "formulations/batch/batch_part.h"
 #include "formulations/parts/explicit_part.h"
 #include "tests/load/loading.h"
 
@@ -85,7 +85,7 @@ TEST_F(OwnKernelsTest, SolveBlockByBlock) { compare("block_symbolic_inlined"); }
 
 TEST_F(OwnKernelsTest, SolveTwinsInLanes) {
   take(3);
-  EXPECT_TRUE(has<LanePart>(*compare("group_symbolic_explicit/lanes:4")));
+  EXPECT_TRUE(has<BatchPart>(*compare("group_symbolic_explicit/lanes:4")));
 }
 
 TEST_F(OwnKernelsTest, SolveSegmentsOfTheMotionInLanes) {
@@ -100,7 +100,7 @@ TEST_F(OwnKernelsTest, SolveSegmentsOfTheMotionInLanes) {
 TEST_F(OwnKernelsTest, SolveInWiderRegistersWhereThereAreAny) {
   if (!has_lanes(8)) GTEST_SKIP() << unavailable_reason({.lanes = 8});
   take(8);
-  EXPECT_TRUE(has<LanePart>(*compare("group_symbolic_explicit/lanes:8")));
+  EXPECT_TRUE(has<BatchPart>(*compare("group_symbolic_explicit/lanes:8")));
   scene_.grid = time_grid(2, 0.01);
   EXPECT_EQ(compare("group_symbolic_explicit/segments:8")->run_by_steps(), 0);
 }

@@ -7,7 +7,7 @@
 
 #include "formulations/scaling/magnitudes.h"
 #include "formulations/scaling/scales.h"
-#include "formulations/stepping/dense_group.h"
+#include "formulations/stepping/diagnosis.h"
 #include "formulations/structure/partition.h"
 
 namespace desmo {

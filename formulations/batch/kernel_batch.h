@@ -8,14 +8,14 @@
 
 namespace desmo {
 
-/// Parts of one type, one in each lane, bound to a kernel for so many.
-class LaneStage {
+/// A batch of parts of one type, one in each lane, bound to a kernel for as many lanes.
+class KernelBatch {
  public:
   /// lanes: as many as the kernel's, bound to the explicit kernel of its type; a part may stand in
-  /// several. They outlive the stage. in: where each local input stands in the arrays that solve()
+  /// several. They outlive the batch. in: where each local input stands in the arrays that solve()
   /// is given.
-  LaneStage(const LaneKernel& kernel, std::vector<ExplicitPart*> lanes, std::vector<int> in);
-  LaneStage(LaneStage&&) = default;  // what the binding points to comes along
+  KernelBatch(const LaneKernel& kernel, std::vector<ExplicitPart*> lanes, std::vector<int> in);
+  KernelBatch(KernelBatch&&) = default;  // what the binding points to comes along
 
   /// Solves positions, velocities and accelerations, which lanes hold side by side. residual2: as
   /// many as lanes, ‖Φ‖₂² of each. What is not accepted leaves positions as they were, rates
@@ -24,7 +24,7 @@ class LaneStage {
     return kernel_.solve(state.q.data(), state.qd.data(), state.qdd.data(), binding_, residual2);
   }
 
-  /// The branches are those that the parts have now, and angles have no anchors.
+  /// Takes over the branches that the parts have now; angles lose their anchors.
   void take_branches();
 
   bool assembled() const;

@@ -1,4 +1,4 @@
-#include "formulations/batch/wide_lanes.h"
+#include "formulations/batch/wide_scatter.h"
 
 #if defined(__x86_64__) && defined(__GNUC__)
 
@@ -15,7 +15,7 @@ namespace desmo {
 
 namespace {
 
-/// Four numbers of two lanes, one lane behind the other, from pairs of two numbers.
+/// Four numbers of two lanes, one lane after the other, from pairs of two numbers.
 DESMO_WIDE inline __m512d lower_pairs(__m512d ab, __m512d cd) {
   return _mm512_permutex2var_pd(ab, _mm512_set_epi64(11, 10, 3, 2, 9, 8, 1, 0), cd);
 }
@@ -23,7 +23,7 @@ DESMO_WIDE inline __m512d upper_pairs(__m512d ab, __m512d cd) {
   return _mm512_permutex2var_pd(ab, _mm512_set_epi64(15, 14, 7, 6, 13, 12, 5, 4), cd);
 }
 
-/// Where the lanes that are used go.
+/// Destinations of the lanes that are used.
 template <std::size_t used>
 using Targets = std::array<double*, used>;
 
@@ -36,7 +36,7 @@ DESMO_WIDE inline void put(__m512d first, __m512d second, const Targets<used>& t
     _mm512_storeu_pd(to[lane + 2] + k, _mm512_shuffle_f64x2(first, second, 0xee));
 }
 
-/// Eight numbers to element k and the seven behind it.
+/// Eight numbers to element k and the seven after it.
 template <std::size_t used>
 DESMO_WIDE inline void unpack_eight(const double* from, const int* offsets, const Targets<used>& to,
                                     std::size_t k) {
@@ -61,7 +61,7 @@ DESMO_WIDE inline void put_pair(__m512d pairs, const Targets<used>& to, std::siz
     _mm_storeu_pd(to[lane] + k, _mm512_extractf64x2_pd(pairs, static_cast<int>(lane / 2)));
 }
 
-/// Two numbers to element k and the one behind it.
+/// Two numbers to element k and the one after it.
 template <std::size_t used>
 DESMO_WIDE inline void unpack_two(const double* from, const int* offsets, const Targets<used>& to,
                                   std::size_t k) {

@@ -1,7 +1,7 @@
-// Stretches of a motion on several threads: the same instants as step by step, or step by step
+// Segments of a motion on several threads: the same instants as step by step, or step by step
 // after all.
 
-#include "formulations/batch/parallel_motion.h"
+#include "formulations/batch/thread_executor.h"
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@
 #include "tests/lender.h"
 #include "tests/mechanisms.h"
 
-namespace desmo::parallel_motion_test {
+namespace desmo::thread_executor_test {
 namespace {
 
 std::unique_ptr<Formulation> make(const Model& m, const std::string& id) {
@@ -57,14 +57,14 @@ void compare(const Model& m, const TimeGrid& of_scene, const std::string& id, in
   expect_same(actual, expected, m.name + " " + parallel_id);
 }
 
-TEST(ParallelMotion, SolvesWhatOneThreadSolves) {
+TEST(ThreadExecutor, SolvesWhatOneThreadSolves) {
   for (const auto& [m, grid] : every_motion()) {
     compare(m, grid, "group_symbolic_explicit/guess:hermite5", 3);
     compare(m, grid, "group_symbolic_explicit/segments:4", 2);
   }
 }
 
-TEST(ParallelMotion, GoesWithEveryAlgebra) {
+TEST(ThreadExecutor, GoesWithEveryAlgebra) {
   set_blas_threads(1);  // more wait for each other where matrices are this small
   const Model m = truck_model(1);
   for (const Variant& v : tested_variants())
@@ -72,7 +72,7 @@ TEST(ParallelMotion, GoesWithEveryAlgebra) {
       compare(m, time_grid(1, 0.01), v.id, 2);
 }
 
-TEST(ParallelMotion, IsSolvedByAsManyThreadsAsAskedFor) {
+TEST(ThreadExecutor, IsSolvedByAsManyThreadsAsAskedFor) {
   for (const Case& c : cases())
     for (const char* id : {"group_symbolic_explicit/threads:3", "group_automatic_klu/threads:3",
                            "group_symbolic_explicit/lanes:4/threads:3",
@@ -89,7 +89,7 @@ TEST(ParallelMotion, IsSolvedByAsManyThreadsAsAskedFor) {
 }
 
 /// Whichever thread is first: to the last bit, in order of time for who needs it.
-TEST(ParallelMotion, DoesNotDependOnWhoIsFirst) {
+TEST(ThreadExecutor, DoesNotDependOnWhoIsFirst) {
   const Model m = truck_model(2);
   const auto f = make(m, "group_symbolic_explicit/guess:hermite5/threads:3");
   const TimeGrid grid = worth_three_threads(time_grid(3, 0.01), *f);
@@ -103,7 +103,7 @@ TEST(ParallelMotion, DoesNotDependOnWhoIsFirst) {
   EXPECT_TRUE(std::ranges::is_sorted(again.order));
 }
 
-TEST(ParallelMotion, StaysOnOneThreadWhereThereIsLittleToDo) {
+TEST(ThreadExecutor, StaysOnOneThreadWhereThereIsLittleToDo) {
   const Model m = four_bar_model(1);
   const auto f = make(m, "group_symbolic_explicit/threads:3");
   const TimeGrid grid = time_grid(3, 0.01);
@@ -113,7 +113,7 @@ TEST(ParallelMotion, StaysOnOneThreadWhereThereIsLittleToDo) {
   EXPECT_EQ(lender.threads, std::set{std::this_thread::get_id()});
 }
 
-TEST(ParallelMotion, LeavesTheLastInstantToStepOnFrom) {
+TEST(ThreadExecutor, LeavesTheLastInstantToStepOnFrom) {
   const Model m = truck_model(2);
   const auto f = make(m, "group_symbolic_explicit/threads:2"),
              g = make(m, "group_symbolic_explicit");
@@ -124,7 +124,7 @@ TEST(ParallelMotion, LeavesTheLastInstantToStepOnFrom) {
 }
 
 /// Only what is asked for is solved on threads, too.
-TEST(ParallelMotion, LeavesOutWhatNobodyAsksFor) {
+TEST(ThreadExecutor, LeavesOutWhatNobodyAsksFor) {
   const Model m = truck_model(2);
   const auto f = make(m, "group_symbolic_explicit/threads:2");
   f->solve_only(std::vector(m.coordinates(), Level::position));
@@ -136,7 +136,7 @@ TEST(ParallelMotion, LeavesOutWhatNobodyAsksFor) {
 }
 
 /// Links that are too short where the crank points away: the same failure, and nothing after it.
-TEST(ParallelMotion, FailsAsStepsFail) {
+TEST(ThreadExecutor, FailsAsStepsFail) {
   Model m = four_bar_model(1);
   for (Constraint& c : m.constraints) {
     if (c.name.starts_with("dyad1/coupler")) c.constants[0] = 3.75 * 3.75;
@@ -158,7 +158,7 @@ TEST(ParallelMotion, FailsAsStepsFail) {
   EXPECT_EQ(actual.order, expected.order);
 }
 
-TEST(ParallelMotion, IsGivenUpWhereStretchesDoNotMeet) {
+TEST(ThreadExecutor, IsGivenUpWhereSegmentsDoNotMeet) {
   const Model m = truck_model(1);
   Model other = m;
   for (Constraint& c : other.constraints)
@@ -166,10 +166,10 @@ TEST(ParallelMotion, IsGivenUpWhereStretchesDoNotMeet) {
   std::vector<std::unique_ptr<Formulation>> workers;
   workers.push_back(make(m, "group_automatic_eigen"));
   workers.push_back(make(other, "group_automatic_eigen"));
-  ParallelMotion motion(std::move(workers), 16);
+  ThreadExecutor motion(std::move(workers), 16);
   const auto f = make(m, "group_automatic_eigen");
   const TimeGrid grid = worth_three_threads(time_grid(1, 0.01), *f);
-  ASSERT_EQ(motion.stretches(grid.instants), 2);
+  ASSERT_EQ(motion.segments(grid.instants), 2);
   ASSERT_TRUE(f->assemble(0).ok());
   State state;
   state.q.assign(f->q().begin(), f->q().end());
@@ -180,7 +180,7 @@ TEST(ParallelMotion, IsGivenUpWhereStretchesDoNotMeet) {
   EXPECT_FALSE(motion.run(grid, {.coordinates = std::vector{1}}, state, lender));
 }
 
-TEST(ParallelMotion, StopsWhereTheObserverStops) {
+TEST(ThreadExecutor, StopsWhereTheObserverStops) {
   const Model m = truck_model(2);
   const auto f = make(m, "group_symbolic_explicit/threads:2");
   const TimeGrid grid = worth_three_threads(time_grid(1, 0.01), *f);
@@ -196,7 +196,7 @@ TEST(ParallelMotion, StopsWhereTheObserverStops) {
 }
 
 /// Each thread has an observer of its own.
-TEST(ParallelMotion, NeedsNoLockWhereEveryThreadHasAnObserver) {
+TEST(ThreadExecutor, NeedsNoLockWhereEveryThreadHasAnObserver) {
   const Model m = truck_model(2);
   const auto f = make(m, "group_symbolic_explicit/threads:2");
   const TimeGrid grid = worth_three_threads(time_grid(1, 0.01), *f);
@@ -213,7 +213,7 @@ TEST(ParallelMotion, NeedsNoLockWhereEveryThreadHasAnObserver) {
   for (const Lender& own : split.own) EXPECT_EQ(own.threads.size(), 1u);
 }
 
-TEST(ParallelMotion, StandsInTheId) {
+TEST(ThreadExecutor, StandsInTheId) {
   const std::string id = "group_symbolic_explicit/segments:4/threads:2";
   const Configuration c = parse_id(id);
   EXPECT_EQ(c.settings.threads, 2);
@@ -223,4 +223,4 @@ TEST(ParallelMotion, StandsInTheId) {
 }
 
 }  // namespace
-}  // namespace desmo::parallel_motion_test
+}  // namespace desmo::thread_executor_test

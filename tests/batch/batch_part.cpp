@@ -1,7 +1,7 @@
 // Copies of a piece of a mechanism in lanes: which are taken for copies, and what becomes of those
 // that the code refuses.
 
-#include "formulations/batch/lane_part.h"
+#include "formulations/batch/batch_part.h"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@
 #include "tests/borrowed_part.h"
 #include "tests/mechanisms.h"
 
-namespace desmo::lane_part_test {
+namespace desmo::batch_part_test {
 namespace {
 
 constexpr int refused_lane = 2;
@@ -52,17 +52,17 @@ class Pieces : public ::testing::Test {
     return *find_explicit_kernel(bind_kernel(model_, definitions_[i])->kernel->fingerprint);
   }
 
-  Copy copy(const std::vector<std::size_t>& parts) {
-    Copy result;
+  Subsystem copy(const std::vector<std::size_t>& parts) {
+    Subsystem result;
     for (const std::size_t i : parts) result.push_back(part(i, kernel(i)));
     return result;
   }
 
-  bool alike(const Copy& a, const Copy& b) const {
+  bool alike(const Subsystem& a, const Subsystem& b) const {
     std::vector<const ExplicitPart*> of_a, of_b;
     for (const auto& p : a) of_a.push_back(p.get());
     for (const auto& p : b) of_b.push_back(p.get());
-    return are_copies(of_a, of_b);
+    return are_alike(of_a, of_b);
   }
 
   /// Of each position in the state.
@@ -83,7 +83,7 @@ class Pieces : public ::testing::Test {
   }
 
   /// Unknowns of these parts, and the drivers that `together` does not read in the state.
-  void spoil(const std::vector<std::vector<std::size_t>>& copies, const LanePart& together,
+  void spoil(const std::vector<std::vector<std::size_t>>& copies, const BatchPart& together,
              State& s) const {
     for (const int k : unknowns(copies)) s.q[k] = s.qd[k] = s.qdd[k] = 17;
     for (const int k : together.inputs({}).drivers) s.q[k] = s.qd[k] = s.qdd[k] = 17;
@@ -91,7 +91,7 @@ class Pieces : public ::testing::Test {
 
   /// Drivers as they are in a state.
   struct Driven {
-    Driven(const LanePart& part, const State& s) {
+    Driven(const BatchPart& part, const State& s) {
       for (const int k : part.inputs({}).drivers) {
         z.push_back(s.q[k]);
         zd.push_back(s.qd[k]);
@@ -120,7 +120,7 @@ class Pieces : public ::testing::Test {
   /// parts, and rightly.
   void refuse_last_part(const std::vector<std::vector<std::size_t>>& copies) {
     static const LaneKernel* sound = nullptr;
-    CopyKernels kernels;
+    SubsystemKernels kernels;
     for (const std::size_t i : copies.front())
       kernels.push_back(find_lane_kernel(kernel(i).fingerprint, 4));
     sound = kernels.back();
@@ -138,7 +138,7 @@ class Pieces : public ::testing::Test {
       return ExplicitRunResult{};
     };
 
-    std::vector<Copy> members;
+    std::vector<Subsystem> members;
     std::vector<const ExplicitPart*> seen;
     for (const auto& parts : copies) {
       members.push_back(copy(parts));
@@ -146,7 +146,7 @@ class Pieces : public ::testing::Test {
       for (const auto& member : members.back()) seen.push_back(member.get());
     }
     const ExplicitPart* const other = members[refused_lane].back().get();
-    LanePart together({kernels}, std::move(members), kinds(), Guess::previous);
+    BatchPart together({kernels}, std::move(members), kinds(), Guess::previous);
 
     ASSERT_TRUE(reference_->assemble(0).ok());
     State s = solved();
@@ -209,14 +209,14 @@ TEST_F(Pieces, OfSeveralPartsThatAreRefusedFallBackAlone) {
 TEST_F(Pieces, LeaveInTheStateWhatIsReadThere) {
   make(2);
   std::vector<std::vector<std::size_t>> copies;
-  std::vector<Copy> members;
-  CopyKernels kernels;
+  std::vector<Subsystem> members;
+  SubsystemKernels kernels;
   for (const std::size_t lever : of_size(lever_size)) {
     copies.push_back({lever});
     members.push_back(copy({lever}));
     kernels = {find_lane_kernel(kernel(lever).fingerprint, 4)};
   }
-  LanePart together({kernels}, std::move(members), kinds(), Guess::previous);
+  BatchPart together({kernels}, std::move(members), kinds(), Guess::previous);
   std::vector<bool> read(model_.state_size(), false);
   const int there = definitions_[copies[1][0]].unknowns[3];
   read[there] = true;
@@ -249,8 +249,8 @@ TEST_F(Pieces, LeaveInTheStateWhatIsReadThere) {
 TEST_F(Pieces, AreCopiesWhereTheyTakeTheSameFromEachOther) {
   make(2);
   const auto axles = of_size(axle_size), levers = of_size(lever_size);
-  const Copy first = copy({axles[0], levers[0], levers[1]}),
-             second = copy({axles[1], levers[2], levers[3]});
+  const Subsystem first = copy({axles[0], levers[0], levers[1]}),
+                  second = copy({axles[1], levers[2], levers[3]});
   EXPECT_TRUE(alike(first, first));
   EXPECT_TRUE(alike(first, second));
   EXPECT_FALSE(alike(first, copy({axles[1], levers[2], levers[1]})));  // a lever of the other axle
@@ -260,4 +260,4 @@ TEST_F(Pieces, AreCopiesWhereTheyTakeTheSameFromEachOther) {
 }
 
 }  // namespace
-}  // namespace desmo::lane_part_test
+}  // namespace desmo::batch_part_test

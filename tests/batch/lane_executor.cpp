@@ -19,7 +19,7 @@
 #include "tests/lender.h"
 #include "tests/mechanisms.h"
 
-namespace desmo::time_lanes_test {
+namespace desmo::lane_executor_test {
 namespace {
 
 constexpr Settings at_once{.segments = 4};
@@ -32,7 +32,7 @@ std::vector<Settings> every_kind() {
   return all;
 }
 
-TEST(TimeLanes, SolveWhatStepsSolve) {
+TEST(LaneExecutor, SolveWhatStepsSolve) {
   const auto all = every_motion();
   for (const char* id : {"group_symbolic_explicit", "block_symbolic_explicit"})
     for (const Settings& settings : every_kind())
@@ -116,9 +116,9 @@ TEST_P(OnTheCases, RequestsNameEveryCoordinateOnceOrAreRefused) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(TimeLanes, OnTheCases, testing::ValuesIn(every_kind()));
+INSTANTIATE_TEST_SUITE_P(LaneExecutor, OnTheCases, testing::ValuesIn(every_kind()));
 
-TEST(TimeLanes, LeaveTheLastInstantToStepOnFrom) {
+TEST(LaneExecutor, LeaveTheLastInstantToStepOnFrom) {
   const Model m = truck_model(2);
   const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, at_once),
              g = make_formulation(find_variant("group_symbolic_explicit"), m);
@@ -128,7 +128,7 @@ TEST(TimeLanes, LeaveTheLastInstantToStepOnFrom) {
   expect_to_step_on_alike(*f, *g, 2);
 }
 
-TEST(TimeLanes, LeaveShortMotionsToSteps) {
+TEST(LaneExecutor, LeaveShortMotionsToSteps) {
   const Model m = truck_model(1);
   const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, at_once);
   const TimeGrid grid = time_grid(0.2, 0.01);
@@ -139,7 +139,7 @@ TEST(TimeLanes, LeaveShortMotionsToSteps) {
 }
 
 /// Links that are too short where the crank points away: the same failure, and nothing after it.
-TEST(TimeLanes, FailAsStepsFail) {
+TEST(LaneExecutor, FailAsStepsFail) {
   Model m = four_bar_model(1);
   for (Constraint& c : m.constraints)
     if (c.name.starts_with("dyad1/coupler")) c.constants[0] = 3.75 * 3.75;
@@ -171,7 +171,7 @@ class Reluctant final : public SegmentExecutor {
   }
 };
 
-TEST(TimeLanes, ThatGiveUpLeaveNoTrace) {
+TEST(LaneExecutor, ThatGiveUpLeaveNoTrace) {
   const Model m = four_bar_model(2);
   auto parts = make_partition(m, Partition::group);
   const auto g = make_formulation(find_variant("group_automatic_eigen"), m);
@@ -191,7 +191,7 @@ TEST(TimeLanes, ThatGiveUpLeaveNoTrace) {
   EXPECT_EQ(f.run_by_steps(), 2);
 }
 
-TEST(TimeLanes, StandInTheId) {
+TEST(LaneExecutor, StandInTheId) {
   const Variant& v = find_variant("group_symbolic_explicit");
   const std::string id = "group_symbolic_explicit/segments:4";
   EXPECT_EQ(id_with(v, at_once), id);
@@ -206,4 +206,4 @@ TEST(TimeLanes, StandInTheId) {
 }
 
 }  // namespace
-}  // namespace desmo::time_lanes_test
+}  // namespace desmo::lane_executor_test

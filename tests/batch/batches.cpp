@@ -1,8 +1,6 @@
 // Parts of one type in the lanes of wide registers: the same as one by one; what is brought into
 // lanes and out of them; code for registers that not every processor has.
 
-#include "formulations/equations/lanes.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,10 +15,11 @@
 
 #include "cases/generators/cases.h"
 #include "formulations/base/lane_values.h"
-#include "formulations/batch/lane_transport.h"
+#include "formulations/batch/layout.h"
+#include "formulations/equations/lanes.h"
 #include "formulations/equations/turned_angle.h"
 #include "formulations/id.h"
-#include "formulations/prediction/lane_motion.h"
+#include "formulations/prediction/motion_sampler.h"
 #include "formulations/prediction/motions_ahead.h"
 #include "formulations/variants.h"
 #include "tests/everything.h"
@@ -305,7 +304,7 @@ TEST(Lanes, GoToPlacesOfTheirOwn) {
                 expected_opposite[place] = -from[n * lanes + l];
               }
           const LaneCopy copies[] = {{from.data(), to.data()}, {negative.data(), opposite.data()}};
-          LaneTargets(which, places, used).scatter(copies);
+          Scatter(which, places, used).scatter(copies);
           ASSERT_EQ(to, expected) << used << " of " << lanes << " lanes, " << interrupted;
           ASSERT_EQ(opposite, expected_opposite);
         }

@@ -1,4 +1,4 @@
-#include "formulations/batch/parallel_motion.h"
+#include "formulations/batch/thread_executor.h"
 
 #include <omp.h>
 
@@ -12,13 +12,11 @@
 #include <sched.h>
 #endif
 
-#include "formulations/batch/same_position.h"
-
 namespace desmo {
 
 namespace {
 
-/// Unknowns times instants of a stretch: some ten times the work that takes as long as a thread
+/// Unknowns times instants of a segment: some ten times the work that takes as long as a thread
 /// takes to begin.
 constexpr long min_work = 100'000;
 
@@ -29,7 +27,7 @@ long moving_unknowns(const Formulation& f) {
   return sum;
 }
 
-/// On which the calling thread is, from 1; where nobody knows, another for each.
+/// Returns the processor of the calling thread, from 1; where it is unknown, another for each.
 int processor() {
 #ifdef __linux__
   if (const int known = sched_getcpu(); known >= 0) return known + 1;
@@ -67,25 +65,25 @@ TimeGrid cut(const TimeGrid& grid, int begin, int end) {
 
 }  // namespace
 
-/// What the threads share.
-struct ParallelMotion::Shared {
+/// State that the threads share.
+struct ThreadExecutor::Shared {
   std::mutex mutex{};                // of the observer
   std::atomic<bool> stopped{false};  // by it
 };
 
-/// Hands instants of a stretch on as those of the whole motion: to the thread's own observer, or
+/// Hands instants of a segment on as those of the whole motion: to the thread's own observer, or
 /// to one that all share, several at a time.
-class ParallelMotion::StretchObserver final : public Observer {
+class ThreadExecutor::SegmentObserver final : public Observer {
  public:
-  StretchObserver(Observer& all, int thread, Shared& shared, const TimeGrid& grid, int begin)
+  SegmentObserver(Observer& all, int thread, Shared& shared, const TimeGrid& grid, int begin)
       : own_(all.of_thread(thread)),
         observer_(own_ ? *own_ : all),
         shared_(shared),
         grid_(grid),
         begin_(begin) {}
 
-  Flow observe(const Instant& of_stretch) noexcept override {
-    waiting_.push_back(of_stretch);
+  Flow observe(const Instant& of_segment) noexcept override {
+    waiting_.push_back(of_segment);
     waiting_.back().index += begin_;
     waiting_.back().time = grid_.time(waiting_.back().index);
     if (own_) hand_on_alone();
@@ -134,45 +132,45 @@ class ParallelMotion::StretchObserver final : public Observer {
   std::vector<int> instants_;  // for which memory is borrowed
 };
 
-ParallelMotion::ParallelMotion(std::vector<std::unique_ptr<Formulation>> workers, int min_instants)
+ThreadExecutor::ThreadExecutor(std::vector<std::unique_ptr<Formulation>> workers, int min_instants)
     : workers_(std::move(workers)),
-      stretches_(workers_.size()),
+      segments_(workers_.size()),
       min_instants_(min_instants),
       moving_unknowns_(moving_unknowns(*workers_.front())) {
   start_threads(static_cast<int>(workers_.size()));
 }
 
-void ParallelMotion::solve_only(std::span<const Level> needed) {
+void ThreadExecutor::solve_only(std::span<const Level> needed) {
   for (const auto& worker : workers_) worker->solve_only(needed);
 }
 
-int ParallelMotion::stretches(int instants) const {
+int ThreadExecutor::segments(int instants) const {
   const long worth =
       std::min(instants * moving_unknowns_ / min_work, static_cast<long>(instants) / min_instants_);
   return static_cast<int>(std::clamp<long>(worth, 1, std::ssize(workers_)));
 }
 
-std::optional<Summary> ParallelMotion::run(const TimeGrid& grid, const Request& request,
+std::optional<Summary> ThreadExecutor::run(const TimeGrid& grid, const Request& request,
                                            State& state, Observer& observer) {
-  const int count = stretches(grid.instants);
+  const int count = segments(grid.instants);
   Shared shared;
   for (int k = 0; k < count; ++k) {
-    stretches_[k].begin = static_cast<int>(static_cast<long>(k) * grid.instants / count);
-    stretches_[k].end = static_cast<int>((k + 1L) * grid.instants / count);
+    segments_[k].begin = static_cast<int>(static_cast<long>(k) * grid.instants / count);
+    segments_[k].end = static_cast<int>((k + 1L) * grid.instants / count);
   }
 #pragma omp parallel for num_threads(count) schedule(static, 1)
   for (int k = 0; k < count; ++k) {
     try {
-      StretchObserver own(observer, k, shared, grid, stretches_[k].begin);
+      SegmentObserver own(observer, k, shared, grid, segments_[k].begin);
       solve(k, grid, request, state, own);
       own.hand_on();
     } catch (...) {  // must not leave its thread
-      stretches_[k].error = std::current_exception();
+      segments_[k].error = std::current_exception();
     }
   }
   Summary whole;
   for (int k = 0; k < count; ++k) {
-    const Stretch& s = stretches_[k];
+    const Segment& s = segments_[k];
     if (s.error) std::rethrow_exception(s.error);
     if (!shared.stopped && (!s.total || (k + 1 < count && !meet(k)))) return {};
     if (!s.total) continue;
@@ -191,9 +189,9 @@ std::optional<Summary> ParallelMotion::run(const TimeGrid& grid, const Request& 
   return whole;
 }
 
-void ParallelMotion::solve(int k, const TimeGrid& grid, const Request& request, const State& first,
+void ThreadExecutor::solve(int k, const TimeGrid& grid, const Request& request, const State& first,
                            Observer& observer) {
-  Stretch& s = stretches_[k];
+  Segment& s = segments_[k];
   s.total.reset();
   s.error = nullptr;
   s.ended = false;
@@ -205,10 +203,9 @@ void ParallelMotion::solve(int k, const TimeGrid& grid, const Request& request, 
     s.ended = worker.step(grid.time(s.end), Level::position).ok();
 }
 
-/// Whether a stretch ended where the next had begun.
-bool ParallelMotion::meet(int k) const {
-  return stretches_[k].ended &&
-         same_position(workers_[k]->model(), workers_[k]->q(), stretches_[k + 1].entered);
+bool ThreadExecutor::meet(int k) const {
+  return segments_[k].ended &&
+         segments_meet(workers_[k]->model(), workers_[k]->q(), segments_[k + 1].entered);
 }
 
 }  // namespace desmo

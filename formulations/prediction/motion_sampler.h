@@ -9,26 +9,26 @@
 
 namespace desmo {
 
-/// Motions, and where each belongs in arrays of what they give.
+/// Motions, and the place of each in arrays of their values.
 struct PlacedMotions {
   std::vector<const Motion*> motions;
   std::vector<int> places;
 };
-/// Of the drivers of a mechanism, which outlives them, in its state.
+/// Returns the motions of the drivers of a model, which outlives them, placed in its state.
 PlacedMotions driver_motions(const Model& model);
-/// One behind the other.
+/// Returns motions placed one after the other.
 PlacedMotions in_order(std::vector<const Motion*> motions);
 
-/// Where samples of several times go: that of time l to place · of_place + l · of_time.
+/// Strides of samples at several times: time l goes to place · of_place + l · of_time.
 struct SampleStrides {
   int of_place = 1, of_time = 1;  ///< one of them is 1
 };
 inline SampleStrides side_by_side(int times) { return {.of_place = times}; }
 inline SampleStrides in_rows(int of_row) { return {.of_time = of_row}; }
 
-/// Several motions at one time or at several, as all drivers of a mechanism are wanted at each
-/// instant. Of harmonic sums a sin(ωt + φ) is taken apart into a cos φ sin ωt + a sin φ cos ωt:
-/// motions of one frequency share sine and cosine.
+/// Samples several motions at one time or at several. A term a sin(ωt + φ) of a harmonic sum is
+/// taken apart into a cos φ sin ωt + a sin φ cos ωt: motions of one frequency share sine and
+/// cosine.
 class MotionSampler {
  public:
   /// times: how many at once, one or a multiple of four. The motions outlive the sampler,
@@ -39,8 +39,8 @@ class MotionSampler {
   void operator()(std::span<const double> times, double* z, double* zd, double* zdd);
 
  private:
-  /// Of each of four motions a sin(ωt + φ) = of_sine sin ωt + of_cosine cos ωt, and these times ω
-  /// and ω²; zeros where it has no term of this frequency.
+  /// A term of four motions, a sin(ωt + φ) = of_sine sin ωt + of_cosine cos ωt each, and these
+  /// times ω and ω²; zeros where a motion has no term of this frequency.
   struct Term {
     int frequency;
     std::array<double, 4> of_sine{}, of_cosine{}, w_of_sine{}, w_of_cosine{}, w2_of_sine{},
@@ -50,7 +50,7 @@ class MotionSampler {
   struct Sums {
     int size;
     std::array<int, 4> place;
-    bool in_order;  // places of four, one behind the other
+    bool in_order;  // places of four, one after the other
     std::array<double, 4> mean;
     std::vector<Term> terms;
   };

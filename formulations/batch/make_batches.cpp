@@ -1,4 +1,4 @@
-#include "formulations/batch/on_lanes.h"
+#include "formulations/batch/make_batches.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <numeric>
 #include <utility>
 
-#include "formulations/batch/lane_part.h"
+#include "formulations/batch/batch_part.h"
 #include "formulations/parts/explicit_part.h"
 #include "formulations/structure/partition.h"
 
@@ -14,10 +14,10 @@ namespace desmo {
 
 namespace {
 
-/// Of parts, in the order of solution.
+/// Positions of parts in the order of solution.
 using Positions = std::vector<int>;
 
-/// What belongs to several parts, as of one.
+/// Returns several parts as one.
 PartDefinition join(const std::vector<DefinedPart>& parts) {
   PartDefinition all;
   all.constant = parts.front().definition.constant;
@@ -36,17 +36,17 @@ PartDefinition join(const std::vector<DefinedPart>& parts) {
   return all;
 }
 
-class Lanes {
+class BatchMaker {
  public:
-  Lanes(const Model& model, std::vector<DefinedPart> parts, const std::vector<int>& run_ends,
-        const Settings& settings, const KernelTable& table)
+  BatchMaker(const Model& model, std::vector<DefinedPart> parts, const std::vector<int>& type_ends,
+             const Settings& settings, const KernelTable& table)
       : model_(model),
         parts_(std::move(parts)),
         lanes_(settings.lanes),
         guess_(settings.guess),
         table_(table),
         kinds_(model.state_size(), StateKind::constant) {
-    for (const int end : run_ends) run_of_.resize(end, static_cast<int>(runs_++));
+    for (const int end : type_ends) range_of_.resize(end, static_cast<int>(ranges_++));
     std::fill_n(kinds_.begin(), model.coordinates(), StateKind::solved);
     for (const DefinedPart& part : parts_)
       if (part.definition.constant)
@@ -59,16 +59,17 @@ class Lanes {
     Positions left;
     for (int i = 0; i < size(); ++i)
       if (parts_[i].definition.constant) left.push_back(i);
-    std::vector<std::vector<Positions>> all_copies = sorted_by_kind(pieces());
-    for (std::vector<Positions>& copies : all_copies) {
-      std::span<const Positions> rest = copies;
-      for (const std::size_t together : {copies.size(), copies.size() / lanes_ * lanes_})
-        if (gains(copies, together)) {
+    std::vector<std::vector<Positions>> all_subsystems = sorted_by_kind(subsystems());
+    for (std::vector<Positions>& subsystems : all_subsystems) {
+      std::span<const Positions> rest = subsystems;
+      for (const std::size_t together : {subsystems.size(), subsystems.size() / lanes_ * lanes_})
+        if (gains(subsystems, together)) {
           put(rest.first(together));
           rest = rest.subspan(together);
           break;
         }
-      for (const Positions& copy : rest) left.insert(left.end(), copy.begin(), copy.end());
+      for (const Positions& subsystem : rest)
+        left.insert(left.end(), subsystem.begin(), subsystem.end());
     }
     std::ranges::sort(left);
     return by_types(left);
@@ -82,10 +83,10 @@ class Lanes {
   }
 
   /// Moving parts that are connected by what they need of each other.
-  std::vector<Positions> pieces() const {
+  std::vector<Positions> subsystems() const {
     Positions linked(parts_.size()), owner(model_.state_size(), -1);
     std::iota(linked.begin(), linked.end(), 0);
-    const auto piece_of = [&](int i) {
+    const auto subsystem_of = [&](int i) {
       while (linked[i] != i) i = linked[i] = linked[linked[i]];
       return i;
     };
@@ -93,14 +94,15 @@ class Lanes {
       const PartDefinition& part = parts_[i].definition;
       if (part.constant) continue;
       for (const int state : states_read(model_, part))
-        if (const int needed = owner[state]; needed >= 0) linked[piece_of(needed)] = piece_of(i);
+        if (const int needed = owner[state]; needed >= 0)
+          linked[subsystem_of(needed)] = subsystem_of(i);
       for (const int unknown : part.unknowns) owner[unknown] = i;
     }
-    std::map<int, Positions> pieces;
+    std::map<int, Positions> subsystems;
     for (int i = 0; i < size(); ++i)
-      if (!parts_[i].definition.constant) pieces[piece_of(i)].push_back(i);
+      if (!parts_[i].definition.constant) subsystems[subsystem_of(i)].push_back(i);
     std::vector<Positions> result;
-    for (auto& [number, piece] : pieces) result.push_back(std::move(piece));
+    for (auto& [number, subsystem] : subsystems) result.push_back(std::move(subsystem));
     return result;
   }
 
@@ -109,62 +111,62 @@ class Lanes {
     for (const int i : a) of_a.push_back(explicit_part(i));
     for (const int i : b) of_b.push_back(explicit_part(i));
     return std::ranges::find(of_a, nullptr) == of_a.end() &&
-           std::ranges::find(of_b, nullptr) == of_b.end() && are_copies(of_a, of_b);
+           std::ranges::find(of_b, nullptr) == of_b.end() && desmo::are_alike(of_a, of_b);
   }
 
-  std::vector<std::vector<Positions>> sorted_by_kind(std::vector<Positions> pieces) const {
+  std::vector<std::vector<Positions>> sorted_by_kind(std::vector<Positions> subsystems) const {
     std::vector<std::vector<Positions>> kinds;
-    for (Positions& piece : pieces) {
+    for (Positions& subsystem : subsystems) {
       const auto kind = std::ranges::find_if(
-          kinds, [&](const auto& copies) { return are_alike(copies.front(), piece); });
+          kinds, [&](const auto& subsystems) { return are_alike(subsystems.front(), subsystem); });
       if (kind != kinds.end())
-        kind->push_back(std::move(piece));
+        kind->push_back(std::move(subsystem));
       else
-        kinds.push_back({std::move(piece)});
+        kinds.push_back({std::move(subsystem)});
     }
     return kinds;
   }
 
-  /// The kernels for each part of a piece, by numbers of lanes for which there are all.
-  std::vector<CopyKernels> kernels(const Positions& piece) const {
-    std::vector<CopyKernels> result;
+  /// The kernels for each part of a subsystem, by numbers of lanes for which there are all.
+  std::vector<SubsystemKernels> kernels(const Positions& subsystem) const {
+    std::vector<SubsystemKernels> result;
     for (const int lanes : lane_counts) {
-      CopyKernels of_all;
-      for (const int i : piece)
+      SubsystemKernels of_all;
+      for (const int i : subsystem)
         if (const ExplicitPart* const part = explicit_part(i))
           if (const LaneKernel* k = table_.find_lane_kernel(part->kernel().fingerprint, lanes))
             of_all.push_back(k);
-      if (lanes <= lanes_ && of_all.size() == piece.size()) result.push_back(std::move(of_all));
+      if (lanes <= lanes_ && of_all.size() == subsystem.size()) result.push_back(std::move(of_all));
     }
     return result;
   }
 
   std::size_t calls(std::size_t parts) const { return (parts + lanes_ - 1) / lanes_; }
 
-  /// Whether the first of these copies together, and the rest type by type, take no more calls of
-  /// kernels than all of them type by type.
-  bool gains(const std::vector<Positions>& copies, std::size_t together) const {
-    if (together < 2 || kernels(copies.front()).empty()) return false;
-    std::map<int, std::size_t> of_run;
-    for (const int i : copies.front()) ++of_run[run_of_[i]];
-    std::size_t by_type = 0, by_copy = copies.front().size() * calls(together);
-    for (const auto& [run, parts] : of_run) {
-      by_type += calls(parts * copies.size());
-      by_copy += calls(parts * (copies.size() - together));
+  /// Returns whether the first of these subsystems together, and the rest type by type, take no
+  /// more calls of kernels than all of them type by type.
+  bool gains(const std::vector<Positions>& subsystems, std::size_t together) const {
+    if (together < 2 || kernels(subsystems.front()).empty()) return false;
+    std::map<int, std::size_t> of_range;
+    for (const int i : subsystems.front()) ++of_range[range_of_[i]];
+    std::size_t by_type = 0, by_subsystem = subsystems.front().size() * calls(together);
+    for (const auto& [range, parts] : of_range) {
+      by_type += calls(parts * subsystems.size());
+      by_subsystem += calls(parts * (subsystems.size() - together));
     }
-    return by_copy <= by_type;
+    return by_subsystem <= by_type;
   }
 
-  /// The copies as one part.
-  void put(std::span<const Positions> copies) {
+  /// The subsystems as one part.
+  void put(std::span<const Positions> subsystems) {
     std::vector<DefinedPart> taken;
-    std::vector<Copy> members;
-    std::vector<CopyKernels> of_copy = kernels(copies.front());
+    std::vector<Subsystem> members;
+    std::vector<SubsystemKernels> of_subsystem = kernels(subsystems.front());
     double tolerance = 0;
     bool as_named = true;
-    for (const Positions& copy : copies) {
+    for (const Positions& subsystem : subsystems) {
       members.emplace_back();
-      for (const int i : copy) {
+      for (const int i : subsystem) {
         members.back().emplace_back(static_cast<ExplicitPart*>(parts_[i].solver.release()));
         tolerance = std::hypot(tolerance, parts_[i].tolerance);
         as_named = as_named && parts_[i].as_named;
@@ -172,32 +174,33 @@ class Lanes {
       }
     }
     result_.push_back({.definition = join(taken),
-                       .solver = std::make_unique<LanePart>(std::move(of_copy), std::move(members),
-                                                            kinds_, guess_),
+                       .solver = std::make_unique<BatchPart>(std::move(of_subsystem),
+                                                             std::move(members), kinds_, guess_),
                        .as_named = as_named,
                        .tolerance = tolerance});
   }
 
-  /// Run by run, where there is code together, or one by one; behind what is put already.
+  /// Puts ranges of one type together where there is code, the others one by one, after what is put
+  /// already.
   std::vector<DefinedPart> by_types(const Positions& left) {
-    std::vector<DefinedPart> copies = std::exchange(result_, {});
+    std::vector<DefinedPart> subsystems = std::exchange(result_, {});
     for (auto first = left.begin(); first != left.end();) {
       const auto last =
-          std::find_if(first, left.end(), [&](int i) { return run_of_[i] != run_of_[*first]; });
-      std::vector<Positions> run;
-      for (auto i = first; i != last; ++i) run.push_back({*i});
+          std::find_if(first, left.end(), [&](int i) { return range_of_[i] != range_of_[*first]; });
+      std::vector<Positions> range;
+      for (auto i = first; i != last; ++i) range.push_back({*i});
       const bool alike = std::ranges::all_of(
-          run, [&](const Positions& one) { return are_alike(run.front(), one); });
-      if (run.size() > 1 && alike && !kernels(run.front()).empty())
-        put(run);
+          range, [&](const Positions& one) { return are_alike(range.front(), one); });
+      if (range.size() > 1 && alike && !kernels(range.front()).empty())
+        put(range);
       else
-        for (const Positions& one : run) result_.push_back(std::move(parts_[one.front()]));
+        for (const Positions& one : range) result_.push_back(std::move(parts_[one.front()]));
       first = last;
     }
     const auto moving = std::ranges::find_if(
         result_, [](const DefinedPart& part) { return !part.definition.constant; });
-    result_.insert(moving, std::make_move_iterator(copies.begin()),
-                   std::make_move_iterator(copies.end()));
+    result_.insert(moving, std::make_move_iterator(subsystems.begin()),
+                   std::make_move_iterator(subsystems.end()));
     return std::move(result_);
   }
 
@@ -206,18 +209,18 @@ class Lanes {
   const int lanes_;
   const Guess guess_;
   const KernelTable& table_;
-  std::vector<int> run_of_;  // by part
-  std::size_t runs_ = 0;
+  std::vector<int> range_of_;  // by part
+  std::size_t ranges_ = 0;
   std::vector<StateKind> kinds_;  // of each position in the state
   std::vector<DefinedPart> result_;
 };
 
 }  // namespace
 
-std::vector<DefinedPart> on_lanes(const Model& model, std::vector<DefinedPart> parts,
-                                  const std::vector<int>& run_ends, const Settings& settings,
-                                  const KernelTable& table) {
-  return Lanes(model, std::move(parts), run_ends, settings, table).take();
+std::vector<DefinedPart> make_batches(const Model& model, std::vector<DefinedPart> parts,
+                                      const std::vector<int>& type_ends, const Settings& settings,
+                                      const KernelTable& table) {
+  return BatchMaker(model, std::move(parts), type_ends, settings, table).take();
 }
 
 }  // namespace desmo

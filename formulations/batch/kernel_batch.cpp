@@ -1,4 +1,4 @@
-#include "formulations/batch/lane_stage.h"
+#include "formulations/batch/kernel_batch.h"
 
 #include <algorithm>
 
@@ -8,7 +8,7 @@ namespace {
 
 using Binding = ExplicitBinding<double>;
 
-/// One behind the other the elements of an array of each part, side by side.
+/// Returns an array of each part, the elements of all parts side by side.
 LaneValues side_by_side(const std::vector<ExplicitPart*>& lanes, std::size_t count,
                         const double* Binding::*array) {
   LaneValues result;
@@ -26,8 +26,8 @@ ExplicitLimits limits_of(const std::vector<ExplicitPart*>& lanes) {
 
 }  // namespace
 
-LaneStage::LaneStage(const LaneKernel& kernel, std::vector<ExplicitPart*> lanes,
-                     std::vector<int> in)
+KernelBatch::KernelBatch(const LaneKernel& kernel, std::vector<ExplicitPart*> lanes,
+                         std::vector<int> in)
     : kernel_(kernel), lanes_(std::move(lanes)), in_(std::move(in)) {
   const ExplicitPart& any = *lanes_.front();
   c_ = side_by_side(lanes_, any.constants(), &Binding::c);
@@ -39,7 +39,7 @@ LaneStage::LaneStage(const LaneKernel& kernel, std::vector<ExplicitPart*> lanes,
               w_.data(),  anchors_.data(), limits_of(lanes_)};
 }
 
-void LaneStage::take_branches() {  // in place: in the midst of a motion nothing is allocated
+void KernelBatch::take_branches() {  // in place: in the midst of a motion nothing is allocated
   for (std::size_t l = 0; l < lanes_.size(); ++l) {
     const std::span<const double> branches = lanes_[l]->branches();
     for (std::size_t k = 0; k < branches.size(); ++k) branch_[k * lanes_.size() + l] = branches[k];
@@ -47,6 +47,8 @@ void LaneStage::take_branches() {  // in place: in the midst of a motion nothing
   std::ranges::fill(anchors_, 0.0);
 }
 
-bool LaneStage::assembled() const { return std::ranges::all_of(lanes_, &ExplicitPart::assembled); }
+bool KernelBatch::assembled() const {
+  return std::ranges::all_of(lanes_, &ExplicitPart::assembled);
+}
 
 }  // namespace desmo

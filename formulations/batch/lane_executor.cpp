@@ -1,4 +1,4 @@
-#include "formulations/batch/time_lanes.h"
+#include "formulations/batch/lane_executor.h"
 
 #include <algorithm>
 #include <array>
@@ -6,29 +6,26 @@
 #include <iterator>
 #include <utility>
 
-#include "formulations/batch/lane_transport.h"
-#include "formulations/batch/same_position.h"
-#include "formulations/stepping/straight_way.h"
+#include "formulations/batch/layout.h"
+#include "formulations/stepping/continuation.h"
 
 namespace desmo {
 
-TimeLanes::TimeLanes(const Model& model, std::vector<Parts> parts, const Settings& settings,
-                     const KernelTable& table)
+LaneExecutor::LaneExecutor(const Model& model, std::vector<Parts> parts, const Settings& settings,
+                           const KernelTable& table)
     : model_(model),
       settings_(settings),
       lanes_(static_cast<int>(parts.size())),
       motions_(driver_motions(model), lanes_, side_by_side(lanes_)),
       parts_(std::move(parts)),
       residual2_(lanes_),
-      ways_(lanes_) {
+      changes_(lanes_) {
   const std::size_t size = model_.state_size();
-  for (LaneState* s : {&now_, &before_})
-    for (LaneValues* values : {&s->q, &s->qd, &s->qdd}) values->resize(size * lanes_);
   entered_.resize(size * lanes_);
   for (std::vector<double>* values : {&alone_.q, &alone_.qd, &alone_.qdd, &last_alone_})
     values->resize(size);
 
-  std::vector<int> predicted;
+  std::vector<int> predicted, unwrapped;
   for (std::size_t i = 0; i < parts_[0].size(); ++i) {
     const PartDefinition& definition = parts_[0][i].definition;
     if (definition.constant) continue;
@@ -38,15 +35,13 @@ TimeLanes::TimeLanes(const Model& model, std::vector<Parts> parts, const Setting
         .predicted = definition.unknowns, .unwrapped = {}, .others = {}, .drivers = {}};
     if (stages_.back().together) inputs = parts_[0][i].solver->inputs(std::move(inputs));
     std::ranges::copy(inputs.predicted, std::back_inserter(predicted));
-    std::ranges::copy(inputs.unwrapped, std::back_inserter(unwrapped_));
+    std::ranges::copy(inputs.unwrapped, std::back_inserter(unwrapped));
   }
   std::ranges::sort(predicted);
-  std::vector<IndexRange> runs = runs_of(predicted);
-  for (IndexRange& run : runs) run = {run.first * lanes_, run.end * lanes_};
-  predictor_ = Predictor(settings_.guess, std::move(runs));
+  state_ = BatchState(size, lanes_, settings_.guess, predicted, std::move(unwrapped));
 }
 
-TimeLanes::Stage TimeLanes::make_stage(std::size_t part, const KernelTable& table) const {
+LaneExecutor::Stage LaneExecutor::make_stage(std::size_t part, const KernelTable& table) const {
   Stage stage;
   stage.unknowns = parts_[0][part].definition.unknowns;
   std::vector<ExplicitPart*> members;
@@ -61,8 +56,8 @@ TimeLanes::Stage TimeLanes::make_stage(std::size_t part, const KernelTable& tabl
   return stage;
 }
 
-std::optional<Summary> TimeLanes::run(const TimeGrid& grid, const Request& request, State& state,
-                                      Observer& observer) {
+std::optional<Summary> LaneExecutor::run(const TimeGrid& grid, const Request& request, State& state,
+                                         Observer& observer) {
   const int length = (grid.instants + lanes_ - 1) / lanes_;
   if (length < min_segment || !enter(grid, length, state)) return {};
   requested_ = requested_coordinates(request, model_.coordinates());
@@ -74,12 +69,12 @@ std::optional<Summary> TimeLanes::run(const TimeGrid& grid, const Request& reque
   Summary total;
   double max_residual2 = 0;
   for (int i = 0; i <= length; ++i) {  // up to the first instant of the next segment
-    guess(grid.interval(), i);
+    predict(grid.interval(), i);
     drive(grid, length, i);
     const Step step = solve();
     if (!step.ok) return {};
     max_residual2 = std::max(max_residual2, *std::ranges::max_element(residual2_));
-    if (i == 0) entered_ = now_.q;
+    if (i == 0) entered_ = state_.now().q;
     if (i == length) break;
     total.iterations += static_cast<long>(step.iterations) * lanes_;
     total.updates += step.updates * lanes_;
@@ -94,15 +89,15 @@ std::optional<Summary> TimeLanes::run(const TimeGrid& grid, const Request& reque
   total.residual = std::sqrt(max_residual2);
   for (std::size_t k = 0; k < state.q.size(); ++k) {
     const std::size_t last = (k + 1) * lanes_ - 1;
-    state.q[k] = now_.q[last];
-    state.qd[k] = now_.qd[last];
-    state.qdd[k] = now_.qdd[last];
+    state.q[k] = state_.now().q[last];
+    state.qd[k] = state_.now().qd[last];
+    state.qdd[k] = state_.now().qdd[last];
   }
   return total;
 }
 
 /// Each lane at the position from which the first instant of its segment is solved.
-bool TimeLanes::enter(const TimeGrid& grid, int length, const State& first) {
+bool LaneExecutor::enter(const TimeGrid& grid, int length, const State& first) {
   if (enter_together(grid, length, first)) return true;
   for (int l = 0; l < lanes_; ++l) {
     for (const DefinedPart& part : parts_[l]) part.solver->forget();
@@ -110,35 +105,35 @@ bool TimeLanes::enter(const TimeGrid& grid, int length, const State& first) {
     const auto solve = [&](State& state, std::span<const double> last) {
       return solve_alone(l, state, last);
     };
-    if (!go_straight(model_, grid.time(l * length), alone_, solve)) return false;
+    if (!continue_drivers_to(model_, grid.time(l * length), alone_, solve)) return false;
     pack(l, alone_);
   }
   take_branches();
   return are_assembled();
 }
 
-/// The ways to all segments at once, as a motion that takes a unit of time. False where one has to
-/// be gone in shorter pieces.
-bool TimeLanes::enter_together(const TimeGrid& grid, int length, const State& first) {
+/// Continues to all segments at once, as in a motion that takes a unit of time. False where one
+/// needs shorter steps.
+bool LaneExecutor::enter_together(const TimeGrid& grid, int length, const State& first) {
   for (int l = 0; l < lanes_; ++l) {
     for (const DefinedPart& part : parts_[l]) part.solver->forget();
     alone_ = first;
     if (!solve_alone(l, alone_, first.q)) return false;  // finds the branches
     pack(l, alone_);
-    ways_[l] = straight_way(model_, first, grid.time(l * length));
+    changes_[l] = driver_changes(model_, first, grid.time(l * length));
   }
   take_branches();
   if (!are_assembled()) return false;
-  constexpr double piece = 1.0 / pieces_of_a_way;
-  for (int i = 0; i <= pieces_of_a_way; ++i) {
-    guess(piece, i);
+  constexpr double step = 1.0 / continuation_steps;
+  for (int i = 0; i <= continuation_steps; ++i) {
+    predict(step, i);
     for (std::size_t d = 0; d < model_.drivers.size(); ++d) {
       const int driven = model_.entities[model_.drivers[d].coordinate].first;
       for (int l = 0; l < lanes_; ++l) {
         const std::size_t k = static_cast<std::size_t>(driven) * lanes_ + l;
-        now_.q[k] = first.q[driven] + i * piece * ways_[l][d];
-        now_.qd[k] = ways_[l][d];
-        now_.qdd[k] = 0;
+        state_.now().q[k] = first.q[driven] + i * step * changes_[l][d];
+        state_.now().qd[k] = changes_[l][d];
+        state_.now().qdd[k] = 0;
       }
     }
     if (!solve().ok) return false;
@@ -146,51 +141,46 @@ bool TimeLanes::enter_together(const TimeGrid& grid, int length, const State& fi
   return true;
 }
 
-bool TimeLanes::are_assembled() const {
+bool LaneExecutor::are_assembled() const {
   return std::ranges::all_of(
       stages_, [](const Stage& stage) { return !stage.together || stage.together->assembled(); });
 }
 
-bool TimeLanes::solve_alone(int lane, State& state, std::span<const double> last) {
+bool LaneExecutor::solve_alone(int lane, State& state, std::span<const double> last) {
   for (const Stage& stage : stages_)
     if (stage.members[lane]->solve(state, last, Level::position).status != Status::converged)
       return false;
   return true;
 }
 
-void TimeLanes::pack(int lane, const State& from) {
+void LaneExecutor::pack(int lane, const State& from) {
   for (std::size_t k = 0; k < from.q.size(); ++k)
-    now_.q[k * lanes_ + lane] = before_.q[k * lanes_ + lane] = from.q[k];  // some never move
+    state_.now().q[k * lanes_ + lane] = state_.before().q[k * lanes_ + lane] =
+        from.q[k];  // some never move
 }
 
-void TimeLanes::take_branches() {
+void LaneExecutor::take_branches() {
   for (Stage& stage : stages_)
     if (stage.together) stage.together->take_branches();
 }
 
-/// Leaves the last instant in before_ and in now_ what solvers start from; the rest of now_ is of
-/// the instant before. known: how many instants were solved.
-void TimeLanes::guess(double h, int known) {
-  std::swap(now_, before_);
-  const LaneState &last = before_, &one_before = now_;
-  const StepHistory history{h, h, known > 0 ? std::optional(Level::acceleration) : std::nullopt,
-                            known > 1 ? std::optional(Level::acceleration) : std::nullopt};
-  if (!predictor_.empty()) predictor_(history, last, one_before, now_.q.data());
-  for (const int i : unwrapped_) {
-    const std::size_t first = static_cast<std::size_t>(i) * lanes_;
-    std::copy_n(&before_.q[first], lanes_, &now_.q[first]);
-  }
+/// known: how many instants were solved, h apart.
+void LaneExecutor::predict(double h, int known) {
+  const auto solved = [&](int least) {
+    return known >= least ? std::optional(Level::acceleration) : std::nullopt;
+  };
+  state_.predict({h, h, solved(1), solved(2)});
 }
 
-void TimeLanes::drive(const TimeGrid& grid, int length, int i) {
+void LaneExecutor::drive(const TimeGrid& grid, int length, int i) {
   std::array<double, max_lanes> of_lanes;
   for (int l = 0; l < lanes_; ++l)
     of_lanes[l] = grid.time(std::min(l * length + i, grid.instants - 1));
-  motions_({of_lanes.data(), of_lanes.data() + lanes_}, now_.q.data(), now_.qd.data(),
-           now_.qdd.data());
+  motions_({of_lanes.data(), of_lanes.data() + lanes_}, state_.now().q.data(),
+           state_.now().qd.data(), state_.now().qdd.data());
 }
 
-TimeLanes::Step TimeLanes::solve() {
+LaneExecutor::Step LaneExecutor::solve() {
   const unsigned every_lane = (1u << lanes_) - 1;
   Step step;
   std::ranges::fill(residual2_, 0.0);
@@ -198,7 +188,7 @@ TimeLanes::Step TimeLanes::solve() {
     unsigned accepted = 0;
     if (stage.together) {
       alignas(64) std::array<double, max_lanes> residual2;
-      const LaneResult r = stage.together->solve(now_, residual2.data());
+      const LaneResult r = stage.together->solve(state_.now(), residual2.data());
       accepted = r.accepted;
       step.iterations = std::max(step.iterations, r.iterations);
       step.updates += static_cast<long>(r.iterations) * std::ssize(stage.unknowns);
@@ -214,15 +204,15 @@ TimeLanes::Step TimeLanes::solve() {
   return step;
 }
 
-/// What code for lanes has refused starts from its last position; that of others was guessed.
-void TimeLanes::solve_lane(Stage& stage, int lane, Step& step) {
+/// A lane that the code has refused starts from its last position; others were predicted.
+void LaneExecutor::solve_lane(Stage& stage, int lane, Step& step) {
   for (std::size_t k = 0; k < alone_.q.size(); ++k) {
     const std::size_t in_lane = k * lanes_ + lane;
-    alone_.q[k] = now_.q[in_lane];
-    alone_.qd[k] = now_.qd[in_lane];
-    alone_.qdd[k] = now_.qdd[in_lane];
+    alone_.q[k] = state_.now().q[in_lane];
+    alone_.qd[k] = state_.now().qd[in_lane];
+    alone_.qdd[k] = state_.now().qdd[in_lane];
   }
-  for (const int k : stage.unknowns) last_alone_[k] = before_.q[k * lanes_ + lane];
+  for (const int k : stage.unknowns) last_alone_[k] = state_.before().q[k * lanes_ + lane];
   if (stage.together)
     for (const int k : stage.unknowns) alone_.q[k] = last_alone_[k];
   const PartResult r = stage.members[lane]->solve(alone_, last_alone_, Level::acceleration);
@@ -231,29 +221,29 @@ void TimeLanes::solve_lane(Stage& stage, int lane, Step& step) {
   residual2_[lane] += r.residual2;
   for (const int k : stage.unknowns) {
     const std::size_t in_lane = static_cast<std::size_t>(k) * lanes_ + lane;
-    now_.q[in_lane] = alone_.q[k];
-    now_.qd[in_lane] = alone_.qd[k];
-    now_.qdd[in_lane] = alone_.qdd[k];
+    state_.now().q[in_lane] = alone_.q[k];
+    state_.now().qd[in_lane] = alone_.qd[k];
+    state_.now().qdd[in_lane] = alone_.qdd[k];
   }
 }
 
-/// Whether each segment ended where the next had begun.
-bool TimeLanes::meet() const {
+/// Each segment ended where the next had begun.
+bool LaneExecutor::meet() const {
   const auto coordinates = static_cast<std::size_t>(model_.coordinates());
   std::vector<double> ended(coordinates), begun(coordinates);
   for (int l = 0; l + 1 < lanes_; ++l) {
     for (std::size_t k = 0; k < coordinates; ++k) {
-      ended[k] = now_.q[k * lanes_ + l];
+      ended[k] = state_.now().q[k * lanes_ + l];
       begun[k] = entered_[k * lanes_ + l + 1];
     }
-    if (!same_position(model_, ended, begun)) return false;
+    if (!segments_meet(model_, ended, begun)) return false;
   }
   return true;
 }
 
 /// Borrows an output for the instant of each lane that lies within the motion.
-std::span<const OutputView> TimeLanes::borrow(const TimeGrid& grid, int length, int i,
-                                              Observer& observer) {
+std::span<const OutputView> LaneExecutor::borrow(const TimeGrid& grid, int length, int i,
+                                                 Observer& observer) {
   const auto count = [&](int step) {
     return std::min<std::size_t>(lanes_, (grid.instants - step + length - 1) / length);
   };
@@ -272,8 +262,8 @@ std::span<const OutputView> TimeLanes::borrow(const TimeGrid& grid, int length, 
   return {&outputs_[first], count(i)};
 }
 
-Flow TimeLanes::deliver(const TimeGrid& grid, int length, int i, Level level, const Step& step,
-                        Observer& observer) {
+Flow LaneExecutor::deliver(const TimeGrid& grid, int length, int i, Level level, const Step& step,
+                           Observer& observer) {
   const std::span<const OutputView> lent = borrow(grid, length, i, observer);
   const auto unpack_level = [&](Level least, const LaneValues& from, double* OutputView::*to) {
     if (level < least || !(lent[0].*to)) return;
@@ -282,9 +272,9 @@ Flow TimeLanes::deliver(const TimeGrid& grid, int length, int i, Level level, co
     for (std::size_t l = 0; l < lent.size(); ++l) lanes[l] = lent[l].*to;
     unpack(from.data(), requested_, {lanes.data(), lanes.data() + lanes_});
   };
-  unpack_level(Level::position, now_.q, &OutputView::q);
-  unpack_level(Level::velocity, now_.qd, &OutputView::qd);
-  unpack_level(Level::acceleration, now_.qdd, &OutputView::qdd);
+  unpack_level(Level::position, state_.now().q, &OutputView::q);
+  unpack_level(Level::velocity, state_.now().qd, &OutputView::qd);
+  unpack_level(Level::acceleration, state_.now().qdd, &OutputView::qdd);
   for (std::size_t l = 0; l < lent.size(); ++l) {
     const int index = static_cast<int>(l) * length + i;
     const auto values = [&](Level least, const double* output) {

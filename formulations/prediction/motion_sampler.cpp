@@ -1,4 +1,4 @@
-#include "formulations/prediction/lane_motion.h"
+#include "formulations/prediction/motion_sampler.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@ namespace desmo {
 namespace {
 
 namespace simd = std::experimental;
-/// What registers of 256 bits hold.
+/// A register of 256 bits.
 using Quad = simd::simd<double, simd::simd_abi::deduce_t<double, 4>>;
 
 [[gnu::always_inline]] inline elementary::SineCosine<Quad> sine_cosine(const Quad& angle) {
@@ -164,7 +164,7 @@ void MotionSampler::add_up_by_four_times(double* z, double* zd, double* zdd) con
       }
 }
 
-/// What has no sines.
+/// Samples motions that have no sines.
 void MotionSampler::sample_others(std::span<const double> times, double* z, double* zd,
                                   double* zdd) const {
   for (const int i : others_) {

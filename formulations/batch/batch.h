@@ -1,0 +1,107 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "formulations/base/output.h"
+#include "formulations/batch/batch_state.h"
+#include "formulations/batch/kernel_batch.h"
+#include "formulations/batch/layout.h"
+#include "formulations/prediction/guess.h"
+#include "formulations/prediction/motions_ahead.h"
+
+namespace desmo {
+
+/// The parts of a subsystem of a mechanism (an axle), in the order of solution.
+using Subsystem = std::vector<std::unique_ptr<ExplicitPart>>;
+/// The kernels of the types of these parts, all for as many lanes.
+using SubsystemKernels = std::vector<const LaneKernel*>;
+
+/// The origin of a number in the state: it never moves, a driver gives it, a part finds it.
+enum class StateKind : char { constant, driven, solved };
+
+/// A batch of equal subsystems, one in each lane, solved by one call of each kernel. Their state
+/// stays in lanes from one instant to the next. Where subsystems are fewer than lanes, the first
+/// fills the rest.
+class Batch {
+ public:
+  /// The outcome of a step.
+  struct Step {
+    unsigned accepted = 0;                      ///< bit l: every part of subsystem l was
+    int iterations = 0;                         ///< the most of any part
+    std::array<double, max_lanes> residual2{};  ///< ‖Φ‖₂² of each; of meaning where accepted
+  };
+
+  /// subsystems: alike, as are_alike() says; they outlive the batch. kinds: of each position in the
+  /// state.
+  Batch(std::span<Subsystem> subsystems, const SubsystemKernels& kernels,
+        const std::vector<StateKind>& kinds, Guess guess);
+
+  std::span<Subsystem> subsystems() const { return subsystems_; }
+  unsigned all() const { return (1u << subsystems_.size()) - 1; }
+
+  /// See PartInputs.
+  std::vector<int> drivers() const;
+  std::vector<int> reads() const;
+  /// See Part.
+  void bind(const PartOutputs& outputs);
+  void begin_step(const StepHistory& history, const MotionRow& row);
+  /// Returns how many numbers of the row are its drivers.
+  std::size_t in_row() const { return driven_.size() * lanes_; }
+  /// Returns whether the step starts from the instant before, which is kept, and not from the
+  /// state.
+  bool predicted() const { return predicted_; }
+  void forget() { assembled_ = kept_ = predicted_ = is_driven_ = false; }
+
+  /// Solves positions, velocities and accelerations of all subsystems, where the kernels may go on;
+  /// otherwise none is accepted. What is not accepted is of no meaning.
+  const Step& solve(const State& state);
+  /// Takes from the state what the subsystems have found by themselves.
+  void take(const State& state);
+
+  void deliver(const OutputView& output, Level level) const;
+
+  /// Writes what is observed in the state, as far as `level`; without prediction all positions.
+  void write_observed(State& state, Level level) const;
+  /// Writes all of one subsystem.
+  void store(std::size_t subsystem, State& state) const { store(own_, subsystem, state); }
+  /// Writes its drivers, which it reads in the state when it is solved alone.
+  void store_drivers(std::size_t subsystem, State& state) const {
+    store(driven_, subsystem, state);
+  }
+  /// Writes its positions of the instant before.
+  void restore(std::size_t subsystem, std::span<double> q) const;
+
+ private:
+  Scatter targets(std::span<const int> numbers, std::span<int> places) const;
+  template <std::size_t lanes>
+  void drive(MotionRow row);
+  void store(std::span<const int> numbers, std::size_t subsystem, State& state) const;
+  void scatter(const Scatter& targets, Level level, const OutputView& to) const;
+  template <class Visit>
+  void for_numbers(std::span<const int> numbers, std::size_t lane, Visit&& visit) const;
+
+  std::span<Subsystem> subsystems_;
+  std::vector<KernelBatch> stages_;
+  std::size_t lanes_;
+  LanePlaces places_;  // in the state, of all that a subsystem reads and writes: local inputs
+  std::vector<int> unknowns_, driven_;  // local, ascending …
+  std::vector<int> own_;                // … and both
+  Gather constants_, moving_;           // of others: once, and in every step
+  Gather undriven_;                     // of drivers, where no step was begun
+  Gather starts_;                       // of its own
+  Scatter observed_, delivered_;
+  BatchState state_;
+  LaneValues residuals2_;  // of each stage, for the most lanes
+  Step step_;
+  bool assembled_ = false;  // every part has found a position since forget()
+  bool kept_ = false, predicted_ = false, is_driven_ = false;
+};
+
+/// Returns whether both have parts of the same types, in the same order, that take the same from
+/// each other.
+bool are_alike(std::span<const ExplicitPart* const> a, std::span<const ExplicitPart* const> b);
+
+}  // namespace desmo

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "formulations/batch/batch.h"
+#include "formulations/parts/guarded_part.h"
+
+namespace desmo {
+
+/// Equal subsystems, none of which needs another, solved in batches by explicit code on wide
+/// registers. A subsystem is one part, or several whose results stay in lanes. One that has no
+/// position yet, or of which the code refuses a part, is solved alone, by its own parts.
+class BatchPart final : public GuardedPart {
+ public:
+  /// kernels: one or more, each for more lanes than the one before. subsystems: two or more,
+  /// alike as are_alike() says. kinds: of each position in the state.
+  BatchPart(std::vector<SubsystemKernels> kernels, std::vector<Subsystem> subsystems,
+            const std::vector<StateKind>& kinds, Guess guess);
+
+  PartResult solve(State& state, std::span<const double> last, Level level) override;
+  /// Names as predicted the inputs of the subsystem that is left over, if one is: batches predict
+  /// from what they keep.
+  PartInputs inputs(PartInputs equations) const override;
+  bool is_resident() const override { return true; }
+  void bind(const PartOutputs& outputs) override;
+  void begin_step(const StepHistory& history, const MotionRow& row) override;
+  void deliver(const OutputView& output, Level level) const override;
+  void store(State& state) const override;
+  void restore(std::span<double> q) const override;
+  void forget() override;
+
+  /// Return the sums over its members.
+  long fallbacks() const override;
+  long branch_changes() const override;
+
+ private:
+  /// The outcome of several subsystems or parts.
+  struct Result {
+    PartResult all;
+    void add(const PartResult& one);
+  };
+  void solve(Batch& batch, State& state, std::span<const double> last, Level level, Result& result);
+  static void solve_alone(Subsystem& subsystem, State& state, std::span<const double> last,
+                          Level level, Result& result);
+
+  std::vector<Subsystem> subsystems_;
+  std::vector<Batch> batches_;
+  Subsystem* left_over_ = nullptr;  // a subsystem that would be alone in a batch
+  std::vector<double> last_;  // positions of the instant before, where a subsystem is solved alone
+};
+
+}  // namespace desmo

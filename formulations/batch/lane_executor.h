@@ -1,0 +1,86 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "formulations/batch/batch_state.h"
+#include "formulations/batch/kernel_batch.h"
+#include "formulations/batch/segmented.h"
+#include "formulations/equations/kernel_table.h"
+#include "formulations/equations/lane_kernel.h"
+#include "formulations/parts/explicit_part.h"
+#include "formulations/prediction/motion_sampler.h"
+
+namespace desmo {
+
+/// Instants of a segment that is worth entering: of a shorter one it costs more than lanes gain.
+inline constexpr int min_segment = 16;
+
+/// Solves as many equal segments of a motion as there are lanes, one in each lane of a batch of the
+/// whole model. A part without code for lanes is solved lane by lane, as is a lane that the code
+/// refuses.
+class LaneExecutor final : public SegmentExecutor {
+ public:
+  using Parts = std::vector<DefinedPart>;
+
+  /// parts: of each lane, the same in all, in the order of solution. table: where code for lanes
+  /// is; it must outlive this.
+  LaneExecutor(const Model& model, std::vector<Parts> parts, const Settings& settings,
+               const KernelTable& table);
+
+  /// Returns nothing where the motion is too short, a segment could not be entered or solved, or
+  /// two do not meet.
+  std::optional<Summary> run(const TimeGrid& grid, const Request& request, State& state,
+                             Observer& observer) override;
+
+ private:
+  /// A part, and the same part in every lane.
+  struct Stage {
+    std::vector<Part*> members{};
+    std::span<const int> unknowns;
+    std::optional<KernelBatch> together{};  // nothing: lane by lane
+  };
+  /// The outcome of a step in all lanes.
+  struct Step {
+    bool ok = true;
+    int iterations = 0;
+    long updates = 0;  // in each lane
+  };
+
+  Stage make_stage(std::size_t part, const KernelTable& table) const;
+  bool enter(const TimeGrid& grid, int length, const State& first);
+  bool enter_together(const TimeGrid& grid, int length, const State& first);
+  bool solve_alone(int lane, State& state, std::span<const double> last);
+  bool are_assembled() const;
+  void pack(int lane, const State& from);
+  void take_branches();
+  void predict(double h, int known);
+  void drive(const TimeGrid& grid, int length, int i);
+  Step solve();
+  void solve_lane(Stage& stage, int lane, Step& step);
+  bool meet() const;
+  std::span<const OutputView> borrow(const TimeGrid& grid, int length, int i, Observer& observer);
+  Flow deliver(const TimeGrid& grid, int length, int i, Level level, const Step& step,
+               Observer& observer);
+
+  const Model& model_;
+  const Settings settings_;
+  const int lanes_;
+  MotionSampler motions_;  // of the drivers, in lanes
+  std::vector<Parts> parts_;
+  std::vector<Stage> stages_;  // those that move
+  BatchState state_;
+  LaneValues entered_;                        // positions at the first instant of each segment
+  LaneValues residual2_;                      // of the step, by lane
+  State alone_;                               // of one lane …
+  std::vector<double> last_alone_;            // … and its last positions
+  std::vector<std::vector<double>> changes_;  // of drivers, to each segment
+  std::vector<int> requested_;                // where requested coordinates begin in lanes
+  std::vector<int> indices_;                  // of instants for which memory was borrowed …
+  std::vector<OutputView> outputs_;           // … and this …
+  std::size_t used_ = 0;                      // … so many of them already
+  std::vector<double> beyond_;                // takes what lies after the end of the motion
+};
+
+}  // namespace desmo

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <exception>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "formulations/batch/segmented.h"
+
+namespace desmo {
+
+/// Solves equal segments of a motion, each on a thread of its own. How a motion is cut depends on
+/// its work alone, so that results do not depend on the machine or its load.
+class ThreadExecutor final : public SegmentExecutor {
+ public:
+  /// workers: one for each thread, alike, of the model whose motion is solved; they share only what
+  /// is const.
+  /// min_instants: of a segment that is worth entering.
+  ThreadExecutor(std::vector<std::unique_ptr<Formulation>> workers, int min_instants);
+
+  std::optional<Summary> run(const TimeGrid& grid, const Request& request, State& state,
+                             Observer& observer) override;
+  void solve_only(std::span<const Level> needed) override;
+
+  /// Returns into how many segments a motion of so many instants is cut: fewer than there are
+  /// threads where each would have little to do.
+  int segments(int instants) const;
+
+ private:
+  struct Shared;
+  class SegmentObserver;
+
+  /// A segment, and what became of it.
+  struct Segment {
+    int begin = 0, end = 0;        // instants of the grid
+    std::vector<double> entered;   // position at its first instant, in coordinate order
+    bool ended = false;            // the worker stands where the next one begins
+    std::optional<Summary> total;  // nothing: it has to be done step by step
+    std::exception_ptr error;
+  };
+
+  void solve(int k, const TimeGrid& grid, const Request& request, const State& first,
+             Observer& observer);
+  bool meet(int k) const;
+
+  std::vector<std::unique_ptr<Formulation>> workers_;
+  std::vector<Segment> segments_;
+  const int min_instants_;
+  const long moving_unknowns_;
+};
+
+}  // namespace desmo
