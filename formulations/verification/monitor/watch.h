@@ -10,6 +10,7 @@
 #include "formulations/base/observer.h"
 #include "formulations/base/part.h"
 #include "formulations/model/model.h"
+#include "formulations/scaling/scales.h"
 #include "formulations/verification/monitor/assessment.h"
 #include "formulations/verification/monitor/crossing.h"
 
@@ -68,6 +69,9 @@ class Watch {
     int every = usual;                     ///< instants from one assessment to the next, at most
     bool reuses_pivots = false;            ///< rates may come from pivots of another position
     unsigned without = 0;                  ///< monitors left out, for tests of what each finds
+    std::optional<Scales> scales{};        ///< that bounds are relative to; empty: of the motion
+    int max_steps = 4096;          ///< shorter steps in which one that is in doubt is gone again
+    int max_degradations = 10000;  ///< that are looked at again when scales grow
   };
 
   /// grid: of the motion, whose drivers tell how fast it will be. The mechanism must outlive the
@@ -88,6 +92,11 @@ class Watch {
 
   /// The next instant does not follow the last: it is assessed.
   void resume();
+
+  /// Takes the step to the next instant for one in doubt: it is gone again, and assessed.
+  void doubt_next();
+  /// Counts time from an origin that much earlier [s].
+  void shift_time(double by);
 
   /// Instants assessed and corrected.
   long assessed() const;
