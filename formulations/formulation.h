@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "formulations/base/live_row.h"
 #include "formulations/base/observer.h"
 #include "formulations/base/part.h"
 #include "formulations/base/settings.h"
@@ -38,6 +39,22 @@ class Formulation {
   /// later step to go on from there; rates are unspecified. The predictor does without what it
   /// needs and was not solved in the instants before.
   virtual Summary step(double t, Level level = Level::acceleration) = 0;
+
+  /// Returns whether drivers may be handed in step by step: not where the settings ask for a motion
+  /// known in advance (segments, threads, stride).
+  virtual bool is_live() const { return false; }
+  /// Like step(), with values handed in for the drivers instead of their motions; assembles at the
+  /// row where nothing was solved before. Sub-steps go straight from the last positions to the row,
+  /// max_sub_steps tries in all. Takes nothing from the heap, which step() may on failure: of a
+  /// failure it names the group alone, where there is one. See LiveRun, which looks at rows and
+  /// results.
+  virtual Summary step(const LiveRow&, Level, int max_sub_steps) {
+    static_cast<void>(max_sub_steps);
+    return {.status = Status::not_converged};
+  }
+  /// Goes back to positions solved before, at time t [s], from which live steps go on; rates are
+  /// unknown. q: coordinates() values or more; empty: the next step assembles.
+  virtual void return_to(std::span<const double>, double t) { static_cast<void>(t); }
 
   /// Runs through a motion: assembles at the first instant of the grid, solves the others as the
   /// settings say, and hands each to the observer. Stops at the first failure: all instants before

@@ -1,5 +1,8 @@
 #include "bench/cli/columns.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "bench/cli/inspection.h"
 
 namespace desmo::cli {
@@ -22,7 +25,10 @@ std::string unit_of(const Entity& e, Level level, const std::string& length_unit
   return length_unit + per_time[order];
 }
 
-void add_entity(const Model& m, const Asked& asked, std::vector<Column>& columns) {
+}  // namespace
+
+std::vector<Column> columns_of(const Model& m, const Asked& asked) {
+  std::vector<Column> columns;
   const Entity& e = m.entities[asked.entity];
   for (int order = 0; order <= static_cast<int>(asked.level); ++order) {
     const auto level = static_cast<Level>(order);
@@ -37,15 +43,14 @@ void add_entity(const Model& m, const Asked& asked, std::vector<Column>& columns
         column.constant = m.fixed_values[i];
     }
   }
+  return columns;
 }
-
-}  // namespace
 
 std::vector<Column> make_columns(const Plan& plan, const Scene& scene) {
   std::vector<Column> columns;
   for (const Asked& asked : plan.outputs)
     if (!scene.request.empty() || !plan.model.rests(asked.entity))
-      add_entity(plan.model, asked, columns);
+      std::ranges::copy(columns_of(plan.model, asked), std::back_inserter(columns));
   return columns;
 }
 

@@ -1,6 +1,7 @@
 #include "bench/cli/series.h"
 
 #include <charconv>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace desmo::cli {
@@ -26,15 +27,16 @@ class Csv final : public SeriesFormat {
   std::string heading(const SeriesHeading& heading) const override {
     std::string text = "t [s]";
     for (const Column& c : heading.columns) text += "," + csv_field(c.name + " [" + c.unit + "]");
-    return text + "\n";
+    return text + (heading.has_outcomes ? ",outcome\n" : "\n");
   }
-  void append(const SeriesHeading& heading, const Instant& instant,
-              std::string& text) const override {
+  void append(const SeriesHeading& heading, const Instant& instant, std::string& text,
+              std::string_view outcome) const override {
     append_number(instant.time, text);
     for (const Column& c : heading.columns) {
       text += ',';
-      append_number(c.value(instant), text);
+      if (!instant.q.empty()) append_number(c.value(instant), text);
     }
+    if (heading.has_outcomes) text.append(",").append(outcome);
     text += '\n';
   }
 };
@@ -45,19 +47,27 @@ class JsonLines final : public SeriesFormat {
     using Json = nlohmann::ordered_json;
     Json columns = Json::array({{{"name", "t"}, {"unit", "s"}}});
     for (const Column& c : heading.columns) columns.push_back({{"name", c.name}, {"unit", c.unit}});
+    if (heading.has_outcomes) columns.push_back({{"name", "outcome"}, {"unit", "-"}});
     const Json all = {{"format", "desmo-series"},           {"version", 1},
                       {"mechanism", heading.mechanism},     {"scene", heading.scene},
                       {"formulation", heading.formulation}, {"columns", columns}};
     return all.dump() + "\n";
   }
-  void append(const SeriesHeading& heading, const Instant& instant,
-              std::string& text) const override {
+  void append(const SeriesHeading& heading, const Instant& instant, std::string& text,
+              std::string_view outcome) const override {
     text += '[';
-    append_number(instant.time, text);
+    if (std::isfinite(instant.time))
+      append_number(instant.time, text);
+    else
+      text += "null";
     for (const Column& c : heading.columns) {
       text += ',';
-      append_number(c.value(instant), text);
+      if (instant.q.empty())
+        text += "null";
+      else
+        append_number(c.value(instant), text);
     }
+    if (heading.has_outcomes) text.append(",\"").append(outcome).append("\"");
     text += "]\n";
   }
 };

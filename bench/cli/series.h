@@ -14,6 +14,7 @@ namespace desmo::cli {
 struct SeriesHeading {
   std::string mechanism, scene, formulation;
   std::vector<Column> columns;  ///< the time, which comes first, left out
+  bool has_outcomes = false;    ///< each line ends with the outcome of its instant
 };
 
 /// Numbers are written with the fewest digits that read back as the same double.
@@ -21,9 +22,9 @@ class SeriesFormat {
  public:
   virtual ~SeriesFormat() = default;
   virtual std::string heading(const SeriesHeading& heading) const = 0;
-  /// Finite numbers: JSON knows no others.
-  virtual void append(const SeriesHeading& heading, const Instant& instant,
-                      std::string& text) const = 0;
+  /// Finite numbers: JSON knows no others. An instant without positions has empty cells.
+  virtual void append(const SeriesHeading& heading, const Instant& instant, std::string& text,
+                      std::string_view outcome = {}) const = 0;
 };
 
 /// "csv": names with units in the first line, "t [s],C.x [m],…"; "jsonl": an object that tells

@@ -14,11 +14,13 @@
 #include "bench/cli/errors.h"
 #include "bench/cli/explanation.h"
 #include "bench/cli/input.h"
+#include "bench/cli/live.h"
 #include "bench/cli/own_code.h"
 #include "bench/cli/run_notes.h"
 #include "cases/mechanism/names.h"
 #include "formulations/id.h"
 #include "formulations/variants.h"
+#include "formulations/verification/monitor/live_run.h"
 
 namespace desmo::cli {
 namespace {
@@ -26,7 +28,7 @@ namespace {
 constexpr const char* default_formulation = "block_symbolic_inlined";
 
 struct SolveOptions {
-  std::string scene, output, format, formulation;
+  std::string scene, output, format, formulation, drivers;
   bool explain = false, quiet = false, strict = false, past_failures = false;
   OwnCode own_code;
 };
@@ -81,6 +83,8 @@ void say(const std::string& text) {
 }
 
 void solve(const SolveOptions& options) {
+  if (options.scene == "-" && options.drivers == "-")
+    throw Error(usage_error, "scene and drivers both on standard input; give a file for one");
   std::unique_ptr<SeriesFormat> format = series_format(format_name(options));
   const Input input = load_scene(options.scene);
   const Configuration chosen = choose_formulation(options, input);
@@ -98,11 +102,20 @@ void solve(const SolveOptions& options) {
   formulation->solve_only(plan.levels);
   if (!options.quiet) say(note_on_code(*formulation, named));
 
+  const SeriesHeading heading{whole.name, input.scene.name, id_with(*variant, settings),
+                              make_columns(plan, input.scene), !options.drivers.empty()};
+  if (!options.drivers.empty()) {
+    if (const std::string reason = unsupported_live_reason(*formulation); !reason.empty())
+      throw Error(usage_error, "--drivers with " + heading.formulation + ": " + reason);
+    solve_live({input.source, options.drivers, whole, plan, settings.tolerance, options.strict,
+                options.past_failures, options.quiet},
+               *formulation, heading, *format, output);
+    output.finish();
+    return;
+  }
   const bool in_the_way = output.is_standard_output() && ::isatty(STDOUT_FILENO) == 1;
   Progress progress(input.scene.grid.instants, !options.quiet && !in_the_way);
-  Delivery delivery(
-      {whole.name, input.scene.name, id_with(*variant, settings), make_columns(plan, input.scene)},
-      std::move(format), output, progress);
+  Delivery delivery(heading, std::move(format), output, progress);
   const MonitoredSummary summary =
       run_monitored(*formulation, input.scene.grid, Request{plan.level()}, delivery,
                     {{.tolerance = settings.tolerance, .levels = plan.levels},
@@ -148,6 +161,12 @@ void add_solve(CLI::App& program) {
                    "Formulation (see desmo list formulations), settings as suffixes such as "
                    "/guess:hermite5; by default the scene's, or " +
                        std::string(default_formulation))
+      ->check(refuse_empty);
+  command
+      ->add_option("--drivers", options->drivers,
+                   "Take the drivers' values from this file, - for standard input: a line for each "
+                   "instant, answered at once, of t, then z of each driver, dz/dt of each and "
+                   "d2z/dt2 of each; the scene's own motion and time are not used")
       ->check(refuse_empty);
   add_options(*command, options->own_code);
   command->add_flag("--explain", options->explain,

@@ -9,6 +9,7 @@ void Summary::add(const Summary& instant) {
   time = instant.time;
   iterations += instant.iterations;
   updates += instant.updates;
+  sub_steps += instant.sub_steps;
   if (instant.ok()) {
     ++instants;
     residual = std::max(residual, instant.residual);

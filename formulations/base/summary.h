@@ -15,6 +15,7 @@ struct Summary {
   /// Unknowns that Newton's method moved: of each part its number times its iterations, summed. The
   /// work of a motion grows with it.
   long updates = 0;
+  long sub_steps = 0;  ///< tried where a step could not be solved at once
   /// Largest ‖Φ‖₂ of the whole mechanism accepted, or that which failed: relative, as the
   /// tolerance.
   double residual = 0;

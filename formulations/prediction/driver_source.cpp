@@ -18,14 +18,17 @@ void drive(const Model& m, double t, State& state) {
 }
 
 DriverSource::DriverSource(const Model& m, std::span<const int> in_row)
-    : in_row_(m.state_size()), motions_({}) {
+    : in_row_(m.state_size()), motions_({}), live_({}) {
   const PlacedMotions all = driver_motions(m);
-  std::vector<const Motion*> of_coordinate(m.state_size()), sampled;
-  for (std::size_t i = 0; i < all.places.size(); ++i) of_coordinate[all.places[i]] = all.motions[i];
+  std::vector<const Motion*> sampled;
+  std::vector<int> driver(m.state_size());  // of each coordinate
+  for (std::size_t i = 0; i < all.places.size(); ++i) driver[all.places[i]] = static_cast<int>(i);
+  std::vector<LiveDrivers::Place> places;
   std::vector<int> place(m.state_size(), -1);
   const auto add = [&](int coordinate) {
     place[coordinate] = static_cast<int>(sampled.size());
-    sampled.push_back(of_coordinate[coordinate]);
+    sampled.push_back(all.motions[driver[coordinate]]);
+    places.push_back({driver[coordinate], coordinate});
   };
   for (const int coordinate : in_row) {
     add(coordinate);
@@ -37,6 +40,7 @@ DriverSource::DriverSource(const Model& m, std::span<const int> in_row)
   }
   written_ = drivers_;
   motions_ = MotionsAhead(std::move(sampled));
+  live_ = LiveDrivers(std::move(places));
 }
 
 void DriverSource::write_all(State& state) const {

@@ -6,6 +6,7 @@
 #include "cases/mechanism/motion.h"
 #include "formulations/base/part.h"
 #include "formulations/model/model.h"
+#include "formulations/prediction/live_drivers.h"
 #include "formulations/prediction/motions_ahead.h"
 
 namespace desmo {
@@ -14,8 +15,9 @@ namespace desmo {
 /// [s] to the state.
 void drive(const Model& model, double t, State& state);
 
-/// The drivers of a model, whose motions are known in advance: z, ż and z̈ at one time after the
-/// other, all sampled in one row, and from there written to the state.
+/// The drivers of a model: z, ż and z̈ at one time after the other, all in one row, and from there
+/// written to the state. Their source is the motions of the model, known in advance, or values that
+/// are handed in for one step.
 class DriverSource {
  public:
   /// in_row: driven coordinates whose readers take them from the row; they stand there first, in
@@ -26,9 +28,16 @@ class DriverSource {
   /// one by one.
   void expect(const TimeGrid& grid) { motions_.expect(grid); }
 
+  /// Takes values in place of the motions until hand_back(); see LiveDrivers.
+  void hand_in(const LiveRow& row, double start, const State& from) {
+    live_.hand_in(row, start, from);
+  }
+  void hand_back() { live_.hand_back(); }
+  bool is_live() const { return live_.is_handed_in(); }
+
   /// Samples all drivers at time t [s] and writes to the state those that are read there.
   const MotionRow& drive(double t, State& state) {
-    row_ = motions_(t);
+    row_ = live_.is_handed_in() ? live_.at(t) : motions_(t);
     write(written_, state);
     return row_;
   }
@@ -56,6 +65,7 @@ class DriverSource {
   std::vector<Driven> drivers_;
   std::vector<Driven> written_;  // by drive()
   MotionsAhead motions_;
+  LiveDrivers live_;
   MotionRow row_{};
 };
 

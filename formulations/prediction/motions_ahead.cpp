@@ -5,14 +5,10 @@
 
 namespace desmo {
 
-namespace {
-
 int whole_lines(std::size_t numbers) {
   constexpr std::size_t line = LaneAllocator<double>::alignment / sizeof(double);
   return static_cast<int>(std::max<std::size_t>(1, (numbers + line - 1) / line) * line);
 }
-
-}  // namespace
 
 MotionsAhead::MotionsAhead(std::vector<const Motion*> motions)
     : of_row_(whole_lines(motions.size())),

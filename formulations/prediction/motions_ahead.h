@@ -18,6 +18,9 @@ struct MotionRow {
   MotionRow from(std::size_t first) const { return {z + first, zd + first, zdd + first}; }
 };
 
+/// Returns the length of a row of so many numbers: whole cache lines.
+int whole_lines(std::size_t numbers);
+
 /// Several motions at one time after the other. Where these times are known, as those of a grid
 /// are, a few instants are sampled at once, before the first of them: sines cost hardly more of
 /// eight times than of one, and a step need not wait for them.

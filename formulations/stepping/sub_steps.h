@@ -6,12 +6,12 @@ namespace desmo {
 
 /// Goes from a time to another in sub-steps. One that cannot be gone is halved, down to 2⁻¹⁰ of
 /// the whole step; the next is twice as long again. go(to) goes there, and returns whether it
-/// could. Returns whether `to` was reached.
+/// could. Returns whether `to` was reached, with max_tries calls.
 template <class Go>
-bool go_in_sub_steps(double from, double to, Go&& go) {
+bool go_in_sub_steps(double from, double to, int max_tries, Go&& go) {
   constexpr double min_sub_step = 0x1p-10;  // of the whole step
   double reached = from, sub_step = (to - from) / 2;
-  while (true) {
+  for (int tries = 0; tries < max_tries; ++tries) {
     const bool is_last = !(std::abs(to - reached) > std::abs(sub_step));
     const double next = is_last ? to : reached + sub_step;
     if (go(next)) {
@@ -23,6 +23,7 @@ bool go_in_sub_steps(double from, double to, Go&& go) {
       if (!(std::abs(sub_step) >= min_sub_step * std::abs(to - from))) return false;
     }
   }
+  return false;
 }
 
 }  // namespace desmo

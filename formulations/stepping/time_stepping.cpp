@@ -43,6 +43,7 @@ TimeStepping::TimeStepping(const Model& m, std::vector<DefinedPart> parts, const
       drivers_(m) {
   for (State* s : {&state_, &before_})
     for (std::vector<double>* values : {&s->q, &s->qd, &s->qdd}) values->resize(m.state_size());
+  start_.resize(m.state_size());
   prepare();
 }
 
@@ -115,24 +116,27 @@ Summary TimeStepping::solve_at(double t, Level level) {
 Summary TimeStepping::solve_or_sub_step(double t, Level level) {
   const Solved start = now_;
   const Summary at_once = solve_at(t, level);
-  if (at_once.ok() || !start.level || start.time == t) [[likely]]
+  if (at_once.ok()) [[likely]]
     return at_once;
+  if (!(start.level || drivers_.is_live()) || start.time == t) return at_once;
 
-  const std::vector<double> position = state_.q;
-  Summary summary;
-  long iterations = at_once.iterations, updates = at_once.updates;
-  const bool arrived = go_in_sub_steps(start.time, t, [&](double to) {
+  start_ = state_.q;
+  Summary summary, total = at_once;
+  const bool arrived = go_in_sub_steps(start.time, t, max_sub_steps_, [&](double to) {
     summary = solve_at(to, to == t ? level : Level::position);
-    iterations += summary.iterations;
-    updates += summary.updates;
+    ++total.sub_steps;
+    total.iterations += summary.iterations;
+    total.updates += summary.updates;
     return summary.ok();
   });
   if (!arrived) {
-    std::ranges::copy(position, state_.q.begin());
-    return at_once;
+    std::ranges::copy(start_, state_.q.begin());
+    summary = at_once;
+  } else {
+    summary.iterations = total.iterations;
+    summary.updates = total.updates;
   }
-  summary.iterations = iterations;
-  summary.updates = updates;
+  summary.sub_steps = total.sub_steps;
   return summary;
 }
 
@@ -142,6 +146,10 @@ void TimeStepping::find_culprit_of(const PartSequence::Result& result, Summary& 
   const PartDefinition& failed = parts()[result.failed].definition;
   sequence_.restore(before_.q);
   drivers_.write_all(state_);
+  if (drivers_.is_live()) {
+    if (failed.groups.size() == 1) summary.group = failed.groups.front();
+    return;
+  }
   for (const int i : failed.unknowns) state_.q[i] = before_.q[i];
   const Culprit culprit = find_culprit(model(), failed.groups, state_.q, settings_);
   summary.group = culprit.group;
@@ -153,6 +161,29 @@ void TimeStepping::find_culprit_of(const PartSequence::Result& result, Summary& 
 Summary TimeStepping::step(double t, Level level) {
   want({});
   return assembled_ ? solve_or_sub_step(t, level) : assemble_alone(t, level);
+}
+
+Summary TimeStepping::step(const LiveRow& row, Level level, int max_sub_steps) {
+  want({});
+  const double start = now_.time;
+  drivers_.hand_in(row, start, state_);
+  max_sub_steps_ = max_sub_steps;
+  const Summary summary =
+      assembled_ ? solve_or_sub_step(row.time, level) : assemble_alone(row.time, level);
+  max_sub_steps_ = unlimited;
+  drivers_.hand_back();
+  if (!summary.ok()) {
+    forget();  // parts remember instants that are not to be gone on from
+    now_.time = start;
+  }
+  return summary;
+}
+
+void TimeStepping::return_to(std::span<const double> q, double t) {
+  std::ranges::copy(q, state_.q.begin());
+  assembled_ = !q.empty();
+  forget();
+  now_.time = t;
 }
 
 Summary TimeStepping::assemble(double t, Level level) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -19,6 +20,9 @@ class TimeStepping final : public Formulation {
 
   Summary assemble(double t, Level level) override;
   Summary step(double t, Level level) override;
+  bool is_live() const override { return true; }
+  Summary step(const LiveRow& row, Level level, int max_sub_steps) override;
+  void return_to(std::span<const double> q, double t) override;
   Summary run(const TimeGrid& grid, const Request& request, Observer& observer) override;
   bool start_at(std::span<const double> q, double t) override;
   std::optional<Summary> run_on(const TimeGrid& grid, const Request& request,
@@ -31,6 +35,8 @@ class TimeStepping final : public Formulation {
   void take(const State& solved, double t, Level level);
 
  private:
+  static constexpr int unlimited = std::numeric_limits<int>::max();
+
   /// The level to which an instant was solved; nothing: it is unknown.
   struct Solved {
     double time = 0;  // s
@@ -60,8 +66,10 @@ class TimeStepping final : public Formulation {
   std::optional<Wanted> wanted_;
   OutputWriter output_;  // of what no part delivers
   State state_;
-  State before_;       // the instant before that of state_
-  Solved now_, then_;  // what state_ and before_ hold
+  State before_;               // the instant before that of state_
+  Solved now_, then_;          // what state_ and before_ hold
+  std::vector<double> start_;  // positions from which a step is tried again
+  int max_sub_steps_ = unlimited;
   bool assembled_ = false;
 };
 

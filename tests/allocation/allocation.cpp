@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <iostream>
+#include <numbers>
 #include <optional>
 #include <stdexcept>
 #include <vector>
@@ -18,8 +20,10 @@
 #include "formulations/id.h"
 #include "formulations/variants.h"
 #include "formulations/verification/error.h"
+#include "formulations/verification/monitor/live_run.h"
 #include "formulations/verification/reference/reference.h"
 #include "formulations/verification/violation.h"
+#include "tests/dead_point.h"
 #include "tests/discard.h"
 #include "tests/every_variant.h"
 #include "tests/mechanisms.h"
@@ -195,6 +199,30 @@ TEST(DenseOutput, AllocatesNothingFromInstantToInstant) {
   const long once = count([&] { f->run(time_grid(0.08, 0.01), {}, observer); });
   EXPECT_GT(once, 0);
   EXPECT_EQ(count([&] { f->run(time_grid(1, 0.01), {}, observer); }), once);
+}
+
+/// Rows that are solved at once, by sub-steps or not at all, and those that are no rows.
+TEST_P(EveryStep, AllocatesNothingWhateverRowIsHandedIn) {
+  const Variant& v = GetParam();
+  if (allocates_inside(v) || algebra_name(v) == "klu") return;  // which chooses pivots anew
+  const Model m = locking_four_bar();
+  const auto f = make_formulation(v, m);
+  LiveRun run(*f);
+  const std::vector<double> one{1}, none{0};
+  std::vector<double> z{std::numbers::pi / 3};
+  ASSERT_TRUE(run.step({0, z, one, none}).ok());
+  long failed = 0, flagged = 0;
+  const long n = count([&] {
+    for (int i = 1; i <= 500; ++i) {
+      z[0] = i % 7 == 0 ? 2.2 : 0.8 * std::sin(0.1 * i * i);
+      if (i % 50 == 0) z[0] = NAN;
+      const LiveSummary s = run.step({1e-3 * i, z, one, none});
+      failed += !s.ok();
+      flagged += s.crossing.has_value();
+    }
+  });
+  EXPECT_GT(failed, 50);
+  EXPECT_EQ(n, 0) << failed << " failed, " << flagged << " flagged";
 }
 
 INSTANTIATE_TEST_SUITE_P(Table, EveryStep, testing::ValuesIn(tested_variants()),

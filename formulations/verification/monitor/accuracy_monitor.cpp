@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "formulations/verification/condition.h"
@@ -51,7 +52,7 @@ struct AccuracyMonitor::State {
   PerLevel<double> reachable{};  // bounds that correcting has led to, or might
   double last_time = 0;
   bool started = false, degraded = false;
-  bool after_gap = false;
+  bool after_gap = false, is_doubted = false;
   int since = 0;  // instants since the last assessment
   double condition = 0;
   PerLevel<double> worst{};
@@ -63,14 +64,14 @@ struct AccuracyMonitor::State {
         options(o),
         limits(o.tolerance),
         assessor(m, o.levels),
-        scales(m, grid),
+        scales(m, grid, o.scales),
         sensitivity(m, assessor.levels(), assessor.system().magnitudes()),
         conditioning(m, assessor.system()),
-        continuity(m, grid, assessor.system().magnitudes()),
+        continuity(m, grid, assessor.system().magnitudes(), o.max_steps),
         backward_error(m, assessor.levels()),
         signs(m, assessor.system()),
         entity(entity_of_coordinate(m)),
-        degradations(limits.degraded) {}
+        degradations(limits.degraded, o.max_degradations) {}
 
   bool has(Monitor monitor) const { return !(options.without & static_cast<unsigned>(monitor)); }
 
@@ -158,8 +159,10 @@ struct AccuracyMonitor::State {
   /// Of the last assessment, well enough for Continuity.
   bool rates_are_known() const { return !exceeds(last.bound, {noise, noise, noise}); }
 
-  bool is_in_doubt(const Instant& instant) const {
-    return has(Monitor::continuity) && continuity.in_doubt(instant, sensitivity.weights());
+  bool is_in_doubt(const Instant& instant) {
+    return has(Monitor::continuity) &&
+           (std::exchange(is_doubted, false) ? continuity.is_known()
+                                             : continuity.in_doubt(instant, sensitivity.weights()));
   }
 
   std::optional<SingularityCrossing> find_jump(const Instant& instant) {
@@ -204,7 +207,7 @@ struct AccuracyMonitor::State {
     if (last.condition < INFINITY) {
       sensitivity.reset(j.instant, assessor.system());
       conditioning.reset(assessor.system());
-      j.crossing = crossing(j.instant);
+      if (!last.singular) j.crossing = crossing(j.instant);
       started = true;
     }
     after_gap = false;
@@ -258,6 +261,11 @@ MonitoredInstant AccuracyMonitor::examine(const Instant& instant) {
 void AccuracyMonitor::resume() {
   state_->after_gap = true;
   state_->continuity.forget();
+}
+void AccuracyMonitor::doubt_next() { state_->is_doubted = true; }
+void AccuracyMonitor::shift_time(double by) {
+  state_->last_time += by;
+  state_->continuity.shift_time(by);
 }
 long AccuracyMonitor::assessed() const { return state_->assessed; }
 long AccuracyMonitor::corrected() const { return state_->corrected; }

@@ -10,6 +10,7 @@
 #include "formulations/base/observer.h"
 #include "formulations/base/part.h"
 #include "formulations/model/model.h"
+#include "formulations/scaling/scales.h"
 #include "formulations/verification/monitor/assessment.h"
 
 namespace desmo {
@@ -46,6 +47,9 @@ struct AccuracyMonitorOptions {
   int every = usual_interval;            ///< instants from one assessment to the next, at most
   bool reuses_pivots = false;            ///< rates may come from pivots of another position
   unsigned without = 0;                  ///< Monitor bits left out, for tests of what each finds
+  std::optional<Scales> scales{};        ///< to which bounds are relative; empty: the motion's
+  int max_steps = 4096;                  ///< shorter steps in which a doubtful step is gone again
+  int max_degradations = 10000;          ///< degraded instants reconsidered when scales grow
 };
 
 /// An instant with what the accuracy monitor says of it.
@@ -88,6 +92,11 @@ class AccuracyMonitor {
 
   /// Says that the next instant does not follow the last one; the monitor will assess it.
   void resume();
+
+  /// Doubts the step to the next instant: the monitor goes it again and assesses its end.
+  void doubt_next();
+  /// Counts time from an origin that is `by` [s] earlier.
+  void shift_time(double by);
 
   /// Return the numbers of instants assessed and corrected.
   long assessed() const;

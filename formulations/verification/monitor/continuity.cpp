@@ -16,8 +16,6 @@ constexpr double smooth = 0.02;
 constexpr double shortest = 0x1p-40;
 /// Drivers slower than this, relative to their fastest, tell nothing of what follows them.
 constexpr double at_rest = 1e-6;
-/// Steps that one is gone again in, at most.
-constexpr int max_steps = 4096;
 
 /// The coordinate that is off most.
 constexpr auto worst = [](const auto& off) {
@@ -32,8 +30,9 @@ Eigen::Map<const Eigen::ArrayXd> array(std::span<const double> values) {
 
 }  // namespace
 
-Continuity::Continuity(const Model& m, const TimeGrid& grid, std::span<const double> magnitude)
-    : model_(m) {
+Continuity::Continuity(const Model& m, const TimeGrid& grid, std::span<const double> magnitude,
+                       int max_steps)
+    : model_(m), turned_(m.coordinates()), max_steps_(max_steps) {
   for (const Driver& d : m.drivers) {
     const int i = m.entities[d.coordinate].first;
     driven_.push_back({i, 1 / magnitude[i]});
@@ -101,10 +100,11 @@ double Continuity::mismatch(const Instant& from, const Instant& to,
 
 /// The same of positions, relative to what groups move when the drivers move by their magnitudes:
 /// whole turns of an angle do not show in its rates.
-Eigen::ArrayXd Continuity::position_mismatch(const Instant& from, const Instant& to,
-                                             const Eigen::ArrayXd& weights) const {
+const Eigen::ArrayXd& Continuity::position_mismatch(const Instant& from, const Instant& to,
+                                                    const Eigen::ArrayXd& weights) {
   const double h = to.time - from.time;
-  return (array(to.q) - array(from.q) - h / 2 * (array(from.qd) + array(to.qd))).abs() * weights;
+  return turned_ = (array(to.q) - array(from.q) - h / 2 * (array(from.qd) + array(to.qd))).abs() *
+                   weights;
 }
 
 /// How many times as fast as usual a group moves, at least 1: near a dead point.
@@ -159,7 +159,7 @@ std::optional<Continuity::Jump> Continuity::go(const Instant& instant, End end,
   const double whole = instant.time - last_.time;
   reached_ = last_;
   double step = whole / 2;
-  for (int i = 0; i < max_steps; ++i) {
+  for (int i = 0; i < max_steps_; ++i) {
     const bool to_end = std::abs(step) >= std::abs(instant.time - reached_.time);
     const bool is_given = to_end && end == End::given;
     if (!is_given) predict(to_end ? instant.time : reached_.time + step, instant, assessor);
@@ -167,7 +167,7 @@ std::optional<Continuity::Jump> Continuity::go(const Instant& instant, End end,
     const Instant from = view(reached_, instant);
     const double moved = std::max(growth(from, weights), growth(next, weights));
     const bool rates_agree = mismatch(from, next, weights) <= smooth * moved;
-    const Eigen::ArrayXd turned = position_mismatch(from, next, weights);
+    const Eigen::ArrayXd& turned = position_mismatch(from, next, weights);
     if (rates_agree && turned.maxCoeff() <= smooth * moved) {
       if (to_end) return {};
       std::swap(reached_, next_);

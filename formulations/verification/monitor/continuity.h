@@ -19,9 +19,10 @@ namespace desmo {
 /// polynomial leads: an end that they do not lead to lies on another assembly branch.
 class Continuity {
  public:
-  /// grid: of the motion, which tells how fast drivers will be. magnitudes: of each coordinate. The
-  /// mechanism must outlive it.
-  Continuity(const Model& model, const TimeGrid& grid, std::span<const double> magnitudes);
+  /// grid: of the motion, which tells how fast drivers will be. magnitudes: of each coordinate.
+  /// max_steps: shorter steps that one is gone again in. The mechanism must outlive it.
+  Continuity(const Model& model, const TimeGrid& grid, std::span<const double> magnitudes,
+             int max_steps = 4096);
 
   /// Whether the step from the instant taken last is in doubt. weights: of each coordinate, 1 over
   /// what it moves when the drivers move by their magnitudes (SensitivityMonitor).
@@ -47,6 +48,10 @@ class Continuity {
   /// The instant is the one to go on from.
   void take(const Instant& instant);
   void forget() { known_ = false; }
+  /// Returns whether there is an instant to go on from.
+  bool is_known() const { return known_; }
+  /// Counts time from an origin that much earlier [s].
+  void shift_time(double by) { last_.time += by; }
 
  private:
   /// An instant of its own.
@@ -60,8 +65,8 @@ class Continuity {
   auto mismatch(const Instant& from, const Instant& to, const Eigen::ArrayXd& weights,
                 Found&& found) const;
   double mismatch(const Instant& from, const Instant& to, const Eigen::ArrayXd& weights) const;
-  Eigen::ArrayXd position_mismatch(const Instant& from, const Instant& to,
-                                   const Eigen::ArrayXd& weights) const;
+  const Eigen::ArrayXd& position_mismatch(const Instant& from, const Instant& to,
+                                          const Eigen::ArrayXd& weights);
   double growth(const Instant& instant, const Eigen::ArrayXd& weights) const;
   Instant view(const Node& node, const Instant& like) const;
   void predict(double t, const Instant& like, Assessor& assessor);
@@ -78,6 +83,8 @@ class Continuity {
   bool known_ = false;
   double fastest_ = 0;  // of the drivers, magnitudes over s
   Node last_, reached_, next_;
+  Eigen::ArrayXd turned_;  // position_mismatch()
+  int max_steps_;
 };
 
 }  // namespace desmo

@@ -12,11 +12,13 @@ namespace desmo {
 /// limit where a motion starts at rest need not stay so.
 class Degradations {
  public:
-  /// limit: above which a bound makes an instant degraded.
-  explicit Degradations(const PerLevel<double>& limit) : limit_(limit) {}
+  /// limit: above which a bound makes an instant degraded. max_kept: instants that follow the
+  /// scales; the others stay as they were found.
+  Degradations(const PerLevel<double>& limit, std::size_t max_kept)
+      : limit_(limit), max_kept_(max_kept) {}
 
   void add(const Degradation& degradation) {
-    if (kept_.size() < max_kept)
+    if (kept_.size() < max_kept_)
       kept_.push_back(degradation);
     else
       ++others_;
@@ -34,9 +36,8 @@ class Degradations {
   }
 
  private:
-  static constexpr std::size_t max_kept = 10000;  // the others stay as they were found
-
   PerLevel<double> limit_;
+  std::size_t max_kept_;
   std::vector<Degradation> kept_;
   long others_ = 0;
 };

@@ -34,7 +34,9 @@ std::vector<double> looks_ahead(const TimeGrid& grid) {
   return times;
 }
 
-RunningScales::RunningScales(const Model& m, const TimeGrid& grid) : is_length_(m.coordinates()) {
+RunningScales::RunningScales(const Model& m, const TimeGrid& grid,
+                             const std::optional<Scales>& given)
+    : are_given_(given), is_length_(m.coordinates()) {
   for (const Entity& e : m.entities)
     if (!e.fixed) std::fill_n(is_length_.begin() + e.first, e.size, is_length(e.kind) ? 1.0 : 0.0);
   const double size = nominal_size(m);
@@ -49,7 +51,7 @@ RunningScales::RunningScales(const Model& m, const TimeGrid& grid) : is_length_(
                   std::max(length.acceleration, min_scale * size * rotation.acceleration)};
   seen_.rotation = {1, std::max(rotation.velocity, min_scale * length.velocity / size),
                     std::max(rotation.acceleration, min_scale * length.acceleration / size)};
-  now_ = completed(seen_);
+  now_ = given ? *given : completed(seen_);
 }
 
 bool RunningScales::take(const Instant& instant) {
@@ -64,6 +66,7 @@ Scales RunningScales::with(const Instant& instant) const {
 }
 
 bool RunningScales::grow(Scales& seen, const Instant& instant) const {
+  if (are_given_) return false;
   const auto largest = [&](std::span<const double> values, double& length, double& rotation) {
     if (values.empty()) return false;
     const auto n = static_cast<Eigen::Index>(values.size());

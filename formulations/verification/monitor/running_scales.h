@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "cases/mechanism/motion.h"
@@ -16,7 +17,8 @@ std::vector<double> looks_ahead(const TimeGrid& grid);
 /// will have, and those of the instants so far, components standing for norms.
 class RunningScales {
  public:
-  RunningScales(const Model& model, const TimeGrid& grid);
+  /// given: scales that are known, and do not change.
+  RunningScales(const Model& model, const TimeGrid& grid, const std::optional<Scales>& given = {});
 
   /// True when one of them has grown.
   bool take(const Instant& instant);
@@ -25,6 +27,7 @@ class RunningScales {
   Scales with(const Instant& instant) const;
 
  private:
+  bool are_given_;
   bool grow(Scales& seen, const Instant& instant) const;
   static Scales completed(Scales seen);
 

@@ -1,0 +1,175 @@
+#include "bench/cli/driver_rows.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <set>
+
+#include "bench/cli/columns.h"
+#include "bench/cli/errors.h"
+#include "cases/mechanism/names.h"
+
+namespace desmo::cli {
+namespace {
+
+constexpr std::size_t longest_line = std::size_t{1} << 20;
+
+bool is_number(std::string_view cell, double& value) {
+  if (cell.starts_with('+')) cell.remove_prefix(1);
+  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  return error == std::errc{} && end == cell.data() + cell.size();
+}
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view blanks = " \t\r";
+  const std::size_t first = text.find_first_not_of(blanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+/// Splits at commas, semicolons or tabs where there are any, and else at blanks.
+void split(std::string_view line, std::vector<std::string_view>& cells) {
+  cells.clear();
+  const bool at_blanks = line.find_first_of(",;\t") == std::string_view::npos;
+  while (true) {
+    const std::size_t end = line.find_first_of(at_blanks ? " " : ",;\t");
+    cells.push_back(trimmed(line.substr(0, end)));
+    if (end == std::string_view::npos) return;
+    line.remove_prefix(end + 1);
+    if (at_blanks) line = trimmed(line);
+  }
+}
+
+}  // namespace
+
+DriverRows::DriverRows(const std::string& path, const Model& whole, const Model& model, Level level)
+    : source_(path == "-" ? "standard input" : printable(path, 300)),
+      file_(path == "-" ? stdin : std::fopen(path.c_str(), "r"),
+            path == "-" ? +[](std::FILE*) { return 0; } : &std::fclose),
+      names_(3),
+      units_(3),
+      level_(static_cast<int>(level)) {
+  if (!file_)
+    throw Error(unreadable_input, source_ + ": cannot be read (" + std::strerror(errno) +
+                                      "); give a file of driver values, or -");
+  for (const Driver& d : whole.drivers) {
+    const std::vector<Column> columns = columns_of(whole, {d.coordinate, Level::acceleration});
+    for (int order = 0; order < 3; ++order) {
+      names_[order].push_back(columns[order].name);
+      units_[order].push_back(columns[order].unit);
+    }
+    const auto solved = std::ranges::find(
+        model.drivers, whole.entities[d.coordinate].name,
+        [&](const Driver& other) { return model.entities[other.coordinate].name; });
+    wanted_.push_back(
+        solved == model.drivers.end() ? -1 : static_cast<int>(solved - model.drivers.begin()));
+  }
+  for (std::vector<double>& values : values_) values.resize(model.drivers.size());
+}
+
+std::string DriverRows::place() const { return source_ + ": line " + std::to_string(line_); }
+
+void DriverRows::fail(std::size_t column, const std::string& what) const {
+  throw InputError(place() + ", column " + std::to_string(column + 1) + ": " + what);
+}
+
+bool DriverRows::read_line(std::string& line) {
+  line.clear();
+  for (int c; (c = std::getc(file_.get())) != EOF && c != '\n';) {
+    line += static_cast<char>(c);
+    if (line.size() > longest_line) {
+      ++line_;
+      fail(0, "the line is longer than 1 MiB; write one row a line");
+    }
+  }
+  if (std::ferror(file_.get()))
+    throw Error(unreadable_input, source_ + ": cannot be read (" + std::strerror(errno) + ")");
+  if (line.empty() && std::feof(file_.get())) return false;
+  ++line_;
+  return true;
+}
+
+/// Says what each column is, by its name.
+void DriverRows::read_heading(const std::vector<std::string_view>& cells) {
+  targets_.assign(cells.size(), {});
+  time_column_ = cells.size();
+  std::set<std::string_view> seen;
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    std::string_view cell = cells[k];
+    if (cell.size() > 1 && cell.front() == '"' && cell.back() == '"')
+      cell = cell.substr(1, cell.size() - 2);
+    const std::size_t bracket = cell.ends_with(']') ? cell.rfind(" [") : std::string_view::npos;
+    const std::string_view name = cell.substr(0, bracket);
+    const auto takes = [&](const std::string& unit) {
+      if (!seen.insert(name).second)
+        fail(k, desmo::in_quotes(std::string(name)) + " stands there twice; leave one out");
+      if (bracket != std::string_view::npos && cell.substr(bracket) != " [" + unit + "]")
+        fail(k, desmo::in_quotes(std::string(cell)) + ": the unit is " + unit);
+    };
+    if (name == "t") {
+      takes("s");
+      time_column_ = k;
+    }
+    for (int order = 0; order < 3; ++order)
+      for (std::size_t d = 0; d < wanted_.size(); ++d)
+        if (name == names_[order][d]) {
+          takes(units_[order][d]);
+          targets_[k] = {order, d};
+        }
+  }
+  if (time_column_ == cells.size()) fail(0, "there is no column t; name one");
+  for (int order = 0; order <= level_; ++order)
+    for (std::size_t d = 0; d < wanted_.size(); ++d)
+      if (wanted_[d] >= 0 && !seen.contains(names_[order][d]))
+        fail(0, "there is no column " + desmo::in_quotes(names_[order][d]) + "; name one");
+}
+
+/// Says what each column is, by how many there are.
+void DriverRows::read_first(std::size_t cells) {
+  const std::size_t drivers = wanted_.size();
+  targets_.assign(1, {});
+  for (int order = 0; order < 3 && targets_.size() < cells; ++order)
+    for (std::size_t d = 0; d < drivers; ++d) targets_.push_back({order, d});
+  const std::size_t needed = 1 + drivers * (level_ + 1);
+  if (targets_.size() == cells && cells >= needed) return;
+  std::string names = "t";
+  for (int order = 0; order <= level_; ++order)
+    for (const std::string& name : names_[order]) names += "," + name;
+  fail(cells < needed ? cells : targets_.size(), std::to_string(cells) + " numbers, where " +
+                                                     std::to_string(needed) +
+                                                     " are needed; write " + printable(names, 500));
+}
+
+bool DriverRows::next(LiveRow& row) {
+  do
+    if (!read_line(text_)) return false;
+  while (trimmed(text_).empty());
+  split(trimmed(text_), cells_);
+  double value = 0;
+  if (targets_.empty() && !is_number(cells_[0], value)) {
+    read_heading(cells_);
+    return next(row);
+  }
+  if (targets_.empty()) read_first(cells_.size());
+  if (cells_.size() != targets_.size())
+    fail(std::min(cells_.size(), targets_.size()),
+         std::to_string(cells_.size()) + " numbers, where " + std::to_string(targets_.size()) +
+             " are expected");
+  for (std::size_t k = 0; k < cells_.size(); ++k) {
+    const auto& [order, driver] = targets_[k];
+    if (k != time_column_ && (order < 0 || wanted_[driver] < 0)) continue;
+    if (!is_number(cells_[k], value))
+      fail(k, desmo::in_quotes(std::string(cells_[k])) + " is not a number");
+    if (k == time_column_)
+      row.time = value;
+    else
+      values_[order][wanted_[driver]] = value;
+  }
+  row.z = values_[0];
+  row.zd = values_[1];
+  row.zdd = values_[2];
+  return true;
+}
+
+}  // namespace desmo::cli

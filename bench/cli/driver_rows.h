@@ -1,0 +1,58 @@
+// Driver values as text: one row a line, from a file or as they come through a pipe.
+#pragma once
+
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "formulations/base/live_row.h"
+#include "formulations/model/model.h"
+
+namespace desmo::cli {
+
+/// Lines of t, then z of each driver, ż of each and z̈ of each, in the order of the model's drivers
+/// and in the units of the output, between commas, semicolons or blanks. A first line that does not
+/// begin with a number is a heading, which names the columns as the output does ("t [s],theta
+/// [rad],d/dt theta [rad/s]"; units may be left out): in any order, others than the drivers' being
+/// ignored. Empty lines are skipped.
+class DriverRows {
+ public:
+  /// path: "-" for standard input. names: a model's drivers that have a column without a heading,
+  /// of which those of `model` are read. level: up to which they are needed. Throws Error
+  /// (unreadable_input).
+  DriverRows(const std::string& path, const Model& whole, const Model& model, Level level);
+
+  /// Reads the next row, which is valid until the one after it. Returns false at the end. Throws
+  /// InputError, naming line and column, and Error (unreadable_input).
+  bool next(LiveRow& row);
+
+  /// "drivers.csv: line 3", of the row read last.
+  std::string place() const;
+
+ private:
+  /// Where a number of a line goes.
+  struct Target {
+    int level = -1;  // of z, ż, z̈; -1: nowhere
+    std::size_t driver = 0;
+  };
+  bool read_line(std::string& line);
+  void read_heading(const std::vector<std::string_view>& cells);
+  void read_first(std::size_t cells);
+  [[noreturn]] void fail(std::size_t column, const std::string& what) const;
+
+  std::string source_;
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+  std::vector<std::vector<std::string>> names_, units_;  // of each level and driver of `whole`
+  std::vector<int> wanted_;                              // of each: its place in rows, or -1
+  int level_;
+  long line_ = 0;
+  std::string text_;
+  std::vector<std::string_view> cells_;
+  std::size_t time_column_ = 0;
+  std::vector<Target> targets_;  // of each column, once known
+  std::vector<double> values_[3];
+};
+
+}  // namespace desmo::cli

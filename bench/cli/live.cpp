@@ -1,0 +1,99 @@
+#include "bench/cli/live.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "bench/cli/driver_rows.h"
+#include "bench/cli/errors.h"
+#include "bench/cli/run_notes.h"
+#include "bench/cli/text.h"
+#include "formulations/verification/monitor/live_run.h"
+
+namespace desmo::cli {
+namespace {
+
+std::string_view outcome_name(const LiveSummary& s) {
+  if (s.fault != RowFault::none) return "refused";
+  return s.outcome() == Outcome::converged  ? "converged"
+         : s.outcome() == Outcome::degraded ? "degraded"
+                                            : "failed";
+}
+
+/// The row and the rows before it, in the words of a motion known in advance.
+MonitoredSummary as_motion(const LiveSummary& s) {
+  MonitoredSummary motion;
+  static_cast<Summary&>(motion) = s;
+  motion.condition = s.assessment.condition;
+  motion.bound = s.assessment.bound;
+  if (s.degraded) motion.first_degraded = Degradation{0, s.time, s.assessment};
+  motion.crossing = s.crossing;
+  motion.violated = s.violated;
+  return motion;
+}
+
+std::string reason_of(const LiveSummary& s, const LiveRun& run, const Plan& plan) {
+  if (s.fault == RowFault::not_finite) return "a number is not finite; leave such rows out";
+  if (s.fault == RowFault::time_not_later) {
+    char text[160];
+    std::snprintf(
+        text, sizeof text,
+        "t = %.9g s is not after the last row that was solved, t = %.9g s; let time go on", s.time,
+        run.time());
+    return text;
+  }
+  if (s.ok()) return refusal_text(as_motion(s), plan.level(), plan.model);
+  MonitoredSummary failure = as_motion(s);
+  if (s.violated >= 0) return failure_text(failure, plan.model);
+  const LiveRun::Obstacle obstacle = run.explain();
+  if (s.status == Status::not_converged) failure.assembly_error = obstacle.assembly_error;
+  if (obstacle.group >= 0) {
+    failure.group = obstacle.group;
+    failure.constraint = obstacle.constraint;
+  }
+  return failure_text(failure, plan.model);
+}
+
+}  // namespace
+
+void solve_live(const LiveRequest& request, Formulation& formulation, const SeriesHeading& heading,
+                const SeriesFormat& format, Output& output) {
+  const Plan& plan = request.plan;
+  LiveOptions options{.level = plan.level(), .tolerance = request.tolerance, .levels = plan.levels};
+  if (request.strict) options.every = 1;
+  LiveRun run(formulation, options);
+  DriverRows rows(request.drivers, request.whole, plan.model, plan.level());
+  output.write(format.heading(heading));
+  MonitoredSummary total;
+  long failed = 0;
+  std::string text;
+  for (LiveRow row{}; rows.next(row);) {
+    const LiveSummary s = run.step(row);
+    const bool is_good = s.ok() && !(request.strict && s.outcome() == Outcome::degraded);
+    if (!is_good) {
+      ++failed;
+      const std::string what = rows.place() + ": " + reason_of(s, run, plan);
+      if (!request.past_failures) throw Error(not_solved, request.source + ": " + what);
+      if (!request.quiet) std::fprintf(stderr, "note: %s\n", what.c_str());
+    }
+    text.clear();
+    Instant instant{.index = 0, .time = row.time, .q = {}, .qd = {}, .qdd = {}};
+    if (s.ok()) instant.q = run.q(), instant.qd = run.qd(), instant.qdd = run.qdd();
+    format.append(heading, instant, text, outcome_name(s));
+    output.write(text);
+    if (!s.ok()) continue;
+    const MonitoredSummary one = as_motion(s);
+    total.add(s);
+    total.condition = std::max(total.condition, one.condition);
+    for (const Level l : levels) total.bound[l] = std::max(total.bound[l], one.bound[l]);
+    total.degraded += s.degraded;
+    if (!total.first_degraded) total.first_degraded = one.first_degraded;
+    if (!total.crossing) total.crossing = one.crossing;
+  }
+  if (request.quiet) return;
+  std::string note;
+  if (total.instants > 0) note = note_on_accuracy(total, plan.level(), plan.model);
+  if (failed > 0) note += "accuracy: not solved: " + count(failed, "row") + "\n";
+  std::fputs(note.c_str(), stderr);
+}
+
+}  // namespace desmo::cli

@@ -1,0 +1,28 @@
+// desmo solve --drivers: a scene whose drivers come row by row.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "bench/cli/output.h"
+#include "bench/cli/series.h"
+#include "formulations/formulation.h"
+#include "formulations/planning/plan.h"
+
+namespace desmo::cli {
+
+struct LiveRequest {
+  std::string source, drivers;  ///< of the scene, for messages; of the rows: a file or -
+  const Model& whole;           ///< the model of the scene
+  const Plan& plan;             ///< what of it is solved
+  double tolerance;
+  bool strict, past_failures, quiet;
+};
+
+/// Answers each row at once, with its outcome. Throws what DriverRows and Output throw, and Error
+/// (not_solved) at the first row that fails or, being strict, is degraded; past failures, says on
+/// standard error what they are.
+void solve_live(const LiveRequest& request, Formulation& formulation, const SeriesHeading& heading,
+                const SeriesFormat& format, Output& output);
+
+}  // namespace desmo::cli

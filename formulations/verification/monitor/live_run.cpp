@@ -1,0 +1,209 @@
+#include "formulations/verification/monitor/live_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+#include <variant>
+
+#include "formulations/stepping/diagnosis.h"
+
+namespace desmo {
+
+namespace {
+
+bool are_finite(std::span<const double> values) {
+  return std::ranges::all_of(values, [](double x) { return std::isfinite(x); });
+}
+
+/// Everything, up to a level, of a model whose motions are polynomials of degree 5.
+Plan whole_plan(const Model& m, const LiveOptions& options) {
+  Plan plan{m, {options.levels.begin(), options.levels.end()}, {}, {}};
+  plan.levels.resize(m.coordinates(), options.level);
+  for (Driver& d : plan.model.drivers) d.motion = Polynomial{std::vector<double>(6)};
+  return plan;
+}
+
+}  // namespace
+
+std::string unsupported_live_reason(const Formulation& f) {
+  if (f.is_live()) return {};
+  return "segments, threads and a stride need a motion known in advance; live drivers are known "
+         "one step at a time";
+}
+
+LiveRun::LiveRun(Formulation& f, const LiveOptions& options)
+    : formulation_(f),
+      options_(options),
+      monitored_(whole_plan(f.model(), options)),
+      tried_(f.model().drivers.size()) {
+  const std::vector<double> magnitudes = natural_magnitudes(f.model());
+  for (const Driver& d : f.model().drivers)
+    unit_.push_back(magnitudes[f.model().entities[d.coordinate].first]);
+  if (const std::string reason = unsupported_live_reason(f); !reason.empty())
+    throw std::invalid_argument(reason);
+  if (options.max_sub_steps < 0)
+    throw std::invalid_argument("the number of sub-steps must not be negative");
+  for (const Level level : levels)
+    if (options.scales && level <= options.level &&
+        !(options.scales->length[level] > 0 && options.scales->rotation[level] > 0))
+      throw std::invalid_argument("scales must be positive, for bounds are relative to them");
+  const std::size_t n = f.model().coordinates();
+  good_.q.resize(n);
+  if (options.level >= Level::velocity) good_.qd.resize(n);
+  if (options.level >= Level::acceleration) good_.qdd.resize(n);
+  if (!options.levels.empty()) f.solve_only(options.levels);
+  restart();
+}
+
+RowFault LiveRun::fault_of(const LiveRow& row) const {
+  if (!std::isfinite(row.time)) return RowFault::not_finite;
+  const auto fault = [&](std::span<const double> values, Level level) {
+    if (level > options_.level) return RowFault::none;
+    return values.size() != tried_.size() ? RowFault::wrong_size
+           : are_finite(values)           ? RowFault::none
+                                          : RowFault::not_finite;
+  };
+  for (const RowFault f : {fault(row.z, Level::position), fault(row.zd, Level::velocity),
+                           fault(row.zdd, Level::acceleration)})
+    if (f != RowFault::none) return f;
+  return has_position_ && row.time <= time_ ? RowFault::time_not_later : RowFault::none;
+}
+
+LiveSummary LiveRun::step(const LiveRow& row) {
+  LiveSummary summary;
+  summary.time = row.time;
+  summary.fault = fault_of(row);
+  if (summary.fault != RowFault::none) {
+    summary.status = Status::not_finite;
+    return summary;
+  }
+  std::ranges::copy(row.z, tried_.begin());
+  static_cast<Summary&>(summary) = formulation_.step(row, options_.level, options_.max_sub_steps);
+  if (summary.ok()) assess(row, summary);
+  return summary;
+}
+
+/// Assesses a row that was solved, and makes it the last good one if it is good.
+void LiveRun::assess(const LiveRow& row, LiveSummary& summary) {
+  const std::span<const double> none;
+  if (!set_drivers(row)) monitor_->doubt_next();
+  const double since = has_position_ ? row.time - time_ : 0;
+  monitor_->shift_time(-since);
+  const long corrected = monitor_->corrected();
+  const MonitoredInstant j =
+      monitor_->examine({.index = 0,
+                         .time = 0,
+                         .q = formulation_.q(),
+                         .qd = good_.qd.empty() ? none : formulation_.qd(),
+                         .qdd = good_.qdd.empty() ? none : formulation_.qdd(),
+                         .updates = summary.updates,
+                         .residual = summary.residual});
+  const Instant& found = j.instant;
+  summary.assessment = j.assessment;
+  if (j.assessment.singular) {
+    summary.status = Status::singular;
+    summary.group = j.assessment.group;
+  } else if (!are_finite(found.q) || !are_finite(found.qd) || !are_finite(found.qdd)) {
+    summary.status = Status::not_finite;
+  } else if (const int c = branches_->violated(found); c >= 0) {
+    summary.status = Status::not_converged;
+    summary.violated = c;
+  }
+  if (!summary.ok()) {
+    summary.instants = 0;
+    go_back();
+    return;
+  }
+  summary.corrected = monitor_->corrected() > corrected;
+  summary.degraded = j.degraded;
+  if ((summary.crossing = j.crossing)) {
+    summary.crossing->after += row.time;
+    summary.crossing->before += row.time;
+  }
+  std::ranges::copy(found.q, good_.q.begin());
+  std::ranges::copy(found.qd, good_.qd.begin());
+  std::ranges::copy(found.qdd, good_.qdd.begin());
+  time_ = row.time;
+  has_position_ = true;
+}
+
+/// Sets the motions that are watched: Taylor's polynomial from the row, at time 0, exactly, and
+/// terms that take it to the last good row, at time h. Returns whether the rates of both lead from
+/// one to the other, about as well as a motion's do that AccuracyMonitor does not doubt.
+bool LiveRun::set_drivers(const LiveRow& row) {
+  const Model& m = formulation_.model();
+  const double h = time_ - row.time;
+  double moved = 0, missed = 0;  // by any driver
+  for (std::size_t d = 0; d < tried_.size(); ++d) {
+    std::vector<double>& c = std::get<Polynomial>(monitored_.model.drivers[d].motion).coefficients;
+    const int i = m.entities[m.drivers[d].coordinate].first;
+    const auto value = [](Level level, Level solved, std::span<const double> values,
+                          std::size_t k) { return level > solved ? 0 : values[k]; };
+    const double z = row.z[d], v = value(Level::velocity, options_.level, row.zd, d),
+                 a = value(Level::acceleration, options_.level, row.zdd, d);
+    std::ranges::fill(c, 0.0);
+    c[0] = z, c[1] = v, c[2] = a / 2;
+    if (!has_position_) continue;
+    const double v0 = good_.qd.empty() ? 0 : good_.qd[i];
+    moved = std::max({moved, std::abs(h * v) / unit_[d], std::abs(h * v0) / unit_[d]});
+    missed = std::max(missed, std::abs(good_.q[i] - z - h / 2 * (v + v0)) / unit_[d]);
+    if (good_.qd.empty()) continue;
+    const double off = (good_.q[i] - z - h * (v + h * a / 2)) / (h * h * h),
+                 rate_off = (good_.qd[i] - v - h * a) / (h * h);
+    if (good_.qdd.empty()) {
+      c[2] = h * (3 * off - rate_off), c[3] = rate_off - 2 * off;
+      continue;
+    }
+    const double second_off = (good_.qdd[i] - a) / h;
+    c[3] = 10 * off - 4 * rate_off + second_off / 2;
+    c[4] = (-15 * off + 7 * rate_off - second_off) / h;
+    c[5] = (6 * off - 3 * rate_off + second_off / 2) / (h * h);
+  }
+  constexpr double smooth = 0.02, negligible = 1e-9;
+  return missed <= (good_.qd.empty() ? smooth : smooth * moved + negligible);
+}
+
+void LiveRun::go_back() {
+  formulation_.return_to(
+      has_position_ ? std::span<const double>(good_.q) : std::span<const double>(), time_);
+  monitor_->resume();
+}
+
+void LiveRun::set_time(double t) {
+  if (!has_position_) return;
+  time_ = t;
+  go_back();
+}
+
+void LiveRun::restart() {
+  has_position_ = false;
+  time_ = 0;
+  formulation_.return_to({}, 0);
+  const auto reuses = [](const DefinedPart& part) { return part.solver->reuses_pivots(); };
+  monitor_.emplace(
+      monitored_.model, TimeGrid{},
+      AccuracyMonitorOptions{.tolerance = options_.tolerance,
+                             .levels = monitored_.levels,
+                             .every = options_.every,
+                             .reuses_pivots = std::ranges::any_of(formulation_.parts(), reuses),
+                             .scales = options_.scales,
+                             .max_steps = options_.max_sub_steps,
+                             .max_degradations = 0});
+  branches_.emplace(monitored_.model, monitored_.levels, options_.tolerance);
+}
+
+LiveRun::Obstacle LiveRun::explain() const {
+  const Model& m = formulation_.model();
+  std::vector<double> state = has_position_ ? good_.q : m.estimate;
+  state.insert(state.end(), m.fixed_values.begin(), m.fixed_values.end());
+  for (std::size_t d = 0; d < tried_.size(); ++d)
+    state[m.entities[m.drivers[d].coordinate].first] = tried_[d];
+  std::vector<GroupId> groups(m.groups.size());
+  std::iota(groups.begin(), groups.end(), 0);
+  const Settings settings{.tolerance = options_.tolerance};
+  const Culprit culprit = find_culprit(m, groups, state, settings);
+  return {culprit.group, culprit.constraint, find_assembly_error(m, state, settings)};
+}
+
+}  // namespace desmo

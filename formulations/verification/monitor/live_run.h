@@ -1,0 +1,136 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "formulations/formulation.h"
+#include "formulations/planning/plan.h"
+#include "formulations/scaling/scales.h"
+#include "formulations/verification/monitor/branch_monitor.h"
+#include "formulations/verification/monitor/monitored_run.h"
+
+namespace desmo {
+
+struct LiveOptions {
+  Level level = Level::acceleration;     ///< that is solved and assessed
+  double tolerance = default_tolerance;  ///< that positions are solved to (Settings::tolerance)
+  std::span<const Level> levels{};       ///< as far as each coordinate is asked for; empty: all
+  /// The velocities and accelerations that bounds are relative to, which only the caller can know
+  /// in advance; empty: the largest so far, which at the beginning may be small.
+  std::optional<Scales> scales{};
+  /// Shorter steps that one row may take, to be solved or to be followed on its branch.
+  int max_sub_steps = 64;
+  int every = AccuracyMonitorOptions::usual_interval;  ///< rows from one assessment to the next, at
+                                                       ///< most (see AccuracyMonitor)
+};
+
+/// What keeps a row from being tried.
+enum class RowFault {
+  none,
+  wrong_size,      ///< z, ż or z̈ has not one value for each driver
+  not_finite,      ///< a value or the time is not a finite number
+  time_not_later,  ///< the time is that of the last good position, or before it
+};
+
+/// The outcome of one row, in everything but its values.
+struct LiveSummary : Summary {
+  RowFault fault = RowFault::none;  ///< nothing was tried
+  Assessment assessment{};          ///< of a row that was solved (MonitoredInstant)
+  bool corrected = false;           ///< the values are better than the formulation's
+  bool degraded = false;            ///< conditioning lets it be no better than the bounds say
+  std::optional<SingularityCrossing> crossing{};  ///< since the last good position
+  int violated = -1;  ///< failed: the constraint that holds only on another branch (BranchMonitor)
+
+  Outcome outcome() const {
+    return !ok() ? Outcome::failed : degraded || crossing ? Outcome::degraded : Outcome::converged;
+  }
+};
+
+/// A run whose drivers are handed in at every step, for a controller, a simulator in a loop or an
+/// optimiser:
+///
+///   const auto formulation = make_formulation(find_variant("group_symbolic_explicit"), model);
+///   LiveRun run(*formulation, {.scales = scales});
+///   while (read(t, z, zd, zdd)) {
+///     const LiveSummary answer = run.step({t, z, zd, zdd});
+///     if (answer.outcome() != Outcome::failed) use(run.q(), run.qd(), run.qdd());
+///   }
+///
+/// The first row is assembled from the model's estimate. Every other is solved as
+/// Formulation::step() does it: from the prediction, or by sub-steps on the straight way from the
+/// last good row. Every answer is monitored like those of run_monitored() (AccuracyMonitor):
+/// drivers are exact, and go from row to row as the quintic through both (the cubic, without
+/// accelerations). A row to which the rates do not lead is followed in shorter steps, and assessed.
+///
+// clang-format off
+///   row                                 outcome
+///   NaN or infinite, wrong size         failed, `fault`; nothing was tried
+///   t that repeats or goes back         failed, `fault`; set_time() allows it
+///   z that jumps                        solved, by sub-steps; `crossing` where the branch was left
+///   z out of reach                      failed: not_converged or singular
+// clang-format on
+///
+/// After a failure the values are those of the last good row, and the next row starts there. From
+/// the second good row on nothing is taken from the heap, but by libraries of linear algebra.
+/// explain() does, for it is not for the loop.
+class LiveRun {
+ public:
+  /// The formulation outlives the run, which is the only one to use it. Throws
+  /// std::invalid_argument where the formulation needs a motion known in advance
+  /// (unsupported_live_reason), and for options that are out of range.
+  explicit LiveRun(Formulation& formulation, const LiveOptions& options = {});
+  LiveRun(const LiveRun&) = delete;
+  LiveRun& operator=(const LiveRun&) = delete;
+
+  /// Solves and assesses one row.
+  LiveSummary step(const LiveRow& row);
+
+  /// Sets the time of the last good position [s]: the next row may have any later one.
+  void set_time(double t);
+  /// Forgets all rows: the next is assembled.
+  void restart();
+
+  /// Returns whether there is a good row.
+  bool has_position() const { return has_position_; }
+  /// The last good row: time [s] and values in coordinate order (Model::coordinates()). Those that
+  /// the options leave out are unspecified.
+  double time() const { return time_; }
+  std::span<const double> q() const { return good_.q; }
+  std::span<const double> qd() const { return good_.qd; }
+  std::span<const double> qdd() const { return good_.qdd; }
+
+  /// What stands in the way of a row that could not be solved.
+  struct Obstacle {
+    GroupId group = -1;
+    int constraint = -1;
+    std::optional<AssemblyError> assembly_error;
+  };
+  /// Finds what kept the row that failed last from being solved. Allocates, and takes long.
+  Obstacle explain() const;
+
+ private:
+  RowFault fault_of(const LiveRow& row) const;
+  bool set_drivers(const LiveRow& row);
+  void assess(const LiveRow& row, LiveSummary& summary);
+  void go_back();
+
+  Formulation& formulation_;
+  const LiveOptions options_;
+  Plan monitored_;  // with drivers by the polynomial that comes from the last good row, at time 0
+                    // at the last one tried
+  std::vector<double> unit_;  // magnitude of each driver
+  std::optional<AccuracyMonitor> monitor_;
+  std::optional<BranchMonitor> branches_;
+  State good_;                 // the last good row
+  std::vector<double> tried_;  // z of the row tried last
+  double time_ = 0;            // s, of the last good row
+  bool has_position_ = false;
+};
+
+/// Returns why a formulation cannot be driven live, in a sentence without a full stop; empty when
+/// it can.
+std::string unsupported_live_reason(const Formulation& formulation);
+
+}  // namespace desmo
