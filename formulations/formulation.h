@@ -57,8 +57,10 @@ class Formulation {
   virtual void return_to(std::span<const double>, double t) { static_cast<void>(t); }
 
   /// Runs through a motion: assembles at the first instant of the grid, solves the others as the
-  /// settings say, and hands each to the observer. Stops at the first failure: all instants before
-  /// it were handed on.
+  /// settings say, and hands each to the observer. Stops at the first failure, all instants before
+  /// it handed on, or where the observer stops it; segments solved at once then leave the
+  /// formulation at the first instant. Throws std::invalid_argument for a request that names a
+  /// coordinate twice or one that does not exist.
   virtual Summary run(const TimeGrid& grid, const Request& request, Observer& observer) = 0;
 
   /// Goes to the position of a motion at time t [s] without its instants before, by continuation:

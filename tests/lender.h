@@ -62,11 +62,6 @@ class Lender : public Observer {
   std::vector<std::vector<double>> values_;
 };
 
-/// Requests that no model with so many coordinates can answer.
-inline std::vector<std::vector<int>> wrong_requests(int coordinates) {
-  return {{7, 8, 7}, {coordinates}, {3, -1}};
-}
-
 /// That lent memory holds of some coordinates what is in everything (see Everything), and no more.
 inline void expect_in_outputs(const Lender& lender, const std::vector<int>& coordinates,
                               Level level, const std::vector<std::vector<double>>& everything) {

@@ -52,8 +52,9 @@ class Observer {
   /// Returns whether instants may come in any order. A solver of several at once hands these over
   /// as they are solved where memory is lent for them, and keeps all of them otherwise.
   virtual bool any_order() const noexcept { return false; }
-  /// Returns the observer that a thread (0, 1, …) uses on its own, at an observer that takes any
-  /// order. Null: all threads share this one, one call at a time.
+  /// Returns the observer that a thread (0, 1, …) uses on its own, without a lock, at an observer
+  /// that takes any order; several threads ask at once. Null: all share this one, one call at a
+  /// time. restart() is told to this one alone.
   virtual Observer* of_thread(int thread) noexcept {
     static_cast<void>(thread);
     return nullptr;

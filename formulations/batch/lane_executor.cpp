@@ -78,13 +78,10 @@ std::optional<Summary> LaneExecutor::run(const TimeGrid& grid, const Request& re
     if (i == length) break;
     total.iterations += static_cast<long>(step.iterations) * lanes_;
     total.updates += step.updates * lanes_;
-    if (deliver(grid, length, i, request.level, step, observer) == Flow::stop) {
-      total.stopped = true;
-      return total;
-    }
+    deliver(grid, length, i, request.level, step, observer, total);
+    if (total.stopped) return total;
   }
   if (!meet()) return {};
-  total.instants = grid.instants;
   total.time = grid.time(grid.instants - 1);
   total.residual = std::sqrt(max_residual2);
   for (std::size_t k = 0; k < state.q.size(); ++k) {
@@ -262,8 +259,8 @@ std::span<const OutputView> LaneExecutor::borrow(const TimeGrid& grid, int lengt
   return {&outputs_[first], count(i)};
 }
 
-Flow LaneExecutor::deliver(const TimeGrid& grid, int length, int i, Level level, const Step& step,
-                           Observer& observer) {
+void LaneExecutor::deliver(const TimeGrid& grid, int length, int i, Level level, const Step& step,
+                           Observer& observer, Summary& total) {
   const std::span<const OutputView> lent = borrow(grid, length, i, observer);
   const auto unpack_level = [&](Level least, const LaneValues& from, double* OutputView::*to) {
     if (level < least || !(lent[0].*to)) return;
@@ -288,9 +285,10 @@ Flow LaneExecutor::deliver(const TimeGrid& grid, int length, int i, Level level,
                           .updates = step.updates,
                           .residual = std::sqrt(residual2_[l]),
                           .output = lent[l]};
-    if (observer.observe(instant) == Flow::stop) return Flow::stop;
+    ++total.instants;
+    total.stopped = observer.observe(instant) == Flow::stop;
+    if (total.stopped) return;
   }
-  return Flow::go_on;
 }
 
 }  // namespace desmo

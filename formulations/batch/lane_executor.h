@@ -61,8 +61,8 @@ class LaneExecutor final : public SegmentExecutor {
   void solve_lane(Stage& stage, int lane, Step& step);
   bool meet() const;
   std::span<const OutputView> borrow(const TimeGrid& grid, int length, int i, Observer& observer);
-  Flow deliver(const TimeGrid& grid, int length, int i, Level level, const Step& step,
-               Observer& observer);
+  void deliver(const TimeGrid& grid, int length, int i, Level level, const Step& step,
+               Observer& observer, Summary& total);
 
   const Model& model_;
   const Settings settings_;

@@ -29,16 +29,6 @@
 namespace desmo::lanes_test {
 namespace {
 
-struct LastInstant final : Observer {
-  Flow observe(const Instant& i) noexcept override {
-    values.assign(i.q.begin(), i.q.end());
-    values.insert(values.end(), i.qd.begin(), i.qd.end());
-    values.insert(values.end(), i.qdd.begin(), i.qdd.end());
-    return Flow::go_on;
-  }
-  std::vector<double> values;
-};
-
 constexpr Settings on_lanes{.lanes = 4};
 
 TEST(Lanes, SolveWhatSolvingOneByOneSolves) {
@@ -48,14 +38,11 @@ TEST(Lanes, SolveWhatSolvingOneByOneSolves) {
       for (const int lanes : lanes_here()) {
         const auto one_by_one = make_formulation(find_variant(id), m),
                    at_once = make_formulation(find_variant(id), m, {.lanes = lanes});
-        LastInstant expected, actual;
+        Everything expected(grid.instants), actual(grid.instants);
         const Summary a = one_by_one->run(grid, {}, expected), b = at_once->run(grid, {}, actual);
         ASSERT_TRUE(a.ok() && b.ok()) << m.name;
         EXPECT_LT(b.residual, 1e-10) << m.name;
-        double size = 1;
-        for (const double v : expected.values) size = std::max(size, std::abs(v));
-        for (std::size_t i = 0; i < expected.values.size(); ++i)
-          EXPECT_NEAR(actual.values[i], expected.values[i], 1e-9 * size) << m.name << i;
+        expect_same(actual, expected, m.name);
       }
 }
 
@@ -67,13 +54,13 @@ TEST(Lanes, WriteWhatIsAskedForAndAllForThoseWhoTakeSteps) {
     const Variant& v = find_variant("group_symbolic_explicit");
     const auto all = make_formulation(v, m, {.guess = Guess::hermite5, .lanes = lanes}),
                some = make_formulation(v, m, {.guess = Guess::hermite5, .lanes = lanes});
-    LastInstant expected, actual;
+    Everything expected(grid.instants), actual(grid.instants);
     ASSERT_TRUE(all->run(grid, {}, expected).ok());
     ASSERT_TRUE(some->run(grid, {Level::acceleration, asked}, actual).ok());
     for (const int i : asked)
       for (int level = 0; level < 3; ++level)
-        EXPECT_EQ(actual.values[level * m.coordinates() + i],
-                  expected.values[level * m.coordinates() + i]);
+        EXPECT_EQ(actual.all.back()[level * m.coordinates() + i],
+                  expected.all.back()[level * m.coordinates() + i]);
     ASSERT_TRUE(all->step(grid.time(20)).ok() && some->step(grid.time(20)).ok());
     EXPECT_TRUE(std::ranges::equal(all->q(), some->q()));
     EXPECT_TRUE(std::ranges::equal(all->qd(), some->qd()));

@@ -105,15 +105,17 @@ TEST_P(OnTheCases, OutputsOfSeveralInstantsAreBorrowedAtOnce) {
   }
 }
 
-TEST_P(OnTheCases, RequestsNameEveryCoordinateOnceOrAreRefused) {
+TEST_P(OnTheCases, SegmentsStopWhereTheObserverStops) {
   const Model m = truck_model(1);
   const TimeGrid grid = time_grid(3, 0.01);
   const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, GetParam());
-  for (const std::vector<int>& wrong : wrong_requests(m.coordinates())) {
-    Lender lender(grid.instants, wrong, Level::position);
-    for (int i = 0; i < 2; ++i)
-      EXPECT_THROW(f->run(grid, {.coordinates = wrong}, lender), std::invalid_argument);
-  }
+  Lender lender(grid.instants, {7}, Level::position);
+  lender.stop_at = 20;  // in the first segment, the first of its step
+  const Summary stopped = f->run(grid, {.coordinates = std::vector{7}}, lender);
+  EXPECT_TRUE(stopped.ok() && stopped.stopped);
+  EXPECT_EQ(stopped.instants, 20L * GetParam().segments + 1);
+  EXPECT_EQ(lender.instants, stopped.instants);
+  EXPECT_EQ(f->run_by_steps(), 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(LaneExecutor, OnTheCases, testing::ValuesIn(every_kind()));

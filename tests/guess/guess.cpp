@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "formulations/variants.h"
+#include "tests/discard.h"
 #include "tests/every_variant.h"
 #include "tests/mechanisms.h"
 
@@ -22,15 +23,6 @@ namespace {
 constexpr Settings quadratic{.guess = Guess::quadratic};
 constexpr Guess extrapolating[] = {Guess::linear, Guess::quadratic, Guess::hermite3,
                                    Guess::hermite5, Guess::adams8};
-
-struct LastInstant final : Observer {
-  Flow observe(const Instant& i) noexcept override {
-    q.assign(i.q.begin(), i.q.end());
-    qdd.assign(i.qdd.begin(), i.qdd.end());
-    return Flow::go_on;
-  }
-  std::vector<double> q, qdd;
-};
 
 /// 0.3 − 2t + 1.1t² + 0.7t³ − 0.9t⁴ + 0.4t⁵, cut to a degree, at an instant.
 State polynomial(double t, int degree) {
@@ -138,21 +130,22 @@ class Guesses : public EveryVariant {};
 TEST_P(Guesses, SaveIterationsAndChangeNoAnswer) {
   for (const Model& m : {truck_model(1), four_bar_model(3)}) {
     const TimeGrid grid{0, 0.01, 101};
-    LastInstant as_before;
-    const Summary a = make_formulation(GetParam(), m)->run(grid, {}, as_before);
+    Discard observer;
+    const auto as_before = make_formulation(GetParam(), m);
+    const Summary a = as_before->run(grid, {}, observer);
     ASSERT_TRUE(a.ok()) << m.name;
     long fewest = a.iterations;
     for (const Guess guess : extrapolating) {
-      LastInstant extrapolated;
       const Settings settings{.guess = guess};
-      const Summary b = make_formulation(GetParam(), m, settings)->run(grid, {}, extrapolated);
+      const auto extrapolated = make_formulation(GetParam(), m, settings);
+      const Summary b = extrapolated->run(grid, {}, observer);
       ASSERT_TRUE(b.ok()) << m.name;
       EXPECT_LE(b.iterations, fewest) << m.name << ", " << guess_name(guess);
       fewest = b.iterations;
       EXPECT_LT(b.residual, settings.tolerance);
       for (int i = 0; i < m.coordinates(); ++i) {
-        EXPECT_NEAR(as_before.q[i], extrapolated.q[i], 1e-9) << m.name << i;
-        EXPECT_NEAR(as_before.qdd[i], extrapolated.qdd[i], 1e-7) << m.name << i;
+        EXPECT_NEAR(as_before->q()[i], extrapolated->q()[i], 1e-9) << m.name << i;
+        EXPECT_NEAR(as_before->qdd()[i], extrapolated->qdd()[i], 1e-7) << m.name << i;
       }
     }
     if (GetParam().explicit_order && m.name == "four_bar")  // closed form: it iterates to assemble

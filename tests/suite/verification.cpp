@@ -56,7 +56,7 @@ TEST_F(Verification, ComparesInstantsInAnyOrder) {
     std::array<OutputView, 2> lent;
     observer.lend(indices, lent);
     for (const int i : order) {
-      Instant instant{.index = i, .time = static_cast<double>(i), .output = lent[i]};
+      Instant instant{i, static_cast<double>(i), {}, {}, {}, 0, 0, false, lent[i]};
       show(instant, {1, second[i]});
       observer.observe(instant);
     }
