@@ -19,7 +19,7 @@ struct Basis {
   bool has_vector(int vector) const;
 };
 
-/// One or more bodies of the mechanism that fixed joints connect.
+/// A set of one or more bodies that fixed joints connect.
 struct RigidBody {
   std::vector<int> bodies;           ///< bodies of the mechanism, ascending
   std::vector<int> points, vectors;  ///< points and vectors on any of these, each once
