@@ -17,15 +17,15 @@ namespace desmo::load {
 class Cache {
  public:
   /// Opens the folder; creates it if it does not exist. Throws Unavailable, naming the folder, when
-  /// it or its parent belongs to another user, can be written to by others, or is a link, or when
-  /// others can read it.
+  /// - the folder or its parent belongs to another user, is a link or can be written to by others,
+  /// - others can read the folder.
   static Cache open();
 
   const std::filesystem::path& folder() const { return folder_; }
   int descriptor() const { return descriptor_.number(); }
 
-  /// Returns the content written under this name. Returns nullopt when there is no such file, or
-  /// when it was damaged or renamed, is a link, has another owner, or is open to others.
+  /// Returns the content written under this name; nullopt when there is none. A file that was
+  /// damaged or renamed, is a link, has another owner or is open to others does not count.
   std::optional<std::string> read(const std::string& name) const;
 
   /// Writes a file atomically, replacing any file of that name. Removes the oldest files when there

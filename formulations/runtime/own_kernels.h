@@ -8,8 +8,8 @@
 
 namespace desmo::load {
 
-// *Own kernels* are kernels generated, compiled and loaded at run time for a user's mechanism,
-// whose part types are not among those that desmo was built with.
+// *Own kernels* are generated, compiled and loaded at run time for a user's mechanism. desmo was
+// built without kernels for its part types.
 
 /// The outcome of add_own_kernels.
 struct OwnKernels {
@@ -23,7 +23,7 @@ struct OwnKernels {
   std::string problem;           ///< reason why there is no code for `types`; empty: there is
 };
 
-/// Adds kernels to the table for those part types of a formulation that it lacks. Loads them from
+/// Adds kernels to the table for the part types of a formulation that it lacks. Loads them from
 /// the user's cache, or generates and compiles them from samples of the motion over `grid`. Errors
 /// are reported in the result and leave the table unchanged. compile_time: limit for the compiler.
 /// The mechanism's names do not occur in the code; file names and arguments contain digests only.

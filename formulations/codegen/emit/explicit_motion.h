@@ -6,7 +6,7 @@
 
 namespace desmo::generate {
 
-/// The Newton–Raphson increments and the rates of a stretch (a section of the explicit order).
+/// The Newton–Raphson increments and the rates of a section of the explicit order (see Stretch).
 struct StretchMotion {
   std::vector<Expr> increments;      ///< Δτ of the torn unknowns, to be subtracted
   std::vector<PivotMonitor> pivots;  ///< monitors of the core's elimination
@@ -21,7 +21,7 @@ struct StretchMotion {
 std::vector<StretchMotion> differentiate(const RecordedPart& part,
                                          const std::vector<Stretch>& order);
 
-/// Returns the unknowns of a stretch: torn, then defined.
+/// Returns the unknowns of a section: torn, then defined.
 std::vector<int> unknowns_of(const Stretch& stretch);
 
 }  // namespace desmo::generate

@@ -20,8 +20,8 @@ struct ExplicitPlan {
   const PartType& type;
   const RecordedPart& part;
   std::vector<Stretch> order;
-  std::vector<StretchMotion> motion;  ///< by stretch
-  /// Squared norm of each stretch's residuals, each times the weights of its equations.
+  std::vector<StretchMotion> motion;  ///< by section of the order
+  /// Squared norm of each section's residuals, each times the weights of its equations.
   std::vector<Expr> residual2;
   std::vector<Root> roots;  ///< square roots of all definitions, in order
   std::map<int, std::string>

@@ -8,8 +8,8 @@
 namespace desmo::generate {
 
 /// Writes the function `solve` of an explicit kernel, a template on value type and level. It
-/// computes positions, residuals of the original equations, monitors and rates, stretch after
-/// stretch. Returns the expressions of dimensions that it reads as elements of `f`.
+/// computes positions, residuals of the original equations, monitors and rates, section by section.
+/// Returns the expressions of dimensions that it reads as elements of `f`.
 std::vector<Expr> write_solve(std::ostream& out, const ExplicitPlan& plan);
 
 }  // namespace desmo::generate

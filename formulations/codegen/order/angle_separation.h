@@ -13,8 +13,8 @@ struct SeparatedAngle {
   Definition angle;  ///< the angle, once c is known
 };
 
-/// Eliminates an angle θ from the two equations of a block that contain it. They must have the form
-/// M (cos θ, sin θ)ᵀ + c = 0, where M is a known rotation or reflection times R and c is free of θ.
+/// Eliminates an angle θ from the two equations of a block that contain it. Their form must be
+/// M (cos θ, sin θ)ᵀ + c = 0. M is a known rotation or reflection times R; c does not contain θ.
 /// Then ‖c‖ = R, and the direction of c gives θ. Returns nullopt when there are no two such
 /// equations. angle: an unknown of the block.
 std::optional<SeparatedAngle> separate_angle(const Block& block, int angle, const PartType& type,

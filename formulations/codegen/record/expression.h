@@ -34,8 +34,8 @@ struct Node {
 };
 
 /// The graph that recording scalars (Expr) write. Equal expressions share one node, and constants
-/// are folded. Each node carries its value at every sample point, so that an elimination can judge
-/// the sizes of its pivots while it is being recorded.
+/// are folded. Each node carries its value at every sample point. An elimination judges the sizes
+/// of its pivots by these values.
 class Graph {
  public:
   /// Makes this the current graph until it is destroyed. samples: number of sample points. Throws

@@ -46,9 +46,10 @@ bool follows_from_points(const Mechanism& mechanism, const RigidBody& body, int 
 
 /// Merges fixed bodies and chooses their bases. Vectors that do not follow from points are taken
 /// first, in the mechanism's order, then segments from the body's first point. A direction within
-/// 6° of the span of earlier ones is taken only when nothing better is left. Throws
-/// std::invalid_argument, naming the body, when a body carries nothing, or when a declared length
-/// differs from the nominal one although a fixed joint adds points to the body.
+/// 6° of the span of earlier ones is taken only as a last resort. Throws std::invalid_argument,
+/// naming the body, when
+/// - a body carries neither point nor vector,
+/// - a declared length is not the nominal one, although a fixed joint adds points to the body.
 RigidBodies find_rigid_bodies(const Mechanism& mechanism);
 
 namespace nominal {

@@ -16,9 +16,9 @@ struct Placement {
   int of(const Mechanism::Coordinate& coordinate) const;
 };
 
-/// Assigns each point and vector to the first group with a body that carries it. Exception: when
-/// only one later group has it in the basis of a body, that group solves for it, unless a driver or
-/// a second body needs it before.
+/// Assigns each point and vector to the first group with a body that carries it. Exception: it is
+/// assigned to a later group, if that alone has it in the basis of a body. Then no driver and no
+/// second body may need it before.
 Placement place_entities(const Mechanism& mechanism, const RigidBodies& rigid,
                          const Structure& structure);
 

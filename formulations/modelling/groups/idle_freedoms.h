@@ -7,8 +7,8 @@
 
 namespace desmo {
 
-/// An idle freedom: a motion of a body that moves none of its points and vectors, such as the spin
-/// of a coupler about the line of its two spherical joints. No coordinate models it.
+/// An idle freedom: a motion of a body that moves none of its points and vectors. An example is the
+/// spin of a coupler about the line of its two spherical joints. No coordinate models it.
 struct IdleFreedom {
   std::string body;   ///< first body of the rigid body
   std::string about;  ///< centre or axis of the spin: "the line of 'A' and 'B'"

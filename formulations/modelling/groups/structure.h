@@ -21,9 +21,9 @@ struct Structure {
   std::vector<int> of_body;             ///< group of each rigid body; -1: the ground
 };
 
-/// Finds the structural groups of a mechanism: the strong components of a maximum matching between
-/// the freedoms of its bodies and the restrictions of its joints and drivers (Dulmage & Mendelsohn
-/// 1958; paper, eq. 1). Over-constrained bodies that are connected form one group; the structure
+/// Finds the structural groups of a mechanism: strong components of a maximum matching between
+/// freedoms of bodies and restrictions by joints and drivers (Dulmage & Mendelsohn 1958; paper,
+/// eq. 1). Over-constrained bodies that are connected form one group; the structure
 /// does not show whether their surplus restrictions are consistent. Throws std::invalid_argument,
 /// naming bodies and coordinates, when nothing determines some bodies (a driver is missing), or
 /// when no body moves.

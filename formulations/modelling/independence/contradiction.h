@@ -11,8 +11,8 @@ namespace desmo {
 /// A contradiction: equations of a group that cannot hold together once its drivers have moved.
 struct Contradiction {
   int constraint;  ///< constraint with the largest residual at the least-squares position
-  double amount;  ///< that residual: a length if the constraint has lengths, else a number or [rad]
-  double moved;   ///< displacement of the drivers, in natural magnitudes
+  double amount;   ///< the residual: a length if the constraint has lengths, else a number or [rad]
+  double moved;    ///< displacement of the drivers, in natural magnitudes
 };
 
 /// Moves a group's drivers a little from an assembled position, first forwards, then backwards.
