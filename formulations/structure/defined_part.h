@@ -15,8 +15,7 @@ struct DefinedPart {
   /// missing and automatic equations stand in for it.
   bool as_named = true;
   Level level = Level::acceleration;  ///< highest level at which its unknowns are requested
-  /// Upper bound on ‖Φ‖₂ of its weighted equations at convergence: its share of the formulation's
-  /// tolerance, or the rounding level if that is larger.
+  /// Tolerance on ‖Φ‖₂ of its weighted equations: its share, or the rounding level if larger.
   double tolerance = 0;
 };
 

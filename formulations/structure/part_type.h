@@ -15,9 +15,9 @@ enum class Role {
 };
 
 /// The type of a part: its equations in canonical form. Variables are *local inputs*, numbered by
-/// first appearance; dimensions are `constants`. Parts with equal fingerprints have the same
-/// equations, and the same dimensions are zero. They differ only in the state indices of their
-/// inputs and in their other dimensions. One generated kernel serves all parts of a type.
+/// first appearance. Parts with equal fingerprints have the same equations, and the same dimensions
+/// are zero. They differ only in the state indices of their inputs and in their other dimensions.
+/// One generated kernel serves all parts of a type.
 struct PartType {
   struct Constraint {
     int kind;                   ///< position in ConstraintKinds
@@ -35,7 +35,7 @@ struct PartType {
   std::vector<Constraint> constraints;
   std::vector<std::string> row_names;  ///< name of each scalar equation's constraint
   std::vector<Input> inputs;
-  std::vector<double> constants;  ///< dimensions of all constraints, one constraint after the other
+  std::vector<double> constants;  ///< dimensions, constraint by constraint
 
   int rows() const { return static_cast<int>(row_names.size()); }
 };

@@ -41,9 +41,8 @@ struct PartDefinition {
 };
 
 /// Returns the parts of a partition in solution order. Constant groups come first, each a part of
-/// its own; groups without unknowns and equations (drivers only) are omitted. Throws
-/// std::invalid_argument when a group needs a coordinate of a later group, or when a group is
-/// structurally singular (Partition::block only).
+/// its own; groups of drivers only are omitted. Throws std::invalid_argument when a group needs a
+/// coordinate of a later group, or (Partition::block) is structurally singular.
 std::vector<PartDefinition> make_partition(const Model& model, Partition partition);
 
 /// Cuts a part into one part per group, in solution order.

@@ -73,8 +73,8 @@ inline void expect_equations(const Model& m, GroupId g, std::vector<Stated> expe
 
 inline const std::vector<Motion> turning{Polynomial{{1.0, 1}}};
 
-/// Returns a parallelogram linkage: cranks of length 1 on pivots along the x axis, connected by one
-/// coupler. The first crank is driven.
+/// Returns cranks of length 1 on pivots along the x axis, connected by one coupler; the first is
+/// driven.
 /// - pivots: x of each crank's pivot.
 /// - angle: nominal angle of the cranks [rad].
 /// - last_length: length of the last crank, whose pivot is moved accordingly.

@@ -1,5 +1,4 @@
-// A synthetic record of bench/check with three cells, and functions that modify it. `base` and
-// `head` are the two trees compared.
+// A synthetic record of bench/check: three cells of the two trees compared, `base` and `head`.
 #pragma once
 
 #include <string>

@@ -28,8 +28,8 @@ struct Plane {
   std::function<Expr(const Vector& b)> right_side;
 };
 
-/// The n equations of a point x (n) as one sphere and n − 1 planes. A linear equation is a plane;
-/// each further sphere becomes the plane of its intersection with the first.
+/// The n equations of a point x (n) as one sphere and n − 1 planes. Each further sphere becomes the
+/// plane of its intersection with the first.
 struct SphereAndPlanes {
   Sphere sphere;
   int sphere_row;  ///< equation of the sphere

@@ -62,14 +62,13 @@ class Facts {
   std::map<int, Expr> known_;
 };
 
-/// n equations to solve for n unknowns x, which are inputs of the graph.
+/// A task: n equations to solve for n unknowns x, which are inputs of the graph.
 struct Task {
   std::vector<Expr> x, equations;
   const Facts& facts;
 };
 
-/// A rule: returns a closed form, or nullopt when it does not apply. Each has a file in
-/// closed_forms/.
+/// A rule returns a closed form, or nullopt when it does not apply. closed_forms/ holds the rules.
 using Rule = std::optional<ClosedForm> (*)(const Task&);
 
 std::optional<ClosedForm> solve_linear(const Task& task);
@@ -92,8 +91,7 @@ ClosedForm angle_by_bearing(std::string rule, ClosedForm::Bearing bearing, Expr 
 /// Adds an input ±1 for the sign of a root's pivot; at each sample point it has the pivot's sign.
 Expr branch_of(Expr pivot);
 
-/// Returns e with the absolute value of each term: the size that its rounding errors are relative
-/// to.
+/// Returns e with the absolute value of each term, as a measure of its rounding errors.
 Expr magnitude(Expr e);
 
 }  // namespace desmo::generate

@@ -8,8 +8,8 @@
 
 namespace desmo::generate {
 
-// An *explicit order* computes a part's unknowns one after the other in closed form. Where that is
-// impossible, some unknowns are *torn*: assumed, then corrected by Newton–Raphson.
+// An *explicit order* computes a part's unknowns one after the other in closed form. Where needed,
+// some unknowns are *torn*: assumed, then corrected by Newton–Raphson.
 
 /// The definition of one or a few unknowns in closed form by earlier ones.
 struct Definition {

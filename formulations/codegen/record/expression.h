@@ -7,8 +7,7 @@
 
 namespace desmo::generate {
 
-// *Recording* runs the constraint code on a scalar that writes an expression graph, from which C++
-// is generated.
+// *Recording* runs the constraint code on a scalar that writes an expression graph.
 
 enum class Op {
   constant,
@@ -24,7 +23,7 @@ enum class Op {
   magnitude,  ///< |a|
 };
 
-/// A node of the expression graph. Operands have smaller numbers than the node itself.
+/// A node of the expression graph. Its operands have smaller numbers.
 struct Node {
   Op op;
   int a = -1, b = -1;  ///< operands; -1: none

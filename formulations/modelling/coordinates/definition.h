@@ -6,8 +6,7 @@
 
 namespace desmo {
 
-/// The definition of a relative coordinate: the constraint that ties its value to points and
-/// vectors.
+/// The definition of a relative coordinate: a constraint between it and points or vectors.
 struct Definition {
   EquationWriter& writer;
   const Mechanism::Coordinate& coordinate;

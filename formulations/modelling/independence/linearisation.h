@@ -9,8 +9,8 @@ namespace desmo {
 
 /// Scaled Φ and Φ_q of a group's candidates. Columns are multiplied by natural magnitudes: for
 /// points and distances the power of two next to their characteristic length, else 1. Rows are
-/// divided by their norm over all variables that the equation reads. The result depends neither on
-/// units nor on the size of other parts.
+/// divided by their norm over all variables that the equation reads. The result does not depend on
+/// units.
 struct Linearisation {
   Eigen::VectorXd phi;       ///< (rows)
   Eigen::MatrixXd jacobian;  ///< (rows × columns) of the GroupSystem
