@@ -4,7 +4,7 @@
 
 namespace desmo {
 
-/// Stands in for the part that pivots: one of another formulation.
+/// A pivoting fallback that forwards solve() to a part of another formulation.
 class Borrowed final : public Part {
  public:
   explicit Borrowed(Part& part) : part_(part) {}

@@ -1,4 +1,4 @@
-// A four-bar whose crank cannot turn over: what happens near the end of its reach.
+// A four-bar whose crank cannot make a full turn, and its dead point.
 #pragma once
 
 #include <array>
@@ -9,12 +9,12 @@
 
 namespace desmo {
 
-/// Crank 2 about (0, 0), coupler 3, rocker 6 about (8, 0): coupler and rocker are in line, 9 from
-/// pivot to pin, at this angle of the crank.
+/// The crank angle of the dead point [rad], where coupler and rocker are in line. Lengths: crank 2
+/// about (0, 0), coupler 3, rocker 6 about (8, 0).
 inline const double dead_point = std::acos((4.0 + 64 - 81) / 32);
 
-/// Returns the four-bar with the rocker's pin above that line, and a crank that turns as it is
-/// told: by default as the case's own, π/3 + t. The estimate is the position at t = 0.
+/// Returns the four-bar with C, the pin of coupler and rocker, above the line from B to D. crank:
+/// motion of the crank angle, by default π/3 + t. The estimate is the position at t = 0.
 inline Model locking_four_bar(const Motion& crank = Polynomial{{std::numbers::pi / 3, 1}}) {
   Model m = four_bar_model(1);
   m.drivers[0].motion = crank;

@@ -23,7 +23,7 @@ using Vec = Mechanism::Vec;
 using JointType = Mechanism::JointType;
 using CoordinateType = Mechanism::CoordinateType;
 
-/// The motion of a driver that stands at 1.
+/// The motion of a driver at rest at 1.
 inline const Motion still = Polynomial{{1}};
 
 inline Vec operator+(const Vec& a, const Vec& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
@@ -36,11 +36,11 @@ inline Vec cross(const Vec& a, const Vec& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 inline Vec polar(double r, double angle) { return {r * std::cos(angle), r * std::sin(angle), 0}; }
-/// The angle of b from a, counter-clockwise.
+/// Returns the angle from a to b [rad], counter-clockwise.
 inline double turn(const Vec& a, const Vec& b) { return std::atan2(cross(a, b)[2], dot(a, b)); }
 
-/// A MechanismBuilder with words for what tests describe again and again. Joints take entities that
-/// both bodies carry already.
+/// A MechanismBuilder with shorthands for tests. A joint takes points and vectors that both bodies
+/// already carry.
 class Sketch : public MechanismBuilder {
  public:
   using MechanismBuilder::MechanismBuilder;
@@ -84,10 +84,10 @@ class Sketch : public MechanismBuilder {
   }
 };
 
-/// From one point to another.
+/// Returns the segment from one point to another.
 inline Mechanism::Direction segment(int from, int to) { return {-1, from, to}; }
 
-/// A mechanism solved at some instants.
+/// A model solved at given instants. The constructor expects every step to succeed.
 class Solved {
  public:
   Solved(Model model, std::span<const double> times, std::string_view id = "global_automatic_eigen",
@@ -108,7 +108,7 @@ class Solved {
   const Model& model() const { return m_; }
   int instants() const { return static_cast<int>(q_.size()); }
 
-  /// Of a point, a vector or (first component) a scalar.
+  /// Return the values of a point or vector; the first component for a scalar.
   Vec position(int instant, const std::string& name) const { return value(q_, instant, name); }
   Vec velocity(int instant, const std::string& name) const { return value(qd_, instant, name); }
   Vec acceleration(int instant, const std::string& name) const {
@@ -139,21 +139,21 @@ inline void expect_near(const Vec& actual, const Vec& expected, double tolerance
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(actual[i], expected[i], tolerance) << what << ", " << i;
 }
 
-/// Angles are equal up to whole turns.
+/// Expects equal angles modulo 2π.
 inline void expect_same_angle(double actual, double expected, double tolerance,
                               const std::string& what) {
   EXPECT_NEAR(std::remainder(actual - expected, 2 * std::numbers::pi), 0, tolerance) << what;
 }
 
-/// Instants in steps of 10 ms, so that Newton's method follows the branch.
+/// Returns times from 0 to `end` [s] in steps of 10 ms, small enough to stay on the branch.
 inline std::vector<double> instants(double end, double step = 0.01) {
   std::vector<double> times;
   for (int i = 0; i * step <= end; ++i) times.push_back(i * step);
   return times;
 }
 
-/// Nothing on a body moves relative to anything else on it: distances, products and, in space, the
-/// handedness are those of the nominal position. Recomputed from points, whatever the equations.
+/// Expects a body to be rigid at an instant: distances, scalar products and handedness equal those
+/// of the nominal position. They are recomputed from points and vectors, not from the equations.
 inline void expect_rigid(const Mechanism& d, const std::vector<int>& points,
                          const std::vector<int>& vectors, const Solved& solved, int instant,
                          double tolerance) {
@@ -186,7 +186,7 @@ inline void expect_rigid(const Mechanism& d, const std::vector<int>& points,
     }
 }
 
-/// Every body of a description whose dimensions are the nominal ones is rigid at every instant.
+/// Expects every body with nominal dimensions to be rigid at every instant.
 inline void expect_rigid_bodies(const Mechanism& d, const Solved& solved, double tolerance) {
   for (int k = 0; k < solved.instants() && !testing::Test::HasFailure(); ++k)
     for (const Mechanism::Body& b : d.bodies) {
@@ -194,7 +194,7 @@ inline void expect_rigid_bodies(const Mechanism& d, const Solved& solved, double
     }
 }
 
-/// A description is refused with a message that holds all of these.
+/// Expects modelling to throw std::invalid_argument with a message that contains all `parts`.
 inline void expect_refused(const Mechanism& d, const std::vector<Motion>& motions,
                            std::initializer_list<std::string_view> parts) {
   try {

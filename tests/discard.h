@@ -4,7 +4,7 @@
 
 namespace desmo {
 
-/// An observer for runs of which only the summary matters.
+/// An observer that only counts instants, for runs whose summary alone matters.
 class Discard final : public Observer {
  public:
   Flow observe(const Instant&) noexcept override {

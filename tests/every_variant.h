@@ -13,7 +13,7 @@
 
 namespace desmo {
 
-/// Shows a variant in a test's name and failures.
+/// Prints a variant in test names and failures.
 inline void PrintTo(const Variant& v, std::ostream* out) { *out << v.id; }
 
 /// Returns the variants that tests go through: all of the table, or with sanitizers one for each
@@ -35,7 +35,7 @@ inline std::vector<Variant> tested_variants() {
   return chosen;
 }
 
-/// A test for each of these variants. Each file derives a fixture of its own.
+/// A fixture of tests that run once per variant. Each file derives a fixture of its own.
 class EveryVariant : public testing::TestWithParam<Variant> {
  public:
   static std::string name(const testing::TestParamInfo<Variant>& info) { return info.param.id; }

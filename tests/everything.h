@@ -13,7 +13,7 @@
 
 namespace desmo {
 
-/// Everything that comes, by instant.
+/// An observer that copies q, q̇ and q̈ of every instant.
 class Everything : public Observer {
  public:
   explicit Everything(int instants) : all(static_cast<std::size_t>(instants)) {}
@@ -26,11 +26,11 @@ class Everything : public Observer {
     return Flow::go_on;
   }
 
-  std::vector<std::vector<double>> all;
-  std::vector<int> order;
+  std::vector<std::vector<double>> all;  // by instant: q, q̇, q̈
+  std::vector<int> order;                // of delivery
 };
 
-/// That both, solved at time t, have the same positions and accelerations there and a few steps on.
+/// Expects equal positions and accelerations of two formulations at time t and in two more steps.
 inline void expect_to_step_on_alike(Formulation& f, Formulation& g, double t) {
   for (int step = 0; step < 3; ++step, t += 0.01) {
     if (step > 0) {
@@ -43,6 +43,7 @@ inline void expect_to_step_on_alike(Formulation& f, Formulation& g, double t) {
   }
 }
 
+/// Expects equal values up to 1e-9 of the largest one.
 inline void expect_same(const Everything& actual, const Everything& expected,
                         const std::string& name) {
   double size = 1;

@@ -8,7 +8,7 @@
 
 namespace desmo {
 
-/// What this processor has registers for, and this build code.
+/// Returns the lane counts that this build has code for and this processor has registers for.
 inline std::vector<int> lanes_here() {
   std::vector<int> result;
   std::ranges::copy_if(lane_counts, std::back_inserter(result), has_lanes);

@@ -37,13 +37,14 @@ class Lender : public Observer {
   bool any_order() const noexcept override { return true; }
   void restart() noexcept override { ++restarts; }
 
-  /// Of an instant: the positions, then what is left of rates.
+  /// Returns the memory lent for an instant: positions, velocities, accelerations; `untouched`
+  /// where nothing was written.
   const std::vector<double>& values(int instant) const { return values_.at(instant); }
 
   static constexpr double untouched = -77;
   int stop_at = -1;
   int instants = 0, asked = 0, restarts = 0;
-  std::set<std::thread::id> threads;  // that instants came from
+  std::set<std::thread::id> threads;  // threads that delivered instants
 
  private:
   OutputView output(int instant) {
@@ -62,7 +63,7 @@ class Lender : public Observer {
   std::vector<std::vector<double>> values_;
 };
 
-/// That lent memory holds of some coordinates what is in everything (see Everything), and no more.
+/// Expects lent memory to hold these coordinates of Everything::all up to the level, no more.
 inline void expect_in_outputs(const Lender& lender, const std::vector<int>& coordinates,
                               Level level, const std::vector<std::vector<double>>& everything) {
   for (std::size_t i = 0; i < everything.size(); ++i)

@@ -11,11 +11,12 @@
 
 namespace desmo {
 
-/// The suite's cases as modelled from their descriptions.
+/// Return models of the suite's cases.
 inline Model four_bar_model(int dyads) { return make_model(four_bar(dyads)); }
 inline Model truck_model(int axles) { return make_model(truck_suspension(axles)); }
 
-/// Both cases with three units, and every mechanism of the library with the motion of its scene.
+/// Returns all models with the time grids of their motions: both cases with three units, and every
+/// mechanism of the library with its scene.
 inline std::vector<std::pair<Model, TimeGrid>> every_motion() {
   std::vector<std::pair<Model, TimeGrid>> all;
   for (const Case& c : cases()) all.emplace_back(make_model(c.describe(3)), time_grid(3, 0.01));

@@ -1,12 +1,12 @@
-// A mechanism file that is none of the library's: no code for its groups is in the program.
+// A mechanism for whose groups desmo was built without generated code.
 #pragma once
 
 #include <string>
 
 namespace desmo {
 
-/// A crank swings a plate that hangs on two more links, and the plate a slider by a rod, `copies`
-/// times; the plate's group has three bodies that move at once. rest: of the scene.
+/// Returns a scene with `copies` independent linkages: a crank moves a plate on two more links, and
+/// the plate moves a slider by a rod. rest: further members of the scene.
 inline std::string swinging_plates(int copies, const std::string& rest) {
   std::string points, ground, bodies, joints, coordinates, drivers, motion;
   for (int i = 0; i < copies; ++i) {
@@ -57,7 +57,7 @@ inline std::string swinging_plates(int copies, const std::string& rest) {
          motion + "}" + rest + "}";
 }
 
-/// A second of its motion.
+/// The time grid of one second, as a member of the scene.
 inline const std::string one_second = R"(, "time": {"end": 1, "step": 0.01})";
 
 }  // namespace desmo

@@ -9,14 +9,14 @@
 
 namespace desmo {
 
-/// A rival of this build.
+/// Returns a peer of this build; throws std::invalid_argument when there is none.
 inline const PeerDefinition& find_peer(std::string_view name) {
   for (const PeerDefinition* peer : peers())
     if (peer->name == name) return *peer;
   throw std::invalid_argument("no peer " + std::string(name));
 }
 
-/// What it needed for a scene.
+/// Returns the setup text of a peer for a scene.
 inline std::string setup_by(std::string_view name, const Scene& scene) {
   const Model model = make_model(scene);
   return find_peer(name).make(scene, model)->setup();

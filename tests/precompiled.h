@@ -1,4 +1,4 @@
-// Headers that most tests include.
+// The precompiled headers of the tests.
 #pragma once
 
 #include <gtest/gtest.h>

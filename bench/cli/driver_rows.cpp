@@ -15,10 +15,10 @@ namespace {
 
 constexpr std::size_t longest_line = std::size_t{1} << 20;
 
-bool is_number(std::string_view cell, double& value) {
-  if (cell.starts_with('+')) cell.remove_prefix(1);
-  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  return error == std::errc{} && end == cell.data() + cell.size();
+bool is_number(std::string_view field, double& value) {
+  if (field.starts_with('+')) field.remove_prefix(1);
+  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
+  return error == std::errc{} && end == field.data() + field.size();
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -29,12 +29,12 @@ std::string_view trimmed(std::string_view text) {
 }
 
 /// Splits at commas, semicolons or tabs where there are any, and else at blanks.
-void split(std::string_view line, std::vector<std::string_view>& cells) {
-  cells.clear();
+void split(std::string_view line, std::vector<std::string_view>& fields) {
+  fields.clear();
   const bool at_blanks = line.find_first_of(",;\t") == std::string_view::npos;
   while (true) {
     const std::size_t end = line.find_first_of(at_blanks ? " " : ",;\t");
-    cells.push_back(trimmed(line.substr(0, end)));
+    fields.push_back(trimmed(line.substr(0, end)));
     if (end == std::string_view::npos) return;
     line.remove_prefix(end + 1);
     if (at_blanks) line = trimmed(line);
@@ -91,21 +91,21 @@ bool DriverRows::read_line(std::string& line) {
 }
 
 /// Says what each column is, by its name.
-void DriverRows::read_heading(const std::vector<std::string_view>& cells) {
-  targets_.assign(cells.size(), {});
-  time_column_ = cells.size();
+void DriverRows::read_heading(const std::vector<std::string_view>& fields) {
+  targets_.assign(fields.size(), {});
+  time_column_ = fields.size();
   std::set<std::string_view> seen;
-  for (std::size_t k = 0; k < cells.size(); ++k) {
-    std::string_view cell = cells[k];
-    if (cell.size() > 1 && cell.front() == '"' && cell.back() == '"')
-      cell = cell.substr(1, cell.size() - 2);
-    const std::size_t bracket = cell.ends_with(']') ? cell.rfind(" [") : std::string_view::npos;
-    const std::string_view name = cell.substr(0, bracket);
+  for (std::size_t k = 0; k < fields.size(); ++k) {
+    std::string_view field = fields[k];
+    if (field.size() > 1 && field.front() == '"' && field.back() == '"')
+      field = field.substr(1, field.size() - 2);
+    const std::size_t bracket = field.ends_with(']') ? field.rfind(" [") : std::string_view::npos;
+    const std::string_view name = field.substr(0, bracket);
     const auto takes = [&](const std::string& unit) {
       if (!seen.insert(name).second)
         fail(k, desmo::in_quotes(std::string(name)) + " stands there twice; leave one out");
-      if (bracket != std::string_view::npos && cell.substr(bracket) != " [" + unit + "]")
-        fail(k, desmo::in_quotes(std::string(cell)) + ": the unit is " + unit);
+      if (bracket != std::string_view::npos && field.substr(bracket) != " [" + unit + "]")
+        fail(k, desmo::in_quotes(std::string(field)) + ": the unit is " + unit);
     };
     if (name == "t") {
       takes("s");
@@ -118,7 +118,7 @@ void DriverRows::read_heading(const std::vector<std::string_view>& cells) {
           targets_[k] = {order, d};
         }
   }
-  if (time_column_ == cells.size()) fail(0, "there is no column t; name one");
+  if (time_column_ == fields.size()) fail(0, "there is no column t; name one");
   for (int order = 0; order <= level_; ++order)
     for (std::size_t d = 0; d < wanted_.size(); ++d)
       if (wanted_[d] >= 0 && !seen.contains(names_[order][d]))
@@ -126,19 +126,19 @@ void DriverRows::read_heading(const std::vector<std::string_view>& cells) {
 }
 
 /// Says what each column is, by how many there are.
-void DriverRows::read_first(std::size_t cells) {
+void DriverRows::read_first(std::size_t fields) {
   const std::size_t drivers = wanted_.size();
   targets_.assign(1, {});
-  for (int order = 0; order < 3 && targets_.size() < cells; ++order)
+  for (int order = 0; order < 3 && targets_.size() < fields; ++order)
     for (std::size_t d = 0; d < drivers; ++d) targets_.push_back({order, d});
   const std::size_t needed = 1 + drivers * (level_ + 1);
-  if (targets_.size() == cells && cells >= needed) return;
+  if (targets_.size() == fields && fields >= needed) return;
   std::string names = "t";
   for (int order = 0; order <= level_; ++order)
     for (const std::string& name : names_[order]) names += "," + name;
-  fail(cells < needed ? cells : targets_.size(), std::to_string(cells) + " numbers, where " +
-                                                     std::to_string(needed) +
-                                                     " are needed; write " + printable(names, 500));
+  fail(fields < needed ? fields : targets_.size(),
+       std::to_string(fields) + " numbers, where " + std::to_string(needed) +
+           " are needed; write " + printable(names, 500));
 }
 
 bool DriverRows::next(LiveRow& row) {

@@ -38,8 +38,8 @@ class DriverRows {
     std::size_t driver = 0;
   };
   bool read_line(std::string& line);
-  void read_heading(const std::vector<std::string_view>& cells);
-  void read_first(std::size_t cells);
+  void read_heading(const std::vector<std::string_view>& fields);
+  void read_first(std::size_t fields);
   [[noreturn]] void fail(std::size_t column, const std::string& what) const;
 
   std::string source_;

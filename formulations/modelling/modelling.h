@@ -9,20 +9,20 @@
 
 namespace desmo {
 
-/// A model of a mechanism, and what the user should know of it.
+/// A model of a mechanism, with remarks for the user.
 struct ModellingResult {
   Model model;
   std::vector<LeftOut> left_out;    ///< candidate equations that follow from others
-  std::vector<IdleFreedom> idle{};  ///< freedoms that move nothing that is modelled
+  std::vector<IdleFreedom> idle{};  ///< freedoms that move no modelled point or vector
 };
 
-/// Models a mechanism: rigid bodies, structural groups, coordinates, independent equations.
-/// motions: one for each driven coordinate, in the mechanism's order. Throws
-/// std::invalid_argument, naming the place, for a mechanism that is not valid (see validate) or
-/// is not determined by its drivers.
+/// Models a mechanism: finds rigid bodies, structural groups, coordinates and independent
+/// equations. motions: one per driven coordinate, in the mechanism's order. Throws
+/// std::invalid_argument, naming the place, for an invalid mechanism (see validate) or one that its
+/// drivers do not determine.
 ModellingResult model_mechanism(const Mechanism& mechanism, const std::vector<Motion>& motions);
 
-/// Returns the model of the whole mechanism of a scene, whatever the scene asks for.
+/// Models the whole mechanism of a scene, independent of what the scene requests.
 Model make_model(const Scene& scene);
 
 }  // namespace desmo

@@ -10,32 +10,33 @@
 
 namespace desmo::load {
 
-/// The user's own folder of generated and compiled code, desmo/kernels in XDG_CACHE_HOME or else
-/// ~/.cache. It and its files belong to the user, and nobody else may so much as read them (mode
-/// 0700, 0600). Every file ends in a seal, a digest of its name and content. Several processes may
-/// use the folder at once, and it may be emptied at any time. Names are ours: letters, digits,
-/// dots.
+/// The user's folder of generated and compiled code: desmo/kernels in XDG_CACHE_HOME, by default in
+/// ~/.cache. Only the user may read or write it (mode 0700, files 0600). Every file ends in a seal,
+/// a digest of its name and content. Several processes may use the folder at once, and it may be
+/// emptied at any time. File names consist of letters, digits and dots.
 class Cache {
  public:
-  /// Makes the folder where there is none. Throws Unavailable, naming the folder, when it is not
-  /// the user's own, others could write to it or to the folder around it, or either is a link.
+  /// Opens the folder; creates it if it does not exist. Throws Unavailable, naming the folder, when
+  /// - the folder or its parent belongs to another user, is a link or can be written to by others,
+  /// - others can read the folder.
   static Cache open();
 
   const std::filesystem::path& folder() const { return folder_; }
   int descriptor() const { return descriptor_.number(); }
 
-  /// What was written under this name; none when there is no such file or it is not as it was
-  /// written: damaged, renamed, a link, of another owner, open to others.
+  /// Returns the content written under this name; nullopt when there is none. A file that was
+  /// damaged or renamed, is a link, has another owner or is open to others does not count.
   std::optional<std::string> read(const std::string& name) const;
 
-  /// Writes a file: whole or not at all, in the place of what had its name. Of many files the
-  /// oldest go. Throws Unavailable.
+  /// Writes a file atomically, replacing any file of that name. Removes the oldest files when there
+  /// are many. Throws Unavailable.
   void write(const std::string& name, std::string_view content) const;
 
   void remove(const std::string& name) const;
 
-  /// What another program writes into the folder: make(name) has it do so under a name that nobody
-  /// else uses. Throws Unavailable when there is nothing under it then, and what `make` throws.
+  /// Calls make(name), which lets another program write a file of that unique name into the folder;
+  /// returns the file's content and removes it. Throws Unavailable when the file does not exist
+  /// afterwards, and what `make` throws.
   std::string content_made_by(const std::function<void(const std::string& name)>& make) const;
 
  private:

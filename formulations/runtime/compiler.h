@@ -5,23 +5,23 @@
 
 namespace desmo::load {
 
-/// A C++ compiler, and what it compiles kernels with.
+/// A C++ compiler, with its options for kernels.
 class Compiler {
  public:
-  /// That of the environment variable CXX (a name or a file, without arguments); where it is not
-  /// set, the one that desmo was built with; where that is gone, c++. Throws Unavailable when there
-  /// is none, or it does not say which version it is. lanes: of the kernels, which need a processor
-  /// that has them.
+  /// Finds a compiler: the value of the environment variable CXX (name or file, without arguments),
+  /// else the compiler that desmo was built with, else c++. Throws Unavailable when there is none,
+  /// or when it does not tell its version. lanes: lanes of the kernels; 8 need a processor with
+  /// 512-bit registers.
   static Compiler find(int lanes = 1);
 
   const std::string& file() const { return file_; }
-  /// The first line of what it says of itself.
+  /// Returns the first line of its version message.
   std::string version() const;
-  /// Everything that the code it makes depends on, apart from the source.
+  /// Returns everything but the source that determines its output: file, version, options.
   std::string identity() const;
 
-  /// Makes a shared library from a C++ file; both are names in a folder that is open as `folder`.
-  /// Throws Unavailable with the beginning of what the compiler says.
+  /// Compiles a C++ file to a shared library. source and library: names in the folder whose open
+  /// descriptor is `folder`. time: limit. Throws Unavailable with the compiler's first error.
   void compile(const std::string& source, const std::string& library, int folder,
                std::chrono::milliseconds time) const;
 

@@ -6,7 +6,7 @@
 
 namespace desmo::load {
 
-/// An open file, closed with this object.
+/// An owned file descriptor, closed by the destructor.
 class Descriptor {
  public:
   explicit Descriptor(int number = -1) : number_(number) {}

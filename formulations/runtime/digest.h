@@ -8,17 +8,17 @@ struct evp_md_ctx_st;  // OpenSSL's
 
 namespace desmo {
 
-/// SHA-256 of all that is added, in order. By OpenSSL, whose interface is public and kept: Boost's
-/// digests are either a detail of another library (SHA-1) or younger than what Debian has.
+/// The SHA-256 digest of all bytes added, in order. OpenSSL computes it, because its interface is
+/// public and stable; Boost's digests are internal (SHA-1) or newer than Debian's Boost.
 class Digest {
  public:
-  /// Throws std::runtime_error when OpenSSL does not offer the algorithm.
+  /// Begins a digest. Throws std::runtime_error when OpenSSL does not offer the algorithm.
   Digest();
   ~Digest();
 
   Digest& add(std::string_view bytes);
 
-  /// 64 hexadecimal digits, as sha256sum prints them. Nothing can be added afterwards.
+  /// Returns 64 hexadecimal digits, as sha256sum prints them. Call it once, after the last add().
   std::string hex();
 
  private:

@@ -4,7 +4,7 @@
 
 namespace desmo::load {
 
-/// What posix_spawn does with the descriptors of a program that it starts.
+/// An owned list of descriptor actions for posix_spawn.
 struct FileActions {
   FileActions() { ::posix_spawn_file_actions_init(&list); }
   FileActions(const FileActions&) = delete;

@@ -7,9 +7,10 @@
 
 namespace desmo::load {
 
-/// Some states of a mechanism (q, then the fixed values) spread over its motion, for a generator to
-/// look at: approximate, and in steps so large that another branch than the motion's may be met.
-/// Where it cannot be followed it ends; none when it cannot be assembled.
+/// Returns states of a model (q, then the fixed values) spread over its motion, as samples for code
+/// generation. They are approximate, and large steps may reach another branch than the motion's.
+/// The list ends where the motion cannot be followed; it is empty when the model cannot be
+/// assembled.
 std::vector<std::vector<double>> sample_motion(const Model& model, const TimeGrid& grid);
 
 }  // namespace desmo::load

@@ -8,23 +8,25 @@
 
 namespace desmo::load {
 
-/// What became of the code that a formulation needs beside what desmo was built with.
+// *Own kernels* are generated, compiled and loaded at run time for a user's mechanism. desmo was
+// built without kernels for its part types.
+
+/// The outcome of add_own_kernels.
 struct OwnKernels {
-  std::vector<TypeUse> types;    ///< that code was wanted for
-  int parts_too_large = 0;       ///< to want any for them
-  bool compiled = false;         ///< now, rather than before
+  std::vector<TypeUse> types;    ///< part types that code was wanted for
+  int parts_too_large = 0;       ///< number of parts too large for generated code
+  bool compiled = false;         ///< compiled in this call, not found in the cache
   std::string compiler;          ///< its file and version
-  std::string folder;            ///< of the cache
-  double seconds = 0;            ///< that all of it took …
-  double seconds_compiling = 0;  ///< … and of these the compiler
-  std::string problem;           ///< why there is no code for `types`; empty when there is
+  std::string folder;            ///< folder of the cache
+  double seconds = 0;            ///< total time [s]
+  double seconds_compiling = 0;  ///< time of the compiler [s], included in `seconds`
+  std::string problem;           ///< reason why there is no code for `types`; empty: there is
 };
 
-/// Adds code for the parts of a formulation of types for which the table has none, generated for
-/// the mechanism, its motion sampled over the grid: loaded from the user's cache when it was
-/// compiled before, else compiled in at most `compile_time`. Whatever goes wrong is said in the
-/// result and leaves the table as it was. Nothing of the mechanism's names gets into the code, and
-/// nothing of the mechanism at all into file names and arguments, but as a digest.
+/// Adds kernels to the table for the part types of a formulation that it lacks. Loads them from
+/// the user's cache, or generates and compiles them from samples of the motion over `grid`. Errors
+/// are reported in the result and leave the table unchanged. compile_time: limit for the compiler.
+/// The mechanism's names do not occur in the code; file names and arguments contain digests only.
 OwnKernels add_own_kernels(KernelTable& table, const Variant& variant, const Settings& settings,
                            const Model& model, const TimeGrid& grid,
                            std::chrono::milliseconds compile_time);

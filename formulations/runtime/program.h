@@ -6,21 +6,24 @@
 
 namespace desmo::load {
 
-/// How another program ended.
+/// The end of another program.
 struct Ending {
-  bool good = false;   ///< with exit code 0
-  bool late = false;   ///< it was ended, because its time was over
-  std::string output;  ///< what it wrote to standard output and error, at most 64 KiB
+  bool good = false;   ///< exit code 0
+  bool late = false;   ///< killed because its time was over
+  std::string output;  ///< standard output and error, at most 64 KiB
 };
 
-/// Runs another program, without a shell, and waits for its end. arguments: the first is the file
-/// of the program. folder: the descriptor of the one that it works in. Of our environment it gets
-/// PATH, HOME and TMPDIR, and LC_ALL=C beside; its standard input is empty. When the time is over,
-/// it is killed with all that it has started. Throws std::system_error when it cannot be started.
+/// Runs another program, without a shell, and waits for its end. Its environment is PATH, HOME and
+/// TMPDIR of ours and LC_ALL=C; its standard input is empty. Throws std::system_error when it
+/// cannot be started.
+/// - arguments: the first is the program's file.
+/// - folder: descriptor of its working directory.
+/// - time: limit, after which it is killed with all processes it has started.
 Ending run_program(const std::vector<std::string>& arguments, int folder,
                    std::chrono::milliseconds time);
 
-/// Ends the program that is being run, if any, and all that it has started. For signal handlers.
+/// Terminates the program that run_program() is running, if any, and all processes it has started.
+/// May be called in a signal handler.
 void end_running_program() noexcept;
 
 }  // namespace desmo::load

@@ -7,8 +7,8 @@
 
 namespace desmo::load {
 
-/// A library of kernels that was compiled before, in memory as long as the pointer or a copy of it
-/// lives. Throws Unavailable with the reason of the system.
+/// Loads a compiled library of kernels. It stays in memory as long as the pointer or a copy of it
+/// exists. Throws Unavailable with the system's reason.
 std::shared_ptr<const KernelLibrary> load_library(const std::filesystem::path& file);
 
 }  // namespace desmo::load

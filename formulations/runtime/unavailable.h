@@ -4,7 +4,7 @@
 
 namespace desmo::load {
 
-/// Why there can be no code, and the remedy: "<thing>: <what is wrong>; <remedy>".
+/// An error that prevents generated code. Its message has the form "<thing>: <error>; <remedy>".
 class Unavailable : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

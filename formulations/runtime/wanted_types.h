@@ -11,22 +11,22 @@
 
 namespace desmo::load {
 
-/// Where parts of a type are.
+/// The parts of one type in a formulation.
 struct TypeUse {
-  std::string group;  ///< the first that has one
-  int unknowns = 0;
-  int parts = 0;
+  std::string group;  ///< first group with such a part
+  int unknowns = 0;   ///< unknowns of one part
+  int parts = 0;      ///< number of parts
 };
 
-/// Types of parts for which code is to be generated, and what they are for.
+/// The part types for which code is to be generated.
 struct WantedTypes {
-  std::vector<generate::SampledType> types;  ///< in all that they are called, names are numbers
-  std::vector<TypeUse> uses;                 ///< of each
-  int parts_too_large = 0;                   ///< left out: the work would be too much
+  std::vector<generate::SampledType> types;  ///< with neutral names (see without_names)
+  std::vector<TypeUse> uses;                 ///< use of each type
+  int parts_too_large = 0;                   ///< parts omitted because they are too large
 };
 
-/// Those of a formulation for which the table has not all of the code, sampled over the motion of
-/// the mechanism on the grid. Throws Unavailable when the mechanism cannot be assembled, and what
+/// Returns the part types of a formulation for which the table lacks code, with samples of the
+/// motion over `grid`. Throws Unavailable when the model cannot be assembled, and what
 /// make_partition throws.
 WantedTypes wanted_types(const Variant& variant, generate::LibraryContents contents,
                          const Model& model, const TimeGrid& grid, const KernelTable& table);

@@ -17,7 +17,7 @@ int column_of(const std::vector<int>& unknowns, int coordinate) {
   return it != unknowns.end() && *it == coordinate ? static_cast<int>(it - unknowns.begin()) : -1;
 }
 
-/// Equations × unknowns, one where an equation reads an unknown.
+/// Returns the incidence matrix (equations × unknowns): one where an equation reads an unknown.
 CSparseMatrix incidence_matrix(const Model& m, const PartDefinition& part) {
   const int n = static_cast<int>(part.unknowns.size());
   const int equations = static_cast<int>(part.equations.size());

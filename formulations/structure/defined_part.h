@@ -7,15 +7,15 @@
 
 namespace desmo {
 
-/// A part of a formulation: what it solves, and the solver.
+/// A part of a formulation: its definition (unknowns, equations) and its solver.
 struct DefinedPart {
   PartDefinition definition;
   std::unique_ptr<Part> solver;
-  /// Says whether the part is what the formulation's id promises; false: its equations are
-  /// automatic, for want of generated code.
+  /// The solver is of the kind that the formulation's id names. False when generated code was
+  /// missing and automatic equations stand in for it.
   bool as_named = true;
-  Level level = Level::acceleration;  ///< the highest level at which anyone asks for its unknowns
-  /// On ‖Φ‖₂ of its equations: its share, or what rounding leaves if that is more.
+  Level level = Level::acceleration;  ///< highest level at which its unknowns are requested
+  /// Tolerance on ‖Φ‖₂ of its weighted equations: its share, or the rounding level if larger.
   double tolerance = 0;
 };
 

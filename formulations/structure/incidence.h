@@ -6,12 +6,12 @@
 
 namespace desmo {
 
-/// Calls visit(row, state) for each partial derivative of a constraint that is not zero by
-/// structure: the row of the constraint, the component of the state.
+/// Calls visit(row, state) for each structurally nonzero entry of a constraint's Jacobian.
+/// row: row of the constraint. state: index of the variable in the state.
 template <class Visit>
 void visit_incidence(const Model& m, const Constraint& constraint, Visit&& visit) {
   visit_kind(constraint.kind, [&]<class Kind>(Kind) {
-    // The structure does not depend on the values, so that any will do.
+    // The structure does not depend on the values: any values serve.
     static constexpr std::array<double, 3> any{1, 1, 1};
     std::array<const double*, Kind::operand_sizes.size()> x;
     x.fill(any.data());

@@ -7,40 +7,40 @@
 
 namespace desmo {
 
-/// What a scalar input of a part's equations is to the part.
+/// The role of a scalar input in a part's equations.
 enum class Role {
-  unknown,  ///< solved for by the part
-  known,    ///< found by an earlier part, or driven
-  fixed,    ///< never moves
+  unknown,  ///< the part solves for it
+  known,    ///< an earlier part solves for it, or a driver prescribes it
+  fixed,    ///< it never moves
 };
 
-/// A group, or a block of one, in canonical form: its equations over local inputs, numbered by
-/// first appearance. Parts with equal fingerprints have the same equations, with the same of their
-/// dimensions zero, and differ only in where their inputs stand in the state and in their other
-/// dimensions, so that one generated kernel serves them all.
+/// The type of a part: its equations in canonical form. Variables are *local inputs*, numbered by
+/// first appearance. Parts with equal fingerprints have the same equations, and the same dimensions
+/// are zero. They differ only in the state indices of their inputs and in their other dimensions.
+/// One generated kernel serves all parts of a type.
 struct PartType {
   struct Constraint {
     int kind;                   ///< position in ConstraintKinds
-    std::vector<int> operands;  ///< first local input of each
-    int first_constant;
-    std::vector<int> rows;  ///< of its scalar equations, those that belong to the part
+    std::vector<int> operands;  ///< first local input of each operand
+    int first_constant;         ///< position of its first dimension in `constants`
+    std::vector<int> rows;      ///< its scalar equations that belong to the part
   };
   struct Input {
     std::string name;  ///< entity and component, without the prefix of its group: "x2.y"
     Role role;
-    int state;  ///< in the state of the mechanism it was taken from
+    int state;  ///< index in the state of the model that the part belongs to
   };
 
-  std::string fingerprint;
+  std::string fingerprint;  ///< equal for parts of one type
   std::vector<Constraint> constraints;
-  std::vector<std::string> row_names;  ///< constraint of each scalar equation
+  std::vector<std::string> row_names;  ///< name of each scalar equation's constraint
   std::vector<Input> inputs;
-  std::vector<double> constants;
+  std::vector<double> constants;  ///< dimensions, constraint by constraint
 
   int rows() const { return static_cast<int>(row_names.size()); }
 };
 
-/// The canonical form of a part, of one group or more.
+/// Returns the canonical form of a part, which may span several groups.
 PartType describe_type(const Model& model, const PartDefinition& part);
 
 }  // namespace desmo

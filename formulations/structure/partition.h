@@ -9,53 +9,56 @@
 
 namespace desmo {
 
-/// How the unknowns are cut.
+// A *part* is a square subsystem of Φ(q) = 0, solved after all earlier parts. A *partition* cuts
+// the model into parts.
+
+/// Ways to cut the unknowns into parts.
 enum class Partition {
-  global,  ///< all structural groups at once
-  group,   ///< the structural groups one after the other
-  block,   ///< the irreducible blocks of each group's equations one after the other
+  global,  ///< one part: all structural groups at once
+  group,   ///< one part per structural group
+  block,   ///< one part per irreducible block of a group's equations
 };
 
-/// How equations are evaluated.
+/// Ways to evaluate the equations.
 enum class Evaluation {
-  automatic,  ///< by a loop over constraint objects
-  symbolic,   ///< by generated straight-line code
+  automatic,  ///< a loop over constraint objects
+  symbolic,   ///< generated straight-line code
 };
 
-/// One scalar equation.
+/// A scalar equation of the model.
 struct Equation {
   int constraint;  ///< position in Model::constraints
-  int row;         ///< of that constraint
+  int row;         ///< row within that constraint
   bool operator==(const Equation&) const = default;
 };
 
-/// What one part of a formulation solves: as many scalar equations as unknowns.
+/// The definition of a part: n unknowns and n scalar equations.
 struct PartDefinition {
-  std::vector<GroupId> groups;
+  std::vector<GroupId> groups;      ///< structural groups that it belongs to
   std::vector<int> unknowns;        ///< coordinates solved for, ascending
   std::vector<Equation> equations;  ///< ascending
   bool constant = false;            ///< depends on no driver: solved once, at assembly
 };
 
-/// The parts of a partition in solution order; constant groups come first, each on its own.
-/// Throws std::invalid_argument when a group needs a coordinate that is found after it, or when its
-/// equations cannot determine its unknowns whatever the numbers are.
+/// Returns the parts of a partition in solution order. Constant groups come first, each a part of
+/// its own; groups of drivers only are omitted. Throws std::invalid_argument when a group needs a
+/// coordinate of a later group, or (Partition::block) is structurally singular.
 std::vector<PartDefinition> make_partition(const Model& model, Partition partition);
 
-/// A part cut into what belongs to each of its groups, in solution order.
+/// Cuts a part into one part per group, in solution order.
 std::vector<PartDefinition> split_by_group(const Model& model, const PartDefinition& part);
 
-/// Positions in the state of all that a part's equations read, ascending, its unknowns among them.
+/// Returns the state indices that a part's equations read, ascending; its unknowns are included.
 std::vector<int> states_read(const Model& model, const PartDefinition& part);
 
-/// Returns what a part's equations read: its unknowns, as predicted, and others, drivers among
-/// them.
+/// Returns the inputs of a part's equations: all its unknowns as `predicted`, every other variable,
+/// driven or not, as `others`.
 PartInputs equation_inputs(const Model& model, const PartDefinition& part);
 
-/// The irreducible blocks of a part's equations in solution order: the strong components of a
-/// matching of equations with unknowns (block triangular form; Dulmage & Mendelsohn 1958, as
-/// CXSparse computes it). Throws std::invalid_argument, naming what cannot be matched, when the
-/// part is structurally singular.
+/// Returns the irreducible blocks of a part's equations in solution order: the strong components of
+/// a matching of equations with unknowns (block triangular form; Dulmage & Mendelsohn 1958,
+/// computed by CXSparse). Throws std::invalid_argument, naming an unknown or constraint without a
+/// match, when the part is structurally singular.
 std::vector<PartDefinition> irreducible_blocks(const Model& model, const PartDefinition& part);
 
 }  // namespace desmo

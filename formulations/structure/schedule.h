@@ -6,10 +6,10 @@
 
 namespace desmo {
 
-/// Puts parts of one type next to each other, as far as each stays behind those it needs: their
-/// code then is still at hand. Constant parts stay first. Parts of equal rank keep their order.
-/// Returns where runs end: positions behind the last of parts of one type that do not need each
-/// other.
+/// Reorders parts so that parts of one type follow each other, which keeps their code in the cache.
+/// Constant parts stay first. The others are ordered by depth (longest chain of parts to be solved
+/// before), then by type. Returns the end position of each range of parts that share type and
+/// depth; parts of one range do not depend on each other.
 std::vector<int> gather_types(const Model& model, std::vector<PartDefinition>& parts);
 
 }  // namespace desmo

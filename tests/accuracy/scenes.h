@@ -16,7 +16,7 @@ inline Scene library_scene(std::string_view name) {
   return parse_scene(find_library(name)->scene, std::string(name) + ".scene.json", "");
 }
 
-/// `count` instants of a grid, its ends included, evenly spread.
+/// Returns `count` times of a grid, evenly spread, both ends included.
 inline std::vector<double> sampled(const TimeGrid& grid, int count) {
   std::vector<double> times;
   for (long i = 0; i < count; ++i)
@@ -24,7 +24,7 @@ inline std::vector<double> sampled(const TimeGrid& grid, int count) {
   return times;
 }
 
-/// z(t) times a factor. Splines are not needed here.
+/// Returns a polynomial or harmonic motion z(t) times a factor; throws for a spline.
 inline Motion enlarged(Motion motion, double factor) {
   if (auto* p = std::get_if<Polynomial>(&motion)) {
     for (double& c : p->coefficients) c *= factor;
@@ -36,7 +36,7 @@ inline Motion enlarged(Motion motion, double factor) {
   return motion;
 }
 
-/// The same mechanism and motion with all lengths times a factor; angles as they were.
+/// Returns the scene with all lengths times a factor; angles are unchanged.
 inline Scene enlarged(Scene scene, double factor) {
   for (Mechanism::Point& p : scene.mechanism.points)
     for (double& x : p.position) x *= factor;

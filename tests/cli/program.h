@@ -1,4 +1,4 @@
-// The program desmo as a user runs it: what it prints and writes, its messages and exit codes.
+// A fixture that runs the program desmo as a user does, and reads its output and files.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -14,7 +14,8 @@
 
 namespace desmo {
 
-/// A slider-crank that is driven by its slider or crank; the crank is 50 long.
+/// Returns the scene of a slider-crank with a driven crank of 50 mm. rod: length of the rod [mm].
+/// rest: further members of the scene.
 inline std::string slider_crank(int rod, const std::string& rest) {
   const std::string end = std::to_string(50 + rod);
   return R"({"format": "desmo-scene", "version": 1, "mechanism": {
@@ -36,9 +37,9 @@ inline std::string slider_crank(int rod, const std::string& rest) {
          rest + "}";
 }
 
-/// Its rod is too short for a whole turn: it locks after asin(30/50).
+/// A slider-crank whose rod is too short for a full turn: it locks at the crank angle asin(30/50).
 inline const std::string locks = slider_crank(30, R"(, "time": {"end": 1, "step": 0.01})");
-/// Runs the program in a folder of its own.
+/// A fixture that runs the program in a temporary folder.
 class Cli : public testing::Test {
  protected:
   void SetUp() override {

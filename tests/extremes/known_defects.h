@@ -8,18 +8,18 @@
 
 namespace desmo::extreme {
 
-/// A case that is not as expected in some formulation of the short form.
+/// An extreme case that some formulation of the short run does not solve as expected.
 struct KnownDefect {
-  int row;
+  int row;  ///< row of the table of extremes
   std::string case_name;
-  Verdict verdict;  ///< the worst
+  Verdict verdict;  ///< worst verdict of all formulations
 };
 
-/// All there are. The list may only become shorter: a case on it that does better, or worse, fails
-/// its test.
+/// Returns all known defects. The list may only become shorter: a listed case with another verdict
+/// fails its test.
 std::span<const KnownDefect> known_defects();
 
-/// Null when the case is as expected.
+/// Returns the known defect of a case, or null.
 const KnownDefect* find_known_defect(int row, std::string_view case_name);
 
 }  // namespace desmo::extreme

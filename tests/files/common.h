@@ -1,4 +1,4 @@
-// Good files, what to change in them, and how a reader complains.
+// Valid mechanism and scene files, changes to them, and the readers' error messages.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -37,7 +37,8 @@ inline const std::string slider_crank = R"({
   "drivers": ["theta"]
 })";
 
-// Two links on ball joints: every direction of space is defined in some way.
+// A crank on a revolute joint and a rod on a spherical joint. Its vectors are defined in every way
+// that a spatial file allows.
 inline const std::string spatial = R"({
   "format": "desmo-mechanism",
   "version": 1,
@@ -108,7 +109,7 @@ inline void expect_start(const std::string& message, const std::string& start) {
   EXPECT_EQ(message.substr(0, start.size()), start) << message;
 }
 
-/// The message, from the place on, begins as expected when a part of a good file is replaced.
+/// A replacement in a valid file, with the beginning of the error message that it causes.
 struct Change {
   std::string old, by, message;
 };

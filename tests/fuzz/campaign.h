@@ -12,38 +12,43 @@
 
 namespace desmo::fuzz {
 
+// A *campaign* tries many mutated files. A *finding* is behaviour that no input may cause
+// (trial.h).
+
+/// The settings of a campaign.
 struct Options {
   std::uint64_t seed = 1;
   long first = 0, inputs = 10'000;
   std::filesystem::path corpus;  ///< folder
-  std::filesystem::path save;    ///< folder for the inputs of findings; empty: they are not kept
-  bool progress = false;         ///< now and then a line on standard error
+  std::filesystem::path save;    ///< folder for inputs that cause findings; empty: none are saved
+  bool progress = false;         ///< prints progress on standard error
 };
 
+/// The result of a campaign.
 struct Campaign {
   struct Kind {
     long count = 0;
-    long first = 0;      ///< index of the first input
-    std::string detail;  ///< of that
+    long first = 0;      ///< index of the first such input
+    std::string detail;  ///< detail of its finding
   };
-  std::array<long, outcome_names.size()> outcomes{};
-  std::map<std::string, Kind> findings;  ///< by class
-  double slowest = 0;                    ///< s of CPU, of one input
-  long slowest_input = 0;
+  std::array<long, outcome_names.size()> outcomes{};  ///< number of inputs by Outcome
+  std::map<std::string, Kind> findings;               ///< by class
+  double slowest = 0;                                 ///< largest CPU time of an input [s]
+  long slowest_input = 0;                             ///< its index
 };
 
-/// Input number i of a seed, whatever the inputs before it, and the formulation it is solved with.
+/// Return input i of a seed and the formulation that solves it. They depend on seed and i alone.
 std::string make_input(const std::vector<Sample>& corpus, std::uint64_t seed, long i);
 const Variant& variant_of(std::uint64_t seed, long i);
 
-/// Tries inputs first … first + inputs - 1 in child processes, so that a crash, an endless loop or
-/// a sanitizer's report is a finding of one input and the others are tried all the same.
+/// Tries inputs first … first + inputs - 1 in child processes. A crash, an endless loop or a
+/// sanitizer's report is a finding and does not end the campaign.
 Campaign run(const Options& options);
 
-/// Tries one text with every formulation, likewise; the findings of it.
+/// Tries one text with every formulation, in child processes.
 Campaign replay(const std::string& text, const std::filesystem::path& folder);
 
-/// For people.
+/// Returns a campaign's result as text.
 std::string report(const Campaign& campaign);
 
 }  // namespace desmo::fuzz

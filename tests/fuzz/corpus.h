@@ -6,18 +6,18 @@
 
 namespace desmo::fuzz {
 
-/// A mechanism or scene file to start from.
+/// A mechanism or scene file that mutations start from.
 struct Sample {
   std::string name;
   std::string text;
 };
 
-/// The library mechanisms, their scenes, these with the mechanism written in them, the scenes of
-/// cases/requests, and the files of a folder (not of the folders in it), in alphabetical order.
+/// Loads the library's mechanisms and scenes, the scenes again with their mechanism inserted, the
+/// scenes of cases/requests, and load_folder(folder).
 std::vector<Sample> load_corpus(const std::filesystem::path& folder);
 
-/// The JSON files of one folder, in alphabetical order. Throws std::runtime_error when there is
-/// none.
+/// Loads the JSON files of a folder, without its subfolders, in alphabetical order. Throws
+/// std::runtime_error when there is none.
 std::vector<Sample> load_folder(const std::filesystem::path& folder);
 
 }  // namespace desmo::fuzz

@@ -10,33 +10,34 @@
 
 namespace desmo::fuzz {
 
-/// Changes a document in one place or a few related ones; leaves it as it is where there is nothing
-/// to be changed in its way. Each is one row of a table.
+/// A mutation: changes a document in one place or in a few related ones. It leaves the document
+/// unchanged, or throws NothingToPick, when it does not apply.
 using TextMutation = void (*)(std::string& text, Random& random);
 using TreeMutation = void (*)(Tree& root, Random& random);
 
-/// Of bytes and tokens, whatever they mean.
+/// Returns mutations of bytes and tokens, regardless of their meaning.
 std::span<const TextMutation> text_mutations();
-/// Of any JSON: members, elements, values.
+/// Returns mutations of any JSON: members, elements, values.
 std::span<const TreeMutation> json_mutations();
-/// Of bodies, joints, coordinates and drivers, such that most results are mechanism files.
+/// Returns mutations of bodies, joints, coordinates and drivers; most results are valid files.
 std::span<const TreeMutation> mechanism_mutations();
-/// Of nominal positions and directions, towards those where geometry degenerates.
+/// Returns mutations of nominal positions and directions towards degenerate geometry.
 std::span<const TreeMutation> geometry_mutations();
-/// Of motions, times and requests.
+/// Returns mutations of motions, times and requests.
 std::span<const TreeMutation> scene_mutations();
 
-/// A constant motion for each driver of a scene that has none; none for what is not driven. Without
-/// it, scenes whose drivers were changed would all be refused.
+/// Gives a constant motion to each driver of a scene that has none, and removes motions of other
+/// coordinates. Otherwise every scene with changed drivers would be refused.
 void give_motion_to_drivers(Tree& root);
 
-/// A number as a file would never have it, or seldom.
+/// Returns the spelling of an extreme or invalid number.
 std::string_view extreme_number(Random& random);
 
-/// The mechanism of a document: itself, or that within a scene. Null when it is not there.
+/// Returns the mechanism of a document: the document itself, or a scene's member. Null when
+/// missing.
 Tree* mechanism_in(Tree& root);
 
-/// Keys of a member's members: {"A", "B"} of "points". Empty when there are none.
+/// Returns the keys of a member's members: {"A", "B"} for "points". Empty when there are none.
 std::vector<std::string> names_under(const Tree& mechanism, std::string_view member);
 
 }  // namespace desmo::fuzz

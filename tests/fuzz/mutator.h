@@ -9,7 +9,7 @@
 
 namespace desmo::fuzz {
 
-/// Makes inputs of a corpus. What it makes depends on the random numbers alone.
+/// A generator of inputs from a corpus, which depend on the random numbers alone.
 class Mutator {
  public:
   explicit Mutator(const std::vector<Sample>& corpus);
@@ -22,7 +22,7 @@ class Mutator {
   std::vector<Tree> trees_;
 };
 
-/// The text with the units of a scalable mechanism cut down to `most`: size is tested elsewhere.
+/// Returns the text with the number of axles or dyads of a generated mechanism limited to `most`.
 std::string with_few_units(std::string text, int most);
 
 }  // namespace desmo::fuzz

@@ -6,11 +6,11 @@
 
 namespace desmo::fuzz {
 
-/// There is no element to choose.
+/// The exception of Random::pick for an empty list.
 struct NothingToPick {};
 
-/// SplitMix64: the same numbers on every machine, which the distributions of the standard library
-/// do not promise.
+/// The random generator SplitMix64. It gives the same numbers on every machine, unlike the
+/// distributions of the standard library.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed) {}
@@ -22,13 +22,13 @@ class Random {
     return z ^ (z >> 31);
   }
 
-  /// From 0 to n - 1; 0 when n is 0.
+  /// Returns an integer from 0 to n - 1; 0 when n is 0.
   std::size_t below(std::size_t n) { return n == 0 ? 0 : next() % n; }
   bool one_in(std::size_t n) { return below(n) == 0; }
-  /// From -1 to 1.
+  /// Returns a number from -1 to 1.
   double around_zero() { return static_cast<double>(next() >> 11) * 0x1p-52 - 1; }
 
-  /// An element of a list. Throws NothingToPick when it has none: spoilt files lack anything.
+  /// Returns an element of a list. Throws NothingToPick when the list is empty.
   template <class List>
   decltype(auto) pick(List& list) {
     if (std::size(list) == 0) throw NothingToPick();

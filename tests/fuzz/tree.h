@@ -6,25 +6,25 @@
 
 namespace desmo::fuzz {
 
-/// JSON to be spoilt: scalars and keys keep their spelling, so that a key given twice, NaN and
-/// 1e999 can be written as well.
+/// A JSON document to be mutated. Scalars and keys keep their spelling, so that it can also hold
+/// duplicate keys, NaN and 1e999.
 struct Tree {
   enum class Kind { scalar, list, object };
 
   Kind kind = Kind::scalar;
-  std::string key;   ///< of a member, as spelt between the quotes
-  std::string text;  ///< of a scalar, as spelt, quotes included
+  std::string key;   ///< key of a member, as spelt between the quotes
+  std::string text;  ///< text of a scalar, as spelt, quotes included
   std::vector<Tree> children;
 
   bool is_text() const { return kind == Kind::scalar && text.starts_with('"'); }
   bool is_number() const;
-  double number() const;          ///< of a number
-  std::string_view name() const;  ///< of a text, without quotes
+  double number() const;          ///< value of a number
+  std::string_view name() const;  ///< content of a text, without quotes
 
-  /// The member of that key. Null when there is none.
+  /// Return the member of that key, or null.
   Tree* find(std::string_view member);
   const Tree* find(std::string_view member) const;
-  /// The member of that key, added when there is none.
+  /// Returns the member of that key; adds it when there is none.
   Tree& operator[](std::string_view member);
 };
 
@@ -34,15 +34,16 @@ Tree string_tree(std::string_view name);
 Tree list(std::vector<Tree> elements);
 Tree object();
 
-/// Puts a value in the place of another, under that one's key.
+/// Replaces a value; the key stays.
 void put(Tree& place, Tree value);
 
-/// Throws std::invalid_argument for what is not JSON; otherwise it is not particular.
+/// Parses JSON, with leniency about scalars. Throws std::invalid_argument for other texts.
 Tree parse_tree(std::string_view text);
 
 std::string write(const Tree& tree);
 
-/// All nodes below and including this one, parents first. Valid until one of them is changed.
+/// Returns this node and all nodes below it, parents first. The pointers are valid until a node
+/// changes.
 std::vector<Tree*> nodes(Tree& tree);
 
 }  // namespace desmo::fuzz

@@ -10,7 +10,7 @@
 
 namespace desmo::fuzz {
 
-/// What may become of an input, by how far it got.
+/// The permitted outcomes of an input, by how far it got.
 enum class Outcome {
   refused_as_file,
   refused_as_mechanism,    ///< by model()
@@ -21,16 +21,16 @@ enum class Outcome {
 constexpr std::array<const char*, 5> outcome_names = {
     "refused as file", "refused as mechanism", "refused by formulation", "not solved", "solved"};
 
-/// Something that must not happen, whatever the input. The first line of the message is its class:
-/// the same for all inputs with the same cause, as far as can be told.
+/// A finding: behaviour that no input may cause. The first line of the message is its class, which
+/// inputs with the same cause should share.
 class Finding : public std::runtime_error {
  public:
   Finding(const std::string& kind, const std::string& detail)
       : std::runtime_error(kind + "\n" + detail) {}
 };
 
-/// Goes the whole way with a mechanism or scene file: reads it, models it, plans what it asks for,
-/// solves a few instants. Files that it names are sought in `folder`. Throws Finding.
+/// Reads a mechanism or scene file, models it, plans its requests and solves a few instants. Throws
+/// Finding. folder: location of the files that it refers to.
 Outcome attempt(std::string_view text, const std::filesystem::path& folder, const Variant& variant);
 
 }  // namespace desmo::fuzz

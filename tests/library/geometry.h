@@ -48,14 +48,14 @@ Vec<D> unit(const Vec<D>& a) {
 
 inline Vec2 polar(Jet r, Jet angle) { return {{r * cos(angle), r * sin(angle)}}; }
 inline Jet angle(const Vec2& a) { return atan2(a[1], a[0]); }
-/// a turned by a right angle, anticlockwise.
+/// Returns a turned by a right angle, anticlockwise.
 inline Vec2 turned(const Vec2& a) { return {{-a[1], a[0]}}; }
-/// The angle of a from b.
+/// Returns the angle from b to a [rad].
 inline Jet angle(const Vec2& a, const Vec2& b) { return atan2(dot(turned(b), a), dot(b, a)); }
 
 enum class Side { left, right };
 
-/// Where the circles about p and q meet, on that side of the way from p to q.
+/// Returns the intersection of the circles about p and q on one side of the line from p to q.
 inline Vec2 meet(const Vec2& p, Jet p_radius, const Vec2& q, Jet q_radius, Side side) {
   const Vec2 w = q - p;
   const Jet w2 = dot(w, w);
@@ -64,8 +64,8 @@ inline Vec2 meet(const Vec2& p, Jet p_radius, const Vec2& q, Jet q_radius, Side 
   return p + along * w + (side == Side::left ? across : -across) * turned(w);
 }
 
-/// A body's third point: where it lies when two others, at a0 and b0 in a drawing in which it is
-/// at c0, are at a and b.
+/// Returns the position of a body's third point when its first two are at a and b. In a drawing of
+/// the body the three points are at a0, b0 and c0.
 inline Vec2 carried(const Vec2& a, const Vec2& b, const Vec2& a0, const Vec2& b0, const Vec2& c0) {
   const Vec2 w = b0 - a0, at = c0 - a0;
   return a + (dot(w, at) / dot(w, w)) * (b - a) + (dot(turned(w), at) / dot(w, w)) * turned(b - a);
@@ -79,20 +79,22 @@ inline Vec3 cross(const Vec3& a, const Vec3& b) {
   return {{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}};
 }
 
-/// a turned about a unit vector (Rodrigues' formula).
+/// Returns a turned about a unit vector (Rodrigues' formula).
 inline Vec3 rotated(const Vec3& a, const Vec3& axis, Jet angle) {
   const Vec3 along = dot(axis, a) * axis;
   return along + cos(angle) * (a - along) + sin(angle) * cross(axis, a);
 }
 
-/// a turned by 2 atan ‖c‖ about c: a rotation in three parameters, regular short of half a turn.
+/// Returns a turned by 2 atan ‖c‖ about c, where c holds three rotation parameters. It is regular
+/// below half a turn.
 inline Vec3 rotated(const Vec3& a, const Vec3& c) {
   const Vec3 moved = cross(c, a);
   return a + (Jet(2) / (Jet(1) + dot(c, c))) * (moved + cross(c, moved));
 }
 
-/// An angle with a cos + b sin = c; the greater of the two beside that of (a, b), or the less.
+/// The choice between the two solutions of angle_with: atan2(b, a) plus or minus an angle.
 enum class Root { greater, less };
+/// Returns an angle θ with a cos θ + b sin θ = c.
 inline Jet angle_with(Jet a, Jet b, Jet c, Root root) {
   const Jet half = atan2(sqrt(a * a + b * b - c * c), c);
   return atan2(b, a) + (root == Root::greater ? half : -half);

@@ -6,8 +6,8 @@ namespace desmo::exact {
 
 using Real = long double;
 
-/// A function of time at one instant: value and first two time derivatives. Formulas written for
-/// positions yield velocities and accelerations as well. R: any real type with its own functions.
+/// A function of time at one instant: value v and time derivatives d, dd. A formula written for
+/// positions then yields velocities and accelerations too. R: a real type with its own functions.
 template <class R>
 struct BasicJet {
   R v = 0, d = 0, dd = 0;
@@ -43,7 +43,7 @@ struct BasicJet {
     using std::sin;
     return chain(a, cos(a.v), -sin(a.v), -cos(a.v));
   }
-  /// The angle of (x, y), whose rate is (x ẏ − y ẋ) / (x² + y²).
+  /// Returns the angle of (x, y), whose rate is (x ẏ − y ẋ) / (x² + y²).
   friend BasicJet atan2(BasicJet y, BasicJet x) {
     using std::atan2;
     const R r2 = x.v * x.v + y.v * y.v, moment = x.v * y.d - y.v * x.d;
@@ -52,7 +52,7 @@ struct BasicJet {
   }
 
  private:
-  /// f(a), from f, f′ and f″ at the value of a.
+  /// Returns f(a) by the chain rule, from f, f′ and f″ at a.v.
   static BasicJet chain(BasicJet a, R f, R f1, R f2) {
     return {f, f1 * a.d, f1 * a.dd + f2 * a.d * a.d};
   }

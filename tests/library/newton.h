@@ -32,9 +32,9 @@ void eliminate(std::array<std::array<Real, N>, N> a, std::array<std::array<Real,
     for (Real& x : b[i]) x /= a[i][i];
 }
 
-/// Solves f(x) = 0 for functions of time x. Newton's method with the Jacobian of the values moves
-/// all orders at once; once an order is right, the next one is after another iteration.
-/// Throws std::runtime_error when the values do not settle.
+/// Solves f(x) = 0 for the values and two time derivatives of x (N), starting at `start`. Newton's
+/// method with the Jacobian of the values corrects all three orders at once; each order converges
+/// one iteration after the lower one. Throws std::runtime_error when the values do not converge.
 template <std::size_t N, class F>
 std::array<Jet, N> solve(const std::array<Real, N>& start, F&& f) {
   using Jets = std::array<Jet, N>;
@@ -44,7 +44,7 @@ std::array<Jet, N> solve(const std::array<Real, N>& start, F&& f) {
   Jets x;
   std::copy(start.begin(), start.end(), x.begin());
   for (int iteration = 0; iteration < most; ++iteration) {
-    // The rate of f when one unknown alone has the rate 1, less that which f has of its own.
+    // Column k: the rate of f when only unknown k has the rate 1, minus the partial ∂f/∂t.
     Jets still = x;
     for (Jet& u : still) u = u.v;
     const Jets own = f(still);

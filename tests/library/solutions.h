@@ -8,10 +8,10 @@
 
 #include "tests/library/geometry.h"
 
-/// The library's mechanisms solved a second time, each by its own geometry: closed forms, or a few
-/// equations in joint angles or in the pose of one body. Nothing is shared with desmo: dimensions
-/// and motions are typed again, and no coordinates, constraints or derivatives of desmo's occur.
-/// Computed with long double, metres (or the mechanism's free unit), radians, seconds.
+/// Independent solutions of the library's mechanisms, each by its own geometry: closed forms, or a
+/// few equations in joint angles or in the pose of one body. They share nothing with desmo:
+/// dimensions and motions are typed again; coordinates, constraints and derivatives are their own.
+/// Units are metres (or the mechanism's free unit), radians, seconds; numbers are long double.
 namespace desmo::exact {
 
 /// A point, a vector (2 or 3 components) or a relative coordinate (1).
@@ -20,7 +20,7 @@ struct Quantity {
   std::array<double, 3> position, velocity, acceleration;
 };
 
-/// Everything that a mechanism's file names, at one instant. Angles are up to whole turns.
+/// The quantities named in a mechanism's file, at one instant. Angles are modulo 2π.
 struct Solution {
   std::map<std::string, Quantity, std::less<>> quantities;
 
@@ -36,15 +36,16 @@ struct Solution {
   static void set(Quantity& q, std::size_t i, Jet x);
 };
 
+/// The solution of a library mechanism as a function of time [s].
 struct LibrarySolution {
   std::string_view mechanism;
   Solution (*at)(double t);
 };
 
-/// One for each mechanism of the library.
+/// Returns the solutions of all mechanisms of the library.
 std::span<const LibrarySolution> library_solutions();
 
-// With the motion of the mechanism's scene, t in seconds.
+// Solutions at time t [s], with the motion of the mechanism's scene.
 Solution slider_crank(double t);
 Solution inverted_slider_crank(double t);
 Solution whitworth(double t);

@@ -1,4 +1,4 @@
-// What loads code in these tests: a cache of its own, and a compiler that counts.
+// The fixture of tests that compile and load code: a cache folder and a compiler that counts calls.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ class Loading : public testing::Test {
     fs::remove_all(folder_);
   }
 
-  /// A compiler that does this when it is to compile.
+  /// Sets CXX to a script that runs these shell commands to compile.
   void use_compiler(const std::string& commands) {
     const fs::path file = folder_ / "compiler";
     std::ofstream(file) << "#!/bin/sh\n[ \"$1\" = --version ] && exec " DESMO_COMPILER
@@ -55,7 +55,7 @@ class Loading : public testing::Test {
   }
 
   fs::path cache() const { return folder_ / "desmo" / "kernels"; }
-  /// Files of the cache whose names end so.
+  /// Returns the files of the cache whose names have this ending, sorted.
   std::vector<fs::path> cached(const std::string& end) const {
     std::vector<fs::path> result;
     for (const fs::directory_entry& file : fs::directory_iterator(cache()))
@@ -80,7 +80,7 @@ class Loading : public testing::Test {
   fs::path folder_;
   Scene scene_ = parse_scene(swinging_plates(1, one_second), "plates", {});
   Model model_ = make_model(scene_);
-  std::chrono::milliseconds limit_ = std::chrono::minutes(3);  // where others compile, too
+  std::chrono::milliseconds limit_ = std::chrono::minutes(3);  // enough on a busy machine
 };
 
 }  // namespace desmo::load

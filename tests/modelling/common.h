@@ -11,14 +11,14 @@
 
 namespace desmo {
 
-/// An equation as an engineer would compare it: which kind, of what, with which numbers.
+/// An equation in comparable form: kind, operands, numbers.
 struct Stated {
   std::string kind;
   std::vector<std::string> operands;
   std::vector<double> constants;
 };
 
-/// Where a kind says the same of its operands in another order, the alphabetical one.
+/// Returns the equation with interchangeable operands in alphabetical order.
 inline Stated canonical(Stated s) {
   const auto starts = [&](const char* prefix) { return s.kind.starts_with(prefix); };
   auto& o = s.operands;
@@ -36,7 +36,7 @@ inline Stated canonical(Stated s) {
   return s;
 }
 
-/// The equations of a group, none of them in part.
+/// Returns the equations of a group that are not left out, each in canonical form.
 inline std::vector<Stated> equations_of(const Model& m, GroupId g) {
   std::vector<Stated> result;
   for (const Constraint& c : m.constraints) {
@@ -73,15 +73,18 @@ inline void expect_equations(const Model& m, GroupId g, std::vector<Stated> expe
 
 inline const std::vector<Motion> turning{Polynomial{{1.0, 1}}};
 
-/// Cranks of length 1 on pivots along the x axis, their ends joined by one coupler; the first is
-/// driven, nominally at `angle`. Their lengths are equal unless the last one's differs.
+/// Returns cranks of length 1 on pivots along the x axis, connected by one coupler; the first is
+/// driven.
+/// - pivots: x of each crank's pivot.
+/// - angle: nominal angle of the cranks [rad].
+/// - last_length: length of the last crank, whose pivot is moved accordingly.
 inline Mechanism parallelogram(const std::vector<double>& pivots, double angle = 1,
                                double last_length = 1) {
   Sketch d("parallelogram", 2);
   std::vector<int> feet, ends;
   for (std::size_t i = 0; i < pivots.size(); ++i) {
     const std::string n = std::to_string(i + 1);
-    // The ends are where the coupler wants them; another length is that of another pivot.
+    // The end lies on the coupler; another crank length moves the pivot.
     const bool last = i + 1 == pivots.size();
     const Vec end = Vec{pivots[i], 0, 0} + polar(1, angle);
     feet.push_back(d.ground_point("D" + n, end - polar(last ? last_length : 1, angle)));
@@ -98,7 +101,7 @@ inline Mechanism parallelogram(const std::vector<double>& pivots, double angle =
   return d.take();
 }
 
-/// A four-bar whose two pivoted links may both be driven.
+/// Returns a four-bar with the angles theta (crank) and psi (rocker), neither of them driven.
 inline Sketch four_bar_sketch(std::optional<double> coupler_length = {}) {
   Sketch d("linkage", 2);
   const int A = d.ground_point("A", {0, 0, 0}), D = d.ground_point("D", {4, 0, 0});

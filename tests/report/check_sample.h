@@ -1,4 +1,4 @@
-// A made-up check of three cells, and what can happen to it.
+// A synthetic record of bench/check: three cells of the two trees compared, `base` and `head`.
 #pragma once
 
 #include <string>
@@ -10,25 +10,25 @@ namespace desmo::report {
 
 inline constexpr const char* watched = "truck_suspension/114/group_symbolic_klu";
 
-/// 25 rounds of both sides, which differ by a few tenths of a percent either way; work counted.
+/// Returns a check of 25 rounds: times of both trees differ by a few tenths of a percent.
 Json check_sample();
 
-/// The same of one tree, as a baseline has it.
+/// Returns the same check with head alone, as a baseline is stored.
 Json one_tree_sample();
 
-/// Multiplies head's times of a cell, in the first pass.
+/// Multiplies head's times of a cell in the first pass by a factor.
 void slow_down(Json& check, const std::string& cell, double factor);
 
-/// Adds a second pass of a cell in which head takes so many times base's time.
+/// Adds a second pass of a cell in which head takes `factor` times base's time.
 void confirm(Json& check, const std::string& cell, double factor);
 
-/// Makes head's answers wrong, as desmo_check records it.
+/// Marks head's cell as failed verification, as desmo_check records it.
 void fail_head(Json& check, const std::string& cell);
 
-/// Makes a cell one that a side does not have, as desmo_check records it.
+/// Marks a cell as missing on a side ("base" or "head"), as desmo_check records it.
 void leave_out(Json& check, const std::string& side, const std::string& cell);
 
-/// Makes it a check of Work alone, as desmo_check records it.
+/// Removes all times and keeps the instruction counts, as desmo_check records it.
 void take_no_times(Json& check);
 
 CheckRecord check_from(const Json& json);

@@ -1,4 +1,4 @@
-// A made-up record of time against error, small enough to work out by hand.
+// A synthetic record of time against error, small enough to check by hand.
 #pragma once
 
 #include <string>
@@ -7,16 +7,18 @@
 
 namespace desmo::report {
 
-/// The truck at 114 and 225 coordinates and the four-bar at 114, at steps of 10 ms, and the truck's
-/// largest size at 1 ms. Every time has three samples: the time, 2 % more and half as much again.
+/// Returns the record: the truck at 114 and 225 coordinates and the four-bar at 114, with steps of
+/// 10 ms, and the truck's largest size with 1 ms. Every time has three samples: the time, 2 % more
+/// and 50 % more.
 Json points_record();
 
-/// An "ok" point of the truck with 225 coordinates: microseconds of a step and position error.
+/// Returns a point of status "ok" of the truck with 225 coordinates. microseconds: time per step.
+/// error: position error.
 Json solved_point(const std::string& id, double microseconds, double error,
                   double iterations = 1.03);
 
-/// The point of the truck with 225 coordinates at 10 ms of that id. Fails the test when there is
-/// none.
+/// Returns the point with this id of the truck with 225 coordinates at 10 ms. Fails the test when
+/// there is none.
 Json& point_of(Json& record, const std::string& id);
 
 }  // namespace desmo::report

@@ -1,4 +1,4 @@
-// desmo_report as a user runs it, in a folder of its own that goes when the test ends.
+// A fixture that runs desmo_report as a user does, in a temporary folder.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -17,13 +17,13 @@ class Program : public ::testing::Test {
   /// Runs a shell command and gives its exit code; its streams end up in out_ and err_.
   int shell(const std::string& command);
 
-  /// desmo_report with these arguments.
+  /// Runs desmo_report with these arguments.
   int report(const std::string& arguments);
 
-  /// desmo_report tables on a record of tests/report/data or, by its whole path, of elsewhere.
+  /// Runs desmo_report tables on a record: a name in tests/report/data, or an absolute path.
   int tables(const std::filesystem::path& record, const std::string& options = "");
 
-  /// By name; none when there is no such folder.
+  /// Returns the contents of a folder's files by name; empty when the folder does not exist.
   static std::map<std::string, std::string> files_in(const std::filesystem::path& folder);
 
   std::filesystem::path folder_;

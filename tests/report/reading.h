@@ -1,5 +1,4 @@
-// The report's formats read back, without a line of the code that writes them: for comparing what
-// they say.
+// Readers of the report's formats, to compare their contents. They share no code with the writers.
 #pragma once
 
 #include <string>
@@ -7,7 +6,8 @@
 
 namespace desmo::report {
 
-/// Rows of texts as a reader sees them, the header first; escapes undone and every minus a hyphen.
+/// A table as a person reads it: rows of texts, the header first. Escapes are resolved, and every
+/// minus sign is a hyphen.
 struct ReadTable {
   std::string title;
   std::vector<std::vector<std::string>> rows;
@@ -15,7 +15,7 @@ struct ReadTable {
 
 struct ReadReport {
   std::vector<ReadTable> tables;
-  std::string text;  ///< all of it, for looking up paragraphs and notes
+  std::string text;  ///< the whole text, to search for paragraphs and notes
 };
 
 std::vector<std::vector<std::string>> read_csv(const std::string& text);
@@ -23,10 +23,10 @@ ReadReport read_markdown(const std::string& text);
 ReadReport read_latex(const std::string& text);
 ReadReport read_html(const std::string& text);
 
-/// A text of the report as the readers above give it.
+/// Returns a text of the report in the form that these readers return.
 std::string plain(std::string text);
 
-/// The numbers in a text, in order, as they are written: "1.2 [-3, 4e-5]" has three.
+/// Returns the numbers in a text, in order and as written: "1.2 [-3, 4e-5]" has three.
 std::vector<std::string> numbers_in(const std::string& text);
 
 }  // namespace desmo::report

@@ -1,4 +1,4 @@
-// The synthetic records of tests/report/data and what tests do to them.
+// The synthetic records of tests/report/data and functions that modify them.
 #pragma once
 
 #include <filesystem>
@@ -18,43 +18,43 @@ inline constexpr const char* truck = "truck_suspension";
 std::filesystem::path data_file(const std::string& name);
 std::string read_text(const std::filesystem::path& file);
 
-/// data/complete.json: every family, size and status "ok". Made-up numbers.
+/// Returns data/complete.json: every family and size, all of status "ok", with made-up numbers.
 Json complete_record();
 
-/// The record with timing windows: the least repetition of everything timed is cut into as many,
-/// each longer than the last.
+/// Returns the record with timing windows: the smallest sample of each time is divided into windows
+/// of increasing length.
 Json with_windows(Json record, int windows = 25);
 
-/// The same, with samples of the windows: of as many analyses as there are samples of the whole,
-/// and of work that grows with the updates.
+/// Returns the record with timing windows and their samples: each sample of a time is divided in
+/// the same proportions. Updates grow from window to window.
 Json with_samples_of_windows(Json record, int windows = 25);
 
-/// data/structured.json: small, with structure and requests. Made-up numbers.
+/// Returns data/structured.json: small, with structure and requests, with made-up numbers.
 Json structured_record();
 
-/// A cell of such a record. Fails the test when there is none.
+/// Returns a cell of a record. Fails the test when there is none.
 Json& cell_of(Json& record, const std::string& case_name, int coordinates, const std::string& id);
 void erase_cell(Json& record, const std::string& case_name, int coordinates, const std::string& id);
 void fail_cell(Json& record, const std::string& case_name, int coordinates, const std::string& id);
 
-/// Erases every cell with this sparse solver, as of a build without it.
+/// Erases every cell with this sparse solver, as in a record of a build without it.
 void erase_family(Json& record, const std::string& family);
 
-/// Makes it a record of so many seconds of motion, in steps of so many seconds.
+/// Sets duration [s] and step [s] of the recorded motion.
 void set_motion(Json& record, double duration, double step = 0.01);
 
 /// Replaces the samples of a truck cell.
 void set_samples(Json& record, int coordinates, const std::string& id, std::vector<double> samples);
-/// Three samples around `seconds` for every truck cell of that id, at every size of the paper.
+/// Sets three samples around `seconds` for every truck cell of that id, at every size of the paper.
 void set_family(Json& json, const std::string& id, double seconds, double spread = 0.01);
 
 Record record_from(const Json& json);
 
-/// What the reader complains of, or "accepted".
+/// Returns the reader's error message for a record, or "accepted".
 std::string complaint(const std::string& text);
 std::string complaint(const Json& json);
 
-/// The row whose first texts are `labels`, in the column of that name.
+/// Returns the entry in the row whose first texts are `labels`, in the column of that name.
 Entry entry_at(const Table& table, const std::vector<std::string>& labels,
                const std::string& column);
 

@@ -5,17 +5,18 @@
 
 namespace desmo::report {
 
-/// An "ok" element of `growth` or `crossing` whose least sample is so many µs.
+/// Returns an element of `growth` or `crossing` of status "ok". microseconds: its smallest sample.
 Json timed_size(const std::string& case_name, int coordinates, const std::string& id,
                 double microseconds);
 
-/// `growth`: group_symbolic_explicit costs 10 ns a coordinate of 100 bytes up to 1000 coordinates,
-/// 15 at 10 000 and 20 at 100 000; global_automatic_klu grows with the square. `crossing`: dense
-/// time is n³, sparse 3600 n (klu: they meet at 60), 50 n (umfpack), and 1e6 n² (cholmod). Of a
-/// machine with L1 10 KiB and L2 100 KiB. Made-up numbers.
+/// Returns a record of made-up numbers on a machine with L1 10 KiB and L2 100 KiB.
+/// - `growth`: group_symbolic_explicit costs 10 ns per coordinate (of 100 bytes) up to 1000
+///   coordinates, 15 ns at 10 000, 20 ns at 100 000; global_automatic_klu grows with the square.
+/// - `crossing`: dense time is n³; sparse is 3600 n (klu, break-even at 60), 50 n (umfpack) and
+///   1e6 n² (cholmod).
 Json sizes_record();
 
-/// `instructions` of both cases.
+/// Returns a record with `instructions` of both cases.
 Json instructions_record();
 
 }  // namespace desmo::report

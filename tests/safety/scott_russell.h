@@ -4,9 +4,9 @@
 
 namespace desmo {
 
-/// A crank OM of 1 and a bar C–M–T with M in its middle, MC of 1, C on the x axis through O, drawn
-/// at 30° and driven at 30° a second until 180°. At 90°, after 2 s, C meets O: a change point, that
-/// C passes as 2 cos θ and with T could also rest at.
+/// Returns a Scott Russell linkage: crank OM = 1 and bar C–M–T with MC = MT = 1; C slides on the x
+/// axis through O. The crank turns from 30° to 180° at 30°/s, so that C is at x = 2 cos θ. At 90°
+/// (t = 2 s) C meets O: a change point, from which on C could also rest at O. step: [s].
 inline Scene scott_russell(double step) {
   Scene scene = parse_scene(R"({
     "format": "desmo-scene", "version": 1,

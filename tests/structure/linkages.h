@@ -16,14 +16,14 @@ inline Model model(const Mechanism& d) {
   return model_mechanism(d, std::vector<Motion>(drivers, still)).model;
 }
 
-/// Describes planar linkages of pinned links by the names of their points.
+/// A builder of planar linkages of pinned links, given by the names of their pins.
 class Linkage {
  public:
   explicit Linkage(std::string name, std::map<std::string, Vec> pins) : d_(std::move(name), 2) {
     for (const auto& [pin, at] : pins) point_[pin] = d_.point(pin, at);
   }
 
-  /// Bodies that share a pin are joined there, one to the next in order.
+  /// Adds a link and joins it at each pin to the body added there before, if any.
   void link(const std::string& body, const std::vector<std::string>& pins) {
     std::vector<int> points;
     for (const std::string& p : pins) points.push_back(point_.at(p));
@@ -56,8 +56,7 @@ class Linkage {
   std::map<std::string, int> point_, body_, last_;
 };
 
-/// Watt's six-bar: the four-bar A0 A B B0 carries the dyad of link5 and link6 on coupler and
-/// rocker.
+/// Returns Watt's six-bar: the four-bar A0 A B B0 with the dyad link5, link6 on coupler and rocker.
 inline Linkage watt() {
   Linkage l("watt", {{"A0", {0, 0, 0}},
                      {"B0", {4, 0, 0}},
@@ -75,7 +74,7 @@ inline Linkage watt() {
   return l;
 }
 
-/// Stephenson's third six-bar: the four-bar A0 A B B0, and on its coupler a dyad to the ground.
+/// Returns Stephenson's third six-bar: the four-bar A0 A B B0 with a dyad from coupler to ground.
 inline Linkage stephenson() {
   Linkage l("stephenson", {{"A0", {0, 0, 0}},
                            {"B0", {4, 0, 0}},
@@ -93,7 +92,7 @@ inline Linkage stephenson() {
   return l;
 }
 
-/// A Stewart platform; each leg is a cylinder and a piston.
+/// Returns a Stewart platform without drivers; each leg is a cylinder and a piston.
 inline Sketch stewart() {
   Sketch d("stewart", 3);
   std::vector<int> feet, heads, platform_points;

@@ -1,5 +1,6 @@
-// Where a sphere and planes meet, in one dimension to three: of a unit vector normal to two others,
-// a point on two circles, on three spheres, the last component of a unit vector.
+// Intersection of a sphere with planes in one, two or three dimensions. Examples: a point on two
+// circles or three spheres, a unit vector normal to two others, the last component of a unit
+// vector.
 
 #include <utility>
 

@@ -8,36 +8,37 @@
 
 namespace desmo::generate {
 
-/// A point or direction in one dimension to three, by components.
+/// A point or direction in one, two or three dimensions.
 using Vector = std::vector<Expr>;
 
-/// Summed in the order of vec::dot, so that equal products are equal expressions.
+/// Returns a · b, summed in the order of vec::dot, so that equal products share one node.
 Expr dot(const Vector& a, const Vector& b);
 
-/// scale (‖x − centre‖² − radius2) = 0
+/// The equation scale (‖x − centre‖² − radius2) = 0.
 struct Sphere {
   Vector centre;
   Expr radius2, scale;
 };
 
-/// normal · (x − centre) = offset, with the centre of the sphere.
+/// The equation normal · (x − centre) = offset, where centre is the sphere's.
 struct Plane {
   Vector normal;
   Expr offset;
-  /// Right-hand side of the plane's own equation, given those of all equations.
+  /// Returns the right-hand side of the plane's equation, given b of the task's equations.
   std::function<Expr(const Vector& b)> right_side;
 };
 
-/// Equations of a point as one sphere and, for the other dimensions, planes: those that are
-/// linear, and that in which each further sphere meets the first.
+/// The n equations of a point x (n) as one sphere and n − 1 planes. Each further sphere becomes the
+/// plane of its intersection with the first.
 struct SphereAndPlanes {
   Sphere sphere;
-  int sphere_row;
+  int sphere_row;  ///< equation of the sphere
   std::vector<Plane> planes;
-  std::vector<Expr> further_radii2;  ///< of the other spheres
+  std::vector<Expr> further_radii2;  ///< squared radii of the further spheres
 };
 
-/// Nothing when an equation is neither, or none is a sphere.
+/// Returns the task's equations in this form. Returns nullopt when an equation is neither a sphere
+/// nor linear, or when none is a sphere.
 std::optional<SphereAndPlanes> as_sphere_and_planes(const Task& task);
 
 }  // namespace desmo::generate

@@ -10,45 +10,46 @@
 
 namespace desmo::generate {
 
-/// Conditions under which a recorded pivot is trusted at run time: it must not be far smaller
-/// beside the entries of its column than it was at the worst of the sample points.
+/// The conditions under which a recorded pivot is trusted at run time. Compared with its column, it
+/// must not be far smaller than at the worst sample point.
 struct PivotMonitor {
   struct Bound {
     Expr value;
     double bound;
   };
   Expr pivot;
-  std::vector<Bound> magnified;  ///< |value| < bound: a row below, divided by the pivot
-  std::vector<Bound> against;    ///< |pivot| > bound · |value|: a row eliminated before
+  std::vector<Bound> magnified;  ///< |value| < bound; value: multiplier of a remaining row
+  std::vector<Bound> against;    ///< |pivot| > bound · |value|; value: earlier row's column entry
 };
 
-/// Sparse Gaussian elimination of Φ_φ, recorded once in a pivot order that is fixed here.
+/// A sparse Gaussian elimination of Φ_φ (Jacobian by the part's unknowns), recorded once with a
+/// fixed pivot order.
 ///
-/// Pivots: constants first, then least fill (Markowitz), among those that at every sample point
-/// are not too small beside the largest entry of their column. Where the last two or three rows
-/// have none that serves most samples, since parts of one type point different ways, these rows are
-/// solved by their adjugate.
+/// Constant pivots come first, then pivots of least fill (Markowitz). A pivot must be large enough,
+/// compared with the largest entry of its column, at every sample point. If the last two or three
+/// rows have no pivot that serves most samples, they are solved by their adjugate: parts of one
+/// type may be oriented differently.
 class Elimination {
  public:
-  /// matrix[i][j]: entries of row i by column; absent ones are structurally zero.
-  /// Throws std::invalid_argument when it is structurally singular.
+  /// Records the elimination. matrix[i]: row i, entries by column; absent entries are zero. Throws
+  /// std::invalid_argument when the matrix is structurally singular.
   explicit Elimination(std::vector<std::map<int, Expr>> matrix);
 
-  /// x with Φ_φ x = b.
+  /// Returns x with Φ_φ x = b.
   std::vector<Expr> solve(std::vector<Expr> b) const;
 
-  /// One for each pivot that is not a constant; of rows solved by their adjugate, one for the
-  /// determinant and one for each column that earlier rows have entries in.
+  /// Returns a monitor for each pivot that is not constant. Rows solved by their adjugate have one
+  /// for the determinant and one for each column that occurs in earlier pivot rows.
   const std::vector<PivotMonitor>& monitors() const { return monitors_; }
 
  private:
   struct Step {
     int row, column;
-    Expr reciprocal;                          // of the pivot
+    Expr reciprocal;                          // 1/pivot
     std::vector<std::pair<int, Expr>> lower;  // (row, multiplier)
     std::vector<std::pair<int, Expr>> upper;  // (column, entry) of the pivot's row
   };
-  /// The rows and columns that are left when no pivot will do.
+  /// The remaining rows and columns, solved by their adjugate.
   struct Last {
     std::vector<int> rows, columns;
     Adjugate inverse;

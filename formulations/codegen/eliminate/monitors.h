@@ -9,19 +9,18 @@
 
 namespace desmo::generate {
 
-/// What the conditions of these monitors are written with.
+/// Returns the expressions that the conditions of these monitors contain.
 std::vector<Expr> monitored(const std::vector<PivotMonitor>& monitors);
 std::vector<Expr> monitored(const std::vector<SizeMonitor>& monitors);
 
-/// C++ conditions, each true while no pivot is far smaller beside its column than it was at any
-/// sample point, or no value too small beside what it is made of. Everything monitored must have
-/// been prepared.
+/// Returns the monitors as C++ conditions, each true while the pivot or value can be trusted. The
+/// emitter must have prepared all expressions that monitored() returns.
 std::vector<std::string> conditions(const Emitter& emitter,
                                     const std::vector<PivotMonitor>& monitors);
 std::vector<std::string> conditions(const Emitter& emitter,
                                     const std::vector<SizeMonitor>& monitors);
 
-/// The conjunction of conditions, without branches; "true" when there are none.
+/// Joins conditions by `&`, which does not branch; "true" when there are none.
 std::string all_of(const std::vector<std::string>& conditions);
 
 }  // namespace desmo::generate

@@ -9,38 +9,38 @@
 
 namespace desmo::generate {
 
-/// When expressions of the current graph are known, in cycles of a processor that makes nothing
-/// wait but for its operands. Only what is later than what matters: latencies are rounded ones of
-/// what there is today.
+/// An estimate of when expressions of the current graph are known, in processor cycles from the
+/// start. An operation waits for its operands only. Only the resulting order matters, therefore the
+/// latencies are rounded.
 class Readiness {
  public:
-  /// An input that the code itself defines is known then, and not from the beginning.
+  /// Sets the cycle at which an input is known; without this call it is known from the start.
   void define(const std::string& input, int cycles) { defined_[input] = cycles; }
 
-  int of(int id);
+  int of(int id);  ///< the cycle at which the node's value is known
 
  private:
   int find(const Node& n);
 
   std::map<std::string, int> defined_;
-  std::vector<int> found_;  // by node; negative: not yet
+  std::vector<int> found_;  // by node; negative: not yet computed
 };
 
-/// Whether a node of a sum or product is to stand in it as it is, and not what it is made of.
+/// A predicate of nodes: true for a node to keep as one term or factor, false to expand it.
 using IsWhole = std::function<bool(int)>;
 
-/// What is added in a sum, or subtracted.
+/// A term of a sum.
 struct Term {
   int id;
   bool subtracted;
 };
 
-/// The terms of a sum, a difference or a negated one, with those of nested ones. In the order in
-/// which they are known, so that the sum follows the last of them by one operation; the first is
-/// not subtracted where the second may change places with it.
+/// Flattens nested sums, differences and negations into terms. They are ordered by readiness, so
+/// that the sum is complete one operation after its last term. The first two are swapped when only
+/// the first is subtracted.
 std::vector<Term> terms_of(int id, Readiness& readiness, const IsWhole& is_whole);
 
-/// The factors of a product, in the same way.
+/// Flattens nested products into factors, ordered by readiness.
 std::vector<int> factors_of(int id, Readiness& readiness, const IsWhole& is_whole);
 
 }  // namespace desmo::generate

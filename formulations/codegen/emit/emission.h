@@ -10,44 +10,44 @@
 
 namespace desmo::generate {
 
-/// How the C++ of an emitter looks.
+/// The style of emitted C++.
 struct EmissionStyle {
-  std::string type = "double";
-  std::string functions = "std::";  ///< before sqrt and abs
-  std::string angles = "std::";     ///< before sin and cos
-  /// Expressions of dimensions alone become elements of an array `f`, computed beforehand.
+  std::string type = "double";      ///< type of the variables
+  std::string functions = "std::";  ///< prefix of sqrt and abs
+  std::string angles = "std::";     ///< prefix of sin and cos
+  /// Writes expressions of dimensions alone as elements of an array `f`, computed beforehand.
   bool folds_dimensions = false;
 };
 
-/// Writes expressions of the current graph as straight-line C++. What is used more than once
-/// becomes a variable, declared before its first use; inputs are declared by the caller.
+/// A writer of graph expressions as straight-line C++. An expression used more than once becomes a
+/// variable, declared before its first use. The caller declares the inputs.
 class Emitter {
  public:
-  /// outputs: every expression that will be asked for, so that uses can be counted.
+  /// Counts the uses of expressions. outputs: every expression that will be written.
   Emitter(std::ostream& out, std::string indent, const std::vector<Expr>& outputs,
           EmissionStyle style = {});
 
-  /// Writes to another place from now on. With declarations kept apart, variables are only
-  /// assigned there, and declared() has their names.
+  /// Redirects the output. declarations_apart: variables are assigned but not declared there;
+  /// declared() returns their names.
   void write_to(std::ostream& out, std::string indent, bool declarations_apart = false);
   const std::vector<std::string>& declared() const { return names_apart_; }
-  /// A named variable with this value; from now on, the expression is written as its name.
+  /// Writes a variable with the value of e. An input of that name then has its readiness.
   void define(const std::string& name, Expr e);
-  /// A named variable with the value that this text has, known as late as that (see Readiness).
+  /// Writes a variable with the value of `text`, known at that cycle (see Readiness).
   void assign(const std::string& name, const std::string& text, int known);
-  /// From now on the expression, an input most of all, is written so.
+  /// Sets the text by which an expression, such as an input, is written from now on.
   void name(Expr e, std::string text);
   const EmissionStyle& style() const { return style_; }
-  /// When the expression is known, as it is written here.
+  /// Returns the cycle at which the expression is known (see Readiness).
   int known(Expr e) const { return readiness_.of(e.id()); }
-  /// Expressions of dimensions that were written as elements of `f`, in order.
+  /// Returns the expressions of dimensions that were written as elements of `f`, in order.
   const std::vector<Expr>& folded() const { return folded_; }
 
-  /// Declares what the expressions share, and whatever is long, once.
+  /// Declares variables for shared and for long subexpressions not yet declared.
   void prepare(const std::vector<Expr>& expressions);
-  /// The text of an expression, after prepare().
+  /// Returns the text of an expression; call prepare() first.
   std::string text(Expr e) const;
-  /// Nodes of the inputs that the expressions read, in graph order.
+  /// Returns the nodes of the inputs that the expressions read, in graph order.
   static std::vector<int> inputs_of(const std::vector<Expr>& expressions);
 
  private:
@@ -65,13 +65,13 @@ class Emitter {
   EmissionStyle style_;
   bool declarations_apart_ = false;
   std::vector<int> uses_;
-  std::map<int, std::string> names_;  // of what has been declared
+  std::map<int, std::string> names_;  // text of named nodes
   std::vector<std::string> names_apart_;
   std::vector<Expr> folded_;
-  mutable Readiness readiness_;  // remembers what it has found
+  mutable Readiness readiness_;  // caches what it computes
 };
 
-/// A double as C++ source that reads back to the same value.
+/// Returns a double as C++ source that reads back to the same value.
 std::string literal(double value);
 
 }  // namespace desmo::generate

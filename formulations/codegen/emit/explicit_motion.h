@@ -6,23 +6,23 @@
 
 namespace desmo::generate {
 
-/// What the code of a section computes beside its definitions.
+/// The Newton–Raphson increments and the rates of a section of the explicit order (see
+/// OrderSection).
 struct SectionMotion {
-  std::vector<Expr> increments;      ///< of Newton–Raphson on the torn unknowns, to be subtracted
-  std::vector<PivotMonitor> pivots;  ///< of the core's elimination
-  std::vector<SizeMonitor> sizes;    ///< of its determinant, where that serves
-  /// Of its torn unknowns and then those defined, in order: rates as expressions of earlier ones.
+  std::vector<Expr> increments;      ///< Δτ of the torn unknowns, to be subtracted
+  std::vector<PivotMonitor> pivots;  ///< monitors of the core's elimination
+  std::vector<SizeMonitor> sizes;    ///< monitor of its determinant, for a core of two unknowns
+  /// Rates of the torn, then of the defined unknowns, by earlier rates.
   std::vector<Expr> velocities, accelerations;
 };
 
-/// Newton–Raphson, velocities and accelerations of an explicit order, by differentiating its
-/// definitions. With torn unknowns τ and all else x(τ): dx/dτ follows from definition to
-/// definition, gives the core's matrix ∂R/∂τ, and serves x' = x'|τ'=0 + dx/dτ τ' at both levels of
-/// rates.
+/// Differentiates the definitions of an explicit order. With torn unknowns τ, defined unknowns x(τ)
+/// and residuals R, the chain rule gives dx/dτ and the core's matrix dR/dτ. Velocities are
+/// ẋ = ẋ|τ̇=0 + dx/dτ τ̇, and accelerations likewise.
 std::vector<SectionMotion> differentiate(const RecordedPart& part,
                                          const std::vector<OrderSection>& order);
 
-/// Its unknowns: torn, then defined.
+/// Returns the unknowns of a section: torn, then defined.
 std::vector<int> unknowns_of(const OrderSection& section);
 
 }  // namespace desmo::generate

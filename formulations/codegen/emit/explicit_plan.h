@@ -11,27 +11,28 @@
 
 namespace desmo::generate {
 
-/// What the functions of one explicit kernel are written from.
+/// The data from which the functions of one explicit kernel are written.
 struct ExplicitPlan {
-  /// In the current graph; type and part must outlive the plan.
+  /// Finds the explicit order and its rates in the current graph. type and part must outlive the
+  /// plan.
   ExplicitPlan(const PartType& type, const RecordedPart& part);
 
   const PartType& type;
   const RecordedPart& part;
   std::vector<OrderSection> order;
-  std::vector<SectionMotion> motion;  ///< of each section
-  /// ‖·‖² of the residuals of each section, each times the weights of the equations it is made of.
+  std::vector<SectionMotion> motion;  ///< by section of the order
+  /// Squared norm of each section's residuals, each times the weights of its equations.
   std::vector<Expr> residual2;
-  std::vector<Root> roots;  ///< of all definitions, in order
+  std::vector<Root> roots;  ///< square roots of all definitions, in order
   std::map<int, std::string>
-      places;  ///< where a position or rate is read from, by node: "q[in[3]]"
+      places;  ///< C++ text that reads a position or rate, by node: "q[in[3]]"
 
-  /// The unknowns that are torn, and those that are angles of a bearing, in the order in which they
-  /// are defined: their last positions are read.
+  /// Return the torn unknowns and the angles with a bearing, in solution order. The kernel reads
+  /// their last positions.
   std::vector<int> torn() const;
   std::vector<int> angles() const;
 
-  /// Declares the inputs that expressions read and that are not in `declared`, and adds them there.
+  /// Declares the inputs that expressions read, except those in `declared`, and adds them to it.
   void load(std::ostream& out, const std::vector<Expr>& expressions, const std::string& declaration,
             std::set<int>& declared) const;
 };

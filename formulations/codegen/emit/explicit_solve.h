@@ -7,9 +7,9 @@
 
 namespace desmo::generate {
 
-/// Writes `solve`, a template on the value type and the level, of an explicit kernel: section after
-/// section its positions, the original equations and the monitors as soon as all they read is
-/// there, and its rates. Returns the expressions of dimensions that it reads as elements of `f`.
+/// Writes the function `solve` of an explicit kernel, a template on value type and level. It
+/// computes positions, residuals of the original equations, monitors and rates, section by section.
+/// Returns the expressions of dimensions that it reads as elements of `f`.
 std::vector<Expr> write_solve(std::ostream& out, const ExplicitPlan& plan);
 
 }  // namespace desmo::generate

@@ -9,15 +9,15 @@
 
 namespace desmo::generate {
 
-/// Writes the functions of the explicit kernel of a type as C++ in a namespace of that name. See
-/// ExplicitKernel for what they do. The same type and samples give the same bytes.
+/// Writes the functions of a type's explicit kernel (see ExplicitKernel) as C++ in namespace
+/// `name`. The same type and samples give the same bytes.
 void write_explicit_kernel(std::ostream& out, const std::string& name, const PartType& type,
                            const std::vector<SamplePoint>& samples);
 
-/// Writes the table row of a kernel already written.
+/// Writes the ExplicitKernel of a kernel already written, as a table row.
 void write_explicit_table_row(std::ostream& out, const std::string& name, const PartType& type);
 
-/// The same for what lanes of parts need beside.
+/// Writes the LaneKernel of a kernel already written, as a table row.
 void write_lane_table_row(std::ostream& out, const std::string& name, const PartType& type);
 
 }  // namespace desmo::generate

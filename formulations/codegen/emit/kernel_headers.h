@@ -5,14 +5,14 @@
 
 namespace desmo::generate {
 
-/// The text of a header of desmo that generated kernels include.
+/// A header of desmo that generated kernels need.
 struct KernelHeader {
   std::string_view text;
-  bool for_lanes;  ///< only code for lanes needs it
+  bool for_lanes;  ///< needed only by code for batches
 };
 
-/// Each after those that it includes itself. They are in the program so that it can have code
-/// compiled wherever it is installed.
+/// Returns the headers, each after those it includes. The program contains their text, so that it
+/// can compile generated code wherever it is installed.
 std::span<const KernelHeader> kernel_headers();
 
 }  // namespace desmo::generate

@@ -9,13 +9,12 @@
 
 namespace desmo::generate {
 
-/// Writes the functions of the kernel of a group type, and its entry lists, as C++ in a
-/// namespace of that name. See Kernel for what they do. The same type and samples give the same
-/// bytes.
+/// Writes the functions and entry lists of a type's kernel (see Kernel) as C++ in namespace `name`.
+/// The same type and samples give the same bytes.
 void write_kernel(std::ostream& out, const std::string& name, const PartType& type,
                   const std::vector<SamplePoint>& samples);
 
-/// Writes the table row of a kernel already written.
+/// Writes the Kernel of a kernel already written, as a table row.
 void write_table_row(std::ostream& out, const std::string& name, const PartType& type);
 
 }  // namespace desmo::generate

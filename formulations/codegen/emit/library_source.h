@@ -8,19 +8,19 @@
 
 namespace desmo::generate {
 
-/// What a library holds for each of its types beside symbolic equations and their elimination.
+/// The optional contents of a library, in addition to symbolic equations and their elimination.
 struct LibraryContents {
   bool explicit_order = false;
-  int lanes = 1;  ///< of explicit order, besides one
+  int lanes = 1;  ///< lanes of explicit kernels for batches; 1: scalar kernels only
 };
 
-/// C++ that a compiler makes a library of kernels from (see KernelLibrary), with no header but
-/// those of the language: those of desmo are in it. Kernels that cannot be written are left out,
-/// the reason in their place; empty when there are none. types: named, no two alike. The same types
-/// and samples give the same bytes.
+/// Returns the C++ source of a library of kernels (see KernelLibrary). It includes only headers of
+/// the standard library; it contains the text of desmo's. A kernel that cannot be written is
+/// replaced by a comment with the reason. Returns an empty string when no kernel can be written.
+/// The same arguments give the same bytes. types: with distinct names.
 std::string library_source(const std::vector<SampledType>& types, LibraryContents contents);
 
-/// A digest of all that decides which bytes library_source gives for its arguments.
+/// Returns a digest of everything but its arguments that determines library_source's result.
 std::string_view generator_digest();
 
 }  // namespace desmo::generate

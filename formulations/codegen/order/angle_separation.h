@@ -7,15 +7,16 @@
 
 namespace desmo::generate {
 
-/// What two equations of an angle say of everything else, and how the angle follows from that.
+/// An angle eliminated from two equations of a block.
 struct SeparatedAngle {
-  Said rest;
-  Definition angle;
+  Said rest;         ///< the equation ‖c‖² − R² = 0, which replaces the two
+  Definition angle;  ///< the angle, once c is known
 };
 
-/// Two equations M (cos θ, sin θ)ᵀ + c = 0, M a known turn stretched by R, say ‖c‖ = R and which
-/// way. In the block the former takes their place; the angle follows when c is known. angle: an
-/// unknown of the block. Nothing when there are no two such equations.
+/// Eliminates an angle θ from the two equations of a block that contain it. Their form must be
+/// M (cos θ, sin θ)ᵀ + c = 0. M is a known rotation or reflection times R; c does not contain θ.
+/// Then ‖c‖ = R, and the direction of c gives θ. Returns nullopt when there are no two such
+/// equations. angle: an unknown of the block.
 std::optional<SeparatedAngle> separate_angle(const Block& block, int angle, const PartType& type,
                                              const RecordedPart& part);
 

@@ -12,25 +12,25 @@
 
 namespace desmo::generate {
 
-/// A square root whose sign is the assembly branch: kept from the last position, as state.
+/// A square root in a closed form. Its sign, the assembly branch, is kept from step to step.
 struct Root {
-  Expr branch;  ///< an input: +1 or −1 …
-  Expr pivot;   ///< … the sign of this at the last position
+  Expr branch;  ///< input: +1 or −1, the sign of pivot at an earlier position
+  Expr pivot;
 };
 
-/// value > bound · against, or the closed form is not trusted.
+/// A condition for trusting a closed form at run time: value > bound · against.
 struct SizeMonitor {
   Expr value;
   double bound;
   Expr against;
 };
 
-/// How one or a few unknowns follow from as many equations, all else known.
+/// The solution of a few equations for as many unknowns without iteration.
 struct ClosedForm {
-  std::string rule;  ///< for comments and reports: "two circles"
+  std::string rule;  ///< name for comments and reports: "two circles"
 
-  std::vector<Expr> values;  ///< of the unknowns, in order; of an angle: see below
-  /// Of an angle θ, (x, y) along (cos θ, sin θ): the arctangent nearest to its last value.
+  std::vector<Expr> values;  ///< positions of the unknowns; empty for an angle, see `bearing`
+  /// A vector (x, y) along (cos θ, sin θ). The angle θ is atan2(y, x), unwrapped to its last value.
   struct Bearing {
     Expr x, y;
   };
@@ -39,35 +39,36 @@ struct ClosedForm {
   std::vector<Root> roots;
   std::vector<SizeMonitor> sizes;
   std::vector<PivotMonitor> pivots;
-  int cost = 0;  ///< square roots and divisions, in such units
-  /// What the values make of other expressions, such as the square of a square root.
+  int cost = 0;  ///< about two per square root or division
+  /// Expressions that the values simplify, with their values, such as the square of a square root.
   std::vector<std::pair<Expr, Expr>> consequences;
 
-  /// Velocities (accelerations) of the unknowns, given those of everything else; theirs must be
-  /// zero in the rates given (second: their accelerations).
+  /// Functions that return velocities (first) or accelerations (second) of the unknowns. In their
+  /// argument, the unknowns' own rates of that order must be zero.
   std::function<std::vector<Expr>(const Rates&)> first, second;
 };
 
-/// What is known of expressions because equations already solved say so, such as u·u = 1.
+/// Values of expressions that equations already solved imply, such as u·u = 1.
 class Facts {
  public:
-  /// An equation e = 0 that holds.
+  /// Adds an equation e = 0 that holds.
   void learn(Expr e);
+  /// Adds e = value.
   void learn(Expr e, Expr value);
-  /// What an expression is known to equal, or itself.
+  /// Returns the known value of e, or e itself.
   Expr value(Expr e) const;
 
  private:
   std::map<int, Expr> known_;
 };
 
-/// Equations to be solved for as many unknowns x, given as inputs.
+/// A task: n equations to solve for n unknowns x, which are inputs of the graph.
 struct Task {
   std::vector<Expr> x, equations;
   const Facts& facts;
 };
 
-/// A rule: nothing when it does not apply. One file each in closed_forms/.
+/// A rule returns a closed form, or nullopt when it does not apply. closed_forms/ holds the rules.
 using Rule = std::optional<ClosedForm> (*)(const Task&);
 
 std::optional<ClosedForm> solve_linear(const Task& task);
@@ -75,22 +76,22 @@ std::optional<ClosedForm> solve_sphere(const Task& task);
 std::optional<ClosedForm> solve_direction_and_length(const Task& task);
 std::optional<ClosedForm> solve_angle(const Task& task);
 
-/// The first rule that applies.
+/// Solves a task by the first rule that applies; nullopt when none does.
 std::optional<ClosedForm> solve_closed(const Task& task);
 
-/// The unknowns' rates from those equations: J ẋ = −Φ̇ and J ẍ = −Φ̈ with the unknowns' own rates
-/// zero, where solve gives x of J x = b.
+/// Sets form.first and form.second by J ẋ = −Φ̇ and J ẍ = −Φ̈. On the right, the unknowns' own
+/// rates of that order are zero. solve: returns x with J x = b.
 void rates_by_equations(ClosedForm& form, std::vector<Expr> equations,
                         std::function<std::vector<Expr>(const std::vector<Expr>& b)> solve);
 
-/// An angle from (x, y) along (cos θ, sin θ), of which x² + y² = radius2 is known: both rates by
-/// differentiating atan2.
+/// Returns the closed form of an angle θ whose bearing (x, y) satisfies x² + y² = radius2. Its
+/// rates are those of atan2(y, x).
 ClosedForm angle_by_bearing(std::string rule, ClosedForm::Bearing bearing, Expr radius2);
 
-/// An input for the sign of a root's pivot, sampled where the unknowns are.
+/// Adds an input ±1 for the sign of a root's pivot; at each sample point it has the pivot's sign.
 Expr branch_of(Expr pivot);
 
-/// What rounding errors of an expression are relative to: its sums without cancellation.
+/// Returns e with the absolute value of each term, as a measure of its rounding errors.
 Expr magnitude(Expr e);
 
 }  // namespace desmo::generate

@@ -9,25 +9,25 @@
 
 namespace desmo::generate {
 
-/// The linear systems of a core, recorded once: two unknowns by Cramer's rule, with one division
-/// and soon done; others by elimination.
+/// The linear system of a core (see OrderSection), recorded once. A core of two unknowns is solved
+/// by Cramer's rule, whose latency is short; any other by elimination.
 class CoreSystem {
  public:
-  /// matrix[i][j]: entries of row i by column; absent ones are structurally zero. Throws
-  /// std::invalid_argument when it is structurally singular.
+  /// Records the factorisation. matrix[i]: row i, entries by column; absent entries are zero.
+  /// Throws std::invalid_argument when the matrix is structurally singular.
   explicit CoreSystem(std::vector<std::map<int, Expr>> matrix);
 
-  /// x with (matrix) x = b.
+  /// Returns x with (matrix) x = b.
   std::vector<Expr> solve(const std::vector<Expr>& b) const;
 
-  /// What has to hold for a solution to be trusted.
+  /// Return the conditions under which a solution is trusted.
   std::vector<PivotMonitor> pivots() const;
   const std::vector<SizeMonitor>& sizes() const { return sizes_; }
 
  private:
   std::optional<Elimination> elimination_;  // none: by Cramer's rule
   Expr a_, b_, c_, d_;                      // the matrix (a b; c d)
-  Expr inverse_;                            // of its determinant
+  Expr inverse_;                            // 1/determinant
   std::vector<SizeMonitor> sizes_;
 };
 

@@ -8,26 +8,28 @@
 
 namespace desmo::generate {
 
-/// One or a few unknowns defined in closed form by what stands before.
+// An *explicit order* computes a part's unknowns one after the other in closed form. Where needed,
+// some unknowns are *torn*: assumed, then corrected by Newton–Raphson.
+
+/// The definition of one or a few unknowns in closed form by earlier ones.
 struct Definition {
   ClosedForm form;
   std::vector<int> unknowns;         ///< inputs of the part
-  std::vector<std::string> because;  ///< the equations it satisfies
+  std::vector<std::string> because;  ///< names of the equations it satisfies
 };
 
-/// A section of the explicit order: definitions and, where it is a core, the torn unknowns before
-/// them and the residuals that Newton–Raphson brings to zero. Every definition of a core is needed
-/// for its residuals.
+/// A section of the explicit order: one definition, or a *core* of torn unknowns, the definitions
+/// that its residuals need, and the residuals, which Newton–Raphson brings to zero.
 struct OrderSection {
-  std::vector<int> torn;  ///< inputs of the part
+  std::vector<int> torn;  ///< inputs of the part; empty: not a core
   std::vector<Definition> definitions;
   std::vector<Expr> residuals;
-  std::vector<std::vector<int>> residual_rows;  ///< of which equations each is made
+  std::vector<std::vector<int>> residual_rows;  ///< equations that each residual is made of
   std::vector<std::string> residual_names;
 };
 
-/// The unknowns of a part one after the other: its irreducible blocks in order, each in closed form
-/// or torn to a small core.
+/// Returns the explicit order of a part: its irreducible blocks in solution order, each in closed
+/// form or torn to a small core.
 std::vector<OrderSection> explicit_order(const PartType& type, const RecordedPart& part);
 
 }  // namespace desmo::generate

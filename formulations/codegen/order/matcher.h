@@ -9,25 +9,26 @@
 
 namespace desmo::generate {
 
-/// How a set of equations can be solved for as many unknowns, if by any rule.
+/// The outcome of solving n equations for n unknowns.
 struct Match {
-  std::optional<ClosedForm> form;
-  /// The determinant |∂Φ/∂x| of normalised equations, the smallest over the sample points: how far
-  /// the closed form is from being singular.
+  std::optional<ClosedForm> form;  ///< nullopt: no rule applies, or quality is zero
+  /// Distance from singularity: the smallest |det ∂Φ/∂x| over the sample points, of equations with
+  /// gradients of unit length.
   double quality = 0;
 };
 
-/// Looks for closed forms among equations and unknowns, given as positions in two lists; each set
-/// is looked at once.
+/// A cached search for closed forms. Equations and unknowns are given as positions in the lists of
+/// the constructor.
 class Matcher {
  public:
-  /// facts must outlive it.
+  /// Differentiates the equations by the unknowns. facts must outlive the matcher.
   Matcher(std::vector<Expr> equations, std::vector<Expr> unknowns, const Facts& facts);
 
-  /// Both ascending and of one size; valid as long as the matcher is.
+  /// Returns a closed form for a set. Both lists are ascending and of one size. The reference is
+  /// valid as long as the matcher.
   const Match& match(const std::vector<int>& unknowns, const std::vector<int>& equations);
 
-  /// Which unknowns an equation reads, ascending.
+  /// Returns the unknowns that an equation reads, ascending.
   std::vector<int> read_by(int equation) const;
 
  private:

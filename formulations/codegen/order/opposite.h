@@ -7,9 +7,9 @@
 
 namespace desmo::generate {
 
-/// A closed form whose values are those of an earlier one or all of them negated, whatever the
-/// branches, as of two vectors normal to the same two: by the earlier unknowns x, their rates
-/// included. Nothing where it is another.
+/// Returns `form` written as +x or −x, with its rates, where x are the unknowns of an earlier
+/// closed form. The values must agree up to sign on every branch, as for two vectors normal to the
+/// same two others. Returns nullopt otherwise.
 std::optional<ClosedForm> as_earlier_or_opposite(const ClosedForm& form, const ClosedForm& earlier,
                                                  const std::vector<Expr>& x);
 

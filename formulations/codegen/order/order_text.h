@@ -7,11 +7,10 @@
 
 namespace desmo::generate {
 
-/// An explicit order as text, a line for each definition: what, by which rule, from which
-/// equations.
+/// Returns an explicit order as text, one line per definition: unknowns, rule, equations.
 std::string describe(const PartType& type, const std::vector<OrderSection>& order);
 
-/// The names of inputs, "C.x, C.y".
+/// Returns the names of inputs as a list: "C.x, C.y".
 std::string names_of(const PartType& type, const std::vector<int>& inputs);
 
 }  // namespace desmo::generate

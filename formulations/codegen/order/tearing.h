@@ -8,34 +8,34 @@
 
 namespace desmo::generate {
 
-/// A closed form and what it is for, as positions in lists of unknowns and equations.
+/// A closed form with its unknowns and equations, as positions in the lists of a Tearing.
 struct Placed {
   ClosedForm form;
   std::vector<int> unknowns, equations;
 };
 
-/// An order in which unknowns follow one after the other once some are torn, that is taken as
-/// known. Equations left over are what Newton–Raphson on the torn ones has to satisfy.
+/// An order of closed forms that holds once some unknowns are torn, that is, assumed to be known.
 struct Torn {
   std::vector<int> torn;
   std::vector<Placed> placed;
-  std::vector<int> left_over;
-  int unplaced = 0;    ///< unknowns that the order does not reach
-  double quality = 1;  ///< the smallest determinant of a closed form, of normalised equations
-  int cost = 0;        ///< of the closed forms
+  std::vector<int> left_over;  ///< equations for Newton–Raphson on the torn unknowns
+  int unplaced = 0;            ///< number of unknowns that no closed form reaches
+  double quality = 1;          ///< smallest Match::quality of its closed forms
+  int cost = 0;                ///< sum of ClosedForm::cost
 };
 
-/// Finds explicit orders of as many equations as unknowns. Sets of up to four equations with as
-/// many unknowns left are solved as one where a rule applies and where, at every sample point,
-/// their determinant is not small (Match::quality).
+/// A search for explicit orders of n equations for n unknowns. Up to four equations are solved
+/// together, provided that a rule applies and their Match::quality is not small.
 class Tearing {
  public:
-  /// facts must outlive it. More than `max_unknowns` throw std::invalid_argument.
+  /// Prepares the search. facts must outlive the object. Throws std::invalid_argument when there
+  /// are more than `max_unknowns` unknowns.
   Tearing(const std::vector<Expr>& equations, const std::vector<Expr>& unknowns,
           const Facts& facts);
 
-  /// With as few torn unknowns as were found: up to three by trying all, more by always tearing the
-  /// one that frees most.
+  /// Returns the best order found, with few torn unknowns. Sets of up to three are searched
+  /// exhaustively unless there are too many; beyond that, a greedy search tears the unknown that
+  /// helps most.
   Torn best();
 
   static constexpr std::size_t max_unknowns = 256;
@@ -44,8 +44,8 @@ class Tearing {
   using Set = std::bitset<max_unknowns>;
   struct Walk {
     Set open;                // unknowns not yet placed
-    std::vector<bool> used;  // equations
-    std::vector<Set> reads;  // of each equation, among the open ones
+    std::vector<bool> used;  // by equation
+    std::vector<Set> reads;  // open unknowns that each equation reads
   };
 
   Torn walk(const std::vector<int>& torn);
@@ -55,9 +55,9 @@ class Tearing {
   std::optional<Torn> best_of_size(std::size_t size);
   Torn greedy();
 
-  std::size_t unknowns_;  // how many
+  std::size_t unknowns_;  // their number
   Matcher matcher_;
-  std::vector<Set> reads_;  // of each equation
+  std::vector<Set> reads_;  // unknowns that each equation reads
 };
 
 }  // namespace desmo::generate

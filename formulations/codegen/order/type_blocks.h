@@ -6,19 +6,19 @@
 
 namespace desmo::generate {
 
-/// An equation, and the rows of the part that it says.
+/// An equation, with the rows of the part that it follows from.
 struct Said {
   Expr equation;
   std::vector<int> rows;
 };
 
-/// As many equations as unknowns, none of which can be solved without the others.
+/// An irreducible block: n equations for n unknowns that must be solved together.
 struct Block {
   std::vector<int> unknowns;  ///< inputs of the part
   std::vector<Said> equations;
 };
 
-/// The irreducible blocks of a part's equations, in the order in which they can be solved. Throws
+/// Returns the irreducible blocks of a part's equations in solution order. Throws
 /// std::invalid_argument when the equations are structurally singular.
 std::vector<Block> blocks_of(const PartType& type, const RecordedPart& part);
 

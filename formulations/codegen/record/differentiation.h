@@ -6,18 +6,18 @@
 
 namespace desmo::generate {
 
-/// ∂e/∂input, all other inputs held.
+/// Returns ∂e/∂input, with all other inputs held constant.
 Expr partial(Expr e, Expr input);
 
-/// First and second derivatives of expressions along a motion, given those of their inputs; those
-/// of inputs not given are zero.
+/// Time derivatives of expressions by the chain rule, given the rates of their inputs. Rates that
+/// were not set are zero.
 class Rates {
  public:
   void set_first(Expr input, Expr rate) { first_.insert_or_assign(input.id(), rate); }
   void set_second(Expr input, Expr rate) { second_.insert_or_assign(input.id(), rate); }
 
-  Expr first(Expr e) const;
-  Expr second(Expr e) const;
+  Expr first(Expr e) const;   ///< ė
+  Expr second(Expr e) const;  ///< ë
 
  private:
   std::map<int, Expr> first_, second_;

@@ -7,16 +7,16 @@
 
 namespace desmo::generate {
 
-/// Σ coefficient[i] x[i] + constant, where neither contains an x.
+/// The affine expression Σ coefficient[i] x[i] + constant; coefficients and constant contain no x.
 struct Affine {
   std::vector<Expr> coefficient;
   Expr constant;
 };
 
-/// An expression as a quadratic one of some inputs x, with its products as they stand: what is
-/// recorded as (x − g)² is not multiplied out, which would lose digits far from the origin.
+/// A quadratic expression of some inputs x: Σ scale (a · b) + rest. Products stay as recorded:
+/// (x − g)² is not multiplied out, because that would lose digits far from the origin.
 struct Quadratic {
-  struct Product {
+  struct Product {  ///< scale · a · b
     Expr scale;
     Affine a, b;
   };
@@ -24,16 +24,16 @@ struct Quadratic {
   Affine rest;
 };
 
-/// Nothing when it is not quadratic in x, or of a form that no rule of the mechanism's equations
-/// needs.
+/// Returns e as a quadratic expression of x. Returns nullopt when e is not quadratic in x, or has a
+/// form that no closed form uses.
 std::optional<Quadratic> expand(Expr e, const std::vector<Expr>& x);
 
-/// cosine · cos θ + sine · sin θ + rest, where none contains θ.
+/// The expression cosine · cos θ + sine · sin θ + rest; none of the three contains θ.
 struct Trigonometric {
   Expr cosine, sine, rest;
 };
 
-/// Nothing when an expression is not of this form in θ.
+/// Returns e in this form, or nullopt when it does not have it.
 std::optional<Trigonometric> expand_angle(Expr e, Expr theta);
 
 }  // namespace desmo::generate

@@ -7,6 +7,8 @@
 
 namespace desmo::generate {
 
+// *Recording* runs the constraint code on a scalar that writes an expression graph.
+
 enum class Op {
   constant,
   input,
@@ -21,21 +23,22 @@ enum class Op {
   magnitude,  ///< |a|
 };
 
-/// A node of the expression graph. Nodes are numbered in an order in which operands come first.
+/// A node of the expression graph. Its operands have smaller numbers.
 struct Node {
   Op op;
-  int a = -1, b = -1;  ///< operands
-  double value = 0;    ///< of a constant
-  std::string name;    ///< of an input
-  bool moves = false;  ///< depends on positions or rates, as opposed to dimensions alone
+  int a = -1, b = -1;  ///< operands; -1: none
+  double value = 0;    ///< value of a constant
+  std::string name;    ///< C++ text of an input
+  bool moves = false;  ///< depends on positions or rates, not on dimensions alone
 };
 
-/// The graph that recording scalars write. Equal expressions are one node, and constants are
-/// folded. Each node carries its value at a number of sample points, so that an elimination can
-/// look at the sizes of its pivots while it is being recorded.
+/// The graph that recording scalars (Expr) write. Equal expressions share one node, and constants
+/// are folded. Each node carries its value at every sample point. An elimination judges the sizes
+/// of its pivots by these values.
 class Graph {
  public:
-  /// Until its destruction, the graph that Expr writes; one at a time.
+  /// Makes this the current graph until it is destroyed. samples: number of sample points. Throws
+  /// std::logic_error when another graph exists.
   explicit Graph(int samples);
   ~Graph();
   Graph(const Graph&) = delete;
@@ -43,7 +46,8 @@ class Graph {
 
   static Graph& current();
 
-  /// A new input with its value at each sample point; a dimension does not move.
+  /// Adds an input and returns its node. sample_values: its value at each sample point. moves:
+  /// false for a dimension.
   int input(std::string name, std::vector<double> sample_values, bool moves = true);
   int constant(double value);
   int unary(Op op, int a);
@@ -52,18 +56,18 @@ class Graph {
   const Node& node(int id) const { return nodes_[id]; }
   int size() const { return static_cast<int>(nodes_.size()); }
   const std::vector<double>& samples(int id) const { return samples_[id]; }
-  /// Whether the expression is this number.
+  /// Returns whether the expression is the constant `value`.
   bool is(int id, double value) const;
-  /// The constant that the expression is a multiple of, as it stands; 1 where it is of none.
+  /// Returns the constant factor of a product as recorded, ignoring a sign; 1 when it has none.
   double factor(int id) const;
 
  private:
-  /// A constant multiple: the constant's node (-1: it is none), and what it multiplies.
+  /// A constant multiple: the node of the constant (-1: none) and the node that it multiplies.
   struct Scaled {
     int factor, of;
   };
   Scaled as_scaled(int id) const;
-  /// Whether it is 1/of.
+  /// Returns whether the expression is 1/of.
   bool is_reciprocal(int id, int of) const;
   int add(Node node, std::vector<double> sample_values);
   int find_or_add(Op op, int a, int b);

@@ -7,13 +7,14 @@
 
 namespace desmo::generate {
 
-/// The inputs that move among those an expression reads, ascending by node.
+/// Returns the positions and rates that an expression reads (not its dimensions), ascending by
+/// node.
 std::vector<Expr> moving_inputs(Expr e);
 
-/// Whether it reads one of these inputs.
+/// Returns whether an expression reads one of these inputs, which must be positions or rates.
 bool reads(Expr e, const std::vector<Expr>& inputs);
 
-/// The expression with other expressions in the place of some inputs, given by their nodes.
+/// Returns the expression with some inputs replaced. by_input: replacement by node of the input.
 Expr substitute(Expr e, const std::map<int, Expr>& by_input);
 
 }  // namespace desmo::generate

@@ -7,34 +7,35 @@
 
 namespace desmo::generate {
 
-/// A partial derivative ∂Φ_row/∂input of a recorded group.
+/// A Jacobian entry ∂Φ_row/∂input of a recorded part type.
 struct RecordedEntry {
   int row, input;
   Expr value;
 };
 
-/// The equations of a group type as expressions over its local inputs (named in[i]), their rates
-/// and its dimensions.
+/// The equations of a part type as expressions of its local inputs, their rates and its dimensions.
 struct RecordedPart {
-  std::vector<Expr> q, qd, qdd;  ///< of each input; rates of fixed ones are zero
+  std::vector<Expr> q, qd, qdd;  ///< position and rates of each input; rates of fixed ones are zero
   std::vector<Expr> phi;         ///< Φ
   std::vector<Expr> gamma;       ///< Φ̇_q q̇
-  std::vector<RecordedEntry> constant, dependent, known;  ///< Φ_q; fixed inputs left out
+  /// Entries of Φ_q without fixed inputs. constant: depend on dimensions alone; dependent: others
+  /// by unknowns; known: others by known inputs.
+  std::vector<RecordedEntry> constant, dependent, known;
 };
 
-/// One place of the type to sample: positions of its inputs, and its dimensions.
+/// A sample point: numeric values of a type's inputs `q` and of its dimensions.
 struct SamplePoint {
   std::vector<double> q, constants;
 };
 
-/// Runs the constraint code of a group type on the recording scalar, in the current graph.
+/// Records the equations of a part type in the current graph, whose sample points are `samples`.
 RecordedPart record(const PartType& type, const std::vector<SamplePoint>& samples);
 
-/// The positions of some inputs.
+/// Returns the position expressions of some inputs.
 std::vector<Expr> positions(const RecordedPart& part, const std::vector<int>& inputs);
 
-/// What follows q, qd or qdd in the C++ variable of an input: "_" and its name, unique within the
-/// type. The prefix keeps it apart from keywords and from whatever else the code declares.
+/// Returns the suffix of an input's C++ variables, appended to q, qd or qdd: "_" and the input's
+/// name, unique within the type. The underscore avoids keywords and other declared names.
 std::string variable_name(const PartType& type, int input);
 
 }  // namespace desmo::generate

@@ -9,29 +9,30 @@
 
 namespace desmo::generate {
 
-/// The number of states of a motion that are sampled. A closed form may be singular between two
-/// that are far apart: with twelve, a square root of `stephenson_six_bar` passed its branch point
-/// unseen.
+/// The number of states sampled along a motion. A closed form may be singular between two states
+/// that are far apart: twelve states missed a branch point in `stephenson_six_bar`.
 inline constexpr int sample_count = 45;
 
-/// A type of part to generate code for, and places along motions where its parts were.
+/// A part type to generate code for, with sample points from motions of its parts.
 struct SampledType {
-  std::string name;  ///< of its namespace in the code
+  std::string name;  ///< namespace of its generated code
   PartType type;
-  std::vector<SamplePoint> samples;        ///< for explicit orders
-  std::vector<SamplePoint> pivot_samples;  ///< some of them, for eliminations: pivots take longer
-                                           ///< to choose, and are watched while they run
+  std::vector<SamplePoint> samples;        ///< sample points for explicit orders
+  std::vector<SamplePoint> pivot_samples;  ///< a subset for eliminations: choosing pivots takes
+                                           ///< longer, and pivots are monitored at run time
 };
 
-/// Adds the type of a part of one group, without a name, to those found, unless it is one of them.
-/// Adds to its samples one for each state (q, then the fixed values) of the mechanism, and some
-/// twelve of these to those for pivots. Returns the type; valid until more are added.
+/// Adds the type of a part to `found` unless it is there, and adds sample points to it. A new type
+/// has no name yet. Returns the type; the reference is valid until more types are added.
+/// - part: lies within one group.
+/// - states: states of the model (q, then the fixed values); each becomes a sample point, and about
+///   twelve of them become pivot samples.
 SampledType& add_part(const Model& model, const PartDefinition& part,
                       std::span<const std::vector<double>> states, std::vector<SampledType>& found);
 
-/// The type with names made of numbers, the same for all types of one fingerprint: u4, an unknown,
-/// k0, known, or f7, fixed, is the input at that position, and "unit#2" the constraint at that one.
-/// The names that a file gives its entities stay out of code that is generated for it.
+/// Returns the type with neutral names, so that names from a user's file stay out of generated
+/// code. Input 4 becomes u4 (unknown), k4 (known) or f4 (fixed); constraint 2 becomes its kind and
+/// number, such as "unit#2".
 PartType without_names(PartType type);
 
 }  // namespace desmo::generate

@@ -6,12 +6,12 @@
 
 namespace desmo {
 
-/// Writes that a point of a body, not of its basis, follows from the basis; equation_prefix: what
-/// the equation's name begins with.
+/// Writes the linear equation by which a body's point follows from the body's basis (see Basis).
+/// The point must not be in the basis. equation_prefix: beginning of the equation's name.
 void relate_point(EquationWriter& writer, const std::string& equation_prefix, const RigidBody& body,
                   int point);
 
-/// The same of a vector.
+/// Writes the same equation for a vector.
 void relate_vector(EquationWriter& writer, const std::string& equation_prefix,
                    const RigidBody& body, int vector);
 

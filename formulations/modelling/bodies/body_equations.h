@@ -4,9 +4,9 @@
 
 namespace desmo {
 
-/// The equations within bodies of D dimensions: vectors of the ground that are coordinates are
-/// held; every other body keeps the products of its basis, and all else that it carries is a linear
-/// function of it (basis_relation.h).
+/// Writes the equations within the bodies of a D-dimensional mechanism. Ground vectors that are
+/// coordinates are held constant. Every other body keeps the scalar products of its basis; its
+/// other points and vectors are linear functions of the basis (basis_relation.h).
 template <int D>
 void write_body_equations(EquationWriter& writer);
 

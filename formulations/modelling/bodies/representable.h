@@ -4,8 +4,8 @@
 
 namespace desmo {
 
-/// Throws std::invalid_argument, naming the body, where the square of a length on it over- or
-/// underflows in double precision: equations hold such squares.
+/// Throws std::invalid_argument, naming the body, when the square of a length on a body over- or
+/// underflows in double precision. Equations contain such squares.
 void require_representable(const Mechanism& mechanism);
 
 }  // namespace desmo

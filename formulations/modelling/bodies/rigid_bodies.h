@@ -8,25 +8,25 @@
 
 namespace desmo {
 
-/// What the coordinates of a rigid body are built on: a point and up to three independent
-/// directions (one in the plane), each a vector or the segment from that point to another.
-/// Everything else on the body is a linear function of them.
+/// The basis of a rigid body: a point and up to three independent directions (one in the plane).
+/// Each direction is a vector, or the segment from that point to another. All other points and
+/// vectors of the body are linear functions of the basis.
 struct Basis {
-  int origin = -1;  ///< point; -1: the body carries none
-  std::vector<Mechanism::Direction> directions;
+  int origin = -1;                               ///< point; -1: the body carries none
+  std::vector<Mechanism::Direction> directions;  ///< vectors first, then segments
 
   bool has_point(int point) const;
   bool has_vector(int vector) const;
 };
 
-/// Bodies that fixed joints make one.
+/// A set of one or more bodies that fixed joints connect.
 struct RigidBody {
-  std::vector<int> bodies;           ///< of the description, ascending
-  std::vector<int> points, vectors;  ///< carried by any of them, each once
+  std::vector<int> bodies;           ///< bodies of the mechanism, ascending
+  std::vector<int> points, vectors;  ///< points and vectors on any of these, each once
   Basis basis;
-  int freedoms = 0;  ///< 3 or 6, less what its points and vectors cannot tell (a rod's spin)
+  int freedoms = 0;  ///< 3 or 6, less motions that move no point or vector (a rod's spin)
 
-  /// A distance that a body of the description gives for its two points.
+  /// The distance between its two points that a body of the mechanism declares.
   struct GivenLength {
     int a, b;  ///< points
     double length;
@@ -34,26 +34,28 @@ struct RigidBody {
   std::vector<GivenLength> lengths;
 };
 
-/// The rigid bodies of a description, by their first body; the first contains the ground.
+/// The rigid bodies of a mechanism, in the order of their first body.
 struct RigidBodies {
-  std::vector<RigidBody> list;
-  std::vector<int> of_body;                           ///< of each body of the description
-  std::vector<std::vector<int>> of_point, of_vector;  ///< those that carry it, ascending
+  std::vector<RigidBody> list;                        ///< the first contains the ground
+  std::vector<int> of_body;                           ///< rigid body of each body
+  std::vector<std::vector<int>> of_point, of_vector;  ///< rigid bodies that carry it, ascending
 };
 
-/// Whether a vector is defined along two points of this body, and so follows from them.
+/// Returns whether a vector is declared along two points of this body and so follows from them.
 bool follows_from_points(const Mechanism& mechanism, const RigidBody& body, int vector);
 
-/// Merges bodies and chooses bases: vectors first, in the order of the description, those that
-/// follow from points left out; then segments from the first point; what is within 6 degrees of the
-/// span of those before only at the end, where nothing better is left. Throws
-/// std::invalid_argument, naming the body, when one carries nothing.
+/// Merges fixed bodies and chooses their bases. Vectors that do not follow from points are taken
+/// first, in the mechanism's order, then segments from the body's first point. A direction within
+/// 6° of the span of earlier ones is taken only as a last resort. Throws std::invalid_argument,
+/// naming the body, when
+/// - a body carries neither point nor vector,
+/// - a declared length is not the nominal one, although a fixed joint adds points to the body.
 RigidBodies find_rigid_bodies(const Mechanism& mechanism);
 
 namespace nominal {
 
-/// The same on a rigid body: a segment has the length that the body gives for its points, if it
-/// does.
+/// Returns a direction on a rigid body. A segment has the length that the body declares for its two
+/// points, if any, otherwise its nominal length.
 Vec direction(const Mechanism& mechanism, const RigidBody& body, const Mechanism::Direction& d);
 
 }  // namespace nominal

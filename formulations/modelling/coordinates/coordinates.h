@@ -9,21 +9,21 @@
 
 namespace desmo {
 
-/// Natural and mixed coordinates of a description, and where its entities went.
+/// The natural and mixed coordinates of a mechanism.
 struct Coordinates {
   Model model;                            ///< groups, entities and drivers; no constraints yet
-  std::vector<EntityId> points, vectors;  ///< of the description's; -1: carried by no body
-  /// Relative coordinates: those of the description, then the distances of its spatial sliding
-  /// joints that it does not declare, `<joint>/distance`.
+  std::vector<EntityId> points, vectors;  ///< entity of each point and vector; -1: on no body
+  /// Relative coordinates: those that the mechanism declares, then the undeclared distances of its
+  /// spatial sliding joints, named `<joint>/distance`.
   std::vector<Mechanism::Coordinate> measured;
-  std::vector<EntityId> coordinates;  ///< of those measured
+  std::vector<EntityId> coordinates;  ///< entity of each relative coordinate
 };
 
-/// Points of the ground are constants; a vector of the ground that moving bodies share is a
-/// coordinate vector of a constant group, as the paper models it. Which group finds what:
-/// place_entities; how groups are named: GroupNames. motions: one for each driven coordinate, in
-/// order. Throws std::invalid_argument, naming the coordinate, for one that measures nothing that
-/// can move.
+/// Makes the coordinates of a mechanism. Ground points are constants. A ground vector that moving
+/// bodies share is a coordinate vector of a constant group, as in the paper; others are constants.
+/// place_entities() assigns entities to groups, GroupNames names the groups. motions: one per
+/// driven coordinate, in order. Throws std::invalid_argument, naming the coordinate, when a
+/// coordinate measures nothing that can move.
 Coordinates make_coordinates(const Mechanism& mechanism, const RigidBodies& rigid,
                              const Structure& structure, const std::vector<Motion>& motions);
 

@@ -7,13 +7,13 @@
 
 namespace desmo {
 
-/// The distances along sliding joints that a description declares.
+/// The set of sliding joints whose distance the mechanism declares as a coordinate.
 class DeclaredSlides {
  public:
   explicit DeclaredSlides(const Mechanism& mechanism);
-  /// Whether a joint slides, so that a distance along it can define it.
+  /// Returns whether a joint slides, so that the distance along it can define it.
   static bool slides(const Mechanism::Joint& joint);
-  /// Whether its distance is declared.
+  /// Returns whether the joint's distance is declared.
   bool contain(const Mechanism::Joint& joint) const;
 
  private:

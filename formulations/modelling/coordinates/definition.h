@@ -6,13 +6,13 @@
 
 namespace desmo {
 
-/// The definition of a relative coordinate, about to be written.
+/// The definition of a relative coordinate: a constraint between it and points or vectors.
 struct Definition {
   EquationWriter& writer;
   const Mechanism::Coordinate& coordinate;
-  EntityId value;  ///< the coordinate's
+  EntityId value;  ///< entity of the coordinate
 
-  /// Writes it as a constraint of this kind.
+  /// Writes the definition as a constraint of this kind.
   template <class Kind>
   void as(const std::array<EntityId, Kind::operand_sizes.size()>& operands,
           const std::array<double, Kind::constants>& constants = {}) const {
@@ -22,11 +22,11 @@ struct Definition {
 };
 
 /// Writes the definition of an angle in the plane. Throws std::invalid_argument, naming the
-/// coordinate, when no body keeps the length of one of its segments.
+/// coordinate, when one of its segments lies on no single body, so that its length may change.
 void define_planar_angle(const Definition& definition);
 
 /// Writes the definition of an angle in space. Throws std::invalid_argument, naming the coordinate,
-/// when what turns is not in the plane of the angle in the nominal position.
+/// when the rotating direction is not in the plane of the angle in the nominal position.
 void define_spatial_angle(const Definition& definition);
 
 }  // namespace desmo

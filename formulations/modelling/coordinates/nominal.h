@@ -2,7 +2,7 @@
 
 #include "cases/mechanism/mechanism.h"
 
-/// What a description is in its nominal position.
+/// Geometry of a mechanism in its nominal position.
 namespace desmo::nominal {
 
 using Vec = Mechanism::Vec;
@@ -10,11 +10,11 @@ using Vec = Mechanism::Vec;
 Vec operator-(const Vec& a, const Vec& b);
 double dot(const Vec& a, const Vec& b);
 double norm(const Vec& a);
-/// A direction; a segment with its length.
+/// Returns a direction: a vector as declared, or a segment with its length.
 Vec direction(const Mechanism& mechanism, const Mechanism::Direction& d);
-/// The value of a relative coordinate, rad or length.
+/// Returns the value of a relative coordinate: an angle [rad] or a length.
 double value(const Mechanism& mechanism, const Mechanism::Coordinate& coordinate);
-/// The largest distance between a point and the first, but 1 for a mechanism that has no extent.
+/// Returns the largest distance of a point from the first one; 1 for a mechanism without extent.
 double size(const Mechanism& mechanism);
 
 }  // namespace desmo::nominal

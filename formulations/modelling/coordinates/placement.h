@@ -7,18 +7,18 @@
 
 namespace desmo {
 
-/// The structural group that finds each entity of a description; -1: the ground carries it, or
-/// nothing does.
+/// The structural group that solves for each point and vector of a mechanism; -1: it is on the
+/// ground or on no body.
 struct Placement {
   std::vector<int> of_point, of_vector;
 
-  /// The last group that finds something a coordinate is measured from; -1: none does.
+  /// Returns the last group that solves for an entity of the coordinate's definition; -1: none.
   int of(const Mechanism::Coordinate& coordinate) const;
 };
 
-/// An entity is found by the first group in which it is in the basis of a body; one that follows
-/// from an earlier body by a linear relation, by the only later group that builds on it, if nothing
-/// needs it before.
+/// Assigns each point and vector to the first group with a body that carries it. Exception: it is
+/// assigned to a later group, if that alone has it in the basis of a body. Then no driver and no
+/// second body may need it before.
 Placement place_entities(const Mechanism& mechanism, const RigidBodies& rigid,
                          const Structure& structure);
 

@@ -4,9 +4,9 @@
 
 namespace desmo {
 
-/// The definitions of all relative coordinates, in D dimensions. Throws std::invalid_argument,
-/// naming the coordinate, for one that its own definition contradicts in the nominal position, or
-/// that has none.
+/// Writes the definitions of all relative coordinates, in D dimensions. Throws
+/// std::invalid_argument, naming the coordinate, when a definition does not fit the nominal
+/// position or cannot be written.
 template <int D>
 void write_coordinate_equations(EquationWriter& writer);
 

@@ -10,25 +10,25 @@
 
 namespace desmo {
 
-/// What candidate equations are written from, and the mechanism that they join.
+/// A writer of candidate equations: adds them to the model of the coordinates.
 class EquationWriter {
  public:
-  /// The description and its bodies must outlive it.
+  /// Takes over the coordinates. mechanism and rigid must outlive the writer.
   EquationWriter(const Mechanism& mechanism, const RigidBodies& rigid, Coordinates coordinates);
 
   const Mechanism& mechanism;
   const RigidBodies& rigid;
-  const double reach;  ///< largest nominal coordinate of a point
+  const double reach;  ///< largest absolute coordinate of a point, nominally
 
   EntityId point(int p) const { return coordinates_.points[p]; }
   EntityId vector(int v) const { return coordinates_.vectors[v]; }
-  /// Their mechanism contains what has been written.
+  /// Returns the coordinates; their model contains the equations written so far.
   const Coordinates& coordinates() const { return coordinates_; }
 
   EntityId add_fixed_vector(std::string name, const Mechanism::Vec& direction);
 
-  /// Adds an equation of the last of the groups that find its operands; none when all are fixed,
-  /// for then nothing in it can move.
+  /// Adds an equation to the last group that solves for one of its operands. Adds nothing when all
+  /// operands are fixed.
   template <class Kind>
   void constrain(Origin origin, std::string name,
                  const std::array<EntityId, Kind::operand_sizes.size()>& operands,
@@ -39,14 +39,14 @@ class EquationWriter {
     origins_.push_back(origin);
   }
 
-  /// Notes a constant product of two directions. Returns whether it has to be stated: bodies that
-  /// share both directions state it once, unless they contradict each other.
+  /// Records the constant scalar product of two directions. Returns whether it needs an equation:
+  /// bodies that share both directions need one, unless their products differ.
   bool note_product(const Mechanism::Direction& a, const Mechanism::Direction& b, double product);
 
-  /// For the names of equations: "v" or "P-Q".
+  /// Returns the text of a direction in equation names: "v" or "P-Q".
   std::string text(const Mechanism::Direction& direction) const;
 
-  /// All that was written, in group order; leaves the writer empty.
+  /// Returns all candidates in group order; leaves the writer empty.
   Candidates take();
 
  private:
@@ -54,11 +54,11 @@ class EquationWriter {
 
   using Key = std::array<int, 3>;
   Coordinates coordinates_;
-  std::vector<Origin> origins_;  // of the mechanism's constraints
+  std::vector<Origin> origins_;  // source of each constraint
   std::map<std::pair<Key, Key>, double> products_;
 };
 
-/// Zero when a value is what rounding leaves of products of this magnitude.
+/// Returns zero for a value at rounding level, |value| ≤ 16 ε · magnitude, otherwise the value.
 double snap(double value, double magnitude);
 
 }  // namespace desmo

@@ -4,8 +4,9 @@
 
 namespace desmo {
 
-/// The equations of the joints between different rigid bodies that neither shared entities nor a
-/// relative coordinate state: offsets of plane sliding joints, angles of universal joints.
+/// Writes the equations of joints between different rigid bodies: offsets of planar sliding joints
+/// whose distance is not declared, and angles of universal joints. Shared points and vectors and
+/// relative coordinates imply all others.
 void write_joint_equations(EquationWriter& writer);
 
 }  // namespace desmo

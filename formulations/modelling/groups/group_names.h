@@ -6,11 +6,11 @@
 
 namespace desmo {
 
-/// Names groups as the paper does, SG-I, SG-II, …, after what the names of their bodies have in
-/// common up to a "/": "axle1/SG-I".
+/// A generator of the paper's group names: SG-I, SG-II, …. The common prefix of the bodies' names,
+/// up to a "/", precedes the name: "axle1/SG-I".
 class GroupNames {
  public:
-  /// bodies: at least one.
+  /// Returns the next name for a group with these bodies (at least one).
   std::string next(const std::vector<std::string>& bodies);
 
  private:

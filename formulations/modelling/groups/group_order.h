@@ -7,14 +7,15 @@
 
 namespace desmo {
 
-/// Rigid bodies, and restrictions, that belong together; −1: to none (the ground).
+/// Components of the mechanism: the component of each rigid body and of each restriction; −1: none
+/// (the ground).
 struct Components {
   int count = 0;
   std::vector<int> of_body, of_restriction;
 };
 
-/// Components as structural groups in solution order: each after those whose bodies its
-/// restrictions concern; where that leaves a choice, the group with the first body goes first.
+/// Returns the components as structural groups in solution order. A group comes after the groups
+/// whose bodies its restrictions involve. Ties are broken by the groups' first bodies.
 Structure order_groups(const RigidBodies& rigid, const std::vector<Restriction>& restrictions,
                        const Components& components);
 

@@ -7,22 +7,22 @@
 
 namespace desmo {
 
-/// A freedom of a body that moves none of its points and vectors: of a coupler between two
-/// spherical joints, the spin about their line. Nothing depends on it and no coordinate models it.
+/// An idle freedom: a motion of a body that moves none of its points and vectors. An example is the
+/// spin of a coupler about the line of its two spherical joints. No coordinate models it.
 struct IdleFreedom {
-  std::string body;   ///< the first of those that are rigidly joined
-  std::string about;  ///< what it is free to spin about: "the line of 'A' and 'B'"
+  std::string body;   ///< first body of the rigid body
+  std::string about;  ///< centre or axis of the spin: "the line of 'A' and 'B'"
 
   bool operator==(const IdleFreedom&) const = default;
 };
 
-/// Those of spatial bodies all of whose points and vectors lie along one line, or that carry one
-/// point alone: a joint that keeps a body from spinning gives it a vector across. In the order of
-/// the bodies.
+/// Returns the idle freedoms of spatial bodies, in the order of the bodies. A body has one when all
+/// its points and vectors lie along one line, or when it carries a single point. (A joint that
+/// prevents the spin gives the body a vector across the line.)
 std::vector<IdleFreedom> find_idle_freedoms(const Mechanism& mechanism, const RigidBodies& rigid);
 
-/// What a rigid body spins about that carries more than the centres of the two spherical joints by
-/// which alone it hangs, so that its other points are not determined; otherwise empty.
+/// Returns the axis about which an under-constrained rigid body can spin, if its only joints are
+/// spherical and have two centres; otherwise an empty string.
 std::string undetermined_spin(const Mechanism& mechanism, const RigidBodies& rigid, int body);
 
 }  // namespace desmo

@@ -8,20 +8,20 @@
 
 namespace desmo {
 
-/// A maximum matching between the restrictions of a mechanism and the freedoms of its bodies, as
-/// the Dulmage–Mendelsohn decomposition of which restriction concerns which freedom.
+/// A maximum matching between the restrictions of a mechanism and the freedoms of its bodies. It is
+/// the Dulmage–Mendelsohn decomposition of their incidence matrix (restrictions × freedoms).
 class Matching {
  public:
-  /// The restrictions must outlive it.
+  /// Computes the matching. restrictions must outlive it.
   Matching(const RigidBodies& rigid, const std::vector<Restriction>& restrictions);
 
-  /// How many freedoms nothing determines.
+  /// Returns the number of freedoms that nothing determines.
   int undetermined() const { return form_->cc[1]; }
-  /// The rigid bodies among which they are, ascending.
+  /// Returns the rigid bodies that these freedoms belong to, ascending.
   std::vector<int> undetermined_bodies() const { return bodies_of_columns(0, form_->cc[2]); }
 
-  /// One for each irreducible block; bodies with too many restrictions are one wherever a
-  /// restriction joins them.
+  /// Returns a component for each irreducible block. Over-constrained bodies that a restriction
+  /// connects form one component.
   Components components() const;
 
  private:

@@ -6,20 +6,20 @@
 
 namespace desmo {
 
-/// Rigid bodies that one joint or driver concerns, the ground left out, ascending, and the freedoms
-/// that it removes.
+/// The effect of a joint or driver on the freedoms of bodies.
 struct Restriction {
-  std::vector<int> bodies;
-  int count;
+  std::vector<int> bodies;  ///< rigid bodies that it connects, without the ground, ascending
+  int count;                ///< number of freedoms that it removes
 };
 
-/// Those of all joints between different rigid bodies, then those of the drivers. Throws
-/// std::invalid_argument, naming the driver, for one that measures nothing that can move.
+/// Returns the restrictions of all joints between different rigid bodies, then those of the
+/// drivers. Throws std::invalid_argument, naming the driver, when a driver measures nothing that
+/// can move.
 std::vector<Restriction> find_restrictions(const Mechanism& mechanism, const RigidBodies& rigid);
 
-/// The rigid bodies, ground left out, whose relative position a coordinate measures, ascending.
-/// Of several bodies that carry a point it is the first; for a distance along a vector, the first
-/// that carries the vector too.
+/// Returns the rigid bodies, without the ground, whose relative position a coordinate measures,
+/// ascending. When several bodies carry a point, the first counts; for a distance along a vector,
+/// the first that also carries the vector.
 std::vector<int> bodies_related(const RigidBodies& rigid, const Mechanism::Coordinate& coordinate);
 
 }  // namespace desmo

@@ -6,26 +6,27 @@
 
 namespace desmo {
 
-/// A structural group: the fewest bodies that are determined together, once the groups before it
+/// A structural group: a smallest set of bodies that are determined together, once earlier groups
 /// are solved.
 struct StructuralGroup {
   std::vector<int> bodies;  ///< positions in RigidBodies::list, ascending
-  std::vector<int> after;   ///< groups to whose bodies it is joined, ascending
-  int freedoms = 0;         ///< of its bodies
-  int restrictions = 0;  ///< of its joints and drivers; more than freedoms when some are redundant
+  std::vector<int> after;   ///< earlier groups that it is joined to, ascending
+  int freedoms = 0;         ///< freedoms of its bodies
+  int restrictions = 0;  ///< freedoms that its joints and drivers remove, redundant ones included
 };
 
+/// The structural groups of a mechanism.
 struct Structure {
-  std::vector<StructuralGroup> groups;  ///< in solution order; otherwise by their first body
-  std::vector<int> of_body;             ///< of each rigid body; -1: the ground
+  std::vector<StructuralGroup> groups;  ///< in solution order, then by first body
+  std::vector<int> of_body;             ///< group of each rigid body; -1: the ground
 };
 
-/// The structural groups of a mechanism: strong components of a maximum matching between the
-/// freedoms of its bodies and the restrictions of its joints and drivers (Dulmage & Mendelsohn
-/// 1958; paper, eq. 1). Where there are more restrictions than freedoms, all bodies concerned are
-/// one group; whether the surplus is consistent is not seen from the structure.
-/// Throws std::invalid_argument, naming bodies and coordinates, when bodies are left that nothing
-/// determines: a driver is missing.
+/// Finds the structural groups of a mechanism: strong components of a maximum matching between
+/// freedoms of bodies and restrictions by joints and drivers (Dulmage & Mendelsohn 1958; paper,
+/// eq. 1). Over-constrained bodies that are connected form one group; the structure
+/// does not show whether their surplus restrictions are consistent. Throws std::invalid_argument,
+/// naming bodies and coordinates, when nothing determines some bodies (a driver is missing), or
+/// when no body moves.
 Structure find_structure(const Mechanism& mechanism, const RigidBodies& rigid);
 
 }  // namespace desmo

@@ -8,15 +8,15 @@
 
 namespace desmo {
 
-/// Equations of a group that cannot hold together once its drivers have moved a little.
+/// A contradiction: equations of a group that cannot hold together once its drivers have moved.
 struct Contradiction {
-  int constraint;  ///< satisfied worst where all are satisfied best
-  double amount;   ///< by which it is off: a length where it joins any, else a number or rad
-  double moved;    ///< what its drivers were moved by, of their natural magnitudes
+  int constraint;  ///< constraint with the largest residual at the least-squares position
+  double amount;   ///< the residual: a length if the constraint has lengths, else a number or [rad]
+  double moved;    ///< displacement of the drivers, in natural magnitudes
 };
 
-/// Whether all candidates of a group, those that look dependent included, can follow its drivers
-/// from an assembled position; the best position is that of least squares.
+/// Moves a group's drivers a little from an assembled position, first forwards, then backwards.
+/// Returns nullopt when all its candidates, dependent ones included, can follow in one direction.
 std::optional<Contradiction> find_contradiction(const Model& model, const GroupSystem& system,
                                                 const std::vector<double>& position,
                                                 Lineariser& lineariser);

@@ -10,26 +10,26 @@ namespace desmo {
 /// A candidate equation that was left out because it follows from others.
 struct LeftOut {
   std::string equation;                   ///< name of the constraint
-  std::vector<int> rows;                  ///< its scalar equations concerned
-  GroupId group;                          ///< whose equation it would have been
-  std::vector<std::string> follows_from;  ///< constraints
+  std::vector<int> rows;                  ///< its rows that were left out
+  GroupId group;                          ///< group of the equation
+  std::vector<std::string> follows_from;  ///< names of the constraints that imply it
   bool redundant;  ///< the group has more restrictions than freedoms, not just more equations
 };
 
-/// Leaves out of the candidates (Constraint::left_out; BranchMonitor watches what is left out)
-/// those scalar equations that depend on others, so that each group has as many equations as
-/// unknowns.
+/// Leaves out dependent scalar equations (sets Constraint::left_out), so that each group has as
+/// many equations as unknowns. BranchMonitor checks the equations left out.
 ///
-/// Equations are taken in this order: linear ones first, then those with the fewest entries, then
-/// by Origin, then as they stand. One is left out if it depends on those taken before, in the
-/// unknowns of its group. A special pose deceives: this is judged where the group has the highest
-/// rank, of the nominal position and two perturbed ones, each assembled. A definition of several
-/// equations of which one is taken is replaced by its ScalarDefinition.
+/// Equations are selected in this order: linear ones first, then by number of entries, by Origin,
+/// by position. An equation is left out if its gradient by the group's unknowns depends on those
+/// selected before. Rank may be lower at a special position. Therefore the nominal and two
+/// perturbed positions are assembled, and the one of highest rank decides. A definition of several
+/// equations with only one selected is replaced by its ScalarDefinition.
 ///
-/// surplus: for each group, restrictions beyond its freedoms.
-/// Throws std::invalid_argument, naming group, bodies and equations, when the nominal position
-/// cannot be assembled, when a group is left under-constrained, and when it cannot follow its
-/// drivers (too many drivers, contradictory constraints: with what they are off by at best).
+/// surplus: for each group, restrictions minus freedoms.
+/// Throws std::invalid_argument, naming group, bodies and equations, when
+/// - the nominal position cannot be assembled,
+/// - a group is under-constrained,
+/// - a group cannot follow its drivers (too many drivers or contradictory constraints).
 std::vector<LeftOut> leave_out_dependent(Candidates& candidates, const std::vector<int>& surplus);
 
 }  // namespace desmo

@@ -7,30 +7,31 @@
 
 namespace desmo {
 
-/// Φ and Φ_q of a group's candidates, in columns of natural magnitude; rows have length 1 over all
-/// that they read. The magnitude of points and distances is the power of two next to their
-/// characteristic length, that of all else 1: the same in every unit and beside parts of any size.
+/// Scaled Φ and Φ_q of a group's candidates. Columns are multiplied by natural magnitudes: for
+/// points and distances the power of two next to their characteristic length, else 1. Rows are
+/// divided by their norm over all variables that the equation reads. The result does not depend on
+/// units.
 struct Linearisation {
-  Eigen::VectorXd phi;
-  Eigen::MatrixXd jacobian;
+  Eigen::VectorXd phi;       ///< (rows)
+  Eigen::MatrixXd jacobian;  ///< (rows × columns) of the GroupSystem
 };
 
-/// Linearises the systems of a mechanism's groups.
+/// A lineariser of the group systems of a model.
 class Lineariser {
  public:
-  /// The mechanism must outlive it; its constraints may change.
+  /// Finds the natural magnitudes. The model must outlive the object; its constraints may change.
   explicit Lineariser(const Model& model);
 
   Linearisation at(const std::vector<double>& state, const GroupSystem& system);
 
-  /// Adds a step, in columns of natural magnitude, to the state.
+  /// Adds a step, given in natural magnitudes of the system's columns, to the state.
   void move(std::vector<double>& state, const GroupSystem& system,
             const Eigen::VectorXd& step) const;
 
  private:
   const Model& m_;
   std::vector<double> scale_;  // natural magnitude of each component of the state
-  std::vector<int> column_;    // of each component in the system at hand, or -1
+  std::vector<int> column_;    // column of each component in the current system, or -1
 };
 
 }  // namespace desmo

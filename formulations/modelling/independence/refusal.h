@@ -7,14 +7,13 @@
 
 namespace desmo {
 
-/// Throws std::invalid_argument, naming group, bodies and the constraint that Φ says is satisfied
-/// worst.
+/// Throws std::invalid_argument, naming group, bodies and the constraint with the largest |Φ|.
 [[noreturn]] void refuse_assembly(const Model& model, const GroupSystem& system,
                                   const Eigen::VectorXd& phi);
 
-/// Throws std::invalid_argument, naming group, bodies, drivers and what can still move, or by how
-/// much the equations contradict each other, unless the selected rows determine the group and it
-/// can follow its drivers.
+/// Throws std::invalid_argument unless the selected rows determine the group and it can follow its
+/// drivers. The message names group, bodies, drivers, and what can still move or how large the
+/// contradiction is.
 void require_determined(const Model& model, const GroupSystem& system, const SelectedRows& selected,
                         const std::optional<Contradiction>& contradiction);
 

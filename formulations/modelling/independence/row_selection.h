@@ -10,24 +10,24 @@
 
 namespace desmo {
 
-/// Which rows of a group's system are its independent equations.
+/// The independent equations of a group.
 struct SelectedRows {
-  std::vector<bool> taken;  ///< each row
-  /// Of all rows, at each of the judged positions.
+  std::vector<bool> taken;  ///< whether each row of the system is selected
+  /// Scaled Jacobians of all rows (rows × columns), at each judged position.
   std::array<Eigen::MatrixXd, std::tuple_size_v<JudgedPositions>> jacobians;
 };
 
-/// Selects the equations of the groups among their candidates; see leave_out_dependent.
+/// A selector of independent equations among a group's candidates; see leave_out_dependent.
 class RowSelector {
  public:
-  /// All must outlive it.
+  /// Stores references: all arguments must outlive the selector.
   RowSelector(Candidates& candidates, const JudgedPositions& positions, Lineariser& lineariser);
 
   SelectedRows select(const GroupSystem& system);
 
-  /// Replaces each definition of which one equation is selected, in the candidates, the system and
-  /// the selection, by the one equation that says the same: of the sine and the cosine of an angle,
-  /// either is singular somewhere.
+  /// Replaces definitions with one selected equation by their ScalarDefinition, in the candidates,
+  /// the system and the selection. The sine or the cosine of an angle alone would be singular at
+  /// some positions.
   void shorten(GroupSystem& system, SelectedRows& selected);
 
  private:
@@ -35,10 +35,10 @@ class RowSelector {
   bool shorten_definitions(const GroupSystem& system, const std::vector<bool>& taken);
 
   Model& m_;
-  const std::vector<Origin>& origins_;  // of its constraints
+  const std::vector<Origin>& origins_;  // source of each constraint
   const JudgedPositions& positions_;
   Lineariser& lineariser_;
-  std::vector<bool> moves_;  // each component of the state
+  std::vector<bool> moves_;  // whether each component of the state moves
 };
 
 }  // namespace desmo

@@ -4,15 +4,16 @@
 
 namespace desmo {
 
-/// What has to be left of a row of length 1, beside others, for it not to depend on them.
+/// A row of length 1 depends on others when its component orthogonal to them is not longer than
+/// this.
 inline constexpr double dependent_below = 1e-6;
 
-/// Rows chosen one by one, each if it is independent of those before.
+/// The span of independent rows, added one by one.
 class RowSpace {
  public:
   explicit RowSpace(int columns) : basis_(columns, columns) {}
 
-  /// Whether a row of length at most 1 is new; if so it joins.
+  /// Adds a row of length ≤ 1 if it is independent of the rows before. Returns whether it was.
   bool add(Eigen::VectorXd row);
   int rank() const { return rank_; }
 
@@ -21,11 +22,11 @@ class RowSpace {
   int rank_ = 0;
 };
 
-/// The smallest corrections that make linear equations hold, those that depend on others included
-/// and as far as they can hold together.
+/// The minimum-norm least-squares solution x of J x = φ, which also serves dependent equations.
 class SmallestCorrection {
  public:
   explicit SmallestCorrection(const Eigen::MatrixXd& jacobian);
+  /// Returns x (columns of J).
   Eigen::VectorXd operator()(const Eigen::VectorXd& phi) const;
 
  private:
