@@ -8,11 +8,11 @@
 
 namespace desmo {
 
-/// The degraded instants of a motion. Bounds are relative to the motion so far: what is beyond its
-/// limit where a motion starts at rest need not stay so.
+/// List of a motion's degraded instants. Bounds are relative to the motion so far, so an instant
+/// may leave the list when the motion's rates grow, for instance after a start from rest.
 class Degradations {
  public:
-  /// limit: above which a bound makes an instant degraded.
+  /// limit: bounds above which an instant is degraded.
   explicit Degradations(const PerLevel<double>& limit) : limit_(limit) {}
 
   void add(const Degradation& degradation) {
@@ -21,7 +21,7 @@ class Degradations {
     else
       ++others_;
   }
-  /// The scales that rates are relative to have grown.
+  /// Converts all bounds to grown scales, and removes instants that no longer exceed the limit.
   void rescale(const Scales& from, const Scales& to) {
     for (Degradation& d : kept_) desmo::rescale(d.assessment.bound, from, to);
     std::erase_if(kept_,
@@ -34,7 +34,7 @@ class Degradations {
   }
 
  private:
-  static constexpr std::size_t max_kept = 10000;  // the others stay as they were found
+  static constexpr std::size_t max_kept = 10000;  // further ones are only counted
 
   PerLevel<double> limit_;
   std::vector<Degradation> kept_;
