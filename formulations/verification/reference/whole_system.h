@@ -26,9 +26,7 @@ class WholeSystem {
 
   int rows() const { return rows_; }
   const std::vector<int>& unknowns() const { return unknowns_; }  ///< (columns)
-  int column(int state) const {
-    return column_[state];
-  }  ///< column of a state component; -1: not an unknown
+  int column(int state) const { return column_[state]; }          ///< -1: not an unknown
 
   /// Evaluates Φ of a state in any scalar. Overwrites phi (rows()).
   template <class S>
