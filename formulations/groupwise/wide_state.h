@@ -4,7 +4,7 @@
 
 namespace desmo {
 
-/// q, q̇ and q̈ of a whole mechanism with its fixed entities behind, in any scalar.
+/// q, q̇ and q̈ of a whole model, each followed by the fixed entities, in any scalar.
 template <class S>
 struct WideState {
   std::vector<S> q, qd, qdd;
