@@ -1,4 +1,4 @@
-// Solved instants as text: a table of numbers, one instant a line.
+// Solved instants as text: a table of numbers, one line for each instant.
 #pragma once
 
 #include <memory>
@@ -10,24 +10,25 @@
 
 namespace desmo::cli {
 
-/// What is known of a series beside its numbers.
+/// Properties of a series apart from its numbers.
 struct SeriesHeading {
   std::string mechanism, scene, formulation;
-  std::vector<Column> columns;  ///< the time, which comes first, left out
+  std::vector<Column> columns;  ///< without the time, which comes first
 };
 
-/// Numbers are written with the fewest digits that read back as the same double.
+/// Text format of a series. Numbers have the fewest digits that read back as the same double.
 class SeriesFormat {
  public:
   virtual ~SeriesFormat() = default;
   virtual std::string heading(const SeriesHeading& heading) const = 0;
-  /// Finite numbers: JSON knows no others.
+  /// Appends an instant. Its numbers must be finite: JSON has no others.
   virtual void append(const SeriesHeading& heading, const Instant& instant,
                       std::string& text) const = 0;
 };
 
-/// "csv": names with units in the first line, "t [s],C.x [m],…"; "jsonl": an object that tells
-/// mechanism, scene, formulation and columns, then an array of numbers a line.
+/// Returns a format. "csv" has names with units in the first line, "t [s],C.x [m],…". "jsonl" has
+/// an object with mechanism, scene, formulation and columns, then an array of numbers for each
+/// instant.
 std::unique_ptr<SeriesFormat> series_format(std::string_view name);
 
 }  // namespace desmo::cli
