@@ -1,4 +1,4 @@
-// What solve delivers of each instant.
+// Columns that `desmo solve` writes for each instant.
 #pragma once
 
 #include <string>
@@ -10,10 +10,10 @@
 
 namespace desmo::cli {
 
-/// One number of each instant.
+/// A column: one number for each instant.
 struct Column {
   std::string name;  ///< "C.x", "d/dt C.x", "d2/dt2 C.x"
-  std::string unit;  ///< "m", "m/s", "m/s^2"; "rad", …; of unit vectors "-"; a free length "1"
+  std::string unit;  ///< "m", "m/s", "m/s^2"; "rad", …; "-" for unit vectors; "1" for a free length
   Level level;
   int coordinate = -1;  ///< position in q, q̇ or q̈; -1: a constant
   double constant = 0;

@@ -1,4 +1,4 @@
-// The subcommands: one file each, and one name in this list.
+// Subcommands of `desmo`: one file each, and one name in this list.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -8,15 +8,15 @@
 
 namespace desmo::cli {
 
-/// Adds a subcommand, whose callback does the work and throws what errors.h lists.
+/// Adds a subcommand, whose callback does the work and throws the errors of errors.h.
 using AddCommand = void(CLI::App& program);
 
-/// For options: an empty text is more likely a variable that is not set.
+/// Rejects an empty option text, most likely from an unset variable. Returns the message.
 inline std::string refuse_empty(const std::string& text) {
   return text.empty() ? "is empty; give a value or leave the option out" : "";
 }
 
-/// For options that are numbers: CLI11's bounds let this pass.
+/// Rejects NaN as the value of an option, which CLI11's bounds accept. Returns the message.
 inline std::string refuse_nan(const std::string& text) {
   return std::isnan(std::strtod(text.c_str(), nullptr)) ? "is not a number" : "";
 }

@@ -1,4 +1,4 @@
-// From solved instants to the output.
+// Delivery of solved instants to the output.
 #pragma once
 
 #include <exception>
@@ -12,16 +12,16 @@
 
 namespace desmo::cli {
 
-/// Writes each instant that it receives, some at a time. Stops the run where Output throws and
-/// where a number is not finite.
+/// Observer that writes each instant, in blocks of text. It stops the run when Output throws or a
+/// number is not finite.
 class Delivery final : public Observer {
  public:
   Delivery(SeriesHeading heading, std::unique_ptr<SeriesFormat> format, Output& output,
            Progress& progress);
 
   Flow observe(const Instant& instant) noexcept override;
-  /// Returns what was not finite in the instant that ended the run, as overflow_text(); empty: all
-  /// was finite. Throws what Output threw in the run.
+  /// Returns overflow_text() of the number that was not finite and ended the run; empty: none.
+  /// Throws the exception that Output threw during the run.
   const std::string& overflow() const;
   /// Writes the instants that were received but not written.
   void flush();

@@ -1,4 +1,4 @@
-// Why what is solved is solved, and what is not.
+// Explanation of what a plan solves and what it omits.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace desmo::cli {
 
-/// Group by group: what a plan keeps, as far as which level, for whom, and what it drops.
+/// Returns lines by group: what a plan keeps, to which level, for which entity, and what it drops.
 std::string explain(const Plan& plan, const Model& whole);
 
 }  // namespace desmo::cli

@@ -7,8 +7,8 @@
 
 namespace desmo::cli {
 
-/// Draws a graph in the DOT language as SVG, into `output`, which is left to be finished. Throws
-/// Error (unavailable) when there is no dot program, or when it fails.
+/// Draws a graph in the DOT language as SVG to `output`, which the caller finishes. Throws Error
+/// (unavailable) when there is no dot program, or when it fails.
 void draw_svg(const std::string& graph, Output& output);
 
 }  // namespace desmo::cli

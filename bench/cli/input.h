@@ -1,4 +1,4 @@
-// What the commands work on: a file, standard input, or a name.
+// Input of the commands: a file, standard input, or a name.
 #pragma once
 
 #include <string>
@@ -12,22 +12,24 @@ namespace desmo::cli {
 
 struct Input {
   std::string source;  ///< for messages
-  bool is_file;        ///< it was read from a file of that name
-  Scene scene;         ///< of a mechanism file: its drivers rest and there are no instants
+  bool is_file;        ///< it was read from a file named `source`
+  Scene scene;         ///< for a mechanism file: drivers at rest, no instants
 };
 
-/// A scene file, "-" for one on standard input, the name of a library mechanism (its scene), or a
-/// scalable case with its units, "truck_suspension:5". What has a "/" or a "." in it is a file.
-/// Throws InputError and Error (unreadable_input), naming the source.
+/// Loads a scene. Throws InputError and Error (unreadable_input), naming the source. The argument
+/// is:
+/// - a scene file, if it contains "/" or "."; "-" is standard input
+/// - the name of a library mechanism, for its scene
+/// - a scalable case with its number of units, "truck_suspension:5"
 Input load_scene(const std::string& argument);
 
-/// The same, and mechanism files too.
+/// Loads like load_scene(), but accepts mechanism files too.
 Input load_mechanism(const std::string& argument);
 
-/// Models it. Throws InputError, naming the source.
+/// Makes the model of an input. Throws InputError, naming the source.
 ModellingResult model_mechanism(const Input& input);
 
-/// Names of the library, in alphabetical order.
+/// Returns the names of the library, in alphabetical order.
 std::vector<std::string_view> library_names();
 
 }  // namespace desmo::cli

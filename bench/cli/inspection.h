@@ -1,4 +1,4 @@
-// The structure of a mechanism, collected once for every way of showing it.
+// Structure of a mechanism, collected once for all output formats.
 #pragma once
 
 #include <string>
@@ -11,35 +11,35 @@ namespace desmo::cli {
 
 struct InspectedGroup {
   int moving_bodies = 0;             ///< N_m of the paper; bodies fixed to each other are one
-  std::vector<std::string> drivers;  ///< n_c of the paper: the coordinates driven in it
+  std::vector<std::string> drivers;  ///< n_c of the paper: coordinates driven in it
   std::vector<int> unknowns;
-  std::vector<PartDefinition> blocks;  ///< irreducible ones, in solution order
+  std::vector<PartDefinition> blocks;  ///< irreducible blocks, in solution order
   bool on_ground = false;              ///< joined to the ground
-  std::vector<GroupId> joined_to;      ///< earlier groups, by a joint between bodies of both
+  std::vector<GroupId> joined_to;      ///< earlier groups with a joint between bodies of both
 };
 
 struct Inspection {
   std::string title;
   int dimension;
-  int bodies, joints;  ///< the ground left out
+  int bodies, joints;  ///< numbers without the ground
   ModellingResult modelled;
-  std::vector<InspectedGroup> groups;  ///< of each group of the mechanism
+  std::vector<InspectedGroup> groups;  ///< one for each group of the model
 
   const Model& model() const { return modelled.model; }
   int constant_parts() const;
 };
 
-/// Throws InputError.
+/// Models an input and collects its structure. Throws InputError.
 Inspection inspect(const Input& input);
 
-/// "theta", "C.x": the name of a coordinate.
+/// Returns the name of a coordinate: "theta", "C.x".
 std::string coordinate_name(const Model& model, EntityId owner, int coordinate);
 
 std::string to_text(const Inspection& inspection);
 std::string to_json(const Inspection& inspection);
-/// The structural diagram of the paper's figures 3.b and 4.b, for Graphviz: a circle with
-/// (N_m, n_c) for each group and one for the ground, 0; arrows in solution order where a joint
-/// connects bodies of two of them; a broken arrow where a driver alone does.
+/// Returns the structural diagram of the paper's figures 3.b and 4.b for Graphviz. It has a circle
+/// with (N_m, n_c) for each group and a circle 0 for the ground. Arrows in solution order mark
+/// joints between the bodies of two groups; broken arrows mark dependence by a driver alone.
 std::string to_dot(const Inspection& inspection);
 
 }  // namespace desmo::cli

@@ -1,17 +1,16 @@
-// SIGINT, SIGTERM and SIGHUP end the program at once, and a compiler that it runs, and leave no
-// unfinished file.
+// Handling of SIGINT, SIGTERM and SIGHUP. They end the program, and a compiler that it runs, at
+// once, and leave no unfinished file.
 #pragma once
 
 #include <string>
 
 namespace desmo::cli {
 
-/// Sets up what signals do; a signal that was ignored from the start (nohup) stays ignored. A
-/// write to a closed pipe or beyond a limit of size is reported by the write itself.
+/// Installs the signal handlers. A signal that was ignored from the start (nohup) stays ignored.
+/// Writes to a closed pipe or beyond a size limit report errors themselves.
 void handle_signals();
 
-/// A file that an interruption removes while this object lives, if it exists. There can be one at
-/// a time.
+/// A file that an interruption removes while this object lives. Only one may exist at a time.
 class RemovedWhenInterrupted {
  public:
   explicit RemovedWhenInterrupted(const std::string& path);

@@ -1,4 +1,4 @@
-// desmo list: what the program brings.
+// desmo list: the mechanisms, scalable cases and formulations of the program.
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>

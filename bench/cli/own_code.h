@@ -1,4 +1,4 @@
-// Code for formulations of mechanisms that the program does not know.
+// Generated code for mechanisms that the program was not built with.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -10,22 +10,22 @@
 
 namespace desmo::cli {
 
-/// What a user says about it.
+/// Options of code generation.
 struct OwnCode {
   bool none = false;
-  double compile_limit = 60;  // s
+  double compile_limit = 60;  // [s]
 };
 
-/// Adds the options that set it, which must outlive the command.
+/// Adds the options that set `wanted`, which must outlive the command.
 void add_options(CLI::App& command, OwnCode& wanted);
 
-/// Adds to the table what a formulation needs that the program does not bring; unless quiet, says
-/// on standard error what became of it.
+/// Generates and loads the code that a formulation needs and the program lacks, and adds it to the
+/// table. Unless quiet, reports the result on standard error.
 void add_own_code(KernelTable& table, const Configuration& formulation, const Model& model,
                   const TimeGrid& grid, const OwnCode& wanted, bool quiet);
 
-/// What was generated for a formulation and how long it took, or why it was not; empty when it
-/// needed nothing beside what the program brings.
+/// Returns a note on the code generated for a formulation and the time it took, or on why there is
+/// none. It is empty when the program's own code sufficed.
 std::string note_on(const load::OwnKernels& own);
 
 }  // namespace desmo::cli

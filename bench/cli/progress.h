@@ -1,12 +1,12 @@
-// How far a run has come, for somebody who waits at a terminal.
+// Progress of a run, shown on a terminal.
 #pragma once
 
 #include <chrono>
 
 namespace desmo::cli {
 
-/// One line on standard error, rewritten at most five times a second and removed in the end; none
-/// when standard error is no terminal.
+/// Progress line on standard error, rewritten at most five times a second and removed in the end.
+/// It is not shown when standard error is no terminal.
 class Progress {
  public:
   Progress(int instants, bool wanted);
@@ -15,7 +15,7 @@ class Progress {
   ~Progress() { clear(); }
 
   void solved(int instants);
-  /// Makes room for a message.
+  /// Removes the line, so that a message can be printed.
   void clear();
 
  private:

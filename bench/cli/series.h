@@ -1,4 +1,4 @@
-// Solved instants as text: a table of numbers, one instant a line.
+// Solved instants as text: a table of numbers, one line for each instant.
 #pragma once
 
 #include <memory>
@@ -10,14 +10,14 @@
 
 namespace desmo::cli {
 
-/// What is known of a series beside its numbers.
+/// Properties of a series apart from its numbers.
 struct SeriesHeading {
   std::string mechanism, scene, formulation;
   std::vector<Column> columns;  ///< the time, which comes first, left out
   bool has_outcomes = false;    ///< each line ends with the outcome of its instant
 };
 
-/// Numbers are written with the fewest digits that read back as the same double.
+/// Text format of a series. Numbers have the fewest digits that read back as the same double.
 class SeriesFormat {
  public:
   virtual ~SeriesFormat() = default;
@@ -27,8 +27,9 @@ class SeriesFormat {
                       std::string_view outcome = {}) const = 0;
 };
 
-/// "csv": names with units in the first line, "t [s],C.x [m],…"; "jsonl": an object that tells
-/// mechanism, scene, formulation and columns, then an array of numbers a line.
+/// Returns a format. "csv" has names with units in the first line, "t [s],C.x [m],…". "jsonl" has
+/// an object with mechanism, scene, formulation and columns, then an array of numbers for each
+/// instant.
 std::unique_ptr<SeriesFormat> series_format(std::string_view name);
 
 }  // namespace desmo::cli

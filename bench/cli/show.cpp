@@ -1,4 +1,4 @@
-// desmo show: a library mechanism as JSON, to start from.
+// desmo show: a library mechanism as JSON, as a starting point.
 #include <memory>
 
 #include "bench/cli/commands.h"

@@ -1,4 +1,4 @@
-// Row 10: what is no mechanism, and drivers that stop being numbers.
+// Row 10: invalid mechanisms, and drivers that stop being finite numbers.
 #include <cmath>
 #include <limits>
 #include <numbers>

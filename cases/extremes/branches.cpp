@@ -1,4 +1,4 @@
-// Row 5: steps so large, and starts so far off, that another branch is near.
+// Row 5: steps so large, or starts so far off, that another branch is near.
 #include <cstdio>
 #include <numbers>
 #include <string>

@@ -1,5 +1,5 @@
-// Row 14: cases of other rows, in which what is said of condition and errors is judged itself, and
-// two in which hardly anything shows what should be said.
+// Row 14: cases of other rows, in which the stated condition and error bounds are checked, and two
+// in which hardly any signal shows them.
 #include <algorithm>
 #include <iterator>
 #include <numbers>

@@ -11,46 +11,46 @@
 
 namespace desmo {
 
-/// How wrong an answer of an extreme may be. The floor is what conditioning lets double precision
-/// reach at that level, the rounding of the drivers included.
+/// Bound on the error of an extreme's answers. The *floor* is the error that conditioning and the
+/// rounding of the drivers allow in double precision at a level.
 enum class Bound {
   floor,       ///< factor × floor
-  length,      ///< position: factor × ε × links × longest link, and the floor; else the floor
-  tolerance,   ///< factor × the larger of tolerance and floor
-  first_case,  ///< factor × the error of the row's first case, or the floor; iterations ±1 a step
-  first_part,  ///< after the first half of what is compared: factor × its error, or the floor
-  new_pivots,  ///< factor × the error with factors made anew at each position, or the floor
-  fixed,       ///< position: factor, relative to the mechanism's size; else the floor
-  estimates,   ///< what is said of the instant; that, factor × what tolerance or floor allow
+  length,      ///< position: factor × ε × links × longest link + 10 × floor; else 10 × floor
+  tolerance,   ///< factor × max(tolerance, floor)
+  first_case,  ///< factor × error of the row's first case, or floor; iterations ±1 a step
+  first_part,  ///< factor × error of the first half of the compared instants, or floor
+  new_pivots,  ///< factor × error with a new factorisation at each position, or floor
+  fixed,       ///< position: factor, relative to the mechanism's size; else 10 × floor
+  estimates,   ///< the stated bound, itself at most factor × that of tolerance or floor
 };
 
-/// One mechanism and motion of an extreme, and what is expected of every formulation: answers
-/// within the bound wherever there is one, a flag wherever there is none.
+/// A mechanism and a motion of an extreme, and what is expected of every formulation. It must give
+/// an answer within the bound where one exists, and a flag where none does.
 struct ExtremeCase {
-  std::string name;  ///< unique in its row
+  std::string name;  ///< unique within the row
   Scene scene;
-  /// Where the mechanism consists of them, and of nothing else, a closed form gives the answers.
+  /// Chains that the mechanism consists of, if nothing else: a closed form then gives the answers.
   std::vector<DyadChain> chains = {};
   Bound bound = Bound::tolerance;
   double factor = 10;
-  /// Settings as suffixes of an id (formulations/id.h): "/jacobian:step".
+  /// Settings as suffixes of an id (formulations/id.h), for instance "/jacobian:step".
   std::string settings = {};
 
-  /// Instants, at the beginning and, as many again, at the end, that are compared; 0: 201 or fewer,
-  /// spread over all.
+  /// Number of instants compared at the beginning, and as many at the end. 0: 201 or fewer, spread
+  /// over all.
   int compared_at_ends = 0;
-  /// The last instant is singular, which a mechanism without a closed form has to be told.
+  /// Singularity of the last instant, which a mechanism without a closed form has to state.
   bool ends_singular = false;
 
   bool may_fail = false;       ///< a flag is as good as an answer
-  bool goes_on = false;        ///< past what cannot be solved, both its ends to 1e-9 s
-  bool is_refused = false;     ///< before anything is solved, or at the first instant
-  bool is_redundant = false;   ///< what follows from other equations has to be reported
-  std::string failing_body{};  ///< in the group that is to be named where it fails
-  std::string idle_body{};     ///< whose freedom to spin is to be reported
+  bool goes_on = false;        ///< the run continues after a gap, whose ends it finds to 1e-9 s
+  bool is_refused = false;     ///< it is rejected before solving, or at the first instant
+  bool is_redundant = false;   ///< dependent equations must be reported
+  std::string failing_body{};  ///< body in the group that a failure must name
+  std::string idle_body{};     ///< body whose freedom to spin must be reported
 
-  /// Solved from estimates that are off by up to so much of natural magnitudes, instead of in
-  /// steps: the branch is that on whose side the estimate is.
+  /// Assemblies from random initial estimates instead of a motion. An estimate is off by up to
+  /// `off` times the natural magnitudes, and determines the branch.
   struct Starts {
     int count;
     double off;
@@ -58,21 +58,21 @@ struct ExtremeCase {
   std::optional<Starts> starts = {};
 };
 
-/// How much of an extreme: what takes seconds, or everything.
+/// Extent of an extreme: what takes seconds, or everything.
 enum class Extent { brief, full };
 
-/// A row of the table of extremes.
+/// Row of the table of extremes.
 struct Extreme {
   int number;
   std::string_view name;
-  std::string_view extreme, expected;  ///< for people
+  std::string_view extreme, expected;  ///< texts for people
   std::vector<ExtremeCase> (*cases)(Extent extent);
 };
 
-/// Every extreme, by number. Tests, the bench and documents iterate this table.
+/// Returns every extreme, by number. Tests, the bench and documents iterate this table.
 std::span<const Extreme> extremes();
 
-/// Of that number. Throws std::invalid_argument when there is none.
+/// Returns the extreme of that number. Throws std::invalid_argument when there is none.
 const Extreme& find_extreme(int number);
 
 }  // namespace desmo

@@ -1,4 +1,4 @@
-// Row 1: how the error grows with the number of groups.
+// Row 1: growth of the error with the number of groups.
 #include <cmath>
 #include <numbers>
 #include <string>

@@ -1,5 +1,5 @@
-// Row 8: does the error grow with time? The crank's angle is a number that binary floating point
-// has, at every instant, so that nothing of it is rounded.
+// Row 8: growth of the error with time. The crank's angle is a floating-point number at every
+// instant, so that it is not rounded.
 #include "cases/extremes/rows.h"
 
 namespace desmo::extreme {

@@ -1,5 +1,5 @@
-// Row 6: mechanisms that have more restrictions than freedoms and move all the same; and the same
-// with a surplus that contradicts the rest.
+// Row 6: mechanisms with dependent constraints that move all the same, and variants in which a
+// surplus constraint contradicts the others.
 #include <array>
 #include <cmath>
 #include <string>

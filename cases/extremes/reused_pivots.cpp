@@ -1,5 +1,5 @@
-// Row 11: factors, and orders of pivots, that are kept while the mechanism passes a position in
-// which coupler and rocker are nearly stretched.
+// Row 11: factors and pivot orders that are reused while the mechanism passes a position in which
+// coupler and rocker are nearly stretched.
 #include <string>
 
 #include "cases/extremes/rows.h"

@@ -5,24 +5,24 @@
 
 #include "cases/extremes/extremes.h"
 
-/// The cases of the rows of the table, one .cpp each.
+/// Cases of the rows of the table, one .cpp each.
 namespace desmo::extreme {
 
 using Cases = std::vector<ExtremeCase>(Extent extent);
 Cases long_chains, near_dead_points, singular_positions, lock_up, branches, redundant, scales,
     long_runs, bad_starts, bad_input, reused_pivots, idle_freedom, tolerances, estimates;
 
-/// Chains moved by as many motions, in one mechanism.
+/// Makes a case of several chains in one mechanism, each driven by its own motion.
 ExtremeCase case_of(std::string name, std::vector<DyadChain> chains, std::vector<Motion> motions,
                     const TimeGrid& grid);
-/// One, whose crank turns at a constant rate (rad/s).
+/// Makes a case of one chain, whose crank turns at a constant rate [rad/s].
 ExtremeCase case_of(std::string name, const DyadChain& chain, double rate, const TimeGrid& grid);
 
 /// Angle of the crank at which chains start, unless a case says otherwise [rad].
 inline constexpr double chain_start = std::numbers::pi / 3;
 
-/// The dyads of the suite's four-bar: crank 2, links and distances 6, all closed exactly at the
-/// start. Lengths times `scale`.
+/// Makes the dyads of the suite's four-bar: crank 2, links and distances 6, all closed exactly at
+/// the start. scale: factor on all lengths.
 DyadChain usual_chain(int dyads, double start, double scale = 1);
 
 }  // namespace desmo::extreme

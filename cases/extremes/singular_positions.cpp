@@ -1,5 +1,5 @@
-// Row 3: positions in which the equations are singular. Of the plane ones to the last bit: lengths,
-// pivots and the angle 0 are numbers that binary floating point has.
+// Row 3: singular positions. The plane ones are exact to the last bit: lengths, pivots and the
+// angle 0 are floating-point numbers.
 #include <algorithm>
 #include <cmath>
 #include <numbers>

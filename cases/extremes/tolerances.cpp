@@ -1,4 +1,4 @@
-// Row 13: tolerances from coarse to what double precision does not have.
+// Row 13: tolerances from coarse ones to some beyond double precision.
 #include <cstdio>
 #include <numbers>
 #include <string>

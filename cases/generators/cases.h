@@ -8,37 +8,38 @@
 
 namespace desmo {
 
-/// The scalable four-bar, driven for 30 s: a crank and K dyads, 3 + 3 K coordinates, lengths in one
-/// free unit. Throws std::invalid_argument unless 1 ≤ dyads ≤ 10⁷.
+/// Makes the scalable four-bar, driven for 30 s: a crank and K dyads, 3 + 3 K coordinates, lengths
+/// in a free unit. Throws std::invalid_argument unless 1 ≤ dyads ≤ 10⁷.
 Scene four_bar(int dyads);
 
-/// The truck suspension on its road for 30 s: k axles of five groups, 3 + 111 k coordinates,
-/// metres. Throws std::invalid_argument unless 1 ≤ axles ≤ 10⁵.
+/// Makes the truck suspension on its road for 30 s: k axles of five groups, 3 + 111 k coordinates,
+/// in metres. Throws std::invalid_argument unless 1 ≤ axles ≤ 10⁵.
 Scene truck_suspension(int axles);
 
 /// A scalable case of the suite.
 struct Case {
   std::string_view name;
-  std::string_view unit_name;  ///< of what it is built: "dyads", "axles"
+  std::string_view unit_name;  ///< plural of its repeated unit: "dyads", "axles"
   Scene (*describe)(int units);
   int base_coordinates;  ///< coordinates(units) = base + per_unit · units
   int coordinates_per_unit;
-  std::vector<int> sizes;        ///< coordinates of the paper's tables, ascending
-  std::vector<int> extra_sizes;  ///< beyond them, for the sparse global references and FBL-TP only
+  std::vector<int> sizes;        ///< numbers of coordinates in the paper's tables, ascending
+  std::vector<int> extra_sizes;  ///< further ones, for the sparse global references and FBL-TP only
 };
 
-/// Every case there is, in the order of the paper's tables.
+/// Returns every case, in the order of the paper's tables.
 std::span<const Case> cases();
 
-/// The case of that name. Throws std::invalid_argument, listing the names, when there is none.
+/// Returns the case of that name. Throws std::invalid_argument, listing the names, when there is
+/// none.
 const Case& find_case(std::string_view name);
 
-/// A case at a number of coordinates. Throws std::invalid_argument, saying which sizes exist,
-/// when no whole number of units gives it.
+/// Makes a case with that number of coordinates. Throws std::invalid_argument, naming the sizes
+/// that exist, when no whole number of units has it.
 Scene describe(const Case& definition, int coordinates);
 
-/// Instants from 0 to `seconds`, both included. Throws std::invalid_argument unless both are
-/// positive and finite and the grid has 2 to 10⁹ instants.
+/// Makes a grid from 0 to `seconds`, both included, with that step [s]. Throws
+/// std::invalid_argument unless both are positive and finite and the grid has 2 to 10⁹ instants.
 TimeGrid time_grid(double seconds, double step);
 
 }  // namespace desmo

@@ -10,32 +10,33 @@
 
 namespace desmo {
 
-/// Bad input. The message is "<file>: <place>: <what is wrong>; <remedy>"; the place is a line and
-/// a column where the text is not JSON, otherwise a JSON pointer such as /joints/2/points/0, "top
-/// level" for the whole document, and left out when the file cannot be read at all. Names from the
-/// input are shortened, and escaped for terminals.
+/// Error in an input. The message is "<file>: <place>: <what is wrong>; <remedy>". The place is a
+/// line and a column if the text is not JSON, else a JSON pointer such as /joints/2/points/0, or
+/// "top level". It is missing when the file cannot be read. Names from the input are shortened, and
+/// escaped for terminals.
 class InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Mechanism files and scene files are specified in cases/files.md; values are converted to metres
-/// (or the mechanism's free unit) and radians. All throw InputError. `file_name` is for messages.
+/// The functions below read and write the files that cases/files.md specifies. Values are converted
+/// to metres (or the mechanism's free unit) and radians. All throw InputError. file_name is used in
+/// messages.
 
-/// What is returned has passed validate().
+/// Return a mechanism that has passed validate().
 Mechanism parse_mechanism(std::string_view text, const std::string& file_name);
 Mechanism read_mechanism(const std::filesystem::path& file);
 
-/// A mechanism file that the scene names is sought relative to `folder`.
+/// Return a scene. A mechanism file that it names is read relative to `folder`.
 Scene parse_scene(std::string_view text, const std::string& file_name,
                   const std::filesystem::path& folder);
 Scene read_scene(const std::filesystem::path& file);
 
-/// The scene of a library mechanism. Throws std::invalid_argument, with the nearest names, when
-/// there is none of that name.
+/// Returns the scene of a library mechanism. Throws std::invalid_argument, with the nearest names,
+/// when there is none of that name.
 Scene library_scene(std::string_view name);
 
-/// The text of a mechanism file that describes the same mechanism.
+/// Returns the text of a mechanism file that describes the same mechanism.
 std::string write_mechanism(const Mechanism& mechanism);
 
 }  // namespace desmo

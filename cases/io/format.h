@@ -1,4 +1,4 @@
-// What mechanism and scene files have in common.
+// Elements common to mechanism and scene files.
 #pragma once
 
 #include <string>
@@ -8,25 +8,25 @@
 
 namespace desmo {
 
-/// Returns `version`, from 1 to `latest`. Complains unless `format` is this one, the version is
-/// known and `$schema`, which is for editors and may be absent, is a text.
+/// Returns the file's version, from 1 to `latest`. Throws InputError unless `format` is the file's,
+/// the version is known, and the optional `$schema` (for editors) is a text.
 int check_format(const JsonValue& root, std::string_view format, int latest);
 
-/// A name as cases/files.md defines it: the text given, which stands at `place`.
+/// Returns `name` if it is a name as cases/files.md defines it. place: its position, for errors.
 std::string checked_name(const JsonValue& place, std::string_view name);
 
-/// The units of a file, in metres and in radians.
+/// Units of a file, in metres and in radians.
 struct Units {
   double length = 1;
   double angle = 1;
-  std::string length_unit = "m";                           ///< "m", or "1": any one unit
-  std::string_view length_name = "m", angle_name = "rad";  ///< as in files
-  /// Version 1 of a scene took metres and radians where it says no unit and the mechanism has
-  /// another: nobody knows which is meant.
+  std::string length_unit = "m";                           ///< "m", or "1": an unspecified unit
+  std::string_view length_name = "m", angle_name = "rad";  ///< names in files
+  /// Ambiguity of the units. Version 1 of a scene assumed metres and radians where it named no
+  /// unit, although the mechanism may have others.
   bool length_is_open = false, angle_is_open = false;
 };
 
-/// Reads `units` of a file, which may be absent or leave out one of them; then the default holds.
+/// Reads `units` of a file; defaults hold for units that it leaves out.
 Units read_units(const JsonValue& root, Units units);
 
 }  // namespace desmo

@@ -1,4 +1,4 @@
-// A JSON document whose every value knows its place, so that every complaint names it.
+// JSON document whose values know their position, so that every error names it.
 #pragma once
 
 #include <cstdint>
@@ -12,11 +12,11 @@ namespace desmo {
 
 class JsonValue;
 
-/// Values stand in one list in the order of the text, each before what it contains: building,
-/// searching and destroying need no recursion, and a large document little memory.
+/// Parsed JSON text. Values stand in one list in the order of the text, each before its contents.
+/// So building, searching and destroying need no recursion, and large documents little memory.
 class JsonDocument {
  public:
-  /// Strict: no key twice in an object, all numbers finite, no more than 32 levels. Throws
+  /// Parses strictly: no key twice in an object, finite numbers only, at most 32 levels. Throws
   /// InputError.
   JsonDocument(std::string_view text, std::string file_name);
   JsonDocument(const JsonDocument&) = delete;
@@ -36,8 +36,8 @@ class JsonDocument {
 
   struct Node {
     double number = 0;      // a boolean is 0 or 1
-    Span text, key;         // in texts_
-    std::uint32_t end = 0;  // the first node after all that this one contains; 0: not read yet
+    Span text, key;         // positions in texts_
+    std::uint32_t end = 0;  // first node after this one's contents; 0: not read yet
     Kind kind = Kind::null;
   };
 
@@ -52,8 +52,8 @@ class JsonDocument {
   std::string file_name_;
 };
 
-/// Refers to a value of a document, which must outlive it. Everything throws InputError, naming
-/// file and place, when the value is not what is asked for.
+/// Reference to a value of a document, which must outlive it. All functions throw InputError,
+/// naming file and position, when the value is not of the requested kind.
 class JsonValue {
  public:
   bool is_string() const { return kind() == JsonDocument::Kind::string; }
@@ -61,21 +61,21 @@ class JsonValue {
   bool is_array() const { return kind() == JsonDocument::Kind::array; }
   bool is_object() const { return kind() == JsonDocument::Kind::object; }
 
-  std::string_view key() const;                               ///< in the object it is a member of
-  std::vector<JsonValue> members() const;                     ///< of an object
-  std::vector<JsonValue> elements() const;                    ///< of an array
+  std::string_view key() const;                               ///< key in its object
+  std::vector<JsonValue> members() const;                     ///< members of an object
+  std::vector<JsonValue> elements() const;                    ///< elements of an array
   std::optional<JsonValue> find(std::string_view key) const;  ///< optional member
   JsonValue operator[](std::string_view key) const;           ///< required member
-  /// Complains of members with other keys.
+  /// Throws InputError if there are members with other keys.
   void allow(std::initializer_list<std::string_view> keys) const;
 
   std::string_view text() const;
-  std::string_view line() const;  ///< text, not empty, of one line and at most 200 characters
-  double number() const;          ///< at most 1e100 in size, so that squares are finite
+  std::string_view line() const;  ///< non-empty text of one line and at most 200 characters
+  double number() const;          ///< at most 1e100 in magnitude, so that squares are finite
   int whole_number(int least, int most) const;
   bool boolean() const;
 
-  /// what: "<what is wrong>; <remedy>".
+  /// Throws InputError. what: "<what is wrong>; <remedy>".
   [[noreturn]] void complain(const std::string& what) const;
 
  private:

@@ -1,4 +1,4 @@
-// The parts of a mechanism file, in the order in which they are read. All complain with InputError.
+// Readers of the sections of a mechanism file, in reading order. All throw InputError.
 #pragma once
 
 #include "cases/io/format.h"
@@ -7,34 +7,34 @@
 
 namespace desmo {
 
-/// Names that are known; texts of the document.
+/// Known names; references to texts of the document.
 struct Names {
   NameTable points{"point"}, vectors{"vector"}, bodies{"body"}, coordinates{"coordinate"};
 };
 
-/// A mechanism, validated, and the units of its file.
+/// A validated mechanism and the units of its file.
 struct ReadMechanism {
   Mechanism mechanism;
   Units units;
 };
 ReadMechanism mechanism_from(const JsonValue& root);
 
-/// Has as many components as the mechanism has dimensions; the third is 0 in the plane.
+/// Reads as many components as the mechanism has dimensions; in the plane the third becomes 0.
 Mechanism::Vec read_components(const JsonValue& value, int dimension);
 
-/// A vector's name, or a list of two points.
+/// Reads a vector's name, or a list of two points.
 Mechanism::Direction read_direction(const JsonValue& value, const Names& names);
 
 std::vector<Mechanism::Vector> read_vectors(const JsonValue& root, int dimension,
                                             const std::vector<Mechanism::Point>& points,
                                             Names& names);
 
-/// `bodies` are for the names of joints that have none.
+/// Reads joints. bodies: supply the names of joints without one.
 std::vector<Mechanism::Joint> read_joints(const JsonValue& root,
                                           const std::vector<Mechanism::Body>& bodies,
                                           const Names& names);
 
-/// With their drivers.
+/// Reads relative coordinates and which of them are driven.
 std::vector<Mechanism::Coordinate> read_coordinates(const JsonValue& root, int dimension,
                                                     const Units& units, Names& names);
 

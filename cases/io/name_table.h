@@ -11,20 +11,21 @@
 
 namespace desmo {
 
-/// The names of one kind of thing and their positions. The texts must outlive it.
+/// Names of one kind of entity and their positions. The texts must outlive the table.
 class NameTable {
  public:
   explicit NameTable(std::string kind) : kind_(std::move(kind)) {}
 
-  /// At the next position. A name that is already there keeps its position.
+  /// Adds a name at the next position. A name that already exists keeps its position.
   void add(std::string_view name);
 
   std::optional<int> position(std::string_view name) const;
-  /// Of what a text of the document names; complains, with the nearest names, when there is none.
+  /// Return the positions of names in the document. Throw InputError, with the nearest names, when
+  /// there is none.
   int find(const JsonValue& value) const { return find(value, value.text()); }
   int find(const JsonValue& place, std::string_view name) const;
   std::vector<int> find_each(const JsonValue& list) const;
-  /// Two different names.
+  /// Returns the positions of two different names.
   std::array<int, 2> find_pair(const JsonValue& list) const;
 
   const std::vector<std::string_view>& names() const { return names_; }

@@ -5,8 +5,8 @@
 
 namespace desmo {
 
-/// `request` of a scene, in the order in which things are first asked for; what is asked for at
-/// several levels is there once, at the highest. Empty when the file has none.
+/// Reads `request` of a scene, in the order of first mention. An entity requested at several levels
+/// is listed once, at the highest. Returns an empty list when the file has no request.
 std::vector<Wanted> read_request(const JsonValue& root, const Mechanism& mechanism);
 
 }  // namespace desmo

@@ -1,4 +1,4 @@
-// What is changed in the text of a scene file, the rest of which stays as it was written.
+// Edits of a scene file's text that leave the rest unchanged.
 #pragma once
 
 #include <string>
@@ -6,9 +6,10 @@
 
 namespace desmo {
 
-/// The text of a scene whose member "formulation" is this id, in place of the one it has or behind
-/// its other members. text: JSON that parse_scene accepts. id: without characters that JSON
-/// escapes.
+/// Returns the text of a scene with the member "formulation" set to this id, in its old position or
+/// after the other members.
+/// - text: JSON that parse_scene() accepts
+/// - id: without characters that JSON escapes
 std::string with_formulation(std::string_view text, std::string_view id);
 
 }  // namespace desmo

@@ -6,15 +6,15 @@
 
 namespace desmo {
 
-constexpr std::size_t max_file = std::size_t{64} << 20;  ///< bytes
+constexpr std::size_t max_file = std::size_t{64} << 20;  ///< [bytes]
 
-/// Why a file cannot be read, and the remedy.
+/// Reason why a file cannot be read, and the remedy.
 class UnreadableFile : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// The bytes of a regular file, at most `max_file`. Throws UnreadableFile.
+/// Returns the bytes of a regular file of at most `max_file`. Throws UnreadableFile.
 std::string read_text(const std::filesystem::path& file);
 
 }  // namespace desmo

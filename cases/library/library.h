@@ -5,27 +5,27 @@
 
 namespace desmo {
 
-/// A mechanism of cases/library, carried by the program itself.
+/// A mechanism of cases/library, embedded in the program.
 struct LibraryMechanism {
   std::string_view name;
   std::string_view mechanism;  ///< text of <name>.json
   std::string_view scene;      ///< text of <name>.scene.json
 };
 
-/// In alphabetical order.
+/// Returns all mechanisms of the library, in alphabetical order.
 std::span<const LibraryMechanism> library();
 
-/// Null when there is none of that name.
+/// Returns the mechanism of that name, or null.
 const LibraryMechanism* find_library(std::string_view name);
 
-/// A scene of cases/requests: what is asked of the truck suspension where the suite measures what a
-/// request costs.
+/// A scene of cases/requests: a request for the truck suspension, with which the suite measures the
+/// cost of requests.
 struct RequestScene {
   std::string_view name;
   std::string_view scene;  ///< text of <name>.scene.json
 };
 
-/// In the order of the report.
+/// Returns all request scenes, in the order of the report.
 std::span<const RequestScene> request_scenes();
 
 }  // namespace desmo

@@ -8,7 +8,8 @@
 
 namespace desmo {
 
-/// Builds a mechanism step by step. Whatever is added is referred to by the position returned.
+/// Builder of a mechanism, step by step. Points, vectors and bodies are referred to by the returned
+/// position.
 class MechanismBuilder {
  public:
   explicit MechanismBuilder(std::string name, int dimension) {
@@ -36,7 +37,7 @@ class MechanismBuilder {
     d_.bodies.push_back({std::move(name), std::move(points), std::move(vectors), {}});
     return static_cast<int>(d_.bodies.size()) - 1;
   }
-  /// A body with two points, whose nominal positions are only an estimate.
+  /// Adds a body with two points, whose nominal positions are only estimates, and returns it.
   int link(std::string name, int a, int b, double length) {
     d_.bodies.push_back({std::move(name), {a, b}, {}, length});
     return static_cast<int>(d_.bodies.size()) - 1;

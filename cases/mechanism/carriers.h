@@ -1,4 +1,4 @@
-// Which bodies carry which points or vectors.
+// Table of the bodies that carry points or vectors.
 #pragma once
 
 #include <span>
@@ -9,10 +9,10 @@
 
 namespace desmo {
 
-/// The carriers of all points, or of all vectors. Linear space, logarithmic queries.
+/// Carriers of all points, or of all vectors. Memory is linear, queries are logarithmic.
 class Carriers {
  public:
-  /// Entity and the body that carries it.
+  /// An entity and a body that carries it.
   struct Pair {
     int entity, body;
     auto operator<=>(const Pair&) const = default;
@@ -23,7 +23,7 @@ class Carriers {
 
   bool carries(int body, int entity) const { return find({entity, body}) >= 0; }
   bool is_carried(int entity) const { return !of(entity).empty(); }
-  std::span<const Pair> of(int entity) const;             ///< one for each body that carries it
+  std::span<const Pair> of(int entity) const;             ///< one pair for each carrying body
   int find(Pair pair) const;                              ///< position in pairs(); -1: not carried
   std::span<const Pair> pairs() const { return pairs_; }  ///< ascending
 

@@ -1,5 +1,5 @@
-// The parts of validate(const Description&). Each throws DescriptionError and relies on those
-// before it.
+// The steps of validate(const Mechanism&). Each throws MechanismError and relies on the previous
+// steps.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@
 
 namespace desmo {
 
-/// Throws "joint 'J1': <what>" for an entry of the description.
+/// Throws MechanismError "joint 'J1': <what>" for an entry of the mechanism.
 [[noreturn]] void refuse(const Mechanism& mechanism, MechanismError::Part part, int index,
                          const std::string& what);
 
-/// Whether a position is one of a list.
+/// Returns whether an index is within a list.
 template <class List>
 bool is_in(int index, const List& list) {
   return index >= 0 && index < static_cast<int>(list.size());
@@ -21,17 +21,17 @@ bool is_in(int index, const List& list) {
 
 void check_names(const Mechanism& mechanism);
 
-/// Numbers, indices and what they imply, of points, vectors and bodies.
+/// Checks numbers and indices of points, vectors and bodies, and what they imply.
 void check_entities(const Mechanism& mechanism);
 
-/// That vectors along a segment have two points of a body that carries them.
+/// Checks that a vector along a segment has two points of a body that carries the vector.
 void check_vectors_along(const Mechanism& mechanism, const Carriers& points,
                          const Carriers& vectors);
 
-/// That joints have what their type asks for, of the bodies that carry it.
+/// Checks that joints have the entities that their type requires, carried by their bodies.
 void check_joints(const Mechanism& mechanism, const Carriers& points, const Carriers& vectors);
 
-/// That joints say of everything carried by several bodies that these share it.
+/// Checks that joints connect all bodies that carry the same point or vector there.
 void check_sharing(const Mechanism& mechanism, const Carriers& points, const Carriers& vectors);
 
 void check_coordinates(const Mechanism& mechanism, const Carriers& points, const Carriers& vectors);

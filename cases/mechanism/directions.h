@@ -1,4 +1,4 @@
-// Nominal directions, of vectors and of segments.
+// Nominal directions of vectors and of segments.
 #pragma once
 
 #include <optional>
@@ -7,14 +7,14 @@
 
 namespace desmo {
 
-/// x scaled to length 1; nothing when its components are all zero.
+/// Returns x scaled to length 1; nothing when all components are zero.
 std::optional<Mechanism::Vec> unit_vector(const Mechanism::Vec& x);
 
-/// The unit vector from p to q; nothing when they coincide but for rounding.
+/// Returns the unit vector from p to q; nothing when they coincide within rounding.
 std::optional<Mechanism::Vec> direction(const Mechanism::Vec& p, const Mechanism::Vec& q);
 
-/// The unit vector along a × b, of unit vectors; nothing when these are parallel, or so nearly
-/// that the product has lost half of its digits.
+/// Returns the unit vector along a × b of unit vectors a, b. Returns nothing when these are
+/// parallel, or so nearly that the product has lost half of its digits.
 std::optional<Mechanism::Vec> common_normal(const Mechanism::Vec& a, const Mechanism::Vec& b);
 
 }  // namespace desmo

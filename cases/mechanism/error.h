@@ -5,8 +5,8 @@
 
 namespace desmo {
 
-/// What validate(const Description&) throws: says also which entry is wrong, so that a parser can
-/// point at its place in the file.
+/// Error that validate(const Mechanism&) throws. It names the wrong entry, so that a parser can
+/// point at its position in the file.
 class MechanismError : public std::invalid_argument {
  public:
   enum class Part { description, point, vector, body, joint, coordinate };
@@ -15,7 +15,7 @@ class MechanismError : public std::invalid_argument {
       : std::invalid_argument(message), part_(part), index_(index) {}
 
   Part part() const { return part_; }
-  int index() const { return index_; }  ///< in the part's list
+  int index() const { return index_; }  ///< index in the part's list
 
  private:
   Part part_;

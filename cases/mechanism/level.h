@@ -2,7 +2,7 @@
 
 namespace desmo {
 
-/// How far an analysis goes; each level includes those before it.
+/// Levels of an analysis; each includes those before it.
 enum class Level { position, velocity, acceleration };
 
 }  // namespace desmo

@@ -14,7 +14,7 @@ namespace desmo {
 
 /// z(t) = c₀ + c₁ t + c₂ t² + …
 struct Polynomial {
-  std::vector<double> coefficients;  ///< c₀ first; none at all is 0
+  std::vector<double> coefficients;  ///< c₀ first; empty: z = 0
 };
 
 /// z(t) = mean + Σ amplitude sin(angular_frequency t + phase).
@@ -28,25 +28,25 @@ struct HarmonicSum {
   std::vector<Term> terms;
 };
 
-/// What holds at the ends of a spline, where interpolation leaves two conditions open.
+/// Conditions at the ends of a spline, which interpolation leaves open.
 enum class SplineEnds {
   natural,   ///< z̈ = 0 at both
   clamped,   ///< ż = 0 at both
   periodic,  ///< z, ż and z̈ at the last knot as at the first
 };
 
-/// A cubic spline through the points of a table: a cubic in each interval, twice continuously
-/// differentiable. Outside of the table the first and the last cubic are continued (a periodic
-/// spline too: it is not repeated).
+/// Cubic spline through the points of a table, twice continuously differentiable. Outside of the
+/// table its first and last cubic are continued; a periodic spline is not repeated either.
 class Spline {
  public:
-  /// z = c₀ + c₁ τ + c₂ τ² + c₃ τ³, where τ is the time since the interval's first knot.
+  /// Coefficients of z = c₀ + c₁ τ + c₂ τ² + c₃ τ³, where τ is the time since the interval's first
+  /// knot.
   using Piece = std::array<double, 4>;
 
   double first_time() const { return knots_.front(); }
   double last_time() const { return knots_.back(); }
   const std::vector<double>& knots() const { return knots_; }   ///< ascending, two or more
-  const std::vector<Piece>& pieces() const { return pieces_; }  ///< one an interval
+  const std::vector<Piece>& pieces() const { return pieces_; }  ///< one for each interval
 
   friend Spline make_spline(std::vector<double> times, std::vector<double> values, SplineEnds ends);
 
@@ -57,11 +57,12 @@ class Spline {
   std::vector<Piece> pieces_;
 };
 
-/// Throws std::invalid_argument unless there are as many times as values, two or more (periodic:
-/// three), all finite, the times strictly ascending, and (periodic) the last value is the first.
+/// Interpolates a table of times [s] and values. Throws std::invalid_argument unless there are as
+/// many times as values, two or more (periodic: three). All must be finite, the times strictly
+/// ascending, and (periodic) the last value equal to the first.
 Spline make_spline(std::vector<double> times, std::vector<double> values, SplineEnds ends);
 
-/// The prescribed motion of one independent coordinate.
+/// Prescribed motion of one independent coordinate.
 using Motion = std::variant<Polynomial, HarmonicSum, Spline>;
 
 /// z, ż and z̈ at one instant.
@@ -70,7 +71,7 @@ struct MotionSample {
   S position, velocity, acceleration;
 };
 
-/// Horner's rule, c[0] being the constant term.
+/// Evaluates Σ c[i] tⁱ and its first two derivatives by Horner's rule.
 template <class S>
 MotionSample<S> sample_polynomial(std::span<const double> c, const S& t) {
   if (c.empty()) return {S(0), S(0), S(0)};
@@ -115,7 +116,7 @@ MotionSample<S> sample(const Spline& m, const S& t) {
   return sample_polynomial(std::span<const double>(m.pieces()[i]), since_knot);
 }
 
-/// z(t), ż(t), z̈(t) of a motion, evaluated in the scalar S of t (seconds).
+/// Returns z(t), ż(t), z̈(t) of a motion, evaluated in the scalar S of t [s].
 template <class S>
 MotionSample<S> sample(const Motion& motion, const S& t) {
   return std::visit([&](const auto& m) { return sample(m, t); }, motion);
@@ -123,15 +124,15 @@ MotionSample<S> sample(const Motion& motion, const S& t) {
 
 /// Equally spaced instants. Each is computed from its index, never accumulated.
 struct TimeGrid {
-  double start = 0;  ///< s
-  double step = 0;   ///< s, positive
-  int instants = 0;  ///< both ends included
-  int stride = 1;    ///< steps from one instant to the next
+  double start = 0;  ///< [s]
+  double step = 0;   ///< [s], positive
+  int instants = 0;  ///< number of instants, both ends included
+  int stride = 1;    ///< number of steps between instants
 
   double time(int i) const { return start + i * stride * step; }
-  double interval() const { return stride * step; }  ///< s, from one instant to the next
+  double interval() const { return stride * step; }  ///< time between instants [s]
 
-  /// Its first instant and every so manieth after it, at the very same times.
+  /// Returns a grid of the first instant and every nth one after it, at exactly the same times.
   TimeGrid every(int nth) const { return {start, step, (instants + nth - 1) / nth, stride * nth}; }
 };
 

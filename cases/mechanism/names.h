@@ -7,33 +7,33 @@
 
 namespace desmo {
 
-/// The longest name that a file may give, in characters.
+/// Maximum length of a name in a file, in characters.
 constexpr std::size_t max_name = 100;
 
-/// Whether a text consists of letters, digits and `_ . / -` only, does not begin with `-`, and is
-/// neither empty nor longer than `max_name`.
+/// Returns whether a text is a name: 1 to `max_name` letters, digits and `_ . / -`, not beginning
+/// with `-`.
 bool is_name(std::string_view text);
 
-/// What a pattern matches: `*` stands for any characters, also none.
+/// Returns whether a name matches a pattern, in which `*` stands for any number of characters.
 bool matches(std::string_view pattern, std::string_view name);
 
-/// Of the known names at most three that differ from `name` in few letters (edit distance at most
-/// 3 and half its length), nearest first, equally near ones in the order given.
+/// Returns at most three known names similar to `name`: edit distance at most 3 and half its
+/// length. Nearest names come first, equally near ones in the order given.
 std::vector<std::string_view> nearest_names(std::string_view name,
                                             std::span<const std::string_view> known);
 
-/// "there are 'C', 'D'"; of many the number and the first.
+/// Returns "there are 'C', 'D'"; of a long list the number and the first names.
 std::string enumeration(std::span<const std::string_view> known);
 
-/// The end of a message about a name that is not known: "did you mean 'C', 'C2'?", or the
-/// enumeration when nothing is near.
+/// Returns the end of a message about an unknown name: "did you mean 'C', 'C2'?", or the
+/// enumeration when nothing is similar.
 std::string suggestion(std::string_view name, std::span<const std::string_view> known);
 
-/// A text from outside, fit for a terminal: control characters, invisible ones and what is not
-/// UTF-8 are escaped; at most `limit` characters are shown.
+/// Returns an external text in a form that is safe on terminals, at most `limit` characters of it.
+/// Control and invisible characters and invalid UTF-8 are escaped.
 std::string printable(std::string_view text, std::size_t limit = 60);
 
-/// printable, between single quotes.
+/// Returns printable(text) in single quotes.
 std::string in_quotes(std::string_view text);
 
 }  // namespace desmo

@@ -9,27 +9,27 @@
 
 namespace desmo {
 
-/// One thing that a scene asks for.
+/// A requested entity, and the highest level requested of it.
 struct Wanted {
   enum class Kind { point, vector, coordinate };
   Kind kind;
-  int index;  ///< in the description's points, vectors or coordinates
+  int index;  ///< index in the mechanism's points, vectors or coordinates
   Level level;
 };
 
-/// On ‖Φ‖₂ of a whole mechanism, each equation divided by its natural magnitude, wherever nobody
-/// asks for another: in scenes, in settings, in benchmarks.
+/// Default limit of ‖Φ‖₂ of the whole model, each equation divided by its natural magnitude. It is
+/// used in scenes, settings and benchmarks.
 inline constexpr double default_tolerance = 1e-12;
 
-/// What is to be solved: a mechanism, how it is driven, when, and what is asked.
+/// An analysis to be done: a mechanism, its drivers' motions, the instants and the request.
 struct Scene {
   std::string name;
   Mechanism mechanism;
-  std::vector<Motion> motions;  ///< one for each driven coordinate, in the description's order
+  std::vector<Motion> motions;  ///< one for each driven coordinate, in the mechanism's order
   TimeGrid grid;
-  /// Nothing twice; empty: everything, at the level of acceleration.
+  /// Requested entities, without duplicates; empty: everything, at the level of acceleration.
   std::vector<Wanted> request;
-  std::string formulation;  ///< id; empty: the program's choice
+  std::string formulation;  ///< id; empty: the program chooses
   double tolerance = default_tolerance;
 };
 

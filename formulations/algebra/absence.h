@@ -4,10 +4,10 @@
 
 namespace desmo {
 
-/// Why a library that is looked for when the program runs is not there.
+/// Reason why a library that is loaded at run time is absent.
 struct Absence {
-  std::string reason;   ///< as unsupported_reason says it; empty: it is there
-  bool faulty = false;  ///< something is there, or was named, that does not serve
+  std::string reason;   ///< text for unsupported_reason; empty: it is present
+  bool faulty = false;  ///< a library was found or named, but cannot be used
 };
 
 }  // namespace desmo

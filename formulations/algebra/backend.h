@@ -12,31 +12,32 @@
 
 namespace desmo {
 
-/// One library for linear systems.
+/// Library that solves linear systems.
 struct Backend {
   std::string_view name;
   bool dense;
   /// Makes a solver of systems with this pattern, as the settings say; with Scalar::mixed its
-  /// factors are single. Throws std::invalid_argument when the library cannot analyse the pattern.
+  /// factors are in single precision. Throws std::invalid_argument when the library cannot analyse
+  /// the pattern.
   std::unique_ptr<LinearSolver<double>> (*make_solver)(const Pattern&, const PartSettings&);
   std::string (*version)();
-  bool squares_condition = false;  ///< it solves normal equations: so much worse are its errors
-  Absence (*absence)() = nullptr;  ///< null: it is linked, and always there
-  /// Makes a solver in single precision. Dense libraries offer it, sparse ones do not: null.
+  bool squares_condition = false;  ///< solves normal equations, so that errors grow with κ²
+  Absence (*absence)() = nullptr;  ///< null: it is linked, so always present
+  /// Makes a solver in single precision; null for sparse libraries.
   std::unique_ptr<LinearSolver<float>> (*make_single_solver)(const Pattern&) = nullptr;
 };
 
-/// Makes a solver of a class whose constructor takes the pattern alone.
+/// Makes a solver of a class whose constructor takes only the pattern.
 template <class Solver>
 std::unique_ptr<LinearSolver<double>> make_sparse_solver(const Pattern& pattern,
                                                          const PartSettings&) {
   return std::make_unique<Solver>(pattern);
 }
 
-/// The libraries of this build that are on this machine, in the order of the design.
+/// Returns the libraries of this build that are present on this machine, in a fixed order.
 std::span<const Backend* const> backends();
 
-/// Those of this build that are not on this machine.
+/// Returns the libraries of this build that are absent on this machine.
 std::span<const Backend* const> absent_backends();
 
 }  // namespace desmo

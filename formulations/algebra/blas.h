@@ -4,14 +4,14 @@
 
 namespace desmo {
 
-/// What OpenBLAS runs on.
+/// Environment of OpenBLAS.
 struct BlasEnvironment {
-  std::string core;  ///< the instruction set its kernels were chosen for
+  std::string core;  ///< instruction set that its kernels were chosen for
   int threads;
 };
 BlasEnvironment blas_environment();
 
-/// For the whole process.
+/// Sets the number of OpenBLAS threads for the whole process.
 void set_blas_threads(int threads);
 
 }  // namespace desmo

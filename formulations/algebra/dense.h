@@ -20,7 +20,7 @@ class DenseScatter {
         position_.push_back(j * n_ + pattern.row[k]);
   }
 
-  /// matrix: n × n, overwritten.
+  /// Overwrites matrix (n × n, by columns).
   template <class Real, class Factor>
   void operator()(const Real* values, Factor* matrix) const {
     std::fill_n(matrix, static_cast<std::size_t>(n_) * n_, Factor(0));
@@ -31,11 +31,10 @@ class DenseScatter {
 
  private:
   int n_;
-  std::vector<int> position_;  // of each entry of the pattern
+  std::vector<int> position_;  // position of each pattern entry in the matrix
 };
 
-/// Dense LU for NewtonSolver, its factors in the precision Factor and what it takes and gives in
-/// the precision Real. Lu has
+/// Dense LU solver. Its factors are in the precision Factor, its input and output in Real. Lu has
 ///   explicit Lu(int n)
 ///   Factor* matrix()      n × n by columns, to be written before factor()
 ///   bool factor()         overwrites the matrix; false when singular
@@ -65,7 +64,7 @@ class Dense final : public LinearSolver<Real> {
     }
   }
 
-  /// LU takes n/3 times the operations of a solve, and does each about twice as fast.
+  /// Returns n/6: LU takes n/3 times the operations of a solve, at about twice the speed.
   int break_even_solves() const override { return std::max(3, scatter_.n() / 6); }
 
   bool rounds_factors() const override { return rounds; }

@@ -11,14 +11,14 @@
 
 namespace desmo {
 
-/// Linear systems with Φ_φ, solved with factors of R Φ_φ S: equations over their magnitudes,
-/// unknowns in theirs, so that in nanometres, in gigametres, and with both in one part, pivots are
-/// compared as in metres and nothing over- or underflows that need not. R and S are powers of two,
-/// which round nothing; where all magnitudes are ordinary numbers they are 1, and cost nothing.
+/// Linear systems with Φ_φ, solved with factors of the scaled matrix R Φ_φ S. R divides equations
+/// by their magnitudes, S multiplies unknowns with theirs. So pivots compare the same way in
+/// nanometres, in gigametres and with both in one part, and overflow is avoided. R and S are powers
+/// of two, which round nothing. Where all magnitudes are near 1 they are omitted.
 template <class Real>
 class Equilibration {
  public:
-  /// weights: 1/magnitude of each equation; magnitudes: of the unknowns, none standing for 1.
+  /// weights: 1/magnitude of each equation. magnitudes: those of the unknowns; empty: all are 1.
   Equilibration(const Pattern& pattern, std::span<const double> weights,
                 std::span<const double> magnitudes) {
     if (are_ordinary(weights) && are_ordinary(magnitudes)) return;
@@ -31,12 +31,12 @@ class Equilibration {
     scaled_.resize(entries_.size());
   }
 
-  /// R Φ_φ S, valid until the next call and as long as the values of Φ_φ are.
+  /// Returns R Φ_φ S. Valid until the next call and as long as `values` is.
   const Real* matrix(const Real* values) {
     return entries_.empty() ? values : scaled_matrix(values);
   }
 
-  /// b = Φ_φ⁻¹ b = S (R Φ_φ S)⁻¹ R b, by a solver that has factors of matrix().
+  /// Overwrites b with Φ_φ⁻¹ b = S (R Φ_φ S)⁻¹ R b, by a solver that has factors of matrix().
   void solve(LinearSolver<Real>& solver, Real* b) const {
     row_.empty() ? solver.solve(b) : solve_scaled(solver, b);
   }
@@ -46,7 +46,7 @@ class Equilibration {
     int row, column;
   };
 
-  // Apart, so that what ordinary magnitudes need is in line.
+  // Kept out of line, so that the common case without scaling is inlined.
   [[gnu::noinline]] const Real* scaled_matrix(const Real* values) {
     for (std::size_t k = 0; k < entries_.size(); ++k)
       scaled_[k] = row_[entries_[k].row] * values[k] * column_[entries_[k].column];
@@ -65,8 +65,8 @@ class Equilibration {
                                [](double x) { return std::abs(std::ilogb(x)) <= ordinary; });
   }
 
-  std::vector<Real> row_, column_;  // none: all are 1
-  std::vector<Entry> entries_;      // of Φ_φ
+  std::vector<Real> row_, column_;  // powers of two; empty: all are 1
+  std::vector<Entry> entries_;      // entries of Φ_φ
   std::vector<Real> scaled_;
 };
 

@@ -15,9 +15,9 @@
 
 namespace desmo {
 
-/// Sparse LU by SuiteSparse's KLU: block triangular form (or none) and ordering once, then numeric
-/// refactorisation in the pivot order of the last full factorisation. Solves linear systems for
-/// NewtonSolver, and for the assessment of solved instants.
+/// Sparse LU factorisation by SuiteSparse's KLU. Block triangular form (optional) and ordering are
+/// found once. Later factorisations reuse the pivot order while its pivots stay good. NewtonSolver
+/// and the assessment of solved instants use it.
 class KluFactors final : public LinearSolver<double> {
  public:
   explicit KluFactors(const Pattern& pattern, BlockTriangularForm btf = BlockTriangularForm::on)
@@ -25,8 +25,8 @@ class KluFactors final : public LinearSolver<double> {
     klu_defaults(&common_);
     common_.btf = btf == BlockTriangularForm::on;
     common_.scale = -1;  // row scaling costs a tenth and these matrices need none
-    // The pivot order has to last: with the default, 0.001, a pivot may be so small that the
-    // mechanism's motion takes it through zero.
+    // A pivot order has to last. With the default of 0.001 a pivot may be so small that the motion
+    // takes it through zero.
     common_.tol = 0.1;
     symbolic_ = klu_analyze(n_, start_.data(), row_.data(), &common_);
     if (!symbolic_) throw std::invalid_argument("KLU: the Jacobian is structurally singular");
@@ -49,7 +49,7 @@ class KluFactors final : public LinearSolver<double> {
 
   void solve(double* b) override { klu_solve(symbolic_, numeric_, n_, 1, b, &common_); }
 
-  /// b = A⁻ᵀ b
+  /// Overwrites b with A⁻ᵀ b.
   void solve_transposed(double* b) { klu_tsolve(symbolic_, numeric_, n_, 1, b, &common_); }
 
   bool reuses_pivots() const override { return true; }
@@ -58,20 +58,20 @@ class KluFactors final : public LinearSolver<double> {
 
   int break_even_solves() const override { return sparse_break_even_solves; }
 
-  /// Returns how often the order of pivots was chosen, the first time included.
+  /// Returns how often a pivot order was chosen, the first time included.
   long pivot_choices() const override { return pivot_choices_; }
 
-  /// The column at which factor() found the matrix singular.
+  /// Returns the column at which factor() found the matrix singular.
   int singular_column() const { return common_.singular_col; }
 
-  /// The irreducible blocks: block b has rows block_rows()[block_start()[b]] and those that follow,
-  /// and columns likewise.
+  /// Return the irreducible blocks. Block b has the rows block_rows()[k], and the columns
+  /// block_columns()[k], for k from block_start()[b] to block_start()[b + 1].
   std::span<const int> block_start() const {
     return {symbolic_->R, static_cast<std::size_t>(symbolic_->nblocks) + 1};
   }
   std::span<const int> block_rows() const { return {symbolic_->P, row_count()}; }
   std::span<const int> block_columns() const { return {symbolic_->Q, row_count()}; }
-  /// The rows of the blocks in the order of their pivots, and these: with the last factors.
+  /// Return the rows of the blocks in pivot order, and the pivots, of the last factors.
   std::span<const int> pivot_rows() const { return {numeric_->Pnum, row_count()}; }
   std::span<const double> pivots() const {
     return {static_cast<const double*>(numeric_->Udiag), row_count()};
@@ -80,8 +80,8 @@ class KluFactors final : public LinearSolver<double> {
  private:
   std::size_t row_count() const { return static_cast<std::size_t>(n_); }
 
-  /// A pivot order gone bad shows as a tiny estimate of the reciprocal condition, as klu_rcond
-  /// makes it from the pivots, against the bound that SUNDIALS uses.
+  /// Returns whether the smallest pivot is large enough compared with the largest (klu_rcond). The
+  /// bound is SUNDIALS'.
   bool pivots_are_good() const {
     static const double trusted = std::pow(std::numeric_limits<double>::epsilon(), 2.0 / 3.0);
     const auto size = Eigen::Map<const Eigen::ArrayXd>(pivots().data(), n_).abs();

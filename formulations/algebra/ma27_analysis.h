@@ -10,31 +10,31 @@
 
 namespace desmo {
 
-/// What MA27 is told and what it tells beside the matrix, by the names of its specification; there
-/// elements count from 1.
+/// Control and information arrays of MA27, named as in its specification, whose elements count from
+/// 1.
 struct Ma27Dialogue {
   std::array<int, 30> icntl;
   std::array<double, 5> cntl;
   std::array<int, 20> info{};
 
-  /// For definite matrices: no pivot is searched for. MA27 prints nothing.
+  /// Sets defaults for definite matrices: no search for pivots, no printing.
   Ma27Dialogue();
 
-  /// It takes no pivot smaller than that.
+  /// Sets the smallest magnitude that is accepted as a pivot.
   void set_least_pivot(double size) { cntl[2] = size; }
 
   bool succeeded() const { return info[0] == 0; }
   bool lacks_integers() const { return info[0] == -3; }
   bool lacks_reals() const { return info[0] == -4; }
-  /// Of what it lacks.
+  /// Returns the size that may suffice of the memory that is lacking.
   int may_suffice() const { return info[1]; }
-  /// What factors take when nothing has to be moved to make room: of a definite matrix, exactly.
+  /// Return the memory that the factors take without compression; exact for a definite matrix.
   int reals() const { return info[2]; }
   int integers() const { return info[3]; }
 };
 
-/// Gives memory of which there was too little what may suffice, and so much more that this comes to
-/// an end. False when it would be more than can be told.
+/// Enlarges memory to the suggested size, and at least by half, so that repetition ends. Returns
+/// false when the size would exceed an int.
 template <class Number>
 bool grow(std::vector<Number>& memory, int may_suffice) {
   const std::size_t wanted = std::max(may_suffice, 0), more = memory.size() + memory.size() / 2 + 1;
@@ -48,21 +48,21 @@ int count(const std::vector<Number>& numbers) {
   return static_cast<int>(numbers.size());
 }
 
-/// Normal equations, and the order in which MA27 eliminates them.
+/// Normal equations and MA27's order of elimination for them.
 struct Ma27Analysis {
   NormalEquations normal;
-  std::vector<int> row, column;  ///< of its entries, from 1
+  std::vector<int> row, column;  ///< row and column of each entry, counted from 1
   std::vector<int> order;        ///< IKEEP
-  std::vector<int> work;         ///< IW1, of any call
+  std::vector<int> work;         ///< IW1 of any call
   int steps = 0;
   double operations = 0;
   Ma27Dialogue dialogue;
 
-  /// Throws std::invalid_argument when MA27 will not analyse them.
+  /// Throws std::invalid_argument when MA27 cannot analyse them.
   Ma27Analysis(const Pattern& pattern, NormalForm form);
 };
 
-/// Of the form that takes fewer operations.
+/// Returns the analysis of the form that takes fewer operations.
 Ma27Analysis cheapest_ma27_analysis(const Pattern& pattern);
 
 }  // namespace desmo

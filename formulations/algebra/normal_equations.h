@@ -7,29 +7,30 @@
 
 namespace desmo {
 
-/// Which normal equations stand for Φ_φ x = b; either may fill in less.
+/// Form of the normal equations of Φ_φ x = b; the fill-in of the two differs.
 enum class NormalForm {
   columns,  ///< Φ_φᵀ Φ_φ x = Φ_φᵀ b
   rows,     ///< Φ_φ Φ_φᵀ y = b, x = Φ_φᵀ y
 };
 
-/// The upper triangle of N = Φ_φᵀ Φ_φ or Φ_φ Φ_φᵀ with rows and columns permuted, refilled without
-/// searching: each entry is a sum of products of entries of Φ_φ.
+/// Upper triangle of N = Φ_φᵀ Φ_φ or Φ_φ Φ_φᵀ with rows and columns permuted. Each entry is a sum
+/// of products of entries of Φ_φ, so that refilling needs no search.
 class NormalEquations {
  public:
-  /// permutation[k] is the column or row of Φ_φ that becomes column k of N.
+  /// permutation[k]: column or row of Φ_φ that becomes column k of N.
   NormalEquations(const Pattern& pattern, NormalForm form, const std::vector<int>& permutation);
 
   int n() const { return n_; }
-  std::vector<int>& column_start() { return column_start_; }  ///< n + 1
+  std::vector<int>& column_start() { return column_start_; }  ///< (n + 1)
   std::vector<int>& row() { return row_; }                    ///< ascending within a column
   std::vector<double>& values() { return values_; }
 
-  /// values() = N of these values of Φ_φ, overwritten.
+  /// Overwrites values() with N of these values of Φ_φ.
   void refill(const double* jacobian);
-  /// right = P Φ_φᵀ b (columns) or P b (rows), overwritten.
+  /// Overwrites right (n) with P Φ_φᵀ b (columns) or P b (rows).
   void right_side(const double* jacobian, const double* b, double* right) const;
-  /// x of Φ_φ x = b from y = N⁻¹ right, overwritten: Pᵀ y (columns) or Φ_φᵀ Pᵀ y (rows).
+  /// Overwrites x (n), the solution of Φ_φ x = b, from y = N⁻¹ right: Pᵀ y (columns) or Φ_φᵀ Pᵀ y
+  /// (rows).
   void solution(const double* jacobian, const double* y, double* x) const;
 
  private:
@@ -38,8 +39,8 @@ class NormalEquations {
   std::vector<int> permutation_;
   std::vector<int> column_start_, row_;
   std::vector<double> values_;
-  SumsOfProducts entries_;     // of N, products of entries of Φ_φ
-  SumsOfProducts transposed_;  // Φ_φᵀ times a vector, permuted as N where that is made of columns
+  SumsOfProducts entries_;     // entries of N as products of entries of Φ_φ
+  SumsOfProducts transposed_;  // Φ_φᵀ times a vector; rows permuted like N in the form `columns`
 };
 
 }  // namespace desmo

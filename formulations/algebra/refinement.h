@@ -8,25 +8,27 @@
 
 namespace desmo {
 
-/// Iterative refinement: solves Φ_φ x = b with factors of a matrix near Φ_φ, those of another
-/// position or of fewer digits, as accurately as with its own. The measure is the backward error in
-/// the norm that positions are accepted by: with w = 1/magnitude of each equation,
-/// max w |b − Φ_φ x| / max w (|b| + |Φ_φ| |x|), which does not depend on units.
+/// Iterative refinement: solves Φ_φ x = b with factors of a nearby matrix, from another position or
+/// with fewer digits, as accurately as with its own. It is measured by the backward error in the
+/// norm that accepts positions, max w |b − Φ_φ x| / max w (|b| + |Φ_φ| |x|). w is 1/magnitude of
+/// each equation, so that it does not depend on units.
 template <class Real>
 class Refinement {
  public:
   using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
 
-  /// weights: w, read as long as this lives.
+  /// weights: w, referenced for the lifetime of this object. used: false allocates nothing.
   Refinement(const Vector& weights, bool used)
       : weights_(weights),
         right_(used ? weights.size() : 0),
         residual_(right_.size()),
         size_(right_.size()) {}
 
-  /// x: b on entry. True when the error has come down to a few units of rounding; false, with b in
-  /// x again, as soon as it is clear that so many more sweeps would not get there.
-  /// solve_by_factors(Real* b) makes of b what the factors make of it.
+  /// Solves Φ_φ x = b. Returns true when the error is down to a few units of rounding. Returns
+  /// false, with b in x again, as soon as the remaining sweeps cannot get there.
+  /// - solve_by_factors(Real* b): overwrites b with the solution by the factors at hand
+  /// - sweeps: most corrections to make
+  /// - x: b on entry, the solution on return
   template <class Solve>
   bool solve(const Pattern& pattern, const Real* values, Solve solve_by_factors, int sweeps,
              Vector& x) {
@@ -49,7 +51,7 @@ class Refinement {
   }
 
  private:
-  /// Leaves b − Φ_φ x in residual_.
+  /// Writes b − Φ_φ x to residual_. Returns the backward error.
   Real backward_error(const Pattern& p, const Real* values, const Vector& x) {
     residual_ = right_;
     size_ = right_.cwiseAbs();

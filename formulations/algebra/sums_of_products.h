@@ -6,9 +6,9 @@
 
 namespace desmo {
 
-/// Sums of products of elements of two arrays, c_i = Σ u_a v_b over pairs (a, b) listed once.
-/// Sums of equally many products are taken one after the other: loops then end where the processor
-/// expects it, and the time does not hang on where their code happens to begin.
+/// Sums of products of elements of two arrays, cᵢ = Σ u_a v_b over given pairs (a, b). Sums with
+/// equally many products are evaluated in sequence: branches become predictable, and the time does
+/// not depend on code alignment.
 class SumsOfProducts {
  public:
   struct Pair {
@@ -16,7 +16,7 @@ class SumsOfProducts {
   };
 
   SumsOfProducts() = default;
-  /// pairs[i] lists the products of c_i, added in that order.
+  /// pairs[i]: products of cᵢ, added in that order.
   explicit SumsOfProducts(const std::vector<std::vector<Pair>>& pairs) {
     std::map<int, std::vector<int>> of_length;
     for (std::size_t i = 0; i < pairs.size(); ++i)
@@ -30,7 +30,7 @@ class SumsOfProducts {
     }
   }
 
-  /// Overwrites every c_i. c shares no element with u and v.
+  /// Overwrites every cᵢ. c must not overlap u and v.
   void operator()(const double* u, const double* v, double* c) const {
     const int* target = target_.data();
     const Pair* pair = pairs_.data();
@@ -63,12 +63,12 @@ class SumsOfProducts {
 
  private:
   struct Run {
-    int length;  // products of each
+    int length;  // products in each sum
     int sums;
   };
   std::vector<Run> runs_;
-  std::vector<int> target_;  // i of c_i, run after run
-  std::vector<Pair> pairs_;  // sum after sum
+  std::vector<int> target_;  // i of each sum cᵢ, in order of evaluation
+  std::vector<Pair> pairs_;  // pairs in order of evaluation
 };
 
 }  // namespace desmo

@@ -5,7 +5,7 @@
 // yields the expression from which code is generated.
 //
 // A kind has
-//   name            stable, part of the fingerprint of a group
+// stable name, part of the fingerprint of a group
 //   operand_sizes   components of each entity it joins, in order
 //   constants       how many dimensions of the mechanism it takes
 //   rows            how many scalar equations it contributes
@@ -35,8 +35,8 @@
 
 namespace desmo {
 
-/// Every kind there is: the one list that evaluation, recording and tests iterate. A constraint
-/// stores its kind as a position in this list.
+/// List of all kinds, over which evaluation, recording and tests iterate. A constraint stores its
+/// kind as a position in this list.
 using ConstraintKinds =
     std::tuple<Length<2>, Length<3>, Unit<3>, Dot<3>, Projection<3>, Rigid<3, 0>, Rigid<3, 1>,
                Rigid<3, 2>, Rigid<3, 3>, Along<3>, Component<3, 2>, PlanarAngle,
@@ -53,12 +53,13 @@ using ConstraintKinds =
 
 inline constexpr int constraint_kind_count = std::tuple_size_v<ConstraintKinds>;
 
+/// Whether a kind determines its last operand, an angle, modulo π only.
 template <class Kind>
 inline constexpr bool holds_modulo_pi = requires {
   requires Kind::modulo_pi;
 };
 
-/// Position of Kind in ConstraintKinds.
+/// Returns the position of Kind in ConstraintKinds.
 template <class Kind>
 constexpr int kind_index() {
   return []<std::size_t... I>(std::index_sequence<I...>) {

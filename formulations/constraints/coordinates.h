@@ -1,7 +1,7 @@
 #pragma once
 
-// What relative coordinates measure: components, distances and angles. A kind is described in
-// formulations/constraints/constraints.h.
+// Constraint kinds that define relative coordinates: components, distances and angles. The concept
+// of a kind is described in formulations/constraints/constraints.h.
 
 #include <array>
 #include <cmath>
@@ -140,7 +140,7 @@ struct PlanarDirection {
 
 namespace vec {
 
-/// r R(θ): turns a plane vector by θ counter-clockwise and stretches it by r.
+/// Scaled rotation r R(θ): turns a plane vector by θ counter-clockwise and stretches it by r.
 template <class S>
 struct Turn {
   S cosine, sine;  ///< r cos θ, r sin θ
@@ -154,12 +154,12 @@ struct Turn {
   std::array<S, 2> operator()(const std::array<S, 2>& e) const {
     return {cosine * e[0] - sine * e[1], sine * e[0] + cosine * e[1]};
   }
-  /// Row i, column `other` ≠ i of r R(θ).
+  /// Returns the entry of r R(θ) in row i and column `other` ≠ i.
   S across(int i) const { return i == 0 ? -sine : sine; }
 };
 
-/// The quadratic term of −r R(θ) e: with f = r R(θ) e, g = r R(θ) ė and J the quarter turn,
-/// θ̇² f − 2 θ̇ J g.
+/// Writes the quadratic term of −r R(θ) e: θ̇² f − 2 θ̇ J g, with f = r R(θ) e, g = r R(θ) ė and J
+/// the quarter turn. Overwrites gamma.
 template <class S>
 void quadratic_of_turn(const std::array<S, 2>& f, const std::array<S, 2>& g, const S& rate,
                        S* gamma) {
@@ -170,17 +170,16 @@ void quadratic_of_turn(const std::array<S, 2>& f, const std::array<S, 2>& g, con
 }  // namespace vec
 
 /// Angle θ of a plane direction d from a direction e, counter-clockwise: d − r R(θ) e = 0, two
-/// equations, where R(θ) turns by θ and r is the constant ratio ‖d‖/‖e‖. Operands those of d, those
-/// of e, θ; those of a direction are its vector or, with OfSegment (d) and FromSegment (e), the two
-/// points of its segment, start first; c = {r}. All operands must differ, as in every kind: for
-/// segments with a common start there is PlanarTurnAtPoint.
+/// equations. R(θ) turns by θ, and r is the constant ratio ‖d‖/‖e‖. Operands d, e, θ; c = {r}. A
+/// direction is one vector or, with OfSegment (d) and FromSegment (e), the two points of a segment,
+/// start first. All operands must differ: segments with a common start use PlanarTurnAtPoint.
 template <bool OfSegment, bool FromSegment>
 struct PlanarTurn {
   static constexpr std::string_view name =
       OfSegment
           ? (FromSegment ? "planar_turn_segment_from_segment" : "planar_turn_segment_from_vector")
           : (FromSegment ? "planar_turn_vector_from_segment" : "planar_turn_vector_from_vector");
-  /// First operand of e, and operand θ.
+  /// Index of the first operand of e, and of θ.
   static constexpr int e = vec::direction_operands<OfSegment>;
   static constexpr int theta = e + vec::direction_operands<FromSegment>;
   static constexpr std::array<int, theta + 1> operand_sizes = [] {
@@ -226,7 +225,7 @@ struct PlanarTurn {
   }
 };
 
-/// The same of two segments from one point o, to b and to a: (b − o) − r R(θ) (a − o) = 0, two
+/// Angle θ between two segments from one point o, to b and to a: (b − o) − r R(θ) (a − o) = 0, two
 /// equations. Operands o, b, a, θ; c = {r}, the constant ratio ‖b − o‖/‖a − o‖.
 struct PlanarTurnAtPoint {
   static constexpr std::string_view name = "planar_turn_at_point";
@@ -273,7 +272,7 @@ struct FrameAngle {
   static constexpr std::string_view name =
       Sign < 0 ? (Segment ? "frame_angle" : "frame_angle_of_vector")
                : (Segment ? "frame_angle_from_x" : "frame_angle_from_x_of_vector");
-  /// Operand φ.
+  /// Index of operand φ.
   static constexpr int angle = 2 + vec::direction_operands<Segment>;
   static constexpr std::array<int, angle + 1> operand_sizes = [] {
     std::array<int, angle + 1> sizes{};
@@ -327,7 +326,7 @@ struct FrameAngle {
   }
 
  private:
-  /// −Sign s
+  /// Returns −Sign s.
   template <class S>
   static S opposite(const S& s) {
     if constexpr (Sign < 0)

@@ -1,7 +1,7 @@
 #pragma once
 
-// What joints ask of the points and vectors of two bodies, beyond what makes one body rigid
-// (formulations/constraints/rigid_body.h). A kind is described in
+// Constraint kinds of joints between the points and vectors of two bodies. Those that make one body
+// rigid are in formulations/constraints/rigid_body.h. The concept of a kind is described in
 // formulations/constraints/constraints.h.
 
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 
-// What makes bodies rigid: constant lengths, angles and combinations of points and vectors. A kind
-// is described in formulations/constraints/constraints.h.
+// Constraint kinds that make bodies rigid: constant lengths, angles and combinations of points and
+// vectors. The concept of a kind is described in formulations/constraints/constraints.h.
 
 #include <array>
 #include <string_view>

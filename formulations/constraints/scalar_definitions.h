@@ -1,10 +1,10 @@
 #pragma once
 
-// What relative coordinates measure, in one equation each: for directions that other equations keep
-// at their length, and points that others keep on their line. A definition of several equations
-// (formulations/constraints/coordinates.h, joints.h) says that as well; of these, one alone would
-// be singular in some positions and hold in wrong ones. A kind is described in
-// formulations/constraints/constraints.h.
+// Constraint kinds that define a relative coordinate by one equation. They suit directions whose
+// length, and points whose line, other equations determine already. The definitions in
+// coordinates.h and joints.h have several equations and determine these as well. Without them, one
+// equation alone would be singular in some positions and hold in wrong ones. The concept of a kind
+// is described in formulations/constraints/constraints.h.
 
 #include <array>
 #include <cmath>
@@ -47,21 +47,21 @@ struct Reach {
 
 namespace vec {
 
-/// f × d = 0 for plane directions d and f = r R(θ) e: its derivatives, given f and those of e.
+/// Equation f × d = 0 of plane directions d and f = r R(θ) e, and its derivatives.
 template <class S>
 struct Parallel {
   std::array<S, 2> f, d;
 
   S residual() const { return cross(f.data(), d.data()); }
-  /// ∂/∂d_i
+  /// Returns ∂/∂dᵢ.
   S of_d(int i) const { return i == 0 ? -f[1] : f[0]; }
   S of_theta() const { return -dot<2>(f.data(), d.data()); }
-  /// ∂/∂e_i, f turned and stretched from e by `turn`
+  /// Returns ∂/∂eᵢ. turn: r R(θ).
   S of_e(const Turn<S>& turn, int i) const {
     return i == 0 ? turn.cosine * d[1] - turn.sine * d[0]
                   : -(turn.sine * d[1] + turn.cosine * d[0]);
   }
-  /// g: r R(θ) ė
+  /// Returns the quadratic term. g: r R(θ) ė.
   S quadratic(const std::array<S, 2>& g, const std::array<S, 2>& d_rate, const S& rate) const {
     std::array<S, 2> minus_f2;  // −f̈
     quadratic_of_turn(f, g, rate, minus_f2.data());
@@ -72,8 +72,8 @@ struct Parallel {
 
 }  // namespace vec
 
-/// Angle θ of a plane direction d from the x axis: (cos θ, sin θ) × d = 0. Operands those of d, a
-/// vector or, with Segment, the points a, b with d = b − a, then θ. It holds modulo π.
+/// Angle θ of a plane direction d from the x axis: (cos θ, sin θ) × d = 0. Operands d, θ. The
+/// direction is a vector or, with Segment, the points a, b with d = b − a. It holds modulo π.
 template <bool Segment>
 struct PlanarBearing {
   static constexpr std::string_view name = Segment ? "planar_bearing" : "planar_bearing_of_vector";
@@ -159,8 +159,8 @@ struct PlanarBearingFrom {
   }
 };
 
-/// The same of two segments from one point o, to b and to a: r R(θ) (a − o) × (b − o) = 0. Operands
-/// o, b, a, θ; c = {r}, as in PlanarTurnAtPoint. It holds modulo π.
+/// Angle θ between two segments from one point o, to b and to a: r R(θ) (a − o) × (b − o) = 0.
+/// Operands o, b, a, θ; c = {r}, as in PlanarTurnAtPoint. It holds modulo π.
 struct PlanarBearingAtPoint {
   static constexpr std::string_view name = "planar_bearing_at_point";
   static constexpr std::array operand_sizes{2, 2, 2, 1};
@@ -197,8 +197,8 @@ struct PlanarBearingAtPoint {
   }
 };
 
-/// The kind that defines a relative coordinate in one equation, of the same operands and of the
-/// first of the constants, where other equations say the rest of Kind; void: there is none.
+/// One-equation kind that replaces Kind, with the same operands and the first of its constants,
+/// where other equations imply the rest. void: there is none.
 template <class Kind>
 struct ScalarDefinition {
   using type = void;

@@ -1,6 +1,6 @@
 #pragma once
 
-// The little vector algebra that constraint kinds share, for any scalar.
+// Vector algebra shared by the constraint kinds, for any scalar.
 
 #include <array>
 
@@ -13,13 +13,13 @@ S dot(const S* u, const S* v) {
   return sum;
 }
 
-/// u × v in the plane: uₓ v_y − u_y vₓ
+/// Returns u × v in the plane: uₓ v_y − u_y vₓ.
 template <class S>
 S cross(const S* u, const S* v) {
   return u[0] * v[1] - u[1] * v[0];
 }
 
-/// b − a
+/// Returns b − a.
 template <int D, class S>
 std::array<S, D> segment(const S* a, const S* b) {
   std::array<S, D> s;
@@ -27,7 +27,7 @@ std::array<S, D> segment(const S* a, const S* b) {
   return s;
 }
 
-/// A direction: the segment from the first operand to the second, or the vector that is the first.
+/// Returns a direction: the segment from operand 0 to operand 1, or the vector operand 0.
 template <int D, bool Segment, class S>
 std::array<S, D> direction(const S* const* x) {
   if constexpr (Segment) {
@@ -39,7 +39,7 @@ std::array<S, D> direction(const S* const* x) {
   }
 }
 
-/// How many operands a direction takes.
+/// Number of operands of a direction.
 template <bool Segment>
 inline constexpr int direction_operands = Segment ? 2 : 1;
 

@@ -9,9 +9,9 @@
 
 namespace desmo {
 
-/// Automatic equations: a loop over the constraint objects of a part. Objects of one kind stand
-/// together, so that no call in the loop is virtual; the positions of their partial derivatives
-/// are looked up once. Real is double or float.
+/// Automatic equations: loops over the constraint objects of a part. Objects of one kind are
+/// contiguous, so that no call in a loop is virtual. The constructor looks up the positions of
+/// their partial derivatives. Real is double or float.
 template <class Real>
 class BasicAutomaticEquations final : public Equations<Real> {
  public:
@@ -28,15 +28,15 @@ class BasicAutomaticEquations final : public Equations<Real> {
 
  private:
   template <class Kind>
-  struct Batch;    // the objects of one kind
-  struct Batches;  // a batch for every kind
-  struct Loops;    // the loops over the objects of one batch
+  struct Batch;    // objects of one kind
+  struct Batches;  // a Batch for every kind
+  struct Loops;    // loops over the objects of one Batch
   template <class Kind, bool Whole>
   struct LoopsOf;
 
   Pattern pattern_;
   std::unique_ptr<Batches> batches_;
-  std::vector<const Loops*> loops_;  // of the batches that have objects: a part has few kinds
+  std::vector<const Loops*> loops_;  // loops of the batches that have objects; a part has few kinds
 };
 
 using AutomaticEquations = BasicAutomaticEquations<double>;

@@ -1,4 +1,4 @@
-// Instantiated once for each scalar: automatic_double.cpp, automatic_float.cpp.
+// Definitions, instantiated once for each scalar: automatic_double.cpp, automatic_float.cpp.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@ std::array<const S*, N> pointers(const S* state, const std::array<int, N>& posit
   return result;
 }
 
-/// Writes the partial derivatives of one constraint to their places.
+/// Writes the partial derivatives of one constraint to their positions in values.
 template <class Kind, class Object, class Operands, class S>
 inline void write_jacobian(const Object& o, const Operands& x, S* values) {
   int i = 0;
@@ -31,7 +31,7 @@ inline void write_jacobian(const Object& o, const Operands& x, S* values) {
                  [&](int, int, int, S value) { values[o.slots[i++]] = value; });
 }
 
-/// Copies the components that belong to the part to their places.
+/// Copies the equations that belong to the part to their rows.
 template <class S, std::size_t N>
 void pick(const std::array<int, N>& rows, const std::array<S, N>& all, S* to) {
   for (std::size_t r = 0; r < N; ++r)
@@ -44,14 +44,14 @@ template <class S>
 template <class Kind>
 struct BasicAutomaticEquations<S>::Batch {
   struct Object {
-    std::array<int, Kind::operand_sizes.size()> operands;  // in the state
+    std::array<int, Kind::operand_sizes.size()> operands;  // positions in the state
     std::array<S, Kind::constants> constants;
-    int row;  // first of the part, when it has them all
+    int row;  // first row in the part, when the part has all rows
     std::array<int, Kind::entries> slots;
-    std::array<int, Kind::rows> rows;  // of the part, or -1 where another part has it
+    std::array<int, Kind::rows> rows;  // row in the part; -1: belongs to another part
   };
-  std::vector<Object> whole;  // all their equations belong to the part
-  std::vector<Object> cut;    // some do
+  std::vector<Object> whole;  // all equations belong to the part
+  std::vector<Object> cut;    // some equations belong to the part
 };
 
 template <class S>

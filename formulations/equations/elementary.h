@@ -9,15 +9,15 @@
 
 #include "formulations/equations/explicit_kernel.h"
 
-// Functions of angles for generated code, for double and for lanes of doubles: short enough to be
-// inlined, and within 2 units in the last place of those of the standard library.
+// Functions of angles for generated code, for double and for lanes of doubles. They are short
+// enough to be inlined, and within 2 units in the last place of the standard library's.
 
-// A call would cost the registers of straight-line code around it.
+// Inlines always: a call would spill the registers of the straight-line code around it.
 #define DESMO_INLINE [[gnu::always_inline]] inline
 
 namespace desmo::elementary {
 
-/// mask ? a : b
+/// Returns mask ? a : b.
 template <class T>
 DESMO_INLINE T select(const Mask<T>& mask, const T& a, const T& b) {
   if constexpr (std::is_same_v<Mask<T>, bool>) {
@@ -29,11 +29,11 @@ DESMO_INLINE T select(const Mask<T>& mask, const T& a, const T& b) {
   }
 }
 
-/// Where the reduction of an angle keeps its accuracy.
+/// Limit of |angle| [rad] below which its reduction is accurate.
 inline constexpr double max_reduced = 1e6;
 
-/// Σ c[i] xⁱ, in pairs: about as much work as Horner's rule, in less than half its time where
-/// nothing else is waiting to be done.
+/// Returns Σ c[i] xⁱ, summed in pairs. That is about as much work as Horner's rule, at less than
+/// half its latency.
 template <class C, std::size_t n, class T>
 DESMO_INLINE T polynomial(const std::array<C, n>& c, const T& x) {
   if constexpr (n == 1) {
@@ -49,7 +49,8 @@ DESMO_INLINE T polynomial(const std::array<C, n>& c, const T& x) {
   }
 }
 
-/// Of |x| ≤ π/2: interpolated at the zeros of Chebyshev polynomials of x², error 2e-17.
+/// Returns sin x for |x| ≤ π/2, interpolated at the zeros of Chebyshev polynomials of x²; error
+/// 2e-17.
 template <class T>
 DESMO_INLINE T sine_near_zero(const T& x) {
   constexpr std::array c{-1.0 / 6,
@@ -77,8 +78,8 @@ struct SineCosine {
   T sine, cosine;
 };
 
-/// Both at once: asked for both of one angle, a compiler computes what they share once. Not numbers
-/// beyond ±max_reduced.
+/// Returns sine and cosine of an angle [rad], NaN beyond ±max_reduced. Calls for both of one angle
+/// share their common work.
 template <class T>
 DESMO_INLINE SineCosine<T> sine_cosine(const T& far_or_near) {
   using std::abs, std::floor, std::nearbyint;
@@ -103,8 +104,8 @@ DESMO_INLINE T cos(const T& x) {
   return sine_cosine(x).cosine;
 }
 
-/// arctan of |z| ≤ tan(π/8): interpolated at the zeros of a Chebyshev polynomial of z², error
-/// 3e-18.
+/// Returns arctan z for |z| ≤ tan(π/8), interpolated at the zeros of a Chebyshev polynomial of z²;
+/// error 3e-18.
 template <class T>
 DESMO_INLINE T arctan_near_zero(const T& z) {
   constexpr std::array c{-0.3333333333333312,  0.1999999999994089,   -0.14285714279250192,
@@ -115,7 +116,7 @@ DESMO_INLINE T arctan_near_zero(const T& z) {
   return z + (z * u) * polynomial(c, u);
 }
 
-/// The angle of (x, y) from the x axis, within ±π; not a number at the origin.
+/// Returns the angle of (x, y) from the x axis, within ±π; NaN at the origin.
 template <class T>
 DESMO_INLINE T arctan(const T& y, const T& x) {
   using std::abs, std::copysign;

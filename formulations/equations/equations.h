@@ -4,13 +4,14 @@
 
 namespace desmo {
 
-/// The constraint equations Φ of one part and their partial derivatives. `state` and `rate` are the
-/// state and its time derivative (Model::state_size()); `values` has pattern().size() values,
-/// `phi` and `gamma` pattern().n. Real is double or float.
-///
-/// One call evaluates all equations of the part; what it runs is a loop over constraint objects
-/// (AutomaticEquations) or generated straight-line code (SymbolicEquations), neither of which makes
-/// a virtual call for a single equation.
+/// Constraint equations Φ of one part and their partial derivatives. Φ_φ are those by the part's n
+/// unknowns φ, Φ_h those by the coordinates h that it takes as known. Real is double or float. One
+/// call evaluates all equations of the part, without a virtual call for a single equation. It runs
+/// a loop over constraint objects (AutomaticEquations) or generated straight-line code
+/// (SymbolicEquations).
+/// - state, rate: the state and its time derivative (Model::state_size())
+/// - values: (pattern().size())
+/// - phi, gamma: (n)
 template <class Real>
 class Equations {
  public:
@@ -18,15 +19,15 @@ class Equations {
 
   virtual const Pattern& pattern() const = 0;
 
-  /// Writes the partial derivatives that never change. Called once, before the others.
+  /// Writes the partial derivatives that never change. Call it once, before the others.
   virtual void constant_jacobian(Real* values) const = 0;
-  /// phi = Φ, overwritten.
+  /// Evaluates Φ. Overwrites phi.
   virtual void residual(const Real* state, Real* phi) const = 0;
-  /// Writes the entries of Φ_φ that change, those of constant_jacobian() apart.
+  /// Writes the entries of Φ_φ that change; constant_jacobian() wrote the others.
   virtual void jacobian(const Real* state, Real* values) const = 0;
-  /// Writes the entries of Φ_h that change and that jacobian() has not written.
+  /// Writes the changing entries of Φ_h that jacobian() has not written.
   virtual void known_jacobian(const Real* state, Real* values) const = 0;
-  /// gamma = Φ̇_q q̇ (eq. 4), overwritten.
+  /// Evaluates the quadratic velocity term Φ̇_q q̇ (eq. 4). Overwrites gamma.
   virtual void quadratic(const Real* state, const Real* rate, Real* gamma) const = 0;
 };
 

@@ -9,14 +9,15 @@
 
 namespace desmo {
 
-/// What a solution must satisfy.
+/// Limits that a solution must satisfy.
 struct ExplicitLimits {
-  double tolerance2;       ///< on ‖Φ‖₂² of the part's own equations, each times its weight
-  double core_tolerance2;  ///< on that of the residuals of a core, smaller: others grow from them
-  int max_iterations;      ///< of Newton–Raphson on a core
+  double tolerance2;  ///< limit of ‖Φ‖₂² of the part's equations, each times its weight
+  double core_tolerance2;  ///< limit for a core's residuals, smaller, since later unknowns amplify
+                           ///< them
+  int max_iterations;      ///< limit of Newton–Raphson iterations on a core
 };
 
-/// What comparing values of type T gives: bool, or one for each lane.
+/// Type of a comparison of values of type T: bool, or one bool per lane.
 template <class T>
 using Mask = decltype(std::declval<T>() < std::declval<T>());
 
@@ -35,39 +36,39 @@ bool any(const M& mask) {
     return any_of(mask);
 }
 
-/// Numbers of an anchor: an angle, its sine and its cosine.
+/// Number of values in an anchor: an angle, its sine and its cosine.
 inline constexpr int anchor_size = 3;
 
-/// A part that a kernel is bound to, or one in each lane. What it points to outlives it.
+/// Binding of a kernel to one part, or to one part in each lane. All pointers outlive it.
 template <class T>
 struct ExplicitBinding {
-  const int* in;    ///< position in q, q̇ and q̈ of each local input, fixed entities behind
+  const int* in;    ///< position of each local input in q, q̇, q̈ (fixed entities at the end)
   const T* c;       ///< dimensions
-  const T* f;       ///< what ExplicitKernel::fold makes of them
-  const T* branch;  ///< ±1: the side of each square root
+  const T* f;       ///< values that ExplicitKernel::fold makes of c
+  const T* branch;  ///< ±1: sign of each square root
   const T* w;       ///< 1/magnitude of each equation
-  T* anchors;       ///< for each angle one not far from it, which the kernel moves with it so that
-                    ///< sines need not be evaluated anew; zeros: none yet
+  T* anchors;  ///< for each angle a nearby one that follows it, so that sines are cheap; zeros:
+               ///< none yet
   ExplicitLimits limits;
 };
 
-/// Where an explicit order ended; for a single part small enough for registers.
+/// Result of an explicit order for one part. It is small enough to be returned in registers.
 template <class T>
 struct ExplicitResult {
-  T residual2;       ///< ‖Φ‖₂² of the part's own equations, each times its weight
-  int iterations;    ///< of Newton–Raphson, the most of any core; 0 when there is none
-  Mask<T> accepted;  ///< residual2 is small enough, and no divisor or square root is too small
+  T residual2;       ///< ‖Φ‖₂² of the part's equations, each times its weight
+  int iterations;    ///< largest number of Newton–Raphson iterations of a core; 0: no core
+  Mask<T> accepted;  ///< residual2 meets its limit, and no divisor or square root is too small
 };
 
-/// Where several of one type ended, solved one after the other.
+/// Result of solving several parts of one type one after the other.
 struct ExplicitRunResult {
-  int accepted;      ///< how many, up to the first that was not
-  int iterations;    ///< the most of any of them …
-  long all;          ///< … and of all together
-  double residual2;  ///< of these together
+  int accepted;      ///< number of accepted parts before the first that was not
+  int iterations;    ///< largest number of iterations of a part
+  long all;          ///< iterations of all parts
+  double residual2;  ///< sum over the accepted parts
 };
 
-/// A kernel for one part, over and over: what is between two parts is nothing but a loop.
+/// Solves `count` parts with one kernel in a plain loop, up to the first that is not accepted.
 template <ExplicitResult<double> (*solve)(double*, double*, double*,
                                           const ExplicitBinding<double>&)>
 ExplicitRunResult solve_run(double* q, double* qd, double* qdd,
@@ -85,31 +86,33 @@ ExplicitRunResult solve_run(double* q, double* qd, double* qdd,
   return {accepted, iterations, all, residual2};
 }
 
-/// Generated code that solves one type of group or block (see PartType) in explicit order:
-/// unknowns in closed form one after the other, Newton–Raphson on what is left, velocities and
-/// accelerations by differentiation.
+/// Generated code that solves one type of group or block (see PartType) in explicit order. Unknowns
+/// follow in closed form one after the other. Newton–Raphson solves a *core*, the equations that
+/// have no closed form, and starts from its *torn* unknowns. Velocities and accelerations follow by
+/// differentiation.
 struct ExplicitKernel {
-  std::string_view name;                       ///< of the group it was first seen in
+  std::string_view name;                       ///< name of the group where it was first met
   std::string_view fingerprint;                ///< PartType::fingerprint
-  std::span<const std::string_view> branches;  ///< what each square root determines
+  std::span<const std::string_view> branches;  ///< unknown that each root determines
   std::span<const int> unknowns;               ///< local inputs that are written
-  std::span<const int> torn;                   ///< those of them that Newton–Raphson starts from
-  std::span<const int> angles;                 ///< those that stay near the last, with an anchor
-  int folded;                                  ///< values that depend on dimensions alone
+  std::span<const int> torn;                   ///< unknowns from which Newton–Raphson starts
+  std::span<const int> angles;                 ///< unwrapped angles, each with an anchor
+  int folded;                                  ///< number of values that depend on dimensions alone
 
-  /// f: those values, from the dimensions c.
+  /// Computes these values f from the dimensions c.
   void (*fold)(const double* c, double* f);
-  /// branch: those on which a solved position lies.
+  /// Finds the branch of each square root on which a solved position lies.
   void (*find_branches)(const double* q, const int* in, const double* c, double* branch);
 
-  /// Positions of the unknowns on those branches, and their rates up to a level, of `count` parts
-  /// in their order, up to the first that is not accepted; of that one they are unspecified.
+  /// Solves `count` parts in order on the branches of their bindings, up to the first that is not
+  /// accepted. Overwrites the unknowns' positions and their rates up to a level. Those of a part
+  /// that is not accepted are unspecified.
   using Solve = ExplicitRunResult(double* q, double* qd, double* qdd,
                                   const ExplicitBinding<double>* parts, int count);
-  std::array<Solve*, 3> solve;  ///< by Level
+  std::array<Solve*, 3> solve;  ///< indexed by Level
 };
 
-/// The explicit kernel that desmo was built with for a fingerprint, or null.
+/// Returns the explicit kernel that desmo was built with for a fingerprint, or null.
 const ExplicitKernel* find_explicit_kernel(std::string_view fingerprint);
 
 }  // namespace desmo

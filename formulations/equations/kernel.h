@@ -5,28 +5,29 @@
 
 namespace desmo {
 
-/// A partial derivative ∂Φ_row/∂input that a kernel emits, over its local inputs.
+/// Partial derivative ∂Φ_row/∂input that a kernel emits; input is a local input.
 struct KernelEntry {
   int row, input;
 };
 
-/// Where a generated Newton iteration stopped.
+/// Result of a generated Newton iteration.
 struct InlinedResult {
   int iterations;
   double residual2;  ///< ‖Φ‖₂², each equation times its weight
 };
 
-/// Generated straight-line code for one type of group (see PartType). `state`, `rate`, `acc` are
-/// q, q̇, q̈ with fixed entities behind, `in[i]` the position of local input i in them, `c` the
-/// dimensions, `slot[e]` the place in `values` of entry e: constant ones first, then dependent,
-/// then known.
+/// Generated straight-line code for one type of group (see PartType). Its arguments:
+/// - state, rate, acc: q, q̇ and q̈, each followed by the components of fixed entities
+/// - in[i]: position of local input i in them
+/// - c: dimensions
+/// - slot[e]: position of entry e in `values`; constant entries first, then dependent, then known
 struct Kernel {
-  std::string_view name;         ///< of the group it was first seen in
+  std::string_view name;         ///< name of the group where it was first met
   std::string_view fingerprint;  ///< PartType::fingerprint
   int rows;
-  std::span<const KernelEntry> constant_entries;   ///< of Φ_q that never change
-  std::span<const KernelEntry> dependent_entries;  ///< of Φ_φ, the group's own unknowns
-  std::span<const KernelEntry> known_entries;      ///< of Φ_h, what the group takes as known
+  std::span<const KernelEntry> constant_entries;   ///< entries of Φ_q that never change
+  std::span<const KernelEntry> dependent_entries;  ///< entries of Φ_φ, by the group's unknowns
+  std::span<const KernelEntry> known_entries;      ///< entries of Φ_h, by known coordinates
 
   void (*constant)(const double* c, const int* slot, double* values);
   void (*residual)(const double* state, const int* in, const double* c, double* phi);
@@ -37,13 +38,14 @@ struct Kernel {
   void (*quadratic)(const double* state, const double* rate, const int* in, const double* c,
                     double* gamma);
 
-  /// Newton–Raphson with the elimination inlined, until ‖Φ‖₂² < tolerance2 or no longer a number,
-  /// where each equation is multiplied by its weight (1/magnitude).
-  /// A pivot gone bad shows in the residual of the original equations.
+  /// Iterates Newton–Raphson with the elimination inlined, until ‖Φ‖₂² < tolerance2 or NaN. Each
+  /// equation is multiplied by its weight (1/magnitude). A bad pivot shows in the residual of the
+  /// original equations.
   InlinedResult (*position)(double* state, const int* in, const double* c, const double* weight,
                             double tolerance2, int max_iterations);
-  /// Velocities and (when acc is not null) accelerations of the unknowns at a solved position;
-  /// false, and nothing usable, when a pivot was too small beside its column (PivotMonitor).
+  /// Solves velocities and, when acc is not null, accelerations of the unknowns at a solved
+  /// position. Returns false, with unusable results, when a pivot was too small compared with its
+  /// column (PivotMonitor).
   bool (*rates)(const double* state, double* rate, double* acc, const int* in, const double* c);
 };
 

@@ -15,7 +15,7 @@ struct KernelList {
   std::size_t size = 0;
 };
 
-/// What a file of compiled kernels holds: the type of the object it exports as `desmo_kernels`.
+/// Content of a file of compiled kernels: the type of its exported object `desmo_kernels`.
 struct KernelLibrary {
   KernelList<Kernel> kernels;
   KernelList<ExplicitKernel> explicit_kernels;

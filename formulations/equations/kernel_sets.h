@@ -9,13 +9,13 @@
 namespace desmo {
 
 /// Mechanisms whose kernels are generated together when desmo is built. A type of group that occurs
-/// in both has its kernels in the first.
+/// in both sets has its kernels in the first.
 enum class KernelSet {
-  cases,    ///< the two cases, and what is asked of them in cases/requests
+  cases,    ///< the paper's two cases and the requests in cases/requests
   library,  ///< the mechanisms of cases/library
 };
 
-/// Return the generated kernels of a set; lane kernels for 8 lanes only where the build has
+/// Return the generated kernels of a set. Kernels for 8 lanes exist only in builds with
 /// DESMO_WIDE_LANES.
 template <KernelSet>
 std::span<const Kernel> kernels();
@@ -40,15 +40,15 @@ std::span<const LaneKernel> lane_kernels<KernelSet::library, 4>();
 template <>
 std::span<const LaneKernel> lane_kernels<KernelSet::library, 8>();
 
-/// The tables of one set.
+/// Tables of one set.
 struct KernelTables {
   std::span<const Kernel> kernels;
   std::span<const ExplicitKernel> explicit_kernels;
   std::span<const LaneKernel> four_lanes, eight_lanes;
 };
 
-/// Returns the tables of all sets that the program was linked with: a program links one of the
-/// libraries desmo_kernels (both sets) and desmo_case_kernels (the first alone).
+/// Returns the tables of all sets that the program was linked with. A program links either
+/// desmo_kernels (both sets) or desmo_case_kernels (the first alone).
 std::span<const KernelTables> built_in_kernels();
 
 }  // namespace desmo

@@ -8,20 +8,20 @@
 
 namespace desmo {
 
-/// The generated code that parts may be made of: what desmo was built with, and where that has
-/// nothing, what was added.
+/// Generated code that parts can use: the kernels that desmo was built with and, for types that it
+/// lacks, added ones.
 class KernelTable {
  public:
-  /// What desmo was built with.
+  /// Returns the table of the kernels that desmo was built with.
   static const KernelTable& built_in();
 
-  /// The library stays in memory as long as this table or a copy of it lives.
+  /// Adds a library. It stays in memory as long as this table or a copy of it lives.
   void add(std::shared_ptr<const KernelLibrary> library);
 
-  /// The code for a fingerprint (see PartType), or null.
+  /// Return the code for a fingerprint (see PartType), or null.
   const Kernel* find_kernel(std::string_view fingerprint) const;
   const ExplicitKernel* find_explicit_kernel(std::string_view fingerprint) const;
-  /// For so many lanes; null, too, where the processor has none so wide.
+  /// Returns the code for a number of lanes; null also where the processor lacks such registers.
   const LaneKernel* find_lane_kernel(std::string_view fingerprint, int lanes) const;
 
  private:

@@ -8,34 +8,34 @@
 
 namespace desmo {
 
-/// How many parts of one type may be solved at once: what registers of 256 and of 512 bits hold.
+/// Numbers of parts of one type that can be solved at once, in registers of 256 and 512 bits.
 inline constexpr std::array lane_counts{4, 8};
 inline constexpr int max_lanes = lane_counts.back();
 
-/// Where an explicit order ended in several lanes.
+/// Result of an explicit order in several lanes.
 struct LaneResult {
   unsigned accepted;  ///< bit l: ExplicitResult::accepted of lane l
-  int iterations;     ///< the most of any lane
+  int iterations;     ///< largest number of any lane
 };
 
-/// An explicit kernel for as many parts as there are lanes. Its arrays hold LaneValues of the local
-/// inputs, a part in each lane, the binding's too. They are numbers and not registers, for its code
-/// may be compiled for another processor than what calls it. Rates are solved to accelerations.
+/// An explicit kernel that solves one part in each lane. All arrays, those of the binding included,
+/// hold one LaneValues per local input. They are passed as doubles, not as registers: the kernel
+/// may be compiled for another processor than its caller. Rates are solved up to accelerations.
 struct LaneKernel {
   int lanes;
   std::string_view fingerprint;   ///< PartType::fingerprint
-  std::span<const int> read;      ///< local inputs: of its own unknowns the last position alone
-  std::span<const int> unknowns;  ///< those that are written
-  /// residual2: as many as lanes, ExplicitResult::residual2 of each.
+  std::span<const int> read;      ///< local inputs; of its unknowns the last positions
+  std::span<const int> unknowns;  ///< local inputs it writes
+  /// Solves the parts. residual2: (lanes), ExplicitResult::residual2 of each.
   LaneResult (*solve)(double* q, double* qd, double* qdd, const ExplicitBinding<double>& parts,
                       double* residual2);
 };
 
-/// Whether this build has code for so many lanes, and this processor registers.
+/// Returns whether this build has code for a number of lanes and this processor the registers.
 bool has_lanes(int lanes);
 
-/// The kernel that desmo was built with for a fingerprint and so many lanes, which the processor
-/// has, or null.
+/// Returns the kernel that desmo was built with for a fingerprint and a number of lanes. Null when
+/// there is none, or the processor lacks such registers.
 const LaneKernel* find_lane_kernel(std::string_view fingerprint, int lanes);
 
 }  // namespace desmo

@@ -4,8 +4,8 @@
 
 #include "formulations/equations/lane_kernel.h"
 
-// For generated code alone, which is compiled for each number of lanes and the processors that have
-// registers for them. What is in here differs from one to the other, and so has no name outside.
+// SIMD lanes for generated code, which is compiled once for each number of lanes and the processors
+// that have the registers. The unnamed namespace keeps these versions apart.
 
 #ifndef DESMO_LANES
 #define DESMO_LANES 4
@@ -24,7 +24,7 @@ inline const Lanes* in_lanes(const double* values) {
   return reinterpret_cast<const Lanes*>(values);
 }
 
-/// A kernel on registers as one on numbers.
+/// Wraps a kernel on registers as one on arrays of doubles.
 template <ExplicitResult<Lanes> (*solve)(Lanes*, Lanes*, Lanes*, const ExplicitBinding<Lanes>&)>
 LaneResult solve_lanes(double* q, double* qd, double* qdd, const ExplicitBinding<double>& parts,
                        double* residual2) {

@@ -12,38 +12,37 @@
 
 namespace desmo {
 
-/// The kernel that desmo was built with for a fingerprint, or null.
+/// Returns the kernel that desmo was built with for a fingerprint, or null.
 const Kernel* find_kernel(std::string_view fingerprint);
 
-/// A generated kernel bound to a group, or a block of one, of a mechanism.
+/// A generated kernel bound to a group of a model, or to a block of a group.
 struct BoundKernel {
   const Kernel* kernel;
-  std::vector<int> inputs;        ///< position in the state of each local input
-  std::vector<double> constants;  ///< its dimensions
+  std::vector<int> inputs;        ///< position of each local input in the state
+  std::vector<double> constants;  ///< dimensions of its constraints
 };
 
-/// Finds and binds the kernel for a part of one group; nothing when the table has none for its
-/// type. The table must outlive what is bound.
+/// Finds and binds the kernel for a part of one group. Returns nothing when the table has none for
+/// its type. The table must outlive the result.
 std::optional<BoundKernel> bind_kernel(const Model& model, const PartDefinition& part,
                                        const KernelTable& table = KernelTable::built_in());
 
-/// The kernels of a part, group by group; nothing when one is missing.
+/// Binds the kernels of a part, group by group. Returns nothing when one is missing.
 std::optional<std::vector<BoundKernel>> bind_kernels(
     const Model& model, const PartDefinition& part,
     const KernelTable& table = KernelTable::built_in());
 
-/// Symbolic equations: the generated kernels of a part's groups, one after the other.
+/// Symbolic equations: the generated kernels of a part's groups, called one after the other.
 class SymbolicEquations final : public Equations<double> {
  public:
-  /// kernels: of the part, by bind_kernels().
+  /// kernels: the part's, made by bind_kernels().
   SymbolicEquations(const Model& model, const PartDefinition& part,
                     std::vector<BoundKernel> kernels);
 
   const Pattern& pattern() const override { return pattern_; }
   void constant_jacobian(double* values) const override;
   void residual(const double* state, double* phi) const override;
-  /// Where a coordinate that one group takes as known is an unknown of the part, its entries are
-  /// written too.
+  /// Also writes a group's entries by a known coordinate when that is an unknown of the part.
   void jacobian(const double* state, double* values) const override;
   void known_jacobian(const double* state, double* values) const override;
   void quadratic(const double* state, const double* rate, double* gamma) const override;
@@ -53,7 +52,7 @@ class SymbolicEquations final : public Equations<double> {
     BoundKernel bound;
     int first_row;
     std::vector<int> slots;
-    bool known_is_unknown;  // some known entry of the group lies in a column of the part
+    bool known_is_unknown;  // a known entry lies in a column of the part
   };
 
   Pattern pattern_;

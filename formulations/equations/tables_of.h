@@ -1,4 +1,4 @@
-// For the files that say which sets a program has.
+// Collects the tables of a set, for the files that define which sets a program has.
 #pragma once
 
 #include "formulations/equations/kernel_sets.h"

@@ -4,22 +4,23 @@
 
 namespace desmo::elementary {
 
-/// An angle with its sine and cosine, evaluated at that very number.
+/// An angle with its sine and cosine, evaluated at exactly that number.
 template <class T>
 struct TurnedAngle {
   T angle, sine, cosine;
 };
 
-/// The largest tangent of a small turn.
+/// Limit of the tangent of a small turn from an anchor.
 inline constexpr double small_turn = 1.0 / 4;
-/// How far the angle before may be from an anchor (rad): nearest to the one, nearest to the other.
+/// Limit of the distance between the previous angle and its anchor [rad]: within it, the angle
+/// nearest to one is nearest to the other.
 inline constexpr double near_anchor = 1.0 / 2;
 
-/// The angle of (x, y) from the x axis that is nearest to `before`. anchor: see ExplicitBinding.
-/// Where `before` is near it and the turn from there is small, sines are short; elsewhere
-/// everything is evaluated, and the angle found is the new anchor. All interpolated at zeros of
-/// Chebyshev polynomials, errors below 1e-17. Not a number at the origin, and where `before` is
-/// beyond ±max_reduced.
+/// Returns the angle of (x, y) from the x axis, whole turns chosen so that it is nearest to
+/// `before`. Where `before` is near the anchor (see ExplicitBinding) and the turn from the anchor
+/// is small, short polynomials suffice. Elsewhere everything is evaluated, and the result becomes
+/// the new anchor. Polynomials interpolate at zeros of Chebyshev polynomials; errors are below
+/// 1e-17. Returns NaN at the origin and where `before` is beyond ±max_reduced.
 template <class T>
 DESMO_INLINE TurnedAngle<T> turned_angle(const T& y, const T& x, const T& before, T* anchor) {
   using std::abs;

@@ -7,8 +7,8 @@
 
 namespace desmo {
 
-/// An LU factorisation with partial pivoting of a small dense matrix, in any scalar S. A singular
-/// matrix gives solutions that are not finite.
+/// LU factorisation with partial pivoting of a small dense matrix, in any scalar S. Solutions with
+/// a singular matrix are not finite.
 template <class S>
 class DenseLu {
  public:
@@ -46,9 +46,9 @@ class DenseLu {
   S& at(std::size_t i, std::size_t j) { return a_[i * n_ + j]; }
   const S& at(std::size_t i, std::size_t j) const { return a_[i * n_ + j]; }
 
-  std::vector<S> a_;  // L without its unit diagonal, and U
+  std::vector<S> a_;  // L without its unit diagonal, then U
   std::size_t n_;
-  std::vector<std::size_t> pivot_;  // row that row k was exchanged with
+  std::vector<std::size_t> pivot_;  // row exchanged with row k
 };
 
 }  // namespace desmo

@@ -8,30 +8,30 @@
 
 namespace desmo {
 
-/// Solves a mechanism group by group with dense matrices and pivoting, in the scalar S, by the
-/// equations of the paper: Newton's method (eq. 2), velocities (eq. 3) and accelerations (eq. 4)
-/// from the partial derivatives and quadratic terms that each constraint kind states. S is double
-/// or, with the library desmo_reference, Quadruple.
+/// Solves a model group by group with dense matrices and pivoting, in the scalar S, by the paper's
+/// equations. Newton's method (eq. 2) finds positions. Velocities (eq. 3) and accelerations (eq. 4)
+/// use the partial derivatives and quadratic terms of the constraint kinds. S is double or, with
+/// the library desmo_reference, Quadruple.
 template <class S>
 class GroupwiseSolver {
  public:
-  /// Starts at the mechanism's estimate. The mechanism must outlive the solver.
+  /// Starts at the model's initial estimate. The model must outlive the solver.
   explicit GroupwiseSolver(const Model& model);
 
-  /// Newton starts there next: the positions of another solver.
+  /// Sets the start of the next Newton iteration to the positions of another solver.
   template <class T>
   void start_at(const GroupwiseSolver<T>& other) {
     for (std::size_t i = 0; i < state_.q.size(); ++i) state_.q[i] = other.state().q[i];
   }
 
-  /// Solves as exactly as S allows, from where it is. Throws std::runtime_error, naming the group
-  /// and the instant, when Newton's method does not converge.
+  /// Solves the positions at time t [s] as accurately as S allows, from the present ones. Throws
+  /// std::runtime_error, naming the group and the instant, when Newton's method does not converge.
   void solve_positions(double t);
 
   /// Solves velocities and accelerations at the positions solved last.
   void solve_rates();
 
-  /// The instant solved last, in coordinate order.
+  /// Return the instant solved last, in coordinate order.
   std::vector<S> q() const { return coordinates(state_.q); }
   std::vector<S> qd() const { return coordinates(state_.qd); }
   std::vector<S> qdd() const { return coordinates(state_.qdd); }
@@ -46,7 +46,7 @@ class GroupwiseSolver {
 
   const Model& m_;
   std::vector<PartDefinition> parts_;
-  std::vector<double> magnitude_;  // of each coordinate
+  std::vector<double> magnitude_;  // by coordinate
   WideState<S> state_;
 };
 

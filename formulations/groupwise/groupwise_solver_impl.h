@@ -1,4 +1,4 @@
-// Instantiated once for each scalar: double_solution.cpp, groupwise_quadruple.cpp.
+// Definitions, instantiated once for each scalar: groupwise_double.cpp, groupwise_quadruple.cpp.
 #pragma once
 
 #include <algorithm>

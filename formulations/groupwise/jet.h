@@ -5,8 +5,8 @@
 namespace desmo {
 
 /// A function of time at one instant: its value and its first two time derivatives. An expression
-/// written for positions, evaluated in jets, yields its velocity and its acceleration as well,
-/// without anyone having differentiated it. Only what residuals are made of.
+/// for positions, evaluated in jets, also yields its velocity and acceleration without hand-written
+/// derivatives. Only the operations of constraint residuals are provided.
 template <class S>
 struct Jet {
   S value{0}, first{0}, second{0};
@@ -38,7 +38,7 @@ struct Jet {
   }
 
  private:
-  /// f(a), from f, f′ and f″ at the value of a.
+  /// Returns f(a) from f, f′ and f″ at the value of a.
   static Jet chain(const Jet& a, const S& f, const S& f1, const S& f2) {
     return {f, f1 * a.first, f1 * a.second + f2 * (a.first * a.first)};
   }

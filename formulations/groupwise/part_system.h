@@ -11,8 +11,8 @@
 
 namespace desmo {
 
-/// The n equations of one part as a dense matrix and vectors, in any scalar, from what each
-/// constraint kind states of itself.
+/// The n equations of one part as a dense matrix and vectors in any scalar, from the functions of
+/// the constraint kinds.
 template <class S>
 struct PartSystem {
   std::size_t n;
@@ -21,8 +21,7 @@ struct PartSystem {
   std::vector<S> velocity;      ///< −Φ_h ḣ
   std::vector<S> acceleration;  ///< −Φ_h ḧ − Φ̇_q q̇
 
-  /// Evaluates all at a state. `acceleration` also needs the velocities of the part's own unknowns
-  /// in it.
+  /// Evaluates the system at a state. `acceleration` also needs the unknowns' velocities in it.
   PartSystem(const Model& m, const PartDefinition& part, const WideState<S>& state)
       : n(part.unknowns.size()), jacobian(n * n, S(0)), m_(m), part_(part), state_(state) {
     for (std::vector<S>* v : {&phi, &velocity, &acceleration}) v->assign(n, S(0));
@@ -30,8 +29,7 @@ struct PartSystem {
   }
 
  private:
-  /// The equations of one constraint, the first of which stands in that row. Returns the row after
-  /// the last.
+  /// Adds the equations of one constraint, from `row` on. Returns the row after the last one.
   int add_constraint(int row) {
     const int end = static_cast<int>(part_.equations.size());
     const int position = part_.equations[row].constraint;
@@ -71,7 +69,7 @@ struct PartSystem {
     return row;
   }
 
-  /// Returns the column of a component of the state; -1: the part takes it as known.
+  /// Returns the column of a state component; -1: the part takes it as known.
   int column(int at) const {
     const auto it = std::ranges::lower_bound(part_.unknowns, at);
     return it != part_.unknowns.end() && *it == at ? static_cast<int>(it - part_.unknowns.begin())

@@ -5,13 +5,14 @@
 
 namespace desmo {
 
-/// Tells from the sizes of Newton's corrections, relative to natural magnitudes, when only the
-/// rounding of S is left: they no longer count, or are small and no longer shrink because
-/// conditioning allows no better. It does not depend on units, as a bound on ‖Φ‖ would.
+/// Stopping rule of a Newton iteration: tells when only the rounding of S is left. It looks at the
+/// sizes of the corrections, relative to natural magnitudes. They are negligible, or small and no
+/// longer shrink because conditioning allows no better. Unlike a bound on ‖Φ‖ it does not depend on
+/// units.
 template <class S>
 class Settling {
  public:
-  /// One more correction was made, of this relative size. True: it was the last that helps.
+  /// Takes the relative size of a correction just made. Returns whether it was the last useful one.
   bool operator()(double correction) {
     const bool stagnates = correction < std::sqrt(epsilon) && correction > before_ / 2;
     before_ = correction;

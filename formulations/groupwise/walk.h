@@ -6,8 +6,8 @@
 
 namespace desmo {
 
-/// Goes from an assembly at the first of the times [s] to each in turn, no step longer than 10 ms.
-/// Calls step(t) to follow the motion, and arrive(t) after the steps that lead to one of the times.
+/// Steps from an assembly at times.front() [s] to each time in turn, in steps of at most 10 ms.
+/// Calls step(t) to follow the motion, and arrive(t) at each of the times.
 template <class Step, class Arrive>
 void walk(std::span<const double> times, Step&& step, Arrive&& arrive) {
   constexpr double max_step = 0.01;

@@ -4,7 +4,7 @@
 
 namespace desmo {
 
-/// The state of a model, in any scalar: q, q̇ and q̈ of its coordinates, then of fixed entities.
+/// q, q̇ and q̈ of a whole model, each followed by the fixed entities, in any scalar.
 template <class S>
 struct WideState {
   std::vector<S> q, qd, qdd;

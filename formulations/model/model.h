@@ -17,24 +17,24 @@ using GroupId = int;   ///< position in Model::groups
 
 enum class EntityKind { point, vector, angle, distance };
 
-/// A named geometric quantity. Its components are coordinates, or constants when it is fixed.
+/// A named geometric quantity. Its components are coordinates, or constants if it is fixed.
 struct Entity {
   std::string name;
   EntityKind kind;
   bool fixed;
   int first;      ///< first component, in q or (fixed) in Model::fixed_values
   int size;       ///< 2 or 3 for points and vectors, 1 for angles and distances
-  GroupId group;  ///< the group whose solution yields it; -1 when fixed
+  GroupId group;  ///< group whose solution yields it; -1 when fixed
 };
 
-/// One constraint: a kind applied to entities, with its dimensions.
+/// A constraint: a kind applied to entities, with its dimensions.
 struct Constraint {
   std::string name;
   int kind;  ///< position in ConstraintKinds
   std::vector<EntityId> operands;
   std::vector<double> constants;
-  GroupId group;          ///< the group that it determines
-  unsigned left_out = 0;  ///< bit r: row r depends on other equations and is not one
+  GroupId group;          ///< group that it determines
+  unsigned left_out = 0;  ///< bit r: row r depends on other equations and is omitted
 };
 
 /// A structural group: a chain that is kinematically determinate once the groups before it are
@@ -42,8 +42,8 @@ struct Constraint {
 struct Group {
   std::string name;
   std::vector<std::string> bodies;
-  std::vector<EntityId> entities;  ///< what models it, as the paper counts them
-  std::vector<GroupId> after;      ///< groups to whose bodies its own are joined: solved before it
+  std::vector<EntityId> entities;  ///< entities that model it, as the paper counts them
+  std::vector<GroupId> after;      ///< groups that are solved before, since bodies are joined
   bool constant = false;           ///< depends on no driver; not counted as a structural group
 };
 
@@ -60,35 +60,35 @@ struct Driver {
 /// both alike.
 struct Model {
   std::string name;
-  std::string length_unit = "m";  ///< "1": any one unit
+  std::string length_unit = "m";  ///< "1": an unspecified unit
   std::vector<Entity> entities;
-  std::vector<Constraint> constraints;  ///< those of one group stand together, in group order
+  std::vector<Constraint> constraints;  ///< contiguous by group, in group order
   std::vector<Group> groups;            ///< in solution order
   std::vector<Driver> drivers;
-  std::vector<double> estimate;      ///< initial estimate of q, as long as q
+  std::vector<double> estimate;      ///< initial estimate of q (coordinates())
   std::vector<double> fixed_values;  ///< components of the fixed entities
 
   int coordinates() const { return static_cast<int>(estimate.size()); }
   int degrees_of_freedom() const { return static_cast<int>(drivers.size()); }
   int state_size() const { return coordinates() + static_cast<int>(fixed_values.size()); }
 
-  /// Position of the entity's first component in the state.
+  /// Returns the position of the entity's first component in the state.
   int state_index(EntityId e) const {
     return entities[e].fixed ? coordinates() + entities[e].first : entities[e].first;
   }
 
-  /// Whether an entity never moves: fixed, or of a constant group.
+  /// Returns whether an entity never moves: it is fixed, or its group is constant.
   bool rests(EntityId e) const { return entities[e].fixed || groups[entities[e].group].constant; }
 
-  /// Structural groups, the constant ones left out (as the paper counts).
+  /// Returns the number of structural groups without the constant ones, as the paper counts.
   int structural_groups() const;
 
-  /// The entity of that name. Throws std::invalid_argument when there is none.
+  /// Returns the entity of that name. Throws std::invalid_argument when there is none.
   EntityId find(const std::string& entity_name) const;
 
   GroupId add_group(std::string group_name, std::vector<std::string> bodies);
 
-  /// Adds an entity whose components are coordinates, initially estimated, found by a group.
+  /// Adds an entity whose components are coordinates with an initial estimate, solved in a group.
   EntityId add(EntityKind kind, std::string entity_name, std::span<const double> initial_estimate,
                GroupId group);
   /// Adds an entity that never moves.
@@ -96,8 +96,8 @@ struct Model {
   /// Prescribes the motion of a scalar coordinate.
   void drive(EntityId coordinate, Motion motion);
 
-  /// Adds a constraint of a group. Throws std::invalid_argument, naming the constraint, when an
-  /// operand has not the size that the kind needs or a constant is not finite.
+  /// Adds a constraint to a group. Throws std::invalid_argument, naming the constraint, when an
+  /// operand has another size than the kind needs or a constant is not finite.
   template <class Kind>
   void constrain(GroupId group, std::string constraint_name,
                  const std::array<EntityId, Kind::operand_sizes.size()>& operands,
@@ -115,25 +115,25 @@ struct Model {
   EntityId add_entity(Entity entity);
   void add_constraint(Constraint constraint, std::span<const int> operand_sizes);
 
-  std::unordered_map<std::string, EntityId> by_name_;  // the first of that name
+  std::unordered_map<std::string, EntityId> by_name_;  // first entity of each name
 };
 
-/// For each coordinate, the entity that it belongs to.
+/// Returns the entity of each coordinate.
 std::vector<EntityId> entity_of_coordinate(const Model& model);
 
-/// For each coordinate, whether it is driven.
+/// Returns for each coordinate whether it is driven.
 std::vector<bool> independent_coordinates(const Model& model);
 
-/// Scalar equations of a constraint, those left out included.
+/// Returns the number of scalar equations of a constraint, omitted ones included.
 int rows(const Constraint& constraint);
-/// Scalar equations of a constraint, without those left out.
+/// Returns the number of scalar equations of a constraint without omitted ones.
 int kept_rows(const Constraint& constraint);
 
-/// The coordinates that a group solves for, ascending; independent ones are left out.
+/// Returns the coordinates that a group solves for, ascending, without independent ones.
 std::vector<int> unknowns(const Model& model, GroupId group);
 
-/// Throws std::invalid_argument, naming the offender, unless names are unique, values are finite,
-/// constraints stand in group order, and every group has as many equations as unknowns.
+/// Checks that names are unique, values are finite, constraints stand in group order, and every
+/// group has as many equations as unknowns. Throws std::invalid_argument, naming the offender.
 void validate(const Model& model);
 
 }  // namespace desmo

@@ -9,41 +9,41 @@
 
 namespace desmo {
 
-/// An entity that is asked for, and how far.
+/// An entity that a request asks for, and the highest level of it.
 struct Asked {
   EntityId entity;
   Level level;
 };
 
-/// What has to be solved for what is asked, and no more.
+/// Reduced model that suffices for a request, and how it came about.
 struct Plan {
-  /// What became of one group of the whole mechanism.
+  /// Use of one group of the whole model.
   struct GroupUse {
     std::string name;
     int unknowns = 0, kept_unknowns = 0;
-    int blocks = 0, kept_blocks = 0;         ///< irreducible ones
-    Level level = Level::position;           ///< the highest that anything asks of it
-    std::vector<std::string> kept, dropped;  ///< entities that it finds
-    /// When kept only in part or for others: the first entity asked for that it serves.
+    int blocks = 0, kept_blocks = 0;         ///< irreducible blocks
+    Level level = Level::position;           ///< highest level that is needed of it
+    std::vector<std::string> kept, dropped;  ///< names of its entities
+    /// First requested entity that needs it, when it is kept only in part or for others.
     std::string serves;
   };
 
-  Model model;                   ///< the part of the whole that is to be solved
-  std::vector<Level> levels;     ///< of each of its coordinates: as far as anything asks
-  std::vector<Asked> outputs;    ///< what was asked for, in this mechanism
-  std::vector<GroupUse> groups;  ///< of the whole mechanism, in solution order
+  Model model;                   ///< part of the whole model that is solved
+  std::vector<Level> levels;     ///< highest level that is needed of each coordinate
+  std::vector<Asked> outputs;    ///< requested entities, by their ids in `model`
+  std::vector<GroupUse> groups;  ///< groups of the whole model, in solution order
 
-  /// The highest level that anything asks for.
+  /// Returns the highest level that is requested.
   Level level() const;
 };
 
-/// Keeps the irreducible blocks upstream of what is asked, with the entities that they determine or
-/// read and the drivers that they need, and drops everything else. An entity or constraint is kept
-/// whole. Needed levels go upstream: an acceleration needs those it depends on.
-/// Nothing asked: everything, at the level of acceleration.
+/// Reduces a model to what a request needs. Keeps the irreducible blocks upstream of the requested
+/// entities, with the entities that they determine or read and their drivers. Entities and
+/// constraints are kept as a whole. Needed levels propagate upstream: an acceleration needs the
+/// accelerations it depends on. An empty request keeps everything, at the level of acceleration.
 Plan make_plan(const Model& whole, std::span<const Asked> asked);
 
-/// What a scene asks for, in its whole mechanism.
+/// Returns the request of a scene in terms of its whole model.
 std::vector<Asked> asked_by(const Scene& scene, const Model& whole);
 
 }  // namespace desmo

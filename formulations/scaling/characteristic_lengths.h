@@ -7,31 +7,32 @@
 
 namespace desmo {
 
-/// The lengths that points and distances are judged by: those of the bodies about them, not of the
-/// whole mechanism, in which a small part may be beside a large one.
+/// Characteristic lengths of points and distances, against which errors are measured. They come
+/// from the bodies around a point, not from the whole mechanism: a small part may be next to a
+/// large one.
 class CharacteristicLengths {
  public:
-  /// At the nominal position (the estimate).
+  /// Takes the lengths at the nominal position (the model's initial estimate).
   explicit CharacteristicLengths(const Model& model);
-  /// At a position found, where the estimate may be far from any. q: its coordinates.
+  /// Takes the lengths at a solved position q (coordinates), for estimates that are far off.
   CharacteristicLengths(const Model& model, std::span<const double> q);
 
-  /// Of a point or a distance: the largest distance between points that constraints join to it, or
-  /// of the distances themselves. Where all these points coincide it is the largest such length of
-  /// its group, or of the mechanism, or 1.
+  /// Returns the length of a point or a distance: the largest distance between points that a
+  /// constraint joins to it, or the largest such distance coordinate. When it is zero, returns the
+  /// largest length of the group, else of the mechanism, else 1.
   double of(EntityId entity) const;
 
-  /// For each coordinate that of its point or distance; 1 for those of vectors and angles.
+  /// Returns the length of each coordinate's point or distance; 1 for vectors and angles.
   std::vector<double> of_coordinates() const;
 
-  /// Of a constraint: the largest of its points and distances; where they all coincide, likewise.
+  /// Returns the largest length of a constraint's points and distances; falls back as above.
   double of(const Constraint& constraint) const;
 
  private:
   double or_wider(double length, GroupId group) const;
 
   const Model& m_;
-  std::vector<double> about_, of_group_;  // 0: no length
+  std::vector<double> about_, of_group_;  // by entity, by group; 0: no length
   double of_all_ = 0;
 };
 

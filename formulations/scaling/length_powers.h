@@ -7,13 +7,13 @@
 
 namespace desmo {
 
-/// With which powers of the unit of length the dimensions and the equations of a constraint go: of
-/// ‖b − a‖² − L² = 0 the second, L² being its dimension, of p − a − c v = 0 the first.
+/// Powers of the unit of length in the dimensions and the equations of a constraint. Both are 2 for
+/// ‖b − a‖² − L² = 0, whose dimension is L². The equation p − a − c v = 0 has power 1.
 struct LengthPowers {
   std::vector<int> constants, rows;
 };
 
-/// Found by trial, with numbers without a pattern. Nothing where equations mix powers.
+/// Finds the powers by trial evaluations. Returns nothing where an equation mixes powers.
 std::optional<LengthPowers> length_powers(const Model& model, const Constraint& constraint);
 
 }  // namespace desmo

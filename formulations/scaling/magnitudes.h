@@ -8,34 +8,34 @@
 
 namespace desmo {
 
-/// The natural magnitude of every equation of a mechanism, so that Φ can be judged whatever the
-/// units are: an equation divided by its magnitude tells, to first order, by how much of their own
-/// magnitudes the coordinates that it joins are wrong.
+/// Natural magnitude of every equation of a model, which makes Φ comparable in any units. An
+/// equation over its magnitude states, to first order, the error of its coordinates relative to
+/// their own magnitudes.
 ///
-/// The magnitude of a coordinate is 1 if it belongs to a vector or an angle; if to a point or a
-/// distance, it is the characteristic length of the constraint (characteristic_lengths.h).
+/// The magnitude of a coordinate is 1 for a vector or an angle. For a point or a distance it is the
+/// characteristic length of the constraint (characteristic_lengths.h).
 ///
 /// The magnitude of an equation is ‖∂Φ/∂qⱼ · magnitude of qⱼ‖₂ over its operands at the nominal
-/// position, which a rotation of the frame leaves alone; an equation whose derivatives vanish there
-/// (a distance that starts at nothing) has a thousandth of its second-order change instead. It is
-/// positive and finite. All lengths times λ: those of length equations are λ, of products λ² times
-/// as large.
+/// position, independent of rotations of the frame. Where these derivatives vanish (a distance that
+/// starts at zero), it is a thousandth of the second-order change. It is positive and finite. When
+/// all lengths grow by λ, it grows by λ for equations in lengths, by λ² for products of lengths.
 class Magnitudes {
  public:
   explicit Magnitudes(const Model& model);
 
   double of(const Equation& equation) const { return magnitude_[row_of(equation)]; }
 
-  /// 1/magnitude of each equation of a part.
+  /// Returns 1/magnitude of each equation of a part.
   std::vector<double> weights(const PartDefinition& part) const;
 
-  /// ‖Φ‖₂ of a part's equations, each over its magnitude, that rounding leaves: of positions to
-  /// double precision, at the nominal position and as far from it as its bodies are large. Newton's
-  /// method gets no further. u Σⱼ |∂Φ/∂qⱼ| |qⱼ| an equation: it grows with the distance from the
-  /// origin, for it is there that coordinates are rounded.
+  /// Returns the rounding floor of a part: ‖Φ‖₂, each equation over its magnitude, of positions
+  /// rounded to double precision. Newton's method gets no further. An equation contributes u Σⱼ
+  /// |∂Φ/∂qⱼ| |qⱼ|, where |qⱼ| includes one characteristic length of motion. The floor grows with
+  /// the distance from the origin, where coordinates are rounded more coarsely.
   double rounding(const PartDefinition& part) const;
 
-  /// That of each unknown of a part, a point's and a distance's being its characteristic length.
+  /// Returns the magnitude of each unknown of a part: 1, or the characteristic length of its point
+  /// or distance.
   std::vector<double> of_unknowns(const PartDefinition& part) const;
 
  private:
@@ -43,8 +43,8 @@ class Magnitudes {
     return static_cast<std::size_t>(first_row_[equation.constraint] + equation.row);
   }
 
-  std::vector<int> first_row_;                // of each constraint
-  std::vector<double> magnitude_, rounding_;  // of each row
+  std::vector<int> first_row_;                // by constraint
+  std::vector<double> magnitude_, rounding_;  // by row
   std::vector<double> of_coordinate_;
 };
 

@@ -9,42 +9,43 @@
 
 namespace desmo {
 
-/// Points and distances are lengths; vectors (directions) and angles are not.
+/// Returns whether entities of a kind are lengths: points and distances are, vectors (directions)
+/// and angles are not.
 bool is_length(EntityKind kind);
 
-/// Size of a mechanism in its unit of length, positive: the diagonal of the smallest box, along the
-/// axes, that holds all points in the nominal position, or the largest nominal distance when that
-/// is larger; 1 when there is neither.
+/// Returns the size of a mechanism in its unit of length: the diagonal of the axis-parallel box
+/// around all points in the nominal position. A larger nominal distance replaces it. Returns 1 when
+/// there are neither points nor distances.
 double nominal_size(const Model& model);
 
-/// For each coordinate, the magnitude that a change of it is judged by: the nominal size for those
-/// of points and distances, 1 for those of vectors and angles.
+/// Returns the magnitude of each coordinate's changes: the nominal size for points and distances, 1
+/// for vectors and angles.
 std::vector<double> natural_magnitudes(const Model& model);
 
-/// Largest values of a motion, by which errors and corrections become numbers without unit: the
-/// same in metres and in millimetres.
+/// Scales of a motion, its largest values. Errors over scales have no unit: they are the same in
+/// metres and in millimetres.
 ///
 ///                  points, distances                directions, angles
 ///   position       nominal size of the mechanism    1, 1 rad
-///   velocity       largest speed of any of them     largest rate
+///   velocity       largest speed                    largest rate
 ///   acceleration   largest                          largest
 ///
-/// Where one kind does not move its velocity scale is the other's, times or over the size; where
-/// nothing accelerates the acceleration scale is velocity² over the position scale. What neither
-/// gives is 0: nothing moves.
+/// If only one column moves, the other gets its velocity scale, multiplied or divided by the size.
+/// If nothing accelerates, the acceleration scale is velocity² over the position scale. If nothing
+/// moves, the scales of rates are 0.
 struct Scales {
-  PerLevel<double> length{1, 0, 0};    ///< unit of length, over s, over s²
-  PerLevel<double> rotation{1, 0, 0};  ///< 1 or rad, over s, over s²
+  PerLevel<double> length{1, 0, 0};    ///< [unit of length], [1/s], [1/s²] times that
+  PerLevel<double> rotation{1, 0, 0};  ///< [1 or rad], over s, over s²
 
   double of(EntityKind kind, Level level) const {
     return is_length(kind) ? length[level] : rotation[level];
   }
 };
 
-/// Scales of the motion that a reference samples.
+/// Computes the scales of the motion that a reference samples.
 Scales make_scales(const Model& model, std::span<const ReferenceInstant> reference);
 
-/// |difference| of two values by their scale; 0 / 0 is no error, and NaN is an infinite one.
+/// Returns |difference| / scale of two values. 0/0 gives 0, other NaN gives infinity.
 double relative(double difference, double scale);
 
 }  // namespace desmo

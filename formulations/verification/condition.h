@@ -8,19 +8,19 @@
 
 namespace desmo {
 
-/// The condition number of a mechanism's equations in a position: ‖A⁻¹‖∞ of A = R⁻¹ Φ_φ S, all
-/// equations at once, where S holds the natural magnitudes of the unknowns (see natural_magnitudes)
-/// and R makes the row sums of |A| one, so that ‖A‖∞ = 1. It says by how much a relative change of
-/// an equation changes the position relative to the size of the mechanism, whatever the units and
-/// the partition. The inverse is computed, n solves with a sparse LU factorisation: exact, and
-/// O(n²), for hundreds of coordinates.
+/// Computes the condition number of a model's equations at a position: ‖A⁻¹‖∞ of A = R⁻¹ Φ_φ S, all
+/// equations at once. S holds the natural magnitudes of the unknowns (natural_magnitudes()). R
+/// makes the row sums of |A| one, so that ‖A‖∞ = 1. The number bounds the relative change of
+/// position that a relative change of an equation causes, whatever the units and the partition. The
+/// inverse is computed exactly by n solves with a sparse LU factorisation; O(n²).
 class ConditionNumber {
  public:
-  /// The mechanism must outlive it.
+  /// Analyses the model, which must outlive this object.
   explicit ConditionNumber(const Model& model);
   ~ConditionNumber();
 
-  /// q: positions in coordinate order. Infinite where Φ_φ is singular in double precision.
+  /// Returns the condition number at positions q, in coordinate order; infinity where Φ_φ is
+  /// singular in double precision.
   double operator()(std::span<const double> q);
 
  private:
@@ -28,10 +28,9 @@ class ConditionNumber {
   std::unique_ptr<Matrices> matrices_;
 };
 
-/// The relative error that conditioning lets a scalar of unit roundoff u reach (2⁻⁵³ for
-/// double, 2⁻²⁴ for float), as a prediction of its order: κ u in position, κ² u in velocity, κ³ u
-/// in acceleration. Each level divides once more by Φ_φ, which depends on the erroneous level
-/// before.
+/// Returns the order of the relative error that conditioning allows in a scalar of unit roundoff u
+/// (2⁻⁵³ for double, 2⁻²⁴ for float): κ u in position, κ² u in velocity, κ³ u in acceleration. Each
+/// level divides once more by Φ_φ, which depends on the erroneous level before.
 inline PerLevel<double> accuracy_limit(double condition, double u) {
   return {condition * u, condition * condition * u, condition * condition * condition * u};
 }

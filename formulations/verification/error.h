@@ -11,22 +11,22 @@
 
 namespace desmo {
 
-/// Errors at one level, relative to Scales. Infinite where a number is none.
+/// Errors at one level, relative to Scales. They are infinite where a solved number is NaN.
 struct LevelError {
-  double max = 0;     ///< over all outputs and instants
-  double rms = 0;     ///< root of the mean square over all outputs and instants
-  long compared = 0;  ///< outputs times instants; 0: max and rms say nothing
+  double max = 0;     ///< maximum over all outputs and instants
+  double rms = 0;     ///< root mean square over all outputs and instants
+  long compared = 0;  ///< outputs times instants compared; 0: max and rms say nothing
 };
 
-/// How wrong a solution is.
+/// Errors of a solution at each level.
 struct Error : PerLevel<LevelError> {
-  int instants = 0;  ///< compared
+  int instants = 0;  ///< instants compared
 };
 
-/// Gathers max and rms of errors at one level.
+/// Accumulates maximum and root mean square of errors at one level.
 class ErrorSum {
  public:
-  void add(double error);  ///< not NaN (see relative())
+  void add(double error);  ///< error must not be NaN; relative() returns none
   LevelError result() const;
 
  private:
@@ -34,26 +34,26 @@ class ErrorSum {
   long compared_ = 0;
 };
 
-/// Compares the instants that it is handed with a reference, where the reference has them, in
-/// outputs that all formulations share: the points, directions, angles and distances of the
-/// mechanism, driven ones included, fixed ones left out. The error of an output is the Euclidean
-/// norm of the difference, by its scale; angles differ by whole turns if they do. It is exact where
-/// the reference has rests: an error of 1e-20 shows as that.
+/// Observer that compares instants with a reference, where the reference has them. Hand it to
+/// Formulation::run; instants come in order of time. Each skipped instant costs one comparison; no
+/// heap memory is allocated.
 ///
-/// An observer: hand it to Formulation::run, instants in order of time. Instants that the
-/// reference has not are skipped at the cost of a comparison; nothing is taken from the heap.
+/// Outputs are the points, directions, angles and distances of the model, driven ones included,
+/// fixed ones left out. The error of an output is the Euclidean norm of the difference over its
+/// scale. Angles are compared as they are, so a whole turn counts as an error. Where the reference
+/// has rests they are used, so that an error of 1e-20 shows as 1e-20.
 class ErrorMeasure final : public Observer {
  public:
-  /// All outputs at all levels. The reference must outlive the measure.
+  /// Compares all outputs at all levels. The reference must outlive the measure.
   ErrorMeasure(const Model& model, std::span<const ReferenceInstant> reference,
                const Scales& scales);
-  /// Of these outputs only, each as far as it is asked for (Plan::outputs); fixed ones are skipped.
+  /// Compares only these outputs, each up to its requested level (Plan::outputs); skips fixed ones.
   ErrorMeasure(const Model& model, std::span<const ReferenceInstant> reference,
                const Scales& scales, std::span<const Asked> outputs);
 
   Flow observe(const Instant& instant) noexcept override;
-  /// Of what was accepted so far. An error exists only where instants were compared: see
-  /// Error::instants, which is the size of the reference after a complete run.
+  /// Returns the errors of the instants observed so far. Error::instants counts the compared ones;
+  /// after a complete run it is the size of the reference.
   Error error() const;
 
  private:
@@ -68,7 +68,7 @@ class ErrorMeasure final : public Observer {
   std::span<const ReferenceInstant> reference_;
   std::vector<Output> outputs_;
   int instants_ = 0;
-  std::size_t next_ = 0;  // in the reference
+  std::size_t next_ = 0;  // index of the next reference instant
   PerLevel<ErrorSum> sums_;
 };
 

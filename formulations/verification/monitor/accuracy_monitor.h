@@ -15,7 +15,7 @@
 
 namespace desmo {
 
-/// A signal that makes the accuracy monitor assess an instant, or a check of the assessment.
+/// Signal that makes the accuracy monitor assess an instant, or check of the assessment.
 enum class Monitor : unsigned {
   sensitivity = 1,   ///< rates of unknowns over those of the drivers
   residual = 2,      ///< ‖Φ‖ at which positions were accepted
@@ -44,53 +44,55 @@ struct AccuracyMonitorOptions {
 
   double tolerance = default_tolerance;  ///< to which positions are solved
   std::span<const Level> levels{};       ///< to which each coordinate is solved (Plan::levels)
-  int every = usual_interval;            ///< instants from one assessment to the next, at most
-  bool reuses_pivots = false;            ///< rates may come from pivots of another position
+  int every = usual_interval;            ///< longest interval between assessments, in instants
+  bool reuses_pivots = false;            ///< pivots of earlier positions may spoil rates
   unsigned without = 0;                  ///< Monitor bits left out, for tests of what each finds
   std::optional<Scales> scales{};        ///< to which bounds are relative; empty: the motion's
   int max_steps = 4096;                  ///< shorter steps in which a doubtful step is gone again
   int max_degradations = 10000;          ///< degraded instants reconsidered when scales grow
 };
 
-/// An instant with what the accuracy monitor says of it.
+/// An instant and its accuracy.
 struct MonitoredInstant {
-  Instant instant;           ///< possibly corrected; valid until the next instant
-  bool degraded = false;     ///< conditioning lets it be no better than its bounds
-  bool solved_anew = false;  ///< it was interpolated, and that was not good enough
+  Instant instant;           ///< corrected where that helped; valid until the next instant
+  bool degraded = false;     ///< conditioning keeps it from meeting the limits
+  bool solved_anew = false;  ///< it was interpolated, not accurately enough, and then solved
   std::optional<SingularityCrossing> crossing{};
-  Assessment assessment{};  ///< of this instant; an expectation where it was not assessed
+  Assessment assessment{};  ///< assessed, or an expectation with margin (Expectation)
 };
 
 /// Monitors the accuracy of a motion's instants at little cost. It assesses an instant (Assessor)
-/// when the instant is the first, when the clock has come round, and when a signal has moved by a
-/// factor of four since the last assessment, or by less where correcting would pay (Expectation):
+/// when the instant is the first, when the clock has come round, or when a signal has grown by a
+/// factor of four since the last assessment. A smaller growth suffices where correcting would pay
+/// (Expectation). The signals:
 ///
-///   sensitivity  the largest rate of an unknown of a group over that of the drivers; it grows as
-///                the condition number does, unless the motion happens not to show it
+///   sensitivity  the largest rate of a group's unknowns over that of the drivers; it grows as the
+///                condition number does, unless the motion happens not to show it
 ///                (ConditionMonitor)
 ///   residual     ‖Φ‖, to which the error of position is proportional; where pivots are reused,
 ///                the residuals of Φ̇ and Φ̈ as well (BackwardError)
 ///
-/// Interpolated instants are assessed by the residuals of Φ, Φ̇ and Φ̈. An interpolated instant that
-/// exceeds the limits of *degraded* is solved from the instant before it. The monitor never states
-/// more than these limits of an instant that it has not assessed: it assesses it instead.
+/// Interpolated instants are checked by the residuals of Φ, Φ̇ and Φ̈. An interpolated instant that
+/// exceeds the limits of *degraded* is solved from the instant before it. If an expected bound
+/// exceeds these limits, the monitor assesses the instant.
 ///
-/// The monitor corrects an instant with factors of its own position, and assesses it again, when
-/// its bounds exceed 10, 10² and 10³ times the tolerance in position, velocity and acceleration and
-/// ten times what conditioning allows (accuracy_limit). An instant that is still above 100, 100²
-/// and 100³ times the tolerance is *degraded*; the instants after it are assessed until one is not.
+/// The monitor corrects an instant with factors at its own position, and assesses it again, when
+/// its bounds exceed 10, 10² and 10³ times the tolerance in position, velocity and acceleration,
+/// and ten times what conditioning allows (accuracy_limit()). An instant that is still above 100,
+/// 100² and 100³ times the tolerance is *degraded*. The instants after it are assessed until one is
+/// not.
 class AccuracyMonitor {
  public:
-  /// Prepares for a motion; its grid tells how fast the drivers will be. The model must outlive the
-  /// monitor.
+  /// Prepares for a motion; its grid yields the drivers' rates in advance. The model must outlive
+  /// the monitor.
   AccuracyMonitor(const Model& model, const TimeGrid& grid, const AccuracyMonitorOptions& options);
   ~AccuracyMonitor();
 
-  /// Examines the next instant; instants come in order of time. Takes nothing from the heap but by
-  /// KLU and for degraded instants.
+  /// Examines the next instant; instants come in order of time. Allocates only in KLU and for
+  /// degraded instants.
   MonitoredInstant examine(const Instant& instant);
 
-  /// Says that the next instant does not follow the last one; the monitor will assess it.
+  /// Tells that the next instant does not follow the last one; the monitor will assess it.
   void resume();
 
   /// Doubts the step to the next instant: the monitor goes it again and assesses its end.
@@ -101,12 +103,12 @@ class AccuracyMonitor {
   /// Return the numbers of instants assessed and corrected.
   long assessed() const;
   long corrected() const;
-  /// Returns the largest condition number of all instants, between assessments by their signals.
+  /// Returns the largest condition number of all instants; between assessments it is expected.
   double condition() const;
   /// Returns the largest bounds so far, relative to the scales of the motion so far.
   const PerLevel<double>& bound() const;
-  /// Return the number of instants that are degraded relative to the motion so far, and the first
-  /// of them. Rates at rest, early in a motion, may have been rounding compared with later ones.
+  /// Return the number of degraded instants, relative to the motion so far, and the first of them.
+  /// Instants at rest, early in a motion, may stop counting when rates have grown.
   long degraded() const;
   std::optional<Degradation> first_degraded() const;
 

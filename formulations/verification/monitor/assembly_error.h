@@ -8,21 +8,21 @@
 
 namespace desmo {
 
-/// By how much a group cannot be assembled.
+/// Closure error of a group that cannot be assembled.
 struct AssemblyError {
   GroupId group = -1;
-  int constraint = -1;  ///< the one worst satisfied in the position that satisfies all best
-  /// How far a point or a distance would have to be moved for it to hold, or, where it joins none,
-  /// a component of a direction or an angle.
+  int constraint = -1;  ///< the worst satisfied one at the position that satisfies all best
+  /// Distance by which a point, or a length, would have to change for the constraint to hold. A
+  /// constraint without lengths has the change of a direction's component or of an angle instead.
   double amount = 0;
-  bool is_length = false;  ///< in the unit of the mechanism; else a number or rad
+  bool is_length = false;  ///< amount is in the mechanism's unit of length; else a number or rad
 };
 
-/// The deficit of the first group that cannot be assembled, at the position nearest to assembly in
-/// the least squares of its equations, each over its magnitude, that Levenberg and Marquardt's
-/// method finds from there. Nothing when all groups can be, in singular positions too. Not for
-/// timed code: it allocates. state: as of the last instant solved, with the drivers of the one that
-/// failed.
+/// Returns the assembly error of the first group that cannot be assembled; nothing when all groups
+/// can be, even in a singular position. Levenberg and Marquardt's method minimises the group's
+/// equations, each over its magnitude, in least squares. It allocates: keep it out of timed code.
+/// - state: the last instant solved, with the drivers of the instant that failed; the start
+/// - settings: its tolerance decides whether a group is assembled
 std::optional<AssemblyError> find_assembly_error(const Model& model, std::vector<double> state,
                                                  const Settings& settings);
 

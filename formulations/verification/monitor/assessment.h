@@ -5,47 +5,48 @@
 
 namespace desmo {
 
-/// The limit that keeps an instant from being as right as its tolerance asks for.
+/// Cause that keeps an instant from being as accurate as its tolerance asks for.
 enum class Limit {
   singular_position,
-  drivers,   ///< their motions, which are rounded where they come to large numbers or late
+  drivers,   ///< rounding of the drivers' motions, whose values or times are large
   origin,    ///< coordinates that are large compared with the mechanism
   sizes,     ///< lengths of different magnitudes in one mechanism
-  rounding,  ///< of the equations, and nothing in particular
+  rounding,  ///< rounding of the equations, and no particular cause
 };
 
-/// The accuracy of a solved instant, from its numbers alone.
+/// Accuracy of a solved instant, found from its numbers alone.
 struct Assessment {
   bool singular = false;  ///< the equations do not determine the position, to working precision
-  /// Estimate of the condition number (verification/condition.h), within a factor of three;
-  /// infinite where Φ_φ could not be factorised.
+  /// Estimate of the condition number (verification/condition.h), within a factor of three.
+  /// Infinity where Φ_φ could not be factorised.
   double condition = 1;
-  /// Bound on the error of any output, as verification/error.h measures it; infinite where
-  /// singular. 0 beyond the level solved.
+  /// Bound on the error of any output, measured as in verification/error.h. Infinity where
+  /// singular, 0 at levels that were not solved.
   PerLevel<double> bound;
-  double rounding = 0;  ///< what bound.position would be if Φ were nothing but its rounding
-  GroupId group = -1;   ///< of the unknown that the condition is worst for
-  Limit limit = Limit::rounding;  ///< of an instant that is degraded
+  double rounding = 0;            ///< bound.position if Φ were nothing but its rounding
+  GroupId group = -1;             ///< group of the unknown with the worst condition
+  Limit limit = Limit::rounding;  ///< cause, set for degraded instants only
 };
 
-/// An interval after which the assembly branch is not the one that continuity and the estimate
-/// declare, or is unknown.
+/// Interval after which the assembly branch is unknown, or is not the one that continuity and the
+/// initial estimate declare. A branch is one of the positions in which a mechanism can be
+/// assembled.
 struct SingularityCrossing {
   enum class Kind {
-    passed,        ///< a singular position was passed: a block's determinant has changed its sign
-    jumped,        ///< the later instant is not what the motion from the earlier one leads to
-    not_declared,  ///< assembled with other signs of determinants than the estimate has, or too far
-                   ///< from it for these to mean anything
+    passed,        ///< a singular position: a block's determinant changed its sign
+    jumped,        ///< the motion from the earlier instant does not lead to the later one
+    not_declared,  ///< the first position has other signs of determinants than the initial
+                   ///< estimate, or is too far from it for the signs to mean anything
   };
   double after, before;  ///< the ends of the interval [s]
   GroupId group;
   Kind kind;
 };
 
-/// An instant that conditioning does not let be as right as its tolerance asks for.
+/// Instant that conditioning keeps from being as accurate as its tolerance asks for.
 struct Degradation {
-  int index;
-  double time;  ///< s
+  int index;    ///< index in the grid
+  double time;  ///< [s]
   Assessment assessment;
 };
 

@@ -14,41 +14,39 @@
 
 namespace desmo {
 
-/// Assesses solved instants of a mechanism a posteriori, all equations at once, whatever solved
-/// them. With A = R⁻¹ Φ_φ S, S the natural magnitudes of the unknowns and R the row sums:
+/// Assesses solved instants a posteriori, all equations at once, whatever solved them. With
+/// A = R⁻¹ Φ_φ S, S the characteristic lengths of the unknowns and R the row sums:
 ///
-///   position       δ = |A⁻¹ R⁻¹ Φ| + |A⁻¹| R⁻¹ (rounding of Φ and of the drivers)
-///   there is one   η = max |A⁻¹| R⁻¹ |change of Φ_φ within 2 δ| S δ / δ < ½; else it is singular
-///   velocity       |Φ_φ⁻¹ Φ̇| + |Φ_φ⁻¹| (what Φ̇ may be more or less), and
-///   acceleration   likewise of Φ̈, at all positions and velocities within their bounds
+///   position      δ = |A⁻¹ R⁻¹ Φ| + |A⁻¹| R⁻¹ (rounding of Φ and of the drivers)
+///   existence     η = max |A⁻¹| R⁻¹ |change of Φ_φ within 2 δ| S δ / δ; singular unless η < ½
+///   velocity      |Φ_φ⁻¹ Φ̇| + |Φ_φ⁻¹| (uncertainty of Φ̇ within the bounds of position)
+///   acceleration  likewise with Φ̈, within the bounds of position and velocity
 ///
-/// each over 1 − η: the errors, for Φ_φ⁻¹ at any position in question (Newton–Kantorovich, in the
-/// norm in which the errors δ of all groups are equal, so that a long chain whose end is uncertain
-/// does not make its beginning so). What is known of Φ and how much more or less it may be comes
-/// from the residuals alone, in jets (groupwise/jet.h) of numbers that carry bounds (rounded.h);
-/// what |A⁻¹| makes of it at most is estimated (inverse_norm.h), and taken three times, for what
-/// the estimate may miss.
+/// Division of each bound by 1 − η makes it hold with Φ_φ⁻¹ of any position within the bounds
+/// (Newton–Kantorovich). The norm is the one in which the errors δ of all groups are equal. So the
+/// uncertain end of a long chain does not make its beginning uncertain. The residuals yield Φ and
+/// its uncertainty, in jets (groupwise/jet.h) of numbers with bounds (rounded.h). |A⁻¹| is
+/// estimated (inverse_norm.h), times three for what the estimate may miss.
 class Assessor {
  public:
-  /// levels: as far as each coordinate is solved (Plan::levels); none: as far as the instant. The
-  /// mechanism must outlive the assessor.
+  /// levels: the level up to which each coordinate is solved (Plan::levels); empty: as far as the
+  /// instant. The model must outlive the assessor.
   explicit Assessor(const Model& model, std::span<const Level> levels = {});
   Assessor(const Assessor&) = delete;
   Assessor& operator=(const Assessor&) = delete;
 
-  /// scales: what rates are relative to, of the motion or of this instant. Nothing is taken from
-  /// the heap but by KLU.
+  /// Returns the assessment of an instant. scales: scales of the rates, of the motion or of this
+  /// instant. Only KLU allocates.
   Assessment operator()(const Instant& instant, const Scales& scales);
 
-  /// Returns which of these bounds limits the instant assessed last.
+  /// Returns the cause that limits the accuracy of the instant assessed last.
   Limit limit(const Instant& instant, const Scales& scales, const Assessment& assessment);
 
-  /// An instant with the corrections that factors at its own position make, and then another, as
-  /// long as they shrink: as right as the conditioning allows. Its numbers are valid until the
-  /// next.
+  /// Returns an instant corrected by Newton steps with factors at its own position, as long as the
+  /// steps halve: as accurate as conditioning allows. Its numbers are valid until the next call.
   Instant corrected(const Instant& instant);
 
-  /// At the position of the last assessment.
+  /// Returns the equations, factorised at the position used last.
   ScaledSystem& system() { return system_; }
   std::span<const Level> levels() const { return levels_; }
 
@@ -69,12 +67,12 @@ class Assessor {
   std::vector<Level> levels_, row_levels_;
   ScaledSystem system_;
   EnclosedMotion motion_;
-  InverseNorm of_system_, of_change_;  // each is asked the same again and again
+  InverseNorm of_system_, of_change_;  // one each, since the worst unknown is remembered
   PerLevel<InverseNorm> to_outputs_, to_errors_;
   Eigen::ArrayXd weights_, off_, unknown_, change_;
-  Eigen::ArrayXd error_;        // of each unknown at most, in its magnitude, as large in a group
-  std::vector<GroupId> group_;  // of each unknown
-  std::vector<double> max_;     // error of each group
+  Eigen::ArrayXd error_;  // error bound of each unknown in its magnitude, equal within a group
+  std::vector<GroupId> group_;  // group of each unknown
+  std::vector<double> max_;     // error bound of each group
   std::vector<double> state_;
   std::vector<Rounded> phi_;
   std::vector<Jet<Rounded>> phi_motion_;

@@ -10,17 +10,18 @@
 
 namespace desmo {
 
-/// The residuals of the equations of an instant and of their time derivatives, whatever solved it,
-/// at the cost of evaluating them once: a residual r leaves errors of up to ‖A⁻¹‖∞ ‖r‖∞. A rate
-/// that was solved with a small pivot shows in it, and a row that was interpolated.
+/// Residuals of an instant's equations and of their time derivatives, whatever solved it, for the
+/// price of one evaluation. A residual r allows errors of up to ‖A⁻¹‖∞ ‖r‖∞. Residuals reveal rates
+/// solved with small pivots and inaccurate interpolated instants.
 class BackwardError {
  public:
-  /// levels: as far as each coordinate is solved. Both must outlive it.
+  /// levels: the level up to which each coordinate is solved. Both must outlive this object.
   BackwardError(const Model& model, std::span<const Level> levels);
 
-  /// Bounds of the errors that the residuals of each level cause at a condition number
-  /// (verification/condition.h), relative to the scales; what errors of one level cause at the next
-  /// is not in them. system: with the sums of rows somewhere near.
+  /// Returns bounds of the errors that the residuals of each level cause, relative to the scales.
+  /// Errors that one level passes on to the next are not included.
+  /// - condition: the condition number (verification/condition.h)
+  /// - system: factorised at a position nearby; only its row sums are used
   PerLevel<double> operator()(const Instant& instant, const ScaledSystem& system,
                               const Scales& scales, double condition);
 

@@ -8,23 +8,22 @@
 
 namespace desmo {
 
-/// Checks what solved positions must satisfy beyond the equations that were solved:
-/// - An angle that its equation tells modulo π only (holds_modulo_pi) is the declared one, not the
-///   one half a turn away, and has turned by at most π since the last instant, or the estimate: a
-///   large step can end elsewhere.
-/// - The equations that were left out as dependent (Constraint::left_out) hold. They follow from
-///   others nearly everywhere, but may not in single positions or on another branch.
+/// Checks conditions that solved positions must satisfy beyond the equations that were solved:
+/// - An angle that its equation determines modulo π only (holds_modulo_pi) is the declared one, not
+///   the one half a turn away. It has turned by at most π since the last instant or the initial
+///   estimate: a large step can end elsewhere.
+/// - The equations left out as dependent (Constraint::left_out) hold. They follow from the others
+///   nearly everywhere, but perhaps not in single positions or on another branch.
 class BranchMonitor {
  public:
-  /// levels: to which each coordinate is solved (Plan::levels); empty: all levels. tolerance: to
-  /// which positions are solved. The model must outlive the monitor; levels are copied.
+  /// levels: the level up to which each coordinate is solved (Plan::levels); empty: all levels.
+  /// tolerance: the one of positions. The model must outlive the monitor; levels are copied.
   BranchMonitor(const Model& model, std::span<const Level> levels, double tolerance);
 
-  /// Returns a constraint of the model that a solved instant violates in position or, as far as it
-  /// was solved, in velocity; -1: none. A constraint is violated when it is off by more than 1e-6
-  /// of the sum of its terms, or a thousand times a coarser tolerance, a tenth at most. Instants
-  /// come in order of time; interpolated ones are not checked, since another branch shows where an
-  /// instant is solved.
+  /// Returns the first constraint that a solved instant violates, or -1. Velocities are checked as
+  /// far as they were solved. A constraint is violated when it is off by more than max(1e-6, 1000 ×
+  /// tolerance), at most a tenth, of the sum of its terms. Instants come in order of time.
+  /// Interpolated ones are not checked: another branch shows at the solved ones.
   int violated(const Instant& instant);
 
  private:
@@ -33,8 +32,8 @@ class BranchMonitor {
   double allowed_;                    // relative to the sum of an equation's terms
   std::vector<int> checked_;          // constraints
   std::vector<double> state_, rate_;  // q and the fixed components, and their rates
-  std::vector<double> last_;          // q of the last instant, or the estimate
-  std::vector<bool> driven_;          // coordinates
+  std::vector<double> last_;          // q of the last instant, or the initial estimate
+  std::vector<bool> driven_;          // for each coordinate
 };
 
 }  // namespace desmo

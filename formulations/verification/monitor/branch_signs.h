@@ -11,26 +11,27 @@
 
 namespace desmo {
 
-/// Tells whether a motion stays on the assembly branch that its mechanism's estimate declares, by
-/// the signs of the determinants of irreducible blocks, from one assessed instant to the next.
+/// Check of whether a motion stays on the assembly branch that the model's initial estimate
+/// declares. It compares the signs of the determinants of irreducible blocks between assessed
+/// instants.
 class BranchSigns {
  public:
-  /// Both must outlive it.
+  /// Both must outlive this object.
   BranchSigns(const Model& model, ScaledSystem& system) : model_(model), system_(system) {}
 
-  /// The estimate, with the drivers of the first instant, has the signs that this should have.
-  /// Overwrites what the system has factorised.
+  /// Stores the signs at the initial estimate with the drivers of the first instant. Overwrites the
+  /// system's factors.
   void declare(const Instant& first);
 
-  /// Returns the crossing that an assessed instant shows; the system has its factors. sensitivity:
-  /// the largest to any driver (SensitivityMonitor::largest).
+  /// Returns the crossing, if any, that the first assessed instant shows. The system holds its
+  /// factors. sensitivity: the largest one to any driver (SensitivityMonitor::largest()).
   std::optional<SingularityCrossing> at_first(const Instant& instant, const Assessment& assessment,
                                               double sensitivity);
-  /// After an interval that was left out.
+  /// Returns the crossing, if any, after an interval that could not be assembled.
   std::optional<SingularityCrossing> after_gap(const Instant& instant) {
     return change(instant.time, {});
   }
-  /// last: the time of the instant assessed before [s].
+  /// Returns the crossing, if any, since the last assessed instant. last: its time [s].
   std::optional<SingularityCrossing> since(double last, const Instant& instant) {
     return change(instant.time, last);
   }

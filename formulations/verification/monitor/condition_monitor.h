@@ -11,25 +11,27 @@
 
 namespace desmo {
 
-/// By how much the condition number has grown since the last assessment, where rates do not show
-/// it: a motion all but through a change point is as smooth as any. Seen is what A⁻¹ makes of a
-/// right-hand side that no motion has, of each group: near a singular position the inverse of it
-/// falls to zero as the distance does, at an even pace. That takes factors, so it is looked at now
-/// and then: where, at the pace of the last looks, it would have changed by half, and not later
-/// than the drivers have gone a way of 2, or four times that between the last two looks.
+/// Monitors the growth of the condition number since the last assessment where rates do not show
+/// it: a motion that just misses a change point is smooth. It solves x = A⁻¹ b for a fixed b
+/// without pattern and compares ‖x‖∞ of each group with that of the assessment. Near a singular
+/// position 1/‖x‖∞ falls to zero linearly with the distance. The solution needs factors, so it is
+/// taken now and then (a *look*). The next look is due when, at the present pace, 1/‖x‖∞ would have
+/// halved. It is due at the latest when the drivers have moved by 2 magnitudes, or four times the
+/// distance between the last two looks.
 class ConditionMonitor {
  public:
-  /// system: that of the mechanism.
+  /// system: the one of the model.
   ConditionMonitor(const Model& model, const ScaledSystem& system);
 
-  /// The motion has come to that instant. Instants in order of time.
+  /// Adds the drivers' way to an instant; instants come in order of time.
   void go_on(const Instant& instant);
-  /// Whether it is time for a look at it.
+  /// Returns whether the instant should be looked at.
   bool is_due() const { return way_ > 0 && way_ >= next_; }
   void look(const Instant& instant, ScaledSystem& system);
-  /// At least 1: that of the last look, gone on at the same pace; infinite where it was singular.
+  /// Returns the growth, at least 1: that of the last look, extrapolated at the same pace; infinity
+  /// where it was singular.
   double growth() const { return growth_ / (1 - fall_ * way_); }
-  /// The instant is the one to compare with. system: with factors at it.
+  /// Makes this instant the one to compare with. system: factorised at it.
   void reset(ScaledSystem& system);
 
  private:
@@ -42,13 +44,13 @@ class ConditionMonitor {
   };
   std::vector<Driven> drivers_;
   std::vector<double> state_;
-  std::vector<GroupId> group_;  // of each unknown
-  Eigen::ArrayXd right_, x_;    // the right-hand side, and what A⁻¹ makes of it
-  Eigen::ArrayXd now_, then_;   // ‖x‖∞ of each group: at the last look, and to compare with
-  Eigen::ArrayXd share_;        // then_ over now_, at the last look
+  std::vector<GroupId> group_;  // group of each unknown
+  Eigen::ArrayXd right_, x_;    // b and x = A⁻¹ b
+  Eigen::ArrayXd now_, then_;   // ‖x‖∞ of each group: last look, assessment
+  Eigen::ArrayXd share_;        // then_ / now_ at the last look
   double growth_ = 1;
-  double fall_ = 0, pace_ = 0;  // of shares over a way of 1: since the last look, of any change
-  double way_ = 0, next_ = 0;   // of the drivers since the last look, in magnitudes; to the next
+  double fall_ = 0, pace_ = 0;  // change of share_ per way: decrease since the last look, largest
+  double way_ = 0, next_ = 0;  // drivers' way since the last look and until the next, in magnitudes
 };
 
 }  // namespace desmo

@@ -12,11 +12,11 @@
 
 namespace desmo {
 
-/// Whether each instant goes on continuously from the one before it. In doubt is a step over which
-/// the trapezoid rule between the two highest levels solved, q̇ and q̈ or q and q̇, is off by more
-/// than a fiftieth of what a group moves: a smooth motion is off by (ω h)²/12. Such a step is gone
-/// again in as many shorter ones as it takes, from its beginning, each from where Taylor's
-/// polynomial leads: an end that they do not lead to lies on another assembly branch.
+/// Check of whether each instant continues the one before it. A step is in doubt when the trapezoid
+/// rule between the two highest levels solved (q̇ and q̈, or q and q̇) is off by more than a
+/// fiftieth of a group's movement. A smooth motion is off by (ω h)²/12. Such a step is repeated in
+/// shorter ones from its beginning, each predicted by a Taylor polynomial. When they do not lead to
+/// its end, that lies on another assembly branch.
 class Continuity {
  public:
   /// grid: of the motion, which tells how fast drivers will be. magnitudes: of each coordinate.
@@ -24,28 +24,29 @@ class Continuity {
   Continuity(const Model& model, const TimeGrid& grid, std::span<const double> magnitudes,
              int max_steps = 4096);
 
-  /// Whether the step from the instant taken last is in doubt. weights: of each coordinate, 1 over
-  /// what it moves when the drivers move by their magnitudes (SensitivityMonitor).
+  /// Returns whether the step from the instant taken last is in doubt. weights: (coordinates), 1
+  /// over the movement when the drivers move by their magnitudes (SensitivityMonitor).
   bool in_doubt(const Instant& instant, const Eigen::ArrayXd& weights) const;
 
-  /// Where a step that is in doubt is not continuous.
+  /// Interval in which a step in doubt is not continuous.
   struct Jump {
-    double after, before;  ///< s
-    int coordinate;        ///< that jumps most
+    double after, before;  ///< [s]
+    int coordinate;        ///< the one that jumps most
   };
-  /// Goes the step from the instant taken last again. Overwrites what the assessor has factorised.
+  /// Repeats the step from the instant taken last in shorter ones. Returns where it jumps, if it
+  /// does. Overwrites the assessor's factors.
   std::optional<Jump> find_jump(const Instant& instant, const Eigen::ArrayXd& weights,
                                 Assessor& assessor);
 
-  /// An instant solved anew, with its own drivers, from the instant taken last on, in steps as
-  /// find_jump() takes them. Nothing where rates are not solved, or no such way is found. Valid
-  /// until the next call; overwrites what the assessor has factorised.
+  /// Solves an instant anew from the instant taken last, with drivers at its own time, in steps
+  /// like those of find_jump(). Returns nothing where rates are not solved or the steps fail. The
+  /// result is valid until the next call. Overwrites the assessor's factors.
   std::optional<Instant> solve_anew(const Instant& instant, const Eigen::ArrayXd& weights,
                                     Assessor& assessor);
-  /// An instant with the drivers of its own time. Valid until the next call.
+  /// Returns the instant with its drivers evaluated at its time; valid until the next call.
   Instant driven(const Instant& instant);
 
-  /// The instant is the one to go on from.
+  /// Makes this instant the one to continue from.
   void take(const Instant& instant);
   void forget() { known_ = false; }
   /// Returns whether there is an instant to go on from.
@@ -54,7 +55,7 @@ class Continuity {
   void shift_time(double by) { last_.time += by; }
 
  private:
-  /// An instant of its own.
+  /// Copy of an instant.
   struct Node {
     double time = 0;
     State state;
@@ -77,11 +78,11 @@ class Continuity {
   const Model& model_;
   struct Driven {
     int coordinate;
-    double unit;  // 1 over its magnitude
+    double unit;  // 1 / magnitude
   };
-  std::vector<Driven> driven_;  // side by side, for they are looked at in every step
+  std::vector<Driven> driven_;  // contiguous, since every step reads them
   bool known_ = false;
-  double fastest_ = 0;  // of the drivers, magnitudes over s
+  double fastest_ = 0;  // largest rate of the drivers so far [magnitudes/s]
   Node last_, reached_, next_;
   Eigen::ArrayXd turned_;  // position_mismatch()
   int max_steps_;

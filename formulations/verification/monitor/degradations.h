@@ -8,8 +8,8 @@
 
 namespace desmo {
 
-/// The degraded instants of a motion. Bounds are relative to the motion so far: what is beyond its
-/// limit where a motion starts at rest need not stay so.
+/// List of a motion's degraded instants. Bounds are relative to the motion so far, so an instant
+/// may leave the list when the motion's rates grow, for instance after a start from rest.
 class Degradations {
  public:
   /// limit: above which a bound makes an instant degraded. max_kept: instants that follow the
@@ -23,7 +23,7 @@ class Degradations {
     else
       ++others_;
   }
-  /// The scales that rates are relative to have grown.
+  /// Converts all bounds to grown scales, and removes instants that no longer exceed the limit.
   void rescale(const Scales& from, const Scales& to) {
     for (Degradation& d : kept_) desmo::rescale(d.assessment.bound, from, to);
     std::erase_if(kept_,

@@ -12,7 +12,7 @@
 
 namespace desmo {
 
-/// The order of a jet that belongs to a level.
+/// Returns the component of a jet that belongs to a level.
 template <class S>
 constexpr S Jet<S>::*order_of(Level level) {
   return level == Level::position   ? &Jet<S>::value
@@ -20,22 +20,23 @@ constexpr S Jet<S>::*order_of(Level level) {
                                     : &Jet<S>::second;
 }
 
-/// A solved instant with what is not known of it: of drivers, what rounding makes of their motions;
-/// of unknowns, the errors that they may have. Levels that are not solved are zero.
+/// A solved instant with its uncertainty: rounding of the drivers' motions, error bounds of the
+/// unknowns. Rates that are not solved are zero.
 class EnclosedMotion {
  public:
-  /// levels: as far as each coordinate is solved; it and the mechanism must outlive this.
+  /// levels: the level up to which each coordinate is solved. Both must outlive this object.
   EnclosedMotion(const Model& model, std::span<const Level> levels);
 
-  /// Starts anew: unknowns as they are.
+  /// Takes an instant: drivers with their rounding, unknowns as exact.
   void take(const Instant& instant);
-  /// Gives unknowns, as far as they are solved, the errors that they may have, in their own units.
+  /// Sets the error bounds of solved unknowns at a level. errors: one for each of `unknowns`, in
+  /// the coordinates' units.
   void widen(Level level, std::span<const int> unknowns, const Eigen::ArrayXd& errors);
-  /// The largest error of a driver relative to its scale.
+  /// Returns the largest uncertainty of a driver relative to its scale.
   double of_drivers(Level level, const Scales& scales) const;
 
   std::span<const Jet<Rounded>> state() const { return state_; }
-  std::span<const Rounded> positions();  ///< of state()
+  std::span<const Rounded> positions();  ///< positions of state()
   double scale(int coordinate, Level level, const Scales& scales) const {
     return scales.of(kind(coordinate), level);
   }
@@ -47,7 +48,7 @@ class EnclosedMotion {
  private:
   const Model& model_;
   std::span<const Level> levels_;
-  std::vector<EntityId> entity_;  // of each coordinate
+  std::vector<EntityId> entity_;  // entity of each coordinate
   std::vector<Jet<Rounded>> state_;
   std::vector<Rounded> positions_;
 };

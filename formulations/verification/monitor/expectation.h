@@ -5,32 +5,34 @@
 
 namespace desmo {
 
-/// What an assessment would say of an instant that is not assessed, from the residual at which its
-/// position was accepted and from the growth of the condition number since the last that was:
+/// Prediction of the assessment of an instant that is not assessed. It uses the residual at which
+/// the position was accepted, and the growth g of the condition number κ since the last assessment:
 ///
-///   position       what rounding makes of it, and κ × slope × residual, as they were in the last
-///                  that showed them
-///   rates          those of the last, as the position, and κ² and κ⁴ times as the growth: as a
-///                  level divides by Φ_φ, and as much again for equations that it is solved less
-///                  well from
+///   position       g × rounding + g κ × slope × residual, where slope is
+///                  (bound − rounding) / (κ × residual) of the last assessment that showed it
+///   velocity       last bound × growth of the position bound × g²
+///   acceleration   last bound × growth of the position bound × g⁴
+///
+/// Every level divides by Φ_φ, and again for the errors of the levels that it is solved from.
 class Expectation {
  public:
-  /// Learns from an assessment. growth: what was known of it before.
+  /// Learns from an assessment. growth, residual: the instant's signals before it was assessed.
   void learn(const Assessment& assessment, double growth, double residual);
-  /// The scales that rates are relative to have grown.
+  /// Converts the last bounds to grown scales of rates.
   void rescale(const Scales& from, const Scales& to);
 
-  /// Without a margin.
+  /// Returns the predicted assessment, without a safety margin.
   Assessment operator()(double growth, double residual) const;
-  /// With one: ten times, or twice as far as expectations have been off.
+  /// Returns the bounds times a margin: ten, or twice the largest ratio by which predictions were
+  /// low.
   Assessment with_margin(Assessment expected) const;
-  /// Whether residuals so large have not been assessed yet.
+  /// Returns whether a residual exceeds all assessed ones by more than a factor of four.
   bool is_new(double residual) const;
 
  private:
   Assessment last_{};
   double max_residual_ = 0;
-  double slope_ = 0;  // of position over the residual and the condition number
+  double slope_ = 0;  // (bound.position − rounding) over condition × residual
   PerLevel<double> margin_;
 };
 

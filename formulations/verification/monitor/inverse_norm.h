@@ -5,27 +5,28 @@
 
 namespace desmo {
 
-/// A bound that a linear system sets, and where.
+/// Largest row of an inverse, and the unknown that attains it.
 struct WorstCase {
   double value = 0;
-  int unknown = 0;  ///< that it is attained by
+  int unknown = 0;  ///< row that attains it
 };
 
-/// Estimates max w |A⁻¹| f = ‖W A⁻¹ F‖∞, of diagonal matrices W and F of non-negative numbers, from
-/// a few solutions with A and Aᵀ: exact for the unknowns that it tries, hardly ever less than a
-/// third of the maximum (Higham, algorithm 15.1, which LAPACK's xLACN2 is; as xGERFS uses it). It
-/// begins with the unknown that was the worst last time, which it mostly is again.
+/// Estimates max w |A⁻¹| f = ‖W A⁻¹ F‖∞ from a few solutions with A and Aᵀ. W and F are diagonal
+/// and not negative. The rows tried are exact; the result is hardly ever less than a third of the
+/// maximum (Higham, algorithm 15.1, LAPACK's xLACN2, used as in xGERFS). The search starts from the
+/// last worst unknown, which mostly is the worst again.
 class InverseNorm {
  public:
   explicit InverseNorm(int n) : x_(n), sign_(n) {}
 
-  /// solve(x), solve_transposed(x): x = A⁻¹ x, A⁻ᵀ x.
+  /// Returns the estimate. factors: solve(x) and solve_transposed(x) overwrite x with A⁻¹ x and
+  /// A⁻ᵀ x.
   template <class Factors>
   WorstCase operator()(Factors& factors, const Eigen::ArrayXd& w, const Eigen::ArrayXd& f) {
     const Eigen::Index n = x_.size();
     WorstCase worst;
     if (n == 0) return worst;
-    const auto row = [&] {  // x = F A⁻ᵀ W x: of e_j, row j of W A⁻¹ F
+    const auto row = [&] {  // x = F A⁻ᵀ W x; turns eⱼ into row j of W A⁻¹ F
       x_ *= w;
       factors.solve_transposed(x_.data());
       x_ *= f;
@@ -61,7 +62,7 @@ class InverseNorm {
       is_attained = true;
     }
     last_worst_ = worst.unknown;
-    // What alternating and growing numbers show where cancellation has hidden the largest row.
+    // Alternating, growing numbers reveal a large row that cancellation has hidden from the search.
     for (Eigen::Index i = 0; i < n; ++i)
       x_[i] = (i % 2 == 0 ? 1 : -1) * (1 + static_cast<double>(i) / static_cast<double>(n));
     const double value = 2 * row() / (3 * static_cast<double>(n));

@@ -11,36 +11,36 @@
 
 namespace desmo {
 
-/// How a monitored run ends.
+/// Outcome of a monitored run.
 enum class Outcome {
-  converged,  ///< every instant is as right as its tolerance asks for
-  degraded,   ///< solved, but some instants are no better than the bounds say, since conditioning
-              ///< allows no more, or a singular position or a gap was passed
+  converged,  ///< every instant is as accurate as its tolerance asks for
+  degraded,   ///< solved, but conditioning keeps some instants from meeting their limits, or a
+              ///< singular position or a gap was passed
   failed,     ///< solved only before the instant that the summary names
 };
 
-/// An interval in which a mechanism could not be assembled, to 1e-9 s at either end.
+/// Interval in which a mechanism could not be assembled; ends accurate to 1e-9 s.
 struct Gap {
   double from, to;  ///< [s]
-  bool ends;        ///< false: it lasts as long as the run
-  Summary failure;  ///< at the first instant of the grid in it
+  bool ends;        ///< false: the interval lasts until the end of the run
+  Summary failure;  ///< failure at the interval's first grid instant
   std::optional<AssemblyError> assembly_error;
 };
 
-/// The outcome of a monitored run and the accuracy of its instants.
+/// Outcome of a monitored run and accuracy of its instants.
 struct MonitoredSummary : Summary {
-  bool refused = false;      ///< a strict run ended at `first_degraded` or `crossing`
-  int violated = -1;         ///< the constraint that the last instant satisfies only on another
-                             ///< branch (BranchMonitor); that instant was not handed on
-  double condition = 0;      ///< the largest condition number (see Assessment)
-  PerLevel<double> bound{};  ///< of errors, relative to the scales of the motion
-  long assessed = 0;         ///< instants
-  long corrected = 0;        ///< instants
-  long degraded = 0;         ///< instants
+  bool refused = false;  ///< a strict run ended at `first_degraded` or `crossing`
+  int violated = -1;     ///< constraint that the last instant violates, since it lies on another
+                         ///< branch (BranchMonitor); that instant was not delivered
+  double condition = 0;  ///< largest condition number (see Assessment)
+  PerLevel<double> bound{};  ///< error bounds, relative to the scales of the motion
+  long assessed = 0;         ///< instants assessed
+  long corrected = 0;        ///< instants corrected
+  long degraded = 0;         ///< instants degraded
   std::optional<Degradation> first_degraded{};
-  std::optional<SingularityCrossing> crossing{};  ///< the first
+  std::optional<SingularityCrossing> crossing{};  ///< first crossing
   std::optional<AssemblyError> assembly_error{};  ///< on failure, where no position was found
-  std::vector<Gap> gaps{};                        ///< those after which the run went on
+  std::vector<Gap> gaps{};                        ///< gaps after which the run went on
 
   Outcome outcome() const {
     return !ok() || refused || violated >= 0           ? Outcome::failed
@@ -51,18 +51,18 @@ struct MonitoredSummary : Summary {
 
 /// Settings of a monitored run.
 struct MonitoredRunOptions : AccuracyMonitorOptions {
-  bool strict = false;         ///< assess every instant; an instant that is degraded has failed
-  bool past_failures = false;  ///< go on after an interval that cannot be assembled
-  /// Called with each instant before the observer has it; empty: nobody listens.
+  bool strict = false;         ///< assess every instant; fail at a degraded one or a crossing
+  bool past_failures = false;  ///< continue after an interval that cannot be assembled
+  /// Callback that receives each instant before the observer does; empty: none.
   std::function<void(const MonitoredInstant&)> monitored{};
 };
 
-/// Runs through a motion as Formulation::run() does, and monitors it: every instant that the
-/// observer receives is as right as the summary says. The run ends, as a failure, at the first
-/// instant that cannot be assembled, is singular or lies on another branch; all instants before it
-/// were handed on. With `past_failures` it goes on where the mechanism can be assembled again from
-/// the model's estimate, which declares the branch. The request must ask for all coordinates, since
-/// the monitor needs them.
+/// Runs a motion like Formulation::run() and monitors it: every instant that the observer receives
+/// is as accurate as the summary states. The run ends, as a failure, at the first instant that
+/// cannot be assembled, is singular or lies on another branch. All instants before it were
+/// delivered. With `past_failures` it continues at the next instant that can be assembled from the
+/// model's initial estimate, which declares the branch. The request must name all coordinates,
+/// since the monitor needs them.
 ///
 ///   const auto formulation = make_formulation(find_variant("block_symbolic_inlined"), model);
 ///   const MonitoredSummary s = run_monitored(*formulation, grid, {Level::acceleration}, observer);

@@ -6,11 +6,11 @@
 
 namespace desmo {
 
-/// A number in double precision and a bound of how far the exact one is from it. Arithmetic carries
-/// the bound along and adds its own rounding (running error analysis; Higham, Accuracy and
-/// Stability of Numerical Algorithms, 3.3): an expression evaluated in such numbers yields all that
-/// the errors of its operands can do to it, to every order, and what its evaluation did itself.
-/// The rounding of the bounds is not counted.
+/// A double and a bound on its distance from the exact number. Arithmetic propagates the bounds and
+/// adds its own rounding (running error analysis; Higham, Accuracy and Stability of Numerical
+/// Algorithms, 3.3). An expression in such numbers yields its rounding and all effects, of every
+/// order, that the errors of its operands can have. The rounding of the bounds themselves is
+/// neglected.
 struct Rounded {
   double value = 0, radius = 0;
 
@@ -18,7 +18,7 @@ struct Rounded {
   Rounded(double exact) : value(exact) {}
   Rounded(double v, double r) : value(v), radius(r) {}
 
-  /// The largest magnitude that the exact number can have.
+  /// Returns the largest magnitude that the exact number can have.
   double most() const { return std::abs(value) + radius; }
 
   friend Rounded operator-(const Rounded& a) { return {-a.value, a.radius}; }
@@ -40,9 +40,9 @@ struct Rounded {
   static constexpr double u = std::numeric_limits<double>::epsilon() / 2;
 
   static Rounded of(double v, double r) { return {v, r + u * std::abs(v)}; }
-  /// A sine or cosine, which a library rounds to two units at most, and its slope.
+  /// Returns a sine or cosine. Libraries round them by two units at most.
   static Rounded turned(const Rounded& a, double v, double slope) {
-    constexpr double largest = 2;  // from -1 to 1: of an angle that nobody knows
+    constexpr double largest = 2;  // range of a sine: the error when the angle is unknown
     return {v,
             std::min(largest, a.radius * (std::abs(slope) + a.radius / 2) + 2 * u * std::abs(v))};
   }

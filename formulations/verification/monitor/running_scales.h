@@ -10,20 +10,20 @@
 
 namespace desmo {
 
-/// Times of a grid, spread evenly, at which drivers are looked at beforehand [s].
+/// Returns times [s], spread evenly over a grid, at which drivers are sampled before the run.
 std::vector<double> looks_ahead(const TimeGrid& grid);
 
-/// The scales of a motion (see Scales) while it is being solved: at least those that its drivers
-/// will have, and those of the instants so far, components standing for norms.
+/// Scales of a motion (see Scales) while it is being solved. They start from the drivers' rates and
+/// grow with the instants so far. The largest component stands for the norm.
 class RunningScales {
  public:
   /// given: scales that are known, and do not change.
   RunningScales(const Model& model, const TimeGrid& grid, const std::optional<Scales>& given = {});
 
-  /// True when one of them has grown.
+  /// Includes an instant. Returns whether a scale has grown.
   bool take(const Instant& instant);
   const Scales& now() const { return now_; }
-  /// What they would be with an instant that may turn out wrong.
+  /// Returns the scales that would include an instant, without keeping it: it may turn out wrong.
   Scales with(const Instant& instant) const;
 
  private:
@@ -31,7 +31,7 @@ class RunningScales {
   bool grow(Scales& seen, const Instant& instant) const;
   static Scales completed(Scales seen);
 
-  std::vector<double> is_length_;  // of each coordinate: 1 or 0
+  std::vector<double> is_length_;  // mask (coordinates): 1 for a length, 0 for others
   Scales seen_, now_;
 };
 

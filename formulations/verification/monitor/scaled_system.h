@@ -12,14 +12,14 @@ namespace desmo {
 
 class KluFactors;
 
-/// All equations of a mechanism, their unknowns in magnitudes of their own (CharacteristicLengths)
-/// and their rows over what they sum up to: A = R⁻¹ Φ_φ S, so that ‖A‖∞ = 1, with its factors.
-/// Analysed at construction; nothing is taken from the heap afterwards but by KLU.
+/// Scaled equations of a whole model, with factors: A = R⁻¹ Φ_φ S, so that ‖A‖∞ = 1. S holds the
+/// magnitudes of the unknowns (CharacteristicLengths), R the row sums of |Φ_φ S|. The constructor
+/// analyses the pattern; afterwards only KLU allocates.
 class ScaledSystem {
  public:
   using Array = Eigen::ArrayXd;
 
-  /// The mechanism must outlive it.
+  /// The model must outlive this object.
   explicit ScaledSystem(const Model& model);
   ~ScaledSystem();
 
@@ -32,30 +32,31 @@ class ScaledSystem {
   bool is_unknown(int state) const { return column(state) >= 0; }
   int column(int state) const { return equations_.column(state); }
 
-  /// How many unknowns the irreducible block of one has.
+  /// Returns the number of unknowns in the irreducible block of an unknown.
   int block_size(int unknown) const { return block_size_[unknown]; }
 
-  /// Factorises at a state; false when A is singular in double precision. state: q and the fixed
-  /// components.
+  /// Factorises A at a state (q followed by the fixed components). Returns false when A is singular
+  /// in double precision.
   bool factorise(std::span<const double> state);
-  /// Where factorise() gave up.
+  /// Returns the group in which the last factorise() failed.
   GroupId singular_group() const;
 
-  // What follows is that of the last successful factorise().
+  // The functions below refer to the last successful factorise().
 
   const Array& row_sums() const { return row_sums_; }
-  /// The same equations in the magnitudes of verification/condition.h, those of the whole
-  /// mechanism, are F⁻¹ A W⁻¹: W of each unknown, F of each row.
+  /// Diagonals W (unknowns) and F (rows) that lead to the magnitudes of verification/condition.h:
+  /// scaled by those of the whole mechanism, the matrix is F⁻¹ A W⁻¹.
   const Array& unknown_shares() const { return unknown_shares_; }
   const Array& row_shares() const { return row_shares_; }
-  /// x = A⁻¹ x, A⁻ᵀ x
+  /// Overwrite x with A⁻¹ x and A⁻ᵀ x.
   void solve(double* x);
   void solve_transposed(double* x);
-  /// x of each unknown, in its magnitude, when every driver moves by plus or minus its own.
-  /// Once after each factorise().
+  /// Returns the change of each unknown, in its magnitude and up to sign, when every driver moves
+  /// by plus or minus its own magnitude. Solves in place: may be called once after each
+  /// factorise().
   const Array& sensitivities();
-  /// The sign of det A of each irreducible block, up to one that never changes: a motion takes it
-  /// through zero only.
+  /// Returns the sign of det A of each irreducible block, up to a constant sign of the block. A
+  /// continuous motion changes it only by passing det A = 0.
   std::span<const signed char> orientation() const { return orientation_; }
   GroupId group_of_block(int block) const;
 
@@ -64,19 +65,19 @@ class ScaledSystem {
   void orient();
 
   WholeSystem equations_;
-  std::vector<double> magnitude_;      // of each coordinate
-  std::vector<double> of_whole_;       // the same in verification/condition.h
-  std::vector<double> driver_change_;  // of each component of the state: ± its magnitude, or 0
+  std::vector<double> magnitude_;      // magnitude of each coordinate
+  std::vector<double> of_whole_;       // magnitude of each coordinate in verification/condition.h
+  std::vector<double> driver_change_;  // for each state component: ± magnitude of a driver, else 0
   std::vector<GroupId> row_groups_;
   Pattern pattern_;
-  std::vector<int> slots_;  // of each entry that WholeSystem calls with; -1: of no unknown
+  std::vector<int> slots_;  // position in values_ of each WholeSystem entry; -1: not an unknown
   std::vector<double> values_;
   Array row_sums_, by_drivers_, unknown_shares_, row_shares_;
-  std::unique_ptr<KluFactors> factors_;  // none where there is nothing to solve
+  std::unique_ptr<KluFactors> factors_;  // null when there are no unknowns
   std::vector<signed char> orientation_;
-  std::vector<int> block_size_;    // of each unknown
-  std::vector<int> place_of_row_;  // in the order of the blocks
-  std::vector<char> counted_;      // rows, by orient()
+  std::vector<int> block_size_;    // for each unknown
+  std::vector<int> place_of_row_;  // position of each row in block order
+  std::vector<char> counted_;      // marks rows in orient()
 };
 
 }  // namespace desmo

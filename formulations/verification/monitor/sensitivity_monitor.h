@@ -10,23 +10,24 @@
 
 namespace desmo {
 
-/// By how much the rates of unknowns have grown, relative to those of the drivers, since the last
-/// assessment: the largest factor of any group. Where rates are not solved, differences from the
-/// instant before stand for them.
+/// Monitors the growth of the unknowns' rates relative to the drivers' since the last assessment,
+/// the largest factor of any group. Where rates are not solved, differences from the last instant
+/// are used.
 class SensitivityMonitor {
  public:
-  /// levels: as far as each coordinate is solved. magnitudes: of each coordinate.
+  /// levels: the level up to which each coordinate is solved. magnitudes: (coordinates).
   SensitivityMonitor(const Model& model, std::span<const Level> levels,
                      std::span<const double> magnitudes);
 
-  /// At least 1. Where no driver moves there is nothing to compare with: infinite at the first such
-  /// instant, 1 at the others, which are the same. Instants in order of time.
+  /// Returns the growth, at least 1; instants come in order of time. Where no driver moves it
+  /// returns infinity at the first such instant and 1 at the others, which equal the first.
   double growth(const Instant& instant);
-  /// The instant of the last growth() is the one to compare with. system: with factors at it.
+  /// Makes the instant of the last growth() the one to compare with. system: factorised at it.
   void reset(const Instant& instant, ScaledSystem& system);
-  /// Of each unknown, 1 over what its group moves when the drivers move by their magnitudes.
+  /// Returns, for each unknown, 1 over its group's movement when the drivers move by their
+  /// magnitudes.
   const Eigen::ArrayXd& weights() const { return weight_; }
-  /// The largest of what any unknown moves then.
+  /// Returns the largest movement of any unknown then, in magnitudes.
   double largest() const { return max_; }
 
  private:
@@ -38,14 +39,14 @@ class SensitivityMonitor {
     double magnitude;
   };
   std::vector<Driven> drivers_;
-  std::vector<GroupId> group_;  // of each coordinate
-  Eigen::ArrayXd unit_;         // 1 over the magnitude of unknowns whose rates are watched, or 0
-  Eigen::ArrayXd weight_;       // the same over the largest gain of the group
+  std::vector<GroupId> group_;  // group of each coordinate
+  Eigen::ArrayXd unit_;         // 1 / magnitude of unknowns whose rates are monitored, else 0
+  Eigen::ArrayXd weight_;       // unit_ over the largest sensitivity of the group
   Eigen::ArrayXd difference_, last_;
-  std::vector<double> sensitivity_;  // of each group
-  double max_ = 0;                   // of these
-  double fastest_ = 0;               // of the drivers so far
-  bool moves_ = false;               // one of them, at the last instant
+  std::vector<double> sensitivity_;  // sensitivity of each group
+  double max_ = 0;                   // largest of sensitivity_
+  double fastest_ = 0;               // largest rate of the drivers so far
+  bool moves_ = false;               // a driver moved at the last instant
 };
 
 }  // namespace desmo

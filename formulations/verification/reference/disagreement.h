@@ -8,8 +8,8 @@
 
 namespace desmo {
 
-/// Largest difference of two solutions at the same instants, over all outputs (see ErrorMeasure),
-/// relative to the scales; taken in quadruple precision.
+/// Returns the largest difference of two solutions at the same instants over all outputs (see
+/// ErrorMeasure), relative to the scales. Differences are taken in quadruple precision.
 PerLevel<double> disagreement(const Model& model, std::span<const WideInstant> a,
                               std::span<const WideInstant> b, const Scales& scales);
 

@@ -9,33 +9,33 @@
 
 namespace desmo {
 
-/// Solves all equations of a mechanism at once with a sparse LU factorisation, in the scalar S.
-/// Nothing but the residuals decides what is found: velocities and accelerations are those that
-/// make the time derivatives of Φ vanish, which jets evaluate. The partial derivatives that the
-/// kinds state only lead there, and the partition and the quadratic terms are not used. S is
-/// Quadruple, or double for positions alone.
+/// Solves all equations of a model at once with a sparse LU factorisation, in the scalar S
+/// (Quadruple, or double for positions alone). The residuals alone determine the result: jets
+/// evaluate Φ, Φ̇ and Φ̈, and rates are those that make Φ̇ and Φ̈ vanish. The constraint kinds'
+/// Jacobians only steer the iteration. The partition and the quadratic terms are not used.
 template <class S>
 class GlobalSolver {
  public:
-  /// Starts at the mechanism's estimate. The mechanism must outlive the solver.
+  /// Starts at the model's initial estimate. The model must outlive the solver.
   explicit GlobalSolver(const Model& model);
   ~GlobalSolver();
 
-  /// Newton starts there next: the positions of another solver.
+  /// Sets the start of the next Newton iteration to the positions of another solver.
   template <class T>
   void start_at(const GlobalSolver<T>& other) {
     for (std::size_t i = 0; i < state_.size(); ++i) state_[i].value = S(other.state()[i].value);
   }
 
-  /// Solves as exactly as S allows, from where it is. Throws std::runtime_error, naming the
-  /// instant, when Newton's method does not converge or a matrix is singular.
+  /// Solves the positions at time t [s] as accurately as S allows, from the present ones. Throws
+  /// std::runtime_error, naming the instant, when Newton's method does not converge or a matrix is
+  /// singular.
   void solve_positions(double t);
 
-  /// Solves velocities and accelerations at the positions solved last. The equations are linear in
-  /// each: the first pass finds q̇, the second q̈, and each is refined by the next.
+  /// Solves velocities and accelerations at the positions solved last. Both are linear problems:
+  /// the first pass finds q̇, the second q̈, and each later pass refines.
   void solve_rates();
 
-  /// The instant solved last, in coordinate order.
+  /// Return the instant solved last, in coordinate order.
   std::vector<S> q() const { return coordinates(&Jet<S>::value); }
   std::vector<S> qd() const { return coordinates(&Jet<S>::first); }
   std::vector<S> qdd() const { return coordinates(&Jet<S>::second); }
@@ -55,12 +55,12 @@ class GlobalSolver {
 
   const Model& m_;
   WholeSystem system_;
-  std::vector<double> magnitude_;  // of each coordinate
+  std::vector<double> magnitude_;  // magnitude of each coordinate
   std::vector<Jet<S>> state_;
   std::vector<S> positions_;
   std::vector<Jet<S>> phi_;
   std::unique_ptr<Linear> linear_;
-  double time_ = 0;  // at hand, for messages, s
+  double time_ = 0;  // present time [s], for messages
 };
 
 }  // namespace desmo

@@ -9,12 +9,11 @@
 
 namespace desmo {
 
-/// All equations of a mechanism at once, whatever the partitions make of them: rows are those of
-/// the constraints in their order, without those left out; columns are the coordinates that are
-/// not driven, ascending.
+/// Equations of a whole model at once, whatever the partition. Rows are those of the constraints in
+/// their order, without those left out; columns are the coordinates that are not driven, ascending.
 class WholeSystem {
  public:
-  /// The mechanism must outlive it.
+  /// The model must outlive this object.
   explicit WholeSystem(const Model& m) : m_(m), column_(m.state_size(), -1) {
     const std::vector<bool> driven = independent_coordinates(m);
     for (int i = 0; i < m.coordinates(); ++i)
@@ -26,10 +25,10 @@ class WholeSystem {
   }
 
   int rows() const { return rows_; }
-  const std::vector<int>& unknowns() const { return unknowns_; }  ///< coordinate of each column
+  const std::vector<int>& unknowns() const { return unknowns_; }  ///< (columns)
   int column(int state) const { return column_[state]; }          ///< -1: not an unknown
 
-  /// phi[rows()] = Φ of a state, in any scalar, overwritten.
+  /// Evaluates Φ of a state in any scalar. Overwrites phi (rows()).
   template <class S>
   void residual(std::span<const S> state, std::span<S> phi) const {
     int row = 0;
@@ -44,8 +43,8 @@ class WholeSystem {
       });
   }
 
-  /// Calls entry(row, state component, ∂Φ_row/∂component), always in the same order; components of
-  /// driven and fixed entities too.
+  /// Calls entry(row, state component, ∂Φ_row/∂component), always in the same order. Components of
+  /// driven and fixed entities are included.
   template <class S, class Entry>
   void jacobian(std::span<const S> state, Entry&& entry) const {
     int row = 0;

@@ -7,9 +7,9 @@ namespace desmo {
 
 using Quadruple = boost::multiprecision::float128;
 
-/// A solved instant in coordinate order, in quadruple precision, fixed entities left out.
+/// A solved instant in quadruple precision, in coordinate order without fixed entities.
 struct WideInstant {
-  double time;  ///< s
+  double time;  ///< [s]
   std::vector<Quadruple> q, qd, qdd;
 };
 
