@@ -2,10 +2,16 @@
 
 #include <string>
 
-#include "formulations/base/part.h"
 #include "formulations/model/model.h"
 
 namespace desmo {
+
+enum class Status {
+  converged,
+  not_converged,  ///< the tolerance was not met in the iterations allowed
+  singular,       ///< Φ_φ could not be factorised
+  not_finite,     ///< Φ is not a finite number
+};
 
 /// The outcome of a step, or of a whole run.
 struct Summary {

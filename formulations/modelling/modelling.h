@@ -1,13 +1,30 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "cases/mechanism/scene.h"
 #include "formulations/model/model.h"
-#include "formulations/modelling/groups/idle_freedoms.h"
-#include "formulations/modelling/independence/independence.h"
 
 namespace desmo {
+
+/// A candidate equation that was left out because it follows from others.
+struct LeftOut {
+  std::string equation;                   ///< name of the constraint
+  std::vector<int> rows;                  ///< its scalar equations concerned
+  GroupId group;                          ///< whose equation it would have been
+  std::vector<std::string> follows_from;  ///< constraints
+  bool redundant;  ///< the group has more restrictions than freedoms, not just more equations
+};
+
+/// A freedom of a body that moves none of its points and vectors: of a coupler between two
+/// spherical joints, the spin about their line. Nothing depends on it and no coordinate models it.
+struct IdleFreedom {
+  std::string body;   ///< the first of those that are rigidly joined
+  std::string about;  ///< what it is free to spin about: "the line of 'A' and 'B'"
+
+  bool operator==(const IdleFreedom&) const = default;
+};
 
 /// A model of a mechanism, and what the user should know of it.
 struct ModellingResult {

@@ -7,16 +7,10 @@
 #include "formulations/codegen/emit/library_source.h"
 #include "formulations/equations/kernel_table.h"
 #include "formulations/model/model.h"
+#include "formulations/runtime/own_kernels.h"
 #include "formulations/variants.h"
 
 namespace desmo::load {
-
-/// Where parts of a type are.
-struct TypeUse {
-  std::string group;  ///< the first that has one
-  int unknowns = 0;
-  int parts = 0;
-};
 
 /// Types of parts for which code is to be generated, and what they are for.
 struct WantedTypes {

@@ -4,17 +4,9 @@
 #include <vector>
 
 #include "formulations/modelling/equations/candidates.h"
+#include "formulations/modelling/modelling.h"
 
 namespace desmo {
-
-/// A candidate equation that was left out because it follows from others.
-struct LeftOut {
-  std::string equation;                   ///< name of the constraint
-  std::vector<int> rows;                  ///< its scalar equations concerned
-  GroupId group;                          ///< whose equation it would have been
-  std::vector<std::string> follows_from;  ///< constraints
-  bool redundant;  ///< the group has more restrictions than freedoms, not just more equations
-};
 
 /// Leaves out of the candidates (Constraint::left_out; BranchMonitor watches what is left out)
 /// those scalar equations that depend on others, so that each group has as many equations as
