@@ -27,12 +27,15 @@ Mechanism parse_mechanism(std::string_view text, const std::string& file_name);
 Mechanism read_mechanism(const std::filesystem::path& file);
 
 /// A mechanism file that the scene names is sought relative to `folder`.
+///
+///   const Scene scene = read_scene("crank.scene.json");
+///   std::puts(write_mechanism(scene.mechanism).c_str());
 Scene parse_scene(std::string_view text, const std::string& file_name,
                   const std::filesystem::path& folder);
 Scene read_scene(const std::filesystem::path& file);
 
-/// The scene of a library mechanism. Throws std::invalid_argument, with the nearest names, when
-/// there is none of that name.
+/// The scene of a library mechanism: library_scene("slider_crank"). Throws std::invalid_argument,
+/// with the nearest names, when there is none of that name.
 Scene library_scene(std::string_view name);
 
 /// The text of a mechanism file that describes the same mechanism.

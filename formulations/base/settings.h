@@ -40,8 +40,9 @@ enum class BlockTriangularForm { on, off };
 inline constexpr int max_stride = 64;
 inline constexpr int max_threads = 64;
 
-/// What an analysis may use. The defaults are the paper's. Not every formulation offers every
-/// combination (see unsupported_reason in formulations/variants.h).
+/// What an analysis may use, as in Settings{.guess = Guess::hermite5, .lanes = 4}. The defaults are
+/// the paper's. Not every formulation offers every combination (see unsupported_reason in
+/// formulations/variants.h).
 struct Settings {
   /// On ‖Φ‖₂ of the whole mechanism, each equation divided by its natural magnitude (see
   /// formulations/scaling/magnitudes.h): relative, whatever the units are. Of the paper's two cases

@@ -13,7 +13,10 @@ enum class Status {
   not_finite,     ///< Φ is not a finite number
 };
 
-/// The outcome of a step, or of a whole run.
+/// The outcome of a step, or of a whole run:
+///
+///   const Summary summary = formulation->step(0.01);
+///   if (!summary.ok()) std::puts(describe(summary, model).c_str());
 struct Summary {
   Status status = Status::converged;
   long instants = 0;    ///< solved, or interpolated between those solved

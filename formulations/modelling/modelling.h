@@ -40,6 +40,9 @@ struct ModellingResult {
 ModellingResult model_mechanism(const Mechanism& mechanism, const std::vector<Motion>& motions);
 
 /// Returns the model of the whole mechanism of a scene, whatever the scene asks for.
+///
+///   const Model model = make_model(library_scene("slider_crank"));
+///   const int x = model.entities[model.find("C")].first;  // of C in q
 Model make_model(const Scene& scene);
 
 }  // namespace desmo
