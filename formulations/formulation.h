@@ -14,6 +14,9 @@
 
 namespace desmo {
 
+struct DefinedPart;
+struct State;
+
 /// One way of solving the kinematics of a mechanism: an ordered list of parts, and how they go
 /// through a motion. make_formulation() (variants.h) makes one:
 ///
@@ -23,8 +26,11 @@ namespace desmo {
 ///   for (int i = 1; i <= 100; ++i)
 ///     if (formulation->step(0.01 * i).ok()) use(formulation->q(), formulation->qd());
 ///
-/// The model is read only, outlives the formulation, and may be shared by formulations on any
-/// number of threads. A formulation owns all that changes: it is used by one thread at a time.
+/// What threads may share, in all of desmo: what is const. A Model, the tables of variants, cases
+/// and the library, Settings and generated code are read only and may be used by formulations on
+/// any number of threads; they outlive these. A Formulation, a LiveRun and an Observer own what
+/// changes, and are used by one thread at a time: a formulation for each thread. The observer of a
+/// formulation with `threads` is called by several, one call at a time.
 class Formulation {
  public:
   virtual ~Formulation() = default;
@@ -96,25 +102,17 @@ class Formulation {
 
   /// Returns how often, in all parts, pivots that were to be kept had gone bad
   /// (Part::refactorisations).
-  long refactorisations() const {
-    long sum = 0;
-    for (const DefinedPart& part : parts()) sum += part.solver->refactorisations();
-    return sum;
-  }
+  long refactorisations() const;
 
   /// The instant solved last, in coordinate order (coordinates() values).
-  std::span<const double> q() const { return coordinates(state().q); }
-  std::span<const double> qd() const { return coordinates(state().qd); }
-  std::span<const double> qdd() const { return coordinates(state().qdd); }
+  std::span<const double> q() const;
+  std::span<const double> qd() const;
+  std::span<const double> qdd() const;
 
  protected:
   Formulation(const Model& model, double tolerance) : model_(model), tolerance_(tolerance) {}
 
  private:
-  std::span<const double> coordinates(const std::vector<double>& v) const {
-    return {v.data(), static_cast<std::size_t>(model_.coordinates())};
-  }
-
   const Model& model_;
   double tolerance_;
 };

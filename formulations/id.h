@@ -8,7 +8,10 @@
 
 namespace desmo {
 
-/// A formulation with its settings.
+/// A formulation with its settings:
+///
+///   const Configuration c = parse_id("group_symbolic_explicit/guess:hermite5/lanes:4");
+///   const auto formulation = make_formulation(*c.variant, model, c.settings);
 struct Configuration {
   const Variant* variant;  ///< of the table
   Settings settings;

@@ -15,6 +15,9 @@
 
 namespace desmo {
 
+enum class Partition;
+enum class Evaluation;
+struct Profile;
 struct Backend;
 class KernelTable;
 

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "bench/cli/errors.h"
+#include "formulations/modelling/bodies/rigid_bodies.h"
 
 namespace desmo::cli {
 namespace {

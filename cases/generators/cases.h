@@ -16,7 +16,9 @@ Scene four_bar(int dyads);
 /// in metres. Throws std::invalid_argument unless 1 ≤ axles ≤ 10⁵.
 Scene truck_suspension(int axles);
 
-/// A scalable case of the suite.
+/// A scalable case of the suite:
+///
+///   const Scene scene = describe(find_case("truck_suspension"), 558);
 struct Case {
   std::string_view name;
   std::string_view unit_name;  ///< plural of its repeated unit: "dyads", "axles"

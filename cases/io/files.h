@@ -28,12 +28,15 @@ Mechanism parse_mechanism(std::string_view text, const std::string& file_name);
 Mechanism read_mechanism(const std::filesystem::path& file);
 
 /// Return a scene. A mechanism file that it names is read relative to `folder`.
+///
+///   const Scene scene = read_scene("crank.scene.json");
+///   std::puts(write_mechanism(scene.mechanism).c_str());
 Scene parse_scene(std::string_view text, const std::string& file_name,
                   const std::filesystem::path& folder);
 Scene read_scene(const std::filesystem::path& file);
 
-/// Returns the scene of a library mechanism. Throws std::invalid_argument, with the nearest names,
-/// when there is none of that name.
+/// Returns the scene of a library mechanism: library_scene("slider_crank"). Throws
+/// std::invalid_argument, with the nearest names, when there is none of that name.
 Scene library_scene(std::string_view name);
 
 /// Returns the text of a mechanism file that describes the same mechanism.

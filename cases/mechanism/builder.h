@@ -10,6 +10,17 @@ namespace desmo {
 
 /// Builder of a mechanism, step by step. Points, vectors and bodies are referred to by the returned
 /// position.
+///
+///   MechanismBuilder builder("crank", 2);
+///   const int a = builder.point("A", {0, 0}), b = builder.point("B", {0.05, 0});
+///   const int crank = builder.body("crank", {a, b});
+///   builder.carry(MechanismBuilder::ground, {a});
+///   builder.joint(Mechanism::JointType::revolute, MechanismBuilder::ground, crank, {a});
+///   Mechanism::Coordinate& angle =
+///       builder.coordinate("angle", Mechanism::CoordinateType::angle);
+///   angle.of = {-1, a, b};
+///   angle.driven = true;
+///   const Mechanism mechanism = builder.take();
 class MechanismBuilder {
  public:
   explicit MechanismBuilder(std::string name, int dimension) {

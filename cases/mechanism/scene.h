@@ -22,6 +22,10 @@ struct Wanted {
 inline constexpr double default_tolerance = 1e-12;
 
 /// An analysis to be done: a mechanism, its drivers' motions, the instants and the request.
+///
+///   Scene scene = library_scene("slider_crank");
+///   scene.motions = {Polynomial{{0, 2}}};         // 2 rad/s
+///   scene.grid = {.step = 1e-3, .instants = 1001};
 struct Scene {
   std::string name;
   Mechanism mechanism;

@@ -6,6 +6,7 @@
 
 #include "cases/mechanism/level.h"
 #include "formulations/base/settings.h"
+#include "formulations/base/summary.h"
 
 namespace desmo {
 
@@ -13,13 +14,6 @@ namespace desmo {
 /// the fixed entities are zero. All three have Model::state_size() components.
 struct State {
   std::vector<double> q, qd, qdd;
-};
-
-enum class Status {
-  converged,
-  not_converged,  ///< the tolerance was not met in the iterations allowed
-  singular,       ///< Φ_φ could not be factorised
-  not_finite,     ///< Φ is not a finite number
 };
 
 /// The outcome of one part in one step.

@@ -40,8 +40,9 @@ enum class BlockTriangularForm { on, off };
 inline constexpr int max_stride = 64;
 inline constexpr int max_threads = 64;
 
-/// Settings of an analysis. The defaults are the paper's. Not every formulation offers every
-/// combination (see unsupported_reason in formulations/variants.h).
+/// Settings of an analysis, as in Settings{.guess = Guess::hermite5, .lanes = 4}. The defaults are
+/// the paper's. Not every formulation offers every combination (see unsupported_reason in
+/// formulations/variants.h).
 struct Settings {
   /// Bound on ‖Φ‖₂ of the whole model, each equation divided by its natural magnitude (see
   /// formulations/scaling/magnitudes.h): relative, whatever the units are. The default asks of the

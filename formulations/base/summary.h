@@ -2,12 +2,21 @@
 
 #include <string>
 
-#include "formulations/base/part.h"
 #include "formulations/model/model.h"
 
 namespace desmo {
 
-/// The outcome of a step, or of a whole run.
+enum class Status {
+  converged,
+  not_converged,  ///< the tolerance was not met in the iterations allowed
+  singular,       ///< Φ_φ could not be factorised
+  not_finite,     ///< Φ is not a finite number
+};
+
+/// The outcome of a step, or of a whole run:
+///
+///   const Summary summary = formulation->step(0.01);
+///   if (!summary.ok()) std::puts(describe(summary, model).c_str());
 struct Summary {
   Status status = Status::converged;
   long instants = 0;    ///< solved, or interpolated between those solved

@@ -5,12 +5,16 @@
 #include <stdexcept>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "cases/mechanism/motion.h"
 #include "formulations/constraints/constraints.h"
 
 namespace desmo {
+
+template <class Kind>
+constexpr int kind_index();  // constraints.h
 
 using EntityId = int;  ///< position in Model::entities
 using GroupId = int;   ///< position in Model::groups

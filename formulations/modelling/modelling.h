@@ -1,13 +1,30 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "cases/mechanism/scene.h"
 #include "formulations/model/model.h"
-#include "formulations/modelling/groups/idle_freedoms.h"
-#include "formulations/modelling/independence/independence.h"
 
 namespace desmo {
+
+/// A candidate equation that was left out because it follows from others.
+struct LeftOut {
+  std::string equation;                   ///< name of the constraint
+  std::vector<int> rows;                  ///< its rows that were left out
+  GroupId group;                          ///< group of the equation
+  std::vector<std::string> follows_from;  ///< names of the constraints that imply it
+  bool redundant;  ///< the group has more restrictions than freedoms, not just more equations
+};
+
+/// An idle freedom: a motion of a body that moves none of its points and vectors. An example is the
+/// spin of a coupler about the line of its two spherical joints. No coordinate models it.
+struct IdleFreedom {
+  std::string body;   ///< first body of the rigid body
+  std::string about;  ///< centre or axis of the spin: "the line of 'A' and 'B'"
+
+  bool operator==(const IdleFreedom&) const = default;
+};
 
 /// A model of a mechanism, with remarks for the user.
 struct ModellingResult {
@@ -23,6 +40,9 @@ struct ModellingResult {
 ModellingResult model_mechanism(const Mechanism& mechanism, const std::vector<Motion>& motions);
 
 /// Models the whole mechanism of a scene, independent of what the scene requests.
+///
+///   const Model model = make_model(library_scene("slider_crank"));
+///   const int x = model.entities[model.find("C")].first;  // of C in q
 Model make_model(const Scene& scene);
 
 }  // namespace desmo

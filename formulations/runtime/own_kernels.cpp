@@ -14,6 +14,7 @@
 #include "formulations/runtime/digest.h"
 #include "formulations/runtime/shared_library.h"
 #include "formulations/runtime/unavailable.h"
+#include "formulations/runtime/wanted_types.h"
 
 namespace desmo::load {
 
@@ -102,3 +103,13 @@ OwnKernels add_own_kernels(KernelTable& table, const Variant& v, const Settings&
 }
 
 }  // namespace desmo::load
+
+namespace desmo {
+
+GeneratedCode generate_code(const Variant& variant, const Settings& settings, const Model& model,
+                            const TimeGrid& grid, std::chrono::milliseconds compile_time) {
+  const auto table = std::make_shared<KernelTable>();
+  return {load::add_own_kernels(*table, variant, settings, model, grid, compile_time), table};
+}
+
+}  // namespace desmo

@@ -1,15 +1,26 @@
 #pragma once
 
 #include <chrono>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "formulations/runtime/wanted_types.h"
+#include "cases/mechanism/motion.h"
+#include "formulations/equations/kernel_table.h"
+#include "formulations/model/model.h"
+#include "formulations/variants.h"
 
 namespace desmo::load {
 
 // *Own kernels* are generated, compiled and loaded at run time for a user's mechanism. desmo was
 // built without kernels for its part types.
+
+/// The parts of one type in a formulation.
+struct TypeUse {
+  std::string group;  ///< first group with such a part
+  int unknowns = 0;   ///< unknowns of one part
+  int parts = 0;      ///< number of parts
+};
 
 /// The outcome of add_own_kernels.
 struct OwnKernels {
@@ -32,3 +43,24 @@ OwnKernels add_own_kernels(KernelTable& table, const Variant& variant, const Set
                            std::chrono::milliseconds compile_time);
 
 }  // namespace desmo::load
+
+namespace desmo {
+
+/// Code that was generated for a mechanism, compiled and loaded:
+///
+///   const Configuration c = parse_id("group_symbolic_explicit/guess:hermite5");
+///   const GeneratedCode code = generate_code(*c.variant, c.settings, model, scene.grid);
+///   if (!code.problem.empty()) std::fprintf(stderr, "%s\n", code.problem.c_str());
+///   const auto f = make_formulation(*c.variant, model, c.settings, nullptr, code.table.get());
+struct GeneratedCode : load::OwnKernels {
+  /// The code, and what desmo was built with. It outlives the formulations that are made with it.
+  std::shared_ptr<const KernelTable> table;
+};
+
+/// Generates the code that a formulation needs for a model, as the program desmo does; see
+/// load::add_own_kernels. grid: of a motion that is typical, which decides pivots.
+GeneratedCode generate_code(const Variant& variant, const Settings& settings, const Model& model,
+                            const TimeGrid& grid,
+                            std::chrono::milliseconds compile_time = std::chrono::seconds(60));
+
+}  // namespace desmo

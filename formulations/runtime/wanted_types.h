@@ -7,16 +7,10 @@
 #include "formulations/codegen/emit/library_source.h"
 #include "formulations/equations/kernel_table.h"
 #include "formulations/model/model.h"
+#include "formulations/runtime/own_kernels.h"
 #include "formulations/variants.h"
 
 namespace desmo::load {
-
-/// The parts of one type in a formulation.
-struct TypeUse {
-  std::string group;  ///< first group with such a part
-  int unknowns = 0;   ///< unknowns of one part
-  int parts = 0;      ///< number of parts
-};
 
 /// The part types for which code is to be generated.
 struct WantedTypes {

@@ -4,17 +4,9 @@
 #include <vector>
 
 #include "formulations/modelling/equations/candidates.h"
+#include "formulations/modelling/modelling.h"
 
 namespace desmo {
-
-/// A candidate equation that was left out because it follows from others.
-struct LeftOut {
-  std::string equation;                   ///< name of the constraint
-  std::vector<int> rows;                  ///< its rows that were left out
-  GroupId group;                          ///< group of the equation
-  std::vector<std::string> follows_from;  ///< names of the constraints that imply it
-  bool redundant;  ///< the group has more restrictions than freedoms, not just more equations
-};
 
 /// Leaves out dependent scalar equations (sets Constraint::left_out), so that each group has as
 /// many equations as unknowns. BranchMonitor checks the equations left out.

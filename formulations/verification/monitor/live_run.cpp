@@ -6,7 +6,9 @@
 #include <stdexcept>
 #include <variant>
 
+#include "formulations/planning/plan.h"
 #include "formulations/stepping/diagnosis.h"
+#include "formulations/verification/monitor/branch_monitor.h"
 
 namespace desmo {
 
@@ -26,6 +28,14 @@ Plan whole_plan(const Model& m, const LiveOptions& options) {
 
 }  // namespace
 
+/// The monitors of the rows.
+struct LiveRun::Monitors {
+  /// Drivers follow the polynomial from the row tried last, at time 0, to the last good one.
+  Plan plan;
+  std::optional<AccuracyMonitor> accuracy{};
+  std::optional<BranchMonitor> branch{};
+};
+
 std::string unsupported_live_reason(const Formulation& f) {
   if (f.is_live()) return {};
   return "segments, threads and a stride need a motion known in advance; live drivers are known "
@@ -35,7 +45,7 @@ std::string unsupported_live_reason(const Formulation& f) {
 LiveRun::LiveRun(Formulation& f, const LiveOptions& options)
     : formulation_(f),
       options_(options),
-      monitored_(whole_plan(f.model(), options)),
+      monitors_(std::make_unique<Monitors>(whole_plan(f.model(), options))),
       tried_(f.model().drivers.size()) {
   const std::vector<double> magnitudes = natural_magnitudes(f.model());
   for (const Driver& d : f.model().drivers)
@@ -49,12 +59,14 @@ LiveRun::LiveRun(Formulation& f, const LiveOptions& options)
         !(options.scales->length[level] > 0 && options.scales->rotation[level] > 0))
       throw std::invalid_argument("scales must be positive, for bounds are relative to them");
   const std::size_t n = f.model().coordinates();
-  good_.q.resize(n);
-  if (options.level >= Level::velocity) good_.qd.resize(n);
-  if (options.level >= Level::acceleration) good_.qdd.resize(n);
+  good_.position.resize(n);
+  if (options.level >= Level::velocity) good_.velocity.resize(n);
+  if (options.level >= Level::acceleration) good_.acceleration.resize(n);
   if (!options.levels.empty()) f.solve_only(options.levels);
   restart();
 }
+
+LiveRun::~LiveRun() = default;
 
 RowFault LiveRun::fault_of(const LiveRow& row) const {
   if (!std::isfinite(row.time)) return RowFault::not_finite;
@@ -87,18 +99,18 @@ LiveSummary LiveRun::step(const LiveRow& row) {
 /// Assesses a row that was solved, and makes it the last good one if it is good.
 void LiveRun::assess(const LiveRow& row, LiveSummary& summary) {
   const std::span<const double> none;
-  if (!set_drivers(row)) monitor_->doubt_next();
+  if (!set_drivers(row)) monitors_->accuracy->doubt_next();
   const double since = has_position_ ? row.time - time_ : 0;
-  monitor_->shift_time(-since);
-  const long corrected = monitor_->corrected();
+  monitors_->accuracy->shift_time(-since);
+  const long corrected = monitors_->accuracy->corrected();
   const MonitoredInstant j =
-      monitor_->examine({.index = 0,
-                         .time = 0,
-                         .q = formulation_.q(),
-                         .qd = good_.qd.empty() ? none : formulation_.qd(),
-                         .qdd = good_.qdd.empty() ? none : formulation_.qdd(),
-                         .updates = summary.updates,
-                         .residual = summary.residual});
+      monitors_->accuracy->examine({.index = 0,
+                                    .time = 0,
+                                    .q = formulation_.q(),
+                                    .qd = good_.velocity.empty() ? none : formulation_.qd(),
+                                    .qdd = good_.acceleration.empty() ? none : formulation_.qdd(),
+                                    .updates = summary.updates,
+                                    .residual = summary.residual});
   const Instant& found = j.instant;
   summary.assessment = j.assessment;
   if (j.assessment.singular) {
@@ -106,7 +118,7 @@ void LiveRun::assess(const LiveRow& row, LiveSummary& summary) {
     summary.group = j.assessment.group;
   } else if (!are_finite(found.q) || !are_finite(found.qd) || !are_finite(found.qdd)) {
     summary.status = Status::not_finite;
-  } else if (const int c = branches_->violated(found); c >= 0) {
+  } else if (const int c = monitors_->branch->violated(found); c >= 0) {
     summary.status = Status::not_converged;
     summary.violated = c;
   }
@@ -115,20 +127,20 @@ void LiveRun::assess(const LiveRow& row, LiveSummary& summary) {
     go_back();
     return;
   }
-  summary.corrected = monitor_->corrected() > corrected;
+  summary.corrected = monitors_->accuracy->corrected() > corrected;
   summary.degraded = j.degraded;
   if ((summary.crossing = j.crossing)) {
     summary.crossing->after += row.time;
     summary.crossing->before += row.time;
   }
-  std::ranges::copy(found.q, good_.q.begin());
-  std::ranges::copy(found.qd, good_.qd.begin());
-  std::ranges::copy(found.qdd, good_.qdd.begin());
+  std::ranges::copy(found.q, good_.position.begin());
+  std::ranges::copy(found.qd, good_.velocity.begin());
+  std::ranges::copy(found.qdd, good_.acceleration.begin());
   time_ = row.time;
   has_position_ = true;
 }
 
-/// Sets the motions that are watched: Taylor's polynomial from the row, at time 0, exactly, and
+/// Sets the motions that are monitored: Taylor's polynomial from the row, at time 0, exactly, and
 /// terms that take it to the last good row, at time h. Returns whether the rates of both lead from
 /// one to the other, about as well as a motion's do that AccuracyMonitor does not doubt.
 bool LiveRun::set_drivers(const LiveRow& row) {
@@ -136,7 +148,8 @@ bool LiveRun::set_drivers(const LiveRow& row) {
   const double h = time_ - row.time;
   double moved = 0, missed = 0;  // by any driver
   for (std::size_t d = 0; d < tried_.size(); ++d) {
-    std::vector<double>& c = std::get<Polynomial>(monitored_.model.drivers[d].motion).coefficients;
+    std::vector<double>& c =
+        std::get<Polynomial>(monitors_->plan.model.drivers[d].motion).coefficients;
     const int i = m.entities[m.drivers[d].coordinate].first;
     const auto value = [](Level level, Level solved, std::span<const double> values,
                           std::size_t k) { return level > solved ? 0 : values[k]; };
@@ -145,29 +158,29 @@ bool LiveRun::set_drivers(const LiveRow& row) {
     std::ranges::fill(c, 0.0);
     c[0] = z, c[1] = v, c[2] = a / 2;
     if (!has_position_) continue;
-    const double v0 = good_.qd.empty() ? 0 : good_.qd[i];
+    const double v0 = good_.velocity.empty() ? 0 : good_.velocity[i];
     moved = std::max({moved, std::abs(h * v) / unit_[d], std::abs(h * v0) / unit_[d]});
-    missed = std::max(missed, std::abs(good_.q[i] - z - h / 2 * (v + v0)) / unit_[d]);
-    if (good_.qd.empty()) continue;
-    const double off = (good_.q[i] - z - h * (v + h * a / 2)) / (h * h * h),
-                 rate_off = (good_.qd[i] - v - h * a) / (h * h);
-    if (good_.qdd.empty()) {
+    missed = std::max(missed, std::abs(good_.position[i] - z - h / 2 * (v + v0)) / unit_[d]);
+    if (good_.velocity.empty()) continue;
+    const double off = (good_.position[i] - z - h * (v + h * a / 2)) / (h * h * h),
+                 rate_off = (good_.velocity[i] - v - h * a) / (h * h);
+    if (good_.acceleration.empty()) {
       c[2] = h * (3 * off - rate_off), c[3] = rate_off - 2 * off;
       continue;
     }
-    const double second_off = (good_.qdd[i] - a) / h;
+    const double second_off = (good_.acceleration[i] - a) / h;
     c[3] = 10 * off - 4 * rate_off + second_off / 2;
     c[4] = (-15 * off + 7 * rate_off - second_off) / h;
     c[5] = (6 * off - 3 * rate_off + second_off / 2) / (h * h);
   }
   constexpr double smooth = 0.02, negligible = 1e-9;
-  return missed <= (good_.qd.empty() ? smooth : smooth * moved + negligible);
+  return missed <= (good_.velocity.empty() ? smooth : smooth * moved + negligible);
 }
 
 void LiveRun::go_back() {
   formulation_.return_to(
-      has_position_ ? std::span<const double>(good_.q) : std::span<const double>(), time_);
-  monitor_->resume();
+      has_position_ ? std::span<const double>(good_.position) : std::span<const double>(), time_);
+  monitors_->accuracy->resume();
 }
 
 void LiveRun::set_time(double t) {
@@ -181,21 +194,21 @@ void LiveRun::restart() {
   time_ = 0;
   formulation_.return_to({}, 0);
   const auto reuses = [](const DefinedPart& part) { return part.solver->reuses_pivots(); };
-  monitor_.emplace(
-      monitored_.model, TimeGrid{},
+  monitors_->accuracy.emplace(
+      monitors_->plan.model, TimeGrid{},
       AccuracyMonitorOptions{.tolerance = options_.tolerance,
-                             .levels = monitored_.levels,
+                             .levels = monitors_->plan.levels,
                              .every = options_.every,
                              .reuses_pivots = std::ranges::any_of(formulation_.parts(), reuses),
                              .scales = options_.scales,
                              .max_steps = options_.max_sub_steps,
                              .max_degradations = 0});
-  branches_.emplace(monitored_.model, monitored_.levels, options_.tolerance);
+  monitors_->branch.emplace(monitors_->plan.model, monitors_->plan.levels, options_.tolerance);
 }
 
 LiveRun::Obstacle LiveRun::explain() const {
   const Model& m = formulation_.model();
-  std::vector<double> state = has_position_ ? good_.q : m.estimate;
+  std::vector<double> state = has_position_ ? good_.position : m.estimate;
   state.insert(state.end(), m.fixed_values.begin(), m.fixed_values.end());
   for (std::size_t d = 0; d < tried_.size(); ++d)
     state[m.entities[m.drivers[d].coordinate].first] = tried_[d];

@@ -1,14 +1,13 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "formulations/formulation.h"
-#include "formulations/planning/plan.h"
 #include "formulations/scaling/scales.h"
-#include "formulations/verification/monitor/branch_monitor.h"
 #include "formulations/verification/monitor/monitored_run.h"
 
 namespace desmo {
@@ -81,8 +80,7 @@ class LiveRun {
   /// std::invalid_argument where the formulation needs a motion known in advance
   /// (unsupported_live_reason), and for options that are out of range.
   explicit LiveRun(Formulation& formulation, const LiveOptions& options = {});
-  LiveRun(const LiveRun&) = delete;
-  LiveRun& operator=(const LiveRun&) = delete;
+  ~LiveRun();
 
   /// Solves and assesses one row.
   LiveSummary step(const LiveRow& row);
@@ -97,9 +95,9 @@ class LiveRun {
   /// The last good row: time [s] and values in coordinate order (Model::coordinates()). Those that
   /// the options leave out are unspecified.
   double time() const { return time_; }
-  std::span<const double> q() const { return good_.q; }
-  std::span<const double> qd() const { return good_.qd; }
-  std::span<const double> qdd() const { return good_.qdd; }
+  std::span<const double> q() const { return good_.position; }
+  std::span<const double> qd() const { return good_.velocity; }
+  std::span<const double> qdd() const { return good_.acceleration; }
 
   /// What stands in the way of a row that could not be solved.
   struct Obstacle {
@@ -118,14 +116,12 @@ class LiveRun {
 
   Formulation& formulation_;
   const LiveOptions options_;
-  Plan monitored_;  // with drivers by the polynomial that comes from the last good row, at time 0
-                    // at the last one tried
-  std::vector<double> unit_;  // magnitude of each driver
-  std::optional<AccuracyMonitor> monitor_;
-  std::optional<BranchMonitor> branches_;
-  State good_;                 // the last good row
-  std::vector<double> tried_;  // z of the row tried last
-  double time_ = 0;            // s, of the last good row
+  struct Monitors;
+  std::unique_ptr<Monitors> monitors_;
+  std::vector<double> unit_;            // magnitude of each driver
+  PerLevel<std::vector<double>> good_;  // q, q̇ and q̈ of the last good row
+  std::vector<double> tried_;           // z of the row tried last
+  double time_ = 0;                     // s, of the last good row
   bool has_position_ = false;
 };
 
