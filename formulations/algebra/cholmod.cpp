@@ -1,6 +1,6 @@
 // Sparse Cholesky by SuiteSparse's CHOLMOD on the normal equations, Φ_φᵀ Φ_φ or Φ_φ Φ_φᵀ, whichever
-// takes fewer operations, permuted beforehand so that CHOLMOD factorises in natural order and
-// copies nothing. Ordering and symbolic analysis once; the memory of the numeric factor is reused.
+// takes fewer operations. They are permuted beforehand, so that CHOLMOD factorises in natural order
+// without copies. Ordering and symbolic analysis are done once; the memory of the factor is reused.
 
 #include <cholmod.h>
 

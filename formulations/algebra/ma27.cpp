@@ -1,13 +1,13 @@
 // Sparse LDLᵀ by HSL's MA27 (Duff & Reid 1983), the paper's solver, in a library that the user
 // brings. Analysis once; the memory of the factors is reused.
 //
-// MA27 takes symmetric matrices, Φ_φ is none, and the paper does not say what it made of it. Here
-// that is normal equations, Φ_φᵀ Φ_φ or Φ_φ Φ_φᵀ, whichever takes fewer operations: those that
-// CHOLMOD gets. The augmented matrix [I Φ_φᵀ; Φ_φ 0] has twice the unknowns, and eliminating its
-// unit diagonal leaves −Φ_φ Φ_φᵀ, so that errors grow with the square of the condition number as
-// well. [0 Φ_φᵀ; Φ_φ 0] is spared that, but has no diagonal, which the analysis counts on: pivots
-// come later than it foresees, in pairs, and take more memory. Those of normal equations are
-// positive, and stay where the analysis puts them.
+// MA27 takes symmetric matrices; Φ_φ is not symmetric, and the paper does not say how it was
+// treated. Here MA27 solves normal equations, Φ_φᵀ Φ_φ or Φ_φ Φ_φᵀ, whichever takes fewer
+// operations, like CHOLMOD. The augmented matrix [I Φ_φᵀ; Φ_φ 0] has twice the unknowns.
+// Eliminating its unit diagonal leaves −Φ_φ Φ_φᵀ, so its errors grow with the square of the
+// condition number as well. [0 Φ_φᵀ; Φ_φ 0] avoids that, but has no diagonal, which the analysis
+// relies on. Its pivots come later than predicted, in pairs, and take more memory. Pivots of normal
+// equations are positive, and stay where the analysis puts them.
 
 #include <algorithm>
 #include <limits>

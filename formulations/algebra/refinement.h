@@ -9,9 +9,9 @@
 namespace desmo {
 
 /// Iterative refinement: solves Φ_φ x = b with factors of a nearby matrix, from another position or
-/// with fewer digits, as accurately as with its own. It is measured by the backward error in the
-/// norm that accepts positions, max w |b − Φ_φ x| / max w (|b| + |Φ_φ| |x|). w is 1/magnitude of
-/// each equation, so that it does not depend on units.
+/// with fewer digits, as accurately as with its own. The measure is the backward error max w |b −
+/// Φ_φ x| / max w (|b| + |Φ_φ| |x|), in the norm that accepts positions. The weight w is
+/// 1/magnitude of each equation, so that units do not matter.
 template <class Real>
 class Refinement {
  public:

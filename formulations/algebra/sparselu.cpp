@@ -1,5 +1,5 @@
-// Sparse LU by Eigen (supernodal, with partial pivoting): ordering and column elimination tree
-// once; every factorisation pivots anew, and it and every solution allocate inside.
+// Sparse LU by Eigen (supernodal, with partial pivoting). Ordering and column elimination tree are
+// found once. Every factorisation pivots anew; factorisations and solutions allocate.
 
 #include <Eigen/SparseLU>
 #include <algorithm>

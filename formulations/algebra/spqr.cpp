@@ -1,6 +1,6 @@
-// Sparse QR by SuiteSparse's SPQR (GPL): Φ_φ E = Q R with Householder reflections, whatever the
-// conditioning, and rank-revealing. Ordering and symbolic analysis once; every factorisation and
-// every solution allocates inside.
+// Sparse QR by SuiteSparse's SPQR (GPL): Φ_φ E = Q R with Householder reflections, rank-revealing
+// and stable for any conditioning. Ordering and symbolic analysis are done once; every
+// factorisation and every solution allocates.
 
 #include <SuiteSparseQR.hpp>
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Sparse LU by SuiteSparse's UMFPACK (GPL): analysis once; it has no numeric refactorisation, so
-// every factorisation pivots anew and allocates inside.
+// Sparse LU by SuiteSparse's UMFPACK (GPL). Analysis is done once. There is no numeric
+// refactorisation: every factorisation pivots anew and allocates.
 
 #include <umfpack.h>
 

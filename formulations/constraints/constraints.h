@@ -53,7 +53,7 @@ using ConstraintKinds =
 
 inline constexpr int constraint_kind_count = std::tuple_size_v<ConstraintKinds>;
 
-/// Whether a kind determines its last operand, an angle, modulo π only.
+/// True for kinds that determine their last operand, an angle, modulo π only.
 template <class Kind>
 inline constexpr bool holds_modulo_pi = requires {
   requires Kind::modulo_pi;

@@ -197,7 +197,7 @@ struct PlanarBearingAtPoint {
   }
 };
 
-/// One-equation kind that replaces Kind, with the same operands and the first of its constants,
+/// Single-equation kind that replaces Kind, with the same operands and the first of its constants,
 /// where other equations imply the rest. void: there is none.
 template <class Kind>
 struct ScalarDefinition {

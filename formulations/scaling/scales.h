@@ -30,9 +30,9 @@ std::vector<double> natural_magnitudes(const Model& model);
 ///   velocity       largest speed                    largest rate
 ///   acceleration   largest                          largest
 ///
-/// If only one column moves, the other gets its velocity scale, multiplied or divided by the size.
-/// If nothing accelerates, the acceleration scale is velocity² over the position scale. If nothing
-/// moves, the scales of rates are 0.
+/// A column that does not move gets the other's velocity scale, multiplied or divided by the size.
+/// A column that does not accelerate gets velocity² over the position scale. The scales of rates
+/// are 0 when nothing moves.
 struct Scales {
   PerLevel<double> length{1, 0, 0};    ///< [unit of length], [1/s], [1/s²] times that
   PerLevel<double> rotation{1, 0, 0};  ///< [1 or rad], over s, over s²

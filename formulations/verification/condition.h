@@ -28,9 +28,9 @@ class ConditionNumber {
   std::unique_ptr<Matrices> matrices_;
 };
 
-/// Returns the order of the relative error that conditioning allows in a scalar of unit roundoff u
-/// (2⁻⁵³ for double, 2⁻²⁴ for float): κ u in position, κ² u in velocity, κ³ u in acceleration. Each
-/// level divides once more by Φ_φ, which depends on the erroneous level before.
+/// Returns the order of the relative error that conditioning allows: κ u in position, κ² u in
+/// velocity, κ³ u in acceleration. u is the scalar's unit roundoff, 2⁻⁵³ for double, 2⁻²⁴ for
+/// float. Each level divides once more by Φ_φ, which depends on the erroneous level before.
 inline PerLevel<double> accuracy_limit(double condition, double u) {
   return {condition * u, condition * condition * u, condition * condition * condition * u};
 }

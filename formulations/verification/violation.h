@@ -10,8 +10,8 @@
 
 namespace desmo {
 
-/// Observer that measures by how much a solution violates the equations, as opposed to its error.
-/// It evaluates Φ and its time derivatives Φ_q q̇ and Φ_q q̈ + Φ̇_q q̇ in quadruple precision, from
+/// Observer that measures how far a solution violates the equations, as opposed to its error. It
+/// evaluates Φ and its time derivatives Φ_q q̇ and Φ_q q̈ + Φ̇_q q̇ in quadruple precision, from
 /// the residuals alone. Each equation is divided by the magnitude of its terms, Σ |∂Φ/∂qᵢ| sᵢ at
 /// the instant's position. sᵢ is the scale of coordinate i at that level.
 ///

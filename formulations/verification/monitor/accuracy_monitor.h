@@ -61,8 +61,8 @@ struct MonitoredInstant {
   Assessment assessment{};  ///< assessed, or an expectation with margin (Expectation)
 };
 
-/// Monitors the accuracy of a motion's instants at little cost. It assesses an instant (Assessor)
-/// when the instant is the first, when the clock has come round, or when a signal has grown by a
+/// Monitors the accuracy of a motion's instants at little cost. It assesses (Assessor) the first
+/// instant, and others when the clock has come round. It also does so when a signal has grown by a
 /// factor of four since the last assessment. A smaller growth suffices where correcting would pay
 /// (Expectation). The signals:
 ///
@@ -77,10 +77,10 @@ struct MonitoredInstant {
 /// exceeds these limits, the monitor assesses the instant.
 ///
 /// The monitor corrects an instant with factors at its own position, and assesses it again, when
-/// its bounds exceed 10, 10² and 10³ times the tolerance in position, velocity and acceleration,
-/// and ten times what conditioning allows (accuracy_limit()). An instant that is still above 100,
-/// 100² and 100³ times the tolerance is *degraded*. The instants after it are assessed until one is
-/// not.
+/// its bounds are too large. The limits are 10, 10² and 10³ times the tolerance in position,
+/// velocity and acceleration, and at least ten times what conditioning allows (accuracy_limit()).
+/// An instant that is still above 100, 100² and 100³ times the tolerance is *degraded*. The
+/// instants after it are assessed until one is not.
 class AccuracyMonitor {
  public:
   /// Prepares for a motion; its grid yields the drivers' rates in advance. The model must outlive

@@ -12,11 +12,11 @@
 
 namespace desmo {
 
-/// Check of whether each instant continues the one before it. A step is in doubt when the trapezoid
-/// rule between the two highest levels solved (q̇ and q̈, or q and q̇) is off by more than a
-/// fiftieth of a group's movement. A smooth motion is off by (ω h)²/12. Such a step is repeated in
-/// shorter ones from its beginning, each predicted by a Taylor polynomial. When they do not lead to
-/// its end, that lies on another assembly branch.
+/// Check of whether each instant continues the one before it. It applies the trapezoid rule to the
+/// two highest levels solved (q̇ and q̈, or q and q̇). A step is in doubt when the rule is off by
+/// more than a fiftieth of a group's movement. A smooth motion is off by (ω h)²/12. Such a step is
+/// repeated in shorter ones from its beginning, each predicted by a Taylor polynomial. When they do
+/// not lead to its end, that lies on another assembly branch.
 class Continuity {
  public:
   /// grid: of the motion, which tells how fast drivers will be. magnitudes: of each coordinate.

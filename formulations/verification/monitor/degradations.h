@@ -8,8 +8,8 @@
 
 namespace desmo {
 
-/// List of a motion's degraded instants. Bounds are relative to the motion so far, so an instant
-/// may leave the list when the motion's rates grow, for instance after a start from rest.
+/// List of a motion's degraded instants. Bounds are relative to the motion so far. So an instant
+/// may leave the list when rates grow, for instance after a start from rest.
 class Degradations {
  public:
   /// limit: above which a bound makes an instant degraded. max_kept: instants that follow the

@@ -30,8 +30,8 @@ class Limits {
 
   /// Limits above which an instant that cannot be corrected further is degraded.
   const PerLevel<double> degraded;
-  /// Returns the bounds above which an instant of that condition number is worth correcting: 10,
-  /// 10² and 10³ times the tolerance, but at least ten times what conditioning allows
+  /// Returns the bounds above which an instant of that condition number is worth correcting. They
+  /// are 10, 10² and 10³ times the tolerance, but at least ten times what conditioning allows
   /// (accuracy_limit()).
   PerLevel<double> worth_correcting(double condition) const {
     constexpr double over_floor = 10, unit_roundoff = 0x1p-53;

@@ -11,8 +11,8 @@ namespace desmo {
 
 /// Solves all equations of a model at once with a sparse LU factorisation, in the scalar S
 /// (Quadruple, or double for positions alone). The residuals alone determine the result: jets
-/// evaluate Φ, Φ̇ and Φ̈, and rates are those that make Φ̇ and Φ̈ vanish. The constraint kinds'
-/// Jacobians only steer the iteration. The partition and the quadratic terms are not used.
+/// evaluate Φ, Φ̇ and Φ̈, and the rates make Φ̇ and Φ̈ vanish. The constraint kinds' Jacobians only
+/// steer the iteration. The partition and the quadratic terms are not used.
 template <class S>
 class GlobalSolver {
  public:
