@@ -1,6 +1,6 @@
 #include "bench/experiments/experiments.h"
 
-namespace desmo::experiments {
+namespace desmo::bench {
 
 std::span<const Experiment> all_experiments() {
   static constexpr Experiment all[] = {
@@ -14,4 +14,4 @@ std::span<const Experiment> all_experiments() {
   return all;
 }
 
-}  // namespace desmo::experiments
+}  // namespace desmo::bench

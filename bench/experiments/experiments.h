@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace desmo::experiments {
+namespace desmo::bench {
 
 /// The arguments of an experiment.
 struct CommandLine {
@@ -34,4 +34,4 @@ int run_size(const CommandLine&);
 int run_instructions(const CommandLine&);
 int run_extremes(const CommandLine&);
 
-}  // namespace desmo::experiments
+}  // namespace desmo::bench

@@ -11,11 +11,11 @@
 #include <string_view>
 
 #include "bench/experiments/experiments.h"
-#include "bench/kit/record.h"
+#include "bench/kit/record/record.h"
 
 namespace {
 
-using namespace desmo::experiments;
+using namespace desmo::bench;
 
 enum ExitCode { success = 0, usage_error = 64, not_written = 74 };
 
@@ -53,7 +53,7 @@ int run(int argc, char** argv) {
   if (first == "--help" || first == "-h") print_experiments();
   const Experiment& experiment = has_name ? named(first) : all_experiments().front();
   return experiment.run(
-      {desmo::suite::command_line(argc, argv), argv[0], {argv + (has_name ? 2 : 1), argv + argc}});
+      {desmo::bench::command_line(argc, argv), argv[0], {argv + (has_name ? 2 : 1), argv + argc}});
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 #include "formulations/formulation.h"
 
-namespace desmo::suite {
+namespace desmo::bench {
 
 /// Delivers each instant as the design asks: q, q̇, q̈ of the whole mechanism into plain vectors
 /// in coordinate order.
@@ -41,4 +41,4 @@ class Delivery final : public Observer {
   Room last_{};
 };
 
-}  // namespace desmo::suite
+}  // namespace desmo::bench

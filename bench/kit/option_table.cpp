@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace desmo::suite {
+namespace desmo::bench {
 
 namespace {
 
@@ -113,4 +113,4 @@ void require_none(const std::vector<char*>& arguments) {
     throw std::invalid_argument("unknown argument '" + std::string(arguments.front()) + "'");
 }
 
-}  // namespace desmo::suite
+}  // namespace desmo::bench

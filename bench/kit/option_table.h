@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace desmo::suite {
+namespace desmo::bench {
 
 /// The options of a command line, each with its help. A value follows its option, or stands after
 /// it and "=".
@@ -57,4 +57,4 @@ class OptionTable {
 /// Refuses arguments that nothing has taken. Throws std::invalid_argument, naming the first.
 void require_none(const std::vector<char*>& arguments);
 
-}  // namespace desmo::suite
+}  // namespace desmo::bench

@@ -7,7 +7,7 @@
 
 #include "formulations/modelling/modelling.h"
 
-namespace desmo::suite {
+namespace desmo::bench {
 
 namespace {
 
@@ -40,4 +40,4 @@ std::vector<Structure> structures(const Case& definition, int coordinates) {
   return result;
 }
 
-}  // namespace desmo::suite
+}  // namespace desmo::bench

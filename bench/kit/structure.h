@@ -7,7 +7,7 @@
 #include "formulations/model/model.h"
 #include "formulations/structure/partition.h"
 
-namespace desmo::suite {
+namespace desmo::bench {
 
 /// So many parts with so many unknowns each.
 struct PartSizes {
@@ -32,4 +32,4 @@ int moving_unknowns(const Model& model);
 /// Every partition of one case at one size.
 std::vector<Structure> structures(const Case& definition, int coordinates);
 
-}  // namespace desmo::suite
+}  // namespace desmo::bench

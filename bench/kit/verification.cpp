@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace desmo::suite {
+namespace desmo::bench {
 
 namespace {
 
@@ -39,9 +39,9 @@ Comparison VerifyingObserver::compare() const {
   ResultDigest results;
   for_each([&](const ReferenceInstant& r, const State& came) {
     ++errors.instants;
-    suite::compare(errors.position, results, came.q, r.q, allowed.position);
-    suite::compare(errors.velocity, results, came.qd, r.qd, allowed.velocity);
-    suite::compare(errors.acceleration, results, came.qdd, r.qdd, allowed.acceleration);
+    bench::compare(errors.position, results, came.q, r.q, allowed.position);
+    bench::compare(errors.velocity, results, came.qd, r.qd, allowed.velocity);
+    bench::compare(errors.acceleration, results, came.qdd, r.qdd, allowed.acceleration);
   });
   return {errors, results.hex()};
 }
@@ -102,4 +102,4 @@ std::span<const ReferenceInstant> ReferenceCache::get(const Model& m, const Time
   return reference.instants;
 }
 
-}  // namespace desmo::suite
+}  // namespace desmo::bench

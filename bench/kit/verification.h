@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "bench/kit/delivery.h"
-#include "bench/kit/result_digest.h"
+#include "bench/kit/record/result_digest.h"
 #include "formulations/formulation.h"
 #include "formulations/verification/reference/reference.h"
 
-namespace desmo::suite {
+namespace desmo::bench {
 
 /// Largest absolute differences over all coordinates and compared instants.
 struct Errors {
@@ -104,4 +104,4 @@ class ReferenceCache {
   std::map<std::pair<std::string, int>, Reference> cache_;
 };
 
-}  // namespace desmo::suite
+}  // namespace desmo::bench

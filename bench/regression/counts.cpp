@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "bench/regression/callgrind.h"
+#include "bench/kit/process/callgrind.h"
 #include "bench/regression/cell_name.h"
 #include "bench/regression/cells.h"
 

@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "bench/kit/schema_version.h"
-#include "bench/regression/callgrind.h"
+#include "bench/kit/process/callgrind.h"
+#include "bench/kit/record/schema_version.h"
 #include "bench/regression/cells.h"
 #include "bench/regression/check_file.h"
 #include "bench/regression/counts.h"
@@ -133,7 +133,7 @@ Json counted(const std::vector<std::string>& cells, const std::vector<Side>& sid
 
 void measure(const Options& o) {
   const std::vector<Side> sides = sides_of(o);
-  Json check = {{"schema", "desmo-check"}, {"schema_version", suite::schema_version}};
+  Json check = {{"schema", "desmo-check"}, {"schema_version", bench::schema_version}};
   check["settings"] = {{"seed", o.seed}, {"turns", turns}, {"repetitions", repetitions}};
   if (!o.slow.empty()) check["settings"]["slowed"] = o.slow;
   check.update(verified(sides, o.cells));

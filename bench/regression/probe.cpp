@@ -15,10 +15,10 @@
 #include <string_view>
 #include <vector>
 
-#include "bench/kit/cpu_clock.h"
-#include "bench/kit/kept_memory.h"
+#include "bench/kit/memory/kept_memory.h"
+#include "bench/kit/time/cpu_clock.h"
+#include "bench/regression/candidate.h"
 #include "bench/regression/control.h"
-#include "bench/regression/subject.h"
 #include "bench/regression/verified_record.h"
 #include "formulations/algebra/blas.h"
 
@@ -42,9 +42,9 @@ double min_seconds(int repetitions, const Call& call) {
   call();
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < repetitions; ++i) {
-    const double before = suite::cpu_now();
+    const double before = bench::cpu_now();
     call();
-    least = std::min(least, suite::cpu_now() - before);
+    least = std::min(least, bench::cpu_now() - before);
   }
   return least;
 }
@@ -86,7 +86,7 @@ void serve(const Timer& timer) {
 }
 
 int run(std::vector<std::string> arguments) {
-  suite::keep_freed_memory();
+  bench::keep_freed_memory();
   set_blas_threads(1);  // the clock is the thread's own
   std::cout.precision(9);
   const std::string command = arguments.empty() ? "" : arguments[0];

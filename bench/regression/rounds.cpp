@@ -6,7 +6,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "bench/kit/progress.h"
+#include "bench/kit/process/progress.h"
 #include "bench/regression/cells.h"
 
 namespace desmo::regression {
@@ -38,7 +38,7 @@ Times time_rounds(const std::vector<Side>& sides, std::vector<std::string> cells
                   std::uint64_t seed) {
   Random random(seed);
   const std::vector<int> cores = usable_cores();
-  suite::Progress progress("rounds of " + std::to_string(cells.size()) + " cells", count);
+  bench::Progress progress("rounds of " + std::to_string(cells.size()) + " cells", count);
   cells.push_back(control);
   std::vector<std::size_t> order(sides.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/regression/child.h"
+#include "bench/kit/process/child.h"
 
 namespace desmo::regression {
 

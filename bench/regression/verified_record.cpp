@@ -3,9 +3,9 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "bench/kit/cell.h"
-#include "bench/kit/environment.h"
-#include "bench/kit/environment_json.h"
+#include "bench/experiments/paper/case_candidate.h"
+#include "bench/kit/record/environment.h"
+#include "bench/kit/record/environment_json.h"
 #include "bench/regression/cell_name.h"
 
 namespace desmo::regression {
@@ -14,22 +14,23 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json verified(const CellName& name, const suite::Options& options,
-              suite::ReferenceCache& references) {
+Json verified(const CellName& name, const paper::Options& options,
+              bench::ReferenceCache& references) {
   Json j = {{"case", name.case_name}, {"coordinates", name.coordinates}, {"id", name.id}};
   try {
-    suite::Cell cell(find_case(name.case_name), name.coordinates, find_variant(name.id), options);
+    paper::CaseCandidate cell(find_case(name.case_name), name.coordinates, find_variant(name.id),
+                              options);
     cell.verify(references);
-    if (cell.state != suite::Timed::State::verified) {
+    if (cell.state != bench::Candidate::State::verified) {
       j["status"] = cell.is_failed() ? "failed" : "not_run";
       j["message"] = cell.message;
       return j;
     }
     j["status"] = "ok";
-    j["machine"] = suite::this_machine().cpu;
+    j["machine"] = bench::this_machine().cpu;
     j["model"] = cell.model;
     j["results"] = cell.results;
-    j["verification"] = suite::errors_json(cell.errors);
+    j["verification"] = bench::errors_json(cell.errors);
   } catch (const std::invalid_argument& e) {
     const std::string message = e.what();  // the lines that follow list what there is
     j["status"] = "not_run";
@@ -41,15 +42,15 @@ Json verified(const CellName& name, const suite::Options& options,
 }  // namespace
 
 std::string verified_record(int instants, const std::vector<std::string>& cells) {
-  suite::Options options;
+  paper::Options options;
   options.step = 0.01;
   options.duration = options.step * (instants - 1);
   const TimeGrid grid{0, options.step, instants};
-  const suite::Run run{suite::utc_now(), "desmo_probe", suite::load_averages(), {}};
-  Json record = {{"schema", "desmo-results"}, {"schema_version", suite::schema_version}};
-  record["record"] = suite::environment_json(run, grid);
+  const bench::Run run{bench::utc_now(), "desmo_probe", bench::load_averages(), {}};
+  Json record = {{"schema", "desmo-results"}, {"schema_version", bench::schema_version}};
+  record["record"] = bench::environment_json(run, grid);
   Json& list = record["paper"]["cells"] = Json::array();
-  suite::ReferenceCache references;
+  bench::ReferenceCache references;
   for (const std::string& cell : cells)
     list.push_back(verified(parse_cell(cell), options, references));
   return record.dump();

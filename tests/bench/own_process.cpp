@@ -1,6 +1,6 @@
 // Work in a process of its own: what comes back from it, and what is said when nothing does.
 
-#include "bench/kit/own_process.h"
+#include "bench/kit/process/own_process.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-namespace desmo::suite::own_process_test {
+namespace desmo::bench::own_process_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -49,4 +49,4 @@ TEST(OwnProcess, ThatEndsOtherwiseIsNamed) {
 }
 
 }  // namespace
-}  // namespace desmo::suite::own_process_test
+}  // namespace desmo::bench::own_process_test

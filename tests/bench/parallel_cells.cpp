@@ -9,12 +9,12 @@
 #include <string>
 #include <thread>
 
-#include "bench/kit/cell.h"
-#include "bench/kit/record.h"
-#include "bench/kit/request.h"
+#include "bench/experiments/paper/case_candidate.h"
+#include "bench/experiments/paper/request.h"
+#include "bench/kit/record/record.h"
 #include "formulations/id.h"
 
-namespace desmo::suite::parallel_cells_test {
+namespace desmo::paper::parallel_cells_test {
 namespace {
 
 TEST(ParallelSegments, OfSeveralThreadsCountNoWork) {
@@ -33,9 +33,9 @@ TEST(ParallelCells, OfSeveralThreadsAreTimedByTheWallClock) {
   Options options;
   options.duration = 10;
   ReferenceCache references;
-  Cell cell(find_case("truck_suspension"), 225, *c.variant, options, c.settings);
+  CaseCandidate cell(find_case("truck_suspension"), 225, *c.variant, options, c.settings);
   cell.verify(references);
-  ASSERT_EQ(cell.state, Timed::State::verified) << cell.message;
+  ASSERT_EQ(cell.state, Candidate::State::verified) << cell.message;
   EXPECT_EQ(cell.clock, Clock::wall);
   cell.seconds.push_back(cell.time_afresh());
   EXPECT_GT(cell.seconds.front(), 0);
@@ -48,13 +48,13 @@ TEST(ParallelCells, OfSeveralThreadsAreTimedByTheWallClock) {
 /// What several threads are compared with: the same on one, by the same clock, under its own name.
 TEST(ParallelCells, StandBesideOneThreadByTheWallClock) {
   std::set<std::string> names;
-  for (const auto& cell : make_cells({})) {
+  for (const auto& cell : make_case_candidates({})) {
     names.insert(cell->name());
     EXPECT_EQ(cell->clock == Clock::wall,
               cell->threads > 1 || cell->name().ends_with("/clock:wall"))
         << cell->name();
   }
-  for (const auto& request : make_requests({})) names.insert(request->name());
+  for (const auto& request : make_request_candidates({})) names.insert(request->name());
   int several = 0;
   for (std::string name : names) {
     const std::size_t at = name.find("/threads:2");
@@ -68,4 +68,4 @@ TEST(ParallelCells, StandBesideOneThreadByTheWallClock) {
 }
 
 }  // namespace
-}  // namespace desmo::suite::parallel_cells_test
+}  // namespace desmo::paper::parallel_cells_test

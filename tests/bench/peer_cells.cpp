@@ -7,12 +7,12 @@
 #include <stdexcept>
 #include <string>
 
-#include "bench/kit/peer_cell.h"
+#include "bench/experiments/paper/peer_candidate.h"
 #include "cases/generators/cases.h"
 #include "formulations/prediction/guess.h"
 #include "formulations/variants.h"
 
-namespace desmo::suite::peer_cells_test {
+namespace desmo::paper::peer_cells_test {
 namespace {
 
 /// Tells of a mechanism every second coordinate, as a formulation finds it.
@@ -78,10 +78,10 @@ struct PeerCells : testing::Test {
 
 TEST_F(PeerCells, AreVerifiedInWhatTheyFind) {
   const PeerDefinition half = definition<HalfOfOurs>();
-  PeerCell cell(find_case("truck_suspension"), 114, half, options);
+  PeerCandidate cell(find_case("truck_suspension"), 114, half, options);
   EXPECT_EQ(cell.name(), "truck_suspension/114/peer:half");
   cell.verify(references);
-  ASSERT_EQ(cell.state, Timed::State::verified) << cell.message;
+  ASSERT_EQ(cell.state, Candidate::State::verified) << cell.message;
   EXPECT_EQ(cell.compared, 57);
   EXPECT_EQ(cell.setup, "half of ours");
   EXPECT_EQ(cell.errors.instants, 51);
@@ -93,7 +93,7 @@ TEST_F(PeerCells, AreVerifiedInWhatTheyFind) {
 
 TEST_F(PeerCells, FailWithAWrongAnswer) {
   const PeerDefinition wrong = definition<WrongInAcceleration>();
-  PeerCell cell(find_case("truck_suspension"), 114, wrong, options);
+  PeerCandidate cell(find_case("truck_suspension"), 114, wrong, options);
   cell.verify(references);
   EXPECT_TRUE(cell.is_failed());
   EXPECT_NE(cell.message.find("acceleration"), std::string::npos) << cell.message;
@@ -101,7 +101,7 @@ TEST_F(PeerCells, FailWithAWrongAnswer) {
 
 TEST_F(PeerCells, FailWithTheLibrarysOwnWords) {
   const PeerDefinition lost = definition<FailsAfterAWhile>();
-  PeerCell cell(find_case("four_bar"), 114, lost, options);
+  PeerCandidate cell(find_case("four_bar"), 114, lost, options);
   cell.verify(references);
   EXPECT_TRUE(cell.is_failed());
   EXPECT_EQ(cell.message, "lost its way");
@@ -110,7 +110,7 @@ TEST_F(PeerCells, FailWithTheLibrarysOwnWords) {
 TEST_F(PeerCells, AreLeftOutWhenTheyTakeTooLong) {
   options.peer_limit = 1e-9;
   const PeerDefinition half = definition<HalfOfOurs>();
-  PeerCell cell(find_case("four_bar"), 114, half, options);
+  PeerCandidate cell(find_case("four_bar"), 114, half, options);
   cell.verify(references);
   EXPECT_TRUE(cell.is_not_run());
   EXPECT_NE(cell.message.find("the whole motion would take"), std::string::npos) << cell.message;
@@ -118,8 +118,8 @@ TEST_F(PeerCells, AreLeftOutWhenTheyTakeTooLong) {
 }
 
 TEST_F(PeerCells, StandBesideFormulationsWithTheirGuess) {
-  const auto peers_of_build = make_peer_cells(options);
-  const auto beside = make_cells_beside_peers(options);
+  const auto peers_of_build = make_peer_candidates(options);
+  const auto beside = make_candidates_for_peers(options);
   EXPECT_EQ(peers_of_build.size(), peers().size() * 11);  // five sizes and the extra one of a case
   std::map<std::string, int> beside_guess;
   for (const auto& cell : beside) ++beside_guess[cell->id().substr(cell->id().find('/'))];
@@ -129,4 +129,4 @@ TEST_F(PeerCells, StandBesideFormulationsWithTheirGuess) {
 }
 
 }  // namespace
-}  // namespace desmo::suite::peer_cells_test
+}  // namespace desmo::paper::peer_cells_test

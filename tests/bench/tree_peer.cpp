@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "bench/kit/peer_cell.h"
+#include "bench/experiments/paper/peer_candidate.h"
 #include "cases/generators/cases.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/variants.h"
@@ -23,17 +23,18 @@ class TreePeersOfCase : public testing::TestWithParam<std::string_view> {};
 
 TEST_P(TreePeersOfCase, AgreeWithTheQuadrupleReferenceAtEverySize) {
   const Case& c = find_case(GetParam());
-  suite::ReferenceCache references;
-  suite::Options options;
+  bench::ReferenceCache references;
+  paper::Options options;
   options.peer_limit = 1e9;
   for (const int n : c.sizes) {
     if (DESMO_SANITIZED && n > c.sizes[1]) break;
     // A size more is not a whole motion more.
     options.duration = n == c.sizes.front() ? DESMO_TEST_SECONDS : 0.5;
     for (const char* name : names) {
-      suite::PeerCell cell(c, n, find_peer(name), options);
+      paper::PeerCandidate cell(c, n, find_peer(name), options);
       cell.verify(references);
-      EXPECT_EQ(cell.state, suite::Timed::State::verified) << cell.name() << ": " << cell.message;
+      EXPECT_EQ(cell.state, bench::Candidate::State::verified)
+          << cell.name() << ": " << cell.message;
       EXPECT_EQ(cell.compared, n) << cell.name();
       EXPECT_EQ(cell.errors.instants, 51) << cell.name();
       for (const double error :

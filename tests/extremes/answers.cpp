@@ -18,7 +18,7 @@
 #include "formulations/verification/reference/reference.h"
 #include "formulations/verification/reference/wide_instant.h"
 
-namespace desmo::extreme::answers_test {
+namespace desmo::extremes::answers_test {
 namespace {
 
 ExtremeCase turning(const DyadChain& chain) { return case_of("turning", chain, 1.5, {0, 0.2, 15}); }
@@ -181,7 +181,7 @@ TEST(Problem, JudgesChainsOfDifferentSizeEachByItsOwn) {
 
 TEST(Extremes, AreNumberedAndTheirCasesHaveNamesOfTheirOwn) {
   int number = 0;
-  for (const Extreme& row : extremes()) {
+  for (const Extreme& row : all_extremes()) {
     EXPECT_EQ(row.number, ++number);
     for (const Extent extent : {Extent::brief, Extent::full}) {
       if (row.number == 1 && extent == Extent::full) continue;  // a million dyads
@@ -196,4 +196,4 @@ TEST(Extremes, AreNumberedAndTheirCasesHaveNamesOfTheirOwn) {
 }
 
 }  // namespace
-}  // namespace desmo::extreme::answers_test
+}  // namespace desmo::extremes::answers_test

@@ -1,14 +1,13 @@
 // What is called a defect, and what is not.
-#include "bench/experiments/extremes/judgement.h"
-
 #include <gtest/gtest.h>
 
 #include <numbers>
 #include <string>
 
+#include "bench/experiments/extremes/verification.h"
 #include "cases/extremes/rows.h"
 
-namespace desmo::extreme::judgement_test {
+namespace desmo::extremes::judgement_test {
 namespace {
 
 /// A case of three instants, and an attempt that has the same error at every level of each.
@@ -185,4 +184,4 @@ TEST_F(Judging, YardsticksAreOtherAttempts) {
 }
 
 }  // namespace
-}  // namespace desmo::extreme::judgement_test
+}  // namespace desmo::extremes::judgement_test

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace desmo::extreme {
+namespace desmo::extremes {
 
 std::span<const KnownDefect> known_defects() {
   static const std::array<KnownDefect, 0> all{};
@@ -18,4 +18,4 @@ const KnownDefect* find_known_defect(int row, std::string_view case_name) {
   return it == all.end() ? nullptr : &*it;
 }
 
-}  // namespace desmo::extreme
+}  // namespace desmo::extremes

@@ -6,7 +6,7 @@
 
 #include "bench/experiments/extremes/table.h"
 
-namespace desmo::extreme {
+namespace desmo::extremes {
 
 /// A case that is not as expected in some formulation of the short form.
 struct KnownDefect {
@@ -22,4 +22,4 @@ std::span<const KnownDefect> known_defects();
 /// Null when the case is as expected.
 const KnownDefect* find_known_defect(int row, std::string_view case_name);
 
-}  // namespace desmo::extreme
+}  // namespace desmo::extremes

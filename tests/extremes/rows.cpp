@@ -16,7 +16,7 @@ inline void PrintTo(const Extreme& row, std::ostream* out) { *out << row.number;
 
 }  // namespace desmo
 
-namespace desmo::extreme::rows_test {
+namespace desmo::extremes::rows_test {
 namespace {
 
 class EveryExtreme : public testing::TestWithParam<Extreme> {};
@@ -69,7 +69,7 @@ TEST_P(EveryExtreme, IsAsExpectedOrKnownNotToBe) {
         << "there is no case " << known.case_name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Rows, EveryExtreme, testing::ValuesIn(extremes()), row_name);
+INSTANTIATE_TEST_SUITE_P(Rows, EveryExtreme, testing::ValuesIn(all_extremes()), row_name);
 
 }  // namespace
-}  // namespace desmo::extreme::rows_test
+}  // namespace desmo::extremes::rows_test

@@ -10,7 +10,7 @@
 #include <iterator>
 #include <string>
 
-namespace desmo::suite::bench_program_test {
+namespace desmo::bench::bench_program_test {
 namespace {
 
 /// environment: settings of variables, for the shell.
@@ -162,4 +162,4 @@ TEST(Bench, TimesThePapersSolverWhereItsLibraryIs) {
 }
 
 }  // namespace
-}  // namespace desmo::suite::bench_program_test
+}  // namespace desmo::bench::bench_program_test

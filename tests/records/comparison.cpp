@@ -9,7 +9,7 @@
 #include <iterator>
 #include <string>
 
-namespace desmo::suite::comparison_test {
+namespace desmo::bench::comparison_test {
 namespace {
 
 int run(const std::string& command) {
@@ -51,4 +51,4 @@ TEST(FreshRecord, IsComparableWithItselfAndGivesOne) {
 }
 
 }  // namespace
-}  // namespace desmo::suite::comparison_test
+}  // namespace desmo::bench::comparison_test

@@ -13,7 +13,7 @@
 #include "bench/experiments/instructions/monitored.h"
 #include "formulations/id.h"
 
-namespace desmo::counting::counting_test {
+namespace desmo::instructions::counting_test {
 namespace {
 
 bool can_count() { return std::system("valgrind --version >/dev/null 2>&1") == 0; }
@@ -86,4 +86,4 @@ TEST(CountingRecord, IsReadByTheReport) {
 }
 
 }  // namespace
-}  // namespace desmo::counting::counting_test
+}  // namespace desmo::instructions::counting_test

@@ -12,13 +12,13 @@
 #include <utility>
 #include <vector>
 
-#include "bench/experiments/accuracy/knobs.h"
 #include "bench/experiments/accuracy/promise.h"
+#include "bench/experiments/accuracy/settings_grid.h"
 #include "cases/generators/cases.h"
 #include "cases/io/files.h"
 #include "formulations/modelling/modelling.h"
 
-namespace desmo::precision::precision_test {
+namespace desmo::accuracy::precision_test {
 namespace {
 
 constexpr double seconds = 0.4;
@@ -31,8 +31,8 @@ Problem problem(const Scene& scene, double duration, int compared) {
 
 TEST(Knobs, AreAllDifferentAndIncludeThePapers) {
   const Variant& in_order = find_variant("group_symbolic_explicit");
-  const auto of_all = all_settings(variants().front()), with_lanes = all_settings(in_order);
-  for (const auto& all : {min_settings(), few_settings(), of_all, with_lanes}) {
+  const auto of_all = full_settings(variants().front()), with_lanes = full_settings(in_order);
+  for (const auto& all : {minimal_settings(), reduced_settings(), of_all, with_lanes}) {
     std::set<std::string> ids;
     for (const Settings& s : all) ids.insert(id_with(variants().front(), s));
     EXPECT_EQ(ids.size(), all.size());
@@ -58,8 +58,8 @@ TEST(Trials, FewSettingsReachErrorsOfFourSizes) {
     const Problem p = problem(describe(c, 114), 1, 21);
     for (const char* id : {"global_automatic_klu", "group_symbolic_inlined", "block_symbolic_klu",
                            "group_symbolic_explicit", "block_symbolic_explicit"})
-      EXPECT_GE(levels(p, id, few_settings()).size(), 4u) << c.name << ' ' << id;
-    EXPECT_GE(levels(p, "global_automatic_klu", min_settings()).size(), 4u) << c.name;
+      EXPECT_GE(levels(p, id, reduced_settings()).size(), 4u) << c.name << ' ' << id;
+    EXPECT_GE(levels(p, "global_automatic_klu", minimal_settings()).size(), 4u) << c.name;
   }
 }
 
@@ -209,4 +209,4 @@ TEST(PrecisionRecord, IsReadByTheReport) {
 }
 
 }  // namespace
-}  // namespace desmo::precision::precision_test
+}  // namespace desmo::accuracy::precision_test

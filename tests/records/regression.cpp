@@ -10,10 +10,10 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "bench/regression/candidate.h"
 #include "bench/regression/cell_name.h"
 #include "bench/regression/cells.h"
 #include "bench/regression/side.h"
-#include "bench/regression/subject.h"
 #include "formulations/algebra/backend.h"
 #include "formulations/variants.h"
 

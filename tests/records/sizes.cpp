@@ -10,16 +10,16 @@
 #include <string>
 #include <utility>
 
-#include "bench/experiments/size/contender.h"
+#include "bench/experiments/size/candidate.h"
 #include "bench/experiments/size/series.h"
 #include "bench/kit/structure.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/variants.h"
 
-namespace desmo::sizes::sizes_test {
+namespace desmo::size::sizes_test {
 namespace {
 
-using suite::moving_unknowns;
+using bench::moving_unknowns;
 
 TimeGrid instants(int count) { return {0, 0.01, count}; }
 
@@ -144,4 +144,4 @@ TEST(SizesRecord, IsReadByTheReport) {
 }
 
 }  // namespace
-}  // namespace desmo::sizes::sizes_test
+}  // namespace desmo::size::sizes_test

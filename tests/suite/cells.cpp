@@ -9,20 +9,20 @@
 #include <utility>
 #include <vector>
 
+#include "bench/experiments/paper/case_candidate.h"
 #include "bench/experiments/paper/options.h"
-#include "bench/kit/cell.h"
-#include "bench/kit/cpu_clock.h"
-#include "bench/kit/phases.h"
-#include "bench/kit/record.h"
+#include "bench/experiments/paper/phases.h"
+#include "bench/kit/record/record.h"
 #include "bench/kit/structure.h"
-#include "bench/kit/timing_windows.h"
+#include "bench/kit/time/cpu_clock.h"
+#include "bench/kit/time/timing_windows.h"
 #include "bench/kit/verification.h"
 #include "cases/generators/cases.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/stepping/time_stepping.h"
 #include "formulations/variants.h"
 
-namespace desmo::suite::cells_test {
+namespace desmo::paper::cells_test {
 namespace {
 
 void spend(double seconds) {
@@ -69,7 +69,7 @@ TEST(Cells, HaveWindowsThatAreAllOfTheirTime) {
   Options o;
   o.duration = 2;
   ReferenceCache references;
-  Cell cell(find_case("truck_suspension"), 114, find_variant("group_symbolic_klu"), o);
+  CaseCandidate cell(find_case("truck_suspension"), 114, find_variant("group_symbolic_klu"), o);
   cell.verify(references);
   const auto sum = [](const std::vector<double>& values) {
     return std::accumulate(values.begin(), values.end(), 0.0);
@@ -86,7 +86,7 @@ TEST(Cells, HaveWindowsThatAreAllOfTheirTime) {
     max_share = std::max(max_share, in_windows / seconds);
   }
   EXPECT_GE(max_share, 0.95);
-  EXPECT_EQ(cell.state, Timed::State::verified);
+  EXPECT_EQ(cell.state, Candidate::State::verified);
   EXPECT_EQ(cell.windows.samples().size(), static_cast<std::size_t>(taken) - 1);
 }
 
@@ -94,10 +94,10 @@ TEST(Cells, AreVerifiedBeforeTheyAreTimed) {
   Options o;
   o.duration = 0.5;
   ReferenceCache references;
-  Cell cell(find_case("truck_suspension"), 114, find_variant("group_symbolic_klu"), o);
+  CaseCandidate cell(find_case("truck_suspension"), 114, find_variant("group_symbolic_klu"), o);
   EXPECT_EQ(cell.name(), "truck_suspension/114/group_symbolic_klu");
   cell.verify(references);
-  EXPECT_EQ(cell.state, Cell::State::verified) << cell.message;
+  EXPECT_EQ(cell.state, CaseCandidate::State::verified) << cell.message;
   EXPECT_EQ(cell.errors.instants, 51);
   EXPECT_TRUE(cell.analyse().ok());
 }
@@ -107,17 +107,17 @@ TEST(Cells, FailWhenTheReferenceSaysOtherwise) {
   o.duration = 6;
   o.step = 2;
   ReferenceCache references;
-  Cell cell(find_case("four_bar"), 114, find_variant("group_symbolic_klu"), o,
-            {.fixed_iterations = 1});  // too few for steps as coarse
+  CaseCandidate cell(find_case("four_bar"), 114, find_variant("group_symbolic_klu"), o,
+                     {.fixed_iterations = 1});  // too few for steps as coarse
   cell.verify(references);
-  EXPECT_EQ(cell.state, Cell::State::failed);
+  EXPECT_EQ(cell.state, CaseCandidate::State::failed);
   EXPECT_NE(cell.message, "");
 }
 
 TEST(Cells, SayWhyDenseGlobalSolvesAreNotRun) {
   Options o;
-  const Cell cell(find_case("four_bar"), 558, find_variant("global_automatic_lapack"), o);
-  EXPECT_EQ(cell.state, Cell::State::not_run);
+  const CaseCandidate cell(find_case("four_bar"), 558, find_variant("global_automatic_lapack"), o);
+  EXPECT_EQ(cell.state, CaseCandidate::State::not_run);
   EXPECT_NE(cell.message.find("O(n^3)"), std::string::npos);
 }
 
@@ -125,16 +125,16 @@ TEST(Cells, ShowWhereTheTimeOfKluAsOneBlockGoes) {
   Options o;
   o.duration = 0.5;
   o.step = 0.1;
-  auto cells = make_cells(o);
+  auto cells = make_case_candidates(o);
   for (const Case& c : cases()) {
     const std::string name = std::string(c.name) + "/558/global_automatic_klu/btf:off";
-    const auto found = std::ranges::find(cells, name, &Cell::name);
+    const auto found = std::ranges::find(cells, name, &CaseCandidate::name);
     ASSERT_NE(found, cells.end()) << name;
-    Cell& cell = **found;
+    CaseCandidate& cell = **found;
     EXPECT_EQ(cell.settings.btf, BlockTriangularForm::off);
     ReferenceCache references;
     cell.verify(references);
-    ASSERT_EQ(cell.state, Cell::State::verified) << cell.message;
+    ASSERT_EQ(cell.state, CaseCandidate::State::verified) << cell.message;
     cell.profile();
     ASSERT_TRUE(cell.phases) << name;
     EXPECT_GT(cell.phases->total(), 0);
@@ -181,4 +181,4 @@ TEST(Structure, CountsThePartsOfEachPartition) {
 }
 
 }  // namespace
-}  // namespace desmo::suite::cells_test
+}  // namespace desmo::paper::cells_test

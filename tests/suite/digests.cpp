@@ -10,18 +10,18 @@
 #include <string>
 #include <vector>
 
+#include "bench/experiments/paper/case_candidate.h"
 #include "bench/experiments/paper/options.h"
-#include "bench/kit/binary.h"
-#include "bench/kit/cell.h"
-#include "bench/kit/model_digest.h"
-#include "bench/kit/result_digest.h"
+#include "bench/kit/record/binary.h"
+#include "bench/kit/record/model_digest.h"
+#include "bench/kit/record/result_digest.h"
 #include "bench/kit/verification.h"
 #include "cases/generators/cases.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/runtime/digest.h"
 #include "formulations/variants.h"
 
-namespace desmo::suite::digests_test {
+namespace desmo::paper::digests_test {
 namespace {
 
 // Of FIPS 180-2, appendix B.
@@ -118,9 +118,9 @@ TEST(ResultDigests, AreTheSameForEveryRightFormulationAndNoWrongOne) {
   std::set<std::string> models, results;
   for (const char* id : {"global_automatic_klu", "global_automatic_cholmod",
                          "group_symbolic_lapack", "group_symbolic_inlined"}) {
-    Cell cell(find_case("truck_suspension"), 114, find_variant(id), o);
+    CaseCandidate cell(find_case("truck_suspension"), 114, find_variant(id), o);
     cell.verify(references);
-    ASSERT_EQ(cell.state, Cell::State::verified) << cell.message;
+    ASSERT_EQ(cell.state, CaseCandidate::State::verified) << cell.message;
     models.insert(cell.model);
     results.insert(cell.results);
   }
@@ -141,4 +141,4 @@ TEST(ResultDigests, AreTheSameForEveryRightFormulationAndNoWrongOne) {
 }
 
 }  // namespace
-}  // namespace desmo::suite::digests_test
+}  // namespace desmo::paper::digests_test

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace desmo::suite::options_test {
+namespace desmo::paper::options_test {
 namespace {
 
 Options parse(std::vector<std::string> texts, std::vector<std::string>* rest = nullptr) {
@@ -51,4 +51,4 @@ TEST(BenchOptions, RefuseWhatIsNotAPositiveNumber) {
 }
 
 }  // namespace
-}  // namespace desmo::suite::options_test
+}  // namespace desmo::paper::options_test

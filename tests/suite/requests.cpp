@@ -8,14 +8,14 @@
 #include <string_view>
 
 #include "bench/experiments/paper/options.h"
-#include "bench/kit/request.h"
+#include "bench/experiments/paper/request.h"
 #include "bench/kit/verification.h"
 #include "cases/generators/cases.h"
 #include "cases/io/files.h"
 #include "cases/library/library.h"
 #include "formulations/variants.h"
 
-namespace desmo::suite::requests_test {
+namespace desmo::paper::requests_test {
 namespace {
 
 struct Requests : testing::Test {
@@ -37,7 +37,7 @@ struct Requests : testing::Test {
 
 TEST_F(Requests, AreVerifiedBeforeTheyAreTimed) {
   int verified = 0;
-  for (const auto& cell : make_requests(options)) {
+  for (const auto& cell : make_request_candidates(options)) {
     EXPECT_TRUE(cell->name().starts_with("truck_suspension/558/" + cell->id() + "/request:"))
         << cell->name();
     cell->verify(references);
@@ -48,7 +48,7 @@ TEST_F(Requests, AreVerifiedBeforeTheyAreTimed) {
       continue;
     }
     ++verified;
-    EXPECT_EQ(cell->state, Timed::State::verified) << cell->name() << ": " << cell->message;
+    EXPECT_EQ(cell->state, Candidate::State::verified) << cell->name() << ": " << cell->message;
     EXPECT_LE(cell->difference, allowed_request_difference) << cell->name();
     EXPECT_EQ(cell->errors.instants, 51);
     EXPECT_LT(cell->request().unknowns, cell->request().all_unknowns);
@@ -88,13 +88,13 @@ TEST_F(Requests, FailWhereTheWholeMechanismCannotBeSolved) {
   Scene scene = truck_suspension(1);
   scene.request = {{Wanted::Kind::point, 0, Level::position}};
   scene.motions.front() = HarmonicSum{5, {}};  // out of the axle's reach
-  RequestCell cell(std::make_shared<const PlannedRequest>("far", scene, options),
-                   find_variant("global_automatic_klu"));
+  RequestCandidate cell(std::make_shared<const PlannedRequest>("far", scene, options),
+                        find_variant("global_automatic_klu"));
   cell.verify(references);
-  EXPECT_EQ(cell.state, Timed::State::failed);
+  EXPECT_EQ(cell.state, Candidate::State::failed);
   EXPECT_TRUE(cell.message.starts_with("the whole mechanism: ")) << cell.message;
   EXPECT_FALSE(cell.is_timed());
 }
 
 }  // namespace
-}  // namespace desmo::suite::requests_test
+}  // namespace desmo::paper::requests_test

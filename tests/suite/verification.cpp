@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-namespace desmo::suite::verification_test {
+namespace desmo::bench::verification_test {
 namespace {
 
 struct Verification : testing::Test {
@@ -76,4 +76,4 @@ TEST_F(Verification, RefusesInstantsThatWereNeverSeen) {
 }
 
 }  // namespace
-}  // namespace desmo::suite::verification_test
+}  // namespace desmo::bench::verification_test

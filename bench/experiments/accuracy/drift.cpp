@@ -12,7 +12,7 @@
 #include "formulations/variants.h"
 #include "formulations/verification/reference/drift.h"
 
-namespace desmo::precision {
+namespace desmo::accuracy {
 
 namespace {
 
@@ -66,4 +66,4 @@ bool print_drift(const std::vector<std::string>& words) {
                  words.size() > 3 ? parse<double>(words[3], "a tolerance", 0) : scene.tolerance);
 }
 
-}  // namespace desmo::precision
+}  // namespace desmo::accuracy

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace desmo::precision {
+namespace desmo::accuracy {
 
 /// Prints whether the error grows in a long run: errors of the first and the last 1000 of its
 /// steps, relative to the mechanism's scales, against the quadruple reference. The step is the
@@ -12,4 +12,4 @@ namespace desmo::precision {
 /// reached its end. Throws std::invalid_argument, naming the word, for an unusable one.
 bool print_drift(const std::vector<std::string>& words);
 
-}  // namespace desmo::precision
+}  // namespace desmo::accuracy

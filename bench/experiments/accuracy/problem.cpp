@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace desmo::precision {
+namespace desmo::accuracy {
 
 namespace {
 
@@ -42,4 +42,4 @@ TunedMotion make_tuned_motion(const Plan& plan, const TimeGrid& grid) {
   return {make_problem(plan, grid, compared), make_problem(plan, begin, begin_instants / 2)};
 }
 
-}  // namespace desmo::precision
+}  // namespace desmo::accuracy

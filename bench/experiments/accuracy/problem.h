@@ -5,7 +5,7 @@
 #include "formulations/planning/plan.h"
 #include "formulations/verification/reference/reference.h"
 
-namespace desmo::precision {
+namespace desmo::accuracy {
 
 /// A motion to be solved in many ways, and what is right.
 struct Problem {
@@ -28,4 +28,4 @@ struct TunedMotion {
 /// Throws what make_reference throws.
 TunedMotion make_tuned_motion(const Plan& plan, const TimeGrid& grid);
 
-}  // namespace desmo::precision
+}  // namespace desmo::accuracy

@@ -4,7 +4,7 @@
 #include <list>
 #include <stdexcept>
 
-namespace desmo::precision {
+namespace desmo::accuracy {
 
 namespace {
 
@@ -63,4 +63,4 @@ Promise promise(const TunedMotion& motion, const Problem& control, const std::ve
           measured(*std::ranges::min_element(trials, {}, &Trial::min_seconds))};
 }
 
-}  // namespace desmo::precision
+}  // namespace desmo::accuracy

@@ -5,7 +5,7 @@
 
 #include "bench/experiments/accuracy/search.h"
 
-namespace desmo::precision {
+namespace desmo::accuracy {
 
 /// A configuration, measured apart from any search.
 struct Rival {
@@ -31,4 +31,4 @@ std::vector<Tried> everything(const TunedMotion& motion);
 Promise promise(const TunedMotion& motion, const Problem& control, const std::vector<Tried>& all,
                 double allowed, const Effort& effort = {});
 
-}  // namespace desmo::precision
+}  // namespace desmo::accuracy

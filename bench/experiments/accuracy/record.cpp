@@ -7,10 +7,10 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "bench/kit/time_json.h"
+#include "bench/kit/record/time_json.h"
 #include "formulations/verification/condition.h"
 
-namespace desmo::precision {
+namespace desmo::accuracy {
 
 namespace {
 
@@ -90,8 +90,8 @@ Json point_json(const Series& series, const Trial& trial) {
   j["iterations_per_step"] = rounded(trial.iterations_per_step);
   std::vector<double> samples;
   for (const double seconds : trial.seconds_per_step) samples.push_back(rounded(seconds));
-  j["time_per_step"] = suite::time_json(samples);
+  j["time_per_step"] = bench::time_json(samples);
   return j;
 }
 
-}  // namespace desmo::precision
+}  // namespace desmo::accuracy

@@ -4,9 +4,9 @@
 
 #include "bench/experiments/accuracy/series.h"
 #include "bench/experiments/accuracy/trial.h"
-#include "bench/kit/record.h"
+#include "bench/kit/record/record.h"
 
-namespace desmo::precision {
+namespace desmo::accuracy {
 
 /// What is known of a problem beside its trials: `floors` of the record.
 nlohmann::ordered_json floor_json(const Series& series, const Problem& problem);
@@ -14,4 +14,4 @@ nlohmann::ordered_json floor_json(const Series& series, const Problem& problem);
 /// A point of the work–precision diagram: `precision` of the record.
 nlohmann::ordered_json point_json(const Series& series, const Trial& trial);
 
-}  // namespace desmo::precision
+}  // namespace desmo::accuracy

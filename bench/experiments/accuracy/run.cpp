@@ -9,14 +9,14 @@
 #include "bench/experiments/accuracy/drift.h"
 #include "bench/experiments/accuracy/record.h"
 #include "bench/experiments/accuracy/tuning_validation.h"
-#include "bench/experiments/common_options.h"
-#include "bench/kit/kept_memory.h"
-#include "bench/kit/progress.h"
-#include "bench/kit/recording.h"
+#include "bench/kit/common_options.h"
+#include "bench/kit/memory/kept_memory.h"
+#include "bench/kit/process/progress.h"
+#include "bench/kit/record/recording.h"
 #include "formulations/algebra/blas.h"
 #include "formulations/modelling/modelling.h"
 
-namespace desmo::precision {
+namespace desmo::accuracy {
 
 namespace {
 
@@ -25,7 +25,7 @@ constexpr int usual_repetitions = 5;
 constexpr double min_seconds = 0.01;  // of a sample
 constexpr double dear_seconds = 0.3;  // a motion that takes longer has two samples only
 
-struct Options : experiments::CommonOptions {
+struct Options : bench::CommonOptions {
   bool validates_tuning = false;
   std::vector<std::string> mechanisms;
   bool measures_drift = false;
@@ -38,7 +38,7 @@ bool is_sampled(const Trial& trial, const Series& series) {
 /// Compares every configuration, then times them in turn, so that whatever slows the machine down
 /// for a while meets them all.
 std::vector<Trial> measure(const Series& series, const Problem& problem, int repetitions,
-                           suite::Progress& progress) {
+                           bench::Progress& progress) {
   std::vector<Trial> trials;
   for (const Configuration& c : series.configurations) trials.emplace_back(problem, c);
   for (Trial& trial : trials) {
@@ -63,12 +63,12 @@ void measure_all(const Options& options, const std::string& command) {
   const std::vector<Series> all =
       matching(options.quick ? quick_series() : all_series(), std::regex(options.filter));
   if (all.empty()) throw std::invalid_argument("no configuration matches " + options.filter);
-  suite::Recording recording(options.record, command);
+  bench::Recording recording(options.record, command);
   nlohmann::ordered_json lists = {{"floors", nlohmann::ordered_json::array()},
                                   {"points", nlohmann::ordered_json::array()}};
   TimeGrid usual;
   const int repetitions = options.repetitions > 0 ? options.repetitions : usual_repetitions;
-  suite::Progress progress("comparisons and samples", comparisons_and_samples(all, repetitions));
+  bench::Progress progress("comparisons and samples", comparisons_and_samples(all, repetitions));
   for (const Series& series : all) {
     const Model whole = make_model(describe(*series.definition, series.coordinates));
     const TimeGrid grid = time_grid(series.step * (series.instants - 1), series.step);
@@ -94,16 +94,16 @@ void require_consistent(const Options& o, const std::vector<std::string>& words)
     throw std::invalid_argument("--mechanism belongs to --validate-tuning");
 }
 
-int run(const experiments::CommandLine& line) {
+int run(const bench::CommandLine& line) {
   Options options;
-  suite::OptionTable table(
+  bench::OptionTable table(
       "desmo_bench accuracy: time against error of formulations and their settings.\n"
       "desmo_bench accuracy --validate-tuning [--mechanism NAME]...\n"
       "desmo_bench accuracy --drift MECHANISM ID [STEPS [TOLERANCE]]");
-  experiments::add_common(table, options,
-                          {.quick = "the smallest sizes only, with few settings",
-                           .filtered = "<case>/<coordinates>/<id>",
-                           .repetitions = std::to_string(usual_repetitions)});
+  bench::add_common(table, options,
+                    {.quick = "the smallest sizes only, with few settings",
+                     .filtered = "<case>/<coordinates>/<id>",
+                     .repetitions = std::to_string(usual_repetitions)});
   table.flag("--validate-tuning", options.validates_tuning,
              "Instead: is the error held that desmo tune promises,\n"
              "and how much slower is its choice than the best?");
@@ -113,9 +113,9 @@ int run(const experiments::CommandLine& line) {
              "Instead: does the error grow in a long run (1000000 steps)?\n"
              "MECHANISM is <case>/<coordinates> or one of the library");
   std::vector<std::string> words;
-  if (!experiments::read_options(table, line, &words)) return 0;
+  if (!bench::read_options(table, line, &words)) return 0;
   require_consistent(options, words);
-  suite::keep_freed_memory();
+  bench::keep_freed_memory();
   set_blas_threads(1);  // the clock is the thread's own
   if (options.measures_drift) return print_drift(words) ? 0 : 1;
   if (options.validates_tuning)
@@ -127,8 +127,6 @@ int run(const experiments::CommandLine& line) {
 
 }  // namespace
 
-}  // namespace desmo::precision
+}  // namespace desmo::accuracy
 
-int desmo::experiments::run_accuracy(const CommandLine& line) {
-  return desmo::precision::run(line);
-}
+int desmo::bench::run_accuracy(const CommandLine& line) { return desmo::accuracy::run(line); }

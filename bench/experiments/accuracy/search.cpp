@@ -6,9 +6,9 @@
 #include <list>
 #include <span>
 
-#include "bench/experiments/accuracy/knobs.h"
+#include "bench/experiments/accuracy/settings_grid.h"
 
-namespace desmo::precision {
+namespace desmo::accuracy {
 
 namespace {
 
@@ -35,7 +35,7 @@ class Searcher {
   Found run() {
     std::list<Trial> trials;
     for (const Variant* v : formulations())
-      for (const Settings& s : all_settings(*v))
+      for (const Settings& s : full_settings(*v))
         add(trials, effort_.exhaustive ? whole_ : begin_, *v, s);
     say(std::to_string(trials.size()) + " configurations");
     for (Trial& t : trials) t.compare();
@@ -206,4 +206,4 @@ Found search(const TunedMotion& motion, const Goal& goal, const Effort& effort) 
   return Searcher(motion, goal, effort).run();
 }
 
-}  // namespace desmo::precision
+}  // namespace desmo::accuracy

@@ -7,7 +7,7 @@
 
 #include "bench/experiments/accuracy/trial.h"
 
-namespace desmo::precision {
+namespace desmo::accuracy {
 
 /// What is wanted of a formulation and its settings: the cheapest whose relative error is at most
 /// max_error, or, where a budget is given, the most accurate within it.
@@ -53,4 +53,4 @@ inline constexpr double safety = 2;
 /// it. Deterministic but for the times.
 Found search(const TunedMotion& motion, const Goal& goal, const Effort& effort);
 
-}  // namespace desmo::precision
+}  // namespace desmo::accuracy

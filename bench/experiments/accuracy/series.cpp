@@ -7,9 +7,9 @@
 #include <string>
 #include <string_view>
 
-#include "bench/experiments/accuracy/knobs.h"
+#include "bench/experiments/accuracy/settings_grid.h"
 
-namespace desmo::precision {
+namespace desmo::accuracy {
 
 namespace {
 
@@ -71,11 +71,11 @@ void add_size(std::vector<Series>& all, const Case& c, int coordinates, bool lar
   Adder add_usual(usual), add_dense(dense);
   for (const Variant& v : variants()) {
     if (is_dense_global(v))
-      add_dense(v, min_settings());
+      add_dense(v, minimal_settings());
     else
-      add_usual(v, few_settings());
+      add_usual(v, reduced_settings());
     if (largest && is_tuned(v)) {
-      add_usual(v, all_settings(v));
+      add_usual(v, full_settings(v));
       add_usual(v, {{.factorisation = Factorisation::per_level}});
     }
     if (largest && is_in_table_2(v)) add_usual(v, table_settings());
@@ -123,4 +123,4 @@ std::vector<Series> matching(std::vector<Series> all, const std::regex& expressi
   return all;
 }
 
-}  // namespace desmo::precision
+}  // namespace desmo::accuracy

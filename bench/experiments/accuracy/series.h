@@ -6,7 +6,7 @@
 #include "cases/generators/cases.h"
 #include "formulations/id.h"
 
-namespace desmo::precision {
+namespace desmo::accuracy {
 
 /// Configurations that solve the same motion and are timed in turn.
 struct Series {
@@ -31,4 +31,4 @@ std::vector<Series> quick_series();
 /// expression is found; series with none are left out.
 std::vector<Series> matching(std::vector<Series> all, const std::regex& expression);
 
-}  // namespace desmo::precision
+}  // namespace desmo::accuracy

@@ -5,11 +5,11 @@
 #include <limits>
 #include <utility>
 
-#include "bench/kit/cpu_clock.h"
 #include "bench/kit/delivery.h"
+#include "bench/kit/time/cpu_clock.h"
 #include "formulations/verification/violation.h"
 
-namespace desmo::precision {
+namespace desmo::accuracy {
 
 namespace {
 
@@ -70,15 +70,15 @@ void Trial::compare() {
 
 void Trial::time(double least) {
   if (state != State::solved) return;
-  suite::Delivery delivery(problem_.plan.model.coordinates());
-  const double start = suite::cpu_now();
+  bench::Delivery delivery(problem_.plan.model.coordinates());
+  const double start = bench::cpu_now();
   double spent = 0;
   long instants = 0;
   do {
     const Summary summary = formulation_->run(problem_.grid, {problem_.plan.level()}, delivery);
     if (!summary.ok()) return stop(State::failed, describe(summary, problem_.plan.model));
     instants += summary.instants;
-    spent = suite::cpu_now() - start;
+    spent = bench::cpu_now() - start;
   } while (spent < least);
   seconds_per_step.push_back(spent / static_cast<double>(instants));
 }
@@ -94,4 +94,4 @@ void Trial::stop(State reached, std::string why) {
   seconds_per_step.clear();
 }
 
-}  // namespace desmo::precision
+}  // namespace desmo::accuracy

@@ -9,7 +9,7 @@
 #include "formulations/id.h"
 #include "formulations/verification/error.h"
 
-namespace desmo::precision {
+namespace desmo::accuracy {
 
 /// One formulation with its settings, tried on a problem: how wrong it is, and what a step costs.
 class Trial {
@@ -52,4 +52,4 @@ class Trial {
   std::unique_ptr<Formulation> formulation_;
 };
 
-}  // namespace desmo::precision
+}  // namespace desmo::accuracy

@@ -9,14 +9,14 @@
 
 #include "bench/experiments/accuracy/promise.h"
 #include "bench/experiments/accuracy/record.h"
-#include "bench/kit/progress.h"
-#include "bench/kit/recording.h"
-#include "bench/kit/time_json.h"
+#include "bench/kit/process/progress.h"
+#include "bench/kit/record/recording.h"
+#include "bench/kit/record/time_json.h"
 #include "cases/generators/cases.h"
 #include "cases/io/files.h"
 #include "formulations/modelling/modelling.h"
 
-namespace desmo::precision {
+namespace desmo::accuracy {
 
 namespace {
 
@@ -46,10 +46,10 @@ std::vector<Named> scenes(const std::vector<std::string>& named) {
 
 Json rival_json(const Rival& rival) {
   return {
-      {"id", rival.id}, {"error", rival.error}, {"time_per_step", suite::time_json(rival.seconds)}};
+      {"id", rival.id}, {"error", rival.error}, {"time_per_step", bench::time_json(rival.seconds)}};
 }
 
-void add_promises(Json& list, const Named& named, suite::Progress& progress) {
+void add_promises(Json& list, const Named& named, bench::Progress& progress) {
   const Plan plan = make_plan(make_model(named.scene), {});
   const TimeGrid& grid = named.scene.grid;
   const TunedMotion motion = make_tuned_motion(plan, grid);
@@ -77,13 +77,13 @@ void add_promises(Json& list, const Named& named, suite::Progress& progress) {
 void validate_tuning(const std::string& record, const std::string& command,
                      const std::vector<std::string>& mechanisms) {
   const std::vector<Named> all = scenes(mechanisms);
-  suite::Recording recording(record, command);
+  bench::Recording recording(record, command);
   Json lists = {{"tuning", Json::array()}};
   {
-    suite::Progress progress("searches", static_cast<int>(all.size() * (1 + budgets.size())));
+    bench::Progress progress("searches", static_cast<int>(all.size() * (1 + budgets.size())));
     for (const Named& named : all) add_promises(lists["tuning"], named, progress);
   }
   recording.write(all.front().scene.grid, lists);
 }
 
-}  // namespace desmo::precision
+}  // namespace desmo::accuracy

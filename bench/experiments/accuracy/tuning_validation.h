@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace desmo::precision {
+namespace desmo::accuracy {
 
 /// Records what the choices of `desmo tune` are worth: is the error that was asked for held at
 /// every instant of the motion, and how much slower is the choice than the best there is?
@@ -12,4 +12,4 @@ namespace desmo::precision {
 void validate_tuning(const std::string& record, const std::string& command,
                      const std::vector<std::string>& mechanisms);
 
-}  // namespace desmo::precision
+}  // namespace desmo::accuracy

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace desmo::extreme {
+namespace desmo::extremes {
 
 namespace {
 
@@ -63,4 +63,4 @@ double Allowed::operator()(Level level, std::size_t part, std::size_t next) cons
   }
 }
 
-}  // namespace desmo::extreme
+}  // namespace desmo::extremes

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "bench/experiments/extremes/judgement.h"
+#include "bench/experiments/extremes/verification.h"
 
-namespace desmo::extreme {
+namespace desmo::extremes {
 
 /// How wrong the answers of an attempt may be: what the case's bound makes of floors and
 /// yardsticks. All must outlive it.
@@ -19,4 +19,4 @@ class Allowed {
   PerLevel<double> measured_;  // the largest error of the yardstick, if the bound has one
 };
 
-}  // namespace desmo::extreme
+}  // namespace desmo::extremes

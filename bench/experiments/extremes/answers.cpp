@@ -11,7 +11,7 @@
 #include "bench/experiments/extremes/floor.h"
 #include "formulations/verification/reference/reference.h"
 
-namespace desmo::extreme {
+namespace desmo::extremes {
 
 namespace {
 
@@ -132,4 +132,4 @@ Answers reference_answers(const Problem& p) {
   return a;
 }
 
-}  // namespace desmo::extreme
+}  // namespace desmo::extremes

@@ -4,7 +4,7 @@
 
 #include "bench/experiments/extremes/problem.h"
 
-namespace desmo::extreme {
+namespace desmo::extremes {
 
 /// For the problem's chain of that index, by the closed form. Where the chain cannot be solved, the
 /// problem no longer can.
@@ -14,4 +14,4 @@ Answers chain_answers(Problem& problem, std::size_t index);
 /// where they do not converge or do not agree.
 Answers reference_answers(const Problem& problem);
 
-}  // namespace desmo::extreme
+}  // namespace desmo::extremes

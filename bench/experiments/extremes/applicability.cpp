@@ -1,6 +1,6 @@
 #include "bench/experiments/extremes/applicability.h"
 
-namespace desmo::extreme {
+namespace desmo::extremes {
 
 namespace {
 
@@ -38,4 +38,4 @@ std::string lacks_generated_code(const Formulation& formulation) {
   return {};
 }
 
-}  // namespace desmo::extreme
+}  // namespace desmo::extremes

@@ -6,7 +6,7 @@
 #include "formulations/formulation.h"
 #include "formulations/id.h"
 
-namespace desmo::extreme {
+namespace desmo::extremes {
 
 /// Why a formulation is not tried on a problem that has a model, in a sentence without a full stop;
 /// empty: it is. What it does not offer, or what would take too long.
@@ -15,4 +15,4 @@ std::string why_not_tried(const Configuration& configuration, const Problem& pro
 /// The same for a formulation that would not be the one that its id names.
 std::string lacks_generated_code(const Formulation& formulation);
 
-}  // namespace desmo::extreme
+}  // namespace desmo::extremes

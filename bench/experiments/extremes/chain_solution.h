@@ -8,7 +8,7 @@
 #include "formulations/model/model.h"
 #include "formulations/verification/reference/wide_instant.h"
 
-namespace desmo::extreme {
+namespace desmo::extremes {
 
 /// The motion of a chain of dyads in quadruple precision by a closed form, the intersection of two
 /// circles a dyad. It shares nothing with any formulation but the motion of the crank.
@@ -56,4 +56,4 @@ class ChainSolution {
   double along_ = 0, any_way_ = 0;  // error of the joint at hand over the unit roundoff: length
 };
 
-}  // namespace desmo::extreme
+}  // namespace desmo::extremes

@@ -7,7 +7,7 @@
 
 #include "formulations/verification/error.h"
 
-namespace desmo::extreme {
+namespace desmo::extremes {
 
 namespace {
 
@@ -39,4 +39,4 @@ PerLevel<double> error_of(const Instant& instant, const Problem& problem, std::s
   return {e.position.max, e.velocity.max, e.acceleration.max};
 }
 
-}  // namespace desmo::extreme
+}  // namespace desmo::extremes

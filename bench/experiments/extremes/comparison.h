@@ -5,7 +5,7 @@
 #include "bench/experiments/extremes/problem.h"
 #include "formulations/formulation.h"
 
-namespace desmo::extreme {
+namespace desmo::extremes {
 
 /// How wrong an instant is that a formulation found, in those of the problem's answers, at that of
 /// the compared instants; an answer is known. Whole turns of angles count for nothing where an
@@ -13,4 +13,4 @@ namespace desmo::extreme {
 PerLevel<double> error_of(const Instant& instant, const Problem& problem, std::size_t answers,
                           std::size_t next);
 
-}  // namespace desmo::extreme
+}  // namespace desmo::extremes

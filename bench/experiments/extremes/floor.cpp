@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace desmo::extreme {
+namespace desmo::extremes {
 
 PerLevel<double> floor_at(const Model& m, std::span<const double> q, double condition) {
   const double size = nominal_size(m);
@@ -17,4 +17,4 @@ PerLevel<double> floor_at(const Model& m, std::span<const double> q, double cond
   return floor;
 }
 
-}  // namespace desmo::extreme
+}  // namespace desmo::extremes

@@ -7,7 +7,7 @@
 #include "bench/experiments/extremes/answers.h"
 #include "bench/experiments/extremes/starts.h"
 
-namespace desmo::extreme {
+namespace desmo::extremes {
 
 namespace {
 
@@ -61,4 +61,4 @@ Problem make_problem(const ExtremeCase& c) {
   return p;
 }
 
-}  // namespace desmo::extreme
+}  // namespace desmo::extremes

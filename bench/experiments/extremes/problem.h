@@ -11,7 +11,7 @@
 #include "formulations/modelling/modelling.h"
 #include "formulations/scaling/scales.h"
 
-namespace desmo::extreme {
+namespace desmo::extremes {
 
 /// What is right, for a part of a mechanism that is judged by its own size.
 struct Answers {
@@ -40,4 +40,4 @@ struct Problem {
 /// The case must outlive it.
 Problem make_problem(const ExtremeCase& definition);
 
-}  // namespace desmo::extreme
+}  // namespace desmo::extremes

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
-namespace desmo::extreme {
+namespace desmo::extremes {
 
 namespace {
 
@@ -91,4 +91,4 @@ Json result_json(const Result& r) {
   return j;
 }
 
-}  // namespace desmo::extreme
+}  // namespace desmo::extremes

@@ -4,10 +4,10 @@
 
 #include "bench/experiments/extremes/table.h"
 
-namespace desmo::extreme {
+namespace desmo::extremes {
 
 /// Elements of `extreme_rows` and of `extremes` in the record (results/record.schema.json).
 nlohmann::ordered_json row_json(const Extreme& row);
 nlohmann::ordered_json result_json(const Result& result);
 
-}  // namespace desmo::extreme
+}  // namespace desmo::extremes

@@ -7,20 +7,20 @@
 #include <string>
 #include <vector>
 
-#include "bench/experiments/common_options.h"
 #include "bench/experiments/extremes/record.h"
 #include "bench/experiments/extremes/summary.h"
 #include "bench/experiments/extremes/table.h"
-#include "bench/kit/kept_memory.h"
-#include "bench/kit/recording.h"
+#include "bench/kit/common_options.h"
+#include "bench/kit/memory/kept_memory.h"
+#include "bench/kit/record/recording.h"
 #include "cases/generators/cases.h"
 #include "formulations/algebra/blas.h"
 
-namespace desmo::extreme {
+namespace desmo::extremes {
 
 namespace {
 
-struct Options : experiments::CommonOptions {
+struct Options : bench::CommonOptions {
   std::string cases;
   std::vector<std::string> without;
   std::vector<int> rows;
@@ -30,7 +30,7 @@ std::vector<const Extreme*> chosen_rows(const std::vector<int>& numbers) {
   std::vector<const Extreme*> rows;
   for (const int number : numbers) rows.push_back(&find_extreme(number));
   if (numbers.empty())
-    for (const Extreme& row : extremes()) rows.push_back(&row);
+    for (const Extreme& row : all_extremes()) rows.push_back(&row);
   return rows;
 }
 
@@ -60,7 +60,7 @@ bool measure(const Options& options, const std::string& command) {
                       .formulations = std::regex(options.filter),
                       .cases = std::regex(options.cases),
                       .without = left_out(options.without)};
-  suite::Recording recording(options.record, command);
+  bench::Recording recording(options.record, command);
   nlohmann::ordered_json lists = {{"rows", nlohmann::ordered_json::array()},
                                   {"results", nlohmann::ordered_json::array()}};
   std::size_t defects = 0;
@@ -79,27 +79,27 @@ bool measure(const Options& options, const std::string& command) {
   return defects == 0;
 }
 
-int run(const experiments::CommandLine& line) {
+int run(const bench::CommandLine& line) {
   Options options;
-  suite::OptionTable table("desmo_bench extremes: every formulation in the table of extremes");
-  experiments::add_common(table, options,
-                          {.quick = "what takes seconds, not minutes",
-                           .filtered = "the formulation's id",
-                           .repetitions = {}});
+  bench::OptionTable table("desmo_bench extremes: every formulation in the table of extremes");
+  bench::add_common(table, options,
+                    {.quick = "what takes seconds, not minutes",
+                     .filtered = "the formulation's id",
+                     .repetitions = {}});
   table.positives("--row", "N", options.rows,
                   "Only this row of the table; more than once where wanted");
   table.text("--case", "REGEX", options.cases,
              "Only where this regular expression is found in\nthe name of the case");
   table.texts("--without", "MONITOR", options.without,
               "Leave a monitor out, to see what it finds:\n" + all_monitors());
-  if (!experiments::read_options(table, line)) return 0;
-  suite::keep_freed_memory();
+  if (!bench::read_options(table, line)) return 0;
+  bench::keep_freed_memory();
   set_blas_threads(1);
   return measure(options, line.text) ? 0 : 1;
 }
 
 }  // namespace
 
-}  // namespace desmo::extreme
+}  // namespace desmo::extremes
 
-int desmo::experiments::run_extremes(const CommandLine& line) { return desmo::extreme::run(line); }
+int desmo::bench::run_extremes(const CommandLine& line) { return desmo::extremes::run(line); }

@@ -5,7 +5,7 @@
 
 #include "formulations/scaling/scales.h"
 
-namespace desmo::extreme {
+namespace desmo::extremes {
 
 std::vector<std::vector<double>> make_starts(const Model& m, const ExtremeCase::Starts& starts) {
   const std::vector<double> magnitude = natural_magnitudes(m);
@@ -20,4 +20,4 @@ std::vector<std::vector<double>> make_starts(const Model& m, const ExtremeCase::
   return all;
 }
 
-}  // namespace desmo::extreme
+}  // namespace desmo::extremes

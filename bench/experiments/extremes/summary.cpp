@@ -5,7 +5,7 @@
 #include <map>
 #include <utility>
 
-namespace desmo::extreme {
+namespace desmo::extremes {
 
 std::size_t count(const std::vector<Result>& results, Verdict verdict) {
   return static_cast<std::size_t>(std::ranges::count_if(
@@ -32,4 +32,4 @@ std::string summary(const Extreme& row, const std::vector<Result>& results) {
   return text;
 }
 
-}  // namespace desmo::extreme
+}  // namespace desmo::extremes

@@ -6,7 +6,7 @@
 
 #include "bench/experiments/extremes/table.h"
 
-namespace desmo::extreme {
+namespace desmo::extremes {
 
 std::size_t count(const std::vector<Result>& results, Verdict verdict);
 
@@ -14,4 +14,4 @@ std::size_t count(const std::vector<Result>& results, Verdict verdict);
 /// it is not as expected, with the formulations concerned counted and the first named.
 std::string summary(const Extreme& row, const std::vector<Result>& results);
 
-}  // namespace desmo::extreme
+}  // namespace desmo::extremes

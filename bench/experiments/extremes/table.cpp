@@ -4,11 +4,11 @@
 #include <map>
 #include <utility>
 
-#include "bench/experiments/extremes/attempt.h"
+#include "bench/experiments/extremes/candidate.h"
 #include "bench/experiments/extremes/problem.h"
 #include "formulations/id.h"
 
-namespace desmo::extreme {
+namespace desmo::extremes {
 
 namespace {
 
@@ -87,4 +87,4 @@ std::vector<Result> row_results(const Extreme& row, const Selection& selection) 
   return results;
 }
 
-}  // namespace desmo::extreme
+}  // namespace desmo::extremes

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "bench/experiments/extremes/judgement.h"
+#include "bench/experiments/extremes/verification.h"
 #include "cases/extremes/extremes.h"
 
-namespace desmo::extreme {
+namespace desmo::extremes {
 
 /// One place of the table.
 struct Result {
@@ -32,4 +32,4 @@ struct Selection {
 /// with them, selected or not.
 std::vector<Result> row_results(const Extreme& row, const Selection& selection);
 
-}  // namespace desmo::extreme
+}  // namespace desmo::extremes

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <utility>
 
-namespace desmo::counting {
+namespace desmo::instructions {
 
 namespace {
 
@@ -68,4 +68,4 @@ std::vector<std::string> broken_claims(const std::vector<StepCount>& counts) {
   return claims.broken;
 }
 
-}  // namespace desmo::counting
+}  // namespace desmo::instructions

@@ -7,7 +7,7 @@
 
 #include "bench/experiments/instructions/step_counts.h"
 
-namespace desmo::counting {
+namespace desmo::instructions {
 
 /// What an early prototype of this suite took a step, for the truck suspension with 558
 /// coordinates; nothing where there was none.
@@ -19,4 +19,4 @@ std::optional<std::int64_t> of_prototype(const StepCount& count);
 /// four-bar.
 std::vector<std::string> broken_claims(const std::vector<StepCount>& counts);
 
-}  // namespace desmo::counting
+}  // namespace desmo::instructions

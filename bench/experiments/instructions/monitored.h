@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-namespace desmo::counting {
+namespace desmo::instructions {
 
 /// Ends the id of a formulation whose run is monitored (run_safely): what that costs is part of
 /// what is counted.
@@ -15,4 +15,4 @@ inline std::string_view formulation_of(std::string_view id) {
   return is_monitored(id) ? id.substr(0, id.size() - monitored_suffix.size()) : id;
 }
 
-}  // namespace desmo::counting
+}  // namespace desmo::instructions

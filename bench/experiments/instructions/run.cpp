@@ -10,19 +10,19 @@
 #include <string>
 #include <vector>
 
-#include "bench/experiments/common_options.h"
 #include "bench/experiments/instructions/claims.h"
 #include "bench/experiments/instructions/step_counts.h"
-#include "bench/kit/recording.h"
-#include "bench/regression/callgrind.h"
+#include "bench/kit/common_options.h"
+#include "bench/kit/process/callgrind.h"
+#include "bench/kit/record/recording.h"
 
-namespace desmo::counting {
+namespace desmo::instructions {
 
 namespace {
 
 constexpr int quick_coordinates = 114;
 
-struct Options : experiments::CommonOptions {
+struct Options : bench::CommonOptions {
   int coordinates = 0;
 };
 
@@ -64,7 +64,7 @@ bool measure(const Options& options, const std::string& command) {
   if (counts.empty()) throw std::invalid_argument("nothing matches " + options.filter);
   const std::string tool = regression::counting_tool();
   if (tool.empty()) throw std::runtime_error("valgrind, which counts, cannot be run");
-  std::optional<suite::Recording> recording;
+  std::optional<bench::Recording> recording;
   if (!options.record.empty()) recording.emplace(options.record, command);
   count(counts, desmo_steps());
   print(counts);
@@ -74,23 +74,23 @@ bool measure(const Options& options, const std::string& command) {
   return broken.empty();
 }
 
-int run(const experiments::CommandLine& line) {
+int run(const bench::CommandLine& line) {
   Options options;
-  suite::OptionTable table("desmo_bench instructions: instructions a step, counted by callgrind");
-  experiments::add_common(table, options,
-                          {.quick = std::to_string(quick_coordinates) + " coordinates",
-                           .filtered = "<case>/<coordinates>/<id>",
-                           .repetitions = {}});
+  bench::OptionTable table("desmo_bench instructions: instructions a step, counted by callgrind");
+  bench::add_common(table, options,
+                    {.quick = std::to_string(quick_coordinates) + " coordinates",
+                     .filtered = "<case>/<coordinates>/<id>",
+                     .repetitions = {}});
   table.positive("--coordinates", "N", options.coordinates,
                  "Of both cases (the largest of the paper's sizes)");
-  if (!experiments::read_options(table, line)) return 0;
+  if (!bench::read_options(table, line)) return 0;
   return measure(options, line.text) ? 0 : 1;
 }
 
 }  // namespace
 
-}  // namespace desmo::counting
+}  // namespace desmo::instructions
 
-int desmo::experiments::run_instructions(const CommandLine& line) {
-  return desmo::counting::run(line);
+int desmo::bench::run_instructions(const CommandLine& line) {
+  return desmo::instructions::run(line);
 }

@@ -7,12 +7,12 @@
 #include <utility>
 
 #include "bench/experiments/instructions/monitored.h"
-#include "bench/kit/beyond.h"
-#include "bench/regression/callgrind.h"
+#include "bench/experiments/paper/extended_ids.h"
+#include "bench/kit/process/callgrind.h"
 #include "formulations/id.h"
 #include "formulations/variants.h"
 
-namespace desmo::counting {
+namespace desmo::instructions {
 
 namespace {
 
@@ -44,7 +44,7 @@ std::vector<std::string> counted_ids() {
     if (is_counted(v)) ids.push_back(v.id);
   for (const char* id : {"group_symbolic_explicit/lanes:4", "group_symbolic_explicit/segments:4"})
     ids.push_back(id);
-  for (const std::string_view id : suite::beyond_the_paper)
+  for (const std::string_view id : paper::extended_ids)
     if (is_counted(id)) ids.emplace_back(id);
   for (const char* id : monitored) ids.push_back(id + std::string(monitored_suffix));
   return ids;
@@ -114,4 +114,4 @@ void count(std::vector<StepCount>& all, const std::string& desmo_steps) {
   });
 }
 
-}  // namespace desmo::counting
+}  // namespace desmo::instructions

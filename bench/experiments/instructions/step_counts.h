@@ -6,7 +6,7 @@
 
 #include "cases/generators/cases.h"
 
-namespace desmo::counting {
+namespace desmo::instructions {
 
 /// Instructions of a step of one formulation.
 struct StepCount {
@@ -29,4 +29,4 @@ std::vector<StepCount> to_be_counted(int coordinates);
 /// formulation, when one cannot be counted.
 void count(std::vector<StepCount>& all, const std::string& desmo_steps);
 
-}  // namespace desmo::counting
+}  // namespace desmo::instructions

@@ -14,7 +14,7 @@
 #include <string_view>
 
 #include "bench/experiments/instructions/monitored.h"
-#include "bench/regression/subject.h"
+#include "bench/regression/candidate.h"
 #include "formulations/verification/monitor/safe_run.h"
 
 namespace {
@@ -64,8 +64,8 @@ int main(int argc, char** argv) {
     Settings settings;
     if (argc > 5) settings.fixed_iterations = whole(argv[5]);
     const int first = std::min(warm_up, steps);
-    const bool monitored = counting::is_monitored(argv[3]);
-    const std::string id(counting::formulation_of(argv[3]));
+    const bool monitored = instructions::is_monitored(argv[3]);
+    const std::string id(instructions::formulation_of(argv[3]));
     Subject subject({argv[1], whole(argv[2]), id}, steps + 1, settings);
     Summary s;
     if (!monitored && !subject.runs_at_once()) s = subject.walk(0, first);

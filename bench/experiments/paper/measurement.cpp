@@ -9,10 +9,10 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "bench/kit/fresh_heap.h"
-#include "bench/kit/record.h"
+#include "bench/kit/memory/fresh_heap.h"
+#include "bench/kit/record/record.h"
 
-namespace desmo::suite {
+namespace desmo::paper {
 
 namespace {
 
@@ -29,9 +29,9 @@ benchmark::BenchmarkReporter::Run shown_as_cpu_time(benchmark::BenchmarkReporter
 class CollectingReporter final : public benchmark::ConsoleReporter {
  public:
   /// first: the machine has not been described yet.
-  CollectingReporter(const std::vector<Timed*>& all, bool first, RunProgress& progress)
+  CollectingReporter(const std::vector<Candidate*>& all, bool first, RunProgress& progress)
       : ConsoleReporter(OO_Tabular), first_(first), progress_(progress) {
-    for (Timed* timed : all) timed_[timed->name()] = timed;
+    for (Candidate* timed : all) timed_[timed->name()] = timed;
   }
 
   bool ReportContext(const Context& context) override {
@@ -59,12 +59,12 @@ class CollectingReporter final : public benchmark::ConsoleReporter {
  private:
   const bool first_;
   RunProgress& progress_;
-  std::map<std::string, Timed*> timed_;
+  std::map<std::string, Candidate*> timed_;
 };
 
 /// One repetition.
-void run_timed(benchmark::State& state, Timed& timed, RunProgress& progress) {
-  if (timed.state != Timed::State::verified) return state.SkipWithError(timed.message.c_str());
+void run_timed(benchmark::State& state, Candidate& timed, RunProgress& progress) {
+  if (timed.state != Candidate::State::verified) return state.SkipWithError(timed.message.c_str());
   for (auto _ : state) {
     state.SetIterationTime(timed.time_afresh());
     if (timed.is_failed()) return state.SkipWithError(timed.message.c_str());
@@ -75,7 +75,7 @@ void run_timed(benchmark::State& state, Timed& timed, RunProgress& progress) {
 
 /// As many as take long enough, together, that something of them is undisturbed: a core may be slow
 /// for seconds. What takes long itself needs few.
-int worth_repeating(const Timed& timed) {
+int worth_repeating(const Candidate& timed) {
   constexpr double seconds = 2;
   constexpr int fewest = 3, most = 20;
   const double needed = std::ceil(seconds / std::max(timed.analysis_seconds, 1e-9));
@@ -84,11 +84,12 @@ int worth_repeating(const Timed& timed) {
 
 }  // namespace
 
-nlohmann::ordered_json measure(const std::vector<Timed*>& all, std::optional<int> asked_repetitions,
-                               bool first, RunProgress& progress) {
+nlohmann::ordered_json measure(const std::vector<Candidate*>& all,
+                               std::optional<int> asked_repetitions, bool first,
+                               RunProgress& progress) {
   progress.begin(all);
   ReferenceCache references;
-  for (Timed* timed : all) {
+  for (Candidate* timed : all) {
     const auto verify = [&] { timed->verify(references); };
     // The threads that it makes end with the one that it is on: those of a repetition have no
     // others beside them, for which they would have to make room.
@@ -108,10 +109,10 @@ nlohmann::ordered_json measure(const std::vector<Timed*>& all, std::optional<int
   }
   progress.timing();
   CollectingReporter reporter(all, first, progress);
-  if (!std::ranges::all_of(all, &Timed::is_not_run))
+  if (!std::ranges::all_of(all, &Candidate::is_not_run))
     benchmark::RunSpecifiedBenchmarks(&reporter, ".");  // those chosen, whatever the filter
   progress.end();
-  return {{"failed", std::ranges::any_of(all, &Timed::is_failed)}, {"lists", lists_of(all)}};
+  return {{"failed", std::ranges::any_of(all, &Candidate::is_failed)}, {"lists", lists_of(all)}};
 }
 
-}  // namespace desmo::suite
+}  // namespace desmo::paper

@@ -4,7 +4,7 @@
 
 #include "cases/generators/cases.h"
 
-namespace desmo::suite {
+namespace desmo::paper {
 
 namespace {
 
@@ -12,10 +12,10 @@ constexpr double quick_duration = 1.5;  // s
 constexpr int quick_repetitions = 2;
 
 void add_options(OptionTable& table, Options& o) {
-  experiments::add_common(table, o,
-                          {.quick = "1.5 s of motion and 2 repetitions",
-                           .filtered = "<case>/<coordinates>/<id>",
-                           .repetitions = "as many as take 2 s together, 3 to 20"});
+  bench::add_common(table, o,
+                    {.quick = "1.5 s of motion and 2 repetitions",
+                     .filtered = "<case>/<coordinates>/<id>",
+                     .repetitions = "as many as take 2 s together, 3 to 20"});
   table.positive("--step", "SECONDS", o.step, "Time step (the case's, 0.01)");
   table.positive("--duration", "SECONDS", o.duration, "Motion analysed (the case's, 30)");
   table.positive("--dense-limit", "N", o.dense_limit,
@@ -73,4 +73,4 @@ TimeGrid chosen_grid(const TimeGrid& own, const Options& o) {
   return time_grid(o.duration > 0 ? o.duration : duration, o.step > 0 ? o.step : own.step);
 }
 
-}  // namespace desmo::suite
+}  // namespace desmo::paper

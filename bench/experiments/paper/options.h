@@ -3,13 +3,15 @@
 #include <string>
 #include <vector>
 
-#include "bench/experiments/common_options.h"
+#include "bench/kit/common_options.h"
 #include "cases/mechanism/motion.h"
 
-namespace desmo::suite {
+namespace desmo::paper {
+
+using namespace bench;  // the kit, of which this experiment uses nearly all
 
 /// Options of the paper's experiment, without the flags of Google Benchmark.
-struct Options : experiments::CommonOptions {
+struct Options : bench::CommonOptions {
   double step = 0;         ///< s; 0: the case's own
   double duration = 0;     ///< s; 0: the case's own
   int dense_limit = 114;   ///< coordinates up to which dense global solves run
@@ -30,4 +32,4 @@ TimeGrid chosen_grid(const TimeGrid& own, const Options& options);
 /// Text of --help, without the flags of Google Benchmark.
 std::string usage();
 
-}  // namespace desmo::suite
+}  // namespace desmo::paper

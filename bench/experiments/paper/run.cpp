@@ -17,21 +17,21 @@
 #include <vector>
 
 #include "bench/experiments/experiments.h"
+#include "bench/experiments/paper/case_candidate.h"
 #include "bench/experiments/paper/measurement.h"
 #include "bench/experiments/paper/options.h"
-#include "bench/kit/cell.h"
-#include "bench/kit/environment.h"
-#include "bench/kit/kept_memory.h"
-#include "bench/kit/new_file.h"
-#include "bench/kit/own_process.h"
-#include "bench/kit/peer_cell.h"
-#include "bench/kit/record.h"
-#include "bench/kit/request.h"
-#include "bench/kit/run_progress.h"
+#include "bench/experiments/paper/peer_candidate.h"
+#include "bench/experiments/paper/request.h"
+#include "bench/experiments/paper/run_progress.h"
+#include "bench/kit/memory/kept_memory.h"
+#include "bench/kit/process/own_process.h"
+#include "bench/kit/record/environment.h"
+#include "bench/kit/record/new_file.h"
+#include "bench/kit/record/record.h"
 #include "formulations/algebra/blas.h"
 #include "formulations/variants.h"
 
-namespace desmo::suite {
+namespace desmo::paper {
 
 using Json = nlohmann::ordered_json;
 
@@ -48,7 +48,7 @@ std::optional<int> repetitions_of(const std::vector<char*>& arguments) {
 
 /// Those whose benchmark the filter selects. Google Benchmark offers no question for that before
 /// registration, so they are registered once for the question and anew for the measurement.
-std::vector<Timed*> selected(const std::vector<Timed*>& all) {
+std::vector<Candidate*> selected(const std::vector<Candidate*>& all) {
   struct Names final : benchmark::BenchmarkReporter {
     std::set<std::string> found;
     bool ReportContext(const Context&) override { return true; }
@@ -56,15 +56,15 @@ std::vector<Timed*> selected(const std::vector<Timed*>& all) {
       for (const Run& run : runs) found.insert(run.run_name.function_name);
     }
   } names;
-  for (const Timed* timed : all)
+  for (const Candidate* timed : all)
     benchmark::RegisterBenchmark(timed->name().c_str(), [](benchmark::State& state) {
       for (auto _ : state) {
       }
     });
-  std::vector<Timed*> result;
+  std::vector<Candidate*> result;
   benchmark::RunSpecifiedBenchmarks(&names);
   benchmark::ClearRegisteredBenchmarks();
-  for (Timed* timed : all)
+  for (Candidate* timed : all)
     if (names.found.contains(timed->name())) result.push_back(timed);
   return result;
 }
@@ -72,17 +72,17 @@ std::vector<Timed*> selected(const std::vector<Timed*>& all) {
 /// But for what is there by that name already, such as a formulation that was asked for and also
 /// stands beside a rival.
 template <class Kind>
-void append(std::vector<Timed*>& all, const std::vector<std::unique_ptr<Kind>>& some) {
+void append(std::vector<Candidate*>& all, const std::vector<std::unique_ptr<Kind>>& some) {
   std::set<std::string> names;
-  for (const Timed* timed : all) names.insert(timed->name());
+  for (const Candidate* timed : all) names.insert(timed->name());
   for (const auto& timed : some)
     if (names.insert(timed->name()).second) all.push_back(timed.get());
 }
 
 /// A record has one time grid.
-void require_one_grid(const std::vector<Timed*>& all) {
+void require_one_grid(const std::vector<Candidate*>& all) {
   const TimeGrid& first = all.front()->grid;
-  for (const Timed* timed : all)
+  for (const Candidate* timed : all)
     if (timed->grid.step != first.step || timed->grid.instants != first.instants)
       throw std::invalid_argument(
           "the cases differ in step or duration: give --step and --duration");
@@ -91,14 +91,14 @@ void require_one_grid(const std::vector<Timed*>& all) {
 /// What is compared with each other: all of one case and size.
 struct Comparison {
   std::string name;  ///< "truck_suspension/558"
-  std::vector<Timed*> timed;
+  std::vector<Candidate*> timed;
 };
 
 /// together: as one.
-std::vector<Comparison> comparisons_of(const std::vector<Timed*>& all, bool together) {
+std::vector<Comparison> comparisons_of(const std::vector<Candidate*>& all, bool together) {
   if (together) return {{"desmo_bench", all}};
   std::vector<Comparison> comparisons;
-  for (Timed* timed : all) {
+  for (Candidate* timed : all) {
     const std::string name = timed->name(), of = name.substr(0, name.find('/', name.find('/') + 1));
     const auto it = std::ranges::find(comparisons, of, &Comparison::name);
     if (it == comparisons.end())
@@ -120,7 +120,7 @@ bool is_listing(std::string_view argument) {
   return argument.starts_with("--benchmark_list_tests") && !argument.ends_with("=false");
 }
 
-int run(const experiments::CommandLine& line) {
+int run(const bench::CommandLine& line) {
   keep_freed_memory();
   std::vector<char*> arguments = line.arguments;
   for (const std::string_view a : arguments)
@@ -149,17 +149,17 @@ int run(const experiments::CommandLine& line) {
   for (const std::string& note : faulty_libraries()) std::cerr << "desmo_bench: " << note << '\n';
 
   Run record{utc_now(), line.text, load_averages(), {}};
-  const auto cells = make_cells(options);
-  const auto requests = make_requests(options);
-  const auto beside_peers = make_cells_beside_peers(options);
-  const auto peers = make_peer_cells(options);
-  std::vector<Timed*> all;
+  const auto cells = make_case_candidates(options);
+  const auto requests = make_request_candidates(options);
+  const auto beside_peers = make_candidates_for_peers(options);
+  const auto peers = make_peer_candidates(options);
+  std::vector<Candidate*> all;
   append(all, cells);
   append(all, requests);
   append(all, beside_peers);
   append(all, peers);
   require_one_grid(all);
-  const std::vector<Timed*> chosen = selected(all);
+  const std::vector<Candidate*> chosen = selected(all);
   if (listing) return 0;
   if (chosen.empty()) return 64;  // Google Benchmark has said that nothing matches
   std::optional<NewFile> file;
@@ -191,6 +191,6 @@ int run(const experiments::CommandLine& line) {
 
 }  // namespace
 
-}  // namespace desmo::suite
+}  // namespace desmo::paper
 
-int desmo::experiments::run_paper(const CommandLine& line) { return desmo::suite::run(line); }
+int desmo::bench::run_paper(const CommandLine& line) { return desmo::paper::run(line); }

@@ -7,17 +7,17 @@
 #include <string>
 #include <vector>
 
-#include "bench/kit/cpu_clock.h"
+#include "bench/kit/time/cpu_clock.h"
 #include "cases/generators/cases.h"
 #include "cases/io/files.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/variants.h"
 
-namespace desmo::sizes {
+namespace desmo::size {
 
 namespace {
 
-using suite::cpu_now;
+using bench::cpu_now;
 
 constexpr int steps = 20;
 /// Rounding leaves more in the squared lengths of links that are ten thousand lengths from the
@@ -68,4 +68,4 @@ void print_analysis(const std::vector<int>& bodies) {
     for (const int number : bodies) measure(c, number);
 }
 
-}  // namespace desmo::sizes
+}  // namespace desmo::size

@@ -8,7 +8,7 @@
 #include "formulations/planning/plan.h"
 #include "formulations/verification/reference/reference.h"
 
-namespace desmo::sizes {
+namespace desmo::size {
 
 namespace {
 
@@ -38,7 +38,7 @@ Problem make_problem(Model m, const TimeGrid& grid, double tolerance) {
     return {std::move(m), grid, tolerance, std::move(reference), "double"};
   }
   Reference reference = make_reference(m, times);
-  suite::require_agreement(m, reference.floor);
+  bench::require_agreement(m, reference.floor);
   return {std::move(m), grid, tolerance, std::move(reference.instants), "quadruple"};
 }
 
@@ -48,7 +48,7 @@ Model cut_to(const Model& whole, int least) {
   while (first < last) {
     const int middle = first + (last - first) / 2;
     const std::optional<Model> cut = of_first_entities(whole, middle);
-    if (!cut || suite::moving_unknowns(*cut) < least)
+    if (!cut || bench::moving_unknowns(*cut) < least)
       first = middle + 1;
     else
       last = middle;
@@ -57,4 +57,4 @@ Model cut_to(const Model& whole, int least) {
   return all ? whole : *of_first_entities(whole, first);
 }
 
-}  // namespace desmo::sizes
+}  // namespace desmo::size

@@ -6,7 +6,7 @@
 #include "formulations/base/reference_instant.h"
 #include "formulations/model/model.h"
 
-namespace desmo::sizes {
+namespace desmo::size {
 
 /// A mechanism to be solved in many ways over the same motion, and what is right.
 struct Problem {
@@ -20,11 +20,11 @@ struct Problem {
 };
 
 /// grid: of three instants or more. Throws what make_reference throws, and see
-/// suite::require_agreement.
+/// bench::require_agreement.
 Problem make_problem(Model model, const TimeGrid& grid, double tolerance);
 
 /// What finding `least` unknowns or more of a mechanism takes, and no more than it must: what the
 /// first of its entities need, of all of them if it has fewer.
 Model cut_to(const Model& whole, int least);
 
-}  // namespace desmo::sizes
+}  // namespace desmo::size

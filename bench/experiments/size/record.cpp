@@ -2,19 +2,19 @@
 
 #include <nlohmann/json.hpp>
 
-#include "bench/kit/environment_json.h"
-#include "bench/kit/record_layout.h"
+#include "bench/kit/record/environment_json.h"
+#include "bench/kit/record/record_layout.h"
+#include "bench/kit/record/time_json.h"
 #include "bench/kit/structure.h"
-#include "bench/kit/time_json.h"
 
-namespace desmo::sizes {
+namespace desmo::size {
 
 nlohmann::ordered_json entry_json(const Series& series, const Problem& problem,
                                   const Contender& contender) {
   const Model& m = problem.model;
   nlohmann::ordered_json j = {
       {"case", series.definition->name},       {"coordinates", m.coordinates()},
-      {"unknowns", suite::moving_unknowns(m)}, {"id", contender.id},
+      {"unknowns", bench::moving_unknowns(m)}, {"id", contender.id},
       {"step_seconds", problem.grid.step},     {"instants", problem.grid.instants},
       {"tolerance", problem.tolerance}};
   const bool timed = contender.is_right() && !contender.seconds_per_step.empty();
@@ -24,7 +24,7 @@ nlohmann::ordered_json entry_json(const Series& series, const Problem& problem,
     return j;
   }
   j["checked_against"] = problem.checked_against;
-  j["verification"] = suite::errors_json(contender.errors);
+  j["verification"] = bench::errors_json(contender.errors);
   j["iterations_per_step"] = contender.iterations_per_step;
   j["residual"] = contender.residual;
   // q, q̇ and q̈
@@ -32,9 +32,9 @@ nlohmann::ordered_json entry_json(const Series& series, const Problem& problem,
   if (contender.bytes > 0) j["bytes"] = contender.bytes;
   std::vector<double> samples;
   for (const double seconds : contender.seconds_per_step)
-    samples.push_back(suite::rounded(seconds));
-  j["time_per_step"] = suite::time_json(samples);
+    samples.push_back(bench::rounded(seconds));
+  j["time_per_step"] = bench::time_json(samples);
   return j;
 }
 
-}  // namespace desmo::sizes
+}  // namespace desmo::size

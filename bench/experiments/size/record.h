@@ -2,14 +2,14 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "bench/experiments/size/contender.h"
+#include "bench/experiments/size/candidate.h"
 #include "bench/experiments/size/series.h"
 
-namespace desmo::sizes {
+namespace desmo::size {
 
 /// Returns a contender's entry in `growth` or `break_even` of the record
 /// (results/record.schema.json).
 nlohmann::ordered_json entry_json(const Series& series, const Problem& problem,
                                   const Contender& contender);
 
-}  // namespace desmo::sizes
+}  // namespace desmo::size

@@ -8,15 +8,15 @@
 #include <string>
 #include <vector>
 
-#include "bench/experiments/common_options.h"
 #include "bench/experiments/size/analysis.h"
 #include "bench/experiments/size/record.h"
-#include "bench/kit/kept_memory.h"
-#include "bench/kit/progress.h"
-#include "bench/kit/recording.h"
+#include "bench/kit/common_options.h"
+#include "bench/kit/memory/kept_memory.h"
+#include "bench/kit/process/progress.h"
+#include "bench/kit/record/recording.h"
 #include "formulations/algebra/blas.h"
 
-namespace desmo::sizes {
+namespace desmo::size {
 
 namespace {
 
@@ -45,7 +45,7 @@ class Work {
   static double cost(const Series& series) {
     return series.size * static_cast<double>(series.ids.size());
   }
-  suite::Progress progress_;
+  bench::Progress progress_;
   double left_ = 0, done_ = 0;
 };
 
@@ -77,11 +77,11 @@ bool all_right(const nlohmann::ordered_json& lists) {
 }
 
 /// Returns whether all that was measured is right.
-bool measure_all(const experiments::CommonOptions& options, const std::string& command) {
+bool measure_all(const bench::CommonOptions& options, const std::string& command) {
   const std::vector<Series> all =
       matching(options.quick ? quick_series() : all_series(), std::regex(options.filter));
   if (all.empty()) throw std::invalid_argument("nothing matches " + options.filter);
-  suite::Recording recording(options.record, command);
+  bench::Recording recording(options.record, command);
   nlohmann::ordered_json lists;
   {
     const int repetitions = options.repetitions > 0 ? options.repetitions : usual_repetitions;
@@ -120,27 +120,27 @@ std::vector<int> bodies_of(const std::vector<std::string>& words) {
   return all;
 }
 
-int run(const experiments::CommandLine& line) {
-  experiments::CommonOptions options;
+int run(const bench::CommandLine& line) {
+  bench::CommonOptions options;
   bool analyses_files = false;
-  suite::OptionTable table(
+  bench::OptionTable table(
       "desmo_bench size: how time grows with the size of a mechanism.\n"
       "desmo_bench size --files [BODIES...]");
-  experiments::add_common(table, options,
-                          {.quick = "small sizes only",
-                           .filtered = "<question>/<case>/<size>/<id>, such as\n"
-                                       "growth/four_bar/114/group_symbolic_inlined",
-                           .repetitions = std::to_string(usual_repetitions)});
+  bench::add_common(table, options,
+                    {.quick = "small sizes only",
+                     .filtered = "<question>/<case>/<size>/<id>, such as\n"
+                                 "growth/four_bar/114/group_symbolic_inlined",
+                     .repetitions = std::to_string(usual_repetitions)});
   table.flag("--files", analyses_files,
              "Instead: how reading, analysing and solving a mechanism file\n"
              "grow with its bodies (100 1000 10000), as a table");
   std::vector<std::string> words;
-  if (!experiments::read_options(table, line, &words)) return 0;
+  if (!bench::read_options(table, line, &words)) return 0;
   if (!analyses_files && !words.empty())
     throw std::invalid_argument("unknown argument '" + words.front() + "'");
   if (analyses_files && !options.record.empty())
     throw std::invalid_argument("--files prints a table; it goes into no --record");
-  suite::keep_freed_memory();
+  bench::keep_freed_memory();
   set_blas_threads(1);  // the clock is the thread's own
   const bool right = analyses_files ? analyse(bodies_of(words)) : measure_all(options, line.text);
   return right ? 0 : 1;
@@ -148,6 +148,6 @@ int run(const experiments::CommandLine& line) {
 
 }  // namespace
 
-}  // namespace desmo::sizes
+}  // namespace desmo::size
 
-int desmo::experiments::run_size(const CommandLine& line) { return desmo::sizes::run(line); }
+int desmo::bench::run_size(const CommandLine& line) { return desmo::size::run(line); }

@@ -8,7 +8,7 @@
 #include "formulations/modelling/modelling.h"
 #include "formulations/variants.h"
 
-namespace desmo::sizes {
+namespace desmo::size {
 
 namespace {
 
@@ -69,7 +69,7 @@ void add_break_even(std::vector<Series>& all, const Case& c, int max_unknowns) {
   int last = 0;
   for (const int least : unknowns) {
     if (least > max_unknowns) return;
-    const int found = suite::moving_unknowns(cut_to(whole, least));
+    const int found = bench::moving_unknowns(cut_to(whole, least));
     if (found != last) add(all, Question::break_even, c, last = found, break_even);
   }
 }
@@ -115,4 +115,4 @@ std::vector<Series> matching(std::vector<Series> all, const std::regex& expressi
   return all;
 }
 
-}  // namespace desmo::sizes
+}  // namespace desmo::size

@@ -8,7 +8,7 @@
 #include "bench/experiments/size/problem.h"
 #include "cases/generators/cases.h"
 
-namespace desmo::sizes {
+namespace desmo::size {
 
 /// What is measured: how time grows with the number of coordinates, and where it costs the same to
 /// solve all unknowns at once with dense and with sparse matrices.
@@ -36,4 +36,4 @@ std::vector<Series> quick_series();
 /// <growth|break_even>/<case>/<size>/<id> the expression is found; series with none are left out.
 std::vector<Series> matching(std::vector<Series> all, const std::regex& expression);
 
-}  // namespace desmo::sizes
+}  // namespace desmo::size
