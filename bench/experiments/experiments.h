@@ -1,18 +1,11 @@
 #pragma once
 
 #include <span>
-#include <string>
 #include <string_view>
-#include <vector>
+
+#include "bench/kit/options.h"
 
 namespace desmo::bench {
-
-/// The arguments of an experiment.
-struct CommandLine {
-  std::string text;              ///< for the record: program, experiment and arguments
-  char* program;                 ///< its path, as Google Benchmark wants it
-  std::vector<char*> arguments;  ///< without program and experiment
-};
 
 /// An experiment: `desmo_bench NAME [OPTION...]`.
 struct Experiment {

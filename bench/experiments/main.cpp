@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "bench/experiments/experiments.h"
-#include "bench/kit/record/record.h"
+#include "bench/kit/record/environment.h"
 
 namespace {
 
@@ -53,7 +53,7 @@ int run(int argc, char** argv) {
   if (first == "--help" || first == "-h") print_experiments();
   const Experiment& experiment = has_name ? named(first) : all_experiments().front();
   return experiment.run(
-      {desmo::bench::command_line(argc, argv), argv[0], {argv + (has_name ? 2 : 1), argv + argc}});
+      {command_line(argc, argv), argv[0], {argv + (has_name ? 2 : 1), argv + argc}});
 }
 
 }  // namespace

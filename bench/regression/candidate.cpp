@@ -7,22 +7,26 @@
 
 namespace desmo::regression {
 
-Subject::Subject(const CellName& cell, int instants, const Settings& settings)
-    : configuration_(parse_id(cell.id, settings)),
-      model_(make_model(describe(find_case(cell.case_name), cell.coordinates))),
-      formulation_(make_formulation(*configuration_.variant, model_, configuration_.settings)),
-      delivery_(model_.coordinates()),
-      grid_{0, 0.01, instants} {}
+bench::Problem problem_of(const CandidateName& name, int instants) {
+  bench::Problem problem;
+  problem.plan.model = make_model(describe(find_case(name.case_name), name.coordinates));
+  problem.grid = {0, 0.01, instants};
+  return problem;
+}
 
-Summary Subject::analyse() { return formulation_->run(grid_, {}, delivery_); }
+SteppedCandidate::SteppedCandidate(const bench::Problem& problem, std::string_view id,
+                                   const Settings& others)
+    : FormulationCandidate(problem, id, others), delivery_(coordinates) {
+  build();
+}
 
-Summary Subject::walk(int first, int last) {
+Summary SteppedCandidate::walk(int first, int last) {
   const int direction = first <= last ? 1 : -1;
   for (int i = first;; i += direction) {
-    const Summary s = formulation_->step(grid_.time(i));
+    const Summary s = formulation_->step(grid.time(i));
     if (!s.ok()) return s;
     delivery_.observe(
-        {i, grid_.time(i), formulation_->q(), formulation_->qd(), formulation_->qdd()});
+        {i, grid.time(i), formulation_->q(), formulation_->qd(), formulation_->qdd()});
     if (i == last) return s;
   }
 }

@@ -1,11 +1,12 @@
 // Long runs hold no more memory at their end than at their beginning.
 
+#include "bench/kit/memory.h"
+
 #include <gtest/gtest.h>
 
 #include <cstddef>
 #include <vector>
 
-#include "bench/kit/memory/heap.h"
 #include "formulations/variants.h"
 #include "tests/every_variant.h"
 #include "tests/mechanisms.h"

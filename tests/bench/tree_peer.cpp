@@ -31,16 +31,16 @@ TEST_P(TreePeersOfCase, AgreeWithTheQuadrupleReferenceAtEverySize) {
     // A size more is not a whole motion more.
     options.duration = n == c.sizes.front() ? DESMO_TEST_SECONDS : 0.5;
     for (const char* name : names) {
-      paper::PeerCandidate cell(c, n, find_peer(name), options);
-      cell.verify(references);
-      EXPECT_EQ(cell.state, bench::Candidate::State::verified)
-          << cell.name() << ": " << cell.message;
-      EXPECT_EQ(cell.compared, n) << cell.name();
-      EXPECT_EQ(cell.errors.instants, 51) << cell.name();
+      paper::PeerCandidate candidate(c, n, find_peer(name), options);
+      candidate.verify(references);
+      EXPECT_EQ(candidate.state, bench::Candidate::State::verified)
+          << candidate.name() << ": " << candidate.message;
+      EXPECT_EQ(candidate.compared, n) << candidate.name();
+      EXPECT_EQ(candidate.errors.instants, 51) << candidate.name();
       for (const double error :
-           {cell.errors.position, cell.errors.velocity, cell.errors.acceleration})
-        EXPECT_LT(error, 1e-9) << cell.name();
-      EXPECT_TRUE(cell.analyse().ok()) << cell.name();
+           {candidate.errors.position, candidate.errors.velocity, candidate.errors.acceleration})
+        EXPECT_LT(error, 1e-9) << candidate.name();
+      EXPECT_TRUE(candidate.analyse().ok()) << candidate.name();
     }
   }
 }

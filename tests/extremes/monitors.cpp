@@ -7,7 +7,6 @@
 #include <regex>
 #include <string>
 
-#include "bench/experiments/extremes/summary.h"
 #include "bench/experiments/extremes/table.h"
 
 namespace desmo::extremes::monitors_test {

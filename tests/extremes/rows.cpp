@@ -38,7 +38,7 @@ std::map<std::string, Result> worst_by_case(const std::vector<Result>& results) 
   std::map<std::string, Result> worst;
   for (const Result& r : results) {
     const auto [it, is_new] = worst.try_emplace(r.case_name, r);
-    if (!is_new && badness(r.judgement.verdict) > badness(it->second.judgement.verdict))
+    if (!is_new && badness(r.verification.verdict) > badness(it->second.verification.verdict))
       it->second = r;
   }
   return worst;
@@ -53,15 +53,15 @@ TEST_P(EveryExtreme, IsAsExpectedOrKnownNotToBe) {
                                                           "group_symbolic_explicit)$")});
   EXPECT_FALSE(results.empty());
   for (const auto& [name, r] : worst_by_case(results)) {
-    const Verdict verdict = r.judgement.verdict;
+    const Verdict verdict = r.verification.verdict;
     const KnownDefect* known = find_known_defect(GetParam().number, name);
     if (!known) {
       EXPECT_EQ(badness(verdict), badness(Verdict::as_expected))
-          << name << ", " << r.id << ": " << r.judgement.reason;
+          << name << ", " << r.id << ": " << r.verification.reason;
     } else {
       EXPECT_EQ(badness(verdict), badness(known->verdict))
           << name << " does better or worse than known: change tests/extremes/known_defects.cpp; "
-          << r.id << ": " << r.judgement.reason;
+          << r.id << ": " << r.verification.reason;
     }
   }
   for (const KnownDefect& known : known_defects())

@@ -84,16 +84,6 @@ TEST(Bench, HasEveryExperimentByItsName) {
   EXPECT_NE(said("accuracy --quick").find("--record FILE is missing"), std::string::npos);
 }
 
-TEST(Bench, MeasuresDrift) {
-  const std::string drift = "accuracy --drift four_bar/24 group_symbolic_inlined";
-  EXPECT_EQ(run_bench(drift + " 3000"), 0);
-  EXPECT_NE(said(drift + " 2500 1e-10").find("2500 steps of 0.01 s"), std::string::npos);
-  EXPECT_EQ(run_bench(drift + " many"), 64);
-  EXPECT_EQ(run_bench("accuracy --drift four_bar/24"), 64);
-  EXPECT_EQ(run_bench("accuracy --drift no_such_mechanism group_symbolic_inlined"), 64);
-  EXPECT_EQ(run_bench(drift + " --record drift.json"), 64);
-}
-
 TEST(Bench, ValidatesTuningOfMechanismsThatItHas) {
   const std::string record = testing::TempDir() + "desmo_validation.json";
   EXPECT_EQ(run_bench("accuracy --validate-tuning --mechanism abacus --record " + record), 64);

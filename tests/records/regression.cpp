@@ -1,4 +1,4 @@
-// What bench/check measures with: the probe's cells, the driver, and counts that repeat.
+// What bench/check measures with: the probe's candidates, the driver, and counts that repeat.
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -10,10 +10,9 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "bench/kit/process/child.h"
 #include "bench/regression/candidate.h"
-#include "bench/regression/cell_name.h"
-#include "bench/regression/cells.h"
-#include "bench/regression/side.h"
+#include "bench/regression/checked.h"
 #include "formulations/algebra/backend.h"
 #include "formulations/variants.h"
 
@@ -23,28 +22,28 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-TEST(CellNames, AreReadOrRefused) {
-  const CellName name = parse_cell("four_bar/24/group_symbolic_klu");
+TEST(CandidateNames, AreReadOrRefused) {
+  const CandidateName name = parse_name("four_bar/24/group_symbolic_klu");
   EXPECT_EQ(name.case_name, "four_bar");
   EXPECT_EQ(name.coordinates, 24);
   EXPECT_EQ(name.id, "group_symbolic_klu");
   for (const char* bad : {"", "four_bar", "four_bar/24", "four_bar/24/", "four_bar/x/id", "a//b"})
-    EXPECT_THROW(parse_cell(bad), std::invalid_argument) << bad;
+    EXPECT_THROW(parse_name(bad), std::invalid_argument) << bad;
 }
 
 TEST(Launch, PassesOnWhereLibrariesAre) {
   ::setenv("DESMO_LIBCOINHSL", "/some/libcoinhsl.so", 1);
-  const std::vector<std::string> all = fixed_launch({"program"}).environment;
+  const std::vector<std::string> all = bench::fixed_launch({"program"}).environment;
   ::unsetenv("DESMO_LIBCOINHSL");
   EXPECT_EQ(std::ranges::count(all, "DESMO_LIBCOINHSL=/some/libcoinhsl.so"), 1);
 }
 
-TEST(CheckedCells, UseEveryPartitionEvaluationAndAlgebraOfThisBuild) {
+TEST(Checked, UsesEveryPartitionEvaluationAndAlgebraOfThisBuild) {
   for (const Variant& v : variants()) {
     if (v.backend && v.backend->absence) continue;  // on some machines only
     bool partition = false, evaluation = false, algebra = false;
-    for (const char* cell : checked_cells) {
-      const std::string id = parse_cell(cell).id;
+    for (const std::string& name : checked_names()) {
+      const std::string id = parse_name(name).id;
       const auto same = [&](std::size_t from, std::size_t to) {
         return id.find(v.id.substr(from, to - from)) != std::string::npos;
       };
@@ -57,18 +56,19 @@ TEST(CheckedCells, UseEveryPartitionEvaluationAndAlgebraOfThisBuild) {
   }
 }
 
-TEST(Subject, WalksBackAndForthToTheSameSolution) {
-  Subject subject(parse_cell("four_bar/24/group_symbolic_klu"), 21);
-  ASSERT_TRUE(subject.analyse().ok());
-  EXPECT_EQ(subject.last_instant(), 20);
-  const Summary back = subject.walk(19, 10);
+TEST(SteppedCandidate, WalksBackAndForthToTheSameSolution) {
+  const bench::Problem problem = problem_of({"four_bar", 24, {}}, 21);
+  SteppedCandidate candidate(problem, "group_symbolic_klu");
+  ASSERT_TRUE(candidate.run().ok());
+  EXPECT_EQ(candidate.last_instant(), 20);
+  const Summary back = candidate.walk(19, 10);
   ASSERT_TRUE(back.ok());
   EXPECT_DOUBLE_EQ(back.time, 0.1);
   EXPECT_LT(back.residual, Settings{}.tolerance);
-  EXPECT_TRUE(subject.walk(11, 20).ok());
+  EXPECT_TRUE(candidate.walk(11, 20).ok());
 }
 
-TEST(Subject, ExtraStepsAreTheShareAskedFor) {
+TEST(SteppedCandidate, ExtraStepsAreTheShareAskedFor) {
   EXPECT_EQ(extra_steps(100, 1), 1);
   EXPECT_EQ(extra_steps(100, 10), 10);
   EXPECT_EQ(extra_steps(50, 10), 5);

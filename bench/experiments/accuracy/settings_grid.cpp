@@ -13,9 +13,9 @@ constexpr std::array guesses{Guess::previous, Guess::linear,   Guess::quadratic,
                              Guess::hermite3, Guess::hermite5, Guess::adams8};
 constexpr std::array updates{JacobianUpdate::newton, JacobianUpdate::step, JacobianUpdate::chord};
 constexpr std::array strides{2, 4, 8, 16, 32};
-constexpr std::array few_strides{8, 16, 32};  // errors of three sizes that no closed form has
+constexpr std::array reduced_strides{8, 16, 32};  // errors of three sizes that no closed form has
 
-/// Where Newton's method stops: a tolerance, or a number of iterations.
+/// Returns where Newton's method stops: at a tolerance, or after a number of iterations.
 std::vector<Settings> stops() {
   std::vector<Settings> all;
   for (const double tolerance : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12})
@@ -31,7 +31,7 @@ void add_strides(std::vector<Settings>& all, Settings settings, std::span<const 
   }
 }
 
-/// What instants between solved ones are interpolated from: the paper's settings, and what usually
+/// Returns settings between whose instants others are interpolated: the paper's, and what usually
 /// costs least within an error that is less than the interpolation's.
 std::vector<Settings> solved_from() {
   return {Settings{},
@@ -55,7 +55,7 @@ std::vector<Settings> reduced_settings() {
   for (const Guess guess : {Guess::previous, Guess::linear})
     for (const double tolerance : {1e-4, 1e-6, 1e-8})
       all.push_back({.tolerance = tolerance, .guess = guess});
-  add_strides(all, {}, few_strides);
+  add_strides(all, {}, reduced_strides);
   return all;
 }
 

@@ -7,18 +7,88 @@
 #include <string>
 #include <vector>
 
-#include "bench/experiments/extremes/record.h"
-#include "bench/experiments/extremes/summary.h"
+#include "bench/experiments/experiments.h"
 #include "bench/experiments/extremes/table.h"
-#include "bench/kit/common_options.h"
-#include "bench/kit/memory/kept_memory.h"
-#include "bench/kit/record/recording.h"
+#include "bench/kit/memory.h"
+#include "bench/kit/record/record.h"
 #include "cases/generators/cases.h"
 #include "formulations/algebra/blas.h"
 
 namespace desmo::extremes {
 
 namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* name(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::converged:
+      return "converged";
+    case Outcome::degraded:
+      return "degraded";
+    case Outcome::failed:
+      return "failed";
+    case Outcome::refused:
+      return "refused";
+    case Outcome::not_applicable:
+      break;
+  }
+  return "not_applicable";
+}
+
+const char* name(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::as_expected:
+      return "as_expected";
+    case Verdict::missed:
+      return "missed";
+    case Verdict::defect:
+      return "defect";
+    case Verdict::not_applicable:
+      break;
+  }
+  return "not_applicable";
+}
+
+double rounded(double value) { return bench::rounded(value, 4); }
+
+Json worst_json(const PerLevel<WorstError>& worst) {
+  Json j;
+  for (const Level level : levels) {
+    const WorstError& e = worst[level];
+    j[bench::level_names[level]] = {
+        {"error", rounded(e.error)}, {"floor", rounded(e.floor)}, {"allowed", rounded(e.allowed)}};
+  }
+  return j;
+}
+
+/// Returns an element of `rows` in the record (results/record.schema.json).
+Json row_json(const Extreme& row) {
+  return {{"row", row.number},
+          {"name", row.name},
+          {"extreme", row.extreme},
+          {"expected", row.expected}};
+}
+
+/// Returns an element of `results` in the record.
+Json result_json(const Result& r) {
+  const Verification& v = r.verification;
+  Json j = {{"row", r.row->number},
+            {"case", r.case_name},
+            {"id", r.id},
+            {"outcome", name(v.outcome)},
+            {"verdict", name(v.verdict)}};
+  if (!v.reason.empty()) j["reason"] = v.reason;
+  if (v.instants > 0) {
+    j["instants"] = v.instants;
+    j["iterations"] = v.iterations;
+    j["refactorisations"] = v.refactorisations;
+  }
+  if (!v.worst) return j;
+  j["condition"] = rounded(r.condition);
+  j["worst"] = worst_json(*v.worst);
+  return j;
+}
 
 struct Options : bench::CommonOptions {
   std::string cases;
@@ -53,7 +123,7 @@ std::string all_monitors() {
   return names;
 }
 
-/// Whether no formulation gave wrong numbers without a flag.
+/// Returns whether no formulation gave wrong numbers without a flag.
 bool measure(const Options& options, const std::string& command) {
   const std::vector<const Extreme*> rows = chosen_rows(options.rows);
   Selection selection{.extent = options.quick ? Extent::brief : Extent::full,
@@ -61,8 +131,7 @@ bool measure(const Options& options, const std::string& command) {
                       .cases = std::regex(options.cases),
                       .without = left_out(options.without)};
   bench::Recording recording(options.record, command);
-  nlohmann::ordered_json lists = {{"rows", nlohmann::ordered_json::array()},
-                                  {"results", nlohmann::ordered_json::array()}};
+  Json lists = {{"rows", Json::array()}, {"results", Json::array()}};
   std::size_t defects = 0;
   for (const Extreme* row : rows) {
     selection.say = [&](const std::string& name) {
@@ -86,13 +155,12 @@ int run(const bench::CommandLine& line) {
                     {.quick = "what takes seconds, not minutes",
                      .filtered = "the formulation's id",
                      .repetitions = {}});
-  table.positives("--row", "N", options.rows,
-                  "Only this row of the table; more than once where wanted");
-  table.text("--case", "REGEX", options.cases,
-             "Only where this regular expression is found in\nthe name of the case");
-  table.texts("--without", "MONITOR", options.without,
-              "Leave a monitor out, to see what it finds:\n" + all_monitors());
-  if (!bench::read_options(table, line)) return 0;
+  table.add("--row", "N", &options.rows, "Only this row of the table; more than once where wanted");
+  table.add("--case", "REGEX", &options.cases,
+            "Only where this regular expression is found in\nthe name of the case");
+  table.add("--without", "MONITOR", &options.without,
+            "Leave a monitor out, to see what it finds:\n" + all_monitors());
+  if (!table.read(line)) return 0;
   bench::keep_freed_memory();
   set_blas_threads(1);
   return measure(options, line.text) ? 0 : 1;

@@ -2,76 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 #include <vector>
 
-#include "bench/experiments/extremes/allowed.h"
+#include "bench/experiments/extremes/errors.h"
+#include "bench/kit/problem.h"
 
 namespace desmo::extremes {
 
 namespace {
 
-constexpr PerLevel<const char*> level_names{"position", "velocity", "acceleration"};
-
 /// Bytes that a long run may hold more of at its end: factors made anew are not always of one size.
 constexpr std::int64_t max_growth = 4096;
 
-std::string formatted(const char* format, auto... values) {
-  char text[256];
-  std::snprintf(text, sizeof text, format, values...);
-  return text;
-}
+using Flag = CaseRun::Flag;
 
-/// An instant, for people: its time, or which start it is.
-std::string at(const Problem& p, std::size_t instant) {
-  if (p.definition->starts) return formatted("from start %zu", instant + 1);
-  return formatted("at t = %.9g s", p.definition->scene.grid.time(static_cast<int>(instant)));
-}
-
-using Flag = Attempt::Flag;
-
-/// The worst of an attempt's errors, and the first that is wrong, or only more than is allowed.
-struct Errors {
-  std::optional<PerLevel<WorstError>> worst;
-  std::string defect, inexact;
-};
-
-/// What is neither within the tolerance that was asked for nor for conditioning to excuse is wrong,
-/// unless a bound that stands with it says so.
-bool is_wrong(const WorstError& e, double tolerance, double stated) {
-  return e.error > std::max({e.allowed, 10 * std::max(tolerance, e.floor), stated});
-}
-
-Errors errors_of(const Problem& p, const Attempt& a, const Allowed& allowed) {
-  Errors found;
-  for (std::size_t part = 0; part < a.errors.size(); ++part)
-    for (std::size_t next = 0; next < a.errors[part].size(); ++next) {
-      const Flag flag = a.steps.size() > static_cast<std::size_t>(p.compared[next])
-                            ? a.steps[p.compared[next]].flag
-                            : Flag::failed;
-      if (!a.errors[part][next] || flag == Flag::doubtful) continue;
-      if (!found.worst) found.worst.emplace();
-      for (const Level level : levels) {
-        const WorstError e{(*a.errors[part][next])[level], p.answers[part].floor[next][level],
-                           allowed(level, part, next)};
-        WorstError& worst = (*found.worst)[level];
-        if (worst.allowed == 0 || e.error * worst.allowed > worst.error * e.allowed) worst = e;
-        if (!(e.error > e.allowed)) continue;
-        const double stated = flag == Flag::degraded ? a.stated[next]->bound[level] : 0;
-        const bool wrong = p.definition->bound == Bound::estimates ||
-                           is_wrong(e, p.definition->scene.tolerance, stated);
-        std::string& first = wrong ? found.defect : found.inexact;
-        if (first.empty())
-          first = formatted("%s wrong by %.1e %s, allowed %.1e", level_names[level], e.error,
-                            at(p, p.compared[next]).c_str(), e.allowed);
-      }
-    }
-  return found;
-}
-
-/// The first instant with numbers where there is no answer.
-std::string unflagged(const Problem& p, const Attempt& a) {
+/// Returns the first instant with numbers where there is no answer.
+std::string unflagged(const KnownCase& p, const CaseRun& a) {
   if (p.definition->is_refused) return {};
   for (std::size_t i = 0; i < a.steps.size(); ++i)
     if (a.steps[i].flag == Flag::none && !p.solvable[i])
@@ -79,20 +26,20 @@ std::string unflagged(const Problem& p, const Attempt& a) {
   return {};
 }
 
-/// Whether conditioning explains that an instant, one of those compared, is degraded.
-bool is_excused(const Problem& p, const Attempt& a, std::size_t instant) {
-  constexpr double most_over_floor = 1000;
+/// Tells whether conditioning explains that an instant, one of those compared, is degraded.
+bool is_excused(const KnownCase& p, const CaseRun& a, std::size_t instant) {
+  constexpr double max_over_floor = 1000;
   const auto found = std::ranges::lower_bound(p.compared, static_cast<int>(instant));
   if (found == p.compared.end() || *found != static_cast<int>(instant)) return true;
   const std::size_t next = found - p.compared.begin();
   return std::ranges::any_of(p.answers, [&](const Answers& of_part) {
     return std::ranges::all_of(levels, [&](Level l) {
-      return a.stated[next]->bound[l] <= most_over_floor * of_part.floor[next][l];
+      return a.stated[next]->bound[l] <= max_over_floor * of_part.floor[next][l];
     });
   });
 }
 
-std::string needless_flag(const Problem& p, const Attempt& a) {
+std::string needless_flag(const KnownCase& p, const CaseRun& a) {
   if (p.definition->may_fail) return {};
   for (std::size_t i = 0; i < a.steps.size(); ++i)
     if (p.solvable[i] && a.steps[i].flag != Flag::none &&
@@ -101,7 +48,7 @@ std::string needless_flag(const Problem& p, const Attempt& a) {
   return {};
 }
 
-std::string other_iterations(const Attempt& a, const Attempt& first) {
+std::string other_iterations(const CaseRun& a, const CaseRun& first) {
   for (std::size_t i = 0; i < std::min(a.steps.size(), first.steps.size()); ++i)
     if (std::abs(a.steps[i].iterations - first.steps[i].iterations) > 1)
       return formatted("%g iterations where the first case has %g", a.steps[i].iterations,
@@ -113,41 +60,42 @@ bool is_named(const Model& m, GroupId group, const std::string& body) {
   return group >= 0 && std::ranges::count(m.groups[group].bodies, body) > 0;
 }
 
-/// By which factor an estimate of the condition number may be off.
-constexpr double most_off = 10;
+/// Allowed factor between an estimate of the condition number and the number.
+constexpr double max_factor = 10;
 
-double condition_of(const Problem& p) {
+double condition_of(const KnownCase& p) {
   double condition = 0;
   for (const Answers& of_part : p.answers) condition = std::max(condition, of_part.condition);
   return condition;
 }
 
-/// A condition number that is said to be much smaller than it is.
-std::string understated_condition(const Problem& p, const Attempt& a) {
+/// Returns a condition number that is said to be much smaller than it is.
+std::string understated_condition(const KnownCase& p, const CaseRun& a) {
   const double condition = condition_of(p);
-  if (p.definition->bound != Bound::estimates || a.most.condition >= condition / most_off)
+  if (p.definition->bound != Bound::estimates || a.max.condition >= condition / max_factor)
     return {};
-  return formatted("condition %.1e said to be %.1e", condition, a.most.condition);
+  return formatted("condition %.1e said to be %.1e", condition, a.max.condition);
 }
 
-/// What is said of the whole run, where it says too much.
-std::string overstated(const Problem& p, const Attempt& a) {
+/// Returns what is said of the whole run, where it says too much.
+std::string overstated(const KnownCase& p, const CaseRun& a) {
   const double condition = condition_of(p);
-  if (!(a.most.condition <= most_off * condition))
-    return formatted("condition %.1e said to be %.1e", condition, a.most.condition);
+  if (!(a.max.condition <= max_factor * condition))
+    return formatted("condition %.1e said to be %.1e", condition, a.max.condition);
   double allowed =
       p.definition->factor * std::max(p.definition->scene.tolerance, std::ldexp(condition, -53));
   for (const Level level : levels) {
-    if (!(a.most.bound[level] <= allowed))
-      return formatted("%s said to be wrong by up to %.1e, more than %.1e", level_names[level],
-                       a.most.bound[level], allowed);
+    if (!(a.max.bound[level] <= allowed))
+      return formatted("%s said to be wrong by up to %.1e, more than %.1e",
+                       bench::level_names[level], a.max.bound[level], allowed);
     allowed *= std::max(condition, 1.0);
   }
   return {};
 }
 
-/// An end of what cannot be solved that a run went on past, where it is not known well enough.
-std::string wrong_end(const Problem& p, const Attempt& a) {
+/// Returns an end of what cannot be solved that a run went on past, where it is not known well
+/// enough.
+std::string wrong_end(const KnownCase& p, const CaseRun& a) {
   constexpr double bracket = 1e-9;  // s
   std::vector<double> found;
   for (const Gap& gap : a.gaps) {
@@ -167,8 +115,8 @@ bool is_idle(const ModellingResult& modelled, const std::string& body) {
   return std::ranges::count(modelled.idle, body, &IdleFreedom::body) > 0;
 }
 
-/// What was expected and is not there, although nothing is wrong.
-std::string shortcoming(const Problem& p, const Attempt& a, const Yardsticks& yardsticks) {
+/// Returns what was expected and is not there, although nothing is wrong.
+std::string shortcoming(const KnownCase& p, const CaseRun& a, const Yardsticks& yardsticks) {
   const ExtremeCase& c = *p.definition;
   if (c.bound == Bound::first_case && yardsticks.first_case)
     if (std::string why = other_iterations(a, *yardsticks.first_case); !why.empty()) return why;
@@ -186,28 +134,28 @@ std::string shortcoming(const Problem& p, const Attempt& a, const Yardsticks& ya
   return {};
 }
 
-Judgement without_numbers(Outcome outcome, Verdict verdict, std::string reason) {
+Verification without_numbers(Outcome outcome, Verdict verdict, std::string reason) {
   return {.outcome = outcome, .verdict = verdict, .reason = std::move(reason), .worst = {}};
 }
 
 }  // namespace
 
-Judgement judge(const Problem& p, const Attempt& a, const Yardsticks& yardsticks) {
+Verification verify(const KnownCase& p, const CaseRun& a, const Yardsticks& yardsticks) {
   const ExtremeCase& c = *p.definition;
-  if (a.ending == Attempt::Ending::not_applicable)
+  if (a.ending == CaseRun::Ending::not_applicable)
     return without_numbers(Outcome::not_applicable, Verdict::not_applicable, a.message);
-  if (a.ending == Attempt::Ending::refused)
+  if (a.ending == CaseRun::Ending::refused)
     return without_numbers(Outcome::refused, c.is_refused ? Verdict::as_expected : Verdict::missed,
                            c.is_refused ? "" : a.message);
   if (!p.no_answer.empty())
     return without_numbers(Outcome::not_applicable, Verdict::not_applicable,
                            "nothing to compare with: " + p.no_answer);
 
-  Judgement j;
+  Verification j;
   j.instants = static_cast<long>(a.steps.size());
   j.iterations = a.iterations;
   j.refactorisations = a.refactorisations;
-  for (const Attempt::Step& step : a.steps) {
+  for (const CaseRun::Step& step : a.steps) {
     if (step.flag == Flag::failed) j.outcome = Outcome::failed;
     if (step.flag != Flag::none && j.outcome == Outcome::converged) j.outcome = Outcome::degraded;
   }
@@ -220,7 +168,7 @@ Judgement judge(const Problem& p, const Attempt& a, const Yardsticks& yardsticks
     return j.outcome == Outcome::failed && j.instants == 1
                ? j
                : end(Verdict::defect, "numbers for what is no mechanism");
-  Errors errors = errors_of(p, a, Allowed(p, a, yardsticks));
+  WorstErrors errors = errors_of(p, a, yardsticks);
   j.worst = errors.worst;
   if (!errors.defect.empty()) return end(Verdict::defect, std::move(errors.defect));
   if (std::string why = unflagged(p, a); !why.empty()) return end(Verdict::defect, std::move(why));

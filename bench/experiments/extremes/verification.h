@@ -3,8 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "bench/experiments/extremes/candidate.h"
-#include "bench/experiments/extremes/problem.h"
+#include "bench/experiments/extremes/errors.h"
 
 namespace desmo::extremes {
 
@@ -24,30 +23,19 @@ enum class Verdict {
   not_applicable,  ///< the reason says why
 };
 
-/// The worst of the errors at one level, beside what it was judged by.
-struct WorstError {
-  double error = 0, floor = 0, allowed = 0;
-};
-
-/// A case in one formulation, judged.
-struct Judgement {
+/// The verification of a case in one formulation.
+struct Verification {
   Outcome outcome = Outcome::converged;
   Verdict verdict = Verdict::as_expected;
   std::string reason;  ///< when not as expected
-  /// Nothing where no number was compared. The worst is the one that is the most of what is
-  /// allowed; at a level of which nothing is allowed to be wrong, the largest.
+  /// The errors that are the most of what is allowed, where numbers were compared; at a level
+  /// where no error is allowed, the largest.
   std::optional<PerLevel<WorstError>> worst;
   long iterations = 0;        ///< of all instants
   long instants = 0;          ///< tried
   long refactorisations = 0;  ///< of pivots kept that had gone bad
 };
 
-/// Attempts that others are measured by.
-struct Yardsticks {
-  const Attempt* first_case = nullptr;  ///< of the row, in the same formulation
-  const Attempt* new_pivots = nullptr;  ///< the same case, with pivots chosen anew
-};
-
-Judgement judge(const Problem& problem, const Attempt& attempt, const Yardsticks& yardsticks);
+Verification verify(const KnownCase& known, const CaseRun& run, const Yardsticks& yardsticks);
 
 }  // namespace desmo::extremes

@@ -7,7 +7,7 @@
 
 namespace desmo::paper {
 
-/// What goes beyond the paper, as ids with settings, at the largest of the paper's sizes: the
+/// Ids that the paper does not have, at the largest of its sizes: the
 /// reference with its own best settings, and generated code with the same guess, one part after the
 /// other, copies of an axle at once, segments of the motion at once, and those on two threads, on
 /// registers of 256 and of 512 bits; all with a tolerance that keeps errors below 1e-9.

@@ -4,18 +4,20 @@
 #include <optional>
 #include <vector>
 
-#include "bench/experiments/paper/options.h"
-#include "bench/experiments/paper/run_progress.h"
 #include "bench/kit/candidate.h"
+#include "bench/kit/process/progress.h"
 
 namespace desmo::paper {
 
+/// Work of a candidate on the progress line: verification, and all its repetitions.
+inline constexpr double work_of_candidate = 2;
+
 /// Verifies and profiles all, and times what is verified by Google Benchmark, whose flags have been
-/// read: in turn, in an order of its own, each as often as asked for or as is worth it. What is
-/// wrong is said on standard error. first: the console has nothing yet.
+/// read: in turn, in an order of its own, each as often as asked for or as is worth it. Says on
+/// standard error what is wrong. first: the console has nothing yet.
 /// Returns {"failed": whether anything did, "lists": what a record says (lists_of)}.
-nlohmann::ordered_json measure(const std::vector<Candidate*>& all,
+nlohmann::ordered_json measure(const std::vector<bench::Candidate*>& all,
                                std::optional<int> asked_repetitions, bool first,
-                               RunProgress& progress);
+                               bench::Progress& progress);
 
 }  // namespace desmo::paper

@@ -16,17 +16,17 @@ void add_options(OptionTable& table, Options& o) {
                     {.quick = "1.5 s of motion and 2 repetitions",
                      .filtered = "<case>/<coordinates>/<id>",
                      .repetitions = "as many as take 2 s together, 3 to 20"});
-  table.positive("--step", "SECONDS", o.step, "Time step (the case's, 0.01)");
-  table.positive("--duration", "SECONDS", o.duration, "Motion analysed (the case's, 30)");
-  table.positive("--dense-limit", "N", o.dense_limit,
-                 "Coordinates up to which dense global solves run (114)");
-  table.positive("--slow-limit", "N", o.slow_limit,
-                 "Coordinates up to which SPQR, and UMFPACK and SparseLU\nin blocks, run (114)");
-  table.positive("--peer-limit", "SECONDS", o.peer_limit,
-                 "CPU time a rival may take for the motion (60)");
-  table.texts("--formulation", "ID", o.formulations,
-              "Add a formulation with settings as suffixes, such as\n"
-              "global_automatic_klu/guess:hermite5; more than once where wanted");
+  table.add("--step", "SECONDS", &o.step, "Time step (the case's, 0.01)");
+  table.add("--duration", "SECONDS", &o.duration, "Motion analysed (the case's, 30)");
+  table.add("--dense-limit", "N", &o.dense_limit,
+            "Coordinates up to which dense global solves run (114)");
+  table.add("--slow-limit", "N", &o.slow_limit,
+            "Coordinates up to which SPQR, and UMFPACK and SparseLU\nin blocks, run (114)");
+  table.add("--peer-limit", "SECONDS", &o.peer_limit,
+            "CPU time a peer may take for the motion (60)");
+  table.add("--formulation", "ID", &o.formulations,
+            "Add a formulation with settings as suffixes, such as\n"
+            "global_automatic_klu/guess:hermite5; more than once where wanted");
 }
 
 /// A flag for Google Benchmark, which keeps no copy of its own.
@@ -43,7 +43,7 @@ std::string usage() {
       "desmo_bench paper: verifies, then times, every case, size and formulation.\n"
       "A benchmark is named <case>/<coordinates>/<id>; one iteration is the whole analysis.\n"
       "<case>/<coordinates>/<id>/request:<name> solves only what that request needs.\n"
-      "<case>/<coordinates>/peer:<name> is solved by a rival: by hand, or, where built\n"
+      "<case>/<coordinates>/peer:<name> is solved by a peer: by hand, or, where built\n"
       "(DESMO_PEERS), by a library.");
   add_options(table, unused);
   return table.help() +

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/kit/common_options.h"
+#include "bench/kit/options.h"
 #include "cases/mechanism/motion.h"
 
 namespace desmo::paper {
@@ -16,8 +16,8 @@ struct Options : bench::CommonOptions {
   double duration = 0;     ///< s; 0: the case's own
   int dense_limit = 114;   ///< coordinates up to which dense global solves run
   int slow_limit = 114;    ///< likewise of SPQR, and of UMFPACK and SparseLU in blocks
-  double peer_limit = 60;  ///< s of CPU time a rival may take for the motion
-  std::vector<std::string> formulations;  ///< ids with settings, to be run beside the table's
+  double peer_limit = 60;  ///< s of CPU time a peer may take for the motion
+  std::vector<std::string> formulations;  ///< ids with settings, to be run as well as the table's
   bool help = false;
 };
 
@@ -26,10 +26,10 @@ struct Options : bench::CommonOptions {
 /// unusable value.
 Options take_options(std::vector<char*>& arguments);
 
-/// The instants that are analysed: a scene's own, but for what the options say.
+/// Returns the instants that are analysed: a scene's own, but for what the options say.
 TimeGrid chosen_grid(const TimeGrid& own, const Options& options);
 
-/// Text of --help, without the flags of Google Benchmark.
+/// Returns the text of --help, without the flags of Google Benchmark.
 std::string usage();
 
 }  // namespace desmo::paper

@@ -7,8 +7,7 @@
 #include <set>
 #include <string_view>
 
-#include "bench/kit/record/model_digest.h"
-#include "bench/kit/time/cpu_clock.h"
+#include "bench/kit/digests.h"
 #include "formulations/modelling/modelling.h"
 
 namespace desmo::paper {
@@ -67,7 +66,7 @@ std::string PeerCandidate::name() const {
 }
 
 void PeerCandidate::verify(ReferenceCache& references) {
-  if (state != State::untouched) return;
+  if (state != State::unverified) return;
   try {
     scene_ = describe(definition, coordinates);
     model_ = std::make_unique<Model>(make_model(scene_));
@@ -129,25 +128,25 @@ std::vector<std::pair<std::string, double>> PeerCandidate::counters() const {
 }
 
 std::vector<std::unique_ptr<PeerCandidate>> make_peer_candidates(const Options& options) {
-  std::vector<std::unique_ptr<PeerCandidate>> cells;
+  std::vector<std::unique_ptr<PeerCandidate>> candidates;
   for_every_size([&](const Case& c, int n) {
     for (const PeerDefinition* peer : peers())
-      cells.push_back(std::make_unique<PeerCandidate>(c, n, *peer, options));
+      candidates.push_back(std::make_unique<PeerCandidate>(c, n, *peer, options));
   });
-  return cells;
+  return candidates;
 }
 
 std::vector<std::unique_ptr<CaseCandidate>> make_candidates_for_peers(const Options& options) {
   std::set<Guess> guesses;
   for (const PeerDefinition* peer : peers()) guesses.insert(peer->guess);
-  std::vector<std::unique_ptr<CaseCandidate>> cells;
+  std::vector<std::unique_ptr<CaseCandidate>> candidates;
   for_every_size([&](const Case& c, int n) {
     for (const Guess guess : guesses)
       for (const std::string_view id : formulations)
-        cells.push_back(std::make_unique<CaseCandidate>(c, n, find_variant(id), options,
-                                                        Settings{.guess = guess}));
+        candidates.push_back(std::make_unique<CaseCandidate>(c, n, find_variant(id), options,
+                                                             Settings{.guess = guess}));
   });
-  return cells;
+  return candidates;
 }
 
 }  // namespace desmo::paper

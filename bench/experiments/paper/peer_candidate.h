@@ -13,7 +13,7 @@
 
 namespace desmo::paper {
 
-/// One case at one size solved by a rival.
+/// One case at one size solved by a peer.
 class PeerCandidate final : public Candidate {
  public:
   PeerCandidate(const Case& definition, int coordinates, const PeerDefinition& peer,
@@ -21,8 +21,8 @@ class PeerCandidate final : public Candidate {
 
   /// <case>/<coordinates>/peer:<name>
   std::string name() const override;
-  /// Against the quadruple-precision reference, in the coordinates that the rival finds. Left out
-  /// when the whole motion would take longer than the options allow.
+  /// Compares with the quadruple-precision reference, in the coordinates that the peer finds.
+  /// Leaves it out when the whole motion would take longer than the options allow.
   void verify(ReferenceCache& references) override;
   Summary analyse() override;
   double expected_work() const override { return 10.0 * coordinates; }
@@ -33,7 +33,7 @@ class PeerCandidate final : public Candidate {
   const PeerDefinition& peer;
 
   std::string setup;  ///< what had to be set up, in words
-  int compared = 0;   ///< coordinates that the rival finds
+  int compared = 0;   ///< coordinates that the peer finds
 
  private:
   void make() override;
@@ -46,10 +46,10 @@ class PeerCandidate final : public Candidate {
   std::vector<double> q_, qd_, qdd_;  // where answers are delivered
 };
 
-/// Every rival of this build at every size of every case.
+/// Returns every peer of this build at every size of every case.
 std::vector<std::unique_ptr<PeerCandidate>> make_peer_candidates(const Options& options);
 
-/// Our formulations that rivals are measured against, starting from the same guesses as they do.
+/// Returns our formulations that peers are compared with, starting from the same guesses.
 std::vector<std::unique_ptr<CaseCandidate>> make_candidates_for_peers(const Options& options);
 
 }  // namespace desmo::paper

@@ -12,21 +12,21 @@ namespace desmo::paper {
 
 namespace {
 
-/// What one measurement costs of itself.
+/// Returns what one measurement costs of itself.
 double clock_seconds() {
   constexpr int calls = 20'000;
   double best = 1;
-  for (int attempt = 0; attempt < 5; ++attempt) {
+  for (int i = 0; i < 5; ++i) {
     Profile empty;
     const auto start = std::chrono::steady_clock::now();
-    for (int i = 0; i < calls; ++i) empty.measure(Phase::residual, [] {});
+    for (int call = 0; call < calls; ++call) empty.measure(Phase::residual, [] {});
     const std::chrono::duration<double> d = std::chrono::steady_clock::now() - start;
     best = std::min(best, d.count() / calls);
   }
   return best;
 }
 
-/// One pass over the grid.
+/// Measures one pass over the grid.
 PhaseTimes one_pass(Formulation& formulation, Profile& profile, const TimeGrid& grid,
                     double clock) {
   Delivery observer(formulation.model().coordinates());

@@ -10,9 +10,8 @@
 #include <utility>
 
 #include "bench/experiments/paper/extended_ids.h"
-#include "bench/kit/record/model_digest.h"
-#include "bench/kit/structure.h"
-#include "bench/kit/time/cpu_clock.h"
+#include "bench/kit/digests.h"
+#include "bench/kit/problem.h"
 #include "cases/io/files.h"
 #include "cases/library/library.h"
 #include "formulations/modelling/modelling.h"
@@ -21,15 +20,17 @@ namespace desmo::paper {
 
 namespace {
 
-/// With these, requests are timed: the reference, and what can leave out more and more.
+/// Formulations with which requests are timed: the reference, and others that can leave out more
+/// and more.
 constexpr std::array<std::string_view, 6> requested_ids{
     "global_automatic_klu",   "global_symbolic_klu",     "group_symbolic_inlined",
     "block_symbolic_inlined", "group_symbolic_explicit", "block_symbolic_explicit"};
 
-/// As far as double precision goes, for the whole mechanism.
+/// The tolerance as far as double precision goes, for the whole mechanism.
 constexpr double converged = 1e-13;
 
-/// What is asked, component by component; what never moves needs no solving and no delivery.
+/// Returns what is asked, component by component; what never moves needs no solving and no
+/// delivery.
 std::vector<AskedComponent> components(const Model& whole, const Plan& plan,
                                        std::span<const Asked> asked) {
   std::vector<AskedComponent> result;
@@ -57,7 +58,7 @@ void compare(Errors& largest, std::span<const AskedComponent> asked, const Insta
 
 Instant instant_of(const Formulation& f, double t) { return {0, t, f.q(), f.qd(), f.qdd()}; }
 
-/// What came of a request beside a reference of the whole mechanism.
+/// Compares a request with a reference of the whole mechanism.
 class VerifyingRequest final : public DeliveryAtReference<RequestedDelivery> {
  public:
   VerifyingRequest(std::span<const ReferenceInstant> reference,
@@ -199,7 +200,7 @@ std::unique_ptr<Formulation> RequestCandidate::made_with_tolerance(double tolera
 }
 
 void RequestCandidate::verify(ReferenceCache& references) {
-  if (state != State::untouched) return;
+  if (state != State::unverified) return;
   if (const std::string reason = unavailable_reason(settings); !reason.empty())
     return leave_out(reason);
   try {
@@ -267,21 +268,21 @@ std::vector<std::pair<std::string, double>> RequestCandidate::counters() const {
 }
 
 std::vector<std::unique_ptr<RequestCandidate>> make_request_candidates(const Options& options) {
-  std::vector<std::unique_ptr<RequestCandidate>> cells;
+  std::vector<std::unique_ptr<RequestCandidate>> candidates;
   for (const RequestScene& source : request_scenes()) {
     const Scene scene = parse_scene(source.scene, std::string(source.name), {});
     const auto request = std::make_shared<const PlannedRequest>(source.name, scene, options);
     const auto add = [&](std::string_view id) {
       const auto [variant, settings] = parse_id(id);
-      cells.push_back(std::make_unique<RequestCandidate>(request, *variant, settings));
+      candidates.push_back(std::make_unique<RequestCandidate>(request, *variant, settings));
       if (settings.threads > 1)
-        cells.push_back(std::make_unique<RequestCandidate>(request, *variant,
-                                                           on_one_thread(settings), Clock::wall));
+        candidates.push_back(std::make_unique<RequestCandidate>(
+            request, *variant, on_one_thread(settings), Clock::wall));
     };
     std::ranges::for_each(requested_ids, add);
     if (source.name == extended_request) std::ranges::for_each(extended_ids, add);
   }
-  return cells;
+  return candidates;
 }
 
 }  // namespace desmo::paper

@@ -51,14 +51,14 @@ class RequestedDelivery final : public Observer {
  public:
   explicit RequestedDelivery(std::span<const AskedComponent> asked);
   void observe(const Instant& instant) override;
-  /// Where every level is asked of the same coordinates, each once.
+  /// Offers rooms where every level is asked of the same coordinates, each once.
   std::optional<RoomShape> rooms() const override;
   void take_rooms(std::span<const int>, std::span<Room> rooms) override {
     for (Room& room : rooms) room = rooms_.take();
   }
   bool takes_any_order() const override { return true; }
 
-  /// Where a coordinate that is asked for stands in the values of a level.
+  /// Returns the place of a coordinate that is asked for in the values of a level.
   std::size_t place(int coordinate, Level level) const;
   /// What came last.
   std::span<const double> q() const { return {last_.q, q_.size()}; }
@@ -72,15 +72,11 @@ class RequestedDelivery final : public Observer {
   Room last_{};
 };
 
-/// Largest absolute differences of what is asked, at the levels asked, between two formulations
-/// that step through the same instants. Throws std::runtime_error, saying where, when one of them
-/// cannot be solved.
+/// Returns the largest absolute differences of what is asked, at the levels asked, between two
+/// formulations that step through the same instants. Throws std::runtime_error, saying where, when
+/// one of them cannot be solved.
 Errors max_differences(Formulation& whole, Formulation& kept, std::span<const AskedComponent> asked,
                        Level level, const TimeGrid& grid);
-
-/// What a request's answers may differ from those of the whole mechanism when both are converged
-/// as far as double precision goes.
-inline constexpr double allowed_request_difference = 1e-12;
 
 /// One request with one formulation.
 class RequestCandidate final : public Candidate {
@@ -92,8 +88,8 @@ class RequestCandidate final : public Candidate {
   std::string id() const { return id_with(variant, settings) + clock_suffix(); }
   /// <case>/<coordinates>/<id>/request:<name>
   std::string name() const override;
-  /// Against the whole mechanism, both converged as far as double precision goes, which shows that
-  /// nothing needed was left out; and, as it is timed, against the quadruple-precision reference.
+  /// Compares with the whole mechanism, both converged as far as double precision goes, which shows
+  /// that nothing needed was left out; and, as it is timed, with the quadruple-precision reference.
   void verify(ReferenceCache& references) override;
   Summary analyse() override;
   double expected_work() const override { return request_->whole.coordinates(); }
@@ -109,7 +105,7 @@ class RequestCandidate final : public Candidate {
   void make() override;
   void discard() override { formulation_.reset(); }
   std::unique_ptr<Formulation> made_with_tolerance(double tolerance) const;
-  /// Empty when the answers are those of the whole mechanism; otherwise what is wrong.
+  /// Returns what is wrong; empty when the answers are those of the whole mechanism.
   std::string compare_with_whole();
   Summary run(Observer& observer);
 
@@ -118,7 +114,7 @@ class RequestCandidate final : public Candidate {
   WindowedDelivery<RequestedDelivery> delivery_;
 };
 
-/// Every request of the library with every formulation that requests are timed with.
+/// Returns every request of the library with every formulation that requests are timed with.
 std::vector<std::unique_ptr<RequestCandidate>> make_request_candidates(const Options& options);
 
 }  // namespace desmo::paper

@@ -8,14 +8,14 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "bench/kit/process/child.h"
 #include "bench/kit/process/progress.h"
-#include "bench/regression/side.h"
 
-namespace desmo::regression {
+namespace desmo::bench {
 
 namespace {
 
-/// By way of env, which looks for it.
+/// Returns valgrind by way of env, which looks for it.
 Launch valgrind(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), {"/usr/bin/env", "valgrind"});
   return fixed_launch(std::move(arguments));
@@ -49,10 +49,10 @@ std::string counting_tool() {
 }
 
 void count_on_all_cores(std::size_t count, const std::function<void(std::size_t)>& work) {
-  bench::Progress progress("instruction counts", static_cast<int>(count));
+  Progress progress("instruction counts", static_cast<double>(count));
   std::atomic<std::size_t> next = 0;
   const auto some = [&] {
-    for (std::size_t i; (i = next++) < count; progress.one_done()) work(i);
+    for (std::size_t i; (i = next++) < count; progress.done()) work(i);
   };
   std::vector<std::future<void>> workers;
   for (std::size_t i = 0; i < std::max<std::size_t>(1, usable_cores().size()); ++i)
@@ -60,4 +60,4 @@ void count_on_all_cores(std::size_t count, const std::function<void(std::size_t)
   for (std::future<void>& worker : workers) worker.get();
 }
 
-}  // namespace desmo::regression
+}  // namespace desmo::bench

@@ -10,10 +10,13 @@
 
 #include <array>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <stdexcept>
 
-namespace desmo::regression {
+#include "formulations/algebra/coinhsl.h"
+
+namespace desmo::bench {
 
 namespace {
 
@@ -37,7 +40,7 @@ int copy_of(const char* path) {
   throw std::runtime_error(std::string(path) + " cannot be copied: " + std::strerror(errno));
 }
 
-/// In the new process: only what is safe between fork and exec.
+/// Turns the new process into the program, by what is safe between fork and exec alone.
 [[noreturn]] void become(int core, int program, int in, int out, char* const* arguments,
                          char* const* variables) {
   if (core >= 0) {
@@ -63,6 +66,16 @@ int wait_for(pid_t process) {
 }
 
 }  // namespace
+
+Launch fixed_launch(std::vector<std::string> arguments) {
+  Launch launch{
+      std::move(arguments),
+      {"LC_ALL=C", "LD_BIND_NOW=1", "OPENBLAS_NUM_THREADS=1", "PATH=/usr/local/bin:/usr/bin:/bin"}};
+  for (const char* name : {"LD_LIBRARY_PATH", coinhsl_variable})
+    if (const char* libraries = std::getenv(name))
+      launch.environment.push_back(std::string(name) + "=" + libraries);
+  return launch;
+}
 
 Child::Child(const Launch& launch) : program_(launch.arguments[0]) {
   const int copy = launch.fresh_copy ? copy_of(launch.arguments[0].c_str()) : -1;
@@ -136,4 +149,4 @@ std::vector<int> usable_cores() {
   return cores;
 }
 
-}  // namespace desmo::regression
+}  // namespace desmo::bench

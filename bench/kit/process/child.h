@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-namespace desmo::regression {
+namespace desmo::bench {
 
-/// How a program is run.
+/// Settings with which a program is run.
 struct Launch {
   std::vector<std::string> arguments;    ///< the program's path first
   std::vector<std::string> environment;  ///< all of it, NAME=value
@@ -32,7 +32,8 @@ class Child {
   void say(std::string_view line);
   std::string answer();  ///< the next line, without its end
 
-  /// Closes its input and waits: all that it has still to say, and the exit code.
+  /// Closes its input and waits. Returns all that it has still to say; code: receives its exit
+  /// code.
   std::string finish(int& code);
 
  private:
@@ -41,10 +42,14 @@ class Child {
   std::FILE *in_ = nullptr, *out_ = nullptr;
 };
 
+/// Returns a program in a fixed environment: one thread, every symbol resolved at the start, no
+/// language. LD_LIBRARY_PATH and DESMO_LIBCOINHSL, which say where libraries are, are passed on.
+Launch fixed_launch(std::vector<std::string> arguments);
+
 /// Runs a program to its end; standard output and error go to `output`. Returns its exit code.
 int run_to_end(const Launch& launch, std::string& output);
 
-/// The cores that this process may use.
+/// Returns the cores that this process may use.
 std::vector<int> usable_cores();
 
-}  // namespace desmo::regression
+}  // namespace desmo::bench

@@ -6,44 +6,30 @@
 
 namespace desmo::bench {
 
-/// Seconds since it was made.
-class Stopwatch {
- public:
-  double elapsed() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  const Clock::time_point begin_ = Clock::now();
-};
-
-/// How far something has come and how long it will still take, on standard error: one line,
-/// rewritten, on a terminal; elsewhere a line every ten seconds. Any thread may report.
+/// A progress line on standard error, with the expected remaining time: rewritten on a terminal;
+/// elsewhere a new one every ten seconds. Any thread may report.
 class Progress {
  public:
-  /// What is counted, "rounds of 12 cells", and how many there are.
-  Progress(std::string what, int all);
+  /// what: for people, "rounds of 12 cells". work: all there is to do, in any unit.
+  Progress(std::string what, double work);
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   ~Progress();  ///< says how long it took
 
-  /// Of equal ones, so that what is left takes as long as what is done did.
-  void one_done();
-  /// So many more seconds are expected.
-  void one_done(double seconds_left);
-  /// Makes room on a terminal for other output.
-  void clear();
-
-  double elapsed() const { return since_.elapsed(); }  ///< s
+  /// Adds work that is done. The rest is expected to take as long by its amount.
+  void done(double work = 1);
+  /// Clears the line on a terminal, for other output.
+  void clear() const;
 
  private:
-  void show(double seconds_left);
+  double elapsed() const;  ///< [s]
 
   std::mutex mutex_;
   const std::string what_;
-  const int all_;
-  int done_ = 0;
+  const double all_;
+  double done_ = 0;
   const bool terminal_;
-  const Stopwatch since_;
+  const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   double shown_ = 0;  // s after the beginning
 };
 

@@ -14,7 +14,7 @@ class NewFile {
   explicit NewFile(const std::string& path);
   NewFile(const NewFile&) = delete;
   NewFile& operator=(const NewFile&) = delete;
-  /// Leaves nothing behind unless write() has succeeded.
+  /// Removes what is unfinished unless write() has succeeded.
   ~NewFile();
 
   /// Once. Throws std::runtime_error, naming the path.

@@ -10,8 +10,8 @@
 
 namespace desmo::bench {
 
-/// Into so many equal windows a motion is cut, or fewer, but two, where they would have fewer
-/// instants than that: reading the clock is to cost little beside solving them.
+/// Number of equal windows of a motion, and instants that each has at least where two can have as
+/// many: reading the clock is to cost little compared with solving them.
 inline constexpr int max_windows = 25, min_instants = 20;
 
 /// The time that analyses of a motion took for each of its windows, without that of reading

@@ -4,18 +4,17 @@
 #include <string>
 #include <vector>
 
-#include "bench/peers/tree/delivery.h"
 #include "bench/peers/tree/moving.h"
 #include "cases/mechanism/mechanism.h"
 #include "cases/mechanism/motion.h"
 
 namespace desmo::tree {
 
-/// Where a rigid axle is: its point S and its frame.
+/// The position of a rigid axle: its point S and its frame.
 struct Pose {
   Moving<Vec> s, x, y, z;
 
-  /// What is fixed to the axle, given from S in its frame.
+  /// Returns a point fixed to the axle, given from S in its frame.
   Moving<Vec> at(const Vec& local) const { return s + local[0] * x + local[1] * y + local[2] * z; }
 };
 
@@ -46,7 +45,7 @@ class Axle {
   /// heights are out of reach or Newton's method does not close the loops.
   int solve(const MotionSample<double>& left, const MotionSample<double>& right, Angles& angles);
 
-  /// Of the last solution.
+  /// Returns the iterations of the last solution.
   const Pose& pose() const { return pose_; }
   /// Everything of these bodies at the last solution.
   void deliver(Delivery& out) const;
