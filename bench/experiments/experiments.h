@@ -1,6 +1,5 @@
 #pragma once
 
-#include <span>
 #include <string_view>
 
 #include "bench/kit/options.h"
@@ -17,10 +16,7 @@ struct Experiment {
   int (*run)(const CommandLine&);
 };
 
-/// Returns all experiments, the paper's first.
-std::span<const Experiment> all_experiments();
-
-// Each stands in its folder.
+// Each stands in its folder, and in the table of main.cpp.
 int run_paper(const CommandLine&);
 int run_accuracy(const CommandLine&);
 int run_size(const CommandLine&);

@@ -54,6 +54,7 @@ struct CaseStructure {
   std::vector<PartSizes> parts;  ///< largest first; constant parts are not counted
 };
 
+/// Returns the parts of a partition by their sizes, largest first.
 std::vector<PartSizes> part_sizes(const Model& model, Partition partition);
 
 /// Returns the number of coordinates to be found at every instant: neither driven nor at rest.

@@ -19,7 +19,6 @@
 #include "bench/kit/record/new_file.h"
 #include "bench/kit/record/record.h"
 #include "bench/regression/candidate_name.h"
-#include "bench/regression/check_settings.h"
 #include "bench/regression/rounds.h"
 
 namespace desmo::regression {

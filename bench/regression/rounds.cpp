@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "bench/kit/process/progress.h"
-#include "bench/regression/check_settings.h"
 
 namespace desmo::regression {
 
@@ -44,7 +43,7 @@ Times time_rounds(const std::vector<Side>& sides, std::vector<std::string> names
                   std::uint64_t seed) {
   Random random(seed);
   const std::vector<int> cores = bench::usable_cores();
-  bench::Progress progress("rounds of " + std::to_string(names.size()) + " cells", count);
+  bench::Progress progress("rounds of " + std::to_string(names.size()) + " candidates", count);
   names.push_back(control);
   std::vector<std::size_t> order(sides.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;

@@ -9,6 +9,17 @@
 
 namespace desmo::regression {
 
+/// Settings with which the time of a candidate is measured.
+inline constexpr int instants = 51;    ///< of one analysis, 10 ms apart
+inline constexpr int rounds = 25;      ///< each with processes of its own; odd, so has a median
+inline constexpr int turns = 3;        ///< of base and head with a candidate in a round
+inline constexpr int repetitions = 2;  ///< of the analysis in a turn, after one to warm up
+
+/// Settings with which its instructions are counted.
+inline constexpr int steps = 105;
+inline constexpr int uncounted_steps = 5;  ///< the first of them (see desmo_steps)
+inline constexpr int iterations = 3;       ///< of Newton–Raphson in every step
+
 /// One of the two trees that are compared.
 struct Side {
   std::string name;    ///< "base" or "head"
@@ -31,7 +42,7 @@ using Times = std::map<std::string, std::map<std::string, std::vector<double>>>;
 /// changes from round to round. Candidates come in random order, and with each the sides take turns
 /// in random order, each turn with newly placed data. Throws std::runtime_error when a side does
 /// not answer.
-Times time_rounds(const std::vector<Side>& sides, std::vector<std::string> names, int rounds,
+Times time_rounds(const std::vector<Side>& sides, std::vector<std::string> names, int count,
                   std::uint64_t seed);
 
 }  // namespace desmo::regression

@@ -76,10 +76,10 @@ TEST(Candidates, HaveWindowsThatAreAllOfTheirTime) {
     return std::accumulate(values.begin(), values.end(), 0.0);
   };
   // Between two windows something else may run and leave the caches cold: not always.
-  constexpr int attempts = 50;
+  constexpr int max_samples = 50;
   double max_share = 0;
   int taken = 0;
-  while (taken++ < attempts && max_share < 0.95) {
+  while (taken++ < max_samples && max_share < 0.95) {
     const double least_before = sum(candidate.windows.least()), seconds = candidate.time_afresh();
     const double in_windows = sum(candidate.windows.samples().back());
     EXPECT_LE(in_windows, seconds);

@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string complaint(const std::function<Json()>& work) {
+std::string message_of(const std::function<Json()>& work) {
   try {
     in_own_process("truck/558", work);
   } catch (const std::runtime_error& e) {
@@ -39,8 +39,8 @@ TEST(OwnProcess, LeavesNoTraceInThisOne) {
 }
 
 TEST(OwnProcess, ThatEndsOtherwiseIsNamed) {
-  const std::string thrown = complaint([]() -> Json { throw std::runtime_error("no such part"); }),
-                    killed = complaint([] {
+  const std::string thrown = message_of([]() -> Json { throw std::runtime_error("no such part"); }),
+                    killed = message_of([] {
                       std::raise(SIGKILL);
                       return Json();
                     });

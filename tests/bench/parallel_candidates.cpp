@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "bench/experiments/paper/case_candidate.h"
-#include "bench/experiments/paper/record.h"
+#include "bench/experiments/paper/measurement.h"
 #include "bench/experiments/paper/request.h"
 #include "formulations/id.h"
 

@@ -1,4 +1,4 @@
-// Rivals are held to what our formulations are held to. A rival made of one of ours stands for the
+// Peers are held to what our formulations are held to. A peer made of one of ours stands for the
 // libraries, which not every build has.
 
 #include <gtest/gtest.h>
@@ -120,14 +120,14 @@ TEST_F(PeerCells, AreLeftOutWhenTheyTakeTooLong) {
 
 TEST_F(PeerCells, StandBesideFormulationsWithTheirGuess) {
   const auto peers_of_build = make_peer_candidates(options);
-  const auto beside = make_candidates_for_peers(options);
+  const auto with_peers = make_candidates_for_peers(options);
   EXPECT_EQ(peers_of_build.size(), peers().size() * 11);  // five sizes and the extra one of a case
-  std::map<std::string, int> beside_guess;
-  for (const auto& candidate : beside)
-    ++beside_guess[candidate->id().substr(candidate->id().find('/'))];
+  std::map<std::string, int> by_guess;
+  for (const auto& candidate : with_peers)
+    ++by_guess[candidate->id().substr(candidate->id().find('/'))];
   for (const PeerDefinition* peer : peers())
-    EXPECT_EQ(beside_guess["/guess:" + std::string(guess_name(peer->guess))], 3 * 11) << peer->name;
-  EXPECT_EQ(beside_guess.size(), 2u);
+    EXPECT_EQ(by_guess["/guess:" + std::string(guess_name(peer->guess))], 3 * 11) << peer->name;
+  EXPECT_EQ(by_guess.size(), 2u);
 }
 
 }  // namespace

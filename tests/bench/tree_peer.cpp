@@ -1,4 +1,4 @@
-// The rival written by hand: the same answers as ours, everywhere and in everything, and no answer
+// The peer written by hand: the same answers as ours, everywhere and in everything, and no answer
 // where there is none.
 
 #include <gtest/gtest.h>
@@ -69,7 +69,7 @@ TEST_P(TreePeers, AssembleAnewWhateverWasSolvedBefore) {
   EXPECT_EQ(solver->iterations(), iterations);
 }
 
-/// As many iterations as ours from the same guess to the same tolerance: the rival is not held
+/// As many iterations as ours from the same guess to the same tolerance: the peer is not held
 /// back.
 TEST_P(TreePeers, NeedNoMoreIterationsThanOurs) {
   const Scene scene = truck_suspension(1);
@@ -94,7 +94,7 @@ Scene rising(double left, double right) {
   return scene;
 }
 
-std::string complaint(const PeerDefinition& peer, const Scene& scene) {
+std::string message_of(const PeerDefinition& peer, const Scene& scene) {
   const Model model = make_model(scene);
   const auto solver = peer.make(scene, model);
   try {
@@ -111,12 +111,12 @@ std::string complaint(const PeerDefinition& peer, const Scene& scene) {
 
 TEST_P(TreePeers, SayWhatCannotBeClosedAndWhere) {
   for (const auto& [left, right] : {std::pair{1.0, 1.0}, {-1.0, -1.0}, {1.0, -1.0}, {0.0, 1.0}}) {
-    const std::string said = complaint(peer, rising(left, right));
+    const std::string said = message_of(peer, rising(left, right));
     EXPECT_TRUE(said.starts_with("axle1/")) << left << " " << right << ": " << said;
   }
   Scene bars = four_bar(3);
   bars.mechanism.bodies[1].length = 7;  // the crank takes B out of reach
-  EXPECT_EQ(complaint(peer, bars), "dyad1/coupler: it does not reach the rocker");
+  EXPECT_EQ(message_of(peer, bars), "dyad1/coupler: it does not reach the rocker");
 }
 
 TEST_P(TreePeers, KnowTheCasesOfTheSuiteOnly) {

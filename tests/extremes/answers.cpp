@@ -1,4 +1,4 @@
-// Whether what the extremes are judged by is right itself.
+// The answers that runs of extremes are compared with are right themselves.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -16,7 +16,7 @@ class CaseVerification : public testing::Test {
  protected:
   CaseVerification() { c.scene.tolerance = 1e-10; }
 
-  void attempted(double error) {
+  void ran(double error) {
     known = make_known_case(c);
     run.steps.assign(3, {CaseRun::Flag::none, 2});
     run.iterations = 6;
@@ -43,7 +43,7 @@ class CaseVerification : public testing::Test {
 };
 
 TEST_F(CaseVerification, AnErrorWithinTheBoundIsAsExpected) {
-  attempted(5e-10);
+  ran(5e-10);
   const Verification j = verify(known, run, {});
   EXPECT_EQ(j.verdict, Verdict::as_expected);
   EXPECT_EQ(j.outcome, Outcome::converged);
@@ -54,7 +54,7 @@ TEST_F(CaseVerification, AnErrorWithinTheBoundIsAsExpected) {
 }
 
 TEST_F(CaseVerification, AWrongNumberWithoutAFlagIsADefect) {
-  attempted(5e-10);
+  ran(5e-10);
   run.errors[0][1]->acceleration = 2e-9;
   EXPECT_EQ(verdict(), Verdict::defect);
   EXPECT_EQ(reason(), "acceleration wrong by 2.0e-09 at t = 0.1 s, allowed 1.0e-09");
@@ -62,15 +62,15 @@ TEST_F(CaseVerification, AWrongNumberWithoutAFlagIsADefect) {
 
 TEST_F(CaseVerification, LessExactThanExpectedButWithinTheToleranceIsMissed) {
   c.bound = Bound::floor;
-  attempted(5e-10);
+  ran(5e-10);
   EXPECT_EQ(verdict(), Verdict::missed);
   EXPECT_TRUE(reason().starts_with("position wrong by 5.0e-10 at t = 0 s, allowed")) << reason();
-  attempted(2e-9);
+  ran(2e-9);
   EXPECT_EQ(verdict(), Verdict::defect);
 }
 
 TEST_F(CaseVerification, ANeedlessFlagIsMissedUnlessItIsAsGoodAsAnAnswer) {
-  attempted(0);
+  ran(0);
   flag(2);
   EXPECT_EQ(verdict(), Verdict::missed);
   EXPECT_EQ(reason(), "no convergence");
@@ -81,7 +81,7 @@ TEST_F(CaseVerification, ANeedlessFlagIsMissedUnlessItIsAsGoodAsAnAnswer) {
 }
 
 TEST_F(CaseVerification, AWrongNumberWithABoundIsNoDefect) {
-  attempted(5e-10);
+  ran(5e-10);
   run.errors[0][1]->acceleration = 2e-9;
   degrade(1, 3e-9);
   EXPECT_EQ(verdict(), Verdict::missed);  // conditioning allows better
@@ -93,7 +93,7 @@ TEST_F(CaseVerification, AWrongNumberWithABoundIsNoDefect) {
 }
 
 TEST_F(CaseVerification, DegradedIsExcusedByConditioningAlone) {
-  attempted(0);
+  ran(0);
   run.message = "degraded";
   degrade(1, 1e-14);
   EXPECT_EQ(verdict(), Verdict::as_expected);
@@ -105,7 +105,7 @@ TEST_F(CaseVerification, DegradedIsExcusedByConditioningAlone) {
 TEST_F(CaseVerification, EstimatesAreJudgedThemselves) {
   c.bound = Bound::estimates;
   c.factor = 1000;
-  attempted(1e-12);
+  ran(1e-12);
   for (auto& stated : run.stated) stated->bound = {2e-12, 2e-12, 2e-12};
   run.max = {known.answers[0].condition, {2e-12, 2e-12, 2e-12}};
   EXPECT_EQ(verdict(), Verdict::as_expected) << reason();
@@ -120,7 +120,7 @@ TEST_F(CaseVerification, EstimatesAreJudgedThemselves) {
 
 TEST_F(CaseVerification, NumbersWhereThereIsNoAnswerAreADefect) {
   c.ends_singular = true;
-  attempted(0);
+  ran(0);
   run.errors[0][2].reset();
   EXPECT_EQ(verdict(), Verdict::defect);
   EXPECT_EQ(reason(), "plain numbers at t = 0.2 s, where there is no answer");
@@ -130,7 +130,7 @@ TEST_F(CaseVerification, NumbersWhereThereIsNoAnswerAreADefect) {
 
 TEST_F(CaseVerification, WhatIsToBeRefusedMayFailAtOnce) {
   c.is_refused = true;
-  attempted(0);
+  ran(0);
   EXPECT_EQ(verdict(), Verdict::defect);
   run.steps.assign(1, {CaseRun::Flag::failed});
   EXPECT_EQ(verdict(), Verdict::as_expected);
@@ -143,7 +143,7 @@ TEST_F(CaseVerification, WhatIsToBeRefusedMayFailAtOnce) {
 TEST_F(CaseVerification, WhatHasToBeReportedIs) {
   c.failing_body = "dyad1/rocker";
   c.may_fail = true;
-  attempted(0);
+  ran(0);
   flag(2);
   EXPECT_EQ(reason(), "it does not name the group of dyad1/rocker");
   run.failed_group = known.modelled->model.entities[known.modelled->model.find("dyad1/C")].group;
@@ -158,7 +158,7 @@ TEST_F(CaseVerification, WhatHasToBeReportedIs) {
 
 TEST_F(CaseVerification, EndsOfWhatCannotBeSolvedAreKnownToANanosecond) {
   c.goes_on = true;
-  attempted(0);
+  ran(0);
   known.ends = {0.05, 0.15};
   EXPECT_EQ(reason(), "it says 0 ends of answers of 2");
   run.gaps.push_back({0.05, 0.15 + 9e-10, true, {}, {}});
@@ -170,7 +170,7 @@ TEST_F(CaseVerification, EndsOfWhatCannotBeSolvedAreKnownToANanosecond) {
 TEST_F(CaseVerification, YardsticksAreOtherAttempts) {
   c.bound = Bound::first_case;
   c.factor = 4;
-  attempted(3e-12);
+  ran(3e-12);
   CaseRun first = run;
   first.errors[0].assign(3, PerLevel<double>{1e-12, 1e-12, 1e-12});
   EXPECT_EQ(verify(known, run, {&first, nullptr}).verdict, Verdict::as_expected);
@@ -179,7 +179,7 @@ TEST_F(CaseVerification, YardsticksAreOtherAttempts) {
             "2 iterations where the first case has 4");
   first.errors[0].assign(3, PerLevel<double>{});
   EXPECT_EQ(verify(known, run, {&first, nullptr}).verdict, Verdict::missed);
-  attempted(2e-9);
+  ran(2e-9);
   EXPECT_EQ(verify(known, run, {&first, nullptr}).verdict, Verdict::defect);
 }
 

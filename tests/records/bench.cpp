@@ -104,7 +104,7 @@ TEST(Bench, RunsFormulationsWithSettingsBesideTheTable) {
 TEST(Bench, RecordsAreReadByTheReport) {
   const std::string record = testing::TempDir() + "desmo_end_to_end.json";
   const std::string report = DESMO_REPORT " tables " + record + " >/dev/null 2>&1";
-  // With a cell that is not run, and with one that fails.
+  // With a candidate that is not run, and with one that fails.
   ASSERT_EQ(run_bench("--duration=0.02 --record=" + record +
                       " '--benchmark_filter=/(114|225)/global_automatic_(klu|lapack)$'"),
             0);
@@ -116,7 +116,7 @@ TEST(Bench, RecordsAreReadByTheReport) {
     EXPECT_NE(text.find("{\"case\":\"" + std::string(of)), std::string::npos) << of;
   ASSERT_EQ(run_bench("--step=2 --record=" + record + too_few), 1);
   EXPECT_EQ(std::system(report.c_str()), 0);
-  // With requests, with and without everything beside them.
+  // With requests, with and without everything else.
   for (const std::string filter : {"558/block_symbolic_inlined", "request:(damper|axle)$"}) {
     ASSERT_EQ(
         run_bench("--duration=0.02 --record=" + record + " '--benchmark_filter=" + filter + "'"),

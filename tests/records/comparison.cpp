@@ -22,7 +22,7 @@ std::string text_of(const std::string& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-// With a peer, a request, and several threads beside one.
+// With a peer, a request, and several threads and one.
 TEST(FreshRecord, IsComparableWithItselfAndGivesOne) {
   const std::string record = testing::TempDir() + "desmo_compared.json",
                     said = testing::TempDir() + "desmo_compared.txt";

@@ -98,9 +98,9 @@ class Record final : public Observer {
   /// The runs to come begin with that instant, or start.
   void begin(std::size_t first) { first_ = first; }
 
-  void judged(const Watch::Judgement& judgement) {
-    degraded_ = judgement.degraded;
-    stated_ = {judgement.assessment.condition, judgement.assessment.bound};
+  void note(const Watch::Judgement& said) {
+    degraded_ = said.degraded;
+    stated_ = {said.assessment.condition, said.assessment.bound};
   }
 
   void observe(const Instant& instant) override {
@@ -214,7 +214,7 @@ CaseRun run_case(const KnownCase& known, const Configuration& configuration, uns
   options.tolerance = configuration.settings.tolerance;
   options.without = without;
   options.past_failures = c.goes_on;
-  options.judged = [&](const Watch::Judgement& j) { record.judged(j); };
+  options.judged = [&](const Watch::Judgement& j) { record.note(j); };
   const std::size_t runs = c.starts ? known.starts.size() : 1;
   const TimeGrid grid =
       c.starts ? TimeGrid{c.scene.grid.start, c.scene.grid.step, 1} : c.scene.grid;

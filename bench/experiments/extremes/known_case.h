@@ -46,7 +46,7 @@ Answers chain_answers(KnownCase& known, std::size_t index);
 /// std::runtime_error where they do not converge or do not agree.
 Answers reference_answers(const KnownCase& known);
 
-/// The case must outlive it.
+/// Returns a case with its answers. The definition must outlive it.
 KnownCase make_known_case(const ExtremeCase& definition);
 
 }  // namespace desmo::extremes

@@ -1,5 +1,6 @@
 // desmo_bench extremes: what every formulation does where most go wrong.
 #include <algorithm>
+#include <array>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -20,35 +21,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* name(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::converged:
-      return "converged";
-    case Outcome::degraded:
-      return "degraded";
-    case Outcome::failed:
-      return "failed";
-    case Outcome::refused:
-      return "refused";
-    case Outcome::not_applicable:
-      break;
-  }
-  return "not_applicable";
-}
-
-const char* name(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::as_expected:
-      return "as_expected";
-    case Verdict::missed:
-      return "missed";
-    case Verdict::defect:
-      return "defect";
-    case Verdict::not_applicable:
-      break;
-  }
-  return "not_applicable";
-}
+constexpr std::array outcome_names{"converged", "degraded", "failed", "refused", "not_applicable"};
+constexpr std::array verdict_names{"as_expected", "missed", "defect", "not_applicable"};
 
 double rounded(double value) { return bench::rounded(value, 4); }
 
@@ -76,8 +50,8 @@ Json result_json(const Result& r) {
   Json j = {{"row", r.row->number},
             {"case", r.case_name},
             {"id", r.id},
-            {"outcome", name(v.outcome)},
-            {"verdict", name(v.verdict)}};
+            {"outcome", outcome_names[static_cast<int>(v.outcome)]},
+            {"verdict", verdict_names[static_cast<int>(v.verdict)]}};
   if (!v.reason.empty()) j["reason"] = v.reason;
   if (v.instants > 0) {
     j["instants"] = v.instants;

@@ -11,7 +11,7 @@
 
 namespace desmo::extremes {
 
-/// One place of the table.
+/// A case of a row in one formulation.
 struct Result {
   const Extreme* row;
   std::string case_name;
@@ -33,6 +33,7 @@ struct Selection {
 /// is tried with them, selected or not.
 std::vector<Result> row_results(const Extreme& row, const Selection& selection);
 
+/// Returns the number of results with a verdict.
 std::size_t count(const std::vector<Result>& results, Verdict verdict);
 
 /// Returns a row for people: a line with the number of each verdict, and one for each case and

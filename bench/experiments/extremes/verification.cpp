@@ -168,17 +168,16 @@ Verification verify(const KnownCase& p, const CaseRun& a, const Yardsticks& yard
     return j.outcome == Outcome::failed && j.instants == 1
                ? j
                : end(Verdict::defect, "numbers for what is no mechanism");
-  WorstErrors errors = errors_of(p, a, yardsticks);
+  const WorstErrors errors = errors_of(p, a, yardsticks);
   j.worst = errors.worst;
-  if (!errors.defect.empty()) return end(Verdict::defect, std::move(errors.defect));
-  if (std::string why = unflagged(p, a); !why.empty()) return end(Verdict::defect, std::move(why));
-  if (std::string why = needless_flag(p, a); !why.empty())
-    return end(Verdict::missed, std::move(why));
-  if (std::string why = understated_condition(p, a); !why.empty())
-    return end(Verdict::defect, std::move(why));
-  if (!errors.inexact.empty()) return end(Verdict::missed, std::move(errors.inexact));
-  if (std::string why = shortcoming(p, a, yardsticks); !why.empty())
-    return end(Verdict::missed, std::move(why));
+  // The gravest first.
+  for (auto& [why, verdict] : {std::pair{errors.defect, Verdict::defect},
+                               {unflagged(p, a), Verdict::defect},
+                               {needless_flag(p, a), Verdict::missed},
+                               {understated_condition(p, a), Verdict::defect},
+                               {errors.inexact, Verdict::missed},
+                               {shortcoming(p, a, yardsticks), Verdict::missed}})
+    if (!why.empty()) return end(verdict, why);
   return j;
 }
 

@@ -36,6 +36,7 @@ struct Verification {
   long refactorisations = 0;  ///< of pivots kept that had gone bad
 };
 
+/// Compares a run with what is known of the case.
 Verification verify(const KnownCase& known, const CaseRun& run, const Yardsticks& yardsticks);
 
 }  // namespace desmo::extremes

@@ -20,4 +20,8 @@ nlohmann::ordered_json measure(const std::vector<bench::Candidate*>& all,
                                std::optional<int> asked_repetitions, bool first,
                                bench::Progress& progress);
 
+/// Returns what a results record (results/record.schema.json) says of candidates, as an object of
+/// arrays.
+nlohmann::ordered_json lists_of(const std::vector<bench::Candidate*>& candidates);
+
 }  // namespace desmo::paper

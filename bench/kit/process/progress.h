@@ -10,7 +10,7 @@ namespace desmo::bench {
 /// elsewhere a new one every ten seconds. Any thread may report.
 class Progress {
  public:
-  /// what: for people, "rounds of 12 cells". work: all there is to do, in any unit.
+  /// what: for people, "rounds of 12 candidates". work: all there is to do, in any unit.
   Progress(std::string what, double work);
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
