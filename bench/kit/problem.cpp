@@ -1,7 +1,6 @@
 #include "bench/kit/problem.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -10,7 +9,6 @@
 #include <vector>
 
 #include "bench/kit/verification.h"
-#include "formulations/modelling/modelling.h"
 
 namespace desmo::bench {
 
@@ -34,9 +32,6 @@ std::vector<double> spread(const TimeGrid& grid, int count) {
   times.push_back(grid.time(static_cast<int>(last)));
   return times;
 }
-
-constexpr std::array<std::pair<Partition, std::string_view>, 3> partitions{
-    {{Partition::global, "global"}, {Partition::group, "group"}, {Partition::block, "block"}}};
 
 }  // namespace
 
@@ -74,14 +69,6 @@ int moving_unknowns(const Model& m) {
   for (const PartSizes& parts : part_sizes(m, Partition::group))
     unknowns += parts.unknowns * parts.count;
   return unknowns;
-}
-
-std::vector<CaseStructure> structures(const Case& definition, int coordinates) {
-  const Model m = make_model(describe(definition, coordinates));
-  std::vector<CaseStructure> result;
-  for (const auto& [partition, name] : partitions)
-    result.push_back({&definition, coordinates, name, part_sizes(m, partition)});
-  return result;
 }
 
 }  // namespace desmo::bench

@@ -1,9 +1,7 @@
 #pragma once
 
-#include <string_view>
 #include <vector>
 
-#include "cases/generators/cases.h"
 #include "cases/mechanism/motion.h"
 #include "formulations/base/per_level.h"
 #include "formulations/base/settings.h"
@@ -46,21 +44,10 @@ struct PartSizes {
   bool operator==(const PartSizes&) const = default;
 };
 
-/// The parts into which a partition cuts a case at one size.
-struct CaseStructure {
-  const Case* definition;
-  int coordinates;
-  std::string_view partition;    ///< as in the ids: "global", "group", "block"
-  std::vector<PartSizes> parts;  ///< largest first; constant parts are not counted
-};
-
-/// Returns the parts of a partition by their sizes, largest first.
+/// Returns the parts of a partition by their sizes, largest first. Constant parts are not counted.
 std::vector<PartSizes> part_sizes(const Model& model, Partition partition);
 
 /// Returns the number of coordinates to be found at every instant: neither driven nor at rest.
 int moving_unknowns(const Model& model);
-
-/// Returns every partition of one case at one size.
-std::vector<CaseStructure> structures(const Case& definition, int coordinates);
 
 }  // namespace desmo::bench

@@ -11,7 +11,7 @@ namespace desmo::bench {
 namespace {
 
 constexpr int instants_compared = 51;
-/// What two quadruple solutions may differ by, relative to the mechanism's scales.
+/// Allowed difference of two quadruple solutions, relative to the mechanism's scales.
 constexpr double highest_floor = 1e-20;
 
 void compare(double& largest, ResultDigest& results, std::span<const double> found,

@@ -142,14 +142,19 @@ class Searcher {
         if (t->min_seconds() <= perhaps_best * best) t->time(min_sample);
   }
 
+  Trial& try_on_whole(std::list<Trial>& trials, const Trial& on_begin) const {
+    Trial& trial = trials.emplace_back(whole_, on_begin.configuration());
+    trial.compare();
+    trial.time(min_sample);
+    return trial;
+  }
+
   /// Tries on the whole motion: the most accurate on its begin need not be so later.
   std::vector<Trial*> tried_on_the_whole(const std::vector<Trial*>& hopeful,
                                          std::list<Trial>& trials) {
     std::vector<Trial*> kept;
     for (const Trial* t : std::span(hopeful).first(std::min(hopeful.size(), max_tried_on_whole))) {
-      Trial& trial = trials.emplace_back(whole_, t->configuration());
-      trial.compare();
-      trial.time(min_sample);
+      Trial& trial = try_on_whole(trials, *t);
       if (may_do(trial)) kept.push_back(&trial);
     }
     return kept;
@@ -163,9 +168,7 @@ class Searcher {
     const Trial* first = nullptr;
     for (const Trial* t : batch) {
       if (first && !is_even(*first, *t)) break;
-      Trial& trial = trials.emplace_back(whole_, t->configuration());
-      trial.compare();
-      trial.time(min_sample);
+      Trial& trial = try_on_whole(trials, *t);
       if (!may_do(trial)) continue;
       holding.push_back(&trial);
       if (!first) first = t;
@@ -204,7 +207,7 @@ class Searcher {
 
 TunedMotion make_tuned_motion(const Plan& plan, const TimeGrid& grid) {
   constexpr int begin_instants = 101;
-  // Of most motions all: instants where the guess alone meets the tolerance may be rare.
+  // All instants of most motions: those where the guess alone meets the tolerance may be rare.
   constexpr int compared = 1001;
   TimeGrid begin = grid;
   begin.instants = std::min(grid.instants, begin_instants);

@@ -69,7 +69,7 @@ void CaseCandidate::profile() {
   if (!is_verified() || coordinates != profiled_coordinates || !has_phases(variant())) return;
   // The settings are those of the paper, which does not know KLU.
   if (id() != variant().id && id() != reference_of_one_block) return;
-  // In blocks of one unknown, reading the clock costs more than what it measures.
+  // Reading the clock costs more than what it measures in blocks of one unknown.
   if (variant().partition == Partition::block) return;
   TimeGrid first = grid;
   first.instants = std::min(grid.instants, profiled_instants);

@@ -18,6 +18,7 @@
 #include "bench/kit/memory.h"
 #include "bench/kit/record/environment.h"
 #include "bench/kit/record/record.h"
+#include "formulations/modelling/modelling.h"
 #include "formulations/prediction/guess.h"
 
 namespace desmo::paper {
@@ -86,18 +87,23 @@ Json peer_json(const PeerCandidate& c) {
   return with_measurement(std::move(j), c);
 }
 
-Json structure_json(const CaseStructure& structure) {
-  const Case& definition = *structure.definition;
-  Json parts = Json::array();
-  for (const PartSizes& p : structure.parts)
-    parts.push_back({{"unknowns", p.unknowns}, {"count", p.count}});
-  return {{"case", definition.name},
-          {"coordinates", structure.coordinates},
-          {"partition", structure.partition},
-          {"unit", definition.unit_name},
-          {"units",
-           (structure.coordinates - definition.base_coordinates) / definition.coordinates_per_unit},
-          {"parts", parts}};
+/// Adds the parts of every partition of a case at one size.
+void add_structure(Json& list, const Case& definition, int coordinates) {
+  const Model m = make_model(describe(definition, coordinates));
+  for (const auto& [partition, name] : {std::pair{Partition::global, "global"},
+                                        {Partition::group, "group"},
+                                        {Partition::block, "block"}}) {
+    Json parts = Json::array();
+    for (const PartSizes& p : part_sizes(m, partition))
+      parts.push_back({{"unknowns", p.unknowns}, {"count", p.count}});
+    list.push_back(
+        {{"case", definition.name},
+         {"coordinates", coordinates},
+         {"partition", name},
+         {"unit", definition.unit_name},
+         {"units", (coordinates - definition.base_coordinates) / definition.coordinates_per_unit},
+         {"parts", parts}});
+  }
 }
 
 Json profile_json(const CaseCandidate& c) {
@@ -194,8 +200,7 @@ Json lists_of(const std::vector<Candidate*>& candidates) {
     all["cells"].push_back(case_json(*c));
     if (c->phases && c->is_verified()) all["profiles"].push_back(profile_json(*c));
     if (described.emplace(c->definition.name, c->coordinates).second)
-      for (const CaseStructure& structure : structures(c->definition, c->coordinates))
-        all["structure"].push_back(structure_json(structure));
+      add_structure(all["structure"], c->definition, c->coordinates);
   }
   return all;
 }

@@ -23,10 +23,10 @@ struct Pose {
 /// θ of the axle on the arm's end, R = Rz(ψ) Rx(ρ) Ry(θ). The rods close the loops, and the heights
 /// of the wheels are given.
 ///
-/// In this order of turns the heights leave two unknowns: their difference over the track is sin ρ,
-/// and with θ they are the height of S, hence the arm's angle. ψ and θ keep the rods' lengths:
+/// The heights, in this order of turns, leave two unknowns: their difference over the track is sin
+/// ρ, and with θ they are the height of S, hence the arm's angle. ψ and θ keep the rods' lengths:
 ///   gᵢ = (‖Cᵢ − Gᵢ‖² − Lᵢ²)/2 = 0.
-/// That holds of the case, whose wheels are apart along y2 alone and whose S − R is normal to y1.
+/// This holds for the case, whose wheels are apart along y2 alone and whose S − R is normal to y1.
 class Axle {
  public:
   /// ψ and θ, what Newton's method looks for. They are 0 in the nominal position.
