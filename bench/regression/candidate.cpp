@@ -16,9 +16,11 @@ bench::Problem problem_of(const CandidateName& name, int instants) {
 
 SteppedCandidate::SteppedCandidate(const bench::Problem& problem, std::string_view id,
                                    const Settings& others)
-    : FormulationCandidate(problem, id, others), delivery_(coordinates) {
-  build();
-}
+    : grid(problem.grid),
+      configuration_(parse_id(id, others)),
+      formulation_(
+          make_formulation(*configuration_.variant, problem.plan.model, configuration_.settings)),
+      delivery_(problem.plan.model.coordinates()) {}
 
 Summary SteppedCandidate::walk(int first, int last) {
   const int direction = first <= last ? 1 : -1;

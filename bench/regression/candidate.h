@@ -1,7 +1,13 @@
 #pragma once
 
-#include "bench/kit/candidate.h"
+#include <memory>
+#include <string_view>
+
+#include "bench/kit/delivery.h"
+#include "bench/kit/problem.h"
 #include "bench/regression/candidate_name.h"
+#include "formulations/formulation.h"
+#include "formulations/id.h"
 
 namespace desmo::regression {
 
@@ -9,8 +15,9 @@ namespace desmo::regression {
 /// std::invalid_argument when this build has no such case or size.
 bench::Problem problem_of(const CandidateName& name, int instants);
 
-/// A candidate built and ready to be run, or stepped through.
-class SteppedCandidate final : public bench::FormulationCandidate {
+/// A candidate built and ready to be run, or stepped through. It is no bench::Candidate: that would
+/// link the reference, whose copies of templates are compiled for size, into what is counted.
+class SteppedCandidate {
  public:
   /// others: settings that the id does not name. Throws std::invalid_argument when this build has
   /// no such formulation.
@@ -29,11 +36,16 @@ class SteppedCandidate final : public bench::FormulationCandidate {
     return settings().segments > 1 || settings().threads > 1 || settings().stride > 1;
   }
 
+  const Settings& settings() const { return configuration_.settings; }
   int last_instant() const { return grid.instants - 1; }
   Formulation& formulation() { return *formulation_; }
   Observer& delivery() { return delivery_; }
 
+  const TimeGrid grid;
+
  private:
+  Configuration configuration_;
+  std::unique_ptr<Formulation> formulation_;
   bench::Delivery delivery_;
 };
 

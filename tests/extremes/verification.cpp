@@ -134,7 +134,7 @@ TEST_F(CaseVerification, WhatIsToBeRefusedMayFailAtOnce) {
   EXPECT_EQ(verdict(), Verdict::defect);
   run.steps.assign(1, {CaseRun::Flag::failed});
   EXPECT_EQ(verdict(), Verdict::as_expected);
-  run.ending = CaseRun::Ending::refused;
+  run.unsolved = Outcome::refused;
   EXPECT_EQ(verdict(), Verdict::as_expected);
   c.is_refused = false;
   EXPECT_EQ(verdict(), Verdict::missed);

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "bench/kit/memory.h"
+#include "bench/kit/verification.h"
 #include "formulations/verification/error.h"
 
 namespace desmo::extremes {
@@ -41,13 +42,6 @@ std::string unsupported(const Configuration& configuration, const KnownCase& kno
   if (coordinates > max_coordinates) return "it takes too long with so many coordinates";
   if (algebra_name(v) != "eigen" && static_cast<long>(known.solvable.size()) > max_instants)
     return "it takes too long with so many instants";
-  return {};
-}
-
-/// Returns the same for a formulation that would not be the one that its id names.
-std::string lacks_generated_code(const Formulation& formulation) {
-  for (const DefinedPart& part : formulation.parts())
-    if (!part.as_named) return "there is no generated code for groups of this type";
   return {};
 }
 
@@ -185,16 +179,25 @@ class Record final : public Observer {
 
 }  // namespace
 
+Outcome CaseRun::outcome() const {
+  if (unsolved) return *unsolved;
+  Flag worst = Flag::none;
+  for (const Step& step : steps) worst = std::max(worst, step.flag);
+  return worst == Flag::failed ? Outcome::failed
+         : worst == Flag::none ? Outcome::converged
+                               : Outcome::degraded;
+}
+
 CaseRun run_case(const KnownCase& known, const Configuration& configuration, unsigned without) {
   CaseRun a;
-  const auto stop = [&](CaseRun::Ending ending, std::string why) {
-    a.ending = ending;
+  const auto stop = [&](Outcome outcome, std::string why) {
+    a.unsolved = outcome;
     a.message = std::move(why);
     return a;
   };
-  if (!known.modelled) return stop(CaseRun::Ending::refused, known.refusal);
+  if (!known.modelled) return stop(Outcome::refused, known.refusal);
   if (std::string why = unsupported(configuration, known); !why.empty())
-    return stop(CaseRun::Ending::not_applicable, std::move(why));
+    return stop(Outcome::not_applicable, std::move(why));
 
   const ExtremeCase& c = *known.definition;
   std::optional<Model> started;  // its estimate changes from start to start
@@ -204,10 +207,10 @@ CaseRun run_case(const KnownCase& known, const Configuration& configuration, uns
   try {
     f = make_formulation(*configuration.variant, m, configuration.settings);
   } catch (const std::invalid_argument& error) {
-    return stop(CaseRun::Ending::refused, error.what());
+    return stop(Outcome::refused, error.what());
   }
-  if (std::string why = lacks_generated_code(*f); !why.empty())
-    return stop(CaseRun::Ending::not_applicable, std::move(why));
+  if (std::string why = bench::missing_code(*f); !why.empty())
+    return stop(Outcome::not_applicable, std::move(why));
 
   Record record(known, *f, a);
   SafetyOptions options;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,13 +11,16 @@
 
 namespace desmo::extremes {
 
+enum class Outcome {
+  converged,       ///< numbers everywhere, without a flag
+  degraded,        ///< with one: no better than their bounds, or in doubt
+  failed,          ///< no numbers at one instant at least
+  refused,         ///< before anything was solved
+  not_applicable,  ///< not tried: the formulation cannot do it
+};
+
 /// The run of a case in one formulation.
 struct CaseRun {
-  enum class Ending {
-    tried,           ///< see steps
-    refused,         ///< before anything was solved
-    not_applicable,  ///< the formulation cannot do it
-  };
   enum class Flag {
     none,
     degraded,  ///< numbers, said to be no better than their bounds
@@ -33,9 +37,12 @@ struct CaseRun {
     PerLevel<double> bound;
   };
 
-  Ending ending = Ending::tried;
-  std::string message;      ///< of the first flag, or why not
-  std::vector<Step> steps;  ///< of the instants, or starts, tried: from the first on
+  /// Returns the worst of the flags, or why there are none.
+  Outcome outcome() const;
+
+  std::optional<Outcome> unsolved;  ///< refused, not_applicable; nothing: see steps
+  std::string message;              ///< of the first flag, or why not
+  std::vector<Step> steps;          ///< of the instants, or starts, tried: from the first on
   long iterations = 0;
   /// Errors for each of the case's answers, at each instant compared; nothing where there are no
   /// numbers or nothing is known.

@@ -134,36 +134,26 @@ std::string shortcoming(const KnownCase& p, const CaseRun& a, const Yardsticks& 
   return {};
 }
 
-Verification without_numbers(Outcome outcome, Verdict verdict, std::string reason) {
-  return {.outcome = outcome, .verdict = verdict, .reason = std::move(reason), .worst = {}};
-}
-
 }  // namespace
 
 Verification verify(const KnownCase& p, const CaseRun& a, const Yardsticks& yardsticks) {
   const ExtremeCase& c = *p.definition;
-  if (a.ending == CaseRun::Ending::not_applicable)
-    return without_numbers(Outcome::not_applicable, Verdict::not_applicable, a.message);
-  if (a.ending == CaseRun::Ending::refused)
-    return without_numbers(Outcome::refused, c.is_refused ? Verdict::as_expected : Verdict::missed,
-                           c.is_refused ? "" : a.message);
-  if (!p.no_answer.empty())
-    return without_numbers(Outcome::not_applicable, Verdict::not_applicable,
-                           "nothing to compare with: " + p.no_answer);
-
   Verification j;
-  j.instants = static_cast<long>(a.steps.size());
-  j.iterations = a.iterations;
-  j.refactorisations = a.refactorisations;
-  for (const CaseRun::Step& step : a.steps) {
-    if (step.flag == Flag::failed) j.outcome = Outcome::failed;
-    if (step.flag != Flag::none && j.outcome == Outcome::converged) j.outcome = Outcome::degraded;
-  }
+  j.outcome = a.outcome();
   const auto end = [&](Verdict verdict, std::string reason) {
     j.verdict = verdict;
     j.reason = std::move(reason);
     return j;
   };
+  if (j.outcome == Outcome::not_applicable) return end(Verdict::not_applicable, a.message);
+  if (j.outcome == Outcome::refused) return c.is_refused ? j : end(Verdict::missed, a.message);
+  if (!p.no_answer.empty()) {
+    j.outcome = Outcome::not_applicable;
+    return end(Verdict::not_applicable, "nothing to compare with: " + p.no_answer);
+  }
+  j.instants = static_cast<long>(a.steps.size());
+  j.iterations = a.iterations;
+  j.refactorisations = a.refactorisations;
   if (c.is_refused)
     return j.outcome == Outcome::failed && j.instants == 1
                ? j

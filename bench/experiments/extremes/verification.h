@@ -7,14 +7,6 @@
 
 namespace desmo::extremes {
 
-enum class Outcome {
-  converged,       ///< numbers everywhere, without a word
-  degraded,        ///< with one: no better than their bounds, or in doubt
-  failed,          ///< it says so at one instant at least
-  refused,         ///< before anything was solved
-  not_applicable,  ///< not tried
-};
-
 enum class Verdict {
   as_expected,
   missed,          ///< less than expected: it failed, is less exact, or does not say what it should
