@@ -28,7 +28,7 @@ struct TuneOptions {
   bool write = false, exhaustive = false, quiet = false;
   OwnCode own_code;
 
-  precision::Goal goal() const {
+  accuracy::Goal goal() const {
     return {level == "position"   ? Level::position
             : level == "velocity" ? Level::velocity
                                   : Level::acceleration,
@@ -45,10 +45,10 @@ std::string number(const char* format, double value) {
 std::string microseconds(double seconds) { return number("%.4g us", 1e6 * seconds); }
 
 /// The best error that was reached at each time: what is cheaper is less accurate.
-std::string evidence(const precision::Found& found) {
+std::string evidence(const accuracy::Found& found) {
   std::vector<std::vector<std::string>> rows{{"us/step", "error", "motion", "formulation"}};
   double best = INFINITY;
-  for (const precision::Tried& t : found.tried) {
+  for (const accuracy::Tried& t : found.tried) {
     if (!(t.error < best)) continue;
     best = t.error;
     rows.push_back({number("%.4g", 1e6 * t.seconds), number("%.2g", t.error),
@@ -60,7 +60,7 @@ std::string evidence(const precision::Found& found) {
 }
 
 /// What conditioning lets double precision reach, as a prediction of its order.
-double floor_of(const precision::Problem& problem, Level level) {
+double floor_of(const accuracy::Problem& problem, Level level) {
   ConditionNumber number(problem.plan.model);
   double largest = 0;
   for (const ReferenceInstant& i : problem.reference.instants)
@@ -68,11 +68,11 @@ double floor_of(const precision::Problem& problem, Level level) {
   return accuracy_limit(largest, std::ldexp(1, -53))[level];
 }
 
-[[noreturn]] void refuse(const precision::Found& found, const precision::Problem& whole,
+[[noreturn]] void refuse(const accuracy::Found& found, const accuracy::Problem& whole,
                          const TuneOptions& options, const Input& input) {
-  const precision::Tried* nearest = nullptr;
+  const accuracy::Tried* nearest = nullptr;
   const bool budget = options.budget > 0;
-  for (const precision::Tried& t : found.tried)
+  for (const accuracy::Tried& t : found.tried)
     if (!nearest || (budget ? t.seconds < nearest->seconds : t.error < nearest->error))
       nearest = &t;
   std::string text = input.source + ": ";
@@ -114,7 +114,7 @@ void tune(const TuneOptions& options) {
                                  "('desmo show NAME --scene') and tune that");
   const Model whole_model = model_mechanism(input).model;
   const Plan plan = make_plan(whole_model, asked_by(input.scene, whole_model));
-  const precision::Goal goal = options.goal();
+  const accuracy::Goal goal = options.goal();
   if (plan.level() < goal.level)
     throw Error(usage_error, "--level " + options.level + ": the scene does not ask for any");
   const auto say = [&](const std::string& what) {
@@ -122,10 +122,10 @@ void tune(const TuneOptions& options) {
   };
   const KernelTable kernels = make_kernels(plan, input.scene.grid, options);
   say("reference solutions in quadruple precision");
-  precision::TunedMotion motion = precision::make_tuned_motion(plan, input.scene.grid);
+  accuracy::TunedMotion motion = accuracy::make_tuned_motion(plan, input.scene.grid);
   motion.whole.kernels = motion.begin.kernels = kernels;
-  const precision::Found found =
-      precision::search(motion, goal, {.exhaustive = options.exhaustive, .say = say});
+  const accuracy::Found found =
+      accuracy::search(motion, goal, {.exhaustive = options.exhaustive, .say = say});
   if (!found.choice) refuse(found, motion.whole, options, input);
 
   const std::string id = id_with(*found.choice->variant, found.choice->settings);

@@ -1,18 +1,10 @@
 #pragma once
 
-#include <span>
-#include <string>
 #include <string_view>
-#include <vector>
 
-namespace desmo::experiments {
+#include "bench/kit/options.h"
 
-/// The arguments of an experiment.
-struct CommandLine {
-  std::string text;              ///< for the record: program, experiment and arguments
-  char* program;                 ///< its path, as Google Benchmark wants it
-  std::vector<char*> arguments;  ///< without program and experiment
-};
+namespace desmo::bench {
 
 /// An experiment: `desmo_bench NAME [OPTION...]`.
 struct Experiment {
@@ -24,14 +16,11 @@ struct Experiment {
   int (*run)(const CommandLine&);
 };
 
-/// Returns all experiments, the paper's first.
-std::span<const Experiment> all_experiments();
-
-// Each stands in its folder.
+// Each stands in its folder, and in the table of main.cpp.
 int run_paper(const CommandLine&);
 int run_accuracy(const CommandLine&);
 int run_size(const CommandLine&);
 int run_instructions(const CommandLine&);
 int run_extremes(const CommandLine&);
 
-}  // namespace desmo::experiments
+}  // namespace desmo::bench

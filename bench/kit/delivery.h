@@ -4,7 +4,7 @@
 
 #include "formulations/formulation.h"
 
-namespace desmo::suite {
+namespace desmo::bench {
 
 /// Delivers each instant as the design asks: q, q̇, q̈ of what is requested, by default of the
 /// whole mechanism, into plain vectors in the order of the request.
@@ -38,4 +38,4 @@ class Delivery : public Observer {
   OutputView last_{};
 };
 
-}  // namespace desmo::suite
+}  // namespace desmo::bench

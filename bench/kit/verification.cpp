@@ -6,12 +6,12 @@
 #include <stdexcept>
 #include <utility>
 
-namespace desmo::suite {
+namespace desmo::bench {
 
 namespace {
 
 constexpr int instants_compared = 51;
-/// What two quadruple solutions may differ by, relative to the mechanism's scales.
+/// Allowed difference of two quadruple solutions, relative to the mechanism's scales.
 constexpr double highest_floor = 1e-20;
 
 void compare(double& largest, ResultDigest& results, std::span<const double> found,
@@ -47,9 +47,9 @@ Comparison VerifyingObserver::compare() const {
   ResultDigest results;
   for_each([&](const ReferenceInstant& r, const State& came) {
     ++errors.instants;
-    suite::compare(errors.position, results, came.q, r.q, allowed.position);
-    suite::compare(errors.velocity, results, came.qd, r.qd, allowed.velocity);
-    suite::compare(errors.acceleration, results, came.qdd, r.qdd, allowed.acceleration);
+    bench::compare(errors.position, results, came.q, r.q, allowed.position);
+    bench::compare(errors.velocity, results, came.qd, r.qd, allowed.velocity);
+    bench::compare(errors.acceleration, results, came.qdd, r.qdd, allowed.acceleration);
   });
   return {errors, results.hex()};
 }
@@ -110,4 +110,4 @@ std::span<const ReferenceInstant> ReferenceCache::get(const Model& m, const Time
   return reference.instants;
 }
 
-}  // namespace desmo::suite
+}  // namespace desmo::bench

@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "bench/kit/delivery.h"
-#include "bench/kit/result_digest.h"
+#include "bench/kit/digests.h"
 #include "formulations/formulation.h"
 #include "formulations/verification/reference/reference.h"
 
-namespace desmo::suite {
+namespace desmo::bench {
 
 /// Largest absolute differences over all coordinates and compared instants.
 struct Errors {
@@ -23,11 +23,10 @@ struct Errors {
 /// Raises `largest` to |a − b| where that is larger; NaN counts as infinitely wrong.
 void widen(double& largest, double a, double b);
 
-/// What a formulation may differ from the quadruple-precision reference before it counts as
-/// wrong, in units of the case.
+/// Allowed differences from the quadruple-precision reference, in units of the case.
 inline constexpr Errors allowed{0, 1e-9, 1e-8, 1e-7};
 
-/// What was compared, and its digest, in units of what is allowed.
+/// Differences from a reference, and a digest of what was compared, in units of what is allowed.
 struct Comparison {
   Errors errors;
   std::string results;
@@ -55,7 +54,7 @@ class DeliveryAtReference : public Delivery {
   std::vector<State> came_;  // empty: not yet
 };
 
-/// What came of a whole mechanism beside a reference.
+/// Compares a whole mechanism with a reference.
 class VerifyingObserver final : public DeliveryAtReference {
  public:
   explicit VerifyingObserver(std::span<const ReferenceInstant> reference);
@@ -66,7 +65,8 @@ class VerifyingObserver final : public DeliveryAtReference {
   Comparison compare() const;
 };
 
-/// Empty when within so many times what is allowed; otherwise what is wrong, in words.
+/// Returns the verification failure, in words; empty when errors are within so many times what is
+/// allowed.
 std::string verification_failure(const Errors& errors, std::size_t expected_instants,
                                  double times = 1);
 
@@ -74,8 +74,8 @@ std::string verification_failure(const Errors& errors, std::size_t expected_inst
 /// than 1e-20 of its scales: then neither is a reference.
 void require_agreement(const Model& model, const PerLevel<double>& floor);
 
-/// Empty when every part is what the formulation's id says; otherwise which are not: without
-/// generated code a part falls back to automatic equations, and is not to be timed under that id.
+/// Returns which parts are not what the formulation's id says; empty: none. Without generated code
+/// a part falls back to automatic equations, and is not to be timed under that id.
 std::string missing_code(const Formulation& formulation);
 
 /// Quadruple-precision references at instants spread over a motion, made once for each case and
@@ -89,4 +89,4 @@ class ReferenceCache {
   std::map<std::pair<std::string, int>, Reference> cache_;
 };
 
-}  // namespace desmo::suite
+}  // namespace desmo::bench

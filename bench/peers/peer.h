@@ -14,11 +14,11 @@
 namespace desmo {
 
 /// The kinematics of a mechanism solved by another library, or by code written for it by hand.
-/// Plain on purpose: what a rival's headers need of the compiler, and what they clash with, stays
+/// Plain on purpose: what a library's headers need of the compiler, and what they clash with, stays
 /// in the file that includes them.
 class Peer {
  public:
-  /// Coordinates of the mechanism that the peer finds, each once, and their values: the rival's own
+  /// Coordinates of the mechanism that the peer finds, each once, and their values: the peer's own
   /// coordinates are others, and need not tell all of ours.
   struct Answer {
     std::vector<int> coordinates;
@@ -29,7 +29,7 @@ class Peer {
   Peer(const Peer&) = delete;
   Peer& operator=(const Peer&) = delete;
 
-  /// From now on it is asked for the instants of this grid, in order from the first.
+  /// Announces the grid whose instants follow, in order from the first.
   virtual void expect(const TimeGrid& grid) { static_cast<void>(grid); }
 
   /// Assembles the mechanism at time t (s) from its nominal position, whatever was solved before.
@@ -38,11 +38,12 @@ class Peer {
   /// Solves at time t, starting from the definition's guess in its own coordinates.
   virtual void step(double t) = 0;
 
-  /// The instant solved last.
+  /// Returns the instant solved last.
   const Answer& answer() const { return answer_; }
-  /// Of the rival's method for positions, since the last assembly and with it.
+  /// Returns the iterations of the peer's method for positions, since the last assembly and with
+  /// it.
   long iterations() const { return iterations_; }
-  /// What had to be set up, in words: bodies, mobilities, constraint equations.
+  /// Describes what had to be set up: bodies, mobilities, constraint equations.
   virtual std::string setup() const = 0;
 
  protected:
@@ -52,7 +53,7 @@ class Peer {
   long iterations_ = 0;
 };
 
-/// A rival of this build.
+/// A peer of this build.
 struct PeerDefinition {
   std::string_view name;
   std::string_view library;  ///< what it is made of, for people
@@ -61,11 +62,12 @@ struct PeerDefinition {
   /// The model of a case. Scene and mechanism (the scene's) must outlive it. Throws
   /// std::invalid_argument when the case is none that it knows.
   std::unique_ptr<Peer> (*make)(const Scene& scene, const Model& model);
-  /// Where its steps start: quadratic is q + q̇ h + q̈ h²/2 of the last instant.
+  /// The start of its steps: quadratic is q + q̇ h + q̈ h²/2 of the last instant.
   Guess guess = Guess::quadratic;
 };
 
-/// The rivals of this build: those written by hand and, configured with DESMO_PEERS, libraries.
+/// Returns the peers of this build: those written by hand and, configured with DESMO_PEERS,
+/// libraries.
 std::span<const PeerDefinition* const> peers();
 
 }  // namespace desmo

@@ -1,4 +1,4 @@
-// The two cases with as few mobilities and loop equations as their mechanisms allow, for what
+// The two cases with the least mobilities and loop equations as their mechanisms allow, for what
 // Simbody solves costs their third power. What else was tried stands in bench/peers/README.md.
 
 #include "bench/peers/simbody_cases.h"
@@ -92,7 +92,7 @@ void Builder::follow_all(const std::string& described, int body, const Vec& orig
 }
 
 /// Crank and rockers turn on the ground; each coupler is a rod between two of them, one equation
-/// and no body: K mobilities beside the driven one, K equations.
+/// and no body: K mobilities besides the driven one, K equations.
 CaseTree Builder::four_bar() {
   int before = add({ground, Joint::pin, nominal("crank/A"), z_axis, {}, 0, add_driver()});
   Vec end{length("crank"), 0, 0};

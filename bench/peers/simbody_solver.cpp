@@ -10,7 +10,7 @@ namespace {
 
 namespace sim = SimTK;
 
-/// On the root mean square of the constraint errors, as Simbody measures.
+/// Tolerance on the root mean square of the constraint errors, as Simbody measures.
 constexpr double accuracy = 1e-10;
 
 class RealizingSolver : public Solver {
@@ -57,7 +57,7 @@ class RealizingSolver : public Solver {
     system().projectU(state_, no_estimate_, options_, results_);
     system().realize(state_, sim::Stage::Acceleration);
   }
-  /// Of the generalised coordinates at the last instant.
+  /// Values of the generalised coordinates at the last instant.
   virtual const sim::Vector& second_derivative() const { return state_.getQDotDot(); }
   virtual const sim::SpatialVec& acceleration(int body) const {
     return built_.bodies[body].getBodyAcceleration(state_);

@@ -31,7 +31,8 @@ struct Body {
   int driver = -1;      ///< of the coordinate of a pin or slider: position in Tree::drivers
 };
 
-/// What closes the loops. Points and directions are in the frames of their bodies; -1: the ground.
+/// A constraint that closes a loop. Points and directions are in the frames of their bodies; -1:
+/// the ground.
 struct Constraint {
   enum class Kind {
     rod,             ///< the points have a constant distance
@@ -61,9 +62,9 @@ struct Tree {
   std::vector<std::function<Vec(double)>> drivers;  ///< value, rate and second rate at a time
 };
 
-/// How velocities and accelerations are found.
+/// The method for velocities and accelerations.
 enum class Rates {
-  /// As the manual has it: projectU, then realize(Acceleration), which solves the equations of
+  /// The manual's: projectU, then realize(Acceleration), which solves the equations of
   /// motion; the constraints determine the accelerations whatever the masses are.
   realized,
   /// G u = 0 and G u̇ = b with one factorisation of the constraint matrix that Simbody evaluates.
@@ -82,7 +83,7 @@ class Solver {
   virtual void step(double t) = 0;
   /// Components of what is followed, its first and its second derivatives at the last instant.
   virtual const std::array<std::vector<double>, 3>& values() const = 0;
-  /// Of projectQ, since the last assembly and with it.
+  /// Returns the iterations of projectQ, since the last assembly and with it.
   virtual long iterations() const = 0;
   /// "8 bodies, 12 mobilities, 2 of them prescribed, 10 loop-constraint equations"
   virtual std::string setup() const = 0;
@@ -90,7 +91,7 @@ class Solver {
 
 std::unique_ptr<Solver> make_solver(const Tree& tree, Rates rates);
 
-/// Of the library, "3.7.0".
+/// Returns the version of the library, "3.7.0".
 std::string version();
 
 }  // namespace desmo::simbody

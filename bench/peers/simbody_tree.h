@@ -14,7 +14,7 @@ namespace desmo::simbody {
 struct BuiltTree {
   explicit BuiltTree(const Tree& tree);
 
-  /// Of the ground for -1.
+  /// Returns a body; the ground for -1.
   SimTK::MobilizedBody& body(int i) {
     return i < 0 ? static_cast<SimTK::MobilizedBody&>(matter.updGround()) : bodies[i];
   }

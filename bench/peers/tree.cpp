@@ -1,4 +1,4 @@
-// What an expert would write by hand for each of the two cases, in relative coordinates.
+// Models that an expert would write by hand for each of the two cases, in relative coordinates.
 
 #include <Eigen/Core>
 #include <stdexcept>

@@ -1,51 +1,72 @@
-// desmo_check: measures two trees, or one, for bench/check. It judges nothing: `desmo_report check`
-// reads what it has written.
+// desmo_check: measures two trees, or one, for bench/check. `desmo_report check` decides on
+// what it has written.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <csignal>
 #include <cstdint>
 #include <exception>
+#include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "bench/kit/schema_version.h"
-#include "bench/regression/callgrind.h"
-#include "bench/regression/cells.h"
-#include "bench/regression/check_file.h"
-#include "bench/regression/counts.h"
+#include "bench/kit/options.h"
+#include "bench/kit/process/callgrind.h"
+#include "bench/kit/record/new_file.h"
+#include "bench/kit/record/record.h"
+#include "bench/regression/candidate_name.h"
 #include "bench/regression/rounds.h"
-#include "bench/regression/side.h"
 
 namespace desmo::regression {
 
 namespace {
 
+using Json = nlohmann::ordered_json;
+using Names = std::vector<std::string>;
+
 struct Options {
   std::string base, head, file, slow;
-  std::vector<std::string> cells{checked_cells.begin(), checked_cells.end()};
+  Names names;
   std::string pass = "first";
   std::uint64_t seed = 1;
   bool time = true, work = true;
 };
 
-/// SIDE:CELL:PERCENT into the side that it names.
+/// Returns what desmo_probe answers.
+std::string asked(const Side& side, std::vector<std::string> question) {
+  std::string answer;
+  const int code = run_to_end(side.probe(std::move(question)), answer);
+  if (code != 0)
+    throw std::runtime_error(side.folder + "/desmo_probe ended with exit code " +
+                             std::to_string(code));
+  return answer;
+}
+
+/// Returns the names of what can be measured, by head's table of variants.
+Names all_names(const Side& head) {
+  std::istringstream answer(asked(head, {"names"}));
+  Names names;
+  for (std::string name; answer >> name;) names.push_back(name);
+  return names;
+}
+
+void require_known(const Names& all, const std::string& name, const std::string& option) {
+  if (std::ranges::find(all, name) == all.end())
+    throw std::invalid_argument(option + ": there is no cell '" + name + "'");
+}
+
+/// Reads SIDE:CELL:PERCENT into the side that it names.
 void make_slower(std::vector<Side>& sides, const std::string& slow) {
   const std::size_t first = slow.find(':'), last = slow.rfind(':');
   for (Side& side : sides) {
     if (first == last || side.name != slow.substr(0, first)) continue;
     side.slowed = slow.substr(first + 1, last - first - 1);
-    const std::string percent = slow.substr(last + 1);
-    const char* const end = percent.data() + percent.size();
-    if (std::from_chars(percent.data(), end, side.percent).ptr != end || side.percent < 1 ||
-        side.percent > 90)
-      throw std::invalid_argument("--slow: '" + percent + "' is not a percentage from 1 to 90");
-    if (std::ranges::find(checked_cells, side.slowed) != checked_cells.end()) return;
-    throw std::invalid_argument("--slow: there is no cell '" + side.slowed + "'");
+    side.percent = bench::whole_number(slow.substr(last + 1), 1, 90);
+    return require_known(all_names(sides.back()), side.slowed, "--slow");
   }
   throw std::invalid_argument("--slow: '" + slow + "' is not SIDE:CELL:PERCENT");
 }
@@ -58,32 +79,23 @@ std::vector<Side> sides_of(const Options& o) {
   return sides;
 }
 
-Json asked(const Side& side, std::vector<std::string> question) {
-  std::string answer;
-  const int code = run_to_end(side.probe(std::move(question)), answer);
-  if (code != 0)
-    throw std::runtime_error(side.folder + "/desmo_probe ended with exit code " +
-                             std::to_string(code));
-  return Json::parse(answer);
-}
-
 std::string name_of(const Json& cell) {
   return cell["case"].get<std::string>() + "/" + std::to_string(cell["coordinates"].get<int>()) +
          "/" + cell["id"].get<std::string>();
 }
 
-/// The record of each side, with every cell verified.
-Json verified(const std::vector<Side>& sides, const std::vector<std::string>& cells) {
+/// Returns the record of each side, with every candidate verified.
+Json verified(const std::vector<Side>& sides, const Names& names) {
   std::vector<std::string> question{"verify", std::to_string(instants)};
-  question.insert(question.end(), cells.begin(), cells.end());
+  question.insert(question.end(), names.begin(), names.end());
   Json records;
-  for (const Side& side : sides) records[side.name] = asked(side, question);
+  for (const Side& side : sides) records[side.name] = Json::parse(asked(side, question));
   return records;
 }
 
-/// What is wrong on one side is never measured, and what one side lacks cannot be compared.
-std::vector<std::string> sound_cells(std::vector<std::string> sound, const Json& check,
-                                     const std::vector<Side>& sides) {
+/// Returns what is right on all sides: what is wrong on one is never measured, and what one side
+/// lacks cannot be compared.
+Names sound(Names sound, const Json& check, const std::vector<Side>& sides) {
   for (const Side& side : sides)
     for (const Json& cell : check[side.name]["paper"]["cells"])
       if (cell["status"] != "ok") std::erase(sound, name_of(cell));
@@ -94,7 +106,7 @@ void append(Json& samples, const std::vector<double>& seconds) {
   for (const double value : seconds) samples.push_back(value);
 }
 
-/// The samples of a pass: the first is in the records, beside what verified the cells.
+/// Adds the samples of a pass: those of the first stand in the records.
 void add_times(Json& check, const std::string& pass, const Times& times) {
   if (pass == "second") {
     for (const auto& [cell, by_side] : times)
@@ -111,7 +123,7 @@ void add_times(Json& check, const std::string& pass, const Times& times) {
     }
 }
 
-/// A sound cell has no time when it was not timed, for whatever reason.
+/// Marks what is right and was not timed, for whatever reason.
 void mark_untimed(Json& check, const std::vector<Side>& sides) {
   for (const Side& side : sides)
     for (Json& cell : check[side.name]["paper"]["cells"]) {
@@ -121,37 +133,72 @@ void mark_untimed(Json& check, const std::vector<Side>& sides) {
     }
 }
 
-Json counted(const std::vector<std::string>& cells, const std::vector<Side>& sides) {
-  std::vector<Counted> all;
-  for (const std::string& cell : cells)
-    for (const Side& side : sides) all.push_back({&side, cell});
-  return {{"tool", counting_tool()},
+std::int64_t count(const Side& side, const std::string& name) {
+  const CandidateName parsed = parse_name(name);
+  try {
+    return bench::count_steps({side.folder + "/desmo_steps", parsed.case_name,
+                               std::to_string(parsed.coordinates), parsed.id, std::to_string(steps),
+                               std::to_string(iterations),
+                               std::to_string(name == side.slowed ? side.percent : 0)});
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error("the instructions of " + name + " cannot be counted in " + side.name +
+                             ": " + error.what());
+  }
+}
+
+/// Returns the instructions of a fixed number of steps with a fixed number of iterations, of each
+/// candidate on each side.
+Json counted(const Names& names, const std::vector<Side>& sides) {
+  std::vector<std::int64_t> instructions(names.size() * sides.size());
+  bench::count_on_all_cores(instructions.size(), [&](std::size_t i) {
+    instructions[i] = count(sides[i % sides.size()], names[i / sides.size()]);
+  });
+  Json counts;
+  for (std::size_t i = 0; i < instructions.size(); ++i)
+    counts[names[i / sides.size()]][sides[i % sides.size()].name] = instructions[i];
+  return {{"tool", bench::counting_tool()},
           {"steps", steps - uncounted_steps},
           {"iterations", iterations},
-          {"instructions", count_instructions(all)}};
+          {"instructions", counts}};
+}
+
+Json load(const std::string& path) {
+  std::ifstream in(path);
+  try {
+    return Json::parse(in);
+  } catch (const nlohmann::json::exception& e) {
+    throw std::runtime_error("'" + path + "' is not a results file: " + e.what());
+  }
+}
+
+void save(const Json& check, const std::string& path) {
+  bench::NewFile(path).write(check.dump() + '\n');
 }
 
 void measure(const Options& o) {
   const std::vector<Side> sides = sides_of(o);
-  Json check = {{"schema", "desmo-check"}, {"schema_version", suite::schema_version}};
+  const Names all = all_names(sides.back());
+  for (const std::string& name : o.names) require_known(all, name, "--cell");
+  const Names& chosen = o.names.empty() ? all : o.names;
+  Json check = {{"schema", "desmo-check"}, {"schema_version", bench::schema_version}};
   check["settings"] = {{"seed", o.seed}, {"turns", turns}, {"repetitions", repetitions}};
   if (!o.slow.empty()) check["settings"]["slowed"] = o.slow;
-  check.update(verified(sides, o.cells));
-  const std::vector<std::string> cells = sound_cells(o.cells, check, sides);
-  if (o.work) check["work"] = counted(cells, sides);
-  if (o.time) add_times(check, "first", time_rounds(sides, cells, rounds, o.seed));
+  check.update(verified(sides, chosen));
+  const Names names = sound(chosen, check, sides);
+  if (o.work) check["work"] = counted(names, sides);
+  if (o.time) add_times(check, "first", time_rounds(sides, names, rounds, o.seed));
   mark_untimed(check, sides);
-  save_check(check, o.file);
+  save(check, o.file);
 }
 
-/// Further rounds of some cells, in the first pass or in the second, which confirms it.
+/// Adds rounds of some candidates, in the first pass or in the second, which confirms it.
 void measure_more(Options o) {
-  Json check = load_check(o.file);
+  Json check = load(o.file);
   if (check["settings"].contains("slowed")) o.slow = check["settings"]["slowed"];
   const std::uint64_t seed = check["settings"]["seed"];
   const std::uint64_t added = check.dump().size();  // another order whenever something was added
-  add_times(check, o.pass, time_rounds(sides_of(o), o.cells, rounds, seed + added));
-  save_check(check, o.file);
+  add_times(check, o.pass, time_rounds(sides_of(o), o.names, rounds, seed + added));
+  save(check, o.file);
 }
 
 int run(int argc, char** argv) {
@@ -165,14 +212,13 @@ int run(int argc, char** argv) {
   all->add_option("file", o.file, "Results file to write")->required();
   all->add_option("--seed", o.seed, "Of the order in which things are measured");
   all->add_option("--slow", o.slow, "SIDE:CELL:PERCENT: make a cell slower, to test the check");
-  all->add_option("--cell", o.cells, "Measure only these")
-      ->check(CLI::IsMember(std::vector<std::string>(checked_cells.begin(), checked_cells.end())));
+  all->add_option("--cell", o.names, "Measure only these");
   all->add_flag("!--no-time", o.time, "Count instructions only");
   all->add_flag("!--no-work", o.work, "Measure times only");
   CLI::App* more = app.add_subcommand("more", "Adds rounds of some cells to a results file");
   more->add_option("file", o.file, "Results file")->required();
   more->add_option("pass", o.pass)->required()->check(CLI::IsMember({"first", "second"}));
-  more->add_option("cells", o.cells)->required();
+  more->add_option("cells", o.names)->required();
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

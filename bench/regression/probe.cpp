@@ -1,12 +1,12 @@
 // desmo_probe: what bench/check builds of both trees and puts questions to.
-//   desmo_probe verify INSTANTS CELL...               a record of the cells, verified and not timed
-//   desmo_probe time INSTANTS [--slow=CELL:PERCENT]   times cells as standard input asks
-// --slow makes a cell slower on purpose, to test what is to find it. A question is a line CELL
-// REPETITIONS PLACEMENT, where CELL may be "control"; the answer is the least CPU time of one
+//   desmo_probe names                                 the candidates that bench/check measures
+//   desmo_probe verify INSTANTS NAME...               a record of them, verified and not timed
+//   desmo_probe time INSTANTS [--slow=NAME:PERCENT]   times candidates as standard input asks
+// --slow makes a candidate slower on purpose, to test what is to find it. A question is a line NAME
+// REPETITIONS PLACEMENT, where NAME may be "control"; the answer is the least CPU time of one
 // analysis among the repetitions.
 
 #include <algorithm>
-#include <charconv>
 #include <exception>
 #include <iostream>
 #include <limits>
@@ -15,41 +15,60 @@
 #include <string_view>
 #include <vector>
 
-#include "bench/kit/cpu_clock.h"
-#include "bench/kit/kept_memory.h"
-#include "bench/regression/control.h"
-#include "bench/regression/subject.h"
-#include "bench/regression/verified_record.h"
+#include "bench/kit/memory.h"
+#include "bench/kit/options.h"
+#include "bench/kit/time/clock.h"
+#include "bench/regression/candidate.h"
+#include "bench/regression/checked.h"
 #include "formulations/algebra/blas.h"
 
 namespace desmo::regression {
 
 namespace {
 
-int whole(std::string_view text, int least) {
-  int value = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc{} || stop != end || value < least || value > 1'000'000)
-    throw std::invalid_argument("'" + std::string(text) + "' is not a whole number from " +
-                                std::to_string(least) + " to 1e6");
-  return value;
+constexpr int max_number = 1'000'000;
+
+constexpr int size = 32, sweeps = 300;
+
+/// Data on a page of its own, like the code below: where a build happens to put them must not show.
+struct alignas(4096) ControlData {
+  double a[size][size];
+  double x[size], y[size];
+} data;
+
+/// Does a fixed amount of dense arithmetic that has nothing to do with what is measured: a change
+/// in its time is the machine's doing. Returns a value that depends on all of it. x ← A x / 2 with
+/// rows that sum to 2: x stays near 1, neither vanishing nor overflowing.
+__attribute__((noinline, aligned(4096))) double control_kernel() {
+  for (int i = 0; i < size; ++i) {
+    for (int j = 0; j < size; ++j) data.a[i][j] = 1.0 / size + (i == j ? 1.0 : 0.0);
+    data.x[i] = 1 + i;
+  }
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    for (int i = 0; i < size; ++i) {
+      double sum = 0;
+      for (int j = 0; j < size; ++j) sum += data.a[i][j] * data.x[j];
+      data.y[i] = sum / 2;
+    }
+    for (int i = 0; i < size; ++i) data.x[i] = data.y[i];
+  }
+  return data.x[0];
 }
 
-/// The least CPU time that one call takes among so many; a first one warms up.
+/// Returns the least CPU time that one call takes among so many; a first one warms up.
 template <class Call>
 double min_seconds(int repetitions, const Call& call) {
   call();
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < repetitions; ++i) {
-    const double before = suite::cpu_now();
+    const double before = bench::cpu_now();
     call();
-    least = std::min(least, suite::cpu_now() - before);
+    least = std::min(least, bench::cpu_now() - before);
   }
   return least;
 }
 
-/// Times cells, and makes one slower on purpose where --slow says so.
+/// Times candidates, and makes one slower on purpose where --slow says so.
 class Timer {
  public:
   Timer(int instants, std::string slowed, double percent)
@@ -58,15 +77,18 @@ class Timer {
   double time(const std::string& name, int repetitions, int placement) const {
     if (name == "control")
       return min_seconds(repetitions, [] { control_result = control_kernel(); });
-    // Where the cell's data lie beside cache lines and pages is luck; it is drawn anew every time.
+    // The place of the candidate's data in cache lines and pages is luck; it is drawn anew every
+    // time.
     const std::vector<char> shift(16 * static_cast<std::size_t>(placement));
-    Subject subject(parse_cell(name), instants_);
-    const int last = subject.last_instant();
+    const CandidateName parsed = parse_name(name);
+    const bench::Problem problem = problem_of(parsed, instants_);
+    SteppedCandidate candidate(problem, parsed.id);
+    const int last = candidate.last_instant();
     const int extra = name == slowed_ ? extra_steps(last, percent_) : 0;
     return min_seconds(repetitions, [&] {
-      Summary s = subject.analyse();
-      if (s.ok() && extra > 0) s = subject.walk(last - 1, last - extra);
-      if (!s.ok()) throw std::runtime_error(describe(s, subject.model()));
+      Summary s = candidate.run();
+      if (s.ok() && extra > 0) s = candidate.walk(last - 1, last - extra);
+      if (!s.ok()) throw std::runtime_error(describe(s, problem.plan.model));
     });
   }
 
@@ -80,18 +102,22 @@ class Timer {
 
 void serve(const Timer& timer) {
   for (std::string name, repetitions, placement; std::cin >> name >> repetitions >> placement;) {
-    const double seconds = timer.time(name, whole(repetitions, 1), whole(placement, 0));
+    const double seconds = timer.time(name, bench::whole_number(repetitions, 1, max_number),
+                                      bench::whole_number(placement, 0, max_number));
     std::cout << seconds << std::endl;  // the other side waits for it
   }
 }
 
 int run(std::vector<std::string> arguments) {
-  suite::keep_freed_memory();
+  bench::keep_freed_memory();
   set_blas_threads(1);  // the clock is the thread's own
   std::cout.precision(9);
   const std::string command = arguments.empty() ? "" : arguments[0];
-  if (command == "verify" && arguments.size() > 2) {
-    std::cout << verified_record(whole(arguments[1], 2), {arguments.begin() + 2, arguments.end()})
+  if (command == "names" && arguments.size() == 1) {
+    for (const std::string& name : checked_names()) std::cout << name << '\n';
+  } else if (command == "verify" && arguments.size() > 2) {
+    std::cout << verified_record(bench::whole_number(arguments[1], 2, max_number),
+                                 {arguments.begin() + 2, arguments.end()})
               << '\n';
   } else if (command == "time" && (arguments.size() == 2 || arguments.size() == 3)) {
     std::string slowed;
@@ -101,9 +127,9 @@ int run(std::vector<std::string> arguments) {
       const std::size_t colon = arguments[2].rfind(':');
       if (!arguments[2].starts_with(option) || colon == std::string::npos) return 64;
       slowed = arguments[2].substr(option.size(), colon - option.size());
-      percent = whole(arguments[2].substr(colon + 1), 0);
+      percent = bench::whole_number(arguments[2].substr(colon + 1), 0, max_number);
     }
-    serve(Timer(whole(arguments[1], 2), slowed, percent));
+    serve(Timer(bench::whole_number(arguments[1], 2, max_number), slowed, percent));
   } else {
     return 64;
   }
@@ -118,8 +144,8 @@ int main(int argc, char** argv) {
   try {
     const int code = desmo::regression::run({argv + 1, argv + argc});
     if (code == 64)
-      std::cerr << "usage: desmo_probe verify INSTANTS CELL... | "
-                   "time INSTANTS [--slow=CELL:PERCENT]\n";
+      std::cerr << "usage: desmo_probe names | verify INSTANTS NAME... | "
+                   "time INSTANTS [--slow=NAME:PERCENT]\n";
     return code;
   } catch (const std::invalid_argument& e) {
     std::cerr << "desmo_probe: " << e.what() << '\n';

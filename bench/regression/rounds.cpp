@@ -5,9 +5,9 @@
 #include <memory>
 #include <random>
 #include <stdexcept>
+#include <utility>
 
-#include "bench/kit/progress.h"
-#include "bench/regression/cells.h"
+#include "bench/kit/process/progress.h"
 
 namespace desmo::regression {
 
@@ -17,48 +17,53 @@ using Random = std::mt19937_64;
 
 constexpr int placements = 256;  // of 16 bytes each: a page
 
-std::unique_ptr<Child> start(const Side& side, int core) {
+std::unique_ptr<bench::Child> start(const Side& side, int core) {
   std::vector<std::string> arguments{"time", std::to_string(instants)};
   if (!side.slowed.empty())
     arguments.push_back("--slow=" + side.slowed + ":" + std::to_string(side.percent));
-  Launch launch = side.probe(std::move(arguments));
+  bench::Launch launch = side.probe(std::move(arguments));
   launch.core = core;
   launch.fresh_copy = true;
-  return std::make_unique<Child>(launch);
+  return std::make_unique<bench::Child>(launch);
 }
 
-double ask(Child& probe, const std::string& cell, Random& random) {
-  probe.say(cell + ' ' + std::to_string(repetitions) + ' ' + std::to_string(random() % placements));
+double ask(bench::Child& probe, const std::string& name, Random& random) {
+  probe.say(name + ' ' + std::to_string(repetitions) + ' ' + std::to_string(random() % placements));
   return std::stod(probe.answer());
 }
 
 }  // namespace
 
-Times time_rounds(const std::vector<Side>& sides, std::vector<std::string> cells, int count,
+bench::Launch Side::probe(std::vector<std::string> arguments) const {
+  arguments.insert(arguments.begin(), folder + "/desmo_probe");
+  return bench::fixed_launch(std::move(arguments));
+}
+
+Times time_rounds(const std::vector<Side>& sides, std::vector<std::string> names, int count,
                   std::uint64_t seed) {
   Random random(seed);
-  const std::vector<int> cores = usable_cores();
-  suite::Progress progress("rounds of " + std::to_string(cells.size()) + " cells", count);
-  cells.push_back(control);
+  const std::vector<int> cores = bench::usable_cores();
+  bench::Progress progress("rounds of " + std::to_string(names.size()) + " candidates", count);
+  names.push_back(control);
   std::vector<std::size_t> order(sides.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
 
   Times times;
   for (int round = 0; round < count; ++round) {
     const int core = cores.empty() ? -1 : cores[static_cast<std::size_t>(round) % cores.size()];
-    std::vector<std::unique_ptr<Child>> probes;
+    std::vector<std::unique_ptr<bench::Child>> probes;
     for (const Side& side : sides) probes.push_back(start(side, core));
-    std::ranges::shuffle(cells, random);
-    for (const std::string& cell : cells) {
+    std::ranges::shuffle(names, random);
+    for (const std::string& name : names) {
       std::vector<double> least(sides.size(), std::numeric_limits<double>::infinity());
       for (int turn = 0; turn < turns; ++turn) {
         std::ranges::shuffle(order, random);
         for (const std::size_t i : order)
-          least[i] = std::min(least[i], ask(*probes[i], cell, random));
+          least[i] = std::min(least[i], ask(*probes[i], name, random));
       }
-      for (std::size_t i = 0; i < sides.size(); ++i) times[cell][sides[i].name].push_back(least[i]);
+      for (std::size_t i = 0; i < sides.size(); ++i) times[name][sides[i].name].push_back(least[i]);
     }
-    progress.one_done();
+    progress.done();
   }
   return times;
 }

@@ -5,22 +5,44 @@
 #include <string>
 #include <vector>
 
-#include "bench/regression/side.h"
+#include "bench/kit/process/child.h"
 
 namespace desmo::regression {
 
-/// Name of the fixed kernel that is timed like a cell in every round.
+/// Settings with which the time of a candidate is measured.
+inline constexpr int instants = 51;    ///< of one analysis, 10 ms apart
+inline constexpr int rounds = 25;      ///< each with processes of its own; odd, so has a median
+inline constexpr int turns = 3;        ///< of base and head with a candidate in a round
+inline constexpr int repetitions = 2;  ///< of the analysis in a turn, after one to warm up
+
+/// Settings with which its instructions are counted.
+inline constexpr int steps = 105;
+inline constexpr int uncounted_steps = 5;  ///< the first of them (see desmo_steps)
+inline constexpr int iterations = 3;       ///< of Newton–Raphson in every step
+
+/// One of the two trees that are compared.
+struct Side {
+  std::string name;    ///< "base" or "head"
+  std::string folder;  ///< where its desmo_probe and desmo_steps are
+  std::string slowed;  ///< the candidate made slower on purpose; empty: none
+  int percent = 0;     ///< by so much
+
+  /// Returns environment and arguments of `desmo_probe ...`, which are the same on both sides.
+  bench::Launch probe(std::vector<std::string> arguments) const;
+};
+
+/// Name of the fixed kernel that is timed like a candidate in every round.
 inline constexpr const char* control = "control";
 
-/// Of each cell, and of the control, the least CPU seconds on each side, a value a round.
+/// Least CPU time [s] of each candidate, and of the control, on each side: a value a round.
 using Times = std::map<std::string, std::map<std::string, std::vector<double>>>;
 
-/// Times cells on all sides, one or two, in so many rounds. In a round every side has a new
+/// Times candidates on all sides, one or two, in so many rounds. In a round every side has a new
 /// process, so that no build keeps the luck of its place in memory; all share one core, which
-/// changes from round to round. Cells come in random order, and with each cell the sides take turns
+/// changes from round to round. Candidates come in random order, and with each the sides take turns
 /// in random order, each turn with newly placed data. Throws std::runtime_error when a side does
 /// not answer.
-Times time_rounds(const std::vector<Side>& sides, std::vector<std::string> cells, int rounds,
+Times time_rounds(const std::vector<Side>& sides, std::vector<std::string> names, int count,
                   std::uint64_t seed);
 
 }  // namespace desmo::regression

@@ -7,7 +7,7 @@
 
 #include "cases/extremes/rows.h"
 
-namespace desmo::extreme {
+namespace desmo::extremes {
 
 namespace {
 
@@ -84,4 +84,4 @@ std::vector<ExtremeCase> bad_input(Extent) {
           infinite};
 }
 
-}  // namespace desmo::extreme
+}  // namespace desmo::extremes

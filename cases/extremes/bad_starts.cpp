@@ -6,7 +6,7 @@
 #include "cases/extremes/rows.h"
 #include "cases/io/files.h"
 
-namespace desmo::extreme {
+namespace desmo::extremes {
 
 namespace {
 
@@ -40,4 +40,4 @@ std::vector<ExtremeCase> bad_starts(Extent extent) {
   return all;
 }
 
-}  // namespace desmo::extreme
+}  // namespace desmo::extremes

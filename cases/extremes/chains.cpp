@@ -2,7 +2,7 @@
 
 #include "cases/extremes/rows.h"
 
-namespace desmo::extreme {
+namespace desmo::extremes {
 
 ExtremeCase case_of(std::string name, std::vector<DyadChain> chains, std::vector<Motion> motions,
                     const TimeGrid& grid) {
@@ -29,4 +29,4 @@ DyadChain usual_chain(int dyads, double start, double scale) {
   return chain;
 }
 
-}  // namespace desmo::extreme
+}  // namespace desmo::extremes

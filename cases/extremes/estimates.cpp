@@ -8,7 +8,7 @@
 #include "cases/extremes/rows.h"
 #include "cases/io/files.h"
 
-namespace desmo::extreme {
+namespace desmo::extremes {
 
 namespace {
 
@@ -48,4 +48,4 @@ std::vector<ExtremeCase> estimates(Extent extent) {
   return all;
 }
 
-}  // namespace desmo::extreme
+}  // namespace desmo::extremes

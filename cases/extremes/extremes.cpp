@@ -8,8 +8,8 @@
 
 namespace desmo {
 
-std::span<const Extreme> extremes() {
-  using namespace extreme;
+std::span<const Extreme> all_extremes() {
+  using namespace extremes;
   static constexpr std::array table{
       Extreme{1, "long chains", "four-bars of no dyad to 1,000,000, of equal and unequal lengths",
               "position error ≤ 16 ε L K, and what rounding causes", &long_chains},
@@ -46,10 +46,10 @@ std::span<const Extreme> extremes() {
 }
 
 const Extreme& find_extreme(int number) {
-  const auto it = std::ranges::find(extremes(), number, &Extreme::number);
-  if (it == extremes().end())
+  const auto it = std::ranges::find(all_extremes(), number, &Extreme::number);
+  if (it == all_extremes().end())
     throw std::invalid_argument("there is no extreme " + std::to_string(number) +
-                                "; they are 1 … " + std::to_string(extremes().size()));
+                                "; they are 1 … " + std::to_string(all_extremes().size()));
   return *it;
 }
 

@@ -70,7 +70,7 @@ struct Extreme {
 };
 
 /// Returns every extreme, by number. Tests, the bench and documents iterate this table.
-std::span<const Extreme> extremes();
+std::span<const Extreme> all_extremes();
 
 /// Returns the extreme of that number. Throws std::invalid_argument when there is none.
 const Extreme& find_extreme(int number);

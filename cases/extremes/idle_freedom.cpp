@@ -2,7 +2,7 @@
 #include "cases/extremes/rows.h"
 #include "cases/io/files.h"
 
-namespace desmo::extreme {
+namespace desmo::extremes {
 
 std::vector<ExtremeCase> idle_freedom(Extent) {
   ExtremeCase right{.name = "RSSR", .scene = library_scene("rssr")};
@@ -12,4 +12,4 @@ std::vector<ExtremeCase> idle_freedom(Extent) {
   return {right};
 }
 
-}  // namespace desmo::extreme
+}  // namespace desmo::extremes

@@ -3,7 +3,7 @@
 
 #include "cases/extremes/rows.h"
 
-namespace desmo::extreme {
+namespace desmo::extremes {
 
 namespace {
 
@@ -27,4 +27,4 @@ std::vector<ExtremeCase> lock_up(Extent) {
   return {stops, goes_on};
 }
 
-}  // namespace desmo::extreme
+}  // namespace desmo::extremes

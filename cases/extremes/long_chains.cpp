@@ -5,7 +5,7 @@
 
 #include "cases/extremes/rows.h"
 
-namespace desmo::extreme {
+namespace desmo::extremes {
 
 namespace {
 
@@ -61,4 +61,4 @@ std::vector<ExtremeCase> long_chains(Extent extent) {
   return all;
 }
 
-}  // namespace desmo::extreme
+}  // namespace desmo::extremes

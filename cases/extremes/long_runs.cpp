@@ -2,7 +2,7 @@
 // instant, so that it is not rounded.
 #include "cases/extremes/rows.h"
 
-namespace desmo::extreme {
+namespace desmo::extremes {
 
 std::vector<ExtremeCase> long_runs(Extent extent) {
   constexpr double rate = 1.0 / 1024;  // rad/s
@@ -15,4 +15,4 @@ std::vector<ExtremeCase> long_runs(Extent extent) {
   return {c};
 }
 
-}  // namespace desmo::extreme
+}  // namespace desmo::extremes

@@ -7,7 +7,7 @@
 
 #include "cases/extremes/rows.h"
 
-namespace desmo::extreme {
+namespace desmo::extremes {
 
 namespace {
 
@@ -42,4 +42,4 @@ std::vector<ExtremeCase> near_dead_points(Extent extent) {
   return all;
 }
 
-}  // namespace desmo::extreme
+}  // namespace desmo::extremes

@@ -4,7 +4,7 @@
 
 #include "cases/extremes/rows.h"
 
-namespace desmo::extreme {
+namespace desmo::extremes {
 
 std::vector<ExtremeCase> reused_pivots(Extent) {
   DyadChain chain{.crank = 2, .start = 1, .dyads = {}};
@@ -20,4 +20,4 @@ std::vector<ExtremeCase> reused_pivots(Extent) {
   return all;
 }
 
-}  // namespace desmo::extreme
+}  // namespace desmo::extremes

@@ -6,7 +6,7 @@
 #include "cases/extremes/extremes.h"
 
 /// Cases of the rows of the table, one .cpp each.
-namespace desmo::extreme {
+namespace desmo::extremes {
 
 using Cases = std::vector<ExtremeCase>(Extent extent);
 Cases long_chains, near_dead_points, singular_positions, lock_up, branches, redundant, scales,
@@ -25,4 +25,4 @@ inline constexpr double chain_start = std::numbers::pi / 3;
 /// the start. scale: factor on all lengths.
 DyadChain usual_chain(int dyads, double start, double scale = 1);
 
-}  // namespace desmo::extreme
+}  // namespace desmo::extremes

@@ -6,7 +6,7 @@
 
 #include "cases/extremes/rows.h"
 
-namespace desmo::extreme {
+namespace desmo::extremes {
 
 namespace {
 
@@ -44,4 +44,4 @@ std::vector<ExtremeCase> scales(Extent) {
           scaled(1e150)};
 }
 
-}  // namespace desmo::extreme
+}  // namespace desmo::extremes

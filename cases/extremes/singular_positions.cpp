@@ -9,7 +9,7 @@
 #include "cases/extremes/rows.h"
 #include "cases/io/files.h"
 
-namespace desmo::extreme {
+namespace desmo::extremes {
 
 namespace {
 
@@ -76,4 +76,4 @@ std::vector<ExtremeCase> singular_positions(Extent) {
           to_zero("8 parallel cranks in line", aligned(8)), yawing_platform()};
 }
 
-}  // namespace desmo::extreme
+}  // namespace desmo::extremes

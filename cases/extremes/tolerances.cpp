@@ -5,7 +5,7 @@
 
 #include "cases/extremes/rows.h"
 
-namespace desmo::extreme {
+namespace desmo::extremes {
 
 std::vector<ExtremeCase> tolerances(Extent) {
   std::vector<ExtremeCase> all;
@@ -18,4 +18,4 @@ std::vector<ExtremeCase> tolerances(Extent) {
   return all;
 }
 
-}  // namespace desmo::extreme
+}  // namespace desmo::extremes

@@ -1,11 +1,12 @@
 // Long runs hold no more memory at their end than at their beginning.
 
+#include "bench/kit/memory.h"
+
 #include <gtest/gtest.h>
 
 #include <cstddef>
 #include <vector>
 
-#include "bench/kit/heap.h"
 #include "formulations/variants.h"
 #include "tests/every_variant.h"
 #include "tests/mechanisms.h"
@@ -22,17 +23,17 @@ Held held(Formulation& f, int early, int steps) {
   Held h{0, 0};
   for (int i = 1; i <= steps; ++i) {
     EXPECT_TRUE(f.step(0.01 * i).ok()) << i;
-    if (i == early) h.early = suite::heap_in_use();
+    if (i == early) h.early = bench::heap_in_use();
   }
-  h.late = suite::heap_in_use();
+  h.late = bench::heap_in_use();
   return h;
 }
 
 TEST(HeapInUse, SeesWhatIsHeld) {
-  const std::size_t before = suite::heap_in_use();
+  const std::size_t before = bench::heap_in_use();
   if (before == 0) GTEST_SKIP() << "the allocator does not tell";
   const std::vector<char> kept(100'000);
-  EXPECT_GE(suite::heap_in_use(), before + kept.size());
+  EXPECT_GE(bench::heap_in_use(), before + kept.size());
 }
 
 class EveryLongRun : public EveryVariant {};

@@ -1,6 +1,6 @@
 // Work in a process of its own: what comes back from it, and what is said when nothing does.
 
-#include "bench/kit/own_process.h"
+#include "bench/kit/process/own_process.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -9,12 +9,12 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-namespace desmo::suite::own_process_test {
+namespace desmo::bench::own_process_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string complaint(const std::function<Json()>& work) {
+std::string message_of(const std::function<Json()>& work) {
   try {
     in_own_process("truck/558", work);
   } catch (const std::runtime_error& e) {
@@ -39,8 +39,8 @@ TEST(OwnProcess, LeavesNoTraceInThisOne) {
 }
 
 TEST(OwnProcess, ThatEndsOtherwiseIsNamed) {
-  const std::string thrown = complaint([]() -> Json { throw std::runtime_error("no such part"); }),
-                    killed = complaint([] {
+  const std::string thrown = message_of([]() -> Json { throw std::runtime_error("no such part"); }),
+                    killed = message_of([] {
                       std::raise(SIGKILL);
                       return Json();
                     });
@@ -49,4 +49,4 @@ TEST(OwnProcess, ThatEndsOtherwiseIsNamed) {
 }
 
 }  // namespace
-}  // namespace desmo::suite::own_process_test
+}  // namespace desmo::bench::own_process_test

@@ -1,4 +1,4 @@
-// The rival written by hand: the same answers as ours, everywhere and in everything, and no answer
+// The peer written by hand: the same answers as ours, everywhere and in everything, and no answer
 // where there is none.
 
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "bench/kit/peer_cell.h"
+#include "bench/experiments/paper/peer_candidate.h"
 #include "cases/generators/cases.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/variants.h"
@@ -23,23 +23,24 @@ class TreePeersOfCase : public testing::TestWithParam<std::string_view> {};
 
 TEST_P(TreePeersOfCase, AgreeWithTheQuadrupleReferenceAtEverySize) {
   const Case& c = find_case(GetParam());
-  suite::ReferenceCache references;
-  suite::Options options;
+  bench::ReferenceCache references;
+  paper::Options options;
   options.peer_limit = 1e9;
   for (const int n : c.sizes) {
     if (DESMO_SANITIZED && n > c.sizes[1]) break;
     // A size more is not a whole motion more.
     options.duration = n == c.sizes.front() ? DESMO_TEST_SECONDS : 0.5;
     for (const char* name : names) {
-      suite::PeerCell cell(c, n, find_peer(name), options);
-      cell.verify(references);
-      EXPECT_EQ(cell.state, suite::Timed::State::verified) << cell.name() << ": " << cell.message;
-      EXPECT_EQ(cell.compared, n) << cell.name();
-      EXPECT_EQ(cell.errors.instants, 51) << cell.name();
+      paper::PeerCandidate candidate(c, n, find_peer(name), options);
+      candidate.verify(references);
+      EXPECT_EQ(candidate.state, bench::Candidate::State::verified)
+          << candidate.name() << ": " << candidate.message;
+      EXPECT_EQ(candidate.compared, n) << candidate.name();
+      EXPECT_EQ(candidate.errors.instants, 51) << candidate.name();
       for (const double error :
-           {cell.errors.position, cell.errors.velocity, cell.errors.acceleration})
-        EXPECT_LT(error, 1e-9) << cell.name();
-      EXPECT_TRUE(cell.analyse().ok()) << cell.name();
+           {candidate.errors.position, candidate.errors.velocity, candidate.errors.acceleration})
+        EXPECT_LT(error, 1e-9) << candidate.name();
+      EXPECT_TRUE(candidate.analyse().ok()) << candidate.name();
     }
   }
 }
@@ -68,7 +69,7 @@ TEST_P(TreePeers, AssembleAnewWhateverWasSolvedBefore) {
   EXPECT_EQ(solver->iterations(), iterations);
 }
 
-/// As many iterations as ours from the same guess to the same tolerance: the rival is not held
+/// As many iterations as ours from the same guess to the same tolerance: the peer is not held
 /// back.
 TEST_P(TreePeers, NeedNoMoreIterationsThanOurs) {
   const Scene scene = truck_suspension(1);
@@ -93,7 +94,7 @@ Scene rising(double left, double right) {
   return scene;
 }
 
-std::string complaint(const PeerDefinition& peer, const Scene& scene) {
+std::string message_of(const PeerDefinition& peer, const Scene& scene) {
   const Model model = make_model(scene);
   const auto solver = peer.make(scene, model);
   try {
@@ -110,12 +111,12 @@ std::string complaint(const PeerDefinition& peer, const Scene& scene) {
 
 TEST_P(TreePeers, SayWhatCannotBeClosedAndWhere) {
   for (const auto& [left, right] : {std::pair{1.0, 1.0}, {-1.0, -1.0}, {1.0, -1.0}, {0.0, 1.0}}) {
-    const std::string said = complaint(peer, rising(left, right));
+    const std::string said = message_of(peer, rising(left, right));
     EXPECT_TRUE(said.starts_with("axle1/")) << left << " " << right << ": " << said;
   }
   Scene bars = four_bar(3);
   bars.mechanism.bodies[1].length = 7;  // the crank takes B out of reach
-  EXPECT_EQ(complaint(peer, bars), "dyad1/coupler: it does not reach the rocker");
+  EXPECT_EQ(message_of(peer, bars), "dyad1/coupler: it does not reach the rocker");
 }
 
 TEST_P(TreePeers, KnowTheCasesOfTheSuiteOnly) {

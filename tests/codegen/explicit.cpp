@@ -117,7 +117,7 @@ TEST(Explicit, IteratesOnCoresOnly) {
 TEST(Explicit, NeedsNoFallbackHoweverLargeOrSmallLengthsAre) {
   const auto in_unit = [](double unit) {
     return make_model(
-        extreme::case_of("", extreme::usual_chain(3, 1, unit), 1, {0, 0.05, 61}).scene);
+        extremes::case_of("", extremes::usual_chain(3, 1, unit), 1, {0, 0.05, 61}).scene);
   };
   const Model usual = in_unit(1);
   for (const char* id : {"group_symbolic_explicit", "group_symbolic_explicit/lanes:4"})

@@ -17,13 +17,18 @@ namespace {
 class Range final : public desmo::Observer {
  public:
   explicit Range(int coordinates) : low(coordinates, INFINITY), high(coordinates, -INFINITY) {}
-  void observe(const desmo::Instant& instant) override {
+  desmo::Flow observe(const desmo::Instant& instant) noexcept override {
     for (std::size_t i = 0; i < low.size(); ++i) {
       low[i] = std::min(low[i], instant.q[i]);
       high[i] = std::max(high[i], instant.q[i]);
     }
+    return desmo::Flow::go_on;
   }
-  bool takes_any_order() const override { return true; }
+  bool any_order() const noexcept override { return true; }
+  void restart() noexcept override {
+    std::ranges::fill(low, INFINITY);
+    std::ranges::fill(high, -INFINITY);
+  }
 
   std::vector<double> low, high;
 };

@@ -17,9 +17,10 @@ class Table final : public desmo::Observer {
   Table(std::FILE* file, int x) : file_(file), x_(x) {
     std::fputs("t [s],x [m],dx/dt [m/s],d2x/dt2 [m/s^2]\n", file_);
   }
-  void observe(const desmo::Instant& i) override {
+  desmo::Flow observe(const desmo::Instant& i) noexcept override {
     std::fprintf(file_, "%.17g,%.17g,%.17g,%.17g\n", i.time, i.q[x_], i.qd[x_], i.qdd[x_]);
     highest_ = std::fmax(highest_, i.q[x_]);
+    return desmo::Flow::go_on;
   }
   double highest() const { return highest_; }
 

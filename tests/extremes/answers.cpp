@@ -1,4 +1,4 @@
-// Whether what the extremes are judged by is right itself.
+// The answers that runs of extremes are compared with are right themselves.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "bench/experiments/extremes/chain_solution.h"
-#include "bench/experiments/extremes/problem.h"
+#include "bench/experiments/extremes/known_case.h"
 #include "cases/extremes/rows.h"
 #include "formulations/scaling/scales.h"
 #include "formulations/verification/condition.h"
@@ -18,7 +18,7 @@
 #include "formulations/verification/reference/reference.h"
 #include "formulations/verification/reference/wide_instant.h"
 
-namespace desmo::extreme::answers_test {
+namespace desmo::extremes::answers_test {
 namespace {
 
 ExtremeCase turning(const DyadChain& chain) { return case_of("turning", chain, 1.5, {0, 0.2, 15}); }
@@ -151,9 +151,9 @@ TEST(ChainSolution, PredictsHowRoundedLengthsMoveTheLastJoint) {
   EXPECT_GT(largest, predicted / 1000);
 }
 
-TEST(Problem, KnowsWhereAThirdGroupLocksAndReopens) {
+TEST(KnownCase, KnowsWhereAThirdGroupLocksAndReopens) {
   const std::vector<ExtremeCase> cases = lock_up(Extent::brief);
-  const Problem p = make_problem(cases.front());
+  const KnownCase p = make_known_case(cases.front());
   EXPECT_TRUE(p.no_answer.empty()) << p.no_answer;
   int changes = 0;
   for (std::size_t i = 1; i < p.solvable.size(); ++i) changes += p.solvable[i] != p.solvable[i - 1];
@@ -168,12 +168,12 @@ TEST(Problem, KnowsWhereAThirdGroupLocksAndReopens) {
   }
 }
 
-TEST(Problem, JudgesChainsOfDifferentSizeEachByItsOwn) {
+TEST(KnownCase, JudgesChainsOfDifferentSizeEachByItsOwn) {
   DyadChain small = usual_chain(1, 1, 1e-3), large = usual_chain(1, 1);
   small.prefix = "small/";
   const Motion motion = Polynomial{{1, 1}};
   const ExtremeCase c = case_of("both", {small, large}, {motion, motion}, {0, 0.1, 3});
-  const Problem p = make_problem(c);
+  const KnownCase p = make_known_case(c);
   ASSERT_EQ(p.answers.size(), 2u);
   EXPECT_NEAR(p.answers[0].scales.length.position, 1e-3 * p.answers[1].scales.length.position,
               1e-12);
@@ -181,7 +181,7 @@ TEST(Problem, JudgesChainsOfDifferentSizeEachByItsOwn) {
 
 TEST(Extremes, AreNumberedAndTheirCasesHaveNamesOfTheirOwn) {
   int number = 0;
-  for (const Extreme& row : extremes()) {
+  for (const Extreme& row : all_extremes()) {
     EXPECT_EQ(row.number, ++number);
     for (const Extent extent : {Extent::brief, Extent::full}) {
       if (row.number == 1 && extent == Extent::full) continue;  // a million dyads
@@ -196,4 +196,4 @@ TEST(Extremes, AreNumberedAndTheirCasesHaveNamesOfTheirOwn) {
 }
 
 }  // namespace
-}  // namespace desmo::extreme::answers_test
+}  // namespace desmo::extremes::answers_test

@@ -7,10 +7,9 @@
 #include <regex>
 #include <string>
 
-#include "bench/experiments/extremes/summary.h"
 #include "bench/experiments/extremes/table.h"
 
-namespace desmo::extreme::monitors_test {
+namespace desmo::extremes::monitors_test {
 namespace {
 
 /// What a monitor alone finds.
@@ -63,4 +62,4 @@ std::string monitor_name(const testing::TestParamInfo<Found>& info) {
 INSTANTIATE_TEST_SUITE_P(Monitors, EveryMonitor, testing::ValuesIn(all), monitor_name);
 
 }  // namespace
-}  // namespace desmo::extreme::monitors_test
+}  // namespace desmo::extremes::monitors_test

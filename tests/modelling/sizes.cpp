@@ -22,16 +22,16 @@ ModellingResult modelled(const ExtremeCase& c) {
 }
 
 ExtremeCase chain_of(double scale, int dyads = 2) {
-  return extreme::case_of("", extreme::usual_chain(dyads, start, scale), 1, {0, 0.1, 5});
+  return extremes::case_of("", extremes::usual_chain(dyads, start, scale), 1, {0, 0.1, 5});
 }
 
 /// Two chains in one mechanism.
 ExtremeCase both(double small, double large) {
-  DyadChain a = extreme::usual_chain(2, start, small), b = extreme::usual_chain(2, start, large);
+  DyadChain a = extremes::usual_chain(2, start, small), b = extremes::usual_chain(2, start, large);
   a.prefix = "a/";
   b.prefix = "b/";
   const Motion turning = Polynomial{{start, 1}};
-  return extreme::case_of("", {a, b}, {turning, turning}, {0, 0.1, 5});
+  return extremes::case_of("", {a, b}, {turning, turning}, {0, 0.1, 5});
 }
 
 TEST(Sizes, OfMechanismsFromAtomsToGalaxiesMakeTheSameModel) {

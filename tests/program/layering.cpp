@@ -43,8 +43,9 @@ TEST(Layering, IncludesFollowTheDesign) {
   EXPECT_GT(includes, 50);
 }
 
-/// A folder of cases or formulations may include itself and those before it. `formulation.h` is the
-/// interface that stepping and batches implement; the other files at the door stand after codegen.
+/// A folder of cases, formulations or bench may include itself and those before it. `formulation.h`
+/// is the interface that stepping and batches implement; the other files at the door stand after
+/// codegen.
 TEST(Layering, FoldersIncludeOnlyThoseBeforeThem) {
   const std::vector<std::string> order = {"cases/mechanism",
                                           "cases/generators",
@@ -69,7 +70,12 @@ TEST(Layering, FoldersIncludeOnlyThoseBeforeThem) {
                                           "formulations/codegen",
                                           "formulations",
                                           "formulations/verification",
-                                          "formulations/runtime"};
+                                          "formulations/runtime",
+                                          "bench/kit",
+                                          "bench/peers",
+                                          "bench/regression",
+                                          "bench/experiments",
+                                          "bench/cli"};
   const auto rank = [&](const std::string& file) {  // of the longest entry that it stands in
     std::size_t best = order.size(), length = 0;
     for (std::size_t i = 0; i < order.size(); ++i)
@@ -80,7 +86,7 @@ TEST(Layering, FoldersIncludeOnlyThoseBeforeThem) {
     return best;
   };
   int includes = 0;
-  for (const char* top : {"cases", "formulations"})
+  for (const char* top : {"cases", "formulations", "bench"})
     for (const auto& file : fs::recursive_directory_iterator(source_dir / top)) {
       const std::string extension = file.path().extension().string();
       if (extension != ".h" && extension != ".cpp") continue;
@@ -90,7 +96,9 @@ TEST(Layering, FoldersIncludeOnlyThoseBeforeThem) {
       for (std::string line; std::getline(in, line);) {
         if (!line.starts_with("#include \"")) continue;
         const std::string path = line.substr(10, line.rfind('"') - 10);
-        if (!path.starts_with("cases/") && !path.starts_with("formulations/")) continue;
+        if (!path.starts_with("cases/") && !path.starts_with("formulations/") &&
+            !path.starts_with("bench/"))
+          continue;
         ++includes;
         EXPECT_LE(rank(path), rank(name)) << name << " includes " << path;
       }

@@ -10,7 +10,7 @@
 #include <iterator>
 #include <string>
 
-namespace desmo::suite::bench_program_test {
+namespace desmo::bench::bench_program_test {
 namespace {
 
 /// environment: settings of variables, for the shell.
@@ -84,16 +84,6 @@ TEST(Bench, HasEveryExperimentByItsName) {
   EXPECT_NE(said("accuracy --quick").find("--record FILE is missing"), std::string::npos);
 }
 
-TEST(Bench, MeasuresDrift) {
-  const std::string drift = "accuracy --drift four_bar/24 group_symbolic_inlined";
-  EXPECT_EQ(run_bench(drift + " 3000"), 0);
-  EXPECT_NE(said(drift + " 2500 1e-10").find("2500 steps of 0.01 s"), std::string::npos);
-  EXPECT_EQ(run_bench(drift + " many"), 64);
-  EXPECT_EQ(run_bench("accuracy --drift four_bar/24"), 64);
-  EXPECT_EQ(run_bench("accuracy --drift no_such_mechanism group_symbolic_inlined"), 64);
-  EXPECT_EQ(run_bench(drift + " --record drift.json"), 64);
-}
-
 TEST(Bench, ValidatesTuningOfMechanismsThatItHas) {
   const std::string record = testing::TempDir() + "desmo_validation.json";
   EXPECT_EQ(run_bench("accuracy --validate-tuning --mechanism abacus --record " + record), 64);
@@ -114,7 +104,7 @@ TEST(Bench, RunsFormulationsWithSettingsBesideTheTable) {
 TEST(Bench, RecordsAreReadByTheReport) {
   const std::string record = testing::TempDir() + "desmo_end_to_end.json";
   const std::string report = DESMO_REPORT " tables " + record + " >/dev/null 2>&1";
-  // With a cell that is not run, and with one that fails.
+  // With a candidate that is not run, and with one that fails.
   ASSERT_EQ(run_bench("--duration=0.02 --record=" + record +
                       " '--benchmark_filter=/(114|225)/global_automatic_(klu|lapack)$'"),
             0);
@@ -126,7 +116,7 @@ TEST(Bench, RecordsAreReadByTheReport) {
     EXPECT_NE(text.find("{\"case\":\"" + std::string(of)), std::string::npos) << of;
   ASSERT_EQ(run_bench("--step=2 --record=" + record + too_few), 1);
   EXPECT_EQ(std::system(report.c_str()), 0);
-  // With requests, with and without everything beside them.
+  // With requests, with and without everything else.
   for (const std::string filter : {"558/block_symbolic_inlined", "request:(damper|axle)$"}) {
     ASSERT_EQ(
         run_bench("--duration=0.02 --record=" + record + " '--benchmark_filter=" + filter + "'"),
@@ -162,4 +152,4 @@ TEST(Bench, TimesThePapersSolverWhereItsLibraryIs) {
 }
 
 }  // namespace
-}  // namespace desmo::suite::bench_program_test
+}  // namespace desmo::bench::bench_program_test

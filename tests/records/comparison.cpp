@@ -9,7 +9,7 @@
 #include <iterator>
 #include <string>
 
-namespace desmo::suite::comparison_test {
+namespace desmo::bench::comparison_test {
 namespace {
 
 int run(const std::string& command) {
@@ -22,7 +22,7 @@ std::string text_of(const std::string& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-// With a peer, a request, and several threads beside one.
+// With a peer, a request, and several threads and one.
 TEST(FreshRecord, IsComparableWithItselfAndGivesOne) {
   const std::string record = testing::TempDir() + "desmo_compared.json",
                     said = testing::TempDir() + "desmo_compared.txt";
@@ -51,4 +51,4 @@ TEST(FreshRecord, IsComparableWithItselfAndGivesOne) {
 }
 
 }  // namespace
-}  // namespace desmo::suite::comparison_test
+}  // namespace desmo::bench::comparison_test

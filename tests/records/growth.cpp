@@ -2,41 +2,50 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdio>
-#include <sstream>
+#include <algorithm>
+#include <limits>
 #include <string>
+
+#include "bench/kit/time/clock.h"
+#include "cases/generators/cases.h"
+#include "cases/io/files.h"
+#include "formulations/modelling/modelling.h"
+#include "formulations/variants.h"
 
 namespace desmo::growth_test {
 namespace {
 
-struct Row {
-  std::string name;
-  double bodies, coordinates, blocks, size, read, model, cut, setup, step;
-  double analysis() const { return read + model + cut; }
+struct Times {
+  double analysis;  ///< reading, modelling, and finding the blocks [s]
+  double step = std::numeric_limits<double>::infinity();  ///< the fastest of some [s]
 };
 
-TEST(FileGrowth, IsNearLinearUpToTenThousandBodies) {
-  FILE* pipe = popen(DESMO_BENCH " size --files", "r");
-  ASSERT_NE(pipe, nullptr);
-  std::string output;
-  for (int c; (c = std::fgetc(pipe)) != EOF;) output += static_cast<char>(c);
-  ASSERT_EQ(pclose(pipe), 0);
-  std::cout << output;
+Times measure(const Case& c, int units) {
+  const Scene scene = c.describe(units);
+  const std::string text = write_mechanism(scene.mechanism);
+  const double start = bench::cpu_now();
+  const Mechanism mechanism = parse_mechanism(text, std::string(c.name));
+  const Model m = model_mechanism(mechanism, scene.motions).model;
+  EXPECT_GT(make_partition(m, Partition::block).size(), 100u);
+  Times times{.analysis = bench::cpu_now() - start};
+  const auto f = make_formulation(find_variant("group_symbolic_inlined"), m, {.tolerance = 1e-7});
+  for (int i = 0; i <= 20; ++i) {
+    const double before = bench::cpu_now();
+    EXPECT_TRUE(f->step(i * scene.grid.step).ok());
+    times.step = std::min(times.step, bench::cpu_now() - before);
+  }
+  return times;
+}
 
-  std::istringstream lines(output);
-  std::string header;
-  std::getline(lines, header);
-  std::vector<Row> rows;
-  for (Row r; lines >> r.name >> r.bodies >> r.coordinates >> r.blocks >> r.size >> r.read >>
-              r.model >> r.cut >> r.setup >> r.step;)
-    rows.push_back(r);
-  ASSERT_EQ(rows.size(), 6u);
-  for (const std::size_t last : {2u, 5u}) {
-    EXPECT_GT(rows[last].bodies, 9'900);
+TEST(FileGrowth, IsNearLinearUpToTenThousandBodies) {
+  for (const Case& c : cases()) {
+    const auto bodies_of = [&](int units) { return c.describe(units).mechanism.bodies.size(); };
+    const int units = static_cast<int>(10'000 / (bodies_of(2) - bodies_of(1)));
+    const Times some = measure(c, units / 10), many = measure(c, units);
     // Ten times the bodies: a quadratic cost would show as 100. The bound leaves room for a cache
     // that no longer holds everything and for a neighbour that shares it.
-    EXPECT_LT(rows[last].analysis(), 40 * rows[last - 1].analysis()) << rows[last].name;
-    EXPECT_LT(rows[last].step, 40 * rows[last - 1].step) << rows[last].name;
+    EXPECT_LT(many.analysis, 40 * some.analysis) << c.name;
+    EXPECT_LT(many.step, 40 * some.step) << c.name;
   }
 }
 

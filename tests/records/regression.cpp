@@ -1,4 +1,4 @@
-// What bench/check measures with: the probe's cells, the driver, and counts that repeat.
+// What bench/check measures with: the probe's candidates, the driver, and counts that repeat.
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -10,10 +10,9 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "bench/regression/cell_name.h"
-#include "bench/regression/cells.h"
-#include "bench/regression/side.h"
-#include "bench/regression/subject.h"
+#include "bench/kit/process/child.h"
+#include "bench/regression/candidate.h"
+#include "bench/regression/checked.h"
 #include "formulations/algebra/backend.h"
 #include "formulations/variants.h"
 
@@ -23,28 +22,28 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-TEST(CellNames, AreReadOrRefused) {
-  const CellName name = parse_cell("four_bar/24/group_symbolic_klu");
+TEST(CandidateNames, AreReadOrRefused) {
+  const CandidateName name = parse_name("four_bar/24/group_symbolic_klu");
   EXPECT_EQ(name.case_name, "four_bar");
   EXPECT_EQ(name.coordinates, 24);
   EXPECT_EQ(name.id, "group_symbolic_klu");
   for (const char* bad : {"", "four_bar", "four_bar/24", "four_bar/24/", "four_bar/x/id", "a//b"})
-    EXPECT_THROW(parse_cell(bad), std::invalid_argument) << bad;
+    EXPECT_THROW(parse_name(bad), std::invalid_argument) << bad;
 }
 
 TEST(Launch, PassesOnWhereLibrariesAre) {
   ::setenv("DESMO_LIBCOINHSL", "/some/libcoinhsl.so", 1);
-  const std::vector<std::string> all = fixed_launch({"program"}).environment;
+  const std::vector<std::string> all = bench::fixed_launch({"program"}).environment;
   ::unsetenv("DESMO_LIBCOINHSL");
   EXPECT_EQ(std::ranges::count(all, "DESMO_LIBCOINHSL=/some/libcoinhsl.so"), 1);
 }
 
-TEST(CheckedCells, UseEveryPartitionEvaluationAndAlgebraOfThisBuild) {
+TEST(Checked, UsesEveryPartitionEvaluationAndAlgebraOfThisBuild) {
   for (const Variant& v : variants()) {
     if (v.backend && v.backend->absence) continue;  // on some machines only
     bool partition = false, evaluation = false, algebra = false;
-    for (const char* cell : checked_cells) {
-      const std::string id = parse_cell(cell).id;
+    for (const std::string& name : checked_names()) {
+      const std::string id = parse_name(name).id;
       const auto same = [&](std::size_t from, std::size_t to) {
         return id.find(v.id.substr(from, to - from)) != std::string::npos;
       };
@@ -57,18 +56,19 @@ TEST(CheckedCells, UseEveryPartitionEvaluationAndAlgebraOfThisBuild) {
   }
 }
 
-TEST(Subject, WalksBackAndForthToTheSameSolution) {
-  Subject subject(parse_cell("four_bar/24/group_symbolic_klu"), 21);
-  ASSERT_TRUE(subject.analyse().ok());
-  EXPECT_EQ(subject.last_instant(), 20);
-  const Summary back = subject.walk(19, 10);
+TEST(SteppedCandidate, WalksBackAndForthToTheSameSolution) {
+  const bench::Problem problem = problem_of({"four_bar", 24, {}}, 21);
+  SteppedCandidate candidate(problem, "group_symbolic_klu");
+  ASSERT_TRUE(candidate.run().ok());
+  EXPECT_EQ(candidate.last_instant(), 20);
+  const Summary back = candidate.walk(19, 10);
   ASSERT_TRUE(back.ok());
   EXPECT_DOUBLE_EQ(back.time, 0.1);
   EXPECT_LT(back.residual, Settings{}.tolerance);
-  EXPECT_TRUE(subject.walk(11, 20).ok());
+  EXPECT_TRUE(candidate.walk(11, 20).ok());
 }
 
-TEST(Subject, ExtraStepsAreTheShareAskedFor) {
+TEST(SteppedCandidate, ExtraStepsAreTheShareAskedFor) {
   EXPECT_EQ(extra_steps(100, 1), 1);
   EXPECT_EQ(extra_steps(100, 10), 10);
   EXPECT_EQ(extra_steps(50, 10), 5);
@@ -106,7 +106,7 @@ class Driver : public testing::Test {
   static bool can_count() { return std::system("valgrind --version >/dev/null 2>&1") == 0; }
 
   const std::string programs = fs::path(DESMO_CHECK).parent_path().string();
-  const std::string cell = "four_bar/54/block_symbolic_klu";
+  const std::string name = "four_bar/54/block_symbolic_klu";
   fs::path folder_;
 };
 
@@ -114,10 +114,10 @@ TEST_F(Driver, CountsRepeatToTheLastInstruction) {
   if (!can_count()) GTEST_SKIP() << "needs valgrind";
   std::vector<Json> counts;
   for (int run = 0; run < 2; ++run) {
-    ASSERT_EQ(check("measure " + file("results.json") + " --no-time --cell " + cell), 0)
+    ASSERT_EQ(check("measure " + file("results.json") + " --no-time --cell " + name), 0)
         << text("err");
     EXPECT_EQ(verdict(), 0) << text("out");
-    const Json both = results()["work"]["instructions"][cell];
+    const Json both = results()["work"]["instructions"][name];
     counts.push_back(both["base"]);
     counts.push_back(both["head"]);
   }
@@ -127,12 +127,12 @@ TEST_F(Driver, CountsRepeatToTheLastInstruction) {
 
 TEST_F(Driver, OnePercentMoreInstructionsRaiseAnAlarm) {
   if (!can_count()) GTEST_SKIP() << "needs valgrind";
-  ASSERT_EQ(check("measure " + file("results.json") + " --no-time --cell " + cell +
-                  " --slow head:" + cell + ":1"),
+  ASSERT_EQ(check("measure " + file("results.json") + " --no-time --cell " + name +
+                  " --slow head:" + name + ":1"),
             0)
       << text("err");
   EXPECT_EQ(verdict(), 1) << text("out");
-  EXPECT_NE(text("out").find("More work: " + cell), std::string::npos) << text("out");
+  EXPECT_NE(text("out").find("More work: " + name), std::string::npos) << text("out");
 }
 
 // What is measured is compiled without line numbers: another line of comment gives the same object.
@@ -163,19 +163,19 @@ TEST_F(Driver, ACommentChangesNoInstruction) {
 }
 
 TEST_F(Driver, TimesAreMeasuredInPairsAndMoreCanBeAdded) {
-  ASSERT_EQ(check("measure " + file("results.json") + " --no-work --cell " + cell), 0)
+  ASSERT_EQ(check("measure " + file("results.json") + " --no-work --cell " + name), 0)
       << text("err");
-  EXPECT_NE(text("err").find("rounds of 1 cells"), std::string::npos) << text("err");
+  EXPECT_NE(text("err").find("rounds of 1 candidates"), std::string::npos) << text("err");
   EXPECT_LE(verdict(), 3) << text("out");
   EXPECT_EQ(results()["head"]["paper"]["cells"][0]["time"]["seconds"].size(), 25u);
   EXPECT_EQ(results()["control"]["base"].size(), 25u);
-  ASSERT_EQ(check("more " + file("results.json") + " first " + cell), 0) << text("err");
-  ASSERT_EQ(check("more " + file("results.json") + " second " + cell), 0) << text("err");
+  ASSERT_EQ(check("more " + file("results.json") + " first " + name), 0) << text("err");
+  ASSERT_EQ(check("more " + file("results.json") + " second " + name), 0) << text("err");
   const Json json = results();
   for (const char* side : {"base", "head"}) {
     EXPECT_EQ(json[side]["paper"]["cells"][0]["time"]["seconds"].size(), 50u);
     EXPECT_EQ(json["control"][side].size(), 50u);
-    EXPECT_EQ(json["second"][cell][side].size(), 25u);
+    EXPECT_EQ(json["second"][name][side].size(), 25u);
     EXPECT_EQ(json["second"]["control"][side].size(), 25u);
   }
   EXPECT_NE(json["base"]["paper"]["cells"][0]["time"], json["head"]["paper"]["cells"][0]["time"]);
@@ -185,15 +185,15 @@ TEST_F(Driver, TimesAreMeasuredInPairsAndMoreCanBeAdded) {
 TEST_F(Driver, ErrorsNameWhatIsWrongAndLeaveNoFile) {
   EXPECT_EQ(check("measure " + file("results.json") + " --slow head:no/1/such:5"), 64);
   EXPECT_NE(text("err").find("no/1/such"), std::string::npos) << text("err");
-  EXPECT_EQ(check("measure " + file("results.json") + " --slow sideways:" + cell + ":5"), 64);
-  EXPECT_EQ(check("measure " + file("results.json") + " --slow head:" + cell + ":much"), 64);
+  EXPECT_EQ(check("measure " + file("results.json") + " --slow sideways:" + name + ":5"), 64);
+  EXPECT_EQ(check("measure " + file("results.json") + " --slow head:" + name + ":much"), 64);
   EXPECT_EQ(check("measure " + file("results.json") + " --cell no/1/such"), 64);
   EXPECT_EQ(shell(std::string(DESMO_CHECK) + " --head " + file("nowhere") + " measure " +
                   file("results.json")),
             74);
   EXPECT_NE(text("err").find(file("nowhere")), std::string::npos) << text("err");
-  EXPECT_EQ(check("more " + file("results.json") + " first " + cell), 74);
-  EXPECT_EQ(check("measure " + file("no/folder.json") + " --no-work --cell " + cell), 74);
+  EXPECT_EQ(check("more " + file("results.json") + " first " + name), 74);
+  EXPECT_EQ(check("measure " + file("no/folder.json") + " --no-work --cell " + name), 74);
   EXPECT_FALSE(fs::exists(file("results.json")));
 }
 

@@ -101,7 +101,7 @@ TEST_P(EveryFailure, AssemblesWhenAStepComesFirst) {
 TEST(Step, GoesByWayOfTimesBetweenWhereItIsTooLong) {
   DyadChain chain{.crank = 2, .start = std::numbers::pi, .dyads = {}};
   chain.dyads = {closed_dyad(crank_pin(chain), {6, 0, 0}, 5, 3 + 1e-12, 1)};
-  const Model m = make_model(extreme::case_of("", chain, 1, {0, 1, 2}).scene);
+  const Model m = make_model(extremes::case_of("", chain, 1, {0, 1, 2}).scene);
   const auto f = make_formulation(find_variant("global_automatic_klu"), m);
   ASSERT_TRUE(f->assemble(0).ok());
   for (const double way : {0.01, 0.1, 0.3}) {
@@ -192,7 +192,8 @@ TEST(ReusedPivots, AreChosenAnewAndCountedWhereOneVanishes) {
                                      {jx, jy, jz},
                                      std::atan2(jy, jx - pivot)}}};
     const Scene scene =
-        extreme::case_of("", std::vector{chain}, {Polynomial{{angle - 0.6, 1}}}, {0, 0.1, 8}).scene;
+        extremes::case_of("", std::vector{chain}, {Polynomial{{angle - 0.6, 1}}}, {0, 0.1, 8})
+            .scene;
     const Model m = make_model(scene);
     const auto reusing = make_formulation(find_variant("group_automatic_klu"), m),
                anew = make_formulation(find_variant("group_automatic_eigen"), m);

@@ -8,7 +8,7 @@
 #include <map>
 #include <vector>
 
-#include "bench/kit/cell.h"
+#include "bench/experiments/paper/case_candidate.h"
 #include "cases/generators/cases.h"
 #include "formulations/variants.h"
 #include "formulations/verification/reference/reference.h"
@@ -21,22 +21,23 @@ namespace {
 
 constexpr double short_motion = DESMO_SANITIZED ? 0.05 : 0.5;  // s
 
-suite::Options options_for(double duration) {
-  suite::Options o;
+paper::Options options_for(double duration) {
+  paper::Options o;
   o.duration = duration;
   o.slow_limit = 558;
   return o;
 }
 
 /// Returns the references of motions of this duration, which all tests of a process share.
-suite::ReferenceCache& references(double duration) {
-  static std::map<double, suite::ReferenceCache> caches;
+bench::ReferenceCache& references(double duration) {
+  static std::map<double, bench::ReferenceCache> caches;
   return caches[duration];
 }
 
-void expect_agreement(suite::Cell& cell, double duration) {
+void expect_agreement(paper::CaseCandidate& cell, double duration) {
   cell.verify(references(duration));
-  EXPECT_EQ(cell.state, suite::Cell::State::verified) << cell.name() << ": " << cell.message;
+  EXPECT_EQ(cell.state, paper::CaseCandidate::State::verified)
+      << cell.name() << ": " << cell.message;
   EXPECT_GE(cell.errors.instants, std::min(cell.grid.instants, 50)) << cell.name();
   EXPECT_LE(cell.errors.position, 1e-9) << cell.name();
   EXPECT_LE(cell.errors.velocity, 1e-8) << cell.name();
@@ -52,13 +53,13 @@ TEST_P(Sizes, EveryFormulationAgreesWithTheQuadrupleReference) {
   const auto [definition, coordinates] = GetParam();
   const bool smallest = coordinates == definition->sizes.front();
   const double duration = smallest ? DESMO_TEST_SECONDS : short_motion;
-  suite::Options options = options_for(duration);
+  paper::Options options = options_for(duration);
   if (duration > 6) options.step = 0.02;
   const std::vector<Variant> all = tested_variants();
   int verified = 0;
   for (const Variant& v : all) {
-    suite::Cell cell(*definition, coordinates, v, options);
-    if (cell.state == suite::Cell::State::not_run) continue;
+    paper::CaseCandidate cell(*definition, coordinates, v, options);
+    if (cell.state == paper::CaseCandidate::State::not_run) continue;
     expect_agreement(cell, duration);
     ++verified;
   }
@@ -81,14 +82,15 @@ INSTANTIATE_TEST_SUITE_P(Cases, Sizes, testing::ValuesIn(tested_sizes()), [](con
 /// Dense global solves at the larger sizes take too long for the whole motion.
 TEST_P(Sizes, DenseGlobalSolvesAgreeOverAShorterMotion) {
   const auto [definition, coordinates] = GetParam();
-  suite::Options options = options_for(short_motion);
+  paper::Options options = options_for(short_motion);
   options.dense_limit = 558;
   int verified = 0;
   for (const Variant& v : variants()) {
     if (!is_dense_global(v)) continue;
-    suite::Cell cell(*definition, coordinates, v, options);
+    paper::CaseCandidate cell(*definition, coordinates, v, options);
     cell.verify(references(short_motion));
-    EXPECT_EQ(cell.state, suite::Cell::State::verified) << cell.name() << ": " << cell.message;
+    EXPECT_EQ(cell.state, paper::CaseCandidate::State::verified)
+        << cell.name() << ": " << cell.message;
     ++verified;
   }
   EXPECT_EQ(verified, 4);
@@ -101,7 +103,8 @@ TEST_P(LargestSizes, TwoFormulationsAgreeOverALongerMotion) {
   const Case& definition = *GetParam();
   const double duration = DESMO_SANITIZED ? short_motion : 6;
   for (const char* id : {"global_automatic_klu", "group_symbolic_explicit"}) {
-    suite::Cell cell(definition, definition.sizes.back(), find_variant(id), options_for(duration));
+    paper::CaseCandidate cell(definition, definition.sizes.back(), find_variant(id),
+                              options_for(duration));
     expect_agreement(cell, duration);
   }
 }

@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include "bench/kit/cell.h"
+#include "bench/experiments/paper/case_candidate.h"
 #include "formulations/algebra/coinhsl.h"
 #include "formulations/id.h"
 #include "tests/mechanisms.h"
@@ -37,14 +37,15 @@ constexpr const char* ids[] = {"global_automatic_ma27", "global_symbolic_ma27",
                                "block_automatic_ma27",  "block_symbolic_ma27"};
 
 TEST_F(Ma27, FormulationsAgreeWithTheQuadrupleReference) {
-  suite::Options options;
+  paper::Options options;
   options.duration = 0.5;
-  suite::ReferenceCache references;
+  bench::ReferenceCache references;
   for (const Case& c : cases())
     for (const char* id : ids) {
-      suite::Cell cell(c, 114, find_variant(id), options);
+      paper::CaseCandidate cell(c, 114, find_variant(id), options);
       cell.verify(references);
-      EXPECT_EQ(cell.state, suite::Cell::State::verified) << cell.name() << ": " << cell.message;
+      EXPECT_EQ(cell.state, paper::CaseCandidate::State::verified)
+          << cell.name() << ": " << cell.message;
       EXPECT_EQ(cell.errors.instants, 51) << cell.name();
       EXPECT_LE(cell.errors.position, 1e-9) << cell.name();
       EXPECT_LE(cell.errors.velocity, 1e-8) << cell.name();

@@ -1,123 +1,173 @@
 // desmo_bench accuracy: time against error, for formulations and the settings that trade one for
 // the other.
+#include <algorithm>
+#include <cmath>
+#include <list>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "bench/experiments/accuracy/drift.h"
-#include "bench/experiments/accuracy/record.h"
+#include "bench/experiments/accuracy/series.h"
+#include "bench/experiments/accuracy/trial.h"
 #include "bench/experiments/accuracy/tuning_validation.h"
-#include "bench/experiments/common_options.h"
-#include "bench/kit/kept_memory.h"
-#include "bench/kit/progress.h"
-#include "bench/kit/recording.h"
+#include "bench/experiments/experiments.h"
+#include "bench/kit/memory.h"
+#include "bench/kit/process/progress.h"
+#include "bench/kit/record/record.h"
 #include "formulations/algebra/blas.h"
 #include "formulations/modelling/modelling.h"
+#include "formulations/verification/condition.h"
 
-namespace desmo::precision {
+namespace desmo::accuracy {
 
 namespace {
 
+using bench::level_names;
+using Json = nlohmann::ordered_json;
+
 constexpr int compared_instants = 21;
 constexpr int usual_repetitions = 5;
-constexpr double min_seconds = 0.01;  // of a sample
+constexpr double sample_seconds = 0.01;
 constexpr double dear_seconds = 0.3;  // a motion that takes longer has two samples only
 
-struct Options : experiments::CommonOptions {
+struct Options : bench::CommonOptions {
   bool validates_tuning = false;
   std::vector<std::string> mechanisms;
-  bool measures_drift = false;
 };
 
-bool is_sampled(const Trial& trial, const Series& series) {
-  return trial.seconds_per_step.size() >= 2 && trial.min_seconds() * series.instants > dear_seconds;
+double rounded(double value) { return bench::rounded(value, 6); }
+
+Json per_level(const PerLevel<double>& values) {
+  Json j;
+  for (const Level level : levels) j[level_names[level]] = values[level];
+  return j;
+}
+
+/// Leaves out an error that is not finite, or none at all: JSON has no number for it.
+Json error_json(const Error& error) {
+  constexpr double max_error = 1e100;
+  Json j = Json::object();
+  for (const Level level : levels) {
+    const LevelError& e = error[level];
+    if (e.compared > 0 && e.max <= max_error && std::isfinite(e.rms))
+      j[level_names[level]] = {{"max", rounded(e.max)}, {"rms", rounded(e.rms)}};
+  }
+  return j;
+}
+
+Json motion_json(const Series& series) {
+  return {{"case", series.definition->name},
+          {"coordinates", series.coordinates},
+          {"step_seconds", series.step},
+          {"instants", series.instants}};
+}
+
+/// Returns the largest condition number over the instants of the reference.
+double condition(const Problem& problem) {
+  ConditionNumber number(problem.plan.model);
+  double max = 0;
+  for (const ReferenceInstant& instant : problem.reference.instants)
+    max = std::max(max, number(instant.q));
+  return max;
+}
+
+/// Returns an entry of `floors` in the record: what is known of a problem apart from its trials.
+Json floor_json(const Series& series, const Problem& problem) {
+  Json j = motion_json(series);
+  j["compared"] = problem.reference.instants.size();
+  j["reference"] = per_level(problem.reference.floor);
+  const double k = condition(problem);
+  if (!std::isfinite(k)) return j;  // singular somewhere: nothing can be predicted
+  j["condition"] = k;
+  j["limit"] = {{"double", per_level(accuracy_limit(k, std::ldexp(1, -53)))},
+                {"float", per_level(accuracy_limit(k, std::ldexp(1, -24)))}};
+  return j;
+}
+
+/// Returns an entry of `points` in the record: a point of the work–precision diagram.
+Json point_json(const Series& series, const Trial& trial) {
+  Json j = motion_json(series);
+  j["id"] = trial.id();
+  j["status"] = trial.is_verified() ? "ok" : trial.is_not_run() ? "not_applicable" : "failed";
+  if (!trial.is_verified()) {
+    j["message"] = trial.message;
+    return j;
+  }
+  j["error"] = error_json(trial.error);
+  j["violation"] = error_json(trial.violation);
+  j["iterations_per_step"] = rounded(trial.iterations_per_step);
+  j["time_per_step"] = bench::rounded_time_json(trial.seconds);
+  return j;
+}
+
+bool is_sampled(const Trial& trial) {
+  return trial.seconds.size() >= 2 && trial.min_seconds() * trial.grid.instants > dear_seconds;
 }
 
 /// Compares every configuration, then times them in turn, so that whatever slows the machine down
 /// for a while meets them all.
-std::vector<Trial> measure(const Series& series, const Problem& problem, int repetitions,
-                           suite::Progress& progress) {
-  std::vector<Trial> trials;
-  for (const Configuration& c : series.configurations) trials.emplace_back(problem, c);
-  for (Trial& trial : trials) {
-    trial.compare();
-    progress.one_done();
+void measure(const Series& series, const Problem& problem, int repetitions, Json& points,
+             bench::Progress& progress) {
+  std::list<Trial> trials;
+  for (const Configuration& c : series.configurations) {
+    trials.emplace_back(problem, c).compare();
+    progress.done();
   }
   for (int round = 0; round < repetitions; ++round)
     for (Trial& trial : trials) {
-      if (!is_sampled(trial, series)) trial.time(min_seconds);
-      progress.one_done();
+      if (!is_sampled(trial)) trial.time(sample_seconds);
+      progress.done();
     }
-  return trials;
-}
-
-int comparisons_and_samples(const std::vector<Series>& all, int repetitions) {
-  std::size_t count = 0;
-  for (const Series& series : all) count += series.configurations.size();
-  return static_cast<int>(count) * (1 + repetitions);
+  for (const Trial& trial : trials) points.push_back(point_json(series, trial));
 }
 
 void measure_all(const Options& options, const std::string& command) {
   const std::vector<Series> all =
       matching(options.quick ? quick_series() : all_series(), std::regex(options.filter));
   if (all.empty()) throw std::invalid_argument("no configuration matches " + options.filter);
-  suite::Recording recording(options.record, command);
-  nlohmann::ordered_json lists = {{"floors", nlohmann::ordered_json::array()},
-                                  {"points", nlohmann::ordered_json::array()}};
-  TimeGrid usual;
+  bench::Recording recording(options.record, command);
   const int repetitions = options.repetitions > 0 ? options.repetitions : usual_repetitions;
-  suite::Progress progress("comparisons and samples", comparisons_and_samples(all, repetitions));
+  std::size_t trials = 0;
+  for (const Series& series : all) trials += series.configurations.size();
+  bench::Progress progress("comparisons and samples",
+                           static_cast<double>(trials) * (1 + repetitions));
+  Json lists = {{"floors", Json::array()}, {"points", Json::array()}};
+  TimeGrid usual;
   for (const Series& series : all) {
     const Model whole = make_model(describe(*series.definition, series.coordinates));
     const TimeGrid grid = time_grid(series.step * (series.instants - 1), series.step);
     if (&series == &all.front()) usual = grid;
-    const Problem problem = make_problem(make_plan(whole, {}), grid, compared_instants);
+    const Problem problem = bench::make_problem(make_plan(whole, {}), grid, compared_instants);
     lists["floors"].push_back(floor_json(series, problem));
-    for (const Trial& trial : measure(series, problem, repetitions, progress))
-      lists["points"].push_back(point_json(series, trial));
+    measure(series, problem, repetitions, lists["points"], progress);
   }
   recording.write(usual, lists);
 }
 
-/// Throws std::invalid_argument for options that have nothing to do with what is measured.
-void require_consistent(const Options& o, const std::vector<std::string>& words) {
-  const bool selects = o.quick || o.repetitions > 0 || !o.filter.empty();
-  if (!o.measures_drift && !words.empty())
-    throw std::invalid_argument("unknown argument '" + words.front() + "'");
-  if (o.measures_drift && (selects || o.validates_tuning || !o.record.empty()))
-    throw std::invalid_argument("--drift prints a table; it goes with no other option");
-  if (o.validates_tuning && selects)
-    throw std::invalid_argument("--validate-tuning goes with --record and --mechanism only");
-  if (!o.validates_tuning && !o.mechanisms.empty())
-    throw std::invalid_argument("--mechanism belongs to --validate-tuning");
-}
-
-int run(const experiments::CommandLine& line) {
+int run(const bench::CommandLine& line) {
   Options options;
-  suite::OptionTable table(
+  bench::OptionTable table(
       "desmo_bench accuracy: time against error of formulations and their settings.\n"
-      "desmo_bench accuracy --validate-tuning [--mechanism NAME]...\n"
-      "desmo_bench accuracy --drift MECHANISM ID [STEPS [TOLERANCE]]");
-  experiments::add_common(table, options,
-                          {.quick = "the smallest sizes only, with few settings",
-                           .filtered = "<case>/<coordinates>/<id>",
-                           .repetitions = std::to_string(usual_repetitions)});
-  table.flag("--validate-tuning", options.validates_tuning,
-             "Instead: is the error held that desmo tune promises,\n"
-             "and how much slower is its choice than the best?");
-  table.texts("--mechanism", "NAME", options.mechanisms,
-              "Validate with this mechanism only; more than once where wanted");
-  table.flag("--drift", options.measures_drift,
-             "Instead: does the error grow in a long run (1000000 steps)?\n"
-             "MECHANISM is <case>/<coordinates> or one of the library");
-  std::vector<std::string> words;
-  if (!experiments::read_options(table, line, &words)) return 0;
-  require_consistent(options, words);
-  suite::keep_freed_memory();
+      "desmo_bench accuracy --validate-tuning [--mechanism NAME]...");
+  bench::add_common(table, options,
+                    {.quick = "the smallest sizes only, with the reduced grid",
+                     .filtered = "<case>/<coordinates>/<id>",
+                     .repetitions = std::to_string(usual_repetitions)});
+  table.add("--validate-tuning", {}, &options.validates_tuning,
+            "Instead: is the error held that desmo tune promises,\n"
+            "and how much slower is its choice than the best?");
+  table.add("--mechanism", "NAME", &options.mechanisms,
+            "Validate with this mechanism only; more than once where wanted");
+  if (!table.read(line)) return 0;
+  if (options.validates_tuning &&
+      (options.quick || options.repetitions > 0 || !options.filter.empty()))
+    throw std::invalid_argument("--validate-tuning goes with --record and --mechanism only");
+  if (!options.validates_tuning && !options.mechanisms.empty())
+    throw std::invalid_argument("--mechanism belongs to --validate-tuning");
+  bench::keep_freed_memory();
   set_blas_threads(1);  // the clock is the thread's own
-  if (options.measures_drift) return print_drift(words) ? 0 : 1;
   if (options.validates_tuning)
     validate_tuning(options.record, line.text, options.mechanisms);
   else
@@ -127,8 +177,6 @@ int run(const experiments::CommandLine& line) {
 
 }  // namespace
 
-}  // namespace desmo::precision
+}  // namespace desmo::accuracy
 
-int desmo::experiments::run_accuracy(const CommandLine& line) {
-  return desmo::precision::run(line);
-}
+int desmo::bench::run_accuracy(const CommandLine& line) { return desmo::accuracy::run(line); }

@@ -6,9 +6,9 @@
 #include <list>
 #include <span>
 
-#include "bench/experiments/accuracy/knobs.h"
+#include "bench/experiments/accuracy/settings_grid.h"
 
-namespace desmo::precision {
+namespace desmo::accuracy {
 
 namespace {
 
@@ -19,7 +19,7 @@ constexpr double near_best = 1.6;     // formulations that other settings may ye
 constexpr double perhaps_best = 1.5;  // times, of one sample each, that further ones may turn over
 constexpr double even = 1.25;         // times on the begin that may change places on the whole
 constexpr std::size_t finalists = 16;
-constexpr std::size_t most_accurate = 100;  // on the begin, within a budget
+constexpr std::size_t max_tried_on_whole = 100;  // the most accurate within a budget
 
 /// Settings that tell formulations apart: the paper's, and what usually costs least.
 std::vector<Settings> telling_settings() {
@@ -35,7 +35,7 @@ class Searcher {
   Found run() {
     std::list<Trial> trials;
     for (const Variant* v : formulations())
-      for (const Settings& s : all_settings(*v))
+      for (const Settings& s : full_settings(*v))
         add(trials, effort_.exhaustive ? whole_ : begin_, *v, s);
     say(std::to_string(trials.size()) + " configurations");
     for (Trial& t : trials) t.compare();
@@ -60,7 +60,7 @@ class Searcher {
     if (unsupported_reason(v, s).empty()) trials.emplace_back(problem, Configuration{&v, s});
   }
 
-  /// Those that some settings may make the best.
+  /// Returns those that some settings may make the best.
   std::vector<const Variant*> formulations() const {
     std::vector<const Variant*> all = effort_.formulations, kept;
     if (all.empty())
@@ -86,12 +86,12 @@ class Searcher {
   }
 
   double error(const Trial& t) const {
-    return t.state == Trial::State::solved ? t.error[goal_.level].max : infinity;
+    return t.is_verified() ? t.error[goal_.level].max : infinity;
   }
   bool is_accurate(const Trial& t) const { return error(t) <= goal_.max_error / safety; }
   bool is_cheap(double seconds) const { return seconds <= goal_.budget; }
   bool may_do(const Trial& t) const {
-    if (t.state != Trial::State::solved) return false;
+    if (!t.is_verified()) return false;
     return goal_.budget > 0 ? is_cheap(t.min_seconds()) : is_accurate(t);
   }
 
@@ -142,14 +142,19 @@ class Searcher {
         if (t->min_seconds() <= perhaps_best * best) t->time(min_sample);
   }
 
-  /// What is most accurate on the begin of a motion need not be so later.
+  Trial& try_on_whole(std::list<Trial>& trials, const Trial& on_begin) const {
+    Trial& trial = trials.emplace_back(whole_, on_begin.configuration());
+    trial.compare();
+    trial.time(min_sample);
+    return trial;
+  }
+
+  /// Tries on the whole motion: the most accurate on its begin need not be so later.
   std::vector<Trial*> tried_on_the_whole(const std::vector<Trial*>& hopeful,
                                          std::list<Trial>& trials) {
     std::vector<Trial*> kept;
-    for (const Trial* t : std::span(hopeful).first(std::min(hopeful.size(), most_accurate))) {
-      Trial& trial = trials.emplace_back(whole_, t->configuration());
-      trial.compare();
-      trial.time(min_sample);
+    for (const Trial* t : std::span(hopeful).first(std::min(hopeful.size(), max_tried_on_whole))) {
+      Trial& trial = try_on_whole(trials, *t);
       if (may_do(trial)) kept.push_back(&trial);
     }
     return kept;
@@ -163,9 +168,7 @@ class Searcher {
     const Trial* first = nullptr;
     for (const Trial* t : batch) {
       if (first && !is_even(*first, *t)) break;
-      Trial& trial = trials.emplace_back(whole_, t->configuration());
-      trial.compare();
-      trial.time(min_sample);
+      Trial& trial = try_on_whole(trials, *t);
       if (!may_do(trial)) continue;
       holding.push_back(&trial);
       if (!first) first = t;
@@ -202,8 +205,18 @@ class Searcher {
 
 }  // namespace
 
+TunedMotion make_tuned_motion(const Plan& plan, const TimeGrid& grid) {
+  constexpr int begin_instants = 101;
+  // All instants of most motions: those where the guess alone meets the tolerance may be rare.
+  constexpr int compared = 1001;
+  TimeGrid begin = grid;
+  begin.instants = std::min(grid.instants, begin_instants);
+  return {bench::make_problem(plan, grid, compared),
+          bench::make_problem(plan, begin, begin_instants / 2)};
+}
+
 Found search(const TunedMotion& motion, const Goal& goal, const Effort& effort) {
   return Searcher(motion, goal, effort).run();
 }
 
-}  // namespace desmo::precision
+}  // namespace desmo::accuracy

@@ -7,10 +7,19 @@
 
 #include "bench/experiments/accuracy/trial.h"
 
-namespace desmo::precision {
+namespace desmo::accuracy {
 
-/// What is wanted of a formulation and its settings: the cheapest whose relative error is at most
-/// max_error, or, where a budget is given, the most accurate within it.
+/// A motion for which settings are chosen.
+struct TunedMotion {
+  Problem whole;
+  Problem begin;  ///< its first hundred instants, on which everything is tried
+};
+
+/// Throws what make_reference throws.
+TunedMotion make_tuned_motion(const Plan& plan, const TimeGrid& grid);
+
+/// The goal of a search: the cheapest formulation, with its settings, whose relative error is at
+/// most max_error, or, where a budget is given, the most accurate within it.
 struct Goal {
   Level level = Level::position;  ///< of which the error is meant
   double max_error = 0;
@@ -25,7 +34,7 @@ struct Tried {
   bool whole;      ///< over the whole motion, not only its begin
 };
 
-/// What a search found.
+/// The result of a search.
 struct Found {
   std::optional<Configuration> choice;  ///< nothing: none reaches the goal
   Error error;                          ///< of the choice, over the whole motion
@@ -34,7 +43,7 @@ struct Found {
   std::vector<Tried> tried;             ///< by time
 };
 
-/// Which formulations are tried, and how hard.
+/// The effort of a search: which formulations are tried, and how hard.
 struct Effort {
   std::vector<const Variant*> formulations = {};  ///< none: all that the suite has
   /// All of them with all settings, and each over the whole motion, instead of those that are
@@ -53,4 +62,4 @@ inline constexpr double safety = 2;
 /// it. Deterministic but for the times.
 Found search(const TunedMotion& motion, const Goal& goal, const Effort& effort);
 
-}  // namespace desmo::precision
+}  // namespace desmo::accuracy

@@ -7,9 +7,9 @@
 #include <string>
 #include <string_view>
 
-#include "bench/experiments/accuracy/knobs.h"
+#include "bench/experiments/accuracy/settings_grid.h"
 
-namespace desmo::precision {
+namespace desmo::accuracy {
 
 namespace {
 
@@ -17,8 +17,8 @@ constexpr double usual_step = 0.01;
 constexpr double seconds = 1;
 constexpr int dense_instants = 6;
 
-/// Where all knobs are turned: global and by groups or blocks, automatic and generated, sparse and
-/// dense. Only what is automatic and dense offers float.
+/// Formulations with the full settings grid: global and by groups or blocks, automatic and
+/// generated, sparse and dense. Only what is automatic and dense offers float.
 constexpr std::array<std::string_view, 11> tuned{
     "global_automatic_klu",    "global_symbolic_klu",     "group_symbolic_klu",
     "group_symbolic_lapack",   "group_symbolic_eigen",    "group_symbolic_inlined",
@@ -26,7 +26,7 @@ constexpr std::array<std::string_view, 11> tuned{
     "group_symbolic_explicit", "block_symbolic_explicit",
 };
 
-/// The paper's analyses, by its own solver and by what stands in for it.
+/// Tells whether it is one of the paper's analyses, by its own solver or by what stands in for it.
 bool is_in_table_2(const Variant& v) {
   constexpr std::array<std::string_view, 5> algebras{"ma27", "cholmod", "umfpack", "klu",
                                                      "inlined"};
@@ -38,7 +38,7 @@ bool is_in_table_2(const Variant& v) {
 
 bool is_tuned(const Variant& v) { return std::ranges::find(tuned, v.id) != tuned.end(); }
 
-/// Settings of the sensitivity of Table 2, at the usual step.
+/// Returns settings of the sensitivity of Table 2, at the usual step.
 std::vector<Settings> table_settings() {
   std::vector<Settings> all;
   for (const double tolerance : {1e-6, 1e-8, 1e-10, 1e-12}) all.push_back({.tolerance = tolerance});
@@ -71,11 +71,11 @@ void add_size(std::vector<Series>& all, const Case& c, int coordinates, bool lar
   Adder add_usual(usual), add_dense(dense);
   for (const Variant& v : variants()) {
     if (is_dense_global(v))
-      add_dense(v, min_settings());
+      add_dense(v, minimal_settings());
     else
-      add_usual(v, few_settings());
+      add_usual(v, reduced_settings());
     if (largest && is_tuned(v)) {
-      add_usual(v, all_settings(v));
+      add_usual(v, full_settings(v));
       add_usual(v, {{.factorisation = Factorisation::per_level}});
     }
     if (largest && is_in_table_2(v)) add_usual(v, table_settings());
@@ -123,4 +123,4 @@ std::vector<Series> matching(std::vector<Series> all, const std::regex& expressi
   return all;
 }
 
-}  // namespace desmo::precision
+}  // namespace desmo::accuracy

@@ -6,7 +6,7 @@
 #include "cases/generators/cases.h"
 #include "formulations/id.h"
 
-namespace desmo::precision {
+namespace desmo::accuracy {
 
 /// Configurations that solve the same motion and are timed in turn.
 struct Series {
@@ -17,18 +17,18 @@ struct Series {
   std::vector<Configuration> configurations;
 };
 
-/// Everything that is measured, series by series:
-/// - every formulation at every size with few settings; dense global ones, whose steps cost O(n³),
-///   with the fewest and over fewer instants;
-/// - at the largest size of the tables, some formulations with all settings, and those of the
+/// Returns everything that is measured, series by series:
+/// - every formulation at every size with the reduced grid; dense global ones, whose steps cost
+///   O(n³), with the minimal one and over fewer instants;
+/// - at the largest size of the tables, some formulations with the full grid, and those of the
 ///   paper's Table 2 with each tolerance and guess, and with each time step.
 std::vector<Series> all_series();
 
-/// The same at the smallest size only, and without the knobs in all their combinations.
+/// Returns the same at the smallest size only, and without the full grid.
 std::vector<Series> quick_series();
 
-/// What is left of them when only configurations are kept in whose <case>/<coordinates>/<id> the
-/// expression is found; series with none are left out.
+/// Returns the series without the configurations in whose <case>/<coordinates>/<id> the expression
+/// is not found; series with none are left out.
 std::vector<Series> matching(std::vector<Series> all, const std::regex& expression);
 
-}  // namespace desmo::precision
+}  // namespace desmo::accuracy

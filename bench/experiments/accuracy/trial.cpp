@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <exception>
-#include <limits>
+#include <string>
 #include <utility>
+#include <vector>
 
-#include "bench/kit/cpu_clock.h"
-#include "bench/kit/delivery.h"
 #include "formulations/verification/violation.h"
 
-namespace desmo::precision {
+namespace desmo::accuracy {
 
 namespace {
 
@@ -38,60 +37,40 @@ std::vector<double> some_times(const Reference& reference) {
 }  // namespace
 
 Trial::Trial(const Problem& problem, const Configuration& configuration)
-    : problem_(problem), configuration_(configuration) {
-  if (std::string why = unsupported_reason(*configuration.variant, configuration.settings);
-      !why.empty())
-    stop(State::not_applicable, std::move(why));
+    : FormulationCandidate(problem, configuration) {
+  if (std::string why = unsupported_reason(variant(), settings()); !why.empty())
+    leave_out(std::move(why));
 }
 
 void Trial::compare() {
-  if (state != State::untried) return;
-  const Plan& plan = problem_.plan;
+  if (state != State::unverified) return;
+  const Plan& plan = problem().plan;
   try {
-    formulation_ = make_formulation(*configuration_.variant, plan.model, configuration_.settings,
-                                    nullptr, &problem_.kernels);
-    formulation_->solve_only(plan.levels);
-    const Reference& reference = problem_.reference;
+    build();
+    const Reference& reference = problem().reference;
     const std::vector<double> times = some_times(reference);
     ErrorMeasure errors(plan.model, reference.instants, reference.scales, plan.outputs);
     ViolationMeasure violations(plan.model, reference.scales, times);
     Both both(errors, violations);
-    const Summary summary = formulation_->run(problem_.grid, {plan.level()}, both);
+    const Summary summary = formulation_->run(grid, request(), both);
     error = errors.error();
     violation = violations.violation();
     iterations_per_step = static_cast<double>(summary.iterations) /
                           static_cast<double>(std::max(1L, summary.instants));
-    if (!summary.ok()) return stop(State::failed, describe(summary, plan.model));
-    state = State::solved;
+    if (!summary.ok()) return fail(describe(summary, plan.model));
+    state = State::verified;
   } catch (const std::exception& e) {
-    stop(State::failed, e.what());
+    fail(e.what());
   }
 }
 
-void Trial::time(double least) {
-  if (state != State::solved) return;
-  suite::Delivery delivery(problem_.plan.model.coordinates());
-  const double start = suite::cpu_now();
-  double spent = 0;
-  long instants = 0;
-  do {
-    const Summary summary = formulation_->run(problem_.grid, {problem_.plan.level()}, delivery);
-    if (!summary.ok()) return stop(State::failed, describe(summary, problem_.plan.model));
-    instants += summary.instants;
-    spent = suite::cpu_now() - start;
-  } while (spent < least);
-  seconds_per_step.push_back(spent / static_cast<double>(instants));
+void Trial::time(double duration) {
+  if (!is_verified()) return;
+  try {
+    seconds.push_back(step_seconds(duration));
+  } catch (const std::exception& e) {
+    fail(e.what());
+  }
 }
 
-double Trial::min_seconds() const {
-  return seconds_per_step.empty() ? std::numeric_limits<double>::infinity()
-                                  : std::ranges::min(seconds_per_step);
-}
-
-void Trial::stop(State reached, std::string why) {
-  state = reached;
-  message = std::move(why);
-  seconds_per_step.clear();
-}
-
-}  // namespace desmo::precision
+}  // namespace desmo::accuracy

@@ -1,25 +1,42 @@
-#include "bench/experiments/extremes/answers.h"
-
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
 #include "bench/experiments/extremes/chain_solution.h"
-#include "bench/experiments/extremes/floor.h"
+#include "bench/experiments/extremes/known_case.h"
+#include "formulations/verification/condition.h"
 #include "formulations/verification/reference/reference.h"
 
-namespace desmo::extreme {
+namespace desmo::extremes {
 
 namespace {
+
+/// Returns the error that conditioning lets double precision reach in a position, relative to
+/// natural magnitudes: accuracy_limit, for as many units of roundoff as the largest driver has
+/// turns of 1 rad, or lengths of the mechanism's size, since its own rounding cannot be undone.
+
+PerLevel<double> floor_at(const Model& m, std::span<const double> q, double condition) {
+  const double size = nominal_size(m);
+  double driven = 1;
+  for (const Driver& d : m.drivers) {
+    const Entity& e = m.entities[d.coordinate];
+    driven = std::max(driven, std::abs(q[e.first]) / (is_length(e.kind) ? size : 1));
+  }
+  PerLevel<double> floor = accuracy_limit(std::max(1.0, condition), std::ldexp(1, -53));
+  for (const Level level : levels) floor[level] *= driven;
+  return floor;
+}
 
 /// Conditions and floors of what is right. conditions: those of a closed form, if they are to be
 /// used, which know better than the equations how far a long chain passes an error on. motion: what
 /// errors are relative to, if not to what is compared.
-void judge_by(Answers& a, const std::vector<double>& conditions,
-              std::vector<ReferenceInstant> motion = {}) {
+void add_floors(Answers& a, const std::vector<double>& conditions,
+                std::vector<ReferenceInstant> motion = {}) {
   std::optional<ConditionNumber> number;
   if (conditions.empty()) number.emplace(a.model);
   for (std::size_t i = 0; i < a.right.size(); ++i) {
@@ -51,7 +68,7 @@ double max_link(const DyadChain& chain) {
 }
 
 /// The mechanism of one of the chains.
-Model alone(const Problem& p, std::size_t index) {
+Model alone(const KnownCase& p, std::size_t index) {
   const ExtremeCase& c = *p.definition;
   if (c.chains.size() == 1) return p.modelled->model;
   MechanismBuilder d(c.scene.mechanism.name, 2);
@@ -73,7 +90,7 @@ double end_between(ChainSolution& solution, double from, double to) {
 
 }  // namespace
 
-Answers chain_answers(Problem& p, std::size_t index) {
+Answers chain_answers(KnownCase& p, std::size_t index) {
   const ExtremeCase& c = *p.definition;
   const DyadChain& chain = c.chains[index];
   Answers a{.model = alone(p, index), .coordinate = {}, .right = {}, .floor = {}, .scales = {}};
@@ -106,14 +123,14 @@ Answers chain_answers(Problem& p, std::size_t index) {
     a.right.push_back(solved ? solution.instant() : ReferenceInstant{t, {}, {}, {}});
     if (c.bound == Bound::length) conditions.push_back(solution.condition());
   }
-  judge_by(a, conditions, std::move(motion));
+  add_floors(a, conditions, std::move(motion));
   // An angle's error is what it moves the end of its link by, or long chains would leave it less
   // than the rounding of that point.
   if (c.bound == Bound::length) a.scales.rotation.position = size / longest;
   return a;
 }
 
-Answers reference_answers(const Problem& p) {
+Answers reference_answers(const KnownCase& p) {
   const ExtremeCase& c = *p.definition;
   Answers a{.model = p.modelled->model, .coordinate = {}, .right = {}, .floor = {}, .scales = {}};
   a.coordinate.resize(a.model.coordinates());
@@ -128,8 +145,8 @@ Answers reference_answers(const Problem& p) {
   a.right = reference.instants;
   if (c.starts) a.right.resize(p.compared.size(), reference.instants.front());
   a.right.resize(p.compared.size(), {c.scene.grid.time(p.compared.back()), {}, {}, {}});
-  judge_by(a, {});
+  add_floors(a, {});
   return a;
 }
 
-}  // namespace desmo::extreme
+}  // namespace desmo::extremes

@@ -7,7 +7,7 @@
 
 #include "formulations/scaling/scales.h"
 
-namespace desmo::extreme {
+namespace desmo::extremes {
 
 namespace {
 
@@ -140,4 +140,4 @@ ReferenceInstant ChainSolution::instant() const {
   return r;
 }
 
-}  // namespace desmo::extreme
+}  // namespace desmo::extremes

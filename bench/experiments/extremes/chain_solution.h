@@ -8,7 +8,7 @@
 #include "formulations/model/model.h"
 #include "formulations/verification/reference/wide_instant.h"
 
-namespace desmo::extreme {
+namespace desmo::extremes {
 
 /// The motion of a chain of dyads in quadruple precision by a closed form, the intersection of two
 /// circles a dyad. It shares nothing with any formulation but the motion of the crank.
@@ -21,15 +21,16 @@ class ChainSolution {
   /// those nearest to these, and then to those before. At first the mechanism's estimate holds.
   void declare(std::span<const double> q);
 
-  /// False where there is no answer: the crank's angle is no number, a dyad cannot be closed, or it
-  /// is stretched or folded so that its rates are not determined.
+  /// Solves at time t [s]. Returns false where there is no answer: the crank's angle is no number,
+  /// a dyad cannot be closed, or it is stretched or folded so that its rates are not determined.
   bool solve(double t);
 
-  /// The instant solved last.
+  /// Returns the instant solved last.
   ReferenceInstant instant() const;
 
-  /// By how much rounding to double, of every length and of every joint on the way, may change the
-  /// positions of the instant solved last: over the unit roundoff and the size, to first order.
+  /// Returns by how much rounding to double, of every length and of every joint on the way, may
+  /// change the positions of the instant solved last: over the unit roundoff and the size, to first
+  /// order.
   double condition() const { return condition_; }
 
  private:
@@ -56,4 +57,4 @@ class ChainSolution {
   double along_ = 0, any_way_ = 0;  // error of the joint at hand over the unit roundoff: length
 };
 
-}  // namespace desmo::extreme
+}  // namespace desmo::extremes

@@ -1,5 +1,6 @@
 // desmo_bench extremes: what every formulation does where most go wrong.
 #include <algorithm>
+#include <array>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -7,20 +8,63 @@
 #include <string>
 #include <vector>
 
-#include "bench/experiments/common_options.h"
-#include "bench/experiments/extremes/record.h"
-#include "bench/experiments/extremes/summary.h"
+#include "bench/experiments/experiments.h"
 #include "bench/experiments/extremes/table.h"
-#include "bench/kit/kept_memory.h"
-#include "bench/kit/recording.h"
+#include "bench/kit/memory.h"
+#include "bench/kit/record/record.h"
 #include "cases/generators/cases.h"
 #include "formulations/algebra/blas.h"
 
-namespace desmo::extreme {
+namespace desmo::extremes {
 
 namespace {
 
-struct Options : experiments::CommonOptions {
+using Json = nlohmann::ordered_json;
+
+constexpr std::array outcome_names{"converged", "degraded", "failed", "refused", "not_applicable"};
+constexpr std::array verdict_names{"as_expected", "missed", "defect", "not_applicable"};
+
+double rounded(double value) { return bench::rounded(value, 4); }
+
+Json worst_json(const PerLevel<WorstError>& worst) {
+  Json j;
+  for (const Level level : levels) {
+    const WorstError& e = worst[level];
+    j[bench::level_names[level]] = {
+        {"error", rounded(e.error)}, {"floor", rounded(e.floor)}, {"allowed", rounded(e.allowed)}};
+  }
+  return j;
+}
+
+/// Returns an element of `rows` in the record (results/record.schema.json).
+Json row_json(const Extreme& row) {
+  return {{"row", row.number},
+          {"name", row.name},
+          {"extreme", row.extreme},
+          {"expected", row.expected}};
+}
+
+/// Returns an element of `results` in the record.
+Json result_json(const Result& r) {
+  const Verification& v = r.verification;
+  Json j = {{"row", r.row->number},
+            {"case", r.case_name},
+            {"id", r.id},
+            {"outcome", outcome_names[static_cast<int>(v.outcome)]},
+            {"verdict", verdict_names[static_cast<int>(v.verdict)]}};
+  if (!v.reason.empty()) j["reason"] = v.reason;
+  if (v.instants > 0) {
+    j["instants"] = v.instants;
+    j["iterations"] = v.iterations;
+    j["refactorisations"] = v.refactorisations;
+  }
+  if (!v.worst) return j;
+  j["condition"] = rounded(r.condition);
+  j["worst"] = worst_json(*v.worst);
+  return j;
+}
+
+struct Options : bench::CommonOptions {
   std::string cases;
   std::vector<std::string> without;
   std::vector<int> rows;
@@ -30,7 +74,7 @@ std::vector<const Extreme*> chosen_rows(const std::vector<int>& numbers) {
   std::vector<const Extreme*> rows;
   for (const int number : numbers) rows.push_back(&find_extreme(number));
   if (numbers.empty())
-    for (const Extreme& row : extremes()) rows.push_back(&row);
+    for (const Extreme& row : all_extremes()) rows.push_back(&row);
   return rows;
 }
 
@@ -53,16 +97,15 @@ std::string all_monitors() {
   return names;
 }
 
-/// Whether no formulation gave wrong numbers without a flag.
+/// Returns whether no formulation gave wrong numbers without a flag.
 bool measure(const Options& options, const std::string& command) {
   const std::vector<const Extreme*> rows = chosen_rows(options.rows);
   Selection selection{.extent = options.quick ? Extent::brief : Extent::full,
                       .formulations = std::regex(options.filter),
                       .cases = std::regex(options.cases),
                       .without = left_out(options.without)};
-  suite::Recording recording(options.record, command);
-  nlohmann::ordered_json lists = {{"rows", nlohmann::ordered_json::array()},
-                                  {"results", nlohmann::ordered_json::array()}};
+  bench::Recording recording(options.record, command);
+  Json lists = {{"rows", Json::array()}, {"results", Json::array()}};
   std::size_t defects = 0;
   for (const Extreme* row : rows) {
     selection.say = [&](const std::string& name) {
@@ -79,27 +122,26 @@ bool measure(const Options& options, const std::string& command) {
   return defects == 0;
 }
 
-int run(const experiments::CommandLine& line) {
+int run(const bench::CommandLine& line) {
   Options options;
-  suite::OptionTable table("desmo_bench extremes: every formulation in the table of extremes");
-  experiments::add_common(table, options,
-                          {.quick = "what takes seconds, not minutes",
-                           .filtered = "the formulation's id",
-                           .repetitions = {}});
-  table.positives("--row", "N", options.rows,
-                  "Only this row of the table; more than once where wanted");
-  table.text("--case", "REGEX", options.cases,
-             "Only where this regular expression is found in\nthe name of the case");
-  table.texts("--without", "MONITOR", options.without,
-              "Leave a monitor out, to see what it finds:\n" + all_monitors());
-  if (!experiments::read_options(table, line)) return 0;
-  suite::keep_freed_memory();
+  bench::OptionTable table("desmo_bench extremes: every formulation in the table of extremes");
+  bench::add_common(table, options,
+                    {.quick = "what takes seconds, not minutes",
+                     .filtered = "the formulation's id",
+                     .repetitions = {}});
+  table.add("--row", "N", &options.rows, "Only this row of the table; more than once where wanted");
+  table.add("--case", "REGEX", &options.cases,
+            "Only where this regular expression is found in\nthe name of the case");
+  table.add("--without", "MONITOR", &options.without,
+            "Leave a monitor out, to see what it finds:\n" + all_monitors());
+  if (!table.read(line)) return 0;
+  bench::keep_freed_memory();
   set_blas_threads(1);
   return measure(options, line.text) ? 0 : 1;
 }
 
 }  // namespace
 
-}  // namespace desmo::extreme
+}  // namespace desmo::extremes
 
-int desmo::experiments::run_extremes(const CommandLine& line) { return desmo::extreme::run(line); }
+int desmo::bench::run_extremes(const CommandLine& line) { return desmo::extremes::run(line); }

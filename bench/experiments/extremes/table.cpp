@@ -1,19 +1,20 @@
 #include "bench/experiments/extremes/table.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <map>
 #include <utility>
 
-#include "bench/experiments/extremes/attempt.h"
-#include "bench/experiments/extremes/problem.h"
+#include "bench/experiments/extremes/case_run.h"
+#include "bench/experiments/extremes/known_case.h"
 #include "formulations/id.h"
 
-namespace desmo::extreme {
+namespace desmo::extremes {
 
 namespace {
 
-/// What solves the same parts by the same equations and makes factors, and chooses their pivots,
-/// anew at every position.
+/// Returns the variant that solves the same parts by the same equations and makes factors, and
+/// chooses their pivots, anew at every position.
 const Variant& with_new_pivots(const Variant& v) {
   return find_variant(v.id.substr(0, v.id.rfind('_')) + "_eigen");
 }
@@ -25,7 +26,7 @@ std::vector<const Variant*> matching(const std::regex& formulations) {
   return all;
 }
 
-/// Of a row's cases those selected, and the first where they are measured by it.
+/// Returns those of a row's cases that are selected, and the first where they are compared with it.
 std::vector<ExtremeCase> selected(std::vector<ExtremeCase> all, const std::regex& names) {
   const auto is_chosen = [&](const ExtremeCase& c) { return std::regex_search(c.name, names); };
   const bool is_measured = std::ranges::any_of(
@@ -52,7 +53,7 @@ std::string note_on(unsigned without) {
   return note;
 }
 
-double condition(const Problem& p) {
+double condition(const KnownCase& p) {
   double largest = 0;
   for (const Answers& a : p.answers) largest = std::max(largest, a.condition);
   return largest;
@@ -63,28 +64,53 @@ double condition(const Problem& p) {
 std::vector<Result> row_results(const Extreme& row, const Selection& selection) {
   std::vector<Result> results;
   const std::vector<const Variant*> chosen = matching(selection.formulations);
-  std::map<const Variant*, Attempt> first;
+  std::map<const Variant*, CaseRun> first;
   for (ExtremeCase& c : selected(row.cases(selection.extent), selection.cases)) {
     if (selection.say) selection.say(c.name);
-    const Problem problem = make_problem(c);
-    c.scene.mechanism = {};  // a million dyads take gigabytes, and the problem has its model
-    std::map<const Variant*, Attempt> anew;
+    const KnownCase known = make_known_case(c);
+    c.scene.mechanism = {};  // a million dyads take gigabytes, and the known case has its model
+    std::map<const Variant*, CaseRun> anew;
     for (const Variant* v : chosen) {
       const Variant& other = with_new_pivots(*v);
       if (c.bound == Bound::new_pivots && !anew.contains(&other))
-        anew.emplace(&other, attempt(problem, {&other, {.tolerance = c.scene.tolerance}},
-                                     selection.without));
+        anew.emplace(
+            &other, run_case(known, {&other, {.tolerance = c.scene.tolerance}}, selection.without));
       const Configuration tried = configuration(*v, c);
-      Attempt a = attempt(problem, tried, selection.without);
+      CaseRun a = run_case(known, tried, selection.without);
       const auto before = first.find(v);
       const Yardsticks yardsticks{before == first.end() ? nullptr : &before->second,
                                   anew.contains(&other) ? &anew.at(&other) : nullptr};
       results.push_back({&row, c.name + note_on(selection.without), id_with(*v, tried.settings),
-                         condition(problem), judge(problem, a, yardsticks)});
+                         condition(known), verify(known, a, yardsticks)});
       if (before == first.end()) first.emplace(v, std::move(a));
     }
   }
   return results;
 }
 
-}  // namespace desmo::extreme
+std::size_t count(const std::vector<Result>& results, Verdict verdict) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      results, [&](const Result& r) { return r.verification.verdict == verdict; }));
+}
+
+std::string summary(const Extreme& row, const std::vector<Result>& results) {
+  char head[160];
+  std::snprintf(head, sizeof head,
+                "%2d %-22.*s as expected %4zu, missed %4zu, DEFECT %4zu, n/a %4zu\n", row.number,
+                static_cast<int>(row.name.size()), row.name.data(),
+                count(results, Verdict::as_expected), count(results, Verdict::missed),
+                count(results, Verdict::defect), count(results, Verdict::not_applicable));
+  std::string text = head;
+  using Kind = std::pair<std::string, Verdict>;
+  std::map<Kind, std::vector<const Result*>> found;
+  for (const Result& r : results)
+    if (const Verdict v = r.verification.verdict; v == Verdict::missed || v == Verdict::defect)
+      found[{r.case_name, v}].push_back(&r);
+  for (const auto& [kind, all] : found)
+    text += "     " + std::string(kind.second == Verdict::defect ? "DEFECT" : "missed") + " by " +
+            std::to_string(all.size()) + ": " + kind.first + "; " + all.front()->id + ": " +
+            all.front()->verification.reason + "\n";
+  return text;
+}
+
+}  // namespace desmo::extremes

@@ -1,25 +1,26 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <regex>
 #include <string>
 #include <vector>
 
-#include "bench/experiments/extremes/judgement.h"
+#include "bench/experiments/extremes/verification.h"
 #include "cases/extremes/extremes.h"
 
-namespace desmo::extreme {
+namespace desmo::extremes {
 
-/// One place of the table.
+/// A case of a row in one formulation.
 struct Result {
   const Extreme* row;
   std::string case_name;
   std::string id;        ///< formulation, with the case's settings
   double condition = 0;  ///< the largest of what was compared; 0: not known
-  Judgement judgement;
+  Verification verification;
 };
 
-/// What of the table is tried.
+/// The part of the table that is tried.
 struct Selection {
   Extent extent = Extent::full;
   /// To be found in ids, and in the names of cases; by default they are in all.
@@ -29,8 +30,15 @@ struct Selection {
   std::function<void(const std::string&)> say = {};  ///< called with what comes next; may be empty
 };
 
-/// The cases of a row in the formulations selected. A case by which others are measured is tried
-/// with them, selected or not.
+/// Returns the results of a row in the formulations selected. A case with which others are compared
+/// is tried with them, selected or not.
 std::vector<Result> row_results(const Extreme& row, const Selection& selection);
 
-}  // namespace desmo::extreme
+/// Returns the number of results with a verdict.
+std::size_t count(const std::vector<Result>& results, Verdict verdict);
+
+/// Returns a row for people: a line with the number of each verdict, and one for each case and
+/// reason that it is not as expected, with the formulations concerned counted and the first named.
+std::string summary(const Extreme& row, const std::vector<Result>& results);
+
+}  // namespace desmo::extremes

@@ -1,8 +1,7 @@
 // desmo_bench instructions: instructions a step, counted by callgrind: repeatable where times are
-// not. Beside them stands what an early prototype took.
+// not.
 #include <cstdio>
 #include <filesystem>
-#include <iostream>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <regex>
@@ -10,35 +9,32 @@
 #include <string>
 #include <vector>
 
-#include "bench/experiments/common_options.h"
-#include "bench/experiments/instructions/claims.h"
+#include "bench/experiments/experiments.h"
 #include "bench/experiments/instructions/step_counts.h"
-#include "bench/kit/recording.h"
-#include "bench/regression/callgrind.h"
+#include "bench/kit/process/callgrind.h"
+#include "bench/kit/record/record.h"
+#include "cases/generators/cases.h"
 
-namespace desmo::counting {
+namespace desmo::instructions {
 
 namespace {
 
 constexpr int quick_coordinates = 114;
 
-struct Options : experiments::CommonOptions {
+struct Options : bench::CommonOptions {
   int coordinates = 0;
 };
 
-/// It stands beside this program.
+/// Returns its path, next to this program.
 std::string desmo_steps() {
   return (std::filesystem::read_symlink("/proc/self/exe").parent_path() / "desmo_steps").string();
 }
 
 void print(const std::vector<StepCount>& counts) {
-  std::printf("%-18s %-68s %12s %12s\n", "case", "formulation", "instructions", "prototype");
-  for (const StepCount& c : counts) {
-    const auto early = of_prototype(c);
-    std::printf("%-18s %-68s %12lld %12s\n", c.case_name.c_str(), c.id.c_str(),
-                static_cast<long long>(c.instructions),
-                early ? std::to_string(*early).c_str() : "-");
-  }
+  std::printf("%-18s %-68s %12s\n", "case", "formulation", "instructions");
+  for (const StepCount& c : counts)
+    std::printf("%-18s %-68s %12lld\n", c.case_name.c_str(), c.id.c_str(),
+                static_cast<long long>(c.instructions));
 }
 
 nlohmann::ordered_json counts_json(const std::vector<StepCount>& counts, const std::string& tool) {
@@ -53,8 +49,7 @@ nlohmann::ordered_json counts_json(const std::vector<StepCount>& counts, const s
   return {{"counts", std::move(list)}};
 }
 
-/// Whether every claim holds; one that does not is named.
-bool measure(const Options& options, const std::string& command) {
+void measure(const Options& options, const std::string& command) {
   const std::regex expression(options.filter);
   const int coordinates = options.quick ? quick_coordinates : 0;
   std::vector<StepCount> counts =
@@ -62,35 +57,32 @@ bool measure(const Options& options, const std::string& command) {
   std::erase_if(counts,
                 [&](const StepCount& c) { return !std::regex_search(c.name(), expression); });
   if (counts.empty()) throw std::invalid_argument("nothing matches " + options.filter);
-  const std::string tool = regression::counting_tool();
+  const std::string tool = bench::counting_tool();
   if (tool.empty()) throw std::runtime_error("valgrind, which counts, cannot be run");
-  std::optional<suite::Recording> recording;
+  std::optional<bench::Recording> recording;
   if (!options.record.empty()) recording.emplace(options.record, command);
   count(counts, desmo_steps());
   print(counts);
   if (recording) recording->write(cases().front().describe(1).grid, counts_json(counts, tool));
-  const std::vector<std::string> broken = broken_claims(counts);
-  for (const std::string& claim : broken) std::cerr << claim << '\n';
-  return broken.empty();
 }
 
-int run(const experiments::CommandLine& line) {
+int run(const bench::CommandLine& line) {
   Options options;
-  suite::OptionTable table("desmo_bench instructions: instructions a step, counted by callgrind");
-  experiments::add_common(table, options,
-                          {.quick = std::to_string(quick_coordinates) + " coordinates",
-                           .filtered = "<case>/<coordinates>/<id>",
-                           .repetitions = {}});
-  table.positive("--coordinates", "N", options.coordinates,
-                 "Of both cases (the largest of the paper's sizes)");
-  if (!experiments::read_options(table, line)) return 0;
-  return measure(options, line.text) ? 0 : 1;
+  bench::OptionTable table("desmo_bench instructions: instructions a step, counted by callgrind");
+  bench::add_common(table, options,
+                    {.quick = std::to_string(quick_coordinates) + " coordinates",
+                     .filtered = "<case>/<coordinates>/<id>",
+                     .repetitions = {}});
+  table.add("--coordinates", "N", &options.coordinates,
+            "Of both cases (the largest of the paper's sizes)");
+  if (table.read(line)) measure(options, line.text);
+  return 0;
 }
 
 }  // namespace
 
-}  // namespace desmo::counting
+}  // namespace desmo::instructions
 
-int desmo::experiments::run_instructions(const CommandLine& line) {
-  return desmo::counting::run(line);
+int desmo::bench::run_instructions(const CommandLine& line) {
+  return desmo::instructions::run(line);
 }

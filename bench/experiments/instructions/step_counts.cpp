@@ -3,27 +3,26 @@
 #include <algorithm>
 #include <array>
 #include <stdexcept>
-#include <string_view>
 #include <utility>
 
-#include "bench/experiments/instructions/monitored.h"
-#include "bench/kit/beyond.h"
-#include "bench/regression/callgrind.h"
+#include "bench/experiments/paper/extended_ids.h"
+#include "bench/kit/process/callgrind.h"
+#include "cases/generators/cases.h"
 #include "formulations/id.h"
 #include "formulations/variants.h"
 
-namespace desmo::counting {
+namespace desmo::instructions {
 
 namespace {
 
 constexpr int warm_up = 5;  // of desmo_steps, not counted
 constexpr int steps = 50;
-/// Where more than one instant is solved at once, and where a run is monitored, assembly and entry
-/// are counted, too: what is left of a long motion less a shorter one is steps. What monitors take
-/// is the difference of two such, so that both are of the same steps.
-constexpr int few_steps = 100, many_steps = 300;
+/// Steps where more than one instant is solved at once, or a run is monitored: assembly and entry
+/// are counted, too, and a long motion less a shorter one leaves steps. What monitors take is the
+/// difference of two such, so that both are of the same steps.
+constexpr int short_motion = 100, long_motion = 300;
 
-/// What the monitors of a run cost is counted with these.
+/// Formulations with which the cost of monitors is counted.
 constexpr std::array monitored{"global_automatic_klu", "group_symbolic_inlined",
                                "group_symbolic_explicit"};
 
@@ -31,8 +30,8 @@ bool is_counted(const Variant& v) {
   return v.partition != Partition::block && !is_dense_global(v) && algebra_name(v) != "spqr";
 }
 
-/// Callgrind knows no registers wider than 256 bits. What threads do while they wait for each other
-/// it counts, too, and that is another number every time.
+/// Leaves out what callgrind cannot count: it knows no registers wider than 256 bits; what threads
+/// do while they wait for each other it counts, too, and that is another number every time.
 bool is_counted(std::string_view id) {
   const Settings settings = parse_id(id).settings;
   return std::max(settings.lanes, settings.segments) <= 4 && settings.threads == 1;
@@ -44,7 +43,7 @@ std::vector<std::string> counted_ids() {
     if (is_counted(v)) ids.push_back(v.id);
   for (const char* id : {"group_symbolic_explicit/lanes:4", "group_symbolic_explicit/segments:4"})
     ids.push_back(id);
-  for (const std::string_view id : suite::beyond_the_paper)
+  for (const std::string_view id : paper::extended_ids)
     if (is_counted(id)) ids.emplace_back(id);
   for (const char* id : monitored) ids.push_back(id + std::string(monitored_suffix));
   return ids;
@@ -59,15 +58,14 @@ class Counter {
         coordinates_(std::to_string(one.coordinates)) {}
 
   std::int64_t step(const std::string& id) const { return counted(id, warm_up + steps) / steps; }
-  /// All that a longer motion takes more.
+  /// Counts all that a longer motion takes more.
   std::int64_t more(const std::string& id) const {
-    return counted(id, many_steps) - counted(id, few_steps);
+    return counted(id, long_motion) - counted(id, short_motion);
   }
 
  private:
   std::int64_t counted(const std::string& id, int taken) const {
-    return regression::count_steps(
-        {desmo_steps_, case_name_, coordinates_, id, std::to_string(taken)});
+    return bench::count_steps({desmo_steps_, case_name_, coordinates_, id, std::to_string(taken)});
   }
   std::string desmo_steps_, case_name_, coordinates_;
 };
@@ -76,7 +74,7 @@ void count(StepCount& one, const std::string& desmo_steps) {
   const Counter counter(one, desmo_steps);
   const std::string bare(formulation_of(one.id));
   const Settings settings = parse_id(bare).settings;
-  one.steps = many_steps - few_steps;
+  one.steps = long_motion - short_motion;
   if (is_monitored(one.id)) {
     one.instructions = counter.step(bare) + (counter.more(one.id) - counter.more(bare)) / one.steps;
   } else if (settings.segments > 1 || settings.stride > 1) {
@@ -104,7 +102,7 @@ std::vector<StepCount> to_be_counted(int coordinates) {
 }
 
 void count(std::vector<StepCount>& all, const std::string& desmo_steps) {
-  regression::count_on_all_cores(all.size(), [&](std::size_t i) {
+  bench::count_on_all_cores(all.size(), [&](std::size_t i) {
     try {
       count(all[i], desmo_steps);
     } catch (const std::runtime_error& error) {
@@ -114,4 +112,4 @@ void count(std::vector<StepCount>& all, const std::string& desmo_steps) {
   });
 }
 
-}  // namespace desmo::counting
+}  // namespace desmo::instructions

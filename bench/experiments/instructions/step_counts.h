@@ -2,11 +2,20 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "cases/generators/cases.h"
+namespace desmo::instructions {
 
-namespace desmo::counting {
+/// Ends the id of a formulation whose run is monitored: what that costs is part of what is counted.
+inline constexpr std::string_view monitored_suffix = "/monitored";
+
+inline bool is_monitored(std::string_view id) { return id.ends_with(monitored_suffix); }
+
+/// Returns the id of the formulation itself.
+inline std::string_view formulation_of(std::string_view id) {
+  return is_monitored(id) ? id.substr(0, id.size() - monitored_suffix.size()) : id;
+}
 
 /// Instructions of a step of one formulation.
 struct StepCount {
@@ -19,14 +28,14 @@ struct StepCount {
   std::string name() const;  ///< <case>/<coordinates>/<id>
 };
 
-/// What is counted, not counted yet: of both cases, at so many coordinates or (0) at the largest of
-/// the paper's sizes, everything but blocks, dense global solves and SPQR, what goes beyond the
-/// paper, and what it costs to monitor a run. Throws std::invalid_argument, saying which sizes
-/// exist, when one has not that many.
+/// Returns what is to be counted: of both cases, at so many coordinates or (0) at the largest of
+/// the paper's sizes, everything but blocks, dense global solves and SPQR, the extended ids, and
+/// what it costs to monitor a run. Throws std::invalid_argument, saying which sizes exist, when one
+/// has not that many.
 std::vector<StepCount> to_be_counted(int coordinates);
 
 /// Counts with the program desmo_steps, as count_steps does. Throws std::runtime_error, naming the
 /// formulation, when one cannot be counted.
 void count(std::vector<StepCount>& all, const std::string& desmo_steps);
 
-}  // namespace desmo::counting
+}  // namespace desmo::instructions

@@ -1,42 +1,32 @@
 // desmo_steps CASE COORDINATES ID STEPS [ITERATIONS [PERCENT]]: assembles and takes so many steps
 // of 10 ms, nothing else, for instruction counts and profilers. With ITERATIONS every step takes
 // exactly so many Newton iterations; 0: as many as it needs. PERCENT repeats that share of the
-// steps: a slowdown on purpose, for tests of what is to find one. The steps after the first few are
-// all in desmo_counted_steps. With an id that solves more than one instant at once, or that ends in
-// /monitored, the whole motion is in it, assembly included.
+// steps: a slowdown on purpose, for tests of what is to find one. The steps after the first five
+// are all in desmo_counted_steps. With an id that solves more than one instant at once, or that
+// ends in /monitored, the whole motion is in it, assembly included.
 
 #include <algorithm>
-#include <charconv>
 #include <exception>
 #include <iostream>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 
-#include "bench/experiments/instructions/monitored.h"
-#include "bench/regression/subject.h"
+#include "bench/experiments/instructions/step_counts.h"
+#include "bench/kit/options.h"
+#include "bench/regression/candidate.h"
 #include "formulations/verification/monitor/monitored_run.h"
 
 namespace {
 
-using desmo::regression::Subject;
+using desmo::regression::SteppedCandidate;
 
 constexpr int warm_up = 5;  // steps until pivots are chosen and positions near the solution
 
-int whole(std::string_view text) {
-  int value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || value < 0 ||
-      value > 1'000'000'000)
-    throw std::invalid_argument("'" + std::string(text) + "' is not a whole number up to 1e9");
-  return value;
-}
-
 /// Runs the whole motion under all monitors. Throws std::runtime_error where one of them finds
 /// something: that is not the motion whose instructions are asked for.
-desmo::Summary run_monitored(Subject& subject) {
+desmo::Summary run_monitored(SteppedCandidate& candidate) {
   const desmo::MonitoredSummary s =
-      run_monitored(subject.formulation(), subject.grid(), {}, subject.delivery(), {});
+      run_monitored(candidate.formulation(), candidate.grid, {}, candidate.delivery(), {});
   if (s.ok() && s.outcome() != desmo::Outcome::converged)
     throw std::runtime_error("the motion is not an ordinary one: " +
                              describe_accuracy(s.condition, s.bound, desmo::Level::acceleration));
@@ -45,12 +35,13 @@ desmo::Summary run_monitored(Subject& subject) {
 
 }  // namespace
 
-extern "C" [[gnu::noinline]] desmo::Summary desmo_counted_steps(Subject& subject, bool monitored,
-                                                                int first, int last, int repeated) {
-  if (monitored) return run_monitored(subject);
-  if (subject.runs_at_once()) return subject.analyse();
-  const desmo::Summary s = subject.walk(first, last);
-  return s.ok() && repeated > 0 ? subject.walk(last - 1, last - repeated) : s;
+extern "C" [[gnu::noinline]] desmo::Summary desmo_counted_steps(SteppedCandidate& candidate,
+                                                                bool monitored, int first, int last,
+                                                                int repeated) {
+  if (monitored) return run_monitored(candidate);
+  if (candidate.runs_at_once()) return candidate.run();
+  const desmo::Summary s = candidate.walk(first, last);
+  return s.ok() && repeated > 0 ? candidate.walk(last - 1, last - repeated) : s;
 }
 
 int main(int argc, char** argv) {
@@ -60,22 +51,25 @@ int main(int argc, char** argv) {
     return 64;
   }
   try {
+    const auto whole = [](const char* text) { return bench::whole_number(text, 0, 1'000'000'000); };
     const int steps = whole(argv[4]), repeated = argc > 6 ? whole(argv[6]) : 0;
     Settings settings;
     if (argc > 5) settings.fixed_iterations = whole(argv[5]);
     const int first = std::min(warm_up, steps);
-    const bool monitored = counting::is_monitored(argv[3]);
-    const std::string id(counting::formulation_of(argv[3]));
-    Subject subject({argv[1], whole(argv[2]), id}, steps + 1, settings);
+    const bool monitored = instructions::is_monitored(argv[3]);
+    const std::string id(instructions::formulation_of(argv[3]));
+    const bench::Problem problem = regression::problem_of({argv[1], whole(argv[2]), id}, steps + 1);
+    SteppedCandidate candidate(problem, id, settings);
     Summary s;
-    if (!monitored && !subject.runs_at_once()) s = subject.walk(0, first);
+    if (!monitored && !candidate.runs_at_once()) s = candidate.walk(0, first);
     if (s.ok() && first < steps)
-      s = desmo_counted_steps(subject, monitored, first + 1, steps,
+      s = desmo_counted_steps(candidate, monitored, first + 1, steps,
                               regression::extra_steps(steps - first, repeated));
-    if (s.ok() && s.residual > subject.settings().tolerance)  // possible with fixed iterations only
+    if (s.ok() &&
+        s.residual > candidate.settings().tolerance)  // possible with fixed iterations only
       s.status = Status::not_converged;
     if (s.ok()) return 0;
-    std::cerr << "desmo_steps: " << describe(s, subject.model()) << '\n';
+    std::cerr << "desmo_steps: " << describe(s, problem.plan.model) << '\n';
     return 1;
   } catch (const std::exception& e) {
     std::cerr << "desmo_steps: " << e.what() << '\n';

@@ -7,17 +7,120 @@
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
+#include <string_view>
+#include <utility>
 
-#include "bench/kit/fresh_heap.h"
-#include "bench/kit/record.h"
+#include "bench/experiments/paper/case_candidate.h"
+#include "bench/experiments/paper/peer_candidate.h"
+#include "bench/experiments/paper/request.h"
+#include "bench/kit/memory.h"
+#include "bench/kit/record/environment.h"
+#include "bench/kit/record/record.h"
+#include "formulations/modelling/modelling.h"
+#include "formulations/prediction/guess.h"
 
-namespace desmo::suite {
+namespace desmo::paper {
 
 namespace {
 
-/// As the console is to show it: the time given to Google Benchmark by hand is CPU time, and what
-/// it finds itself is that of a thread that waits.
+using Json = nlohmann::ordered_json;
+
+/// Completes an entry: status, the message unless it is "ok", what was solved, where, with which
+/// results, how right it is, the time, and what belongs to it. A candidate without a time has less.
+Json with_measurement(Json j, const Candidate& c, Level level = Level::acceleration) {
+  j["status"] = c.is_timed() ? "ok" : c.is_not_run() ? "not_run" : "failed";
+  if (!c.is_timed()) j["message"] = c.message.empty() ? "not timed" : c.message;
+  if (c.is_not_run()) return j;
+  j["machine"] = processor_name();
+  if (!c.model.empty()) j["model"] = c.model;
+  if (!c.results.empty()) j["results"] = c.results;
+  if (!c.is_timed()) return j;
+  if (const auto* request = dynamic_cast<const RequestCandidate*>(&c))
+    j["difference"] = request->difference;
+  j["verification"] = errors_json(c.errors, level);
+  if (c.threads > 1) j["threads"] = c.threads;
+  j["time"] = time_json(c.seconds, c.clock);
+  if (c.clock == Clock::cpu) j["time"]["windows"] = windows_json(c.windows);
+  j["setup_time"] = time_json({c.setup_seconds});
+  j["iterations_per_step"] = c.iterations_per_step;
+  if (!dynamic_cast<const PeerCandidate*>(&c)) j["residual"] = c.residual;
+  return j;
+}
+
+Json case_json(const CaseCandidate& c) {
+  Json j = {{"case", c.definition.name}, {"coordinates", c.coordinates}, {"id", c.id()}};
+  if (!c.is_not_run()) {
+    j["groups"] = c.groups;
+    j["degrees_of_freedom"] = c.degrees_of_freedom;
+  }
+  return with_measurement(std::move(j), c);
+}
+
+Json request_json(const RequestCandidate& c) {
+  const PlannedRequest& request = c.request();
+  const Level level = request.plan.level();
+  return with_measurement({{"case", request.definition.name},
+                           {"coordinates", request.whole.coordinates()},
+                           {"id", c.id()},
+                           {"request", request.name},
+                           {"title", request.title},
+                           {"level", level_names[level]},
+                           {"unknowns", request.unknowns},
+                           {"all_unknowns", request.all_unknowns}},
+                          c, level);
+}
+
+Json peer_json(const PeerCandidate& c) {
+  Json j = {{"case", c.definition.name},
+            {"coordinates", c.coordinates},
+            {"peer", c.peer.name},
+            {"library", c.peer.library},
+            {"library_version", c.peer.version()},
+            {"method", c.peer.method},
+            {"guess", guess_name(c.peer.guess)}};
+  if (!c.setup.empty()) {
+    j["setup"] = c.setup;
+    j["compared"] = c.compared;
+  }
+  return with_measurement(std::move(j), c);
+}
+
+/// Adds the parts of every partition of a case at one size.
+void add_structure(Json& list, const Case& definition, int coordinates) {
+  const Model m = make_model(describe(definition, coordinates));
+  for (const auto& [partition, name] : {std::pair{Partition::global, "global"},
+                                        {Partition::group, "group"},
+                                        {Partition::block, "block"}}) {
+    Json parts = Json::array();
+    for (const PartSizes& p : part_sizes(m, partition))
+      parts.push_back({{"unknowns", p.unknowns}, {"count", p.count}});
+    list.push_back(
+        {{"case", definition.name},
+         {"coordinates", coordinates},
+         {"partition", name},
+         {"unit", definition.unit_name},
+         {"units", (coordinates - definition.base_coordinates) / definition.coordinates_per_unit},
+         {"parts", parts}});
+  }
+}
+
+Json profile_json(const CaseCandidate& c) {
+  Json seconds;
+  for (int p = 0; p < phase_count; ++p) seconds[phase_names[p]] = c.phases->seconds[p];
+  seconds["rest"] = c.phases->rest;
+  return {{"case", c.definition.name},
+          {"coordinates", c.coordinates},
+          {"id", c.id()},
+          {"time_per_step",
+           {{"clock", clock_name(Clock::wall)},
+            {"phases", seconds},
+            {"total_range", {c.phases->min_total, c.phases->max_total}}}}};
+}
+
+/// Returns a run as the console is to show it: the time given to Google Benchmark by hand is CPU
+/// time, and what it finds itself is that of a thread that waits.
 benchmark::BenchmarkReporter::Run shown_as_cpu_time(benchmark::BenchmarkReporter::Run run) {
   run.run_name.time_type.clear();
   run.run_name.repetitions.clear();
@@ -25,13 +128,13 @@ benchmark::BenchmarkReporter::Run shown_as_cpu_time(benchmark::BenchmarkReporter
   return run;
 }
 
-/// Keeps the raw samples of everything timed beside what the console shows.
+/// A reporter that keeps the raw samples of all candidates and shows a summary on the console.
 class CollectingReporter final : public benchmark::ConsoleReporter {
  public:
   /// first: the machine has not been described yet.
-  CollectingReporter(const std::vector<Timed*>& all, bool first, RunProgress& progress)
+  CollectingReporter(const std::vector<Candidate*>& all, bool first, Progress& progress)
       : ConsoleReporter(OO_Tabular), first_(first), progress_(progress) {
-    for (Timed* timed : all) timed_[timed->name()] = timed;
+    for (Candidate* candidate : all) candidates_[candidate->name()] = candidate;
   }
 
   bool ReportContext(const Context& context) override {
@@ -43,8 +146,8 @@ class CollectingReporter final : public benchmark::ConsoleReporter {
   void ReportRuns(const std::vector<Run>& runs) override {
     std::vector<Run> shown;
     for (const Run& run : runs) {
-      const auto it = timed_.find(run.run_name.function_name);
-      if (it != timed_.end() && run.run_type == Run::RT_Iteration && !run.error_occurred)
+      const auto it = candidates_.find(run.run_name.function_name);
+      if (it != candidates_.end() && run.run_type == Run::RT_Iteration && !run.error_occurred)
         it->second->seconds.push_back(run.real_accumulated_time /
                                       static_cast<double>(run.iterations));
       if (run.error_occurred || run.repetitions == 1 || run.aggregate_name == "median" ||
@@ -58,60 +161,76 @@ class CollectingReporter final : public benchmark::ConsoleReporter {
 
  private:
   const bool first_;
-  RunProgress& progress_;
-  std::map<std::string, Timed*> timed_;
+  Progress& progress_;
+  std::map<std::string, Candidate*> candidates_;
 };
 
-/// One repetition.
-void run_timed(benchmark::State& state, Timed& timed, RunProgress& progress) {
-  if (timed.state != Timed::State::verified) return state.SkipWithError(timed.message.c_str());
+/// Takes one of so many repetitions.
+void run_timed(benchmark::State& state, Candidate& candidate, int repetitions, Progress& progress) {
+  if (!candidate.is_verified()) return state.SkipWithError(candidate.message.c_str());
   for (auto _ : state) {
-    state.SetIterationTime(timed.time_afresh());
-    if (timed.is_failed()) return state.SkipWithError(timed.message.c_str());
+    state.SetIterationTime(candidate.time_afresh());
+    if (candidate.is_failed()) return state.SkipWithError(candidate.message.c_str());
   }
-  for (const auto& [name, value] : timed.counters()) state.counters[name] = value;
-  progress.repeated(timed);
+  for (const auto& [name, value] : candidate.counters()) state.counters[name] = value;
+  progress.done(1.0 / repetitions);
 }
 
-/// As many as take long enough, together, that something of them is undisturbed: a core may be slow
-/// for seconds. What takes long itself needs few.
-int worth_repeating(const Timed& timed) {
+/// Returns as many as take long enough, together, that something of them is undisturbed: a core may
+/// be slow for seconds. What takes long itself needs less.
+int worth_repeating(const Candidate& candidate) {
   constexpr double seconds = 2;
-  constexpr int fewest = 3, most = 20;
-  const double needed = std::ceil(seconds / std::max(timed.analysis_seconds, 1e-9));
-  return static_cast<int>(std::clamp<double>(needed, fewest, most));
+  const double needed = std::ceil(seconds / std::max(candidate.analysis_seconds, 1e-9));
+  return static_cast<int>(std::clamp<double>(needed, 3, 20));
 }
 
 }  // namespace
 
-nlohmann::ordered_json measure(const std::vector<Timed*>& all, std::optional<int> asked_repetitions,
-                               bool first, RunProgress& progress) {
-  progress.begin(all);
+Json lists_of(const std::vector<Candidate*>& candidates) {
+  Json all;
+  for (const char* list : {"cells", "profiles", "structure", "requests"}) all[list] = Json::array();
+  std::set<std::pair<std::string_view, int>> described;
+  for (const Candidate* one : candidates) {
+    if (const auto* request = dynamic_cast<const RequestCandidate*>(one))
+      all["requests"].push_back(request_json(*request));
+    if (const auto* peer = dynamic_cast<const PeerCandidate*>(one))
+      all["peers"].push_back(peer_json(*peer));
+    const auto* c = dynamic_cast<const CaseCandidate*>(one);
+    if (!c) continue;
+    all["cells"].push_back(case_json(*c));
+    if (c->phases && c->is_verified()) all["profiles"].push_back(profile_json(*c));
+    if (described.emplace(c->definition.name, c->coordinates).second)
+      add_structure(all["structure"], c->definition, c->coordinates);
+  }
+  return all;
+}
+
+Json measure(const std::vector<Candidate*>& all, std::optional<int> asked_repetitions, bool first,
+             Progress& progress) {
   ReferenceCache references;
-  for (Timed* timed : all) {
-    const auto verify = [&] { timed->verify(references); };
+  for (Candidate* candidate : all) {
+    const auto verify = [&] { candidate->verify(references); };
     // The threads that it makes end with the one that it is on: those of a repetition have no
-    // others beside them, for which they would have to make room.
-    timed->threads > 1 ? on_fresh_heap(verify) : verify();
-    timed->profile();
-    const int repetitions = asked_repetitions.value_or(worth_repeating(*timed));
-    progress.verified(*timed, repetitions);
-    if (timed->is_not_run() || timed->is_failed()) {
+    // others next to them, for which they would have to make room.
+    candidate->threads > 1 ? on_fresh_heap(verify) : verify();
+    candidate->profile();
+    progress.done(candidate->is_verified() ? 1 : work_of_candidate);
+    if (!candidate->is_verified()) {
       progress.clear();
-      std::cerr << timed->name() << ": " << timed->message << '\n';
+      std::cerr << candidate->name() << ": " << candidate->message << '\n';
     }
-    if (timed->is_not_run()) continue;
-    auto* const registered = benchmark::RegisterBenchmark(timed->name().c_str(), &run_timed,
-                                                          std::ref(*timed), std::ref(progress));
+    if (candidate->is_not_run()) continue;
+    const int repetitions = asked_repetitions.value_or(worth_repeating(*candidate));
+    auto* const registered =
+        benchmark::RegisterBenchmark(candidate->name().c_str(), &run_timed, std::ref(*candidate),
+                                     repetitions, std::ref(progress));
     registered->Unit(benchmark::kMillisecond)->UseManualTime();
     if (!asked_repetitions) registered->Repetitions(repetitions);
   }
-  progress.timing();
   CollectingReporter reporter(all, first, progress);
-  if (!std::ranges::all_of(all, &Timed::is_not_run))
+  if (!std::ranges::all_of(all, &Candidate::is_not_run))
     benchmark::RunSpecifiedBenchmarks(&reporter, ".");  // those chosen, whatever the filter
-  progress.end();
-  return {{"failed", std::ranges::any_of(all, &Timed::is_failed)}, {"lists", lists_of(all)}};
+  return {{"failed", std::ranges::any_of(all, &Candidate::is_failed)}, {"lists", lists_of(all)}};
 }
 
-}  // namespace desmo::suite
+}  // namespace desmo::paper

@@ -4,16 +4,24 @@
 #include <optional>
 #include <vector>
 
-#include "bench/kit/run_progress.h"
-#include "bench/kit/timed.h"
+#include "bench/kit/candidate.h"
+#include "bench/kit/process/progress.h"
 
-namespace desmo::suite {
+namespace desmo::paper {
+
+/// Work of a candidate on the progress line: verification, and all its repetitions.
+inline constexpr double work_of_candidate = 2;
 
 /// Verifies and profiles all, and times what is verified by Google Benchmark, whose flags have been
-/// read: in turn, in an order of its own, each as often as asked for or as is worth it. What is
-/// wrong is said on standard error. first: the console has nothing yet.
+/// read: in turn, in an order of its own, each as often as asked for or as is worth it. Says on
+/// standard error what is wrong. first: the console has nothing yet.
 /// Returns {"failed": whether anything did, "lists": what a record says (lists_of)}.
-nlohmann::ordered_json measure(const std::vector<Timed*>& all, std::optional<int> asked_repetitions,
-                               bool first, RunProgress& progress);
+nlohmann::ordered_json measure(const std::vector<bench::Candidate*>& all,
+                               std::optional<int> asked_repetitions, bool first,
+                               bench::Progress& progress);
 
-}  // namespace desmo::suite
+/// Returns what a results record (results/record.schema.json) says of candidates, as an object of
+/// arrays.
+nlohmann::ordered_json lists_of(const std::vector<bench::Candidate*>& candidates);
+
+}  // namespace desmo::paper

@@ -4,7 +4,7 @@
 
 #include "cases/generators/cases.h"
 
-namespace desmo::suite {
+namespace desmo::paper {
 
 namespace {
 
@@ -12,21 +12,21 @@ constexpr double quick_duration = 1.5;  // s
 constexpr int quick_repetitions = 2;
 
 void add_options(OptionTable& table, Options& o) {
-  experiments::add_common(table, o,
-                          {.quick = "1.5 s of motion and 2 repetitions",
-                           .filtered = "<case>/<coordinates>/<id>",
-                           .repetitions = "as many as take 2 s together, 3 to 20"});
-  table.positive("--step", "SECONDS", o.step, "Time step (the case's, 0.01)");
-  table.positive("--duration", "SECONDS", o.duration, "Motion analysed (the case's, 30)");
-  table.positive("--dense-limit", "N", o.dense_limit,
-                 "Coordinates up to which dense global solves run (114)");
-  table.positive("--slow-limit", "N", o.slow_limit,
-                 "Coordinates up to which SPQR, and UMFPACK and SparseLU\nin blocks, run (114)");
-  table.positive("--peer-limit", "SECONDS", o.peer_limit,
-                 "CPU time a rival may take for the motion (60)");
-  table.texts("--formulation", "ID", o.formulations,
-              "Add a formulation with settings as suffixes, such as\n"
-              "global_automatic_klu/guess:hermite5; more than once where wanted");
+  bench::add_common(table, o,
+                    {.quick = "1.5 s of motion and 2 repetitions",
+                     .filtered = "<case>/<coordinates>/<id>",
+                     .repetitions = "as many as take 2 s together, 3 to 20"});
+  table.add("--step", "SECONDS", &o.step, "Time step (the case's, 0.01)");
+  table.add("--duration", "SECONDS", &o.duration, "Motion analysed (the case's, 30)");
+  table.add("--dense-limit", "N", &o.dense_limit,
+            "Coordinates up to which dense global solves run (114)");
+  table.add("--slow-limit", "N", &o.slow_limit,
+            "Coordinates up to which SPQR, and UMFPACK and SparseLU\nin blocks, run (114)");
+  table.add("--peer-limit", "SECONDS", &o.peer_limit,
+            "CPU time a peer may take for the motion (60)");
+  table.add("--formulation", "ID", &o.formulations,
+            "Add a formulation with settings as suffixes, such as\n"
+            "global_automatic_klu/guess:hermite5; more than once where wanted");
 }
 
 /// A flag for Google Benchmark, which keeps no copy of its own.
@@ -43,7 +43,7 @@ std::string usage() {
       "desmo_bench paper: verifies, then times, every case, size and formulation.\n"
       "A benchmark is named <case>/<coordinates>/<id>; one iteration is the whole analysis.\n"
       "<case>/<coordinates>/<id>/request:<name> solves only what that request needs.\n"
-      "<case>/<coordinates>/peer:<name> is solved by a rival: by hand, or, where built\n"
+      "<case>/<coordinates>/peer:<name> is solved by a peer: by hand, or, where built\n"
       "(DESMO_PEERS), by a library.");
   add_options(table, unused);
   return table.help() +
@@ -73,4 +73,4 @@ TimeGrid chosen_grid(const TimeGrid& own, const Options& o) {
   return time_grid(o.duration > 0 ? o.duration : duration, o.step > 0 ? o.step : own.step);
 }
 
-}  // namespace desmo::suite
+}  // namespace desmo::paper

@@ -3,19 +3,21 @@
 #include <string>
 #include <vector>
 
-#include "bench/experiments/common_options.h"
+#include "bench/kit/options.h"
 #include "cases/mechanism/motion.h"
 
-namespace desmo::suite {
+namespace desmo::paper {
+
+using namespace bench;  // the kit, of which this experiment uses nearly all
 
 /// Options of the paper's experiment, without the flags of Google Benchmark.
-struct Options : experiments::CommonOptions {
+struct Options : bench::CommonOptions {
   double step = 0;         ///< s; 0: the case's own
   double duration = 0;     ///< s; 0: the case's own
   int dense_limit = 114;   ///< coordinates up to which dense global solves run
   int slow_limit = 114;    ///< likewise of SPQR, and of UMFPACK and SparseLU in blocks
-  double peer_limit = 60;  ///< s of CPU time a rival may take for the motion
-  std::vector<std::string> formulations;  ///< ids with settings, to be run beside the table's
+  double peer_limit = 60;  ///< s of CPU time a peer may take for the motion
+  std::vector<std::string> formulations;  ///< ids with settings, to be run as well as the table's
   bool help = false;
 };
 
@@ -24,10 +26,10 @@ struct Options : experiments::CommonOptions {
 /// unusable value.
 Options take_options(std::vector<char*>& arguments);
 
-/// The instants that are analysed: a scene's own, but for what the options say.
+/// Returns the instants that are analysed: a scene's own, but for what the options say.
 TimeGrid chosen_grid(const TimeGrid& own, const Options& options);
 
-/// Text of --help, without the flags of Google Benchmark.
+/// Returns the text of --help, without the flags of Google Benchmark.
 std::string usage();
 
-}  // namespace desmo::suite
+}  // namespace desmo::paper

@@ -17,27 +17,25 @@
 #include <vector>
 
 #include "bench/experiments/experiments.h"
+#include "bench/experiments/paper/case_candidate.h"
 #include "bench/experiments/paper/measurement.h"
 #include "bench/experiments/paper/options.h"
-#include "bench/kit/cell.h"
-#include "bench/kit/environment.h"
-#include "bench/kit/kept_memory.h"
-#include "bench/kit/new_file.h"
-#include "bench/kit/own_process.h"
-#include "bench/kit/peer_cell.h"
-#include "bench/kit/record.h"
-#include "bench/kit/request.h"
-#include "bench/kit/run_progress.h"
+#include "bench/experiments/paper/peer_candidate.h"
+#include "bench/experiments/paper/request.h"
+#include "bench/kit/memory.h"
+#include "bench/kit/process/own_process.h"
+#include "bench/kit/record/record.h"
 #include "formulations/algebra/blas.h"
 #include "formulations/variants.h"
 
-namespace desmo::suite {
+namespace desmo::paper {
 
 using Json = nlohmann::ordered_json;
 
 namespace {
 
-/// As Google Benchmark reads it: the last one counts. Nothing where the user leaves it to us.
+/// Returns the number as Google Benchmark reads it: the last one counts. Nothing where the user
+/// leaves it to us.
 std::optional<int> repetitions_of(const std::vector<char*>& arguments) {
   constexpr std::string_view flag = "--benchmark_repetitions=";
   std::optional<int> repetitions;
@@ -46,9 +44,9 @@ std::optional<int> repetitions_of(const std::vector<char*>& arguments) {
   return repetitions;
 }
 
-/// Those whose benchmark the filter selects. Google Benchmark offers no question for that before
-/// registration, so they are registered once for the question and anew for the measurement.
-std::vector<Timed*> selected(const std::vector<Timed*>& all) {
+/// Returns the candidates that the filter selects. Google Benchmark offers no question for that
+/// before registration, so they are registered once for the question and anew for the measurement.
+std::vector<Candidate*> selected(const std::vector<Candidate*>& all) {
   struct Names final : benchmark::BenchmarkReporter {
     std::set<std::string> found;
     bool ReportContext(const Context&) override { return true; }
@@ -56,57 +54,66 @@ std::vector<Timed*> selected(const std::vector<Timed*>& all) {
       for (const Run& run : runs) found.insert(run.run_name.function_name);
     }
   } names;
-  for (const Timed* timed : all)
-    benchmark::RegisterBenchmark(timed->name().c_str(), [](benchmark::State& state) {
+  for (const Candidate* candidate : all)
+    benchmark::RegisterBenchmark(candidate->name().c_str(), [](benchmark::State& state) {
       for (auto _ : state) {
       }
     });
-  std::vector<Timed*> result;
+  std::vector<Candidate*> result;
   benchmark::RunSpecifiedBenchmarks(&names);
   benchmark::ClearRegisteredBenchmarks();
-  for (Timed* timed : all)
-    if (names.found.contains(timed->name())) result.push_back(timed);
+  for (Candidate* candidate : all)
+    if (names.found.contains(candidate->name())) result.push_back(candidate);
   return result;
 }
 
-/// But for what is there by that name already, such as a formulation that was asked for and also
-/// stands beside a rival.
-template <class Kind>
-void append(std::vector<Timed*>& all, const std::vector<std::unique_ptr<Kind>>& some) {
-  std::set<std::string> names;
-  for (const Timed* timed : all) names.insert(timed->name());
-  for (const auto& timed : some)
-    if (names.insert(timed->name()).second) all.push_back(timed.get());
-}
+/// All candidates, each name once: a formulation that was asked for may also be measured against a
+/// peer.
+class AllCandidates {
+ public:
+  template <class Kind>
+  void add(std::vector<std::unique_ptr<Kind>> some) {
+    for (auto& candidate : some)
+      if (names_.insert(candidate->name()).second) owned_.push_back(std::move(candidate));
+  }
+  std::vector<Candidate*> in_order() const {
+    std::vector<Candidate*> all;
+    for (const auto& candidate : owned_) all.push_back(candidate.get());
+    return all;
+  }
 
-/// A record has one time grid.
-void require_one_grid(const std::vector<Timed*>& all) {
+ private:
+  std::set<std::string> names_;
+  std::vector<std::unique_ptr<Candidate>> owned_;
+};
+
+/// Throws std::invalid_argument where time grids differ: a record has one.
+void require_one_grid(const std::vector<Candidate*>& all) {
   const TimeGrid& first = all.front()->grid;
-  for (const Timed* timed : all)
-    if (timed->grid.step != first.step || timed->grid.instants != first.instants)
+  for (const Candidate* candidate : all)
+    if (candidate->grid.step != first.step || candidate->grid.instants != first.instants)
       throw std::invalid_argument(
           "the cases differ in step or duration: give --step and --duration");
 }
 
-/// What is compared with each other: all of one case and size.
-struct Comparison {
+/// Candidates that are compared with each other: all of one case and size.
+struct Series {
   std::string name;  ///< "truck_suspension/558"
-  std::vector<Timed*> timed;
+  std::vector<Candidate*> candidates;
 };
 
-/// together: as one.
-std::vector<Comparison> comparisons_of(const std::vector<Timed*>& all, bool together) {
+/// Returns the series of all candidates; together: as one.
+std::vector<Series> series_of(const std::vector<Candidate*>& all, bool together) {
   if (together) return {{"desmo_bench", all}};
-  std::vector<Comparison> comparisons;
-  for (Timed* timed : all) {
-    const std::string name = timed->name(), of = name.substr(0, name.find('/', name.find('/') + 1));
-    const auto it = std::ranges::find(comparisons, of, &Comparison::name);
-    if (it == comparisons.end())
-      comparisons.push_back({of, {timed}});
-    else
-      it->timed.push_back(timed);
+  std::vector<Series> series;
+  for (Candidate* candidate : all) {
+    const std::string name = candidate->name();
+    const std::string of = name.substr(0, name.find('/', name.find('/') + 1));
+    auto it = std::ranges::find(series, of, &Series::name);
+    if (it == series.end()) it = series.insert(it, {of, {}});
+    it->candidates.push_back(candidate);
   }
-  return comparisons;
+  return series;
 }
 
 /// Google Benchmark writes it anew in every process.
@@ -120,7 +127,7 @@ bool is_listing(std::string_view argument) {
   return argument.starts_with("--benchmark_list_tests") && !argument.ends_with("=false");
 }
 
-int run(const experiments::CommandLine& line) {
+int run(const bench::CommandLine& line) {
   keep_freed_memory();
   std::vector<char*> arguments = line.arguments;
   for (const std::string_view a : arguments)
@@ -148,49 +155,46 @@ int run(const experiments::CommandLine& line) {
   set_blas_threads(1);  // the clock is the thread's own
   for (const std::string& note : faulty_libraries()) std::cerr << "desmo_bench: " << note << '\n';
 
-  Run record{utc_now(), line.text, load_averages(), {}};
-  const auto cells = make_cells(options);
-  const auto requests = make_requests(options);
-  const auto beside_peers = make_cells_beside_peers(options);
-  const auto peers = make_peer_cells(options);
-  std::vector<Timed*> all;
-  append(all, cells);
-  append(all, requests);
-  append(all, beside_peers);
-  append(all, peers);
+  AllCandidates candidates;
+  candidates.add(make_case_candidates(options));
+  candidates.add(make_request_candidates(options));
+  candidates.add(make_candidates_for_peers(options));
+  candidates.add(make_peer_candidates(options));
+  const std::vector<Candidate*> all = candidates.in_order();
   require_one_grid(all);
-  const std::vector<Timed*> chosen = selected(all);
+  const std::vector<Candidate*> chosen = selected(all);
   if (listing) return 0;
   if (chosen.empty()) return 64;  // Google Benchmark has said that nothing matches
-  std::optional<NewFile> file;
-  if (!options.record.empty()) file.emplace(options.record);
+  std::optional<Recording> recording;
+  if (!options.record.empty()) recording.emplace(options.record, line.text);
 
   Json all_lists;
   bool failed = false;
-  const auto comparisons = comparisons_of(chosen, together);
-  RunProgress progress(static_cast<int>(chosen.size()));
-  for (const Comparison& comparison : comparisons) {
-    const bool first = &comparison == &comparisons.front();
-    const Json measured = in_own_process(comparison.name, [&] {
-      return measure(comparison.timed, asked_repetitions, first, progress);
-    });
-    progress.passed(static_cast<int>(comparison.timed.size()));
-    failed = failed || measured["failed"];
-    for (const auto& [name, list] : measured["lists"].items()) {
-      Json& all_of_it = all_lists.emplace(name, Json::array()).first.value();
-      all_of_it.insert(all_of_it.end(), list.begin(), list.end());
+  {
+    const std::vector<Series> all_series = series_of(chosen, together);
+    Progress progress("benchmarks", work_of_candidate * static_cast<double>(chosen.size()));
+    for (const Series& series : all_series) {
+      const bool first = &series == &all_series.front();
+      const Json measured = in_own_process(series.name, [&] {
+        return measure(series.candidates, asked_repetitions, first, progress);
+      });
+      progress.done(work_of_candidate * static_cast<double>(series.candidates.size()));
+      failed = failed || measured["failed"];
+      for (const auto& [name, list] : measured["lists"].items()) {
+        Json& all_of_it = all_lists.emplace(name, Json::array()).first.value();
+        all_of_it.insert(all_of_it.end(), list.begin(), list.end());
+      }
     }
   }
   benchmark::Shutdown();
-  record.load_after = load_averages();
-  if (file)
-    file->write(record_text(record, chosen.front()->grid, all_lists,
-                            static_cast<int>(chosen.front()->windows.count())));
+  if (recording)
+    recording->write(chosen.front()->grid, all_lists,
+                     static_cast<int>(chosen.front()->windows.count()));
   return failed ? 1 : 0;
 }
 
 }  // namespace
 
-}  // namespace desmo::suite
+}  // namespace desmo::paper
 
-int desmo::experiments::run_paper(const CommandLine& line) { return desmo::suite::run(line); }
+int desmo::bench::run_paper(const CommandLine& line) { return desmo::paper::run(line); }

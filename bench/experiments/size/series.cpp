@@ -3,17 +3,19 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <optional>
 
-#include "bench/kit/structure.h"
+#include "bench/kit/problem.h"
 #include "formulations/modelling/modelling.h"
+#include "formulations/planning/plan.h"
 #include "formulations/variants.h"
 
-namespace desmo::sizes {
+namespace desmo::size {
 
 namespace {
 
-/// Generated code, one part after the other, some and segments of the motion at once, and what
-/// solves by a sparse library.
+/// Generated code, one part after the other, some and segments of the motion at once, and
+/// formulations that solve by a sparse library.
 constexpr std::array<std::string_view, 6> growing{"group_symbolic_explicit",
                                                   "group_symbolic_explicit/lanes:4",
                                                   "group_symbolic_explicit/segments:4",
@@ -33,12 +35,12 @@ constexpr std::array unknowns{10, 15, 20, 25, 30, 40, 50, 60, 75, 90, 110, 140, 
 constexpr int quick_coordinates = 336, quick_unknowns = 100;
 constexpr int any_number = 1'000'000;
 
-/// Long enough that entering the segments of a motion costs little beside solving them.
+/// Long enough that entering the segments of a motion costs little compared with solving them.
 constexpr int growth_instants = 401;
 constexpr int break_even_instants = 51;
 
 /// Rounding leaves more in the equations of points far from the origin, and the more coordinates
-/// there are, the further the last ones are: the paper's tolerance up to 200 of them, and beyond
+/// there are, the further the last ones are: the paper's tolerance up to 200 of them, and above
 /// three times what solving by groups cannot do without.
 double tolerance_of(int coordinates) { return 5e-15 * std::max(200, coordinates); }
 
@@ -48,7 +50,7 @@ TimeGrid begin_of(const Case& c, int instants) {
   return grid;
 }
 
-/// Of this build, on this machine.
+/// Tells whether this build has the formulation, on this machine.
 bool exists(std::string_view id) {
   return std::ranges::find(variants(), id.substr(0, id.find('/')), &Variant::id) !=
          variants().end();
@@ -61,6 +63,15 @@ void add(std::vector<Series>& all, Question question, const Case& c, int size,
   std::ranges::copy_if(ids, std::back_inserter(all.back().ids), exists);
 }
 
+/// Returns what the first entities need; nothing where none of them moves.
+std::optional<Model> needed_by_first(const Model& whole, int count) {
+  std::vector<Asked> asked;
+  for (EntityId e = 0; e < count; ++e)
+    if (!whole.rests(e)) asked.push_back({e, Level::acceleration});
+  if (asked.empty()) return std::nullopt;
+  return make_plan(whole, asked).model;
+}
+
 Model largest(const Case& c) { return make_model(describe(c, c.sizes.back())); }
 
 /// Each number of unknowns once: the first entities may need more than they were asked for.
@@ -69,7 +80,7 @@ void add_break_even(std::vector<Series>& all, const Case& c, int max_unknowns) {
   int last = 0;
   for (const int least : unknowns) {
     if (least > max_unknowns) return;
-    const int found = suite::moving_unknowns(cut_to(whole, least));
+    const int found = bench::moving_unknowns(cut_to(whole, least));
     if (found != last) add(all, Question::break_even, c, last = found, break_even);
   }
 }
@@ -90,12 +101,27 @@ std::string_view name_of(Question question) {
   return question == Question::growth ? "growth" : "break_even";
 }
 
-Problem Series::problem() const {
+bench::Problem Series::problem() const {
   if (question == Question::growth)
-    return make_problem(make_model(describe(*definition, size)),
-                        begin_of(*definition, growth_instants), tolerance_of(size));
-  return make_problem(cut_to(largest(*definition), size),
-                      begin_of(*definition, break_even_instants), Settings{}.tolerance);
+    return bench::make_problem(make_model(describe(*definition, size)),
+                               begin_of(*definition, growth_instants), tolerance_of(size));
+  return bench::make_problem(cut_to(largest(*definition), size),
+                             begin_of(*definition, break_even_instants), Settings{}.tolerance);
+}
+
+Model cut_to(const Model& whole, int min_unknowns) {
+  // More entities never need less.
+  int first = 1, last = static_cast<int>(whole.entities.size()) + 1;
+  while (first < last) {
+    const int middle = first + (last - first) / 2;
+    const std::optional<Model> cut = needed_by_first(whole, middle);
+    if (!cut || bench::moving_unknowns(*cut) < min_unknowns)
+      first = middle + 1;
+    else
+      last = middle;
+  }
+  const bool all = first > static_cast<int>(whole.entities.size());
+  return all ? whole : *needed_by_first(whole, first);
 }
 
 std::vector<Series> all_series() { return series_up_to(any_number, any_number); }
@@ -115,4 +141,4 @@ std::vector<Series> matching(std::vector<Series> all, const std::regex& expressi
   return all;
 }
 
-}  // namespace desmo::sizes
+}  // namespace desmo::size

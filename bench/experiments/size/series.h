@@ -5,14 +5,15 @@
 #include <string_view>
 #include <vector>
 
-#include "bench/experiments/size/problem.h"
+#include "bench/kit/problem.h"
 #include "cases/generators/cases.h"
 
-namespace desmo::sizes {
+namespace desmo::size {
 
-/// What is measured: how time grows with the number of coordinates, and where it costs the same to
-/// solve all unknowns at once with dense and with sparse matrices.
-enum class Question { growth, break_even };
+enum class Question {
+  growth,      ///< how does time grow with the number of coordinates?
+  break_even,  ///< with how many unknowns cost dense and sparse matrices the same, all at once?
+};
 std::string_view name_of(Question question);
 
 /// Formulations that solve the same problem and are timed in turn.
@@ -22,18 +23,22 @@ struct Series {
   int size;  ///< coordinates of growth; unknowns of break_even
   std::vector<std::string_view> ids;
 
-  Problem problem() const;
+  bench::Problem problem() const;
 };
 
-/// Both cases from the smallest of the paper's sizes to a hundred thousand coordinates, and with 10
-/// to 500 unknowns.
+/// Returns both cases from the smallest of the paper's sizes to a hundred thousand coordinates, and
+/// with 10 to 500 unknowns.
 std::vector<Series> all_series();
 
-/// Up to 336 coordinates and 100 unknowns.
+/// Returns both cases up to 336 coordinates and 100 unknowns.
 std::vector<Series> quick_series();
 
-/// What is left of them when only formulations are kept in whose
-/// <growth|break_even>/<case>/<size>/<id> the expression is found; series with none are left out.
+/// Returns the series without the formulations in whose <growth|break_even>/<case>/<size>/<id> the
+/// expression is not found; series with none are left out.
 std::vector<Series> matching(std::vector<Series> all, const std::regex& expression);
 
-}  // namespace desmo::sizes
+/// Returns what finding `min_unknowns` or more of a mechanism takes, and no more than it must: what
+/// the first of its entities need, of all of them if it has fewer.
+Model cut_to(const Model& whole, int min_unknowns);
+
+}  // namespace desmo::size

@@ -23,7 +23,7 @@ Moving<double> height(const MotionSample<double>& z) {
 
 }  // namespace
 
-/// What the heights of the wheels say whatever ψ and θ are.
+/// The part of the heights of the wheels that depends on neither ψ nor θ.
 struct Axle::Roll {
   Moving<double> sine, cosine;  // of ρ
   double rate, second_rate;     // of ρ
@@ -117,7 +117,7 @@ int Axle::solve(const MotionSample<double>& left, const MotionSample<double>& ri
   left_height_ = height(left);
   right_height_ = height(right);
   const Roll roll = this->roll(left, right);
-  constexpr int most_iterations = Settings{}.max_iterations;
+  constexpr int max_iterations = Settings{}.max_iterations;
   for (int iterations = 0;; ++iterations) {
     const Closure at = closure(angles, roll);
     if (at.error < tolerance_) {
@@ -126,7 +126,7 @@ int Axle::solve(const MotionSample<double>& left, const MotionSample<double>& ri
     }
     if (!std::isfinite(at.error))
       throw std::runtime_error(prefix_ + "2: its arm cannot reach the heights of its wheels");
-    if (iterations == most_iterations)
+    if (iterations == max_iterations)
       throw std::runtime_error(prefix_ + "2: its rods are not closed in " +
                                std::to_string(iterations) + " iterations");
     const Eigen::Vector2d correction = at.jacobian.inverse() * at.g;

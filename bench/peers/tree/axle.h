@@ -4,18 +4,17 @@
 #include <string>
 #include <vector>
 
-#include "bench/peers/tree/delivery.h"
 #include "bench/peers/tree/moving.h"
 #include "cases/mechanism/mechanism.h"
 #include "cases/mechanism/motion.h"
 
 namespace desmo::tree {
 
-/// Where a rigid axle is: its point S and its frame.
+/// The position of a rigid axle: its point S and its frame.
 struct Pose {
   Moving<Vec> s, x, y, z;
 
-  /// What is fixed to the axle, given from S in its frame.
+  /// Returns a point fixed to the axle, given from S in its frame.
   Moving<Vec> at(const Vec& local) const { return s + local[0] * x + local[1] * y + local[2] * z; }
 };
 
@@ -24,10 +23,10 @@ struct Pose {
 /// θ of the axle on the arm's end, R = Rz(ψ) Rx(ρ) Ry(θ). The rods close the loops, and the heights
 /// of the wheels are given.
 ///
-/// In this order of turns the heights leave two unknowns: their difference over the track is sin ρ,
-/// and with θ they are the height of S, hence the arm's angle. ψ and θ keep the rods' lengths:
+/// The heights, in this order of turns, leave two unknowns: their difference over the track is sin
+/// ρ, and with θ they are the height of S, hence the arm's angle. ψ and θ keep the rods' lengths:
 ///   gᵢ = (‖Cᵢ − Gᵢ‖² − Lᵢ²)/2 = 0.
-/// That holds of the case, whose wheels are apart along y2 alone and whose S − R is normal to y1.
+/// This holds for the case, whose wheels are apart along y2 alone and whose S − R is normal to y1.
 class Axle {
  public:
   /// ψ and θ, what Newton's method looks for. They are 0 in the nominal position.
@@ -46,7 +45,7 @@ class Axle {
   /// heights are out of reach or Newton's method does not close the loops.
   int solve(const MotionSample<double>& left, const MotionSample<double>& right, Angles& angles);
 
-  /// Of the last solution.
+  /// Returns the iterations of the last solution.
   const Pose& pose() const { return pose_; }
   /// Everything of these bodies at the last solution.
   void deliver(Delivery& out) const;

@@ -7,8 +7,8 @@ namespace desmo::tree {
 
 using Vec = Eigen::Vector3d;
 
-/// What moves, at one instant: its value and its first two derivatives in time. A vector of two or
-/// three components, or a number.
+/// A moving quantity at one instant: its value and its first two derivatives in time. A vector of
+/// two or three components, or a number.
 template <class T>
 struct Moving {
   T q, qd, qdd;
@@ -22,7 +22,7 @@ template <class T>
 Moving<T> operator-(const Moving<T>& a, const Moving<T>& b) {
   return {a.q - b.q, a.qd - b.qd, a.qdd - b.qdd};
 }
-/// From a point that rests.
+/// Subtracts a point that rests.
 template <class T>
 Moving<T> operator-(const Moving<T>& a, const T& resting) {
   return {a.q - resting, a.qd, a.qdd};
@@ -54,5 +54,24 @@ inline Polar polar(const Moving<Vec>& a) {
 }
 
 inline Moving<Vec> unit(const Moving<Vec>& a) { return polar(a).direction; }
+
+/// Writes the coordinates of the mechanism, one entity after the other.
+class Delivery {
+ public:
+  Delivery(double* q, double* qd, double* qdd) : q_(q), qd_(qd), qdd_(qdd) {}
+
+  template <int n>
+  void put(const Moving<Eigen::Matrix<double, n, 1>>& v) {
+    for (int i = 0; i < n; ++i) put(Moving<double>{v.q[i], v.qd[i], v.qdd[i]});
+  }
+  void put(const Moving<double>& x) {
+    *q_++ = x.q;
+    *qd_++ = x.qd;
+    *qdd_++ = x.qdd;
+  }
+
+ private:
+  double *q_, *qd_, *qdd_;
+};
 
 }  // namespace desmo::tree

@@ -15,7 +15,7 @@ inline Vec nominal(const Mechanism& d, const std::string& point) {
   return Vec(named(d.points, point).position.data());
 }
 
-/// Of a link whose nominal position is but an estimate.
+/// Returns the length of a link whose nominal position is but an estimate.
 inline double length(const Mechanism& d, const std::string& link) {
   return named(d.bodies, link).length.value();
 }

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "bench/peers/tree/axle.h"
-#include "bench/peers/tree/delivery.h"
+#include "bench/peers/tree/moving.h"
 #include "cases/mechanism/mechanism.h"
 
 namespace desmo::tree {

@@ -5,15 +5,15 @@
 #include <vector>
 
 #include "bench/peers/peer.h"
-#include "bench/peers/tree/delivery.h"
+#include "bench/peers/tree/moving.h"
 
 namespace desmo::tree {
 
 /// A model that writes what it finds straight into its answer.
 class TreePeer : public Peer {
  protected:
-  /// What is delivered next: the coordinates of these entities. Throws std::invalid_argument when
-  /// the mechanism has no such entity.
+  /// Announces the coordinates that are delivered next: those of these entities. Throws
+  /// std::invalid_argument when the mechanism has no such entity.
   void will_deliver(const Model& model, const std::vector<std::string>& entities) {
     for (const std::string& name : entities) {
       const Entity& e = model.entities[model.find(name)];
@@ -23,7 +23,7 @@ class TreePeer : public Peer {
       values->resize(answer_.coordinates.size());
   }
 
-  /// Of everything that was announced, from the beginning.
+  /// Returns the delivery of everything that was announced, from the beginning.
   Delivery delivery() { return {answer_.q.data(), answer_.qd.data(), answer_.qdd.data()}; }
 };
 

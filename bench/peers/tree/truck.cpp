@@ -56,7 +56,7 @@ class Truck final : public TreePeer {
     const int axles = static_cast<int>(scene.motions.size()) / 2;
     last_ = one_before_ = AnglesOfAll(axles);
     expected_ = Predictor(guess, {{0, 2 * axles}});
-    // As ours: the whole mechanism meets the tolerance.
+    // The whole mechanism meets the tolerance, like ours.
     const double tolerance = Settings{}.tolerance / std::sqrt(axles);
     suspensions_.reserve(axles);
     will_deliver(model, {"y1"});

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "bench/kit/peer_cell.h"
+#include "bench/experiments/paper/peer_candidate.h"
 #include "cases/generators/cases.h"
 #include "formulations/modelling/modelling.h"
 
@@ -24,19 +24,20 @@ class Peers : public testing::TestWithParam<std::string> {
 };
 
 TEST_P(Peers, AgreeWithTheQuadrupleReference) {
-  suite::ReferenceCache references;
-  suite::Options options;
+  bench::ReferenceCache references;
+  paper::Options options;
   options.duration = std::min(8.0, double{DESMO_TEST_SECONDS});  // the crank turns round
   options.peer_limit = 1e9;
   for (const auto& [name, coordinates] :
        {std::pair{"four_bar", 114}, {"truck_suspension", 114}, {"truck_suspension", 336}}) {
-    suite::PeerCell cell(find_case(name), coordinates, peer, options);
-    cell.verify(references);
-    EXPECT_EQ(cell.state, suite::Timed::State::verified) << cell.name() << ": " << cell.message;
-    EXPECT_GE(cell.errors.instants, 51) << cell.name();
-    EXPECT_GE(cell.compared, coordinates * 2 / 3 - 1) << cell.name();
-    EXPECT_LT(cell.iterations_per_step, 3) << cell.name();
-    EXPECT_TRUE(cell.analyse().ok()) << cell.name();
+    paper::PeerCandidate candidate(find_case(name), coordinates, peer, options);
+    candidate.verify(references);
+    EXPECT_EQ(candidate.state, bench::Candidate::State::verified)
+        << candidate.name() << ": " << candidate.message;
+    EXPECT_GE(candidate.errors.instants, 51) << candidate.name();
+    EXPECT_GE(candidate.compared, coordinates * 2 / 3 - 1) << candidate.name();
+    EXPECT_LT(candidate.iterations_per_step, 3) << candidate.name();
+    EXPECT_TRUE(candidate.analyse().ok()) << candidate.name();
   }
 }
 

@@ -1,0 +1,234 @@
+#include "bench/experiments/extremes/case_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <numbers>
+#include <span>
+#include <stdexcept>
+#include <utility>
+
+#include "bench/kit/memory.h"
+#include "bench/kit/verification.h"
+#include "formulations/verification/error.h"
+
+namespace desmo::extremes {
+
+namespace {
+
+constexpr int max_dense = 400;          // unknowns: a step costs O(n³)
+constexpr int max_coordinates = 5'000;  // for all but the fastest formulations
+constexpr long max_instants = 100'000;  // instants, likewise
+/// Coordinates: every part keeps a workspace of some kilobytes, and blocks are more than groups.
+constexpr int max_in_blocks = 1'000'000;
+
+/// The formulations that do without a library's work on every small part.
+bool is_fast(const Variant& v) {
+  return !v.backend || (v.partition == Partition::global && algebra_name(v) == "klu");
+}
+
+/// Returns why a formulation is not tried on a case that has a model, in a sentence without a full
+/// stop; empty: it is.
+std::string unsupported(const Configuration& configuration, const KnownCase& known) {
+  const Variant& v = *configuration.variant;
+  if (std::string why = unsupported_reason(v, configuration.settings); !why.empty()) return why;
+  const int coordinates = known.modelled->model.coordinates();
+  if (is_dense_global(v) && coordinates > max_dense)
+    return "dense matrices of all unknowns: a step costs O(n³)";
+  if (v.partition == Partition::block && coordinates > max_in_blocks)
+    return "workspaces of so many blocks take too much memory";
+  if (is_fast(v)) return {};
+  if (coordinates > max_coordinates) return "it takes too long with so many coordinates";
+  if (algebra_name(v) != "eigen" && static_cast<long>(known.solvable.size()) > max_instants)
+    return "it takes too long with so many instants";
+  return {};
+}
+
+void turn_back(const Model& m, std::span<const double> right, std::vector<double>& q) {
+  constexpr double turn = 2 * std::numbers::pi;
+  for (const Entity& e : m.entities)
+    if (e.kind == EntityKind::angle && !e.fixed)
+      q[e.first] -= turn * std::nearbyint((q[e.first] - right[e.first]) / turn);
+}
+
+/// Returns how wrong an instant is, in those of the case's answers, at that of the compared
+/// instants; an answer is known. Whole turns of angles count for nothing where an estimate alone
+/// says which is meant.
+PerLevel<double> error_of(const Instant& instant, const KnownCase& known, std::size_t of,
+                          std::size_t next) {
+  const Answers& answers = known.answers[of];
+  const ReferenceInstant& right = answers.right[next];
+  const auto part = [&](std::span<const double> whole) {
+    std::vector<double> values;
+    for (const int i : answers.coordinate) values.push_back(whole[i]);
+    return values;
+  };
+  std::vector<double> q = part(instant.q);
+  if (const ExtremeCase& c = *known.definition; c.starts || c.goes_on)
+    turn_back(answers.model, right.q, q);
+  const std::vector<double> qd = part(instant.qd), qdd = part(instant.qdd);
+  ErrorMeasure measure(answers.model, {&right, 1}, answers.scales);
+  measure.observe({0, right.time, q, qd, qdd});
+  const Error e = measure.error();
+  return {e.position.max, e.velocity.max, e.acceleration.max};
+}
+
+/// Instants after which a run has all the memory that it needs.
+constexpr std::size_t early = 1000;
+
+/// Keeps what becomes of each instant, or start.
+class Record final : public Observer {
+ public:
+  Record(const KnownCase& known, const Formulation& formulation, CaseRun& run)
+      : case_(known), run_(run) {
+    for (const DefinedPart& part : formulation.parts())
+      if (!part.definition.constant) unknowns_ += std::ssize(part.definition.unknowns);
+    for (const Answers& answers : known.answers) run.errors.emplace_back(answers.right.size());
+    run.stated.resize(known.compared.size());
+    run.steps.reserve(known.solvable.size());  // so that nothing here grows
+  }
+
+  /// The runs to come begin with that instant, or start.
+  void begin(std::size_t first) { first_ = first; }
+
+  void note(const MonitoredInstant& m) {
+    degraded_ = m.degraded;
+    stated_ = {m.assessment.condition, m.assessment.bound};
+  }
+
+  Flow observe(const Instant& instant) noexcept override {
+    const std::size_t i = first_ + instant.index;
+    weigh(i);
+    run_.steps.resize(i, {CaseRun::Flag::failed});  // those that were passed over
+    run_.steps.push_back(
+        {degraded_ ? CaseRun::Flag::degraded : CaseRun::Flag::none,
+         unknowns_ > 0 ? static_cast<double>(instant.updates) / static_cast<double>(unknowns_)
+                       : 0});
+    const auto& compared = case_.compared;
+    const auto found = std::ranges::lower_bound(compared, static_cast<int>(i));
+    if (found == compared.end() || *found != static_cast<int>(i)) return Flow::go_on;
+    const std::size_t next = found - compared.begin();
+    for (std::size_t k = 0; k < case_.answers.size(); ++k)
+      if (!case_.answers[k].right[next].q.empty())
+        run_.errors[k][next] = error_of(instant, case_, k, next);
+    run_.stated[next] = stated_;
+    return Flow::go_on;
+  }
+
+  /// A run is over that was to last so many instants.
+  void end(const MonitoredSummary& summary, const TimeGrid& grid, const Model& m) {
+    const std::size_t last = first_ + grid.instants;
+    auto& steps = run_.steps;
+    if (steps.size() < last) {
+      const bool went_on = !summary.gaps.empty();
+      steps.resize(went_on ? last : steps.size() + 1, {CaseRun::Flag::failed});
+    }
+    if (summary.crossing)
+      for (std::size_t i = first_; i < steps.size(); ++i)
+        if (const double t = grid.time(static_cast<int>(i - first_));
+            steps[i].flag != CaseRun::Flag::failed &&
+            (t > summary.crossing->after || t >= summary.crossing->before))
+          steps[i].flag = CaseRun::Flag::doubtful;
+    run_.iterations += summary.iterations;
+    run_.max.condition = std::max(run_.max.condition, summary.condition);
+    for (const Level l : levels) run_.max.bound[l] = std::max(run_.max.bound[l], summary.bound[l]);
+    run_.gaps.insert(run_.gaps.end(), summary.gaps.begin(), summary.gaps.end());
+    note_flag(summary, m);
+  }
+
+ private:
+  void weigh(std::size_t instant) {
+    const bool is_first = instant >= early && early_heap_ == 0;
+    if (is_first) early_heap_ = bench::heap_in_use();
+    if (!is_first && early_heap_ > 0 && instant + 1 == case_.solvable.size())
+      run_.heap_growth =
+          static_cast<std::int64_t>(bench::heap_in_use()) - static_cast<std::int64_t>(early_heap_);
+  }
+
+  void note_flag(const MonitoredSummary& s, const Model& m) {
+    if (!run_.message.empty() || s.outcome() == desmo::Outcome::converged) return;
+    const Summary& failure = s.gaps.empty() ? s : s.gaps.front().failure;
+    run_.failed_group = failure.group;
+    run_.message = !failure.ok() ? desmo::describe(failure, m)
+                   : s.crossing  ? describe(*s.crossing)
+                                 : describe(*s.first_degraded);
+  }
+
+  static std::string describe(const SingularityCrossing& c) {
+    static constexpr const char* what[] = {"passes a singular position", "jumps",
+                                           "not assembled as declared"};
+    char text[120];
+    std::snprintf(text, sizeof text, "%s between t = %.9g s and %.9g s",
+                  what[static_cast<int>(c.kind)], c.after, c.before);
+    return text;
+  }
+  static std::string describe(const Degradation& d) {
+    char text[60];
+    std::snprintf(text, sizeof text, "degraded from t = %.9g s on: ", d.time);
+    return text +
+           describe_accuracy(d.assessment.condition, d.assessment.bound, Level::acceleration);
+  }
+
+  const KnownCase& case_;
+  CaseRun& run_;
+  std::size_t first_ = 0, early_heap_ = 0;
+  long unknowns_ = 0;
+  bool degraded_ = false;
+  CaseRun::Stated stated_{};
+};
+
+}  // namespace
+
+Outcome CaseRun::outcome() const {
+  if (unsolved) return *unsolved;
+  Flag worst = Flag::none;
+  for (const Step& step : steps) worst = std::max(worst, step.flag);
+  return worst == Flag::failed ? Outcome::failed
+         : worst == Flag::none ? Outcome::converged
+                               : Outcome::degraded;
+}
+
+CaseRun run_case(const KnownCase& known, const Configuration& configuration, unsigned without) {
+  CaseRun a;
+  const auto stop = [&](Outcome outcome, std::string why) {
+    a.unsolved = outcome;
+    a.message = std::move(why);
+    return a;
+  };
+  if (!known.modelled) return stop(Outcome::refused, known.refusal);
+  if (std::string why = unsupported(configuration, known); !why.empty())
+    return stop(Outcome::not_applicable, std::move(why));
+
+  const ExtremeCase& c = *known.definition;
+  std::optional<Model> started;  // its estimate changes from start to start
+  if (c.starts) started = known.modelled->model;
+  const Model& m = started ? *started : known.modelled->model;
+  std::unique_ptr<Formulation> f;
+  try {
+    f = make_formulation(*configuration.variant, m, configuration.settings);
+  } catch (const std::invalid_argument& error) {
+    return stop(Outcome::refused, error.what());
+  }
+  if (std::string why = bench::missing_code(*f); !why.empty())
+    return stop(Outcome::not_applicable, std::move(why));
+
+  Record record(known, *f, a);
+  MonitoredRunOptions options;
+  options.tolerance = configuration.settings.tolerance;
+  options.without = without;
+  options.past_failures = c.goes_on;
+  options.monitored = [&](const MonitoredInstant& instant) { record.note(instant); };
+  const std::size_t runs = c.starts ? known.starts.size() : 1;
+  const TimeGrid grid =
+      c.starts ? TimeGrid{c.scene.grid.start, c.scene.grid.step, 1} : c.scene.grid;
+  for (std::size_t i = 0; i < runs; ++i) {
+    if (started) started->estimate = known.starts[i];
+    record.begin(i);
+    record.end(run_monitored(*f, grid, {}, record, options), grid, m);
+  }
+  a.refactorisations = f->refactorisations();
+  return a;
+}
+
+}  // namespace desmo::extremes

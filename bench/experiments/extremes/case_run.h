@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/experiments/extremes/known_case.h"
+#include "formulations/id.h"
+#include "formulations/verification/monitor/monitored_run.h"
+
+namespace desmo::extremes {
+
+enum class Outcome {
+  converged,       ///< numbers everywhere, without a flag
+  degraded,        ///< with one: no better than their bounds, or in doubt
+  failed,          ///< no numbers at one instant at least
+  refused,         ///< before anything was solved
+  not_applicable,  ///< not tried: the formulation cannot do it
+};
+
+/// The run of a case in one formulation.
+struct CaseRun {
+  enum class Flag {
+    none,
+    degraded,  ///< numbers, said to be no better than their bounds
+    doubtful,  ///< numbers, said to be after a singular position or on another branch
+    failed,    ///< no numbers
+  };
+  struct Step {
+    Flag flag = Flag::none;
+    double iterations = 0;  ///< of Newton's method, the mean over all unknowns
+  };
+  /// Statements of the monitors about an instant.
+  struct Stated {
+    double condition;
+    PerLevel<double> bound;
+  };
+
+  /// Returns the worst of the flags, or why there are none.
+  Outcome outcome() const;
+
+  std::optional<Outcome> unsolved;  ///< refused, not_applicable; nothing: see steps
+  std::string message;              ///< of the first flag, or why not
+  std::vector<Step> steps;          ///< of the instants, or starts, tried: from the first on
+  long iterations = 0;
+  /// Errors for each of the case's answers, at each instant compared; nothing where there are no
+  /// numbers or nothing is known.
+  std::vector<std::vector<std::optional<PerLevel<double>>>> errors;
+  std::vector<std::optional<Stated>> stated;  ///< of each instant compared
+  Stated max{};                               ///< over all instants
+  std::vector<Gap> gaps;                      ///< that it went on after
+  GroupId failed_group = -1;                  ///< of the first flag
+  long refactorisations = 0;                  ///< of pivots kept that had gone bad
+  /// Bytes by which the heap has grown from the first that is solved after 1000 instants, or
+  /// starts, to the last; 0 where the last is not solved.
+  std::int64_t heap_growth = 0;
+};
+
+/// Solves the case as `desmo solve` does (run_monitored), to the first failure or, where the case
+/// says so, past it; or from every start. without: monitors left out.
+CaseRun run_case(const KnownCase& known, const Configuration& configuration, unsigned without = 0);
+
+}  // namespace desmo::extremes

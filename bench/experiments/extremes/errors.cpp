@@ -1,0 +1,124 @@
+#include "bench/experiments/extremes/errors.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "bench/kit/problem.h"
+
+namespace desmo::extremes {
+
+namespace {
+
+using Flag = CaseRun::Flag;
+
+/// Returns the maximum over all answers of the first `count` instants that were compared.
+PerLevel<double> max_errors(const CaseRun& run, std::size_t count) {
+  PerLevel<double> worst;
+  for (const auto& of_part : run.errors)
+    for (std::size_t i = 0; i < std::min(count, of_part.size()); ++i)
+      for (const Level level : levels)
+        if (of_part[i]) worst[level] = std::max(worst[level], (*of_part[i])[level]);
+  return worst;
+}
+
+PerLevel<double> measured(const KnownCase& known, const CaseRun& run,
+                          const Yardsticks& yardsticks) {
+  constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
+  switch (known.definition->bound) {
+    case Bound::first_case:
+      return yardsticks.first_case ? max_errors(*yardsticks.first_case, all) : PerLevel<double>{};
+    case Bound::new_pivots:
+      return yardsticks.new_pivots ? max_errors(*yardsticks.new_pivots, all) : PerLevel<double>{};
+    case Bound::first_part:
+      return max_errors(run, known.compared.size() / 2);
+    default:
+      return {};
+  }
+}
+
+/// Allowed errors of a run's answers: what the case's bound makes of floors and
+/// yardsticks. All must outlive it.
+class Allowed {
+ public:
+  Allowed(const KnownCase& known, const CaseRun& run, const Yardsticks& yardsticks);
+
+  /// Returns that of answers `part`, of the compared instant `next`.
+  double operator()(Level level, std::size_t part, std::size_t next) const;
+
+ private:
+  const KnownCase& case_;
+  const CaseRun& run_;
+  PerLevel<double> measured_;  // the worst error of the yardstick, if the bound has one
+};
+
+Allowed::Allowed(const KnownCase& known, const CaseRun& run, const Yardsticks& yardsticks)
+    : case_(known), run_(run), measured_(measured(known, run, yardsticks)) {}
+
+double Allowed::operator()(Level level, std::size_t part, std::size_t next) const {
+  const ExtremeCase& c = *case_.definition;
+  const Answers& answers = case_.answers[part];
+  const double floor = answers.floor[next][level];
+  const bool is_position = level == Level::position;
+  switch (c.bound) {
+    case Bound::floor:
+      return c.factor * floor;
+    case Bound::length: {
+      const double epsilon = std::numeric_limits<double>::epsilon();
+      return (is_position ? c.factor * epsilon * answers.chain_length : 0) + 10 * floor;
+    }
+    case Bound::tolerance:
+      return c.factor * std::max(c.scene.tolerance, floor);
+    case Bound::fixed:
+      return is_position ? c.factor : 10 * floor;
+    case Bound::estimates:
+      return run_.stated[next] ? run_.stated[next]->bound[level] : 0;
+    case Bound::first_part:
+      if (next < case_.compared.size() / 2) return 10 * std::max(c.scene.tolerance, floor);
+      [[fallthrough]];
+    default:
+      return std::max(c.factor * measured_[level], floor);
+  }
+}
+
+/// Tells whether neither the tolerance that was asked for nor conditioning excuses an error, nor a
+/// bound that was stated with it.
+bool is_wrong(const WorstError& e, double tolerance, double stated) {
+  return e.error > std::max({e.allowed, 10 * std::max(tolerance, e.floor), stated});
+}
+
+}  // namespace
+
+std::string at(const KnownCase& p, std::size_t instant) {
+  if (p.definition->starts) return formatted("from start %zu", instant + 1);
+  return formatted("at t = %.9g s", p.definition->scene.grid.time(static_cast<int>(instant)));
+}
+
+WorstErrors errors_of(const KnownCase& p, const CaseRun& a, const Yardsticks& yardsticks) {
+  const Allowed allowed(p, a, yardsticks);
+  WorstErrors found;
+  for (std::size_t part = 0; part < a.errors.size(); ++part)
+    for (std::size_t next = 0; next < a.errors[part].size(); ++next) {
+      const Flag flag = a.steps.size() > static_cast<std::size_t>(p.compared[next])
+                            ? a.steps[p.compared[next]].flag
+                            : Flag::failed;
+      if (!a.errors[part][next] || flag == Flag::doubtful) continue;
+      if (!found.worst) found.worst.emplace();
+      for (const Level level : levels) {
+        const WorstError e{(*a.errors[part][next])[level], p.answers[part].floor[next][level],
+                           allowed(level, part, next)};
+        WorstError& worst = (*found.worst)[level];
+        if (worst.allowed == 0 || e.error * worst.allowed > worst.error * e.allowed) worst = e;
+        if (!(e.error > e.allowed)) continue;
+        const double stated = flag == Flag::degraded ? a.stated[next]->bound[level] : 0;
+        const bool wrong = p.definition->bound == Bound::estimates ||
+                           is_wrong(e, p.definition->scene.tolerance, stated);
+        std::string& first = wrong ? found.defect : found.inexact;
+        if (first.empty())
+          first = formatted("%s wrong by %.1e %s, allowed %.1e", bench::level_names[level], e.error,
+                            at(p, p.compared[next]).c_str(), e.allowed);
+      }
+    }
+  return found;
+}
+
+}  // namespace desmo::extremes

@@ -1,0 +1,174 @@
+#include "bench/experiments/extremes/verification.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "bench/experiments/extremes/errors.h"
+#include "bench/kit/problem.h"
+
+namespace desmo::extremes {
+
+namespace {
+
+/// Bytes that a long run may hold more of at its end: factors made anew are not always of one size.
+constexpr std::int64_t max_growth = 4096;
+
+using Flag = CaseRun::Flag;
+
+/// Returns the first instant with numbers where there is no answer.
+std::string unflagged(const KnownCase& p, const CaseRun& a) {
+  if (p.definition->is_refused) return {};
+  for (std::size_t i = 0; i < a.steps.size(); ++i)
+    if (a.steps[i].flag == Flag::none && !p.solvable[i])
+      return "plain numbers " + at(p, i) + ", where there is no answer";
+  return {};
+}
+
+/// Tells whether conditioning explains that an instant, one of those compared, is degraded.
+bool is_excused(const KnownCase& p, const CaseRun& a, std::size_t instant) {
+  constexpr double max_over_floor = 1000;
+  const auto found = std::ranges::lower_bound(p.compared, static_cast<int>(instant));
+  if (found == p.compared.end() || *found != static_cast<int>(instant)) return true;
+  const std::size_t next = found - p.compared.begin();
+  return std::ranges::any_of(p.answers, [&](const Answers& of_part) {
+    return std::ranges::all_of(levels, [&](Level l) {
+      return a.stated[next]->bound[l] <= max_over_floor * of_part.floor[next][l];
+    });
+  });
+}
+
+std::string needless_flag(const KnownCase& p, const CaseRun& a) {
+  if (p.definition->may_fail) return {};
+  for (std::size_t i = 0; i < a.steps.size(); ++i)
+    if (p.solvable[i] && a.steps[i].flag != Flag::none &&
+        !(a.steps[i].flag == Flag::degraded && is_excused(p, a, i)))
+      return a.message.empty() ? "failed " + at(p, i) : a.message;
+  return {};
+}
+
+std::string other_iterations(const CaseRun& a, const CaseRun& first) {
+  for (std::size_t i = 0; i < std::min(a.steps.size(), first.steps.size()); ++i)
+    if (std::abs(a.steps[i].iterations - first.steps[i].iterations) > 1)
+      return formatted("%g iterations where the first case has %g", a.steps[i].iterations,
+                       first.steps[i].iterations);
+  return {};
+}
+
+bool is_named(const Model& m, GroupId group, const std::string& body) {
+  return group >= 0 && std::ranges::count(m.groups[group].bodies, body) > 0;
+}
+
+/// Allowed factor between an estimate of the condition number and the number.
+constexpr double max_factor = 10;
+
+double condition_of(const KnownCase& p) {
+  double condition = 0;
+  for (const Answers& of_part : p.answers) condition = std::max(condition, of_part.condition);
+  return condition;
+}
+
+/// Returns a condition number that is said to be much smaller than it is.
+std::string understated_condition(const KnownCase& p, const CaseRun& a) {
+  const double condition = condition_of(p);
+  if (p.definition->bound != Bound::estimates || a.max.condition >= condition / max_factor)
+    return {};
+  return formatted("condition %.1e said to be %.1e", condition, a.max.condition);
+}
+
+/// Returns what is said of the whole run, where it says too much.
+std::string overstated(const KnownCase& p, const CaseRun& a) {
+  const double condition = condition_of(p);
+  if (!(a.max.condition <= max_factor * condition))
+    return formatted("condition %.1e said to be %.1e", condition, a.max.condition);
+  double allowed =
+      p.definition->factor * std::max(p.definition->scene.tolerance, std::ldexp(condition, -53));
+  for (const Level level : levels) {
+    if (!(a.max.bound[level] <= allowed))
+      return formatted("%s said to be wrong by up to %.1e, more than %.1e",
+                       bench::level_names[level], a.max.bound[level], allowed);
+    allowed *= std::max(condition, 1.0);
+  }
+  return {};
+}
+
+/// Returns an end of what cannot be solved that a run went on past, where it is not known well
+/// enough.
+std::string wrong_end(const KnownCase& p, const CaseRun& a) {
+  constexpr double bracket = 1e-9;  // s
+  std::vector<double> found;
+  for (const Gap& gap : a.gaps) {
+    found.push_back(gap.from);
+    if (gap.ends) found.push_back(gap.to);
+  }
+  for (std::size_t i = 0; i < std::min(found.size(), p.ends.size()); ++i)
+    if (!(std::abs(found[i] - p.ends[i]) <= bracket))
+      return formatted("it says %.12g s where the answer ends or begins at %.12g s", found[i],
+                       p.ends[i]);
+  return found.size() == p.ends.size()
+             ? ""
+             : formatted("it says %zu ends of answers of %zu", found.size(), p.ends.size());
+}
+
+bool is_idle(const ModellingResult& modelled, const std::string& body) {
+  return std::ranges::count(modelled.idle, body, &IdleFreedom::body) > 0;
+}
+
+/// Returns what was expected and is not there, although nothing is wrong.
+std::string shortcoming(const KnownCase& p, const CaseRun& a, const Yardsticks& yardsticks) {
+  const ExtremeCase& c = *p.definition;
+  if (c.bound == Bound::first_case && yardsticks.first_case)
+    if (std::string why = other_iterations(a, *yardsticks.first_case); !why.empty()) return why;
+  if (c.bound == Bound::estimates)
+    if (std::string why = overstated(p, a); !why.empty()) return why;
+  if (!c.failing_body.empty() && !is_named(p.modelled->model, a.failed_group, c.failing_body))
+    return "it does not name the group of " + c.failing_body;
+  if (c.is_redundant && p.modelled->left_out.empty()) return "it does not report the redundancy";
+  if (c.goes_on)
+    if (std::string why = wrong_end(p, a); !why.empty()) return why;
+  if (!c.idle_body.empty() && !is_idle(*p.modelled, c.idle_body))
+    return "it does not report that " + c.idle_body + " may spin";
+  if (a.heap_growth > max_growth)
+    return formatted("the heap has grown by %lld bytes", static_cast<long long>(a.heap_growth));
+  return {};
+}
+
+}  // namespace
+
+Verification verify(const KnownCase& p, const CaseRun& a, const Yardsticks& yardsticks) {
+  const ExtremeCase& c = *p.definition;
+  Verification j;
+  j.outcome = a.outcome();
+  const auto end = [&](Verdict verdict, std::string reason) {
+    j.verdict = verdict;
+    j.reason = std::move(reason);
+    return j;
+  };
+  if (j.outcome == Outcome::not_applicable) return end(Verdict::not_applicable, a.message);
+  if (j.outcome == Outcome::refused) return c.is_refused ? j : end(Verdict::missed, a.message);
+  if (!p.no_answer.empty()) {
+    j.outcome = Outcome::not_applicable;
+    return end(Verdict::not_applicable, "nothing to compare with: " + p.no_answer);
+  }
+  j.instants = static_cast<long>(a.steps.size());
+  j.iterations = a.iterations;
+  j.refactorisations = a.refactorisations;
+  if (c.is_refused)
+    return j.outcome == Outcome::failed && j.instants == 1
+               ? j
+               : end(Verdict::defect, "numbers for what is no mechanism");
+  const WorstErrors errors = errors_of(p, a, yardsticks);
+  j.worst = errors.worst;
+  // The gravest first.
+  for (auto& [why, verdict] : {std::pair{errors.defect, Verdict::defect},
+                               {unflagged(p, a), Verdict::defect},
+                               {needless_flag(p, a), Verdict::missed},
+                               {understated_condition(p, a), Verdict::defect},
+                               {errors.inexact, Verdict::missed},
+                               {shortcoming(p, a, yardsticks), Verdict::missed}})
+    if (!why.empty()) return end(verdict, why);
+  return j;
+}
+
+}  // namespace desmo::extremes

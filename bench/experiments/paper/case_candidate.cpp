@@ -1,0 +1,115 @@
+#include "bench/experiments/paper/case_candidate.h"
+
+#include <algorithm>
+#include <exception>
+
+#include "bench/experiments/paper/extended_ids.h"
+#include "bench/kit/digests.h"
+#include "formulations/modelling/modelling.h"
+
+namespace desmo::paper {
+
+namespace {
+
+constexpr int profiled_coordinates = 558;  // the largest of the paper's tables
+constexpr int profiled_instants = 51;
+
+/// KLU without the irreducible blocks that it finds itself: the difference is what they gain.
+constexpr std::string_view reference_of_one_block = "global_automatic_klu/btf:off";
+
+/// Tells whether it is a counterpart of FBL-G or FBL-TP, or the latter in blocks: no others are run
+/// at extra sizes.
+bool runs_at_extra_sizes(const Variant& v) {
+  if (!v.backend) return true;
+  return v.partition == Partition::global && v.evaluation == Evaluation::automatic &&
+         !is_dense_global(v);
+}
+
+/// Returns why a formulation is not run with so many coordinates; empty when it is.
+std::string too_costly(const Variant& v, int n, const Options& options) {
+  const auto up_to = [](int limit) {
+    return ": run up to " + std::to_string(limit) + " coordinates only";
+  };
+  if (is_dense_global(v) && n > options.dense_limit)
+    return "a dense global solve costs O(n^3) a step" + up_to(options.dense_limit);
+  if (n <= options.slow_limit) return {};
+  if (algebra_name(v) == "spqr")
+    return "orthogonal factorisation serves accuracy, not speed" + up_to(options.slow_limit);
+  if ((algebra_name(v) == "umfpack" || algebra_name(v) == "sparselu") &&
+      v.partition == Partition::block)
+    return "a library's overhead is all there is in blocks this small" + up_to(options.slow_limit);
+  return {};
+}
+
+}  // namespace
+
+CaseCandidate::CaseCandidate(const Case& d, int n, const Variant& v, const Options& options,
+                             const Settings& s, Clock by)
+    : FormulationCandidate(chosen_grid(d.describe(1).grid, options), d.name, n, {&v, s}, by),
+      definition(d) {
+  if (const std::string reason = too_costly(v, n, options); !reason.empty()) leave_out(reason);
+}
+
+void CaseCandidate::verify(ReferenceCache& references) {
+  if (state != State::unverified) return;
+  try {
+    own_problem_ = std::make_unique<Problem>();
+    Model& m = own_problem_->plan.model = make_model(describe(definition, coordinates));
+    model = model_digest(m);
+    groups = m.structural_groups();
+    degrees_of_freedom = m.degrees_of_freedom();
+    solve(*own_problem_);
+  } catch (const std::exception& e) {
+    return fail(e.what());
+  }
+  FormulationCandidate::verify(references);
+}
+
+void CaseCandidate::profile() {
+  if (!is_verified() || coordinates != profiled_coordinates || !has_phases(variant())) return;
+  // The settings are those of the paper, which does not know KLU.
+  if (id() != variant().id && id() != reference_of_one_block) return;
+  // Reading the clock costs more than what it measures in blocks of one unknown.
+  if (variant().partition == Partition::block) return;
+  TimeGrid first = grid;
+  first.instants = std::min(grid.instants, profiled_instants);
+  phases = measure_phases(variant(), settings(), problem().plan.model, first);
+}
+
+std::vector<std::pair<std::string, double>> CaseCandidate::counters() const {
+  auto all = FormulationCandidate::counters();
+  all.insert(all.begin() + 1, {"groups", groups});
+  return all;
+}
+
+std::vector<std::unique_ptr<CaseCandidate>> make_case_candidates(const Options& options) {
+  std::vector<std::unique_ptr<CaseCandidate>> candidates;
+  for (const Case& c : cases()) {
+    for (const int n : c.sizes)
+      for (const Variant& v : variants())
+        candidates.push_back(std::make_unique<CaseCandidate>(c, n, v, options));
+    for (const int n : c.extra_sizes)
+      for (const Variant& v : variants())
+        if (runs_at_extra_sizes(v))
+          candidates.push_back(std::make_unique<CaseCandidate>(c, n, v, options));
+    const auto add_new = [&](std::unique_ptr<CaseCandidate> candidate) {
+      if (std::ranges::find(candidates, candidate->name(), &CaseCandidate::name) ==
+          candidates.end())
+        candidates.push_back(std::move(candidate));
+    };
+    const auto add = [&](int n, std::string_view id) {
+      const auto [variant, settings] = parse_id(id);
+      add_new(std::make_unique<CaseCandidate>(c, n, *variant, options, settings));
+      if (settings.threads > 1)
+        add_new(std::make_unique<CaseCandidate>(c, n, *variant, options, on_one_thread(settings),
+                                                Clock::wall));
+    };
+    for (const std::string_view id : extended_ids) add(c.sizes.back(), id);
+    add(c.sizes.back(), reference_of_one_block);
+    for (const std::string& id : options.formulations)
+      for (const int n : c.sizes) add(n, id);
+  }
+  return candidates;
+}
+
+}  // namespace desmo::paper

@@ -1,0 +1,181 @@
+#include "bench/kit/candidate.h"
+
+#include <algorithm>
+#include <exception>
+#include <limits>
+#include <stdexcept>
+
+#include "bench/kit/memory.h"
+#include "formulations/variants.h"
+
+namespace desmo::bench {
+
+namespace {
+
+/// Wall-clock time [s] after which threads are awake, and have all had a processor at the same
+/// time.
+constexpr double long_enough = 0.03;
+
+}  // namespace
+
+double Candidate::time_afresh() {
+  double least = std::numeric_limits<double>::infinity();
+  on_fresh_heap([&] {
+    make();
+    const double begin = now(clock);
+    do {
+      const double before = now(clock);
+      analyse();
+      least = std::min(least, now(clock) - before);
+    } while (clock == Clock::wall && !is_failed() && now(clock) - begin < long_enough);
+    discard();
+  });
+  return least;
+}
+
+void Candidate::wake_threads(const std::function<void()>& solve) const {
+  const double begin = now(clock);
+  while (clock == Clock::wall && now(clock) - begin < long_enough) solve();
+}
+
+void Candidate::conclude(const Summary& summary, const Model& m, std::size_t expected_instants,
+                         double times) {
+  if (!summary.ok()) return fail(describe(summary, m));
+  if (std::string wrong = verification_failure(errors, expected_instants, times); !wrong.empty())
+    return fail(std::move(wrong));
+  iterations_per_step = static_cast<double>(summary.iterations) / summary.instants;
+  residual = summary.residual;
+  state = State::verified;
+}
+
+void Candidate::stop(State reached, std::string why) {
+  state = reached;
+  message = std::move(why);
+  seconds.clear();
+}
+
+FormulationCandidate::FormulationCandidate(const Problem& problem, const Configuration& c)
+    : FormulationCandidate(problem, id_with(*c.variant, c.settings), c) {}
+
+FormulationCandidate::FormulationCandidate(const Problem& problem, std::string_view id,
+                                           const Settings& others)
+    : FormulationCandidate(problem, id, parse_id(id, others)) {}
+
+FormulationCandidate::FormulationCandidate(const Problem& problem, std::string_view id,
+                                           const Configuration& c)
+    : Candidate(problem.grid, c.settings.threads),
+      coordinates(problem.plan.model.coordinates()),
+      problem_(&problem),
+      case_name_(problem.plan.model.name),
+      id_(id),
+      configuration_(c),
+      delivery_(coordinates, Level::acceleration, windows) {}
+
+FormulationCandidate::FormulationCandidate(const TimeGrid& instants, std::string_view case_name,
+                                           int n, const Configuration& c, Clock by)
+    : Candidate(instants, c.settings.threads, by),
+      coordinates(n),
+      case_name_(case_name),
+      id_(id_with(*c.variant, c.settings)),
+      configuration_(c),
+      delivery_(n, Level::acceleration, windows) {}
+
+std::string FormulationCandidate::name() const {
+  return case_name_ + "/" + std::to_string(coordinates) + "/" + id();
+}
+
+void FormulationCandidate::build() {
+  formulation_ =
+      make_formulation(variant(), problem().plan.model, settings(), nullptr, &problem().kernels);
+  if (!problem().plan.levels.empty()) formulation_->solve_only(problem().plan.levels);
+}
+
+void FormulationCandidate::verify() {
+  verify_against([&] { return std::span<const ReferenceInstant>(problem().reference.instants); });
+  discard();
+}
+
+void FormulationCandidate::verify(ReferenceCache& references) {
+  verify_against([&] { return references.get(problem().plan.model, grid); });
+}
+
+void FormulationCandidate::verify_against(
+    const std::function<std::span<const ReferenceInstant>()>& reference) {
+  if (state != State::unverified) return;
+  if (const std::string reason = unavailable_reason(settings()); !reason.empty())
+    return leave_out(reason);
+  try {
+    const std::size_t bytes_before = heap_in_use();
+    const double before_setup = cpu_now();
+    build();
+    setup_seconds = cpu_now() - before_setup;
+    bytes = static_cast<long>(heap_in_use() - bytes_before);
+    if (const std::string missing = missing_code(*formulation_); !missing.empty())
+      return fail(missing);
+
+    const std::span<const ReferenceInstant> right = reference();
+    VerifyingObserver observer(right);
+    const double start = now(clock);
+    const Summary summary = formulation_->run(grid, request(), observer);
+    analysis_seconds = now(clock) - start;
+    errors = observer.errors();
+    results = observer.results();
+    conclude(summary, problem().plan.model, right.size(),
+             std::max(1.0, problem().tolerance / Settings{}.tolerance));
+  } catch (const std::exception& e) {
+    fail(e.what());
+  }
+}
+
+void FormulationCandidate::make() {
+  build();
+  formulation_->assemble(grid.time(0));
+  Delivery elsewhere(coordinates);
+  wake_threads([&] { formulation_->run(grid, request(), elsewhere); });
+}
+
+Summary FormulationCandidate::analyse() {
+  windows.begin();
+  const Summary summary = formulation_->run(grid, request(), delivery_);
+  if (!summary.ok()) fail(describe(summary, problem().plan.model));
+  return summary;
+}
+
+void FormulationCandidate::sample_afresh(double duration) {
+  if (!is_verified()) return;
+  try {
+    on_fresh_heap([&] {
+      make();
+      seconds.push_back(step_seconds(duration));
+      discard();
+    });
+  } catch (const std::exception& e) {
+    fail(e.what());
+  }
+}
+
+double FormulationCandidate::step_seconds(double duration) {
+  Delivery delivery(coordinates);
+  const double start = cpu_now();
+  double spent = 0;
+  long instants = 0;
+  do {
+    const Summary summary = formulation_->run(grid, request(), delivery);
+    if (!summary.ok()) throw std::runtime_error(describe(summary, problem().plan.model));
+    instants += summary.instants;
+    spent = cpu_now() - start;
+  } while (spent < duration);
+  return spent / static_cast<double>(instants);
+}
+
+double FormulationCandidate::min_seconds() const {
+  return seconds.empty() ? std::numeric_limits<double>::infinity() : std::ranges::min(seconds);
+}
+
+std::vector<std::pair<std::string, double>> FormulationCandidate::counters() const {
+  return {{"coordinates", coordinates},
+          {"iterations/step", iterations_per_step},
+          {"residual", residual}};
+}
+
+}  // namespace desmo::bench

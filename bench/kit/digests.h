@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "formulations/model/model.h"
+#include "formulations/runtime/digest.h"
+
+namespace desmo::bench {
+
+/// Returns what tells one model from another: SHA-256 of all that its solution depends on. These
+/// are entities (kind, what they belong to, fixed values, initial estimate), constraints (name of
+/// the kind, operands, constants, rows left out), groups and their order, and the drivers' motions.
+/// Names of entities, constraints, groups and bodies, for people only, do not count.
+///
+/// Values are rounded to 9 decimals of their unit, no coarser than what a formulation may differ
+/// from the reference, so that the last bit of a sine, which is the compiler's and the C library's
+/// choice, makes no other model of it.
+std::string model_digest(const Model& model);
+
+/// Returns the multiple of `unit` next to a value. Within one unit of the reference, a value counts
+/// as the reference, so that equally right results never round apart, wherever they lie; further
+/// away, the two do not round alike. All that is no number, or larger than 10¹⁸ units, is the same
+/// multiple.
+std::int64_t rounded(double value, double reference, double unit);
+
+/// A digest of results, each rounded to what it may differ from the reference: that of the
+/// reference itself when every value is within it, another when one is not.
+class ResultDigest {
+ public:
+  void add(double value, double reference, double unit) {
+    digest_.add(std::to_string(rounded(value, reference, unit)) + ' ');
+  }
+  std::string hex() { return digest_.hex(); }
+
+ private:
+  Digest digest_;
+};
+
+}  // namespace desmo::bench

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <malloc.h>
+
+#include <cstddef>
+#include <functional>
+
+namespace desmo::bench {
+
+/// Runs `work` to its end on a thread of its own, which has a heap of its own. Among what others
+/// have left on a used heap, data lie so scattered that an analysis takes up to a quarter longer,
+/// in one run and not in the next. The place of the data, worth some percent, is drawn anew each
+/// time. Throws what `work` throws.
+void on_fresh_heap(const std::function<void()>& work);
+
+/// Keeps freed memory in the process. Otherwise what UMFPACK frees after each factorisation goes
+/// back to the system beyond some size, its page faults are timed, and whether that happens depends
+/// on what ran before.
+void keep_freed_memory();
+
+/// Returns the bytes of the heap that the process holds at this moment. Unlike the size of the
+/// process they do not depend on what the allocator keeps.
+inline std::size_t heap_in_use() {
+  const struct mallinfo2 heap = mallinfo2();
+  return heap.uordblks + heap.hblkhd;
+}
+
+}  // namespace desmo::bench

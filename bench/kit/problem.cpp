@@ -1,0 +1,74 @@
+#include "bench/kit/problem.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "bench/kit/verification.h"
+
+namespace desmo::bench {
+
+namespace {
+
+/// Limit of coordinates above which a reference in quadruple precision takes minutes.
+constexpr int max_quadruple = 12'000;
+
+/// Returns one time of each of count − 1 equal pieces of the grid, and its last; the first of them
+/// all. The place in a piece goes by multiples of the golden ratio, which fall everywhere: at
+/// regular distances all might be multiples of a stride, where nothing is interpolated.
+std::vector<double> spread(const TimeGrid& grid, int count) {
+  const long last = grid.instants - 1, pieces = count - 1;
+  std::vector<double> times;
+  for (long i = 0; i < pieces; ++i) {
+    const long begin = i * last / pieces, end = (i + 1) * last / pieces;
+    const double turns = static_cast<double>(i) * std::numbers::phi;
+    const double part = (turns - std::floor(turns)) * static_cast<double>(end - begin);
+    times.push_back(grid.time(static_cast<int>(begin + static_cast<long>(part))));
+  }
+  times.push_back(grid.time(static_cast<int>(last)));
+  return times;
+}
+
+}  // namespace
+
+Problem make_problem(Plan plan, const TimeGrid& grid, int compared) {
+  Reference reference = make_reference(plan.model, spread(grid, std::min(grid.instants, compared)));
+  return {.plan = std::move(plan), .grid = grid, .reference = std::move(reference)};
+}
+
+Problem make_problem(Model m, const TimeGrid& grid, double tolerance) {
+  const int last = grid.instants - 1;
+  const std::vector<double> times{grid.time(0), grid.time(last / 2), grid.time(last)};
+  Problem p{.plan = {}, .grid = grid, .tolerance = tolerance};
+  if (m.coordinates() > max_quadruple) {
+    p.reference.instants = reference_solution(m, times, Precision::standard);
+    p.checked_against = "double";
+  } else {
+    p.reference = make_reference(m, times);
+    require_agreement(m, p.reference.floor);
+  }
+  p.plan.model = std::move(m);
+  return p;
+}
+
+std::vector<PartSizes> part_sizes(const Model& m, Partition partition) {
+  std::map<int, int, std::greater<>> counts;
+  for (const PartDefinition& part : make_partition(m, partition))
+    if (!part.constant) ++counts[static_cast<int>(part.unknowns.size())];
+  std::vector<PartSizes> sizes;
+  for (const auto& [unknowns, count] : counts) sizes.push_back({unknowns, count});
+  return sizes;
+}
+
+int moving_unknowns(const Model& m) {
+  int unknowns = 0;
+  for (const PartSizes& parts : part_sizes(m, Partition::group))
+    unknowns += parts.unknowns * parts.count;
+  return unknowns;
+}
+
+}  // namespace desmo::bench

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <vector>
+
+#include "cases/mechanism/motion.h"
+#include "formulations/base/per_level.h"
+#include "formulations/base/settings.h"
+#include "formulations/equations/kernel_table.h"
+#include "formulations/planning/plan.h"
+#include "formulations/structure/partition.h"
+#include "formulations/verification/reference/reference.h"
+
+namespace desmo::bench {
+
+/// Names of the levels, in records and for people.
+inline constexpr PerLevel<const char*> level_names{"position", "velocity", "acceleration"};
+
+/// A motion that candidates solve, and what is right.
+struct Problem {
+  Plan plan;  ///< what is solved; without outputs and levels: everything
+  TimeGrid grid;
+  Reference reference = {};  ///< at instants of the grid, the first and the last among them
+  double tolerance = Settings{}.tolerance;
+  /// The origin of the reference: "quadruple", two solutions in quadruple precision, which agree;
+  /// "double", where these would take minutes: one in double precision, by code of its own as well.
+  const char* checked_against = "quadruple";
+  KernelTable kernels{};  ///< generated code, apart from what desmo was built with
+
+  Level level() const { return plan.outputs.empty() ? Level::acceleration : plan.level(); }
+};
+
+/// Returns what the plan keeps, compared at instants all over the grid, at least 2, in no regular
+/// distances; all of the grid when it has no more. Throws what make_reference throws.
+Problem make_problem(Plan plan, const TimeGrid& grid, int compared);
+
+/// Returns a whole model, compared at the first, the middle and the last instant. Throws what
+/// make_reference throws, and see require_agreement.
+Problem make_problem(Model model, const TimeGrid& grid, double tolerance);
+
+/// Number of parts with the same number of unknowns.
+struct PartSizes {
+  int unknowns;
+  int count;
+  bool operator==(const PartSizes&) const = default;
+};
+
+/// Returns the parts of a partition by their sizes, largest first. Constant parts are not counted.
+std::vector<PartSizes> part_sizes(const Model& model, Partition partition);
+
+/// Returns the number of coordinates to be found at every instant: neither driven nor at rest.
+int moving_unknowns(const Model& model);
+
+}  // namespace desmo::bench

@@ -1,0 +1,63 @@
+#include "bench/kit/process/callgrind.h"
+
+#include <gnu/libc-version.h>
+
+#include <algorithm>
+#include <atomic>
+#include <future>
+#include <stdexcept>
+#include <string_view>
+
+#include "bench/kit/process/child.h"
+#include "bench/kit/process/progress.h"
+
+namespace desmo::bench {
+
+namespace {
+
+/// Returns valgrind by way of env, which looks for it.
+Launch valgrind(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), {"/usr/bin/env", "valgrind"});
+  return fixed_launch(std::move(arguments));
+}
+
+std::int64_t collected(const std::string& log) {
+  constexpr std::string_view mark = "Collected : ";
+  const std::size_t at = log.find(mark);
+  return at == std::string::npos ? 0 : std::stoll(log.substr(at + mark.size()));
+}
+
+}  // namespace
+
+std::int64_t count_steps(std::vector<std::string> command) {
+  command.insert(command.begin(), {"--tool=callgrind", "--callgrind-out-file=/dev/null",
+                                   "--log-fd=1", "--toggle-collect=desmo_counted_steps"});
+  Launch launch = valgrind(std::move(command));
+  launch.environment.push_back("OPENBLAS_CORETYPE=Haswell");  // that callgrind knows
+  std::string log;
+  const int code = run_to_end(launch, log);
+  const std::int64_t instructions = collected(log);
+  if (code != 0 || instructions <= 0)
+    throw std::runtime_error("exit code " + std::to_string(code) + "\n" + log);
+  return instructions;
+}
+
+std::string counting_tool() {
+  std::string version;
+  if (run_to_end(valgrind({"--version"}), version) != 0) return {};
+  return version.substr(0, version.find('\n')) + ", glibc " + gnu_get_libc_version();
+}
+
+void count_on_all_cores(std::size_t count, const std::function<void(std::size_t)>& work) {
+  Progress progress("instruction counts", static_cast<double>(count));
+  std::atomic<std::size_t> next = 0;
+  const auto some = [&] {
+    for (std::size_t i; (i = next++) < count; progress.done()) work(i);
+  };
+  std::vector<std::future<void>> workers;
+  for (std::size_t i = 0; i < std::max<std::size_t>(1, usable_cores().size()); ++i)
+    workers.push_back(std::async(std::launch::async, some));
+  for (std::future<void>& worker : workers) worker.get();
+}
+
+}  // namespace desmo::bench

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace desmo::bench {
+
+/// Returns the instructions of desmo_counted_steps in a run of desmo_steps, counted by callgrind in
+/// a fixed environment. callgrind shows every program the same processor, so counts do not depend
+/// on the machine's. command: the program's path and its arguments. Throws std::runtime_error with
+/// what either said when they cannot be counted.
+std::int64_t count_steps(std::vector<std::string> command);
+
+/// Returns what else the counts depend on: "valgrind-3.19.0, glibc 2.36"; empty without valgrind.
+std::string counting_tool();
+
+/// Calls work(0) … work(count − 1), as many at once as there are cores, and shows how far it is.
+/// Throws what one of them throws.
+void count_on_all_cores(std::size_t count, const std::function<void(std::size_t)>& work);
+
+}  // namespace desmo::bench

@@ -1,0 +1,152 @@
+#include "bench/kit/process/child.h"
+
+#include <fcntl.h>
+#include <sched.h>
+#include <sys/mman.h>
+#include <sys/sendfile.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <stdexcept>
+
+#include "formulations/algebra/coinhsl.h"
+
+namespace desmo::bench {
+
+namespace {
+
+std::vector<char*> pointers(const std::vector<std::string>& texts) {
+  std::vector<char*> result;
+  for (const std::string& text : texts) result.push_back(const_cast<char*>(text.c_str()));
+  result.push_back(nullptr);
+  return result;
+}
+
+/// A copy of a file that has no name and is gone with its descriptor.
+int copy_of(const char* path) {
+  const int from = open(path, O_RDONLY | O_CLOEXEC), copy = memfd_create(path, MFD_CLOEXEC);
+  struct stat status {};
+  bool good = from >= 0 && copy >= 0 && fstat(from, &status) == 0;
+  for (off_t done = 0; good && done < status.st_size;)
+    good = sendfile(copy, from, &done, static_cast<std::size_t>(status.st_size - done)) > 0;
+  if (from >= 0) close(from);
+  if (good) return copy;
+  if (copy >= 0) close(copy);
+  throw std::runtime_error(std::string(path) + " cannot be copied: " + std::strerror(errno));
+}
+
+/// Turns the new process into the program, by what is safe between fork and exec alone.
+[[noreturn]] void become(int core, int program, int in, int out, char* const* arguments,
+                         char* const* variables) {
+  if (core >= 0) {
+    cpu_set_t one;
+    CPU_ZERO(&one);
+    CPU_SET(core, &one);
+    sched_setaffinity(0, sizeof one, &one);
+  }
+  dup2(in, STDIN_FILENO);
+  dup2(out, STDOUT_FILENO);
+  if (program >= 0)
+    fexecve(program, arguments, variables);
+  else
+    execve(arguments[0], arguments, variables);
+  _exit(127);
+}
+
+int wait_for(pid_t process) {
+  int status = 0;
+  while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+}  // namespace
+
+Launch fixed_launch(std::vector<std::string> arguments) {
+  Launch launch{
+      std::move(arguments),
+      {"LC_ALL=C", "LD_BIND_NOW=1", "OPENBLAS_NUM_THREADS=1", "PATH=/usr/local/bin:/usr/bin:/bin"}};
+  for (const char* name : {"LD_LIBRARY_PATH", coinhsl_variable})
+    if (const char* libraries = std::getenv(name))
+      launch.environment.push_back(std::string(name) + "=" + libraries);
+  return launch;
+}
+
+Child::Child(const Launch& launch) : program_(launch.arguments[0]) {
+  const int copy = launch.fresh_copy ? copy_of(launch.arguments[0].c_str()) : -1;
+  std::array<int, 2> questions{}, answers{};
+  if (pipe2(questions.data(), O_CLOEXEC) != 0)
+    throw std::runtime_error(std::string("no pipe: ") + std::strerror(errno));
+  if (pipe2(answers.data(), O_CLOEXEC) != 0) {
+    close(questions[0]), close(questions[1]);
+    throw std::runtime_error(std::string("no pipe: ") + std::strerror(errno));
+  }
+  const std::vector<char*> arguments = pointers(launch.arguments);
+  const std::vector<char*> variables = pointers(launch.environment);
+  process_ = fork();
+  if (process_ == 0)
+    become(launch.core, copy, questions[0], answers[1], arguments.data(), variables.data());
+  if (copy >= 0) close(copy);
+  close(questions[0]), close(answers[1]);
+  in_ = fdopen(questions[1], "w");
+  out_ = fdopen(answers[0], "r");
+  if (process_ < 0) throw std::runtime_error(program_ + " cannot be started");
+}
+
+Child::~Child() {
+  if (in_) std::fclose(in_);
+  if (out_) std::fclose(out_);
+  if (process_ > 0) wait_for(process_);
+}
+
+void Child::say(std::string_view line) {
+  std::fwrite(line.data(), 1, line.size(), in_);
+  std::fputc('\n', in_);
+  if (std::fflush(in_) != 0) throw std::runtime_error(program_ + " has ended early");
+}
+
+std::string Child::answer() {
+  char* line = nullptr;
+  std::size_t size = 0;
+  const ssize_t length = getline(&line, &size, out_);
+  std::string text(line ? line : "", length > 0 ? static_cast<std::size_t>(length) : 0);
+  std::free(line);
+  if (length <= 0) throw std::runtime_error(program_ + " has ended early");
+  if (text.back() == '\n') text.pop_back();
+  return text;
+}
+
+std::string Child::finish(int& code) {
+  std::fclose(in_);
+  in_ = nullptr;
+  std::string text;
+  std::array<char, 4096> buffer;
+  for (std::size_t n; (n = std::fread(buffer.data(), 1, buffer.size(), out_)) > 0;)
+    text.append(buffer.data(), n);
+  code = wait_for(process_);
+  process_ = -1;
+  return text;
+}
+
+int run_to_end(const Launch& launch, std::string& output) {
+  int code = 0;
+  output = Child(launch).finish(code);
+  return code;
+}
+
+std::vector<int> usable_cores() {
+  cpu_set_t set;
+  CPU_ZERO(&set);
+  std::vector<int> cores;
+  if (sched_getaffinity(0, sizeof set, &set) == 0)
+    for (int core = 0; core < CPU_SETSIZE; ++core)
+      if (CPU_ISSET(core, &set)) cores.push_back(core);
+  return cores;
+}
+
+}  // namespace desmo::bench

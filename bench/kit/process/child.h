@@ -1,0 +1,55 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstdio>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace desmo::bench {
+
+/// Settings with which a program is run.
+struct Launch {
+  std::vector<std::string> arguments;    ///< the program's path first
+  std::vector<std::string> environment;  ///< all of it, NAME=value
+  int core = -1;                         ///< on this core only; -1: on any
+  /// Runs a copy of the program made for this once, on other pages of memory than the last. Which
+  /// ones a file got by chance decides what shares cache lines in its loops, to 3 % and more, for
+  /// as long as the file is in memory.
+  bool fresh_copy = false;
+};
+
+/// A running program that is asked and answers by lines. Everything throws std::runtime_error,
+/// naming the program, when it cannot be started or ends before it has answered.
+class Child {
+ public:
+  explicit Child(const Launch& launch);
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+  ~Child();  ///< closes its input and waits for its end
+
+  void say(std::string_view line);
+  std::string answer();  ///< the next line, without its end
+
+  /// Closes its input and waits. Returns all that it has still to say; code: receives its exit
+  /// code.
+  std::string finish(int& code);
+
+ private:
+  std::string program_;
+  pid_t process_ = -1;
+  std::FILE *in_ = nullptr, *out_ = nullptr;
+};
+
+/// Returns a program in a fixed environment: one thread, every symbol resolved at the start, no
+/// language. LD_LIBRARY_PATH and DESMO_LIBCOINHSL, which say where libraries are, are passed on.
+Launch fixed_launch(std::vector<std::string> arguments);
+
+/// Runs a program to its end; standard output and error go to `output`. Returns its exit code.
+int run_to_end(const Launch& launch, std::string& output);
+
+/// Returns the cores that this process may use.
+std::vector<int> usable_cores();
+
+}  // namespace desmo::bench

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <chrono>
+#include <mutex>
+#include <string>
+
+namespace desmo::bench {
+
+/// A progress line on standard error, with the expected remaining time: rewritten on a terminal;
+/// elsewhere a new one every ten seconds. Any thread may report.
+class Progress {
+ public:
+  /// what: for people, "rounds of 12 candidates". work: all there is to do, in any unit.
+  Progress(std::string what, double work);
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+  ~Progress();  ///< says how long it took
+
+  /// Adds work that is done. The rest is expected to take as long by its amount.
+  void done(double work = 1);
+  /// Clears the line on a terminal, for other output.
+  void clear() const;
+
+ private:
+  double elapsed() const;  ///< [s]
+
+  std::mutex mutex_;
+  const std::string what_;
+  const double all_;
+  double done_ = 0;
+  const bool terminal_;
+  const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  double shown_ = 0;  // s after the beginning
+};
+
+}  // namespace desmo::bench

@@ -1,0 +1,132 @@
+#include "bench/kit/record/record.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include "bench/kit/record/environment.h"
+
+namespace desmo::bench {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+/// The section of each list: that of its experiment.
+constexpr std::array<std::pair<std::string_view, const char*>, 13> sections{
+    {{"cells", "paper"},
+     {"requests", "paper"},
+     {"peers", "paper"},
+     {"structure", "paper"},
+     {"profiles", "paper"},
+     {"floors", "accuracy"},
+     {"points", "accuracy"},
+     {"tuning", "accuracy"},
+     {"growth", "size"},
+     {"break_even", "size"},
+     {"counts", "instructions"},
+     {"rows", "extremes"},
+     {"results", "extremes"}}};
+
+Json by_experiment(const Json& lists) {
+  Json all = Json::object();
+  for (const auto& [name, list] : lists.items()) {
+    const auto section = std::ranges::find(sections, name, [](const auto& s) { return s.first; });
+    if (section == sections.end()) throw std::logic_error("a record has no list " + name);
+    if (!list.empty()) all[section->second][name] = list;
+  }
+  return all;
+}
+
+const std::string& required(const std::string& path) {
+  if (path.empty())
+    throw std::invalid_argument("--record FILE is missing: what is measured goes there");
+  return path;
+}
+
+Json head(const Json& environment) {
+  return {{"schema", "desmo-results"}, {"schema_version", schema_version}, {"record", environment}};
+}
+
+Json rounded_list(const std::vector<double>& seconds) {
+  Json list = Json::array();
+  for (const double s : seconds) list.push_back(rounded(s, 5));
+  return list;
+}
+
+}  // namespace
+
+Recording::Recording(const std::string& path, const std::string& command)
+    : file_(required(path)), date_(utc_now()), command_(command), load_before_(load_averages()) {}
+
+void Recording::write(const TimeGrid& grid, const Json& lists, std::optional<int> windows) {
+  Json environment = environment_json({date_, command_, load_before_, load_averages()}, grid);
+  if (windows) environment["settings"]["windows"] = *windows;
+  file_.write(record_layout(head(environment), by_experiment(lists)));
+}
+
+Json record_head(const std::string& command, const TimeGrid& grid) {
+  return head(environment_json({utc_now(), command, load_averages(), {}}, grid));
+}
+
+std::string record_layout(const Json& head, const Json& sections) {
+  std::string text = head.dump(1);
+  text.erase(text.rfind('\n'));  // with the brace after it
+  for (const auto& [name, lists] : sections.items()) {
+    text += ",\n " + Json(name).dump() + ": {";
+    const char* separator = "\n  ";
+    for (const auto& [list_name, list] : lists.items()) {
+      text += separator + Json(list_name).dump() + ": [";
+      for (std::size_t i = 0; i < list.size(); ++i)
+        text += (i == 0 ? "\n   " : ",\n   ") + list[i].dump();
+      text += "\n  ]";
+      separator = ",\n  ";
+    }
+    text += "\n }";
+  }
+  return text + "\n}\n";
+}
+
+Json errors_json(const Errors& errors, Level level) {
+  Json j = {{"instants", errors.instants}, {"position", errors.position}};
+  if (level >= Level::velocity) j["velocity"] = errors.velocity;
+  if (level >= Level::acceleration) j["acceleration"] = errors.acceleration;
+  return j;
+}
+
+Json time_json(const std::vector<double>& seconds, Clock clock) {
+  return {{"clock", clock_name(clock)}, {"seconds", seconds}};
+}
+
+Json rounded_time_json(const std::vector<double>& seconds) {
+  return {{"clock", clock_name(Clock::cpu)}, {"seconds", rounded_list(seconds)}};
+}
+
+Json windows_json(const TimingWindows& windows) {
+  const std::vector<long>& updates = windows.updates();
+  if (std::ranges::count(updates, 0) == std::ssize(updates))  // nobody counts
+    return {{"least", rounded_list(windows.least())}};
+  Json samples = Json::array();
+  for (const std::vector<double>& sample : windows.samples())
+    samples.push_back(rounded_list(sample));
+  return {{"updates", updates}, {"samples", std::move(samples)}};
+}
+
+double rounded(double value, int digits) {
+  constexpr double max_number = 1e100;
+  if (!(value <= max_number)) return max_number;
+  char text[32];
+  std::snprintf(text, sizeof text, "%.*g", digits, value);
+  return std::strtod(text, nullptr);
+}
+
+const char* clock_name(Clock clock) { return clock == Clock::cpu ? "cpu" : "wall"; }
+
+}  // namespace desmo::bench

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/kit/record/new_file.h"
+#include "bench/kit/time/timing_windows.h"
+#include "bench/kit/verification.h"
+#include "cases/mechanism/motion.h"
+
+namespace desmo::bench {
+
+/// Version of results/record.schema.json and results/check.schema.json that is written.
+inline constexpr const char* schema_version = "2.0.0";
+
+/// A record under way: begun before anything is measured, so that an unusable path is known then,
+/// and written once all is.
+class Recording {
+ public:
+  /// Notes date and load, and takes the file (see NewFile). command: program name and arguments.
+  /// Throws std::runtime_error, naming the path, and std::invalid_argument for an empty one.
+  Recording(const std::string& path, const std::string& command);
+
+  /// Notes the load and writes lists to the file, once. Throws std::runtime_error, naming the path.
+  ///
+  /// grid: for the settings, the usual one where there are several.
+  /// lists: an object of arrays, whose names say to which experiment each belongs.
+  /// windows: timing windows into which motions were cut, where they were.
+  void write(const TimeGrid& grid, const nlohmann::ordered_json& lists,
+             std::optional<int> windows = {});
+
+ private:
+  NewFile file_;
+  std::string date_, command_;
+  std::vector<double> load_before_;
+};
+
+/// Returns the head of a record that has no samples: what was measured where, now.
+nlohmann::ordered_json record_head(const std::string& command, const TimeGrid& grid);
+
+/// Returns the text of a record: its head indented, and an element of a list on each line, as a
+/// person may want to read the one and not the other.
+///
+/// head: an object with something in it.
+/// sections: an object of objects of arrays.
+std::string record_layout(const nlohmann::ordered_json& head,
+                          const nlohmann::ordered_json& sections);
+
+/// Returns `verification` of a candidate, down to a level: others were not compared.
+nlohmann::ordered_json errors_json(const Errors& errors, Level level = Level::acceleration);
+
+/// Returns samples of a time [s] with the clock that they are of.
+nlohmann::ordered_json time_json(const std::vector<double>& seconds, Clock clock = Clock::cpu);
+
+/// Returns the same, rounded to five digits: there are many, and what a machine repeats is less.
+nlohmann::ordered_json rounded_time_json(const std::vector<double>& seconds);
+
+/// Returns the timing windows of a time: of every analysis, and the work in each; their least alone
+/// where nobody counts the work.
+nlohmann::ordered_json windows_json(const TimingWindows& windows);
+
+/// Returns a value with so many significant digits, and at most 1e100: an infinite error is no
+/// number of JSON's.
+double rounded(double value, int digits);
+
+/// Returns the name of a clock in a record: "cpu" or "wall".
+const char* clock_name(Clock clock);
+
+}  // namespace desmo::bench

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <memory>
+#include <string_view>
+
+#include "bench/kit/delivery.h"
+#include "bench/kit/problem.h"
+#include "bench/regression/candidate_name.h"
+#include "formulations/formulation.h"
+#include "formulations/id.h"
+
+namespace desmo::regression {
+
+/// Returns a case at one size over its first instants, 10 ms apart, without a reference. Throws
+/// std::invalid_argument when this build has no such case or size.
+bench::Problem problem_of(const CandidateName& name, int instants);
+
+/// A candidate built and ready to be run, or stepped through. It is no bench::Candidate: that would
+/// link the reference, whose copies of templates are compiled for size, into what is counted.
+class SteppedCandidate {
+ public:
+  /// others: settings that the id does not name. Throws std::invalid_argument when this build has
+  /// no such formulation.
+  SteppedCandidate(const bench::Problem& problem, std::string_view id, const Settings& others = {});
+
+  /// Runs through the motion: first assembly, all steps, and the delivery of every instant.
+  Summary run() { return formulation_->run(grid, {}, delivery_); }
+
+  /// Solves and delivers the instants from `first` to `last`, a step each, forwards or backwards.
+  /// Needs an earlier solution nearby. Returns the summary of the last step tried.
+  Summary walk(int first, int last);
+
+  /// Tells whether its settings solve more than one instant at once: by run() only, since a step is
+  /// one step.
+  bool runs_at_once() const {
+    return settings().segments > 1 || settings().threads > 1 || settings().stride > 1;
+  }
+
+  const Settings& settings() const { return configuration_.settings; }
+  int last_instant() const { return grid.instants - 1; }
+  Formulation& formulation() { return *formulation_; }
+  Observer& delivery() { return delivery_; }
+
+  const TimeGrid grid;
+
+ private:
+  Configuration configuration_;
+  std::unique_ptr<Formulation> formulation_;
+  const OutputWriter output_;
+  bench::Delivery delivery_;
+};
+
+/// Returns the steps that make the work of so many steps larger by so many percent.
+int extra_steps(int steps, double percent);
+
+}  // namespace desmo::regression

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace desmo::regression {
+
+/// The name of a candidate, in its pieces.
+struct CandidateName {
+  std::string case_name;
+  int coordinates;
+  std::string id;
+};
+
+/// Reads <case>/<coordinates>/<id>; throws std::invalid_argument for anything else.
+CandidateName parse_name(std::string_view name);
+
+}  // namespace desmo::regression

@@ -1,0 +1,78 @@
+// What is compared with the reference, and when it counts as agreeing.
+
+#include "bench/kit/verification.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace desmo::bench::verification_test {
+namespace {
+
+struct Verification : testing::Test {
+  std::vector<ReferenceInstant> reference{{0, {1, 2}, {3, 4}, {5, 6}}, {1, {1, 2}, {3, 4}, {5, 6}}};
+  VerifyingObserver observer{reference};
+
+  /// Writes to memory that the observer lends, as a solver does.
+  void observe(int index, double time, std::array<double, 2> q) {
+    Instant instant{index, time, {}, {}, {}};
+    observer.lend({&index, 1}, {&instant.output, 1});
+    show(instant, q);
+    observer.observe(instant);
+  }
+  static void show(Instant& instant, std::array<double, 2> q) {
+    const OutputView& lent = instant.output;
+    for (int k = 0; k < 2; ++k) lent.q[k] = q[k], lent.qd[k] = 3 + k, lent.qdd[k] = 5 + k;
+    instant.q = {lent.q, 2}, instant.qd = {lent.qd, 2}, instant.qdd = {lent.qdd, 2};
+  }
+};
+
+TEST_F(Verification, AcceptsWhatAgrees) {
+  observe(0, 0, {1, 2});
+  observe(1, 0.5, {7, 7});  // the reference has nothing to say here
+  observe(2, 1, {1, 2 + 1e-10});
+  EXPECT_EQ(verification_failure(observer.errors(), 2), "");
+  EXPECT_NEAR(observer.errors().position, 1e-10, 1e-15);
+}
+
+TEST_F(Verification, RefusesWhatDiffers) {
+  observe(0, 0, {1, 2});
+  observe(1, 1, {1, 2 + 1e-8});
+  EXPECT_NE(verification_failure(observer.errors(), 2), "");
+}
+
+TEST_F(Verification, RefusesWhatIsNotANumber) {
+  observe(0, 0, {1, NAN});
+  observe(1, 1, {1, 2});
+  EXPECT_NE(verification_failure(observer.errors(), 2), "");
+}
+
+/// Two under way at once, as when several instants are solved together; the later may come first.
+TEST_F(Verification, ComparesInstantsInAnyOrder) {
+  const auto come = [&](std::array<double, 2> second, std::array<int, 2> order) {
+    const std::array indices{0, 1};
+    std::array<OutputView, 2> lent;
+    observer.lend(indices, lent);
+    for (const int i : order) {
+      Instant instant{i, static_cast<double>(i), {}, {}, {}, 0, 0, false, lent[i]};
+      show(instant, {1, second[i]});
+      observer.observe(instant);
+    }
+  };
+  come({2, 2 + 1e-10}, {0, 1});
+  EXPECT_EQ(verification_failure(observer.errors(), 2), "");
+  EXPECT_NEAR(observer.errors().position, 1e-10, 1e-15);
+  come({2, 2.5}, {1, 0});  // once more: what comes later holds
+  EXPECT_EQ(observer.errors().instants, 2);
+  EXPECT_NEAR(observer.errors().position, 0.5, 1e-15);
+}
+
+TEST_F(Verification, RefusesInstantsThatWereNeverSeen) {
+  observe(0, 0, {1, 2});
+  EXPECT_NE(verification_failure(observer.errors(), 2), "");
+}
+
+}  // namespace
+}  // namespace desmo::bench::verification_test

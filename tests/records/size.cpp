@@ -1,0 +1,152 @@
+// Time against size: what is measured is right, and the record is one that the report reads.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "bench/experiments/size/series.h"
+#include "bench/kit/candidate.h"
+#include "bench/kit/problem.h"
+#include "formulations/modelling/modelling.h"
+#include "formulations/variants.h"
+
+namespace desmo::size::size_test {
+namespace {
+
+using bench::FormulationCandidate;
+using bench::make_problem;
+using bench::moving_unknowns;
+using bench::Problem;
+
+TimeGrid instants(int count) { return {0, 0.01, count}; }
+
+Problem problem_of(const char* name, int coordinates) {
+  return make_problem(make_model(describe(find_case(name), coordinates)), instants(5), 1e-12);
+}
+
+TEST(SizeCandidate, IsVerifiedBeforeItIsTimed) {
+  const Problem problem = problem_of("truck_suspension", 114);
+  EXPECT_STREQ(problem.checked_against, "quadruple");
+  EXPECT_EQ(problem.reference.instants.size(), 3u);
+  FormulationCandidate right(problem, "group_symbolic_explicit/lanes:4",
+                             {.tolerance = problem.tolerance});
+  right.sample_afresh(0);
+  EXPECT_TRUE(right.seconds.empty());
+  right.verify();
+  EXPECT_TRUE(right.is_verified()) << right.message;
+  EXPECT_EQ(right.errors.instants, 3);
+  right.sample_afresh(0);
+  right.sample_afresh(0);
+  EXPECT_EQ(right.seconds.size(), 2u);
+  EXPECT_GT(right.seconds[0], 0);
+  EXPECT_GT(right.iterations_per_step, 1);
+}
+
+TEST(SizeCandidate, ThatIsWrongHasNoTime) {
+  const Problem problem = problem_of("truck_suspension", 114);
+  // One iteration is not enough; the tolerance is not asked of a fixed number of them.
+  FormulationCandidate inexact(problem, "group_symbolic_inlined/iterations:1",
+                               {.tolerance = problem.tolerance});
+  inexact.verify();
+  inexact.sample_afresh(0);
+  EXPECT_FALSE(inexact.is_verified());
+  EXPECT_NE(inexact.message.find("differs from the reference"), std::string::npos)
+      << inexact.message;
+  EXPECT_TRUE(inexact.seconds.empty());
+  Problem undefined = problem;
+  undefined.plan.model.drivers.front().motion = Polynomial{{NAN}};
+  FormulationCandidate failing(undefined, "global_automatic_klu",
+                               {.tolerance = undefined.tolerance});
+  failing.verify();
+  EXPECT_NE(failing.message.find("not finite"), std::string::npos) << failing.message;
+  EXPECT_THROW(FormulationCandidate(problem, "global_automatic_abacus", Settings{}),
+               std::invalid_argument);
+}
+
+TEST(SizeCandidate, ComparesTheLargestWithDoublePrecision) {
+  const Problem problem =
+      make_problem(make_model(describe(find_case("four_bar"), 12'003)), instants(3), 1e-10);
+  EXPECT_STREQ(problem.checked_against, "double");
+  FormulationCandidate candidate(problem, "group_symbolic_inlined",
+                                 {.tolerance = problem.tolerance});
+  candidate.verify();
+  EXPECT_TRUE(candidate.is_verified()) << candidate.message;
+}
+
+TEST(Cut, HasTheUnknownsAskedForAndCanBeSolved) {
+  for (const Case& c : cases()) {
+    const Model whole = make_model(describe(c, 114));
+    int last = 0;
+    for (const int least : {10, 40, 60, 100}) {
+      const Model cut = cut_to(whole, least);
+      const int found = moving_unknowns(cut);
+      EXPECT_GE(found, least) << c.name;
+      EXPECT_LT(found, least + 21) << c.name;  // what the first truck entity needs is 21
+      EXPECT_GE(found, last) << c.name;
+      EXPECT_EQ(moving_unknowns(cut_to(whole, found)), found) << c.name;
+      last = found;
+      const Problem problem = make_problem(cut, instants(3), 1e-12);
+      for (const char* id : {"global_automatic_eigen", "global_automatic_klu"}) {
+        FormulationCandidate candidate(problem, id, {.tolerance = problem.tolerance});
+        candidate.verify();
+        EXPECT_TRUE(candidate.is_verified()) << c.name << ' ' << least << ' ' << candidate.message;
+      }
+    }
+    EXPECT_EQ(moving_unknowns(cut_to(whole, 1'000'000)), moving_unknowns(whole));
+  }
+}
+
+TEST(Series, AskBothQuestionsOfBothCases) {
+  std::map<std::string, std::pair<int, int>> ranges;
+  for (const Series& series : all_series()) {
+    const std::string name =
+        std::string(name_of(series.question)) + "/" + std::string(series.definition->name);
+    const auto [place, is_new] = ranges.emplace(name, std::pair(series.size, series.size));
+    EXPECT_TRUE(is_new || series.size > place->second.second) << name;  // ascending, each once
+    place->second.second = series.size;
+    for (const std::string_view id : series.ids) EXPECT_NO_THROW(parse_id(id)) << id;
+    if (series.question == Question::growth) {
+      EXPECT_NO_THROW(describe(*series.definition, series.size));
+    }
+  }
+  ASSERT_EQ(ranges.size(), 4u);
+  for (const Case& c : cases()) {
+    const auto [least, most] = ranges.at("growth/" + std::string(c.name));
+    EXPECT_EQ(least, c.sizes.front());
+    EXPECT_GT(most, 99'000);
+    EXPECT_LE(ranges.at("break_even/" + std::string(c.name)).first, 21);
+    EXPECT_GE(ranges.at("break_even/" + std::string(c.name)).second, 500);
+  }
+}
+
+// A record of the program is one that the report reads, and has what the filter lets through.
+TEST(SizeRecord, IsReadByTheReport) {
+  const std::string record = testing::TempDir() + "desmo_growth_record.json",
+                    run = DESMO_BENCH " size --quick --repetitions 2 --record " + record,
+                    quiet = " >/dev/null 2>&1";
+  const std::string filter =
+      " --filter '(four_bar/(114|225|336)/group_symbolic_explicit|break_even/four_bar/"
+      "[1-3].*/global_automatic_(klu|lapack))$'";
+  ASSERT_EQ(std::system((run + filter + quiet).c_str()), 0);
+  for (const char* found : {"four_bar *group_symbolic_explicit .* n=3", " four_bar *klu "})
+    EXPECT_EQ(std::system(
+                  (DESMO_REPORT " tables --all " + record + " | grep -Eq '" + found + "'").c_str()),
+              0)
+        << found;
+  EXPECT_EQ(WEXITSTATUS(std::system((run + " --filter no_such_formulation" + quiet).c_str())), 64);
+  EXPECT_EQ(WEXITSTATUS(std::system((run + " --filter '('" + quiet).c_str())), 64);
+  EXPECT_EQ(WEXITSTATUS(std::system((run + " 100" + quiet).c_str())), 64);
+  EXPECT_EQ(WEXITSTATUS(std::system(
+                (DESMO_BENCH " size --quick --record /nonexistent/record.json" + quiet).c_str())),
+            74);
+  std::remove(record.c_str());
+}
+
+}  // namespace
+}  // namespace desmo::size::size_test
