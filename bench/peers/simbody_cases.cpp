@@ -1,5 +1,5 @@
 // The two cases with as few mobilities and loop equations as their mechanisms allow, for what
-// Simbody solves costs their third power.
+// Simbody solves costs their third power. What else was tried stands in bench/peers/README.md.
 
 #include "bench/peers/simbody_cases.h"
 
