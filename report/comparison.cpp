@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "report/compared_times.h"
-#include "report/entries.h"
-#include "report/measurements.h"
-#include "report/time_words.h"
+#include "report/statistics/compared_times.h"
+#include "report/statistics/measurements.h"
+#include "report/tables/entries.h"
+#include "report/tables/time_words.h"
 
 namespace desmo::report {
 namespace {

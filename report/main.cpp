@@ -5,13 +5,13 @@
 #include <stdexcept>
 
 #include "report/check/command.h"
-#include "report/comparability.h"
 #include "report/comparison.h"
 #include "report/figures/figures.h"
 #include "report/formats/formats.h"
 #include "report/output_files.h"
-#include "report/record_reader.h"
+#include "report/read/record_reader.h"
 #include "report/report.h"
+#include "report/statistics/comparability.h"
 
 namespace {
 

@@ -5,14 +5,14 @@
 #include <iterator>
 #include <set>
 
-#include "report/measurements.h"
-#include "report/paper.h"
+#include "report/statistics/measurements.h"
+#include "report/statistics/paper.h"
+#include "report/statistics/variants.h"
 #include "report/tables/extremes.h"
 #include "report/tables/in_short.h"
 #include "report/tables/precision.h"
 #include "report/tables/size.h"
 #include "report/tables/tables.h"
-#include "report/variants.h"
 
 namespace desmo::report {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "report/check/trials.h"
-#include "report/json_document.h"
+#include "report/read/json_document.h"
 
 namespace desmo::report {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "report/document.h"
+#include "report/text/document.h"
 
 namespace desmo::report {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "report/json_document.h"
-#include "report/json_node.h"
-#include "report/record_reader.h"
+#include "report/read/json_document.h"
+#include "report/read/json_node.h"
+#include "report/read/record_reader.h"
 
 namespace desmo::report {
 namespace {

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "report/check/check_record.h"
-#include "report/json_node.h"
+#include "report/read/json_node.h"
 
 namespace desmo::report {
 

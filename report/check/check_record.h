@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "report/record.h"
+#include "report/read/record.h"
 
 namespace desmo::report {
 

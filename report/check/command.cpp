@@ -8,8 +8,8 @@
 #include "report/check/trials.h"
 #include "report/check/verdict.h"
 #include "report/formats/formats.h"
-#include "report/json_document.h"
 #include "report/output_files.h"
+#include "report/read/json_document.h"
 
 namespace desmo::report {
 namespace {

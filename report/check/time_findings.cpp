@@ -3,7 +3,7 @@
 #include <functional>
 #include <map>
 
-#include "report/statistics.h"
+#include "report/statistics/statistics.h"
 
 namespace desmo::report {
 namespace {

@@ -5,9 +5,9 @@
 
 #include "report/check/check_reader.h"
 #include "report/check/judgement.h"
-#include "report/json_document.h"
-#include "report/json_node.h"
 #include "report/output_files.h"
+#include "report/read/json_document.h"
+#include "report/read/json_node.h"
 
 namespace desmo::report {
 namespace {

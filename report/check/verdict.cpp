@@ -1,6 +1,6 @@
 #include "report/check/verdict.h"
 
-#include "report/digits.h"
+#include "report/text/digits.h"
 
 namespace desmo::report {
 namespace {

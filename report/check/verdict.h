@@ -3,7 +3,7 @@
 
 #include "report/check/check_record.h"
 #include "report/check/judgement.h"
-#include "report/document.h"
+#include "report/text/document.h"
 
 namespace desmo::report {
 

@@ -7,7 +7,7 @@
 
 #include "report/check/check_record.h"
 #include "report/check/rules.h"
-#include "report/comparability.h"
+#include "report/statistics/comparability.h"
 
 namespace desmo::report {
 

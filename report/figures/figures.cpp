@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "report/embedded.h"
 #include "report/figures/growth.h"
 #include "report/figures/work_precision.h"
-#include "report/precision/selection.h"
+#include "report/statistics/selection.h"
 #include "report/tables/tables.h"
+#include "report/text/embedded.h"
 
 namespace desmo::report {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "report/formats/formats.h"
-#include "report/record.h"
+#include "report/read/record.h"
 
 namespace desmo::report {
 

@@ -3,11 +3,11 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "report/digits.h"
-#include "report/embedded.h"
 #include "report/figures/legend.h"
-#include "report/size/caches.h"
+#include "report/statistics/caches.h"
 #include "report/tables/size.h"
+#include "report/text/digits.h"
+#include "report/text/embedded.h"
 
 namespace desmo::report {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "report/formats/formats.h"
-#include "report/record.h"
+#include "report/read/record.h"
 
 namespace desmo::report {
 

@@ -6,10 +6,10 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "report/embedded.h"
 #include "report/figures/legend.h"
-#include "report/precision/selection.h"
+#include "report/statistics/selection.h"
 #include "report/tables/precision.h"
+#include "report/text/embedded.h"
 
 namespace desmo::report {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "report/formats/formats.h"
-#include "report/record.h"
+#include "report/read/record.h"
 
 namespace desmo::report {
 

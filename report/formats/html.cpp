@@ -1,7 +1,7 @@
 // The page: one file that asks the network for nothing. Where a figure goes stands between two
 // comments, which report/figures/render fills; until then a sentence there names what is missing.
-#include "report/embedded.h"
 #include "report/formats/formats.h"
+#include "report/text/embedded.h"
 
 namespace desmo::report {
 namespace {

@@ -2,12 +2,12 @@
 // sentences with numbers in them, and two tables.
 #include <algorithm>
 
-#include "report/digits.h"
-#include "report/measurements.h"
-#include "report/paper.h"
+#include "report/statistics/measurements.h"
+#include "report/statistics/paper.h"
+#include "report/statistics/variants.h"
 #include "report/tables/best.h"
 #include "report/tables/tables.h"
-#include "report/variants.h"
+#include "report/text/digits.h"
 
 namespace desmo::report {
 namespace {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <functional>
 
-#include "report/entries.h"
+#include "report/statistics/variants.h"
+#include "report/tables/entries.h"
 #include "report/tables/tables.h"
-#include "report/variants.h"
 
 namespace desmo::report {
 namespace {

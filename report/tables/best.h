@@ -3,9 +3,9 @@
 
 #include <optional>
 
-#include "report/document.h"
-#include "report/measurements.h"
-#include "report/record.h"
+#include "report/read/record.h"
+#include "report/statistics/measurements.h"
+#include "report/text/document.h"
 
 namespace desmo::report {
 

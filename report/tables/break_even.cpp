@@ -1,14 +1,14 @@
 // Where solving all of a mechanism at once costs the same with dense and with sparse matrices.
-#include "report/size/break_even.h"
+#include "report/statistics/break_even.h"
 
 #include <array>
 #include <map>
 #include <set>
 #include <string_view>
 
-#include "report/digits.h"
+#include "report/statistics/variants.h"
 #include "report/tables/size.h"
-#include "report/variants.h"
+#include "report/text/digits.h"
 
 namespace desmo::report {
 namespace {

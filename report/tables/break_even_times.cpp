@@ -2,7 +2,7 @@
 #include <map>
 #include <set>
 
-#include "report/precision/selection.h"
+#include "report/statistics/selection.h"
 #include "report/tables/size.h"
 
 namespace desmo::report {

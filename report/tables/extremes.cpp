@@ -6,8 +6,8 @@
 #include <optional>
 #include <utility>
 
-#include "report/digits.h"
-#include "report/entries.h"
+#include "report/tables/entries.h"
+#include "report/text/digits.h"
 
 namespace desmo::report {
 namespace {

@@ -1,8 +1,8 @@
 // The part of the report about the table of extremes: pure functions of the record.
 #pragma once
 
-#include "report/document.h"
-#include "report/record.h"
+#include "report/read/record.h"
+#include "report/text/document.h"
 
 namespace desmo::report {
 

@@ -1,5 +1,5 @@
 // How the time of a step grows with the size, and where caches end it.
-#include "report/size/curves.h"
+#include "report/statistics/curves.h"
 #include "report/tables/size.h"
 #include "report/tables/slope.h"
 

@@ -1,11 +1,11 @@
 // What a coordinate costs a step, by the cache that holds the memory of a formulation.
 #include <optional>
 
-#include "report/digits.h"
-#include "report/entries.h"
-#include "report/size/caches.h"
-#include "report/size/curves.h"
+#include "report/statistics/caches.h"
+#include "report/statistics/curves.h"
+#include "report/tables/entries.h"
 #include "report/tables/size.h"
+#include "report/text/digits.h"
 
 namespace desmo::report {
 namespace {

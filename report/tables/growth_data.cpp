@@ -1,9 +1,9 @@
 // What the figure of growth shows, as a table: the design in report/figures draws these numbers.
-#include "report/digits.h"
-#include "report/entries.h"
-#include "report/precision/selection.h"
-#include "report/size/caches.h"
+#include "report/statistics/caches.h"
+#include "report/statistics/selection.h"
+#include "report/tables/entries.h"
 #include "report/tables/size.h"
+#include "report/text/digits.h"
 
 namespace desmo::report {
 namespace {

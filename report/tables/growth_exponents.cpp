@@ -1,11 +1,11 @@
 // How the time of a step grows with the number of coordinates, and up to where.
 #include <optional>
 
-#include "report/digits.h"
-#include "report/entries.h"
-#include "report/size/curves.h"
+#include "report/statistics/curves.h"
+#include "report/tables/entries.h"
 #include "report/tables/size.h"
 #include "report/tables/slope.h"
+#include "report/text/digits.h"
 
 namespace desmo::report {
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <functional>
 
-#include "report/measurements.h"
+#include "report/statistics/measurements.h"
+#include "report/statistics/variants.h"
 #include "report/tables/extremes.h"
 #include "report/tables/precision.h"
 #include "report/tables/size.h"
-#include "report/variants.h"
 
 namespace desmo::report {
 namespace {

@@ -2,8 +2,8 @@
 // tables. Pure functions of the record.
 #pragma once
 
-#include "report/document.h"
-#include "report/record.h"
+#include "report/read/record.h"
+#include "report/text/document.h"
 
 namespace desmo::report {
 

@@ -3,11 +3,11 @@
 #include <optional>
 #include <set>
 
-#include "report/digits.h"
-#include "report/entries.h"
-#include "report/precision/selection.h"
+#include "report/statistics/selection.h"
+#include "report/statistics/variants.h"
+#include "report/tables/entries.h"
 #include "report/tables/size.h"
-#include "report/variants.h"
+#include "report/text/digits.h"
 
 namespace desmo::report {
 namespace {

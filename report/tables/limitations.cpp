@@ -1,7 +1,7 @@
 // What a reader must not conclude: fixed sentences, each shown where it is true of the record.
 #include <algorithm>
 
-#include "report/measurements.h"
+#include "report/statistics/measurements.h"
 #include "report/tables/tables.h"
 
 namespace desmo::report {

@@ -3,12 +3,12 @@
 #include <map>
 #include <set>
 
-#include "report/digits.h"
-#include "report/entries.h"
-#include "report/measurements.h"
+#include "report/statistics/measurements.h"
+#include "report/statistics/variants.h"
+#include "report/tables/entries.h"
 #include "report/tables/tables.h"
-#include "report/time_words.h"
-#include "report/variants.h"
+#include "report/tables/time_words.h"
+#include "report/text/digits.h"
 
 namespace desmo::report {
 namespace {

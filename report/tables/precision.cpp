@@ -1,7 +1,7 @@
 // Time against error: which sections it makes.
 #include "report/tables/precision.h"
 
-#include "report/precision/selection.h"
+#include "report/statistics/selection.h"
 
 namespace desmo::report {
 namespace {

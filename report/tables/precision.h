@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "report/document.h"
-#include "report/record.h"
+#include "report/read/record.h"
+#include "report/text/document.h"
 
 namespace desmo::report {
 

@@ -4,10 +4,10 @@
 #include <limits>
 #include <utility>
 
-#include "report/digits.h"
-#include "report/entries.h"
-#include "report/precision/selection.h"
+#include "report/statistics/selection.h"
+#include "report/tables/entries.h"
 #include "report/tables/precision.h"
+#include "report/text/digits.h"
 
 namespace desmo::report {
 namespace {

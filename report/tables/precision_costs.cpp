@@ -1,8 +1,8 @@
 // What accuracy costs: the cheapest configuration within an error, what its settings gain, and what
 // they give up.
-#include "report/digits.h"
-#include "report/precision/selection.h"
+#include "report/statistics/selection.h"
 #include "report/tables/precision.h"
+#include "report/text/digits.h"
 
 namespace desmo::report {
 namespace {

@@ -1,10 +1,10 @@
 // How exact the reference is, and what conditioning lets expect.
 #include <algorithm>
 
-#include "report/digits.h"
-#include "report/entries.h"
-#include "report/precision/selection.h"
+#include "report/statistics/selection.h"
+#include "report/tables/entries.h"
 #include "report/tables/precision.h"
+#include "report/text/digits.h"
 
 namespace desmo::report {
 

@@ -1,9 +1,9 @@
 // Initial guesses and Jacobian reuse, of the formulation that everything is compared with.
 #include <algorithm>
 
-#include "report/digits.h"
-#include "report/precision/selection.h"
+#include "report/statistics/selection.h"
 #include "report/tables/precision.h"
+#include "report/text/digits.h"
 
 namespace desmo::report {
 namespace {

@@ -4,8 +4,8 @@
 #include <limits>
 #include <set>
 
-#include "report/entries.h"
-#include "report/precision/selection.h"
+#include "report/statistics/selection.h"
+#include "report/tables/entries.h"
 #include "report/tables/precision.h"
 
 namespace desmo::report {

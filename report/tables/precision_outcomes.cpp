@@ -1,10 +1,10 @@
 // What became of every configuration: nothing that was tried is dropped.
 #include <map>
 
-#include "report/digits.h"
-#include "report/entries.h"
-#include "report/precision/selection.h"
+#include "report/statistics/selection.h"
+#include "report/tables/entries.h"
 #include "report/tables/precision.h"
+#include "report/text/digits.h"
 
 namespace desmo::report {
 

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <map>
 
-#include "report/digits.h"
-#include "report/precision/selection.h"
+#include "report/statistics/selection.h"
 #include "report/tables/precision.h"
+#include "report/text/digits.h"
 
 namespace desmo::report {
 namespace {

@@ -1,6 +1,6 @@
 // When, on what and how it was measured.
-#include "report/digits.h"
 #include "report/tables/tables.h"
+#include "report/text/digits.h"
 
 namespace desmo::report {
 namespace {

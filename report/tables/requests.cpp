@@ -2,11 +2,11 @@
 #include <algorithm>
 #include <set>
 
-#include "report/digits.h"
-#include "report/entries.h"
-#include "report/measurements.h"
+#include "report/statistics/measurements.h"
+#include "report/tables/entries.h"
 #include "report/tables/tables.h"
-#include "report/time_words.h"
+#include "report/tables/time_words.h"
+#include "report/text/digits.h"
 
 namespace desmo::report {
 namespace {

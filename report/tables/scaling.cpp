@@ -1,10 +1,10 @@
 // Does CPU time grow linearly? The slope of log t over log n is one when it does.
-#include "report/measurements.h"
-#include "report/paper.h"
+#include "report/statistics/measurements.h"
+#include "report/statistics/paper.h"
+#include "report/statistics/variants.h"
 #include "report/tables/slope.h"
 #include "report/tables/tables.h"
-#include "report/time_words.h"
-#include "report/variants.h"
+#include "report/tables/time_words.h"
 
 namespace desmo::report {
 namespace {

@@ -6,11 +6,11 @@
 #include <map>
 #include <set>
 
-#include "report/digits.h"
-#include "report/entries.h"
-#include "report/precision/selection.h"
+#include "report/statistics/selection.h"
+#include "report/statistics/variants.h"
+#include "report/tables/entries.h"
 #include "report/tables/precision.h"
-#include "report/variants.h"
+#include "report/text/digits.h"
 
 namespace desmo::report {
 namespace {

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "report/document.h"
-#include "report/record.h"
-#include "report/size/curves.h"
+#include "report/read/record.h"
+#include "report/statistics/curves.h"
 #include "report/tables/slope.h"
+#include "report/text/document.h"
 
 namespace desmo::report {
 

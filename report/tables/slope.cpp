@@ -1,6 +1,6 @@
 #include "report/tables/slope.h"
 
-#include "report/digits.h"
+#include "report/text/digits.h"
 
 namespace desmo::report {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "report/document.h"
-#include "report/statistics.h"
+#include "report/statistics/statistics.h"
+#include "report/text/document.h"
 
 namespace desmo::report {
 

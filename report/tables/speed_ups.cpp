@@ -1,12 +1,12 @@
 // Table 2 of the paper: S = t_global / t_topological.
 #include <set>
 
-#include "report/entries.h"
-#include "report/measurements.h"
-#include "report/paper.h"
+#include "report/statistics/measurements.h"
+#include "report/statistics/paper.h"
+#include "report/statistics/variants.h"
+#include "report/tables/entries.h"
 #include "report/tables/tables.h"
-#include "report/time_words.h"
-#include "report/variants.h"
+#include "report/tables/time_words.h"
 
 namespace desmo::report {
 namespace {

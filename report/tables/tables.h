@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "report/document.h"
-#include "report/record.h"
-#include "report/variants.h"
+#include "report/read/record.h"
+#include "report/statistics/variants.h"
+#include "report/text/document.h"
 
 namespace desmo::report {
 

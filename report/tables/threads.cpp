@@ -3,10 +3,10 @@
 #include <set>
 #include <tuple>
 
-#include "report/entries.h"
-#include "report/measurements.h"
+#include "report/statistics/measurements.h"
+#include "report/statistics/variants.h"
+#include "report/tables/entries.h"
 #include "report/tables/tables.h"
-#include "report/variants.h"
 
 namespace desmo::report {
 namespace {

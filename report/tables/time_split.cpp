@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <set>
 
-#include "report/digits.h"
-#include "report/measurements.h"
+#include "report/statistics/measurements.h"
 #include "report/tables/tables.h"
+#include "report/text/digits.h"
 
 namespace desmo::report {
 namespace {

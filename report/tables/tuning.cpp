@@ -1,10 +1,10 @@
 // What desmo tune promises: is it kept, and how far is its choice from the best there is?
 #include <algorithm>
 
-#include "report/digits.h"
-#include "report/entries.h"
-#include "report/precision/selection.h"
+#include "report/statistics/selection.h"
+#include "report/tables/entries.h"
 #include "report/tables/precision.h"
+#include "report/text/digits.h"
 
 namespace desmo::report {
 namespace {

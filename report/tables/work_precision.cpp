@@ -6,10 +6,10 @@
 #include <string>
 #include <utility>
 
-#include "report/digits.h"
-#include "report/precision/families.h"
-#include "report/precision/selection.h"
+#include "report/statistics/families.h"
+#include "report/statistics/selection.h"
 #include "report/tables/precision.h"
+#include "report/text/digits.h"
 
 namespace desmo::report {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <stdexcept>
 
-#include "report/measurements.h"
 #include "report/report.h"
+#include "report/statistics/measurements.h"
 #include "report/tables/tables.h"
 #include "tests/report/sample.h"
 

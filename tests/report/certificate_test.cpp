@@ -8,7 +8,7 @@
 #include <fstream>
 
 #include "report/check/trials.h"
-#include "report/json_document.h"
+#include "report/read/json_document.h"
 #include "tests/report/check_sample.h"
 
 namespace desmo::report::certificate_test {

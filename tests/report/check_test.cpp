@@ -6,7 +6,7 @@
 #include "report/check/check_reader.h"
 #include "report/check/judgement.h"
 #include "report/check/verdict.h"
-#include "report/json_document.h"
+#include "report/read/json_document.h"
 #include "tests/report/check_sample.h"
 
 namespace desmo::report::check_test {

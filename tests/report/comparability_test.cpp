@@ -1,12 +1,12 @@
 // Which records may be compared, and the comparison.
-#include "report/comparability.h"
+#include "report/statistics/comparability.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "report/comparison.h"
-#include "report/record_reader.h"
+#include "report/read/record_reader.h"
 #include "tests/report/sample.h"
 
 namespace desmo::report::comparability_test {

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "report/comparability.h"
 #include "report/report.h"
+#include "report/statistics/comparability.h"
 #include "tests/report/points_sample.h"
 
 namespace desmo::report::extremes_test {

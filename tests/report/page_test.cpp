@@ -3,7 +3,7 @@
 #include <fstream>
 
 #include "report/formats/formats.h"
-#include "report/json_document.h"
+#include "report/read/json_document.h"
 #include "report/report.h"
 #include "report/tables/precision.h"
 #include "report/tables/tables.h"

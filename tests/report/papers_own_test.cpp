@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "report/figures/figures.h"
+#include "report/statistics/variants.h"
 #include "report/tables/tables.h"
-#include "report/variants.h"
 #include "tests/report/sample.h"
 
 namespace desmo::report::papers_own_test {

@@ -1,4 +1,4 @@
-#include "report/record_reader.h"
+#include "report/read/record_reader.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <numeric>
 #include <vector>
 
-#include "report/json_document.h"
+#include "report/read/json_document.h"
 #include "tests/report/contains.h"
 #include "tests/report/sample.h"
 

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "report/record_reader.h"
+#include "report/read/record_reader.h"
 
 namespace desmo::report {
 

@@ -5,11 +5,11 @@
 
 #include <algorithm>
 
-#include "report/comparability.h"
 #include "report/figures/figures.h"
 #include "report/report.h"
-#include "report/size/break_even.h"
-#include "report/size/caches.h"
+#include "report/statistics/break_even.h"
+#include "report/statistics/caches.h"
+#include "report/statistics/comparability.h"
 #include "tests/report/size_sample.h"
 
 namespace desmo::report::sizes_test {

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "report/paper.h"
 #include "report/report.h"
-#include "report/variants.h"
+#include "report/statistics/paper.h"
+#include "report/statistics/variants.h"
 #include "tests/report/sample.h"
 
 namespace desmo::report::tables_test {

@@ -1,5 +1,5 @@
 // Times of a record: their clocks, samples and timing windows.
-#include "report/time_reader.h"
+#include "report/read/time_reader.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <numeric>
 #include <vector>
 
-#include "report/record_reader.h"
+#include "report/read/record_reader.h"
 #include "tests/report/contains.h"
 #include "tests/report/sample.h"
 

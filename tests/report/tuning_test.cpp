@@ -1,8 +1,8 @@
 // What the choices of desmo tune are worth: reader, table, sentence.
 #include <gtest/gtest.h>
 
-#include "report/comparability.h"
 #include "report/report.h"
+#include "report/statistics/comparability.h"
 #include "report/tables/precision.h"
 #include "tests/report/points_sample.h"
 

@@ -1,0 +1,127 @@
+#include "report/tables/entries.h"
+
+#include <charconv>
+
+#include "report/statistics/paper.h"
+#include "report/statistics/variants.h"
+#include "report/text/digits.h"
+
+namespace desmo::report {
+namespace {
+
+// Printed digits; nothing when there are none.
+std::optional<double> number(const std::string& digits) {
+  double value = 0;
+  const char* end = digits.data() + digits.size();
+  if (std::from_chars(digits.data(), end, value).ec != std::errc()) return std::nullopt;
+  return value;
+}
+
+std::string runs(std::size_t repetitions) { return repetitions == 1 ? "one run" : "two runs"; }
+
+}  // namespace
+
+std::string inconclusive_note() {
+  return std::string(inconclusive_mark) + ": the interval is wider than ±" +
+         write_shortest(100 * widest_conclusive) + " %; one or two runs have none";
+}
+
+void add_note(Entry& entry, const std::string& note) {
+  entry.shown += (entry.note.empty() ? " " : ", ") + note;
+  entry.note += (entry.note.empty() ? "" : ", ") + note;
+}
+
+Entry seconds_entry(const Measured& measured) {
+  if (!measured.seconds) return note_entry(measured.mark);
+  const Summary& seconds = *measured.seconds;
+  const DigitStyle style = significant_digits(seconds.value, 4);
+  const std::string value = write(seconds.value, style), count = std::to_string(seconds.count);
+  if (!seconds.has_interval())
+    return {value + " (" + runs(seconds.count) + ")", {value, "", count}, runs(seconds.count)};
+  const std::string half = write(seconds.half_range(), style);
+  return {value + " ±" + half, {value, half, count}, {}};
+}
+
+Entry median_entry(const Measured& measured) {
+  if (!measured.seconds) return note_entry(measured.mark);
+  const Summary& seconds = *measured.seconds;
+  const DigitStyle style = significant_digits(seconds.value, 4);
+  const std::string value = write(seconds.value, style), median = write(seconds.median, style),
+                    count = std::to_string(seconds.count);
+  if (!seconds.has_interval())
+    return {value + " (" + runs(seconds.count) + ")", {value, "", count}, runs(seconds.count)};
+  if (median == value) return {value, {value, "", count}, {}};
+  return {value + " (median " + median + ")", {value, median, count}, {}};
+}
+
+Entry number_entry(const std::optional<double>& value, int significant) {
+  if (!value) return note_entry(missing_mark);
+  const std::string digits = write_significant(*value, significant);
+  return {digits, {digits}, {}};
+}
+
+Entry count_entry(std::size_t count) {
+  const std::string digits = std::to_string(count);
+  return {digits, {digits}, {}};
+}
+
+Entry speed_up_entry(const MeasuredSpeedUp& measured) {
+  if (!measured.speed_up) return note_entry(measured.mark);
+  Entry entry = ratio_entry(*measured.speed_up);
+  if (measured.speed_up->percent < 0) {  // slower: the ratio says it
+    entry.digits.emplace_back();
+    return entry;
+  }
+  const std::string percent = write_fixed(measured.speed_up->percent, 1);
+  entry.shown.insert(entry.shown.size() - (entry.note.empty() ? 0 : entry.note.size() + 1),
+                     " (" + percent + " %)");
+  entry.digits.push_back(percent);
+  return entry;
+}
+
+Entry without_percent(Entry entry) {
+  if (!entry.has_number()) return entry;
+  const std::string tail = " (" + entry.digits.back() + " %)";
+  if (const std::size_t begin = entry.shown.find(tail); begin != entry.shown.npos)
+    entry.shown.erase(begin, tail.size());
+  entry.digits.pop_back();
+  return entry;
+}
+
+Entry ratio_entry(const SpeedUp& ratio) {
+  const DigitStyle style = ratio_digits(ratio.value);
+  const std::string value = write(ratio.value, style);
+  if (!ratio.spread) {
+    Entry entry{value, {value, "", ""}, {}};
+    add_note(entry, runs(ratio.repetitions));
+    return entry;
+  }
+  const std::string low = write(ratio.low, style), high = write(ratio.high, style);
+  Entry entry{value + " [" + low + ", " + high + "]", {value, low, high}, {}};
+  if (ratio.inconclusive()) add_note(entry, inconclusive_mark);
+  return entry;
+}
+
+// With fewer sizes than the paper's it cannot stand beside the paper's, and says so.
+Entry mean_speed_up_entry(const Record& record, std::string_view family, std::size_t variant) {
+  const std::vector<std::int64_t>& sizes = published_sizes();
+  const MeanSpeedUp mean = mean_speed_up(record, family, truck_global, variant, sizes);
+  if (!mean.speed_up) return note_entry(missing_mark);
+  Entry entry = speed_up_entry({mean.speed_up, {}});
+  if (mean.sizes == sizes.size()) return entry;
+  add_note(entry, "incomplete " + std::to_string(mean.sizes) + "/" + std::to_string(sizes.size()));
+  return entry;
+}
+
+Entry compared(Entry published, const Entry& ours) {
+  const bool incomplete = ours.note.find("incomplete") != std::string::npos;
+  if (!published.has_number() || incomplete || ours.digits.size() < 3) return published;
+  const std::optional<double> value = number(published.digits[0]), low = number(ours.digits[1]),
+                              high = number(ours.digits[2]);
+  if (!value || !low || !high) return published;
+  published.note = *low <= *value && *value <= *high ? inside_mark : outside_mark;
+  published.shown += " " + published.note;
+  return published;
+}
+
+}  // namespace desmo::report
