@@ -28,7 +28,7 @@ std::string unshared(const TimedGroup& a, const TimedGroup& b) {
   return only(a, b) + " in A only, " + only(b, a) + " in B only";
 }
 
-Timing timing_of(const std::map<CellKey, Timing>& all, const CellKey& key) {
+Timing timing_of(const std::map<CandidateKey, Timing>& all, const CandidateKey& key) {
   const auto found = all.find(key);
   if (found != all.end()) return found->second;
   return {{std::nullopt, missing_mark}, {}, {}};
@@ -40,7 +40,7 @@ std::string remarks(const Timing& a, const Timing& b) {
   return text;
 }
 
-std::vector<Entry> names_of(const CellKey& key) {
+std::vector<Entry> names_of(const CandidateKey& key) {
   return {text_entry(key.case_name), text_entry(std::to_string(key.coordinates)),
           text_entry(key.id)};
 }
@@ -79,8 +79,8 @@ Table seconds_beside(const TimedGroup& a, const TimedGroup& b, const Record& fir
 }
 
 /// What may be shown of a key in a record: nothing of a reference, which is 1 everywhere.
-std::optional<SpeedUp> speed_up_of(const TimedGroup& group, const CellKey& key) {
-  const CellKey reference = reference_of(key);
+std::optional<SpeedUp> speed_up_of(const TimedGroup& group, const CandidateKey& key) {
+  const CandidateKey reference = reference_of(key);
   if (reference == key) return std::nullopt;
   return measured_speed_up(timing_of(group.timings, reference).time,
                            timing_of(group.timings, key).time)
@@ -140,9 +140,9 @@ void add(Section& section, Table table) {
 /// As of a record without timing windows.
 Record without_windows(Record record) {
   record.settings.windows.reset();
-  for (auto& [key, cell] : record.cells) cell.time.windows = {};
+  for (auto& [key, candidate] : record.candidates) candidate.time.windows = {};
   for (Request& request : record.requests) request.time.windows = {};
-  for (Peer& peer : record.peers) peer.cell.time.windows = {};
+  for (Peer& peer : record.peers) peer.candidate.time.windows = {};
   return record;
 }
 

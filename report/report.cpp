@@ -31,7 +31,7 @@ Section paper_tables(const Record& record) {
 
 std::set<std::string> recorded_cases(const Record& record) {
   std::set<std::string> cases;
-  for (const auto& [key, cell] : record.cells) cases.insert(key.case_name);
+  for (const auto& [key, candidate] : record.candidates) cases.insert(key.case_name);
   return cases;
 }
 
@@ -112,7 +112,7 @@ struct Experiment {
 
 const std::vector<Experiment>& reported_experiments() {
   static const std::vector<Experiment> all{
-      {"The paper's experiment", has_cells, paper_sections},
+      {"The paper's experiment", has_paper, paper_sections},
       {"Accuracy", [](const Record& r) { return !r.points.empty(); }, accuracy_sections},
       {"Accuracy of desmo tune", [](const Record& r) { return !r.tuning.empty(); },
        [](const Record& r) {
@@ -174,8 +174,8 @@ Document make_report(const std::vector<Record>& records) {
   };
   add(measured_how(records));
   add(joint_limitations(records));
-  if (const auto with_cells = std::ranges::find_if(records, has_cells); with_cells != records.end())
-    if (const auto lines = failures(*with_cells); !lines.empty())
+  if (const auto with_paper = std::ranges::find_if(records, has_paper); with_paper != records.end())
+    if (const auto lines = failures(*with_paper); !lines.empty())
       add({"Failed verification: no time, and no ratio computed from one", lines, {}});
   return document;
 }

@@ -11,7 +11,7 @@
 namespace desmo::report {
 namespace {
 
-/// What a trial has to show: no alarm, or that what was done to its cell is found and named.
+/// What a trial has to show: no alarm, or that what was done to its candidate is found and named.
 enum class Shows { no_alarm, slower, more_work, faster };
 
 /// Trials of a kind and load, how many there must be, and how many may not show it.
@@ -41,8 +41,8 @@ struct Tally {
   int trials = 0, shown = 0, inconclusive = 0;
 };
 
-bool is_only(const std::vector<std::string>& cells, const std::string& cell) {
-  return cells.size() == 1 && cells.front() == cell;
+bool is_only(const std::vector<std::string>& candidates, const std::string& candidate) {
+  return candidates.size() == 1 && candidates.front() == candidate;
 }
 
 bool is_shown(Shows shows, const Trial& t) {
@@ -51,11 +51,11 @@ bool is_shown(Shows shows, const Trial& t) {
     case Shows::no_alarm:
       return pass || t.verdict == "inconclusive";
     case Shows::slower:
-      return regression && is_only(t.slower, t.cell);
+      return regression && is_only(t.slower, t.candidate);
     case Shows::more_work:
-      return regression && is_only(t.more_work, t.cell);
+      return regression && is_only(t.more_work, t.candidate);
     case Shows::faster:
-      return pass && is_only(t.faster, t.cell);
+      return pass && is_only(t.faster, t.candidate);
   }
   return false;
 }

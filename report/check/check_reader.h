@@ -9,8 +9,8 @@
 
 namespace desmo::report {
 
-/// Checks everything that a verdict relies on: that both sides have the same cells, and that what
-/// is right on both was measured by all that was used, Time, Work or both. The two sides are
+/// Checks everything that a verdict relies on: that both sides have the same candidates, and that
+/// what is right on both was measured by all that was used, Time, Work or both. The two sides are
 /// records of their own, read as such. Throws InvalidRecord, naming the place; UnsupportedVersion
 /// and MixedRecord where they apply.
 CheckRecord parse_check(std::string_view text);

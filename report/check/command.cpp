@@ -3,8 +3,8 @@
 #include <iostream>
 
 #include "report/check/certificate.h"
+#include "report/check/check_outcome.h"
 #include "report/check/check_reader.h"
-#include "report/check/judgement.h"
 #include "report/check/trials.h"
 #include "report/check/verdict.h"
 #include "report/formats/formats.h"
@@ -26,17 +26,17 @@ std::string printed(const Document& document, const std::string& format) {
 
 int judged(const CheckCommand& command, std::string& reading) {
   const CheckRecord check = read_check(reading = command.file);
-  const Judgement judgement = command.baseline.empty()
-                                  ? judge(check)
-                                  : judge(check, read_check(reading = command.baseline));
+  const CheckOutcome found = command.baseline.empty()
+                                 ? compare_sides(check)
+                                 : compare_sides(check, read_check(reading = command.baseline));
   if (command.pending) {
     std::string lines;
-    for (const Pending& p : pending(judgement)) lines += p.pass + " " + p.cell + "\n";
+    for (const Pending& p : pending(found)) lines += p.pass + " " + p.candidate + "\n";
     write_standard_output(lines);
     return 0;
   }
-  write_standard_output(printed(verdict_document(check, judgement), command.format));
-  return code(judgement.verdict);
+  write_standard_output(printed(verdict_document(check, found), command.format));
+  return code(found.verdict);
 }
 
 int certified(const CertificateCommand& command, std::string& reading) {

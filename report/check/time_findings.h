@@ -1,4 +1,4 @@
-// What the times of a check mean, cell by cell.
+// What the times of a check mean, candidate by candidate.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 namespace desmo::report {
 
 struct TimeFinding {
-  std::string cell;
+  std::string candidate;
   std::string reference;  ///< against a baseline: what its time is divided by; otherwise empty
   double base_seconds = 0, head_seconds = 0;  ///< medians over the rounds; base 0 without one
   Change first;
@@ -21,15 +21,15 @@ struct TimeFinding {
 
 struct TimeFindings {
   std::optional<Change> control;  ///< of the first pass; none against a baseline
-  std::vector<TimeFinding> cells;
+  std::vector<TimeFinding> candidates;
 };
 
 /// Base against head, round by round.
 TimeFindings find_times(const CheckRecord& check);
 
-/// Head against that of a stored baseline, by ratios within either run: each cell's time over that
-/// of its case's global_automatic_klu, and that one's over the control. So the speed of the machine
-/// and of the day cancel.
+/// Head against that of a stored baseline, by ratios within either run: each candidate's time over
+/// that of its case's global_automatic_klu, and that one's over the control. So the speed of the
+/// machine and of the day cancel.
 TimeFindings find_times(const CheckRecord& check, const CheckRecord& baseline);
 
 }  // namespace desmo::report

@@ -3,8 +3,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "report/check/check_outcome.h"
 #include "report/check/check_reader.h"
-#include "report/check/judgement.h"
 #include "report/output_files.h"
 #include "report/read/json_document.h"
 #include "report/read/json_node.h"
@@ -32,11 +32,11 @@ const char* name_of(Verdict verdict) {
   return "incomparable";
 }
 
-std::vector<std::string> read_cells(const JsonNode& line, const char* key) {
-  std::vector<std::string> cells;
+std::vector<std::string> read_candidates(const JsonNode& line, const char* key) {
+  std::vector<std::string> candidates;
   if (const auto list = line.find(key))
-    for (const JsonNode& cell : list->elements()) cells.push_back(cell.text());
-  return cells;
+    for (const JsonNode& candidate : list->elements()) candidates.push_back(candidate.text());
+  return candidates;
 }
 
 TrialsHead read_head(const JsonNode& line) {
@@ -47,9 +47,13 @@ TrialsHead read_head(const JsonNode& line) {
 
 Trial read_trial(const JsonNode& line) {
   const JsonNode trial = line["trial"];
-  return {trial["kind"].text(),         trial["load"].text(),       trial["cell"].text(),
-          line["verdict"].text(),       read_cells(line, "slower"), read_cells(line, "faster"),
-          read_cells(line, "more_work")};
+  return {trial["kind"].text(),
+          trial["load"].text(),
+          trial["cell"].text(),
+          line["verdict"].text(),
+          read_candidates(line, "slower"),
+          read_candidates(line, "faster"),
+          read_candidates(line, "more_work")};
 }
 
 void read_line(Trials& trials, const std::string& text) {
@@ -62,9 +66,9 @@ void read_line(Trials& trials, const std::string& text) {
 }
 
 template <class Findings>
-void add_cells(Json& line, const char* key, const Findings& findings, Outcome outcome) {
+void add_candidates(Json& line, const char* key, const Findings& findings, Outcome outcome) {
   for (const auto& finding : findings)
-    if (finding.outcome == outcome) line[key].push_back(finding.cell);
+    if (finding.outcome == outcome) line[key].push_back(finding.candidate);
 }
 
 Json head_line(const Record& head) {
@@ -77,16 +81,16 @@ Json head_line(const Record& head) {
           {"flags", head.build.flags}};
 }
 
-Json trial_line(const nlohmann::json& trial, const Judgement& judgement) {
+Json trial_line(const nlohmann::json& trial, const CheckOutcome& found) {
   Json line{{"trial",
              {{"kind", trial["kind"]},
               {"load", trial["load"]},
               {"number", trial["number"]},
               {"cell", trial["cell"]}}},
-            {"verdict", name_of(judgement.verdict)}};
-  add_cells(line, "slower", judgement.time.cells, Outcome::regression);
-  add_cells(line, "faster", judgement.time.cells, Outcome::gain);
-  add_cells(line, "more_work", judgement.work.cells, Outcome::regression);
+            {"verdict", name_of(found.verdict)}};
+  add_candidates(line, "slower", found.time.candidates, Outcome::regression);
+  add_candidates(line, "faster", found.time.candidates, Outcome::gain);
+  add_candidates(line, "more_work", found.work.candidates, Outcome::regression);
   return line;
 }
 
@@ -135,7 +139,7 @@ void add_trial(const std::filesystem::path& certificate, const std::filesystem::
   const std::optional<TrialsHead> head = head_of(certificate);
   if (head) require_same_machine(*head, check.head);
   std::string text = head ? "" : head_line(check.head).dump() + "\n";
-  text += trial_line(document["trial"], judge(check)).dump() + "\n";
+  text += trial_line(document["trial"], compare_sides(check)).dump() + "\n";
   std::ofstream out(certificate, std::ios::app);
   out << text << std::flush;
   if (!out) throw OutputError(certificate.string() + " cannot be written");

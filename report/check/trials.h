@@ -19,9 +19,9 @@ struct TrialsHead {
 
 /// A trial: what was done to the check, and what it said.
 struct Trial {
-  std::string kind, load, cell;
+  std::string kind, load, candidate;
   std::string verdict;                                 ///< "pass", "regression" ...
-  std::vector<std::string> slower, faster, more_work;  ///< cells that it named
+  std::vector<std::string> slower, faster, more_work;  ///< candidates that it named
 };
 
 struct Trials {
@@ -32,8 +32,8 @@ struct Trials {
 /// Reads the text of a certificate, blank lines aside. Throws InvalidRecord, naming the line.
 Trials read_trials(const std::string& text);
 
-/// Judges the check of a trial, {"trial": {"kind", "load", "number", "cell"}, "check": ...}, and
-/// adds a line to a certificate, which is begun where there is none.
+/// Judges the check of a trial, {"trial": {"kind", "load", "number", "candidate"}, "check": ...},
+/// and adds a line to a certificate, which is begun where there is none.
 ///
 /// Throws InvalidRecord; MixedRecord for a trial of another machine or compiler; OutputError.
 void add_trial(const std::filesystem::path& certificate, const std::filesystem::path& trial);

@@ -59,9 +59,9 @@ Table time_table(const TimeFindings& time) {
   if (against_baseline)
     table.title = "Time: each over that of its case's global_automatic_klu, beside the baseline's";
   std::size_t rounds = 0;
-  for (const TimeFinding& f : time.cells) {
+  for (const TimeFinding& f : time.candidates) {
     rounds = std::max(rounds, f.first.rounds);
-    table.rows.push_back({text_entry(f.cell), milliseconds(f.base_seconds),
+    table.rows.push_back({text_entry(f.candidate), milliseconds(f.base_seconds),
                           milliseconds(f.head_seconds), change_entry(f.first),
                           change_entry(f.second), text_entry(outcome_word(f.outcome))});
   }
@@ -87,10 +87,10 @@ Table work_table(const WorkFindings& work, const Work& counted) {
                           {"change", {"percent"}},
                           {"outcome", {}}},
               .rows = {}};
-  for (const WorkFinding& f : work.cells) {
+  for (const WorkFinding& f : work.candidates) {
     const std::string base = std::to_string(f.base), head = std::to_string(f.head),
                       percent = signed_percent(f.percent);
-    table.rows.push_back({text_entry(f.cell),
+    table.rows.push_back({text_entry(f.candidate),
                           {base, {base}, {}},
                           {head, {head}, {}},
                           {percent + " %", {percent}, {}},
@@ -100,15 +100,16 @@ Table work_table(const WorkFindings& work, const Work& counted) {
 }
 
 template <class Findings>
-std::string cells_with(const Findings& findings, Outcome outcome) {
+std::string candidates_with(const Findings& findings, Outcome outcome) {
   std::string list;
   for (const auto& f : findings)
-    if (f.outcome == outcome) list += (list.empty() ? "" : ", ") + f.cell;
+    if (f.outcome == outcome) list += (list.empty() ? "" : ", ") + f.candidate;
   return list;
 }
 
-void say(std::vector<std::string>& paragraphs, const std::string& what, const std::string& cells) {
-  if (!cells.empty()) paragraphs.push_back(what + ": " + cells + ".");
+void say(std::vector<std::string>& paragraphs, const std::string& what,
+         const std::string& candidates) {
+  if (!candidates.empty()) paragraphs.push_back(what + ": " + candidates + ".");
 }
 
 void say_differences(std::vector<std::string>& paragraphs, const std::string& what,
@@ -118,24 +119,26 @@ void say_differences(std::vector<std::string>& paragraphs, const std::string& wh
                          d.second + " in head.");
 }
 
-std::vector<std::string> summary(const Judgement& j) {
+std::vector<std::string> summary(const CheckOutcome& j) {
   std::vector<std::string> text;
-  for (const Excluded& cell : j.invalid)
-    text.push_back("Wrong numerics, not timed: " + cell.cell + " (" + cell.reason + ").");
-  for (const std::string& cell : j.missing)
-    text.push_back("Not measured, but in the baseline: " + cell + ".");
-  say(text, "Slower", cells_with(j.time.cells, Outcome::regression));
-  say(text, "More work", cells_with(j.work.cells, Outcome::regression));
-  say(text, "Faster", cells_with(j.time.cells, Outcome::gain));
-  say(text, "Less work", cells_with(j.work.cells, Outcome::gain));
-  say(text, "An alarm that needs its second pass", cells_with(j.time.cells, Outcome::unconfirmed));
-  say(text, "Too noisy to tell", cells_with(j.time.cells, Outcome::noisy));
+  for (const Excluded& candidate : j.invalid)
+    text.push_back("Wrong numerics, not timed: " + candidate.candidate + " (" + candidate.reason +
+                   ").");
+  for (const std::string& candidate : j.missing)
+    text.push_back("Not measured, but in the baseline: " + candidate + ".");
+  say(text, "Slower", candidates_with(j.time.candidates, Outcome::regression));
+  say(text, "More work", candidates_with(j.work.candidates, Outcome::regression));
+  say(text, "Faster", candidates_with(j.time.candidates, Outcome::gain));
+  say(text, "Less work", candidates_with(j.work.candidates, Outcome::gain));
+  say(text, "An alarm that needs its second pass",
+      candidates_with(j.time.candidates, Outcome::unconfirmed));
+  say(text, "Too noisy to tell", candidates_with(j.time.candidates, Outcome::noisy));
   say_differences(text, "Times", j.differences);
   say_differences(text, "Instruction counts", j.work.differences);
   if (j.verdict == Verdict::incomparable && j.differences.empty() && j.work.differences.empty())
     text.push_back("There is nothing to compare with.");
-  for (const Excluded& cell : j.excluded)
-    text.push_back("Not compared: " + cell.cell + " (" + cell.reason + ").");
+  for (const Excluded& candidate : j.excluded)
+    text.push_back("Not compared: " + candidate.candidate + " (" + candidate.reason + ").");
   if (text.empty()) text.push_back("No cell has changed.");
   return text;
 }
@@ -173,10 +176,10 @@ const char* verdict_word(Verdict verdict) {
   return "";
 }
 
-Document verdict_document(const CheckRecord& check, const Judgement& j) {
+Document verdict_document(const CheckRecord& check, const CheckOutcome& j) {
   Section section{std::string("Verdict: ") + verdict_word(j.verdict), summary(j), {}};
-  if (!j.time.cells.empty()) section.tables.push_back(time_table(j.time));
-  if (!j.work.cells.empty()) section.tables.push_back(work_table(j.work, *check.work));
+  if (!j.time.candidates.empty()) section.tables.push_back(time_table(j.time));
+  if (!j.work.candidates.empty()) section.tables.push_back(work_table(j.work, *check.work));
   section.paragraphs.push_back(provenance(check));
   return {"Regression check", {std::move(section)}};
 }

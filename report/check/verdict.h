@@ -1,8 +1,8 @@
 // The verdict of a check, for people.
 #pragma once
 
+#include "report/check/check_outcome.h"
 #include "report/check/check_record.h"
-#include "report/check/judgement.h"
 #include "report/text/document.h"
 
 namespace desmo::report {
@@ -10,7 +10,7 @@ namespace desmo::report {
 /// "PASS", "REGRESSION", ...
 const char* verdict_word(Verdict verdict);
 
-/// What was found, cell by cell, and what it was found on.
-Document verdict_document(const CheckRecord& check, const Judgement& judgement);
+/// What was found, candidate by candidate, and what it was found on.
+Document verdict_document(const CheckRecord& check, const CheckOutcome& found);
 
 }  // namespace desmo::report

@@ -1,4 +1,4 @@
-// What the instruction counts of a check mean, cell by cell.
+// What the instruction counts of a check mean, candidate by candidate.
 #pragma once
 
 #include <cstdint>
@@ -12,15 +12,15 @@
 namespace desmo::report {
 
 struct WorkFinding {
-  std::string cell;
+  std::string candidate;
   std::int64_t base = 0, head = 0;  ///< instructions
   double percent = 0;               ///< change, rounded to a tenth
   Outcome outcome = Outcome::same;
 };
 
 struct WorkFindings {
-  std::vector<Difference> differences;  ///< why the counts cannot be compared; then no cells
-  std::vector<WorkFinding> cells;       ///< those that both sides have counted
+  std::vector<Difference> differences;  ///< why the counts cannot be compared; then no candidates
+  std::vector<WorkFinding> candidates;  ///< those that both sides have counted
 };
 
 /// Base against head, both of the same check.

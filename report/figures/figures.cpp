@@ -92,7 +92,7 @@ Rendered filled(const Table& table, Json spec, Json data) {
 
 std::vector<Rendered> figures(const Record& record) {
   std::vector<Rendered> files;
-  if (has_cells(record)) {
+  if (has_paper(record)) {
     const Table times = figure_of_times(record), speed_ups = figure_of_speed_ups(record);
     files = {filled(times, design_of_times(times), time_points(times)),
              filled(speed_ups, design_of_speed_ups(speed_ups), speed_up_bars(speed_ups))};

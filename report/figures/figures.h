@@ -11,7 +11,7 @@ namespace desmo::report {
 /// figure5.vl.json, CPU time over coordinates, and figure6.vl.json, mean speed-up: the paper's own
 /// values beside every sparse family. What failed or is missing has null where a number would be.
 /// The design is in report/figures/*.template.json; data, title and subtitle are those of the
-/// tables of the figures (tables/tables.h). These of a record with cells; of one with points
+/// tables of the figures (tables/tables.h). These of a record with candidates; of one with points
 /// figures/work_precision.h for each case, of one with growth figures/growth.h.
 std::vector<Rendered> figures(const Record& record);
 

@@ -16,12 +16,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double least_drawn = 1e-18;  // where an error stands that is less, or 0
-constexpr double largest_drawn = 10;   // likewise, that is more
-constexpr double room = 0.7;           // decades between the labels of the front
+constexpr double min_drawn = 1e-18;  // where an error stands that is less, or 0
+constexpr double max_drawn = 10;     // likewise, that is more
+constexpr double room = 0.7;         // decades between the labels of the front
 constexpr std::size_t id = 0, family = 1, time = 2, error = 3, iterations = 8, front = 9, why = 10;
 
-double drawn(double value) { return std::clamp(value, least_drawn, largest_drawn); }
+double drawn(double value) { return std::clamp(value, min_drawn, max_drawn); }
 
 Json solved(const std::vector<Entry>& row) {
   return {{"id", row[id].shown},
@@ -44,7 +44,7 @@ Json failed(const std::vector<Entry>& row, int place) {
 
 /// Of the front, whose marks come with the error falling, as many as have room.
 void label(Json& all) {
-  double last = 100 * largest_drawn;
+  double last = 100 * max_drawn;
   for (Json& mark : all)
     if (mark.value("front", false)) {
       const double at = mark["drawn_at"].get<double>();

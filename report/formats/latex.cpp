@@ -9,7 +9,7 @@ namespace desmo::report {
 namespace {
 
 // A landscape page of A4 has room for so many characters.
-constexpr std::size_t most_in_scriptsize = 125;
+constexpr std::size_t max_in_scriptsize = 125;
 
 struct Replacement {
   std::string_view from;
@@ -99,7 +99,7 @@ std::string latex_table(const Table& table) {
   for (const std::string& note : table.notes)
     notes += "\n\\noindent{\\footnotesize " + latex_text(note) + "}\n";
   const std::string head = "\\hline\n" + header + " \\\\\n\\hline\n";
-  const std::string size = row_width(table) > most_in_scriptsize ? "\\tiny" : "\\scriptsize";
+  const std::string size = row_width(table) > max_in_scriptsize ? "\\tiny" : "\\scriptsize";
   return "{" + size +
          "\\setlength{\\tabcolsep}{3pt}\\renewcommand{\\arraystretch}{1.2}\n"
          "\\begin{longtable}{" +

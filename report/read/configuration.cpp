@@ -28,7 +28,7 @@ void apply(Configuration& configuration, std::string_view suffix) {
 
 }  // namespace
 
-bool Configuration::has_papers_knobs() const {
+bool Configuration::has_papers_settings() const {
   const Configuration paper;
   return guess == paper.guess && jacobian == paper.jacobian &&
          factorisation == paper.factorisation && scalar == paper.scalar && others.empty();

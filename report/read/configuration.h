@@ -16,7 +16,7 @@ struct Configuration {
   std::vector<std::string> others;    ///< any other suffixes, "key:value"
 
   /// Whether all but where a step stops is as in the paper.
-  bool has_papers_knobs() const;
+  bool has_papers_settings() const;
   /// Whether no instant is interpolated between solved ones.
   bool solves_every_instant() const;
   /// "tolerance 1e-6", "2 iterations", "usual tolerance".

@@ -18,8 +18,8 @@ class DocumentGuard {
  public:
   bool operator()(int depth, nlohmann::json::parse_event_t event, const nlohmann::json& parsed) {
     using Event = nlohmann::json::parse_event_t;
-    if (depth > deepest_nesting)
-      throw InvalidRecord("nested more than " + std::to_string(deepest_nesting) + " levels deep");
+    if (depth > max_nesting)
+      throw InvalidRecord("nested more than " + std::to_string(max_nesting) + " levels deep");
     if (event == Event::object_start) keys_.emplace_back();
     if (event == Event::object_end) keys_.pop_back();
     if (event == Event::key && !keys_.back().insert(parsed.get<std::string>()).second)

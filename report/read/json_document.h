@@ -10,12 +10,12 @@
 
 namespace desmo::report {
 
-inline constexpr const char* schema_version = "2.0.0";           ///< the one that is read
-inline constexpr std::size_t largest_record = 64 * 1024 * 1024;  ///< bytes
-inline constexpr int deepest_nesting = 32;
+inline constexpr const char* schema_version = "2.0.0";       ///< the one that is read
+inline constexpr std::size_t max_record = 64 * 1024 * 1024;  ///< bytes
+inline constexpr int max_nesting = 32;
 
 /// A results file that cannot be read or is not a valid record. The message names the place in the
-/// document (`paper.cells[3].time.seconds[0]: ...`); the caller adds the name of the file.
+/// document (`paper.candidates[3].time.seconds[0]: ...`); the caller adds the name of the file.
 class InvalidRecord : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -41,7 +41,7 @@ class UnreadableFile : public InvalidRecord {
 
 class JsonNode;
 
-/// Reads the text of a file, compressed by gzip or not: at most largest_record bytes. Throws
+/// Reads the text of a file, compressed by gzip or not: at most max_record bytes. Throws
 /// UnreadableFile, or InvalidRecord when there are more or the compressed data are damaged.
 std::string read_whole(const std::filesystem::path& file);
 

@@ -9,10 +9,10 @@
 namespace desmo::report {
 namespace {
 
-constexpr std::int64_t largest_integer = 1'000'000'000;
-constexpr double largest_number = 1e100;
-constexpr double shortest_sample = 1e-9;
-constexpr double longest_sample = 1e9;
+constexpr std::int64_t max_integer = 1'000'000'000;
+constexpr double max_number = 1e100;
+constexpr double min_sample = 1e-9;
+constexpr double max_sample = 1e9;
 
 }  // namespace
 
@@ -113,9 +113,9 @@ std::int64_t JsonNode::integer(std::int64_t least) const {
     complain(std::string("an integer was expected, not ") + value_->type_name());
   // Compared as a double first: an unsigned integer beyond 2^63 would wrap.
   const double wide = value_->get<double>();
-  if (wide < static_cast<double>(least) || wide > static_cast<double>(largest_integer))
+  if (wide < static_cast<double>(least) || wide > static_cast<double>(max_integer))
     complain(value_->dump() + " is not in " + std::to_string(least) + " ... " +
-             std::to_string(largest_integer));
+             std::to_string(max_integer));
   return value_->get<std::int64_t>();
 }
 
@@ -128,7 +128,7 @@ double JsonNode::number() const {
 double JsonNode::not_negative() const {
   const double value = number();
   if (!(value >= 0)) complain(value_->dump() + " is negative");
-  if (value > largest_number) complain(value_->dump() + " is beyond all measure");
+  if (value > max_number) complain(value_->dump() + " is beyond all measure");
   return value;
 }
 
@@ -140,7 +140,7 @@ double JsonNode::positive() const {
 
 double JsonNode::sample() const {
   const double value = positive();
-  if (value < shortest_sample || value > longest_sample)
+  if (value < min_sample || value > max_sample)
     complain(value_->dump() + " s is not a time that a clock can give");
   return value;
 }

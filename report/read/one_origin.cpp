@@ -8,7 +8,7 @@
 namespace desmo::report {
 namespace {
 
-std::string label(const CellKey& key, const std::string& request) {
+std::string label(const CandidateKey& key, const std::string& request) {
   return name_of(key) + (request.empty() ? "" : "/request:" + request);
 }
 
@@ -16,7 +16,8 @@ class OneOrigin {
  public:
   explicit OneOrigin(std::string cpu) : cpu_(std::move(cpu)) {}
 
-  void take(const CellKey& key, const std::string& request, Status status, const Origin& origin) {
+  void take(const CandidateKey& key, const std::string& request, Status status,
+            const Origin& origin) {
     const std::string name = label(key, request);
     if (origin.machine && *origin.machine != cpu_)
       throw MixedRecord(name + ": measured on \"" + *origin.machine + "\", the record on \"" +
@@ -49,13 +50,14 @@ class OneOrigin {
 
 void require_one_origin(const Record& record) {
   OneOrigin one(record.machine.cpu);
-  for (const auto* cells : {&record.cells, &record.wall_cells})
-    for (const auto& [key, cell] : *cells) one.take(key, {}, cell.status, cell.origin);
+  for (const auto* candidates : {&record.candidates, &record.wall_candidates})
+    for (const auto& [key, candidate] : *candidates)
+      one.take(key, {}, candidate.status, candidate.origin);
   for (const auto* requests : {&record.requests, &record.wall_requests})
     for (const Request& request : *requests)
-      one.take(request.cell, request.name, request.status, request.origin);
+      one.take(request.candidate, request.name, request.status, request.origin);
   for (const Peer& peer : record.peers)  // they find other coordinates: no results to compare
-    one.take(key_of(peer), {}, peer.cell.status, peer.cell.origin);
+    one.take(key_of(peer), {}, peer.candidate.status, peer.candidate.origin);
 }
 
 }  // namespace desmo::report

@@ -58,26 +58,26 @@ void turn_into_failure(Timed& timed, std::string reason) {
   timed.time = {};
 }
 
-Cell read_cell(const JsonNode& node, const Settings& settings, std::string_view id) {
-  Cell cell{.status = read_status(node["status"]),
-            .message = node.find_text("message").value_or(""),
-            .origin = read_origin(node),
-            .time = {},
-            .threads = read_threads(node),
-            .verification = std::nullopt,
-            .setup_seconds = read_setup(node),
-            .iterations_per_step = read_optional(node, "iterations_per_step"),
-            .residual = read_optional(node, "residual"),
-            .solvers = read_solvers(node)};
+Candidate read_candidate(const JsonNode& node, const Settings& settings, std::string_view id) {
+  Candidate candidate{.status = read_status(node["status"]),
+                      .message = node.find_text("message").value_or(""),
+                      .origin = read_origin(node),
+                      .time = {},
+                      .threads = read_threads(node),
+                      .verification = std::nullopt,
+                      .setup_seconds = read_setup(node),
+                      .iterations_per_step = read_optional(node, "iterations_per_step"),
+                      .residual = read_optional(node, "residual"),
+                      .solvers = read_solvers(node)};
   if (const auto checked = node.find("verification"))
-    cell.verification = read_verification(*checked);
-  if (cell.status != Status::ok) return cell;  // times of a wrong answer are not times
-  if (!cell.verification) node.complain("an \"ok\" cell needs \"verification\"");
-  cell.time = read_time(node["time"], settings, id);
-  if (!settings.allowed) return cell;
-  if (std::string reason = excess(*cell.verification, *settings.allowed); !reason.empty())
-    turn_into_failure(cell, std::move(reason));
-  return cell;
+    candidate.verification = read_verification(*checked);
+  if (candidate.status != Status::ok) return candidate;  // times of a wrong answer are not times
+  if (!candidate.verification) node.complain("an \"ok\" cell needs \"verification\"");
+  candidate.time = read_time(node["time"], settings, id);
+  if (!settings.allowed) return candidate;
+  if (std::string reason = excess(*candidate.verification, *settings.allowed); !reason.empty())
+    turn_into_failure(candidate, std::move(reason));
+  return candidate;
 }
 
 std::string read_level(const JsonNode& node) {
@@ -101,7 +101,7 @@ std::string request_excess(const JsonNode& verification, double difference,
 }
 
 Request read_request(const JsonNode& node, const Settings& settings) {
-  Request request{.cell = read_key(node),
+  Request request{.candidate = read_key(node),
                   .name = node["request"].name(),
                   .title = node["title"].text(),
                   .level = read_level(node["level"]),
@@ -119,7 +119,7 @@ Request read_request(const JsonNode& node, const Settings& settings) {
   if (request.status != Status::ok) return request;  // times of a wrong answer are not times
   const JsonNode verification = node["verification"];
   if (!request.difference) node.complain("an \"ok\" request needs \"difference\"");
-  request.time = read_time(node["time"], settings, request.cell.id);
+  request.time = read_time(node["time"], settings, request.candidate.id);
   if (!settings.allowed) return request;
   if (std::string reason = request_excess(verification, *request.difference, *settings.allowed);
       !reason.empty())
@@ -137,29 +137,30 @@ Peer read_peer(const JsonNode& node, const Settings& settings) {
             .guess = node["guess"].name(),
             .setup = node.find_text("setup").value_or(""),
             .compared = std::nullopt,
-            .cell = read_cell(node, settings, "a peer")};
+            .candidate = read_candidate(node, settings, "a peer")};
   if (const auto compared = node.find("compared")) peer.compared = compared->integer(1);
   if (peer.compared && *peer.compared > peer.coordinates)
     node["compared"].complain("more coordinates than the mechanism has");
   return peer;
 }
 
-void read_cells(Record& record, const JsonNode& list) {
+void read_candidates(Record& record, const JsonNode& list) {
   for (const JsonNode& node : list.elements()) {
-    const CellKey key = read_key(node);
-    auto& cells = is_by_wall(key.id) ? record.wall_cells : record.cells;
-    if (!cells.emplace(key, read_cell(node, record.settings, key.id)).second)
+    const CandidateKey key = read_key(node);
+    auto& candidates = is_by_wall(key.id) ? record.wall_candidates : record.candidates;
+    if (!candidates.emplace(key, read_candidate(node, record.settings, key.id)).second)
       node.complain(name_of(key) + " is given twice");
   }
 }
 
 void read_requests(Record& record, const JsonNode& list) {
-  std::set<std::pair<CellKey, std::string>> seen;
+  std::set<std::pair<CandidateKey, std::string>> seen;
   for (const JsonNode& node : list.elements()) {
     Request request = read_request(node, record.settings);
-    if (!seen.emplace(request.cell, request.name).second)
-      node.complain("the request " + request.name + " of " + request.cell.id + " is given twice");
-    (is_by_wall(request.cell.id) ? record.wall_requests : record.requests)
+    if (!seen.emplace(request.candidate, request.name).second)
+      node.complain("the request " + request.name + " of " + request.candidate.id +
+                    " is given twice");
+    (is_by_wall(request.candidate.id) ? record.wall_requests : record.requests)
         .push_back(std::move(request));
   }
 }
@@ -176,12 +177,12 @@ void read_peers(Record& record, const JsonNode& list) {
 
 }  // namespace
 
-CellKey read_key(const JsonNode& node) {
+CandidateKey read_key(const JsonNode& node) {
   return {node["case"].name(), node["coordinates"].integer(1), node["id"].text()};
 }
 
 void read_paper(Record& record, const JsonNode& section) {
-  if (const auto cells = section.find("cells")) read_cells(record, *cells);
+  if (const auto candidates = section.find("cells")) read_candidates(record, *candidates);
   if (const auto requests = section.find("requests")) read_requests(record, *requests);
   if (const auto peers = section.find("peers")) read_peers(record, *peers);
   read_structures(record, section);

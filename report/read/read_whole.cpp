@@ -15,8 +15,8 @@ using Buffer = std::array<char, 1 << 16>;
 
 void append(std::string& text, const Buffer& buffer, std::size_t count) {
   text.append(buffer.data(), count);
-  if (text.size() > largest_record)
-    throw InvalidRecord("larger than " + std::to_string(largest_record) + " bytes");
+  if (text.size() > max_record)
+    throw InvalidRecord("larger than " + std::to_string(max_record) + " bytes");
 }
 
 std::string read_bytes(const std::filesystem::path& file) {

@@ -67,16 +67,16 @@ struct Origin {
   std::optional<std::string> results;  ///< digest of the answers, rounded to what is allowed
 };
 
-/// What names a cell: unique in a record. Ordered by case, size, id.
-struct CellKey {
+/// What names a candidate: unique in a record. Ordered by case, size, id.
+struct CandidateKey {
   std::string case_name;
   std::int64_t coordinates = 0;
   std::string id;
-  auto operator<=>(const CellKey&) const = default;
+  auto operator<=>(const CandidateKey&) const = default;
 };
 
 /// Returns "<case>/<coordinates>/<id>".
-inline std::string name_of(const CellKey& key) {
+inline std::string name_of(const CandidateKey& key) {
   return key.case_name + "/" + std::to_string(key.coordinates) + "/" + key.id;
 }
 
@@ -87,7 +87,7 @@ struct Solver {
   std::array<std::int64_t, 2> unknowns{};  ///< least, most
 };
 
-struct Cell {
+struct Candidate {
   Status status = Status::not_run;
   std::string message;  ///< why it failed or was not run
   Origin origin;
@@ -130,10 +130,10 @@ struct Structure {
 
 /// A formulation that solves only what is asked.
 struct Request {
-  CellKey cell;       ///< the formulation, and the cell that solves everything with it
-  std::string name;   ///< unique for a cell
-  std::string title;  ///< what is asked, for people
-  std::string level;  ///< "position", "velocity", "acceleration"
+  CandidateKey candidate;  ///< the formulation, and the candidate that solves everything with it
+  std::string name;        ///< unique for a candidate
+  std::string title;       ///< what is asked, for people
+  std::string level;       ///< "position", "velocity", "acceleration"
   std::int64_t unknowns = 0;
   std::int64_t all_unknowns = 0;  ///< of the whole mechanism
   Status status = Status::not_run;
@@ -155,11 +155,11 @@ struct Peer {
   std::string guess;   ///< "previous", "quadratic": as in the ids of ours
   std::string setup;   ///< what had to be set up, in words; may be empty unless ok
   std::optional<std::int64_t> compared;  ///< coordinates that it finds, of those there are
-  Cell cell;
+  Candidate candidate;
 };
 
-/// Returns the key of a peer among cells: its id is "peer:<name>".
-inline CellKey key_of(const Peer& peer) {
+/// Returns the key of a peer among candidates: its id is "peer:<name>".
+inline CandidateKey key_of(const Peer& peer) {
   return {peer.case_name, peer.coordinates, "peer:" + peer.name};
 }
 
@@ -182,9 +182,9 @@ struct Record {
   Blas blas;
   Settings settings;
   // paper; what the wall clock measured stands apart, so that no table mixes the two clocks
-  std::map<CellKey, Cell> cells;  ///< CPU clock
-  std::map<CellKey, Cell> wall_cells;
-  std::map<CellKey, Profile> profiles;
+  std::map<CandidateKey, Candidate> candidates;  ///< CPU clock
+  std::map<CandidateKey, Candidate> wall_candidates;
+  std::map<CandidateKey, Profile> profiles;
   std::map<StructureKey, Structure> structure;
   std::vector<Request> requests;  ///< CPU clock; in the record's order
   std::vector<Request> wall_requests;
@@ -194,19 +194,19 @@ struct Record {
   std::map<PointKey, Point> points;   ///< time against error
   std::vector<Promise> tuning;        ///< in the record's order
   // size
-  std::map<CellKey, TimedSize> growth;      ///< time against coordinates
-  std::map<CellKey, TimedSize> break_even;  ///< dense and sparse, by unknowns
+  std::map<CandidateKey, TimedSize> growth;      ///< time against coordinates
+  std::map<CandidateKey, TimedSize> break_even;  ///< dense and sparse, by unknowns
   // instructions
-  std::map<CellKey, StepCount> instructions;
+  std::map<CandidateKey, StepCount> instructions;
   // extremes
   std::vector<ExtremeRow> extreme_rows;  ///< of every result
   std::vector<ExtremeResult> extremes;   ///< in the record's order
 };
 
 /// Tells whether it has the paper's experiment.
-inline bool has_cells(const Record& record) {
-  return !record.cells.empty() || !record.requests.empty() || !record.peers.empty() ||
-         !record.wall_cells.empty() || !record.wall_requests.empty();
+inline bool has_paper(const Record& record) {
+  return !record.candidates.empty() || !record.requests.empty() || !record.peers.empty() ||
+         !record.wall_candidates.empty() || !record.wall_requests.empty();
 }
 
 /// Tells whether it has the experiment on size.

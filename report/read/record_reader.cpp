@@ -24,7 +24,7 @@ void read_accuracy(Record& record, const JsonNode& section) {
 
 void read_instructions(Record& record, const JsonNode& section) {
   for (const JsonNode& node : section["counts"].elements()) {
-    const CellKey key = read_key(node);
+    const CandidateKey key = read_key(node);
     const StepCount count{node["instructions_per_step"].integer(1), node["steps"].integer(1),
                           node["tool"].text()};
     if (!record.instructions.emplace(key, count).second)
@@ -41,7 +41,7 @@ constexpr std::array<std::pair<const char*, void (*)(Record&, const JsonNode&)>,
      {"extremes", read_extremes}}};
 
 bool is_empty(const Record& record) {
-  return !has_cells(record) && record.points.empty() && record.tuning.empty() &&
+  return !has_paper(record) && record.points.empty() && record.tuning.empty() &&
          !has_sizes(record) && record.instructions.empty() && record.extremes.empty();
 }
 

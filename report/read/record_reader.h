@@ -11,17 +11,17 @@
 namespace desmo::report {
 
 /// Checks everything the report relies on: the schema's name and major version, required keys,
-/// types, times above zero, the verification of every "ok" cell and request, as many samples as it
-/// says, nothing given twice, one machine, one model for each case and size with one set of
-/// results. An "ok" cell or request that exceeds `record.settings.allowed` becomes a failed one
-/// that says so and has no time. Unknown keys are ignored, so that a record with a newer minor
+/// types, times above zero, the verification of every "ok" candidate and request, as many samples
+/// as it says, nothing given twice, one machine, one model for each case and size with one set of
+/// results. An "ok" candidate or request that exceeds `record.settings.allowed` becomes a failed
+/// one that says so and has no time. Unknown keys are ignored, so that a record with a newer minor
 /// version is read. Throws InvalidRecord, or MixedRecord.
 Record parse_record(std::string_view text);
 
 /// Likewise, of what has been parsed already, alone or inside another document.
 Record read_record(const JsonNode& root);
 
-/// Reads at most largest_record bytes and parses them. Throws as parse_record.
+/// Reads at most max_record bytes and parses them. Throws as parse_record.
 Record read_record(const std::filesystem::path& file);
 
 }  // namespace desmo::report

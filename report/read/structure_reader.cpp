@@ -65,7 +65,7 @@ void read_profiles(Record& record, const JsonNode& section) {
   const auto list = section.find("profiles");
   if (!list) return;
   for (const JsonNode& node : list->elements()) {
-    const CellKey key = read_key(node);
+    const CandidateKey key = read_key(node);
     if (!record.profiles.emplace(key, read_profile(node)).second)
       node.complain(name_of(key) + " is given twice");
   }

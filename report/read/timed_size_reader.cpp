@@ -45,10 +45,10 @@ TimedSize read_entry(const JsonNode& node, const Settings& settings) {
   return reason.empty() ? entry : failed(std::move(entry), std::move(reason));
 }
 
-void read_list(std::map<CellKey, TimedSize>& entries, const JsonNode& list,
+void read_list(std::map<CandidateKey, TimedSize>& entries, const JsonNode& list,
                const Settings& settings) {
   for (const JsonNode& node : list.elements()) {
-    const CellKey key{node["case"].name(), node["coordinates"].integer(1), node["id"].text()};
+    const CandidateKey key{node["case"].name(), node["coordinates"].integer(1), node["id"].text()};
     if (!entries.emplace(key, read_entry(node, settings)).second)
       node.complain(key.case_name + "/" + std::to_string(key.coordinates) + "/" + key.id +
                     " is given twice");

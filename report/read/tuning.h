@@ -8,7 +8,7 @@
 namespace desmo::report {
 
 /// A configuration, measured apart from any search.
-struct Candidate {
+struct TunedChoice {
   std::string id;
   double error = 0;                      ///< relative, of position, the largest
   std::vector<double> seconds_per_step;  ///< samples of CPU time, at least one
@@ -24,7 +24,7 @@ struct Promise {
   double promised = 0;        ///< that the search says its choice has
   std::int64_t compared = 0;  ///< instants of the control
   std::int64_t tried = 0;     ///< configurations that `best` is the best of
-  Candidate choice, best;
+  TunedChoice choice, best;
 };
 
 }  // namespace desmo::report

@@ -8,7 +8,7 @@
 namespace desmo::report {
 namespace {
 
-Candidate read_candidate(const JsonNode& node) {
+TunedChoice read_tuned_choice(const JsonNode& node) {
   return {node["id"].text(), node["error"].not_negative(), read_cpu_seconds(node["time_per_step"])};
 }
 
@@ -21,8 +21,8 @@ Promise read_promise(const JsonNode& node) {
           .promised = node["promised"].not_negative(),
           .compared = node["compared"].integer(2),
           .tried = node["tried"].integer(1),
-          .choice = read_candidate(node["choice"]),
-          .best = read_candidate(node["best"])};
+          .choice = read_tuned_choice(node["choice"]),
+          .best = read_tuned_choice(node["best"])};
 }
 
 }  // namespace

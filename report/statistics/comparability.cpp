@@ -19,7 +19,7 @@ class Comparison {
   }
 
   void differ(const std::string& what, const std::string& first, const std::string& second) {
-    if (named_.insert(what).second)  // once for all cells of a case and size
+    if (named_.insert(what).second)  // once for all candidates of a case and size
       differences_.push_back({what, first, second});
   }
 
@@ -126,7 +126,7 @@ std::vector<Difference> why_apart(const Record& first, const Record& second) {
   const auto only_one = [&](const char* what, bool in_first, bool in_second) {
     if (in_first && in_second) all.differ(std::string("one record with ") + what, "one", "another");
   };
-  only_one("cells", has_cells(first), has_cells(second));
+  only_one("cells", has_paper(first), has_paper(second));
   only_one("points", !first.points.empty(), !second.points.empty());
   only_one("tuning", !first.tuning.empty(), !second.tuning.empty());
   only_one("sizes", has_sizes(first), has_sizes(second));

@@ -12,16 +12,16 @@ Timing timing_of_steps(bool is_ok, const std::string& message, const std::vector
   return {{summarise(seconds), {}}, {}, {}};
 }
 
-std::map<CellKey, Timing> timings_of(const std::map<CellKey, TimedSize>& entries) {
-  std::map<CellKey, Timing> all;
+std::map<CandidateKey, Timing> timings_of(const std::map<CandidateKey, TimedSize>& entries) {
+  std::map<CandidateKey, Timing> all;
   for (const auto& [key, entry] : entries)
     all[key] = timing_of_steps(entry.status == Status::ok, entry.message, entry.seconds_per_step);
   return all;
 }
 
 /// The motion is a part of what names a point.
-std::map<CellKey, Timing> timings_of(const std::map<PointKey, Point>& points) {
-  std::map<CellKey, Timing> all;
+std::map<CandidateKey, Timing> timings_of(const std::map<PointKey, Point>& points) {
+  std::map<CandidateKey, Timing> all;
   for (const auto& [key, point] : points)
     all[{key.series.case_name, key.series.coordinates,
          key.id + "/step:" + write_shortest(key.series.step_seconds) +
@@ -41,7 +41,7 @@ std::vector<TimedGroup> timed_groups(const Record& record) {
           {"comparison_accuracy", "CPU seconds of a step, accuracy", timings_of(record.points)}};
 }
 
-CellKey reference_of(const CellKey& key) {
+CandidateKey reference_of(const CandidateKey& key) {
   constexpr std::string_view usual = "global_automatic_klu";
   std::string suffix;
   for (const char* part : {"/request:", "/step:"})

@@ -14,7 +14,7 @@ namespace desmo::report {
 struct TimedGroup {
   std::string name;  ///< of its table
   std::string what;  ///< "CPU seconds", "wall-clock seconds of several threads"
-  std::map<CellKey, Timing> timings;
+  std::map<CandidateKey, Timing> timings;
 };
 
 /// Returns every group that a record may have, in the order of tables; empty ones too.
@@ -22,6 +22,6 @@ std::vector<TimedGroup> timed_groups(const Record& record);
 
 /// Returns the key that speed-ups of a key are over: the usual reference of the same case and size,
 /// with the same request; of several threads, the same analysis on one.
-CellKey reference_of(const CellKey& key);
+CandidateKey reference_of(const CandidateKey& key);
 
 }  // namespace desmo::report

@@ -6,7 +6,7 @@
 
 namespace desmo::report {
 
-std::vector<Curve> curves_of(const std::map<CellKey, TimedSize>& entries) {
+std::vector<Curve> curves_of(const std::map<CandidateKey, TimedSize>& entries) {
   std::map<std::pair<std::string, std::string>, Curve> curves;  // entries of a case are by size
   for (const auto& [key, entry] : entries) {
     Curve& curve = curves[{key.case_name, key.id}];

@@ -12,7 +12,7 @@
 namespace desmo::report {
 
 /// Up to so many coordinates growth is judged.
-inline constexpr std::int64_t judged_coordinates = 10'000;
+inline constexpr std::int64_t max_linear_coordinates = 10'000;
 
 /// A size that has a time. `entry` refers to the record.
 struct CurvePoint {
@@ -29,7 +29,7 @@ struct Curve {
 };
 
 /// Of every case and formulation of `growth` or `crossing`.
-std::vector<Curve> curves_of(const std::map<CellKey, TimedSize>& entries);
+std::vector<Curve> curves_of(const std::map<CandidateKey, TimedSize>& entries);
 
 /// Where a coordinate costs least; null without points.
 const CurvePoint* cheapest(const Curve& curve);

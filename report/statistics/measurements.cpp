@@ -28,35 +28,36 @@ Measured measured(Status status, const Time& time) {
 
 }  // namespace
 
-Measured measured(const Record& record, const CellKey& key) {
-  const auto cell = record.cells.find(key);
-  if (cell == record.cells.end()) return {std::nullopt, missing_mark};
-  return measured(cell->second);
+Measured measured(const Record& record, const CandidateKey& key) {
+  const auto candidate = record.candidates.find(key);
+  if (candidate == record.candidates.end()) return {std::nullopt, missing_mark};
+  return measured(candidate->second);
 }
 
-Measured measured(const Cell& cell) { return measured(cell.status, cell.time); }
+Measured measured(const Candidate& candidate) { return measured(candidate.status, candidate.time); }
 
 Measured measured(const Request& request) { return measured(request.status, request.time); }
 
-std::map<CellKey, Timing> timings(const Record& record, Clock clock) {
+std::map<CandidateKey, Timing> timings(const Record& record, Clock clock) {
   const bool by_wall = clock == Clock::wall;
-  std::map<CellKey, Timing> all;
-  for (const auto& [key, cell] : by_wall ? record.wall_cells : record.cells)
-    all[key] = {measured(cell), remark(cell.status, cell.message), cell.origin};
+  std::map<CandidateKey, Timing> all;
+  for (const auto& [key, candidate] : by_wall ? record.wall_candidates : record.candidates)
+    all[key] = {measured(candidate), remark(candidate.status, candidate.message), candidate.origin};
   for (const Request& request : by_wall ? record.wall_requests : record.requests) {
-    CellKey key = request.cell;
+    CandidateKey key = request.candidate;
     key.id += "/request:" + request.name;
     all[key] = {measured(request), remark(request.status, request.message), request.origin};
   }
   if (by_wall) return all;
   for (const Peer& peer : record.peers)
-    all[key_of(peer)] = {measured(peer.cell), remark(peer.cell.status, peer.cell.message),
-                         peer.cell.origin};
+    all[key_of(peer)] = {measured(peer.candidate),
+                         remark(peer.candidate.status, peer.candidate.message),
+                         peer.candidate.origin};
   return all;
 }
 
-MeasuredSpeedUp measured_speed_up(const Record& record, const CellKey& reference,
-                                  const CellKey& variant) {
+MeasuredSpeedUp measured_speed_up(const Record& record, const CandidateKey& reference,
+                                  const CandidateKey& variant) {
   return measured_speed_up(measured(record, reference), measured(record, variant));
 }
 
@@ -82,7 +83,7 @@ MeanSpeedUp mean_speed_up(const Record& record, std::string_view family, std::si
 
 std::vector<std::int64_t> recorded_sizes(const Record& record, std::string_view case_name) {
   std::set<std::int64_t> sizes;
-  for (const auto& [key, cell] : record.cells)
+  for (const auto& [key, candidate] : record.candidates)
     if (key.case_name == case_name) sizes.insert(key.coordinates);
   return {sizes.begin(), sizes.end()};
 }
@@ -90,8 +91,8 @@ std::vector<std::int64_t> recorded_sizes(const Record& record, std::string_view 
 std::vector<std::string_view> recorded_families(const Record& record) {
   std::vector<std::string_view> families;
   for (const std::string_view family : sparse_families)
-    if (std::any_of(record.cells.begin(), record.cells.end(), [&](const auto& cell) {
-          const std::string& id = cell.first.id;  // group_symbolic_klu/lanes:8
+    if (std::any_of(record.candidates.begin(), record.candidates.end(), [&](const auto& candidate) {
+          const std::string& id = candidate.first.id;  // group_symbolic_klu/lanes:8
           return id.substr(0, id.find('/')).ends_with("_" + std::string(family));
         }))
       families.push_back(family);

@@ -21,12 +21,12 @@ struct Measured {
   Clock clock = Clock::cpu;
 };
 
-/// The time of a cell that the CPU clock measured.
-Measured measured(const Record& record, const CellKey& key);
+/// The time of a candidate that the CPU clock measured.
+Measured measured(const Record& record, const CandidateKey& key);
 Measured measured(const Request& request);
-Measured measured(const Cell& cell);
+Measured measured(const Candidate& candidate);
 
-/// What a cell, request or peer says of its time.
+/// What a candidate, request or peer says of its time.
 struct Timing {
   Measured time;
   std::string remark;  ///< why there is no time; empty when there is one
@@ -35,16 +35,16 @@ struct Timing {
 
 /// Returns all that was to be timed by a clock; of a request, the id ends in "/request:<name>"; of
 /// a peer, it is "peer:<name>".
-std::map<CellKey, Timing> timings(const Record& record, Clock clock);
+std::map<CandidateKey, Timing> timings(const Record& record, Clock clock);
 
-/// The speed-up of one cell over another, or the mark of the one that has no number.
+/// The speed-up of one candidate over another, or the mark of the one that has no number.
 struct MeasuredSpeedUp {
   std::optional<SpeedUp> speed_up;
   std::string mark;
 };
 
-MeasuredSpeedUp measured_speed_up(const Record& record, const CellKey& reference,
-                                  const CellKey& variant);
+MeasuredSpeedUp measured_speed_up(const Record& record, const CandidateKey& reference,
+                                  const CandidateKey& variant);
 
 /// Throws std::logic_error for times of two clocks: they make no ratio.
 MeasuredSpeedUp measured_speed_up(const Measured& reference, const Measured& variant);
@@ -62,8 +62,8 @@ MeanSpeedUp mean_speed_up(const Record& record, std::string_view family, std::si
 /// Sizes recorded for a case, in whatever state, ascending.
 std::vector<std::int64_t> recorded_sizes(const Record& record, std::string_view case_name);
 
-/// The sparse families that the record has a cell of, in whatever state: a build without a backend
-/// has none of it, and no table shows it.
+/// The sparse families that the record has a candidate of, in whatever state: a build without a
+/// backend has none of it, and no table shows it.
 std::vector<std::string_view> recorded_families(const Record& record);
 
 /// How ours and the paper's values are told apart: "ours" and "paper" when both are times of the

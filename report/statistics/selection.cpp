@@ -81,7 +81,7 @@ SpeedUp step_ratio(const std::vector<double>& reference, const std::vector<doubl
           .high = a.again / b.seconds,
           .percent = 100 * (1 - b.seconds / a.seconds),
           .repetitions = std::min(reference.size(), variant.size()),
-          .spread = std::min(reference.size(), variant.size()) >= fewest_for_interval};
+          .spread = std::min(reference.size(), variant.size()) >= min_for_interval};
 }
 
 SpeedUp speed_up(const NamedPoint& reference, const NamedPoint& variant) {
@@ -104,7 +104,8 @@ const NamedPoint* cheapest(const Points& points, double max_error) {
 }
 
 const NamedPoint* cheapest_of_paper(const Points& points, double max_error) {
-  return cheapest(points, max_error, [](const Configuration& c) { return c.has_papers_knobs(); });
+  return cheapest(points, max_error,
+                  [](const Configuration& c) { return c.has_papers_settings(); });
 }
 
 Entry step_time_entry(const std::vector<double>& samples) {

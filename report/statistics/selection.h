@@ -68,7 +68,8 @@ const NamedPoint* cheapest(const Points& points, double max_error,
                            const std::function<bool(const Configuration&)>& may);
 const NamedPoint* cheapest(const Points& points, double max_error);
 
-/// The fastest within an error with the paper's knobs, wherever it stops; null when there is none.
+/// The fastest within an error with the paper's guesses_and_updates, wherever it stops; null when
+/// there is none.
 const NamedPoint* cheapest_of_paper(const Points& points, double max_error);
 
 /// "12.34 – 12.41", quantities {microseconds, again}; of null the mark.

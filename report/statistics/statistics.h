@@ -11,7 +11,7 @@
 namespace desmo::report {
 
 /// Repetitions below which there is no interval: two may have been disturbed alike.
-inline constexpr std::size_t fewest_for_interval = 3;
+inline constexpr std::size_t min_for_interval = 3;
 
 /// The repetitions of one measurement.
 struct Summary {
@@ -33,7 +33,7 @@ struct Summary {
   std::vector<double> windows;  ///< the least time of each; may be empty
   /// The undisturbed time without its best repetition, where the samples of windows are known.
   std::optional<double> without_best;
-  bool has_interval() const { return count >= fewest_for_interval; }
+  bool has_interval() const { return count >= min_for_interval; }
   double half_range() const { return (largest - least) / 2; }
 };
 
@@ -42,7 +42,7 @@ Summary summarise(std::span<const double> samples, const Windows& windows = {});
 
 /// Relative half-width of a speed-up's interval beyond which it is called inconclusive. An idle
 /// machine reaches 0.02.
-inline constexpr double widest_conclusive = 0.05;
+inline constexpr double max_conclusive_width = 0.05;
 
 /// How many times as fast: S = t_reference / t_variant.
 struct SpeedUp {
@@ -62,7 +62,7 @@ struct SpeedUp {
 
   double half_width() const { return (high - low) / 2 / value; }  ///< of the interval, relative
   /// Whether the interval is too wide for the number to be quoted.
-  bool inconclusive() const { return spread && half_width() > widest_conclusive; }
+  bool inconclusive() const { return spread && half_width() > max_conclusive_width; }
 };
 
 /// Returns the ratio of undisturbed times, where both have samples of windows or as many least

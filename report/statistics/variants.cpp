@@ -18,7 +18,7 @@ std::string family_name(const Variant& variant, std::string_view family) {
   return replaced(variant.paper_name, "MA27", family);
 }
 
-CellKey family_key(const Variant& variant, std::int64_t coordinates, std::string_view family) {
+CandidateKey family_key(const Variant& variant, std::int64_t coordinates, std::string_view family) {
   return {std::string(variant.case_name), coordinates, replaced(variant.id, "<sparse>", family)};
 }
 

@@ -42,7 +42,7 @@ inline constexpr std::size_t truck_global = 2;                        ///< refer
 inline constexpr std::array<std::size_t, 4> topological{3, 4, 5, 6};  ///< columns of table 2
 
 /// Where the paper says that the four-bar's times begin to show.
-inline constexpr std::int64_t largest_four_bar = 1002;
+inline constexpr std::int64_t published_four_bar = 1002;
 
 /// Whether an id says that a formulation has other settings than the paper's.
 inline bool has_settings(std::string_view id) { return id.find('/') != std::string_view::npos; }
@@ -60,7 +60,7 @@ bool is_beside_peers(const Record& record, std::string_view id);
 /// TS-TPA_MA27 and klu: TS-TPA_klu.
 std::string family_name(const Variant& variant, std::string_view family);
 
-/// The cell that stands for the variant in a family.
-CellKey family_key(const Variant& variant, std::int64_t coordinates, std::string_view family);
+/// The candidate that stands for the variant in a family.
+CandidateKey family_key(const Variant& variant, std::int64_t coordinates, std::string_view family);
 
 }  // namespace desmo::report

@@ -23,13 +23,13 @@ std::vector<WindowPoint> points(const Windows& s, std::optional<std::size_t> lef
 }
 
 // With fewer updates than a point it takes no longer, and with more so in proportion at most.
-double at_most(const WindowPoint& point, double updates) {
+double bound(const WindowPoint& point, double updates) {
   return point.seconds * std::max(1.0, updates / point.updates);
 }
 
 // What two points on either side allow: no more than either, nor than the chord between them.
-double at_most(const WindowPoint& left, const WindowPoint& right, double updates) {
-  const double of_one = std::min(at_most(left, updates), at_most(right, updates));
+double bound(const WindowPoint& left, const WindowPoint& right, double updates) {
+  const double of_one = std::min(bound(left, updates), bound(right, updates));
   const double width = right.updates - left.updates;
   if (width <= 0) return of_one;
   const double share = (updates - left.updates) / width;
@@ -47,7 +47,7 @@ double undisturbed(const Windows& s, std::optional<std::size_t> left_out) {
   for (const WindowPoint& left : all)
     for (const WindowPoint& right : all)
       if (left.updates <= updates && updates <= right.updates)
-        lowest = std::min(lowest, at_most(left, right, updates));
+        lowest = std::min(lowest, bound(left, right, updates));
   return instants * lowest;
 }
 

@@ -13,7 +13,7 @@ namespace desmo::report {
 namespace {
 
 constexpr std::size_t papers_best = 6;  // TS-TPS_LAP, in `variants`
-constexpr std::size_t fewest_repetitions = 3;
+constexpr std::size_t min_repetitions = 3;
 
 constexpr const char* finding =
     "The speed-up that the paper found depends on the solver underneath, not on the topology; what "
@@ -88,10 +88,11 @@ std::string what_gains(const Record& record) {
          " times.";
 }
 
-/// Repetitions of what has the fewest, of the truck's cells with a time; 0 where there is none.
+/// Repetitions of what has the fewest, of the truck's candidates with a time; 0 where there is
+/// none.
 std::size_t least_repetitions(const Record& record) {
   std::size_t least = 0;
-  for (const auto& [key, cell] : record.cells)
+  for (const auto& [key, candidate] : record.candidates)
     if (const Measured time = measured(record, key);
         time.seconds && key.case_name == variants[truck_global].case_name)
       least = least == 0 ? time.seconds->count : std::min(least, time.seconds->count);
@@ -104,7 +105,7 @@ Section answer(const Record& record) {
   Section section{.title = "The answer",
                   .paragraphs = {},
                   .tables = {figure_of_speed_ups(record), best_formulations(record)}};
-  if (least_repetitions(record) >= fewest_repetitions) {
+  if (least_repetitions(record) >= min_repetitions) {
     section.paragraphs = {
         what_the_paper_found(record),
         (shows_the_finding(record) ? "" : "The filed records say, and this one does not show: ") +

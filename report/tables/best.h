@@ -15,7 +15,7 @@ enum class Batch { none, lanes, segments };
 /// A formulation at the truck's largest size, and how many times as fast it is as the fastest
 /// global_automatic_<sparse> with the same guess and tolerance, and with the paper's settings.
 struct Best {
-  CellKey key;
+  CandidateKey key;
   MeasuredSpeedUp like_for_like;
   MeasuredSpeedUp papers_settings;
 };

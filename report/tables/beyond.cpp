@@ -33,7 +33,7 @@ std::string without_settings(const std::string& id) { return id.substr(0, id.fin
 /// Largest size at which a case was solved with settings; nothing where there is none.
 std::optional<std::int64_t> size_with_settings(const Record& record, std::string_view case_name) {
   std::optional<std::int64_t> size;
-  for (const auto& [key, cell] : record.cells)
+  for (const auto& [key, candidate] : record.candidates)
     if (key.case_name == case_name && has_settings(key.id) && !is_beside_peers(record, key.id))
       size = std::max(size.value_or(0), key.coordinates);
   return size;
@@ -47,27 +47,27 @@ bool belongs(const std::string& id, const std::set<std::string>& bases) {
 std::vector<Delivery> deliveries(const Record& record, std::string_view case_name,
                                  std::int64_t size) {
   std::set<std::string> bases;
-  for (const auto& [key, cell] : record.cells)
+  for (const auto& [key, candidate] : record.candidates)
     if (key.case_name == case_name && key.coordinates == size && has_settings(key.id) &&
         !is_beside_peers(record, key.id))
       bases.insert(without_settings(key.id));
   std::vector<Delivery> all{{"everything", {}}};
-  for (const auto& [key, cell] : record.cells)
+  for (const auto& [key, candidate] : record.candidates)
     if (key.case_name == case_name && key.coordinates == size && belongs(key.id, bases) &&
         !is_beside_peers(record, key.id))
       all.front().timed.push_back(
-          {key.id, measured(cell), &cell.verification, cell.iterations_per_step});
+          {key.id, measured(candidate), &candidate.verification, candidate.iterations_per_step});
   std::set<std::string> requests;
   for (const Request& request : record.requests)
-    if (request.cell.case_name == case_name && request.cell.coordinates == size &&
-        has_settings(request.cell.id) && requests.insert(request.name).second)
+    if (request.candidate.case_name == case_name && request.candidate.coordinates == size &&
+        has_settings(request.candidate.id) && requests.insert(request.name).second)
       all.push_back({request.title, {}});
   for (const Request& request : record.requests) {
     const auto delivery = std::ranges::find(all, request.title, &Delivery::delivered);
-    if (request.cell.case_name == case_name && request.cell.coordinates == size &&
-        delivery != all.end() && belongs(request.cell.id, bases))
+    if (request.candidate.case_name == case_name && request.candidate.coordinates == size &&
+        delivery != all.end() && belongs(request.candidate.id, bases))
       delivery->timed.push_back(
-          {request.cell.id, measured(request), nullptr, request.iterations_per_step});
+          {request.candidate.id, measured(request), nullptr, request.iterations_per_step});
   }
   return all;
 }
@@ -146,7 +146,7 @@ Table beyond_table(const Record& record, const std::string& case_name, std::int6
 Section beyond(const Record& record) {
   Section section{.title = "Beyond the paper", .paragraphs = {}, .tables = {}};
   std::set<std::string> cases;
-  for (const auto& [key, cell] : record.cells) cases.insert(key.case_name);
+  for (const auto& [key, candidate] : record.candidates) cases.insert(key.case_name);
   for (const std::string& name : cases)
     if (const auto size = size_with_settings(record, name))
       section.tables.push_back(beyond_table(record, name, *size));

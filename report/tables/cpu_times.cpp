@@ -14,8 +14,8 @@ namespace {
 
 std::set<std::int64_t> rows_of(const Record& record, std::string_view family) {
   std::set<std::int64_t> sizes(published_sizes().begin(), published_sizes().end());
-  sizes.insert(largest_four_bar);
-  for (const auto& [key, cell] : record.cells)
+  sizes.insert(published_four_bar);
+  for (const auto& [key, candidate] : record.candidates)
     for (const Variant& variant : variants)
       if (key == family_key(variant, key.coordinates, family)) sizes.insert(key.coordinates);
   return sizes;
@@ -47,7 +47,7 @@ Table cpu_times(const Record& record, std::string_view family) {
       .notes = {"Ours: " + words.time + words.beside + " of " + repetitions(record) +
                     ". The paper: " + solver_of_the_paper(family) +
                     ", MKL's LAPACK, an Intel Core i5-2400: ratios compare, seconds do not.",
-                "The paper has no row " + std::to_string(largest_four_bar) +
+                "The paper has no row " + std::to_string(published_four_bar) +
                     ": it says that FBL-TP takes 1000 coordinates to begin to show times "
                     "above 0.015 s."},
       .columns = {{"coordinates", {}}, {"source", {}}},

@@ -23,7 +23,7 @@ std::string runs(std::size_t repetitions) { return repetitions == 1 ? "one run" 
 
 std::string inconclusive_note() {
   return std::string(inconclusive_mark) + ": the interval is wider than ±" +
-         write_shortest(100 * widest_conclusive) + " %; one or two runs have none";
+         write_shortest(100 * max_conclusive_width) + " %; one or two runs have none";
 }
 
 void add_note(Entry& entry, const std::string& note) {

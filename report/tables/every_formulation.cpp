@@ -14,10 +14,10 @@ namespace {
 
 // What stands beside peers is shown there. Fastest first; what has no time comes last, by
 // id.
-std::vector<CellKey> ordered_keys(const Record& record, std::string_view case_name,
-                                  std::int64_t coordinates) {
-  std::vector<std::pair<double, CellKey>> found;
-  for (const auto& [key, cell] : record.cells)
+std::vector<CandidateKey> ordered_keys(const Record& record, std::string_view case_name,
+                                       std::int64_t coordinates) {
+  std::vector<std::pair<double, CandidateKey>> found;
+  for (const auto& [key, candidate] : record.candidates)
     if (key.case_name == case_name && key.coordinates == coordinates &&
         !is_beside_peers(record, key.id)) {
       const Measured time = measured(record, key);
@@ -25,7 +25,7 @@ std::vector<CellKey> ordered_keys(const Record& record, std::string_view case_na
           time.seconds ? time.seconds->value : std::numeric_limits<double>::infinity(), key);
     }
   std::sort(found.begin(), found.end());
-  std::vector<CellKey> keys;
+  std::vector<CandidateKey> keys;
   for (auto& [seconds, key] : found) keys.push_back(std::move(key));
   return keys;
 }
@@ -37,8 +37,9 @@ bool is_reference(const std::string& id) {
          });
 }
 
-std::optional<CellKey> fastest_reference(const Record& record, const std::vector<CellKey>& keys) {
-  for (const CellKey& key : keys)
+std::optional<CandidateKey> fastest_reference(const Record& record,
+                                              const std::vector<CandidateKey>& keys) {
+  for (const CandidateKey& key : keys)
     if (is_reference(key.id) && measured(record, key).seconds) return key;
   return std::nullopt;
 }
@@ -54,8 +55,8 @@ Entry range_entry(const Measured& time) {
   return {value + " (" + least + " – " + largest + ")", {value, least, largest, count}, {}};
 }
 
-Entry ratio_entry(const Record& record, const std::optional<CellKey>& reference,
-                  const CellKey& key) {
+Entry ratio_entry(const Record& record, const std::optional<CandidateKey>& reference,
+                  const CandidateKey& key) {
   if (!reference) return note_entry(missing_mark);
   const MeasuredSpeedUp ratio = measured_speed_up(record, *reference, key);
   if (!ratio.speed_up) return note_entry(ratio.mark);
@@ -78,7 +79,7 @@ std::string solvers_text(const std::vector<Solver>& solvers) {
   return text;
 }
 
-std::string failure(const CellKey& key, const std::string& request, const std::string& why) {
+std::string failure(const CandidateKey& key, const std::string& request, const std::string& why) {
   return std::string(failed_mark) + ": " + name_of(key) + request + ": " + why;
 }
 
@@ -107,12 +108,12 @@ Table every_formulation(const Record& record, std::string_view case_name,
                   {"remark", {}}},
       .rows = {}};
   define_time(table, record);
-  const std::vector<CellKey> keys = ordered_keys(record, case_name, coordinates);
-  const std::optional<CellKey> reference = fastest_reference(record, keys);
-  for (const CellKey& key : keys) {
-    const Cell& cell = record.cells.at(key);
+  const std::vector<CandidateKey> keys = ordered_keys(record, case_name, coordinates);
+  const std::optional<CandidateKey> reference = fastest_reference(record, keys);
+  for (const CandidateKey& key : keys) {
+    const Candidate& candidate = record.candidates.at(key);
     const Measured time = measured(record, key);
-    const auto& checked = cell.verification;
+    const auto& checked = candidate.verification;
     std::optional<double> step, position, velocity, acceleration;
     if (time.seconds)
       step = time.seconds->value / static_cast<double>(record.settings.instants) * 1e6;
@@ -121,29 +122,30 @@ Table every_formulation(const Record& record, std::string_view case_name,
     if (checked) acceleration = checked->acceleration;
     table.rows.push_back(
         {text_entry(key.id), range_entry(time), number_entry(step, 4),
-         ratio_entry(record, reference, key), number_entry(cell.iterations_per_step, 3),
+         ratio_entry(record, reference, key), number_entry(candidate.iterations_per_step, 3),
          number_entry(position, 2), number_entry(velocity, 2), number_entry(acceleration, 2),
-         number_entry(cell.setup_seconds, 2),
-         text_entry(cell.status == Status::ok ? solvers_text(cell.solvers)
-                                              : remark(cell.status, cell.message))});
+         number_entry(candidate.setup_seconds, 2),
+         text_entry(candidate.status == Status::ok ? solvers_text(candidate.solvers)
+                                                   : remark(candidate.status, candidate.message))});
   }
   return table;
 }
 
 std::vector<std::string> failures(const Record& record) {
   std::vector<std::string> lines;
-  for (const auto* cells : {&record.cells, &record.wall_cells})
-    for (const auto& [key, cell] : *cells)
-      if (cell.status == Status::failed)
-        lines.push_back(failure(key, "", remark(cell.status, cell.message)));
+  for (const auto* candidates : {&record.candidates, &record.wall_candidates})
+    for (const auto& [key, candidate] : *candidates)
+      if (candidate.status == Status::failed)
+        lines.push_back(failure(key, "", remark(candidate.status, candidate.message)));
   for (const auto* requests : {&record.requests, &record.wall_requests})
     for (const Request& request : *requests)
       if (request.status == Status::failed)
-        lines.push_back(failure(request.cell, "/request:" + request.name,
+        lines.push_back(failure(request.candidate, "/request:" + request.name,
                                 remark(request.status, request.message)));
   for (const Peer& peer : record.peers)
-    if (peer.cell.status == Status::failed)
-      lines.push_back(failure(key_of(peer), "", remark(peer.cell.status, peer.cell.message)));
+    if (peer.candidate.status == Status::failed)
+      lines.push_back(
+          failure(key_of(peer), "", remark(peer.candidate.status, peer.candidate.message)));
   return lines;
 }
 

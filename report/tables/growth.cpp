@@ -10,14 +10,14 @@ namespace {
 std::string linearity(const std::vector<Curve>& curves) {
   std::size_t fitted = 0, linear = 0;
   for (const Curve& curve : curves) {
-    const SizedTimes times = judged_times(curve);
+    const SizedTimes times = fitted_times(curve);
     const auto slope = fit_slope(times.sizes, times.seconds);
     fitted += slope.has_value();
     linear += slope && is_linear(slope->value);
   }
-  return "Up to " + std::to_string(judged_coordinates) + " coordinates time grows linearly in " +
-         std::to_string(linear) + " of " + std::to_string(fitted) +
-         " pairs of case and formulation.";
+  return "Up to " + std::to_string(max_linear_coordinates) +
+         " coordinates time grows linearly in " + std::to_string(linear) + " of " +
+         std::to_string(fitted) + " pairs of case and formulation.";
 }
 
 }  // namespace

@@ -8,30 +8,30 @@
 namespace desmo::report {
 namespace {
 
-std::vector<Entry> row(const CellKey& key, const TimedSize& entry,
+std::vector<Entry> row(const CandidateKey& key, const TimedSize& entry,
                        const std::vector<Cache>& caches) {
-  std::vector<Entry> cells{text_entry(key.case_name), text_entry(key.id),
-                           text_entry(std::to_string(key.coordinates))};
+  std::vector<Entry> candidates{text_entry(key.case_name), text_entry(key.id),
+                                text_entry(std::to_string(key.coordinates))};
   if (entry.status != Status::ok) {
-    cells.push_back(note_entry(failed_mark));
-    for (int i = 0; i < 5; ++i) cells.push_back(note_entry(missing_mark));
-    cells.push_back(text_entry(""));
-    cells.push_back(text_entry(entry.message));
-    return cells;
+    candidates.push_back(note_entry(failed_mark));
+    for (int i = 0; i < 5; ++i) candidates.push_back(note_entry(missing_mark));
+    candidates.push_back(text_entry(""));
+    candidates.push_back(text_entry(entry.message));
+    return candidates;
   }
   const double seconds = step_time(entry.seconds_per_step).seconds;
   const auto kibibytes = [](std::optional<double> bytes) {
     return number_entry(bytes ? std::optional(*bytes / 1024) : std::nullopt, 4);
   };
-  cells.push_back(step_time_entry(entry.seconds_per_step));
-  cells.push_back(number_entry(1e9 * seconds / static_cast<double>(key.coordinates), 4));
-  cells.push_back(kibibytes(entry.bytes));
-  cells.push_back(kibibytes(entry.state_bytes));
-  cells.push_back(number_entry(entry.iterations_per_step, 3));
-  cells.push_back(error_entry(entry.verification->position));
-  cells.push_back(text_entry(entry.bytes ? held_by(caches, *entry.bytes) : ""));
-  cells.push_back(text_entry("checked against " + entry.checked_against + " precision"));
-  return cells;
+  candidates.push_back(step_time_entry(entry.seconds_per_step));
+  candidates.push_back(number_entry(1e9 * seconds / static_cast<double>(key.coordinates), 4));
+  candidates.push_back(kibibytes(entry.bytes));
+  candidates.push_back(kibibytes(entry.state_bytes));
+  candidates.push_back(number_entry(entry.iterations_per_step, 3));
+  candidates.push_back(error_entry(entry.verification->position));
+  candidates.push_back(text_entry(entry.bytes ? held_by(caches, *entry.bytes) : ""));
+  candidates.push_back(text_entry("checked against " + entry.checked_against + " precision"));
+  return candidates;
 }
 
 }  // namespace

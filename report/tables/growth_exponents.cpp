@@ -9,10 +9,10 @@
 
 namespace desmo::report {
 
-SizedTimes judged_times(const Curve& curve) {
+SizedTimes fitted_times(const Curve& curve) {
   SizedTimes times;
   for (const CurvePoint& point : curve.points)
-    if (point.coordinates <= judged_coordinates) {
+    if (point.coordinates <= max_linear_coordinates) {
       times.sizes.push_back(static_cast<double>(point.coordinates));
       times.seconds.push_back(point.seconds);
     }
@@ -53,7 +53,7 @@ Table growth_exponents(const std::vector<Curve>& curves) {
   Table table{
       .name = "growth_exponents",
       .title = "Growth of the time of a step: log-log slope up to " +
-               std::to_string(judged_coordinates) + " coordinates",
+               std::to_string(max_linear_coordinates) + " coordinates",
       .notes = {"Slope: least squares through the least times, n sizes [95 % interval of Student's "
                 "t, n − 2 degrees of freedom]; " +
                     linear_note() + ".",
@@ -75,7 +75,7 @@ Table growth_exponents(const std::vector<Curve>& curves) {
   for (const Curve& curve : curves) {
     const CurvePoint* const least = cheapest(curve);
     table.rows.push_back(
-        {text_entry(curve.case_name), text_entry(curve.id), slope_entry(judged_times(curve)),
+        {text_entry(curve.case_name), text_entry(curve.id), slope_entry(fitted_times(curve)),
          cost_entry(least), least ? end_entry(end_of_growth(curve)) : note_entry(missing_mark),
          number_entry(least
                           ? std::optional(curve.points.back().nanoseconds() / least->nanoseconds())

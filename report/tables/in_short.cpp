@@ -14,7 +14,7 @@ namespace {
 
 using Row = std::vector<Entry>;
 
-constexpr std::size_t most_rows = 14;
+constexpr std::size_t max_rows = 14;
 
 /// Some columns, in the order of the names, and the first rows of those to be kept.
 struct Excerpt {
@@ -38,7 +38,7 @@ Table excerpt(const Table& table, Excerpt of) {
       result.columns.push_back(*found);
     }
   for (const Row& row : table.rows) {
-    if (result.rows.size() == most_rows) break;
+    if (result.rows.size() == max_rows) break;
     if (!of.keep(row)) continue;
     Row& kept = result.rows.emplace_back();
     for (const std::size_t place : places) kept.push_back(row[place]);

@@ -12,10 +12,10 @@
 namespace desmo::report {
 namespace {
 
-using Counted = std::pair<const CellKey, StepCount>;
+using Counted = std::pair<const CandidateKey, StepCount>;
 
 /// The paper's name of a formulation, where it has one.
-std::string paper_name(const CellKey& key) {
+std::string paper_name(const CandidateKey& key) {
   for (const Variant& variant : variants)
     for (const std::string_view family : sparse_families)
       if (variant.case_name == key.case_name &&
@@ -25,7 +25,7 @@ std::string paper_name(const CellKey& key) {
 }
 
 /// Of one case at one size, the fewest first.
-std::vector<const Counted*> sorted(const Record& record, const CellKey& place) {
+std::vector<const Counted*> sorted(const Record& record, const CandidateKey& place) {
   std::vector<const Counted*> counts;
   for (const Counted& counted : record.instructions)
     if (counted.first.case_name == place.case_name &&
@@ -45,13 +45,13 @@ Entry ratio_entry_of(const std::optional<StepCount>& reference, const Counted& c
   return {digits, {digits}, {}};
 }
 
-std::optional<StepCount> reference_of(const Record& record, const CellKey& place) {
+std::optional<StepCount> reference_of(const Record& record, const CandidateKey& place) {
   const auto found =
       record.instructions.find({place.case_name, place.coordinates, std::string(usual_reference)});
   return found == record.instructions.end() ? std::nullopt : std::optional(found->second);
 }
 
-Table table_of(const Record& record, const CellKey& place) {
+Table table_of(const Record& record, const CandidateKey& place) {
   const std::string size = std::to_string(place.coordinates);
   Table table{.name = "instructions_" + place.case_name + "_" + size,
               .title = "Instructions a step: " + place.case_name + ", " + size + " coordinates",
@@ -75,7 +75,7 @@ Table table_of(const Record& record, const CellKey& place) {
   return table;
 }
 
-std::string sentence(const Record& record, const CellKey& place) {
+std::string sentence(const Record& record, const CandidateKey& place) {
   const Counted& fewest = *sorted(record, place).front();
   const std::optional<StepCount> reference = reference_of(record, place);
   return place.case_name + ", " + std::to_string(place.coordinates) +
@@ -90,10 +90,10 @@ std::string sentence(const Record& record, const CellKey& place) {
 
 Section instructions(const Record& record) {
   Section section{.title = "Instructions a step", .paragraphs = {}, .tables = {}};
-  std::set<CellKey> places;
+  std::set<CandidateKey> places;
   for (const auto& [key, count] : record.instructions)
     places.insert({key.case_name, key.coordinates, {}});
-  for (const CellKey& place : places) {
+  for (const CandidateKey& place : places) {
     section.paragraphs.push_back(sentence(record, place));
     section.tables.push_back(table_of(record, place));
   }

@@ -49,7 +49,7 @@ Section limitations(const Record& record) {
   say(record.dirty,
       "The program was built with changes that its commit does not have: the run cannot be "
       "repeated from the commit alone.");
-  say(has_cells(record) && !source.warning.empty(), source.warning);
+  say(has_paper(record) && !source.warning.empty(), source.warning);
   return section;
 }
 

@@ -19,8 +19,8 @@ constexpr std::array<std::string_view, 7> methods{
     "automatic_klu",   "symbolic_klu",   "automatic_lapack", "symbolic_lapack",
     "automatic_eigen", "symbolic_eigen", "symbolic_inlined"};
 
-CellKey key_of(const std::string& case_name, std::int64_t size, std::string_view partition,
-               std::string_view method) {
+CandidateKey key_of(const std::string& case_name, std::int64_t size, std::string_view partition,
+                    std::string_view method) {
   return {case_name, size, std::string(partition) + "_" + std::string(method)};
 }
 

@@ -19,21 +19,21 @@ Place place_of(const Peer& peer) { return {peer.case_name, peer.coordinates}; }
 
 /// Ours with the guess of the peers at one place: all of them, and those that ratios are over.
 struct Ours {
-  std::vector<CellKey> all;
-  std::optional<CellKey> global, fastest;  // the fastest that solves globally, and of all
+  std::vector<CandidateKey> all;
+  std::optional<CandidateKey> global, fastest;  // the fastest that solves globally, and of all
 };
 
 Ours ours_beside(const Record& record, const Place& place, const std::string& guess) {
   Ours ours;
-  for (const auto& [key, cell] : record.cells)
+  for (const auto& [key, candidate] : record.candidates)
     if (Place(key.case_name, key.coordinates) == place && key.id.ends_with("/guess:" + guess))
       ours.all.push_back(key);
-  const auto take = [&](std::optional<CellKey>& best, const CellKey& key) {
+  const auto take = [&](std::optional<CandidateKey>& best, const CandidateKey& key) {
     const Measured time = measured(record, key);
     if (time.seconds && (!best || time.seconds->value < measured(record, *best).seconds->value))
       best = key;
   };
-  for (const CellKey& key : ours.all) {
+  for (const CandidateKey& key : ours.all) {
     take(ours.fastest, key);
     if (key.id.starts_with("global_")) take(ours.global, key);
   }
@@ -41,29 +41,30 @@ Ours ours_beside(const Record& record, const Place& place, const std::string& gu
 }
 
 /// How many times as long as ours: "6.10 [5.90, 6.32]", quantities {ratio, low, high}.
-Entry peer_ratio(const Record& record, const std::optional<CellKey>& ours, const Measured& time) {
+Entry peer_ratio(const Record& record, const std::optional<CandidateKey>& ours,
+                 const Measured& time) {
   if (!ours) return note_entry(missing_mark);
   if (!time.seconds) return note_entry(time.mark);
   return ratio_entry(speed_up(*time.seconds, *measured(record, *ours).seconds));
 }
 
-Entry peer_ratio(const Record& record, const std::optional<CellKey>& reference,
-                 const CellKey& key) {
+Entry peer_ratio(const Record& record, const std::optional<CandidateKey>& reference,
+                 const CandidateKey& key) {
   if (reference == key) return {"1.00 reference", {"1.00", "", ""}, "reference"};
   return peer_ratio(record, reference, measured(record, key));
 }
 
 /// From the time on, what peers and ours have alike.
 std::vector<Entry> row(const Record& record, const Place& place, const std::string& who,
-                       const Cell& cell, const Measured& time, Entry over_global,
+                       const Candidate& candidate, const Measured& time, Entry over_global,
                        Entry over_fastest) {
   std::optional<double> step, position, velocity, acceleration;
   if (time.seconds)
     step = time.seconds->value / static_cast<double>(record.settings.instants) * 1e6;
-  if (cell.verification) {
-    position = cell.verification->position;
-    velocity = cell.verification->velocity;
-    acceleration = cell.verification->acceleration;
+  if (candidate.verification) {
+    position = candidate.verification->position;
+    velocity = candidate.verification->velocity;
+    acceleration = candidate.verification->acceleration;
   }
   return {text_entry(std::to_string(place.second)),
           text_entry(who),
@@ -71,11 +72,11 @@ std::vector<Entry> row(const Record& record, const Place& place, const std::stri
           number_entry(step, 4),
           std::move(over_global),
           std::move(over_fastest),
-          number_entry(time.seconds ? cell.iterations_per_step : std::nullopt, 3),
+          number_entry(time.seconds ? candidate.iterations_per_step : std::nullopt, 3),
           number_entry(position, 2),
           number_entry(velocity, 2),
           number_entry(acceleration, 2),
-          text_entry(remark(cell.status, cell.message))};
+          text_entry(remark(candidate.status, candidate.message))};
 }
 
 std::vector<const Peer*> peers_at(const Record& record, const Place& place) {
@@ -92,14 +93,14 @@ void add_rows(Table& table, const Record& record, const Place& place) {
     const Ours ours = ours_beside(record, place, guess);
     for (const Peer* peer : peers_at(record, place)) {
       if (peer->guess != guess) continue;
-      const Measured time = measured(peer->cell);
-      table.rows.push_back(row(record, place, peer->name, peer->cell, time,
+      const Measured time = measured(peer->candidate);
+      table.rows.push_back(row(record, place, peer->name, peer->candidate, time,
                                peer_ratio(record, ours.global, time),
                                peer_ratio(record, ours.fastest, time)));
     }
-    for (const CellKey& key : ours.all)
-      table.rows.push_back(row(record, place, key.id, record.cells.at(key), measured(record, key),
-                               peer_ratio(record, ours.global, key),
+    for (const CandidateKey& key : ours.all)
+      table.rows.push_back(row(record, place, key.id, record.candidates.at(key),
+                               measured(record, key), peer_ratio(record, ours.global, key),
                                peer_ratio(record, ours.fastest, key)));
   }
 }
@@ -160,7 +161,7 @@ Table setups(const Record& record) {
          text_entry(peer->name),
          peer->setup.empty() ? note_entry(missing_mark) : text_entry(peer->setup),
          compared.empty() ? note_entry(missing_mark) : Entry{compared, {compared}, {}},
-         number_entry(peer->cell.setup_seconds, 2)});
+         number_entry(peer->candidate.setup_seconds, 2)});
   }
   return table;
 }

@@ -15,7 +15,7 @@ Section figures_of(const Record& record) {
            "all formulations, against a reference in quadruple precision, relative to the "
            "mechanism's size. What lies on the line is fastest at its error "
            "among those that solve every instant. " +
-           largest_floor(record)},
+           max_floor(record)},
       .tables = {}};
   for (const std::string& name : drawn_cases(record))
     section.tables.push_back(work_precision(record, name));
@@ -40,7 +40,7 @@ Section costs(const Record& record) {
 }
 
 Section levels(const Record& record) {
-  Section section{"Levels of error", {fewest_levels(record)}, {}};
+  Section section{"Levels of error", {min_levels(record)}, {}};
   for (const std::string& name : cases_with_points(record))
     section.tables.push_back(error_levels(record, name));
   section.tables.push_back(outcomes(record));
@@ -53,7 +53,9 @@ std::vector<Section> precision_sections(const Record& record) {
   if (record.points.empty()) return {};
   return {figures_of(record),
           costs(record),
-          {"Initial guesses and Jacobian reuse", what_knobs_gain(record), {knobs(record)}},
+          {"Initial guesses and Jacobian reuse",
+           what_guesses_gain(record),
+           {guesses_and_updates(record)}},
           {"Single and mixed precision", {}, {scalars(record), floors(record)}},
           levels(record),
           {"Sensitivity of the paper's Table 2", {}, {sensitivity(record)}}};

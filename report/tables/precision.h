@@ -22,16 +22,16 @@ Table work_precision(const Record& record, const std::string& case_name);
 Table accuracy_costs(const Record& record);
 Table accuracy_errors(const Record& record);
 
-/// The least time of every formulation for each of the accuracies: all with the same knobs; of
-/// those that solve every instant, or of all.
+/// The least time of every formulation for each of the accuracies: all with the same
+/// guesses_and_updates; of those that solve every instant, or of all.
 enum class Instants { solved, interpolated };
 Table cheapest_by_formulation(const Record& record, const std::string& case_name,
                               Instants instants = Instants::solved);
 
 /// Guesses × Jacobian updates of global_automatic_klu at an error of 1e-9, and a sentence on what
 /// they gain.
-Table knobs(const Record& record);
-std::vector<std::string> what_knobs_gain(const Record& record);
+Table guesses_and_updates(const Record& record);
+std::vector<std::string> what_guesses_gain(const Record& record);
 
 /// What float and mixed precision reach and what they cost, beside double.
 Table scalars(const Record& record);
@@ -39,14 +39,14 @@ Table scalars(const Record& record);
 /// How many decades of error each formulation reaches at each size; and whether every one reaches
 /// four, in a sentence.
 Table error_levels(const Record& record, const std::string& case_name);
-std::string fewest_levels(const Record& record);
+std::string min_levels(const Record& record);
 
 /// How many configurations were tried, and of those without a time how many for which reason.
 Table outcomes(const Record& record);
 
 /// Condition numbers, the limits they predict, and how far the two references differ.
 Table floors(const Record& record);
-std::string largest_floor(const Record& record);
+std::string max_floor(const Record& record);
 
 /// Table 2 with other steps, tolerances and guesses.
 Table sensitivity(const Record& record);

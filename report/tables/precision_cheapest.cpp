@@ -14,14 +14,15 @@ namespace {
 
 constexpr double quoted = 1e-9;  // the error at which formulations are compared
 
-/// Configurations of one formulation with knobs that every formulation has: not lanes.
+/// Configurations of one formulation with guesses_and_updates that every formulation has: not
+/// lanes.
 std::size_t common_configurations(const Points& own) {
   return static_cast<std::size_t>(std::ranges::count_if(
       own, [](const NamedPoint* p) { return p->second.configuration.others.empty(); }));
 }
 
 /// Of how many a formulation has the most: those with fewer had not every knob.
-std::size_t most_configurations(const Points& points) {
+std::size_t max_configurations(const Points& points) {
   std::size_t most = 0;
   for (const std::string& name : formulations_of(points))
     most = std::max(most, common_configurations(of_formulation(points, name)));
@@ -30,7 +31,7 @@ std::size_t most_configurations(const Points& points) {
 
 /// The cheapest that solves globally, among those with every knob.
 const NamedPoint* cheapest_global(const Points& points, double accuracy) {
-  const std::size_t all = most_configurations(points);
+  const std::size_t all = max_configurations(points);
   return cheapest(points, accuracy, [&](const Configuration& c) {
     return c.formulation.starts_with("global_") &&
            common_configurations(of_formulation(points, c.formulation)) == all;
@@ -78,7 +79,7 @@ Table cheapest_by_formulation(const Record& record, const std::string& case_name
 
   Points points = points_of(record, series);
   if (!interpolated) points = solving_every_instant(std::move(points));
-  const std::size_t all = most_configurations(points);
+  const std::size_t all = max_configurations(points);
   const NamedPoint* global = cheapest_global(points, quoted);
   for (const Points& own : in_order(points)) {
     std::vector<Entry> entries{text_entry(own.front()->second.configuration.formulation),

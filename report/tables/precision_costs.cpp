@@ -17,7 +17,7 @@ struct Choice {
         global(cheapest_of_paper(of_formulation(points, usual_reference), accuracy)) {}
 
   const NamedPoint *best,
-      *same,    ///< its formulation with the paper's knobs
+      *same,    ///< its formulation with the paper's guesses_and_updates
       *global;  ///< the usual reference with them
 };
 

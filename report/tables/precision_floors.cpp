@@ -8,7 +8,7 @@
 
 namespace desmo::report {
 
-std::string largest_floor(const Record& record) {
+std::string max_floor(const Record& record) {
   double largest = 0;
   for (const auto& [series, floor] : record.floors)
     largest = std::max({largest, floor.reference.position, floor.reference.velocity,

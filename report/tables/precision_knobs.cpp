@@ -35,7 +35,7 @@ struct Usual {
 
   Points points;
   const NamedPoint *paper,  ///< with the paper's settings
-      *stopped;             ///< with its knobs, no further than the accuracy asks
+      *stopped;             ///< with its guesses_and_updates, no further than the accuracy asks
 };
 
 void add_rows(Table& table, const SeriesKey& series, const Points& points) {
@@ -69,7 +69,7 @@ std::string gained(const NamedPoint* reference, const NamedPoint* best) {
 
 }  // namespace
 
-Table knobs(const Record& record) {
+Table guesses_and_updates(const Record& record) {
   Table table{
       .name = "knobs",
       .title = "Knobs of " + std::string(usual_reference) + " at a position error of " +
@@ -97,7 +97,7 @@ Table knobs(const Record& record) {
   return table;
 }
 
-std::vector<std::string> what_knobs_gain(const Record& record) {
+std::vector<std::string> what_guesses_gain(const Record& record) {
   std::vector<std::string> lines;
   for (const std::string& name : drawn_cases(record)) {
     const SeriesKey series = *main_series(record, name);

@@ -81,7 +81,7 @@ Table error_levels(const Record& record, const std::string& case_name) {
   return table;
 }
 
-std::string fewest_levels(const Record& record) {
+std::string min_levels(const Record& record) {
   std::size_t fewest = std::numeric_limits<std::size_t>::max(), all = 0;
   std::vector<std::string> lacking;
   for (const SeriesKey& series : all_series(record)) {

@@ -19,7 +19,7 @@ Points of_scalar(const Points& points, std::string_view scalar) {
   return found;
 }
 
-const NamedPoint* most_accurate(const Points& points) {
+const NamedPoint* best_error(const Points& points) {
   const NamedPoint* best = nullptr;
   for (const NamedPoint* point : points)
     if (is_solved(*point) && (!best || position_error(*point) < position_error(*best)))
@@ -80,7 +80,7 @@ void add_formulation(Table& table, const Record& record, const SeriesKey& series
   for (const char* scalar : names) {
     const Points points = scalar == std::string_view("double") ? in_double : of_scalar(own, scalar);
     if (points.empty()) continue;
-    const NamedPoint* best = most_accurate(points);
+    const NamedPoint* best = best_error(points);
     std::vector<Entry> row{text_entry(series.case_name),
                            text_entry(own.front()->second.configuration.formulation),
                            text_entry(scalar),

@@ -24,15 +24,15 @@ std::int64_t size_shown(const std::vector<std::int64_t>& recorded) {
 }
 
 // Those with a time, fastest first.
-std::vector<CellKey> references_of(const Record& record, const std::string& case_name,
-                                   std::int64_t size) {
-  std::vector<std::pair<double, CellKey>> found;
-  for (const auto& [key, cell] : record.cells)
+std::vector<CandidateKey> references_of(const Record& record, const std::string& case_name,
+                                        std::int64_t size) {
+  std::vector<std::pair<double, CandidateKey>> found;
+  for (const auto& [key, candidate] : record.candidates)
     if (key.case_name == case_name && key.coordinates == size && key.id.starts_with("global_"))
       if (const Measured time = measured(record, key); time.seconds)
         found.emplace_back(time.seconds->value, key);
   std::sort(found.begin(), found.end());
-  std::vector<CellKey> keys;
+  std::vector<CandidateKey> keys;
   for (auto& [seconds, key] : found) keys.push_back(std::move(key));
   return keys;
 }
@@ -59,10 +59,10 @@ std::optional<Table> references(const Record& record, const std::string& case_na
   const std::vector<std::int64_t> sizes = recorded_sizes(record, case_name);
   if (sizes.empty()) return std::nullopt;
   const std::int64_t size = size_shown(sizes);
-  const std::vector<CellKey> rows = references_of(record, case_name, size);
+  const std::vector<CandidateKey> rows = references_of(record, case_name, size);
   std::vector<std::string_view> columns;
   for (const std::string_view id : by_parts)
-    if (record.cells.contains({case_name, size, std::string(id)})) columns.push_back(id);
+    if (record.candidates.contains({case_name, size, std::string(id)})) columns.push_back(id);
   if (rows.empty() || columns.empty()) return std::nullopt;
 
   const TimeWords words = time_words(record);
@@ -78,7 +78,7 @@ std::optional<Table> references(const Record& record, const std::string& case_na
   define_time(table, record);
   for (const std::string_view id : columns)
     table.columns.push_back({std::string(id), {"speed_up", "low", "high"}});
-  for (const CellKey& reference : rows) {
+  for (const CandidateKey& reference : rows) {
     std::vector<Entry> row{text_entry(reference.id), median_entry(measured(record, reference))};
     for (const std::string_view id : columns)
       row.push_back(without_percent(speed_up_entry(

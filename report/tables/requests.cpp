@@ -14,7 +14,7 @@ namespace {
 using Place = std::pair<std::string, std::int64_t>;  // case and size
 
 Place place_of(const Request& request) {
-  return {request.cell.case_name, request.cell.coordinates};
+  return {request.candidate.case_name, request.candidate.coordinates};
 }
 
 Entry unknowns_entry(std::int64_t solved, std::int64_t all) {
@@ -23,20 +23,20 @@ Entry unknowns_entry(std::int64_t solved, std::int64_t all) {
 }
 
 std::vector<Entry> everything_row(const Record& record, const Request& request) {
-  const Measured time = measured(record, request.cell);
-  const auto cell = record.cells.find(request.cell);
-  const bool found = cell != record.cells.end();
+  const Measured time = measured(record, request.candidate);
+  const auto candidate = record.candidates.find(request.candidate);
+  const bool found = candidate != record.candidates.end();
   Entry ratio = note_entry(time.mark);
   if (time.seconds) ratio = {"1.00 reference", {"1.00", "", "", ""}, "reference"};
   return {text_entry("everything"),
           text_entry("acceleration"),
-          text_entry(request.cell.id),
+          text_entry(request.candidate.id),
           unknowns_entry(request.all_unknowns, request.all_unknowns),
           seconds_entry(time),
           std::move(ratio),
-          number_entry(time.seconds ? cell->second.iterations_per_step : std::nullopt, 3),
+          number_entry(time.seconds ? candidate->second.iterations_per_step : std::nullopt, 3),
           note_entry(missing_mark),
-          text_entry(found ? remark(cell->second.status, cell->second.message) : "")};
+          text_entry(found ? remark(candidate->second.status, candidate->second.message) : "")};
 }
 
 std::vector<Entry> request_row(const Record& record, const Request& request) {
@@ -44,16 +44,16 @@ std::vector<Entry> request_row(const Record& record, const Request& request) {
   const bool ok = time.seconds.has_value();
   return {text_entry(request.title),
           text_entry(request.level),
-          text_entry(request.cell.id),
+          text_entry(request.candidate.id),
           unknowns_entry(request.unknowns, request.all_unknowns),
           seconds_entry(time),
-          speed_up_entry(measured_speed_up(measured(record, request.cell), time)),
+          speed_up_entry(measured_speed_up(measured(record, request.candidate), time)),
           number_entry(ok ? request.iterations_per_step : std::nullopt, 3),
           number_entry(request.difference, 2),
           text_entry(remark(request.status, request.message))};
 }
 
-// Of the requests alone: cells may have been repeated more or less often.
+// Of the requests alone: candidates may have been repeated more or less often.
 std::string repetitions_at(const Record& record, const Place& place) {
   std::size_t least = 0, largest = 0;
   for (const Request& request : record.requests) {
@@ -105,7 +105,7 @@ Table request_table(const Record& record, const Place& place) {
   define_time(table, record);
   std::set<std::string> ids;
   for (const Request& request : record.requests)
-    if (place_of(request) == place && ids.insert(request.cell.id).second)
+    if (place_of(request) == place && ids.insert(request.candidate.id).second)
       table.rows.push_back(everything_row(record, request));
   for (const Request& request : record.requests)
     if (place_of(request) == place) table.rows.push_back(request_row(record, request));

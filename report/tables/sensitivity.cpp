@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::array tried_guesses{"previous", "linear",   "quadratic",
                                    "hermite3", "hermite5", "adams8"};
-constexpr double least_tolerance = 1e-12, largest_tolerance = 1e-6;
+constexpr double min_tolerance = 1e-12, max_tolerance = 1e-6;
 
 /// A speed-up of the paper: over which analysis, of which (by position in `variants`).
 struct Claimed {
@@ -44,7 +44,7 @@ std::vector<Variation> variations(const Record& record) {
   std::map<double, std::string> tolerances{{record.settings.tolerance, ""}};
   for (const auto& [key, point] : record.points) {
     const Configuration& c = point.configuration;
-    if (c.has_papers_knobs() && c.iterations.empty() && !c.tolerance.empty())
+    if (c.has_papers_settings() && c.iterations.empty() && !c.tolerance.empty())
       tolerances.emplace(std::strtod(c.tolerance.c_str(), nullptr), c.tolerance);
     steps.insert(key.series.step_seconds);
   }
@@ -52,7 +52,7 @@ std::vector<Variation> variations(const Record& record) {
   for (const double step : steps)
     all.push_back({"step", write_shortest(std::round(step * 1e9) / 1e6) + " ms", step, {}});
   for (auto t = tolerances.rbegin(); t != tolerances.rend(); ++t)
-    if (least_tolerance <= t->first && t->first <= largest_tolerance) {
+    if (min_tolerance <= t->first && t->first <= max_tolerance) {
       all.push_back({"tolerance", write_shortest(t->first), usual_step, {}});
       all.back().settings.tolerance = t->second;
     }
@@ -68,12 +68,13 @@ std::vector<Variation> variations(const Record& record) {
 }
 
 /// Of a formulation at the case's size of the main series; null when it was not tried.
-const NamedPoint* find(const Record& record, const CellKey& cell, const Variation& variation) {
+const NamedPoint* find(const Record& record, const CandidateKey& candidate,
+                       const Variation& variation) {
   for (const NamedPoint& point : record.points)
-    if (point.first.series.case_name == cell.case_name &&
-        point.first.series.coordinates == cell.coordinates &&
+    if (point.first.series.case_name == candidate.case_name &&
+        point.first.series.coordinates == candidate.coordinates &&
         point.first.series.step_seconds == variation.step &&
-        point.second.configuration.formulation == cell.id &&
+        point.second.configuration.formulation == candidate.id &&
         same_settings(point.second.configuration, variation.settings))
       return &point;
   return nullptr;

@@ -23,8 +23,8 @@ Table growth_data(const Record& record);
 Table growth_exponents(const std::vector<Curve>& curves);
 Table growth_caches(const Record& record, const std::vector<Curve>& curves);
 
-/// The times by which growth is judged: those up to judged_coordinates.
-SizedTimes judged_times(const Curve& curve);
+/// The times by which growth is judged: those up to max_linear_coordinates.
+SizedTimes fitted_times(const Curve& curve);
 
 /// Where solving all of a mechanism at once costs the same with dense and with sparse matrices.
 /// The record has `crossing`.

@@ -5,7 +5,7 @@
 namespace desmo::report {
 namespace {
 
-constexpr double least_linear = 0.9, largest_linear = 1.15;
+constexpr double min_linear = 0.9, max_linear = 1.15;
 
 std::string linearity(const Slope& slope) {
   if (!is_linear(slope.value)) return "not linear";
@@ -15,11 +15,11 @@ std::string linearity(const Slope& slope) {
 }  // namespace
 
 std::string linear_note() {
-  return "linear: from " + write_shortest(least_linear) + " to " + write_shortest(largest_linear) +
+  return "linear: from " + write_shortest(min_linear) + " to " + write_shortest(max_linear) +
          "; uncertain: the interval reaches beyond";
 }
 
-bool is_linear(double slope) { return least_linear <= slope && slope <= largest_linear; }
+bool is_linear(double slope) { return min_linear <= slope && slope <= max_linear; }
 
 Entry slope_entry(const SizedTimes& times) {
   const auto slope = fit_slope(times.sizes, times.seconds);

@@ -48,7 +48,7 @@ Table speed_ups(const Record& record, std::string_view family) {
         {family_name(variants[variant], family), {"speed_up", "low", "high", "percent"}});
 
   std::set<std::int64_t> sizes(published_sizes().begin(), published_sizes().end());
-  for (const auto& [key, cell] : record.cells)
+  for (const auto& [key, candidate] : record.candidates)
     for (const std::size_t variant : topological)
       if (key == family_key(variants[variant], key.coordinates, family))
         sizes.insert(key.coordinates);

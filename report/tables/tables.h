@@ -79,7 +79,7 @@ std::vector<Table> threads(const Record& record);
 /// has no peers.
 Section peers(const Record& record);
 
-/// One line for every cell, request or peer that failed its verification; empty when none did.
+/// One line for every candidate, request or peer that failed its verification; empty when none did.
 std::vector<std::string> failures(const Record& record);
 
 }  // namespace desmo::report

@@ -27,7 +27,7 @@ std::int64_t threads_of(const std::string& id) {
 }
 
 template <class Solved>
-WallTimed timed_of(const CellKey& key, const std::string& delivered, const Solved& solved) {
+WallTimed timed_of(const CandidateKey& key, const std::string& delivered, const Solved& solved) {
   return {key.coordinates,
           delivered,
           without_setting(without_setting(key.id, "threads"), "clock"),
@@ -38,11 +38,11 @@ WallTimed timed_of(const CellKey& key, const std::string& delivered, const Solve
 
 std::vector<WallTimed> timed_by_wall(const Record& record, const std::string& case_name) {
   std::vector<WallTimed> all;
-  for (const auto& [key, cell] : record.wall_cells)
-    if (key.case_name == case_name) all.push_back(timed_of(key, "everything", cell));
+  for (const auto& [key, candidate] : record.wall_candidates)
+    if (key.case_name == case_name) all.push_back(timed_of(key, "everything", candidate));
   for (const Request& request : record.wall_requests)
-    if (request.cell.case_name == case_name)
-      all.push_back(timed_of(request.cell, request.title, request));
+    if (request.candidate.case_name == case_name)
+      all.push_back(timed_of(request.candidate, request.title, request));
   std::ranges::stable_sort(all, {}, [](const WallTimed& one) {
     return std::tuple(one.coordinates, one.delivered != "everything", one.delivered, one.analysis,
                       one.threads);
@@ -96,8 +96,8 @@ Table threads_of_case(const Record& record, const std::string& case_name) {
 
 std::vector<Table> threads(const Record& record) {
   std::set<std::string> cases;
-  for (const auto& [key, cell] : record.wall_cells) cases.insert(key.case_name);
-  for (const Request& request : record.wall_requests) cases.insert(request.cell.case_name);
+  for (const auto& [key, candidate] : record.wall_candidates) cases.insert(key.case_name);
+  for (const Request& request : record.wall_requests) cases.insert(request.candidate.case_name);
   std::vector<Table> tables;
   for (const std::string& name : cases) tables.push_back(threads_of_case(record, name));
   return tables;

@@ -7,8 +7,9 @@
 namespace desmo::report {
 
 bool has_samples_of_windows(const Record& record) {
-  return std::ranges::any_of(
-      record.cells, [](const auto& cell) { return !cell.second.time.windows.samples.empty(); });
+  return std::ranges::any_of(record.candidates, [](const auto& candidate) {
+    return !candidate.second.time.windows.samples.empty();
+  });
 }
 
 TimeWords time_words(const Record& record) {
@@ -38,8 +39,8 @@ void define_time(Table& table, const Record& record) {
 
 std::string repetitions(const Record& record) {
   std::set<std::size_t> counts;
-  for (const auto& [key, cell] : record.cells)
-    if (cell.status == Status::ok) counts.insert(cell.time.seconds.size());
+  for (const auto& [key, candidate] : record.candidates)
+    if (candidate.status == Status::ok) counts.insert(candidate.time.seconds.size());
   if (counts.empty()) return "no repetitions";
   const std::string least = std::to_string(*counts.begin());
   const std::string largest = std::to_string(*counts.rbegin());

@@ -28,7 +28,7 @@ std::string capitalised(std::string text);
 /// Adds the definition to the notes of a table that uses the words.
 void define_time(Table& table, const Record& record);
 
-/// "5 repetitions", "3 to 5 repetitions", "1 repetition": of all cells that were measured.
+/// "5 repetitions", "3 to 5 repetitions", "1 repetition": of all candidates that were measured.
 std::string repetitions(const Record& record);
 
 }  // namespace desmo::report

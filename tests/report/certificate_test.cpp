@@ -96,7 +96,7 @@ TEST_F(CertificateOf, TrialsOfTwoMachinesMakeNone) {
   Json other = check_sample();
   for (const char* side : {"base", "head"}) {
     other[side]["record"]["machine"]["cpu"] = "other";
-    for (Json& cell : other[side]["paper"]["cells"]) cell["machine"] = "other";
+    for (Json& candidate : other[side]["paper"]["cells"]) candidate["machine"] = "other";
   }
   EXPECT_THROW(add("unchanged", "idle", other), MixedRecord);
   EXPECT_EQ(complaint(), "accepted");  // and nothing was added

@@ -1,4 +1,4 @@
-// A made-up check of three cells, and what can happen to it.
+// A made-up check of three candidates, and what can happen to it.
 #pragma once
 
 #include <string>
@@ -16,17 +16,17 @@ Json check_sample();
 /// The same of one tree, as a baseline has it.
 Json one_tree_sample();
 
-/// Multiplies head's times of a cell, in the first pass.
-void slow_down(Json& check, const std::string& cell, double factor);
+/// Multiplies head's times of a candidate, in the first pass.
+void slow_down(Json& check, const std::string& candidate, double factor);
 
-/// Adds a second pass of a cell in which head takes so many times base's time.
-void confirm(Json& check, const std::string& cell, double factor);
+/// Adds a second pass of a candidate in which head takes so many times base's time.
+void confirm(Json& check, const std::string& candidate, double factor);
 
 /// Makes head's answers wrong, as desmo_check records it.
-void fail_head(Json& check, const std::string& cell);
+void fail_head(Json& check, const std::string& candidate);
 
-/// Makes a cell one that a side does not have, as desmo_check records it.
-void leave_out(Json& check, const std::string& side, const std::string& cell);
+/// Makes a candidate one that a side does not have, as desmo_check records it.
+void leave_out(Json& check, const std::string& side, const std::string& candidate);
 
 /// Makes it a check of Work alone, as desmo_check records it.
 void take_no_times(Json& check);

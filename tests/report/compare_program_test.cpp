@@ -73,9 +73,9 @@ TEST_F(Compare, UnreadableRecordsEndWithCode65AndTheFile) {
 }
 
 TEST_F(Compare, AFailedCellShowsNoTime) {
-  Json& cell = cell_of(newest_, "truck_suspension", 114, "global_automatic_klu");
-  cell["time"]["seconds"] = {777.0};
-  cell["verification"]["position"] = 1;  // more than is allowed
+  Json& candidate = candidate_of(newest_, "truck_suspension", 114, "global_automatic_klu");
+  candidate["time"]["seconds"] = {777.0};
+  candidate["verification"]["position"] = 1;  // more than is allowed
   EXPECT_EQ(compare(newest_), 0);
   EXPECT_NE(out_.find("FAILED"), std::string::npos);
   EXPECT_EQ(out_.find("777"), std::string::npos);

@@ -92,7 +92,7 @@ TEST(FigureFive, ShowsOursAndThePapers) {
 
 TEST(FigureFive, HasNoPointForAFailedCell) {
   Json record = complete_record();
-  fail_cell(record, "truck_suspension", 336, "group_symbolic_lapack");
+  fail_candidate(record, "truck_suspension", 336, "group_symbolic_lapack");
   for (const char* family : {"cholmod", "umfpack", "klu"}) {
     const Json point =
         find(data_of(record, 0),
@@ -146,9 +146,9 @@ TEST(FigureSix, ShowsTheMeansOfTableTwo) {
 
 TEST(FigureSix, MarksIncompleteAndMissingMeans) {
   Json record = complete_record();
-  fail_cell(record, "truck_suspension", 336, "group_automatic_klu");
+  fail_candidate(record, "truck_suspension", 336, "group_automatic_klu");
   for (const int size : {114, 225, 336, 447, 558})
-    erase_cell(record, "truck_suspension", size, "group_symbolic_klu");
+    erase_candidate(record, "truck_suspension", size, "group_symbolic_klu");
   const Json values = data_of(record, 1);
   const std::string label =
       find(values, {{"solver", "klu"}, {"variant", "TS-TPA sparse"}})["label"];

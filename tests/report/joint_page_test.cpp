@@ -9,13 +9,13 @@ namespace {
 
 class JointPage : public Program {
  protected:
-  // The newest record of cells and this one of points on one page.
+  // The newest record of candidates and this one of points on one page.
   int joined(const Json& points, const std::string& options = "") {
     std::ofstream(folder_ / "points.json") << points.dump();
     return tables(data_file("origins.json"), (folder_ / "points.json").string() + " " + options);
   }
 
-  // Made-up points of the machine and build that the cells are of, in a shorter motion.
+  // Made-up points of the machine and build that the candidates are of, in a shorter motion.
   Json points() const {
     Json json = points_record();
     const Json settings = json["record"]["settings"];
@@ -56,8 +56,8 @@ TEST_F(JointPage, OfRecordsThatDifferIsRefusedWithTheReason) {
 }
 
 TEST_F(JointPage, HasOneRecordOfEachKind) {
-  const std::string cells = data_file("origins.json").string();
-  EXPECT_EQ(tables(cells, cells), 4);
+  const std::string candidates = data_file("origins.json").string();
+  EXPECT_EQ(tables(candidates, candidates), 4);
   EXPECT_NE(err_.find("one record with cells: "), std::string::npos) << err_;
   EXPECT_EQ(joined(points(), (folder_ / "points.json").string()), 4);
   EXPECT_NE(err_.find("one record with points: "), std::string::npos) << err_;

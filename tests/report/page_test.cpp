@@ -72,7 +72,8 @@ TEST(Page, LinksLeadToPlacesThatExistOnce) {
     EXPECT_TRUE(std::binary_search(ids.begin(), ids.end(), target)) << target;
 }
 
-// For those who hear the page: every table has a name, every cell a row and a column with a header.
+// For those who hear the page: every table has a name, every candidate a row and a column with a
+// header.
 TEST(Page, TablesHaveCaptionsAndHeaders) {
   const Document document = make_report(record_from(structured_record()));
   const std::string page = to_html(document);
@@ -197,7 +198,8 @@ void expect_nothing_lost(const Json& seen, const Document& document) {
 TEST_F(PageInBrowser, FiguresAnswerWithoutARequestOrAnError) {
   if (!installed("report/figures", "figures")) GTEST_SKIP() << out_;
   Json json = Json::parse(read_whole(DESMO_SOURCE_DIR "/results/records/intel-xeon-paper.json.gz"));
-  fail_cell(json, "truck_suspension", 336, "group_symbolic_lapack");  // a gap, and one line more
+  fail_candidate(json, "truck_suspension", 336,
+                 "group_symbolic_lapack");  // a gap, and one line more
   const fs::path recorded = folder_ / "record.json";
   std::ofstream(recorded) << json;
   const fs::path out = folder_ / "out", page = out / "report.html";

@@ -11,16 +11,16 @@
 namespace desmo::report::papers_own_test {
 namespace {
 
-/// Its cells are those of another family at first; times as in the paper when they are set.
+/// Its candidates are those of another family at first; times as in the paper when they are set.
 Json record_with_ma27() {
   Json json = complete_record();
   Json more = Json::array();
-  for (Json cell : json["paper"]["cells"])
-    if (std::string id = cell["id"]; id.ends_with("_umfpack")) {
-      cell["id"] = id.replace(id.size() - 7, 7, papers_own);
-      more.push_back(std::move(cell));
+  for (Json candidate : json["paper"]["cells"])
+    if (std::string id = candidate["id"]; id.ends_with("_umfpack")) {
+      candidate["id"] = id.replace(id.size() - 7, 7, papers_own);
+      more.push_back(std::move(candidate));
     }
-  for (Json& cell : more) json["paper"]["cells"].push_back(std::move(cell));
+  for (Json& candidate : more) json["paper"]["cells"].push_back(std::move(candidate));
   json["record"]["libraries"]["ma27"] = "libcoinhsl.so.2.2.5";
   return json;
 }

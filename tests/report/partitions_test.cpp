@@ -69,7 +69,7 @@ TEST(Partitions, CompareWithTheSameEquationsAndAlgebra) {
 
 TEST(Partitions, NoRatioFromAFailedCell) {
   Json json = structured_record();
-  fail_cell(json, truck, 114, "block_automatic_lapack");
+  fail_candidate(json, truck, 114, "block_automatic_lapack");
   const Section section = section_of(json);
   const Table& table = truck_times(section);
   for (const char* column : {"block", "block over global", "block over group"})
@@ -101,9 +101,9 @@ TEST(Partitions, StayOutOfThePapersTables) {
   const Json with = structured_record();
   Json without = with;
   without["paper"]["cells"] = Json::array();
-  for (const Json& cell : with["paper"]["cells"])
-    if (!cell["id"].get<std::string>().starts_with("block_"))
-      without["paper"]["cells"].push_back(cell);
+  for (const Json& candidate : with["paper"]["cells"])
+    if (!candidate["id"].get<std::string>().starts_with("block_"))
+      without["paper"]["cells"].push_back(candidate);
   const Document all = make_report(record_from(with)), some = make_report(record_from(without));
   for (const char* name : {"table1_klu", "table2_klu", "scaling"}) {
     const Table &a = table_named(all, name), &b = table_named(some, name);

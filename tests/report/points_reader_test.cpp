@@ -34,7 +34,7 @@ TEST(PointsReader, CellsAndPointsMayStandInOneRecord) {
   const Json points = points_record();
   json["accuracy"] = points["accuracy"];
   const Record record = record_from(json);
-  EXPECT_FALSE(record.cells.empty());
+  EXPECT_FALSE(record.candidates.empty());
   EXPECT_EQ(record.points.size(), 24u);
 }
 
@@ -110,9 +110,9 @@ TEST(Configuration, TakesSettingsInAnyOrderAndKeepsWhatItDoesNotKnow) {
   EXPECT_EQ(c->tolerance, "1e-6");
   EXPECT_EQ(c->others, std::vector<std::string>{"lanes:8"});
   EXPECT_EQ(c->stop(), "tolerance 1e-6");
-  EXPECT_FALSE(c->has_papers_knobs());
-  EXPECT_FALSE(parse_configuration("a_b_c/lanes:8")->has_papers_knobs());
-  EXPECT_TRUE(parse_configuration("a_b_c/iterations:2")->has_papers_knobs());
+  EXPECT_FALSE(c->has_papers_settings());
+  EXPECT_FALSE(parse_configuration("a_b_c/lanes:8")->has_papers_settings());
+  EXPECT_TRUE(parse_configuration("a_b_c/iterations:2")->has_papers_settings());
   EXPECT_EQ(parse_configuration("a_b_c/iterations:2")->stop(), "2 iterations");
   EXPECT_EQ(parse_configuration("a_b_c")->stop(), "usual tolerance");
   EXPECT_TRUE(parse_configuration("a_b_c/lanes:8")->solves_every_instant());

@@ -53,7 +53,7 @@ TEST(AccuracyErrors, SayWhatTheCheapestGivesUp) {
   EXPECT_EQ(entry_at(table, row, klu).shown, "tolerance 1e-8");
 }
 
-// A rival in the paper's tables is held to the same error, and to its own knobs.
+// A rival in the paper's tables is held to the same error, and to its own guesses_and_updates.
 TEST(AccuracyCosts, ComparesWithTheSameFormulationAtTheSameError) {
   Json json = points_record();
   json["accuracy"]["points"].push_back(
@@ -138,7 +138,7 @@ TEST(CheapestByFormulation, QuotesRatiosOnlyWhereEveryKnobWasTurned) {
 
 TEST(Knobs, AreComparedAtEqualErrorAndWithThePapersSettings) {
   const Record record = record_from(points_record());
-  const Table table = knobs(record);
+  const Table table = guesses_and_updates(record);
   EXPECT_EQ(table.rows.size(), 3u * (2 + 1)) << "of each guess tried, and of no other";
   const std::vector<std::string> reused{"truck_suspension", "225", "hermite5", "step"};
   EXPECT_EQ(entry_at(table, reused, "stop").shown, "1 iteration");
@@ -149,7 +149,7 @@ TEST(Knobs, AreComparedAtEqualErrorAndWithThePapersSettings) {
   EXPECT_EQ(entry_at(table, paper, "at equal error").shown, "1.00 reference");
   EXPECT_EQ(entry_at(table, {"truck_suspension", "225", "hermite5", "chord"}, "stop").shown,
             "nothing that holds it");
-  const std::vector<std::string> lines = what_knobs_gain(record);
+  const std::vector<std::string> lines = what_guesses_gain(record);
   ASSERT_EQ(lines.size(), 2u);
   EXPECT_EQ(lines[1],
             "truck_suspension, 225 coordinates: "
@@ -165,8 +165,8 @@ TEST(Knobs, AreOfEveryInstantSolved) {
   json["accuracy"]["points"].push_back(
       solved_point(klu + "/guess:hermite5/jacobian:step/stride:2/tolerance:1e-10", 4, 1e-12, 0.5));
   const Record record = record_from(json), before = record_from(points_record());
-  EXPECT_EQ(what_knobs_gain(record), what_knobs_gain(before));
-  EXPECT_EQ(shown(knobs(record)), shown(knobs(before)));
+  EXPECT_EQ(what_guesses_gain(record), what_guesses_gain(before));
+  EXPECT_EQ(shown(guesses_and_updates(record)), shown(guesses_and_updates(before)));
 }
 
 TEST(Scalars, StandBesideDoubleAndWhatIsPredicted) {
@@ -211,7 +211,7 @@ TEST(ErrorLevels, CountDecadesOnce) {
 
 TEST(ErrorLevels, NamesTheFormulationsThatReachTooFew) {
   Json json = points_record();
-  EXPECT_EQ(fewest_levels(record_from(json)),
+  EXPECT_EQ(min_levels(record_from(json)),
             "4 of 6 formulations at a case and size reach fewer than 4 distinct levels of error: "
             "four_bar/114/global_automatic_klu, four_bar/114/group_symbolic_inlined, "
             "truck_suspension/114/global_automatic_klu, truck_suspension/225/group_automatic_klu.");
@@ -222,7 +222,7 @@ TEST(ErrorLevels, NamesTheFormulationsThatReachTooFew) {
       kept.push_back(point);
   json["accuracy"]["points"] = kept;
   EXPECT_EQ(
-      fewest_levels(record_from(json)),
+      min_levels(record_from(json)),
       "Every formulation reaches at least 4 distinct levels of error at every case and size.");
 }
 
@@ -264,7 +264,7 @@ TEST(Floors, AreShownWithWhatIsPredicted) {
   EXPECT_EQ(entry_at(table, row, "reference q").shown, "4.0e-33");
   EXPECT_EQ(entry_at(table, row, "κ").shown, "1000");
   EXPECT_EQ(entry_at(table, row, "float q''").shown, "6.0e+01");
-  EXPECT_CONTAINS(largest_floor(record_from(json)), " differ by 6.0e-33 at most");
+  EXPECT_CONTAINS(max_floor(record_from(json)), " differ by 6.0e-33 at most");
   EXPECT_EQ(entry_at(table, singular, "κ").shown, missing_mark);
   EXPECT_EQ(entry_at(table, singular, "double q").shown, missing_mark);
 }
@@ -298,9 +298,9 @@ TEST(PrecisionReport, StandsAloneOrBesideTheExperiment) {
   const Document alone = make_report(points);
   EXPECT_EQ(alone.title, "desmo: Accuracy");
   EXPECT_EQ(alone.sections.at(1).title, "Speed for accuracy");
-  Json cells = structured_record();
-  cells["schema_version"] = "2.0.0";
-  const Document both = make_report(std::vector{record_from(cells), points});
+  Json candidates = structured_record();
+  candidates["schema_version"] = "2.0.0";
+  const Document both = make_report(std::vector{record_from(candidates), points});
   EXPECT_EQ(both.title, "desmo: The paper's experiment");
   for (const Section& section : alone.sections)
     for (const Table& table : section.tables)

@@ -18,11 +18,12 @@ namespace {
 TEST(RecordReader, ReadsTheCompleteSample) {
   const Record record = read_record(data_file("complete.json"));
   EXPECT_EQ(record.settings.instants, 3001);
-  EXPECT_EQ(record.cells.size(), 5u * 16 + 6 * 5);
+  EXPECT_EQ(record.candidates.size(), 5u * 16 + 6 * 5);
   EXPECT_EQ(record.profiles.size(), 3u);
-  const Cell& cell = record.cells.at({"truck_suspension", 558, "group_symbolic_lapack"});
-  EXPECT_EQ(cell.status, Status::ok);
-  EXPECT_EQ(cell.time.seconds.size(), 5u);
+  const Candidate& candidate =
+      record.candidates.at({"truck_suspension", 558, "group_symbolic_lapack"});
+  EXPECT_EQ(candidate.status, Status::ok);
+  EXPECT_EQ(candidate.time.seconds.size(), 5u);
 }
 
 TEST(RecordReader, RefusesWhatIsNotJson) {
@@ -189,11 +190,11 @@ TEST(RecordReader, ReadsWhatAMeasurementIsOf) {
   EXPECT_EQ(record.build.link->type, "dynamic");
   EXPECT_FALSE(record.build.link->libraries.empty());
   EXPECT_EQ(record.build.binary->size(), 64u);
-  for (const auto& [key, cell] : record.cells) {
-    if (cell.status != Status::ok) continue;
-    EXPECT_EQ(cell.origin.machine, record.machine.cpu);
-    EXPECT_EQ(cell.origin.model->size(), 64u);
-    EXPECT_EQ(cell.origin.results->size(), 64u);
+  for (const auto& [key, candidate] : record.candidates) {
+    if (candidate.status != Status::ok) continue;
+    EXPECT_EQ(candidate.origin.machine, record.machine.cpu);
+    EXPECT_EQ(candidate.origin.model->size(), 64u);
+    EXPECT_EQ(candidate.origin.results->size(), 64u);
   }
   ASSERT_FALSE(record.requests.empty());
   EXPECT_TRUE(record.requests.front().origin.model);
@@ -208,8 +209,9 @@ TEST(RecordReader, ReadsCompressedRecords) {
   ASSERT_EQ(std::system(("gzip -c " + data_file("complete.json").string() + " >" + packed).c_str()),
             0);
   const Record record = read_record(packed);
-  EXPECT_EQ(record.cells.size(), plain.cells.size());
-  EXPECT_EQ(record.cells.begin()->second.time.seconds, plain.cells.begin()->second.time.seconds);
+  EXPECT_EQ(record.candidates.size(), plain.candidates.size());
+  EXPECT_EQ(record.candidates.begin()->second.time.seconds,
+            plain.candidates.begin()->second.time.seconds);
   std::filesystem::resize_file(packed, std::filesystem::file_size(packed) / 2);
   try {
     read_record(packed);
@@ -230,7 +232,7 @@ TEST(RecordReader, RefusesDigestsItDoesNotKnow) {
   }
 }
 
-// Cells of two records put together, by whatever shows that they are.
+// Candidates of two records put together, by whatever shows that they are.
 TEST(RecordReader, RefusesARecordOfTwoOrigins) {
   const std::string other(64, 'f');
   Json json = newest_record();
@@ -267,9 +269,10 @@ TEST(RecordReader, RefusesEndlessNestingAndSize) {
 
 TEST(RecordReader, IgnoresTheTimesOfAFailedCell) {
   Json json = complete_record();
-  fail_cell(json, "four_bar", 114, "group_symbolic_inlined");
+  fail_candidate(json, "four_bar", 114, "group_symbolic_inlined");
   const Record record = record_from(json);
-  EXPECT_TRUE(record.cells.at({"four_bar", 114, "group_symbolic_inlined"}).time.seconds.empty());
+  EXPECT_TRUE(
+      record.candidates.at({"four_bar", 114, "group_symbolic_inlined"}).time.seconds.empty());
 }
 
 TEST(RecordReader, RefusesAnOkCellWithoutVerification) {
@@ -282,20 +285,20 @@ TEST(RecordReader, RefusesAnOkCellWithoutVerification) {
 
 TEST(RecordReader, FailsTheCellThatExceedsWhatIsAllowed) {
   Json json = complete_record();
-  Json& cell = cell_of(json, "truck_suspension", 558, "group_symbolic_lapack");
-  const CellKey key{"truck_suspension", 558, "group_symbolic_lapack"};
-  cell["verification"]["velocity"] = 1e-8;  // the limit itself is allowed
-  EXPECT_EQ(record_from(json).cells.at(key).status, Status::ok);
-  cell["verification"]["velocity"] = 2e-6;
-  cell["verification"]["acceleration"] = 1;
-  const Cell failed = record_from(json).cells.at(key);
+  Json& candidate = candidate_of(json, "truck_suspension", 558, "group_symbolic_lapack");
+  const CandidateKey key{"truck_suspension", 558, "group_symbolic_lapack"};
+  candidate["verification"]["velocity"] = 1e-8;  // the limit itself is allowed
+  EXPECT_EQ(record_from(json).candidates.at(key).status, Status::ok);
+  candidate["verification"]["velocity"] = 2e-6;
+  candidate["verification"]["acceleration"] = 1;
+  const Candidate failed = record_from(json).candidates.at(key);
   EXPECT_EQ(failed.status, Status::failed);
   EXPECT_TRUE(failed.time.seconds.empty());
   EXPECT_EQ(failed.message,
             "velocity differs by 2e-06, 1e-08 is allowed; "
             "acceleration differs by 1, 1e-07 is allowed");
   json["record"]["settings"].erase("allowed");
-  EXPECT_EQ(record_from(json).cells.at(key).status, Status::ok);
+  EXPECT_EQ(record_from(json).candidates.at(key).status, Status::ok);
 }
 
 TEST(RecordReader, NamesWhatIsWrongWithTheLimits) {

@@ -74,8 +74,8 @@ TEST(Requests, FailWhenTheyDifferMoreThanIsAllowed) {
 
 TEST(Requests, HaveNoRatioWithoutEverything) {
   Json json = structured_record();
-  fail_cell(json, "truck_suspension", 225, "block_symbolic_inlined");
-  erase_cell(json, "truck_suspension", 225, "global_automatic_klu");
+  fail_candidate(json, "truck_suspension", 225, "block_symbolic_inlined");
+  erase_candidate(json, "truck_suspension", 225, "global_automatic_klu");
   const Table table = table_of(json);
   EXPECT_EQ(entry_at(table, {wheel, "position", "block_symbolic_inlined"}, "times cheaper").shown,
             "reference FAILED");

@@ -71,7 +71,7 @@ void compare(const Json& table, const std::vector<std::vector<std::string>>& csv
   }
 }
 
-void expect_same_numbers(const Document& document, std::size_t least_numbers = 100) {
+void expect_same_numbers(const Document& document, std::size_t min_numbers = 100) {
   const Json json = Json::parse(to_json(document));
   const std::vector<Rendered> csv = render(document, "csv");
   for (const auto& read : {read_markdown(to_markdown(document)), read_latex(to_latex(document)),
@@ -93,7 +93,7 @@ void expect_same_numbers(const Document& document, std::size_t least_numbers = 1
     }
     EXPECT_EQ(at, read.tables.size());
     EXPECT_EQ(at, csv.size());
-    EXPECT_GT(numbers, least_numbers);
+    EXPECT_GT(numbers, min_numbers);
   }
 }
 
@@ -103,9 +103,9 @@ TEST(SameNumbers, OfARecordWithoutGaps) {
 
 TEST(SameNumbers, OfARecordWithFailures) {
   Json record = complete_record();
-  fail_cell(record, "truck_suspension", 336, "group_symbolic_lapack");
+  fail_candidate(record, "truck_suspension", 336, "group_symbolic_lapack");
   set_samples(record, 114, "group_automatic_klu", {0.04});
-  erase_cell(record, "truck_suspension", 447, "group_automatic_klu");
+  erase_candidate(record, "truck_suspension", 447, "group_automatic_klu");
   expect_same_numbers(make_report(record_from(record)));
 }
 

@@ -32,20 +32,23 @@ Json with_samples_of_windows(Json record, int windows = 25);
 /// data/structured.json: small, with structure and requests. Made-up numbers.
 Json structured_record();
 
-/// A cell of such a record. Fails the test when there is none.
-Json& cell_of(Json& record, const std::string& case_name, int coordinates, const std::string& id);
-void erase_cell(Json& record, const std::string& case_name, int coordinates, const std::string& id);
-void fail_cell(Json& record, const std::string& case_name, int coordinates, const std::string& id);
+/// A candidate of such a record. Fails the test when there is none.
+Json& candidate_of(Json& record, const std::string& case_name, int coordinates,
+                   const std::string& id);
+void erase_candidate(Json& record, const std::string& case_name, int coordinates,
+                     const std::string& id);
+void fail_candidate(Json& record, const std::string& case_name, int coordinates,
+                    const std::string& id);
 
-/// Erases every cell with this sparse solver, as of a build without it.
+/// Erases every candidate with this sparse solver, as of a build without it.
 void erase_family(Json& record, const std::string& family);
 
 /// Makes it a record of so many seconds of motion, in steps of so many seconds.
 void set_motion(Json& record, double duration, double step = 0.01);
 
-/// Replaces the samples of a truck cell.
+/// Replaces the samples of a truck candidate.
 void set_samples(Json& record, int coordinates, const std::string& id, std::vector<double> samples);
-/// Three samples around `seconds` for every truck cell of that id, at every size of the paper.
+/// Three samples around `seconds` for every truck candidate of that id, at every size of the paper.
 void set_family(Json& json, const std::string& id, double seconds, double spread = 0.01);
 
 Record record_from(const Json& json);

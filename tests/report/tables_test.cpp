@@ -85,9 +85,9 @@ TEST(TableOne, HasTheFourBarAt1002WithoutAPaperRow) {
 
 TEST(TableOne, MarksWhatHasNoTime) {
   Json json = complete_record();
-  fail_cell(json, truck, 225, "group_automatic_lapack");
-  erase_cell(json, truck, 336, "group_automatic_lapack");
-  cell_of(json, truck, 447, "group_automatic_lapack")["status"] = "not_run";
+  fail_candidate(json, truck, 225, "group_automatic_lapack");
+  erase_candidate(json, truck, 336, "group_automatic_lapack");
+  candidate_of(json, truck, 447, "group_automatic_lapack")["status"] = "not_run";
   set_samples(json, 558, "group_automatic_lapack", {0.25});
   for (const std::string_view family : sparse_families) {
     const Table table = cpu_times(record_from(json), family);
@@ -171,7 +171,8 @@ TEST(TableTwo, MarksThePaperInOrOutOfOurInterval) {
   const Table table = speed_ups(record_from(json), "umfpack");
   EXPECT_EQ(entry_at(table, {"114", "paper"}, "TS-TPS_LAP").shown, "3.4 (70.3 %) in");
   EXPECT_EQ(entry_at(table, {"225", "paper"}, "TS-TPS_LAP").shown, "3.5 (71.8 %) out");
-  fail_cell(json, truck, 225, "group_symbolic_lapack");  // the mean is of fewer sizes: not compared
+  fail_candidate(json, truck, 225,
+                 "group_symbolic_lapack");  // the mean is of fewer sizes: not compared
   const Table incomplete = speed_ups(record_from(json), "umfpack");
   EXPECT_EQ(entry_at(incomplete, {"mean", "paper"}, "TS-TPS_LAP").shown, "3.5 (71.6 %)");
 }
@@ -192,8 +193,8 @@ TEST(TableTwo, FamilyStandsInColumnsAndReferenceAlike) {
 
 TEST(TableTwo, NoRatioFromAFailedCell) {
   Json json = complete_record();
-  fail_cell(json, truck, 225, "group_automatic_klu");
-  fail_cell(json, truck, 336, "global_automatic_klu");
+  fail_candidate(json, truck, 225, "group_automatic_klu");
+  fail_candidate(json, truck, 336, "global_automatic_klu");
   const Table table = speed_ups(record_from(json), "klu");
   EXPECT_EQ(entry_at(table, {"225", "ours"}, "TS-TPA_klu").shown, failed_mark);
   EXPECT_TRUE(entry_at(table, {"225", "ours"}, "TS-TPS_klu").has_number());
@@ -206,7 +207,7 @@ TEST(TableTwo, MarksAnIncompleteMean) {
   Json json = complete_record();
   set_family(json, "global_automatic_klu", 4);
   set_family(json, "group_symbolic_klu", 2);
-  fail_cell(json, truck, 225, "group_symbolic_klu");
+  fail_candidate(json, truck, 225, "group_symbolic_klu");
   const Table table = speed_ups(record_from(json), "klu");
   const Entry mean = entry_at(table, {"mean", "ours"}, "TS-TPS_klu");
   EXPECT_EQ(mean.digits[0], "2.00");
@@ -222,7 +223,7 @@ TEST(TableTwo, MeanIsOfThePapersSizes) {
   set_family(json, "group_symbolic_klu", 2);
   for (const auto& [id, seconds] :
        {std::pair{"global_automatic_klu", 9.0}, {"group_symbolic_klu", 1.0}}) {
-    Json extra = cell_of(json, truck, 558, id);
+    Json extra = candidate_of(json, truck, 558, id);
     extra["coordinates"] = 1113;
     extra["time"]["seconds"] = {seconds};
     json["paper"]["cells"].push_back(extra);
@@ -250,8 +251,8 @@ TEST(Scaling, SaysWhichSlopesAreLinear) {
 
 TEST(Scaling, NeedsThreeSizesAndMarksFailures) {
   Json json = complete_record();
-  for (const int size : {114, 225}) fail_cell(json, truck, size, "group_automatic_lapack");
-  for (const int size : {114, 225, 336}) fail_cell(json, truck, size, "group_symbolic_lapack");
+  for (const int size : {114, 225}) fail_candidate(json, truck, size, "group_automatic_lapack");
+  for (const int size : {114, 225, 336}) fail_candidate(json, truck, size, "group_symbolic_lapack");
   const Table table = scaling(record_from(json));
   EXPECT_NE(entry_at(table, {"TS-TPA_LAP"}, "klu").note.find("a size FAILED"), std::string::npos);
   EXPECT_EQ(entry_at(table, {"TS-TPS_LAP"}, "klu").shown, "too few sizes: 2, a size FAILED");
@@ -261,7 +262,7 @@ TEST(EveryFormulation, OrdersAndReferencesTheFastestGlobal) {
   Json json = complete_record();
   set_samples(json, 558, "global_automatic_klu", {0.3, 0.2, 0.4});
   set_samples(json, 558, "group_symbolic_inlined", {0.1, 0.1, 0.1});
-  fail_cell(json, truck, 558, "group_symbolic_klu");
+  fail_candidate(json, truck, 558, "group_symbolic_klu");
   const Table table = every_formulation(record_from(json), truck, 558);
   EXPECT_EQ(table.rows.front().front().shown, "group_symbolic_inlined");
   EXPECT_EQ(entry_at(table, {"group_symbolic_inlined"}, "speed-up").shown, "3.00 inconclusive");
@@ -282,7 +283,7 @@ TEST(EveryFormulation, ReferencesKluAsOneBlockWhereThatIsFaster) {
     Json json = complete_record();
     set_samples(json, 558, "global_automatic_klu", {0.3, 0.3, 0.3});
     set_samples(json, 558, "group_symbolic_inlined", {0.1, 0.1, 0.1});
-    Json other = cell_of(json, truck, 558, "global_automatic_klu");
+    Json other = candidate_of(json, truck, 558, "global_automatic_klu");
     other["id"] = "global_automatic_klu/btf:off";
     json["paper"]["cells"].push_back(other);
     set_samples(json, 558, "global_automatic_klu/btf:off",
@@ -295,9 +296,9 @@ TEST(EveryFormulation, ReferencesKluAsOneBlockWhereThatIsFaster) {
 
 TEST(EveryFormulation, SaysWhichSolversWereChosen) {
   Json json = complete_record();
-  Json& cell = cell_of(json, truck, 558, "group_symbolic_lapack");
-  cell["solvers"] = {{{"algebra", "klu"}, {"parts", 15}, {"unknowns", {16, 39}}},
-                     {{"algebra", "eigen"}, {"parts", 5}, {"unknowns", {4, 4}}}};
+  Json& candidate = candidate_of(json, truck, 558, "group_symbolic_lapack");
+  candidate["solvers"] = {{{"algebra", "klu"}, {"parts", 15}, {"unknowns", {16, 39}}},
+                          {{"algebra", "eigen"}, {"parts", 5}, {"unknowns", {4, 4}}}};
   const Table table = every_formulation(record_from(json), truck, 558);
   EXPECT_EQ(entry_at(table, {"group_symbolic_lapack"}, "remark").shown,
             "klu: 15 of 16 to 39 unknowns; eigen: 5 of 4 unknowns");
@@ -306,7 +307,7 @@ TEST(EveryFormulation, SaysWhichSolversWereChosen) {
 
 TEST(EveryFormulation, SaysWhatExceedsTheAllowedError) {
   Json json = complete_record();
-  cell_of(json, truck, 558, "group_symbolic_lapack")["verification"]["velocity"] = 2e-6;
+  candidate_of(json, truck, 558, "group_symbolic_lapack")["verification"]["velocity"] = 2e-6;
   const Document document = make_report(record_from(json));
   const Table& table = table_named(document, "formulations_truck_suspension_558");
   EXPECT_EQ(entry_at(table, {"group_symbolic_lapack"}, "CPU s").shown, failed_mark);
@@ -346,7 +347,7 @@ TEST(TimeSplit, SharesOfTheTotal) {
             "4.00 (40 %)");
   EXPECT_EQ(entry_at(table, {truck, "558", "group_symbolic_lapack"}, "delivery").shown,
             missing_mark);
-  fail_cell(json, truck, 558, "global_automatic_klu");
+  fail_candidate(json, truck, 558, "global_automatic_klu");
   EXPECT_EQ(entry_at(time_split(record_from(json)), {truck, "558", "global_automatic_klu"}, "total")
                 .shown,
             failed_mark);
@@ -376,7 +377,7 @@ TEST(Report, WithoutAnyFamilySaysSo) {
 
 TEST(Report, NamesEveryFailure) {
   Json json = complete_record();
-  fail_cell(json, "four_bar", 225, "group_symbolic_eigen");
+  fail_candidate(json, "four_bar", 225, "group_symbolic_eigen");
   const Document document = make_report(record_from(json));
   EXPECT_EQ(
       document.sections.back().paragraphs,

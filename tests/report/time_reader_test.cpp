@@ -27,33 +27,35 @@ TEST(TimeReader, RefusesAClockThatIsNotTheFormulations) {
     EXPECT_CONTAINS(complaint(json), suffix + std::string(" is measured by \"wall\""));
     json["paper"]["cells"][2]["time"]["clock"] = "wall";
     const Record record = record_from(json);
-    EXPECT_EQ(record.wall_cells.size(), 1u);
-    EXPECT_EQ(record.wall_cells.begin()->second.time.clock, Clock::wall);
-    EXPECT_FALSE(record.cells.contains(record.wall_cells.begin()->first));
+    EXPECT_EQ(record.wall_candidates.size(), 1u);
+    EXPECT_EQ(record.wall_candidates.begin()->second.time.clock, Clock::wall);
+    EXPECT_FALSE(record.candidates.contains(record.wall_candidates.begin()->first));
   }
 }
 
 TEST(TimeReader, ReadsTheWindowsOfEverythingTimed) {
   const Record record = record_from(with_windows(structured_record()));
   EXPECT_EQ(record.settings.windows, 25);
-  for (const auto& [key, cell] : record.cells)
-    EXPECT_EQ(cell.time.windows.least.size(), cell.status == Status::ok ? 25u : 0u) << key.id;
+  for (const auto& [key, candidate] : record.candidates)
+    EXPECT_EQ(candidate.time.windows.least.size(), candidate.status == Status::ok ? 25u : 0u)
+        << key.id;
   for (const Request& request : record.requests)
     EXPECT_EQ(request.time.windows.least.size(), request.status == Status::ok ? 25u : 0u);
-  EXPECT_TRUE(record_from(structured_record()).cells.begin()->second.time.windows.least.empty());
+  EXPECT_TRUE(
+      record_from(structured_record()).candidates.begin()->second.time.windows.least.empty());
 }
 
 TEST(TimeReader, TakesAsAWholeWhatTheWallClockMeasured) {
   Json json = with_windows(complete_record());
-  Json& cell = json["paper"]["cells"][3];
-  cell["id"] = cell["id"].get<std::string>() + "/threads:2";
-  cell["threads"] = 2;
-  cell["time"]["clock"] = "wall";
-  cell["time"].erase("windows");
-  const std::vector<double> seconds = cell["time"]["seconds"];
+  Json& candidate = json["paper"]["cells"][3];
+  candidate["id"] = candidate["id"].get<std::string>() + "/threads:2";
+  candidate["threads"] = 2;
+  candidate["time"]["clock"] = "wall";
+  candidate["time"].erase("windows");
+  const std::vector<double> seconds = candidate["time"]["seconds"];
   const Record record = record_from(json);
-  ASSERT_EQ(record.wall_cells.size(), 1u);
-  const Cell& several = record.wall_cells.begin()->second;
+  ASSERT_EQ(record.wall_candidates.size(), 1u);
+  const Candidate& several = record.wall_candidates.begin()->second;
   EXPECT_EQ(several.threads, 2);
   EXPECT_EQ(several.time.seconds, seconds);
   ASSERT_EQ(several.time.windows.samples.size(), seconds.size());
@@ -83,13 +85,13 @@ TEST(TimeReader, RefusesWindowsThatAreNotAll) {
 
 TEST(TimeReader, ReadsTheSamplesOfWindows) {
   const Record record = record_from(with_samples_of_windows(structured_record()));
-  for (const auto& [key, cell] : record.cells) {
-    EXPECT_EQ(cell.time.windows.samples.size(), cell.time.seconds.size()) << key.id;
-    if (cell.status != Status::ok) continue;
-    EXPECT_EQ(cell.time.windows.updates.size(), 25u);
-    EXPECT_EQ(
-        std::accumulate(cell.time.windows.instants.begin(), cell.time.windows.instants.end(), 0.0),
-        static_cast<double>(record.settings.instants));
+  for (const auto& [key, candidate] : record.candidates) {
+    EXPECT_EQ(candidate.time.windows.samples.size(), candidate.time.seconds.size()) << key.id;
+    if (candidate.status != Status::ok) continue;
+    EXPECT_EQ(candidate.time.windows.updates.size(), 25u);
+    EXPECT_EQ(std::accumulate(candidate.time.windows.instants.begin(),
+                              candidate.time.windows.instants.end(), 0.0),
+              static_cast<double>(record.settings.instants));
   }
 }
 

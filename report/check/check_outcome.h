@@ -12,15 +12,15 @@ namespace desmo::report {
 /// Exit codes of `desmo_report check`.
 enum class Verdict { pass = 0, regression = 1, invalid = 2, inconclusive = 3, incomparable = 4 };
 
-/// A cell that is not judged, and why.
+/// A candidate that is not judged, and why.
 struct Excluded {
-  std::string cell, reason;
+  std::string candidate, reason;
 };
 
-struct Judgement {
+struct CheckOutcome {
   Verdict verdict = Verdict::pass;
   std::vector<Excluded> invalid;        ///< head's answers are wrong
-  std::vector<std::string> missing;     ///< cells of the baseline that head has not
+  std::vector<std::string> missing;     ///< candidates of the baseline that head has not
   std::vector<Excluded> excluded;       ///< there is nothing to compare with
   std::vector<Difference> differences;  ///< why times cannot be compared; then there are none
   TimeFindings time;
@@ -28,16 +28,16 @@ struct Judgement {
 };
 
 /// Base against head. A check of head alone is Verdict::incomparable.
-Judgement judge(const CheckRecord& check);
+CheckOutcome compare_sides(const CheckRecord& check);
 
 /// Head against that of a stored baseline, which is a check of one tree, too.
-Judgement judge(const CheckRecord& check, const CheckRecord& baseline);
+CheckOutcome compare_sides(const CheckRecord& check, const CheckRecord& baseline);
 
 /// What has still to be measured for the verdict to be final.
 struct Pending {
   std::string pass;  ///< "first" or "second"
-  std::string cell;
+  std::string candidate;
 };
-std::vector<Pending> pending(const Judgement& judgement);
+std::vector<Pending> pending(const CheckOutcome& found);
 
 }  // namespace desmo::report
