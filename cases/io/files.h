@@ -1,23 +1,14 @@
 #pragma once
 
 #include <filesystem>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
+#include "cases/io/input_error.h"
 #include "cases/mechanism/mechanism.h"
 #include "cases/mechanism/scene.h"
 
 namespace desmo {
-
-/// Bad input. The message is "<file>: <place>: <what is wrong>; <remedy>"; the place is a line and
-/// a column where the text is not JSON, otherwise a JSON pointer such as /joints/2/points/0, "top
-/// level" for the whole document, and left out when the file cannot be read at all. Names from the
-/// input are shortened, and escaped for terminals.
-class InputError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 /// Mechanism files and scene files are specified in cases/files.md; values are converted to metres
 /// (or the mechanism's free unit) and radians. All throw InputError. `file_name` is for messages.

@@ -1,12 +1,13 @@
-#include "report/check/certificate.h"
-
+// What the trials of bench/check --certify show of the check itself.
 #include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
 
 #include "report/check/trials.h"
-#include "report/read/json_document.h"
+#include "report/read/record_file.h"
+#include "report/tables/entries.h"
+#include "report/text/texts.h"
 
 namespace desmo::report {
 namespace {
@@ -62,13 +63,13 @@ bool is_shown(Shows shows, const Trial& t) {
 
 using Tallies = std::array<Tally, claims.size()>;
 
-Tallies tallied(const std::vector<Trial>& trials) {
+Tallies tallied(const std::vector<Trial>& trials, const std::string& file) {
   Tallies tallies{};
   for (const Trial& trial : trials) {
     const auto claim = std::ranges::find_if(
         claims, [&](const Claim& c) { return trial.kind == c.kind && trial.load == c.load; });
     if (claim == claims.end())
-      throw InvalidRecord("no such trial: " + trial.kind + ", " + trial.load);
+      throw InputError(file + ": no such trial: " + trial.kind + ", " + trial.load);
     Tally& tally = tallies[static_cast<std::size_t>(claim - claims.begin())];
     ++tally.trials;
     tally.shown += is_shown(claim->shows, trial);
@@ -77,30 +78,13 @@ Tallies tallied(const std::vector<Trial>& trials) {
   return tallies;
 }
 
-Entry number(int value) {
-  const std::string text = std::to_string(value);
-  return {text, {text}, {}};
-}
-
 }  // namespace
 
 Certificate read_certificate(const std::filesystem::path& file) {
-  const Trials trials = read_trials(read_whole(file));
-  const Tallies tallies = tallied(trials.all);
+  const Trials trials = read_trials(read_record_text(file), file.string());
+  const Tallies tallies = tallied(trials.all, file.string());
   Certificate certificate{true, false, {}};
-  Table table{.name = "certificate",
-              .title = "What the trials show",
-              .notes = {"A false alarm is an exit code 1; what was made slower or faster counts as "
-                        "found when it, and nothing else, is named. Inconclusive trials are no "
-                        "alarms; where something is to be found, they count as missed."},
-              .columns = {{"trial", {}},
-                          {"machine", {}},
-                          {"needed", {"trials"}},
-                          {"done", {"trials"}},
-                          {"as claimed", {"trials"}},
-                          {"inconclusive", {"trials"}},
-                          {"claim", {}}},
-              .rows = {}};
+  Table table = headed_table("certificate");
   for (std::size_t i = 0; i < claims.size(); ++i) {
     const Claim& c = claims[i];
     const Tally& t = tallies[i];
@@ -108,21 +92,25 @@ Certificate read_certificate(const std::filesystem::path& file) {
     certificate.refuted = certificate.refuted || refuted;
     certificate.holds = certificate.holds && enough && !refuted;
     const std::string claim = c.misses == 0 ? "every one" : "all but " + std::to_string(c.misses);
-    table.rows.push_back({text_entry(c.title), text_entry(c.load), number(c.trials),
-                          number(t.trials), number(t.shown), number(t.inconclusive),
-                          text_entry(claim + (refuted  ? ": DOES NOT HOLD"
-                                              : enough ? ": holds"
-                                                       : ": trials are missing"))});
+    table.rows.push_back(
+        {text_entry(c.title), text_entry(c.load), digits_entry(std::to_string(c.trials)),
+         digits_entry(std::to_string(t.trials)), digits_entry(std::to_string(t.shown)),
+         digits_entry(std::to_string(t.inconclusive)),
+         text_entry(claim + (refuted  ? ": DOES NOT HOLD"
+                             : enough ? ": holds"
+                                      : ": trials are missing"))});
   }
-  Section section{certificate.holds     ? "Every claim holds"
-                  : certificate.refuted ? "A claim does not hold"
-                                        : "Trials are missing",
+  Section section{sentence(certificate.holds     ? "certificate.holds"
+                           : certificate.refuted ? "certificate.refuted"
+                                                 : "certificate.incomplete"),
                   {},
                   {std::move(table)}};
   if (const auto& head = trials.head)
-    section.paragraphs.push_back("From " + head->date + " on, " + head->cpu + ", " +
-                                 std::to_string(head->cores) + " cores, " + head->compiler + ".");
-  certificate.document = {"Certificate of the regression check", {std::move(section)}};
+    section.paragraphs.push_back(sentence("certificate.machine", {{"date", head->date},
+                                                                  {"cpu", head->cpu},
+                                                                  {"cores", head->cores},
+                                                                  {"compiler", head->compiler}}));
+  certificate.document = {sentence("certificate.document"), {std::move(section)}};
   return certificate;
 }
 

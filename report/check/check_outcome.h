@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "report/check/time_findings.h"
-#include "report/check/work_findings.h"
+#include "report/check/findings.h"
+#include "report/text/document.h"
 
 namespace desmo::report {
 
@@ -39,5 +39,11 @@ struct Pending {
   std::string candidate;
 };
 std::vector<Pending> pending(const CheckOutcome& found);
+
+/// "PASS", "REGRESSION", ...
+const char* verdict_word(Verdict verdict);
+
+/// What was found, candidate by candidate, and what it was found on.
+Document verdict_document(const CheckRecord& check, const CheckOutcome& found);
 
 }  // namespace desmo::report

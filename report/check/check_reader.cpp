@@ -1,23 +1,19 @@
-#include "report/check/check_reader.h"
-
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
-#include "report/read/json_document.h"
-#include "report/read/json_node.h"
+#include "report/check/check_record.h"
 #include "report/read/record_reader.h"
 
 namespace desmo::report {
 namespace {
 
-std::vector<double> read_samples(const JsonNode& node) {
+std::vector<double> read_samples(const RecordValue& node) {
   std::vector<double> samples;
-  for (const JsonNode& sample : node.elements()) samples.push_back(sample.sample());
+  for (const RecordValue& sample : node.elements()) samples.push_back(sample.sample());
   if (samples.empty()) node.complain("at least one round is needed");
   return samples;
 }
 
-Rounds read_rounds(const JsonNode& node, bool two_sides) {
+Rounds read_rounds(const RecordValue& node, bool two_sides) {
   Rounds rounds{{}, read_samples(node["head"])};
   if (two_sides) rounds.base = read_samples(node["base"]);
   if (two_sides && rounds.base.size() != rounds.head.size())
@@ -25,14 +21,14 @@ Rounds read_rounds(const JsonNode& node, bool two_sides) {
   return rounds;
 }
 
-std::int64_t read_count(const JsonNode& node) {
+std::int64_t read_count(const RecordValue& node) {
   const double count = node.positive();
   if (count != static_cast<double>(static_cast<std::int64_t>(count)))
     node.complain("a whole number of instructions was expected");
   return static_cast<std::int64_t>(count);
 }
 
-Work read_work(const JsonNode& node, bool two_sides) {
+Work read_work(const RecordValue& node, bool two_sides) {
   Work work{node["tool"].text(), node["steps"].integer(1), node["iterations"].integer(1), {}};
   for (const auto& [candidate, sides] : node["instructions"].members()) {
     Instructions& counts = work.instructions[candidate];
@@ -50,7 +46,7 @@ bool is_timed(const Record& record) {
 
 // Both sides have the same candidates; what was timed on one was timed on the other, in the same
 // rounds.
-void check_pairs(const CheckRecord& check, const JsonNode& root) {
+void check_pairs(const CheckRecord& check, const RecordValue& root) {
   for (const auto& [key, head] : check.head.candidates) {
     const auto base = check.base->candidates.find(key);
     if (base == check.base->candidates.end())
@@ -70,8 +66,8 @@ bool is_sound(const Candidate& candidate) {
 }
 
 // What is sound on every side was measured by every means that the check used.
-void check_complete(const CheckRecord& check, const JsonNode& root) {
-  const JsonNode head = root["head"];
+void check_complete(const CheckRecord& check, const RecordValue& root) {
+  const RecordValue head = root["head"];
   const bool timed = root.find(control_name).has_value();
   if (check.head.candidates.empty()) head["paper"]["cells"].complain("at least one cell is needed");
   if (!timed && !check.work) root.complain("nothing was measured: neither times nor work");
@@ -90,7 +86,7 @@ void check_complete(const CheckRecord& check, const JsonNode& root) {
 
 }  // namespace
 
-CheckRecord read_check(const JsonNode& root) {
+CheckRecord read_check(const RecordValue& root) {
   check_schema(root, "desmo-check");
   CheckRecord check;
   check.head = read_record(root["head"]);
@@ -109,11 +105,12 @@ CheckRecord read_check(const JsonNode& root) {
   return check;
 }
 
-CheckRecord parse_check(std::string_view text) {
-  const nlohmann::json document = parse_json(text);
-  return read_check(JsonNode(document));
+CheckRecord parse_check(std::string_view text, const std::string& file) {
+  return read_document(text, file, [](const RecordValue& root) { return read_check(root); });
 }
 
-CheckRecord read_check(const std::filesystem::path& file) { return parse_check(read_whole(file)); }
+CheckRecord read_check(const std::filesystem::path& file) {
+  return parse_check(read_record_text(file), file.string());
+}
 
 }  // namespace desmo::report

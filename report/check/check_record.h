@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "report/read/record.h"
+#include "report/read/record_reader.h"
 
 namespace desmo::report {
 
@@ -40,5 +42,17 @@ struct CheckRecord {
   std::optional<Work> work;
   std::string slowed;  ///< what was made slower on purpose, SIDE:CELL:PERCENT; empty: nothing
 };
+
+/// Checks everything that a verdict relies on: that both sides have the same candidates, and that
+/// what is right on both was measured by all that was used, Time, Work or both. The two sides are
+/// records of their own, read as such. Throws InputError, naming the place; UnsupportedVersion
+/// and MixedRecord where they apply.
+CheckRecord parse_check(std::string_view text, const std::string& file = "check");
+
+/// Likewise, of what has been parsed already.
+CheckRecord read_check(const RecordValue& root);
+
+/// Throws as parse_check, or UnreadableRecord.
+CheckRecord read_check(const std::filesystem::path& file);
 
 }  // namespace desmo::report

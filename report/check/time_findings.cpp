@@ -1,8 +1,7 @@
-#include "report/check/time_findings.h"
-
 #include <functional>
 #include <map>
 
+#include "report/check/findings.h"
 #include "report/statistics/statistics.h"
 
 namespace desmo::report {

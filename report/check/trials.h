@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "report/text/document.h"
+
 namespace desmo::report {
 
 /// The machine on which trials were made: those of two machines or compilers do not make one
@@ -29,13 +31,23 @@ struct Trials {
   std::vector<Trial> all;
 };
 
-/// Reads the text of a certificate, blank lines aside. Throws InvalidRecord, naming the line.
-Trials read_trials(const std::string& text);
+/// Reads the text of a certificate, blank lines aside. Throws InputError, naming the line.
+Trials read_trials(const std::string& text, const std::string& file = "trials");
 
 /// Judges the check of a trial, {"trial": {"kind", "load", "number", "candidate"}, "check": ...},
 /// and adds a line to a certificate, which is begun where there is none.
 ///
-/// Throws InvalidRecord; MixedRecord for a trial of another machine or compiler; OutputError.
+/// Throws InputError; MixedRecord for a trial of another machine or compiler; OutputError.
 void add_trial(const std::filesystem::path& certificate, const std::filesystem::path& trial);
+
+struct Certificate {
+  bool holds = false;    ///< every claim, with all its trials
+  bool refuted = false;  ///< some claim, whatever trials are missing
+  Document document;
+};
+
+/// Reads the trials (report/check/trials.h) and counts what they show. Throws InputError, naming
+/// the line, and UnreadableRecord.
+Certificate read_certificate(const std::filesystem::path& file);
 
 }  // namespace desmo::report

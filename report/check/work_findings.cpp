@@ -1,7 +1,7 @@
-#include "report/check/work_findings.h"
-
 #include <cmath>
 #include <functional>
+
+#include "report/check/findings.h"
 
 namespace desmo::report {
 namespace {

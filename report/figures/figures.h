@@ -13,6 +13,6 @@ namespace desmo::report {
 /// The design is in report/figures/*.template.json; data, title and subtitle are those of the
 /// tables of the figures (tables/tables.h). These of a record with candidates; of one with points
 /// figures/work_precision.h for each case, of one with growth figures/growth.h.
-std::vector<Rendered> figures(const Record& record);
+std::vector<NewFile> figures(const Record& record);
 
 }  // namespace desmo::report

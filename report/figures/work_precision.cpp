@@ -1,14 +1,13 @@
-#include "report/figures/work_precision.h"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "report/figures/legend.h"
+#include "report/figures/design.h"
 #include "report/statistics/selection.h"
-#include "report/tables/precision.h"
+#include "report/tables/entries.h"
+#include "report/tables/tables.h"
 #include "report/text/embedded.h"
 
 namespace desmo::report {
@@ -100,11 +99,9 @@ std::set<std::string> families(const Table& table) {
 
 }  // namespace
 
-Rendered work_precision_figure(const Record& record, const std::string& case_name) {
+NewFile work_precision_figure(const Record& record, const std::string& case_name) {
   const Table table = work_precision(record, case_name);
   Json spec = Json::parse(embedded::work_precision), data = marks(table);
-  spec["title"]["text"] = table.title;
-  spec["title"]["subtitle"] = table.notes;
   Json& layers = spec["vconcat"][0]["layer"];
   keep_measured(spec, {&layers[0]["encoding"]}, families(table));
   const Json ends = domain(data);
@@ -114,8 +111,7 @@ Rendered work_precision_figure(const Record& record, const std::string& case_nam
   for (const std::size_t layer : {3, 4}) layers[layer]["data"]["values"] = rules;
   if (std::ranges::none_of(data, [](const Json& mark) { return mark.contains("reason"); }))
     spec["vconcat"].erase(1);
-  spec["data"]["values"] = std::move(data);
-  return {table.name + ".vl.json", spec.dump(1) + "\n"};
+  return filled_figure(table, std::move(spec), std::move(data));
 }
 
 }  // namespace desmo::report

@@ -39,12 +39,6 @@ bool Configuration::solves_every_instant() const {
                               [](const std::string& o) { return o.starts_with("stride:"); });
 }
 
-std::string Configuration::stop() const {
-  const std::string count = iterations + (iterations == "1" ? " iteration" : " iterations");
-  if (tolerance.empty()) return iterations.empty() ? "usual tolerance" : count;
-  return (iterations.empty() ? "" : count + ", ") + "tolerance " + tolerance;
-}
-
 std::optional<Configuration> parse_configuration(std::string_view id) {
   std::size_t slash = std::min(id.find('/'), id.size());
   Configuration configuration;

@@ -19,8 +19,7 @@ struct Configuration {
   bool has_papers_settings() const;
   /// Whether no instant is interpolated between solved ones.
   bool solves_every_instant() const;
-  /// "tolerance 1e-6", "2 iterations", "usual tolerance".
-  std::string stop() const;
+  bool operator==(const Configuration&) const = default;
 };
 
 /// Nothing when a suffix is no "/key:value" or its key is given twice.

@@ -10,12 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "report/read/extremes.h"
-#include "report/read/points.h"
-#include "report/read/time.h"
-#include "report/read/timed_size.h"
-#include "report/read/tuning.h"
-#include "report/read/verification.h"
+#include "report/read/experiments.h"
+#include "report/read/timed.h"
 
 namespace desmo::report {
 
@@ -60,13 +56,6 @@ struct Settings {
   std::optional<std::int64_t> windows;  ///< timing windows into which the motion is cut
 };
 
-/// The origin of a time. Digests are SHA-256.
-struct Origin {
-  std::optional<std::string> machine;  ///< CPU that it was measured on
-  std::optional<std::string> model;    ///< digest of the mechanism
-  std::optional<std::string> results;  ///< digest of the answers, rounded to what is allowed
-};
-
 /// What names a candidate: unique in a record. Ordered by case, size, id.
 struct CandidateKey {
   std::string case_name;
@@ -92,20 +81,20 @@ struct Candidate {
   std::string message;  ///< why it failed or was not run
   Origin origin;
   Time time;                                 ///< of the whole analysis; has samples when ok only
-  std::int64_t threads = 1;                  ///< that solved it
   std::optional<Verification> verification;  ///< always when ok
   std::optional<double> setup_seconds;
   std::optional<double> iterations_per_step;
-  std::optional<double> residual;
   std::vector<Solver> solvers;  ///< where they were chosen by measurement
 };
 
+/// Phases of a step, in the order of a Profile.
+inline constexpr std::array phases{"residual", "jacobian",         "factorisation",
+                                   "solve",    "right_hand_sides", "rest"};
+
 /// Where the wall-clock time of a step went in an instrumented run.
 struct Profile {
-  /// Phase and wall-clock seconds per step, the median where there were several passes: the
-  /// schema's six phases in its order, others by name after them.
-  std::vector<std::pair<std::string, double>> seconds_per_step;
-  std::optional<std::array<double, 2>> total_range;  ///< s, of all phases: least, largest pass
+  std::array<double, phases.size()> seconds_per_step{};  ///< the median of several passes
+  std::optional<std::array<double, 2>> total_range;      ///< s, of all phases: least, largest pass
 };
 
 /// What names the structure that a partition gives: ordered by case, size, partition.
@@ -124,25 +113,19 @@ struct PartSizes {
 
 /// The parts into which a partition cuts the unknowns; constant ones are left out.
 struct Structure {
-  std::int64_t units = 1;        ///< equal ones of which the case is built
   std::vector<PartSizes> parts;  ///< each number of unknowns once, largest first; never empty
 };
 
 /// A formulation that solves only what is asked.
 struct Request {
-  CandidateKey candidate;  ///< the formulation, and the candidate that solves everything with it
-  std::string name;        ///< unique for a candidate
-  std::string title;       ///< what is asked, for people
-  std::string level;       ///< "position", "velocity", "acceleration"
+  CandidateKey key;   ///< the formulation, and the candidate that solves everything with it
+  std::string name;   ///< unique for a candidate
+  std::string title;  ///< what is asked, for people
+  std::string level;  ///< "position", "velocity", "acceleration"
   std::int64_t unknowns = 0;
-  std::int64_t all_unknowns = 0;  ///< of the whole mechanism
-  Status status = Status::not_run;
-  std::string message;  ///< why it failed or was not run
-  Origin origin;
-  Time time;                         ///< of the whole analysis; has samples when ok only
-  std::int64_t threads = 1;          ///< that solved it
+  std::int64_t all_unknowns = 0;     ///< of the whole mechanism
+  Candidate solved;                  ///< without verification
   std::optional<double> difference;  ///< from the whole mechanism's solution; always when ok
-  std::optional<double> iterations_per_step;
 };
 
 /// Another library, or code written by hand, that solves a case at a size; with its name each once.
@@ -153,22 +136,13 @@ struct Peer {
   std::string library, library_version;
   std::string method;  ///< how it is used, in a sentence
   std::string guess;   ///< "previous", "quadratic": as in the ids of ours
-  std::string setup;   ///< what had to be set up, in words; may be empty unless ok
-  std::optional<std::int64_t> compared;  ///< coordinates that it finds, of those there are
-  Candidate candidate;
+  Candidate solved;
 };
 
 /// Returns the key of a peer among candidates: its id is "peer:<name>".
 inline CandidateKey key_of(const Peer& peer) {
   return {peer.case_name, peer.coordinates, "peer:" + peer.name};
 }
-
-/// Instructions of a step, with as many Newton iterations as it takes.
-struct StepCount {
-  std::int64_t instructions = 0;
-  std::int64_t steps = 0;  ///< counted
-  std::string tool;        ///< what counted, and what else counts depend on
-};
 
 struct Record {
   std::string version;

@@ -135,11 +135,4 @@ std::vector<Difference> why_apart(const Record& first, const Record& second) {
   return std::move(all).differences();
 }
 
-std::string describe(const std::vector<Difference>& differences) {
-  std::string text;
-  for (const Difference& d : differences)
-    text += d.what + ": " + d.first + " here, " + d.second + " there\n";
-  return text;
-}
-
 }  // namespace desmo::report

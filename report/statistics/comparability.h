@@ -31,7 +31,4 @@ bool are_of_two_machines(const Record& first, const Record& second);
 /// only one points, and likewise searches of desmo tune, sizes, instructions and extremes.
 std::vector<Difference> why_apart(const Record& first, const Record& second);
 
-/// "CPU model: A here, B there", a line for each.
-std::string describe(const std::vector<Difference>& differences);
-
 }  // namespace desmo::report

@@ -42,11 +42,11 @@ std::vector<TimedGroup> timed_groups(const Record& record) {
 }
 
 CandidateKey reference_of(const CandidateKey& key) {
-  constexpr std::string_view usual = "global_automatic_klu";
   std::string suffix;
   for (const char* part : {"/request:", "/step:"})
     if (const std::size_t at = key.id.find(part); at != key.id.npos) suffix = key.id.substr(at);
-  if (!is_by_wall(key.id)) return {key.case_name, key.coordinates, std::string(usual) + suffix};
+  if (!is_by_wall(key.id))
+    return {key.case_name, key.coordinates, std::string(usual_reference) + suffix};
   const std::string id = key.id.substr(0, key.id.size() - suffix.size());
   return {key.case_name, key.coordinates,
           without_setting(without_setting(id, "threads"), "clock") + "/clock:wall" + suffix};

@@ -1,32 +1,14 @@
 #include "report/statistics/measurements.h"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 #include <stdexcept>
 
-#include "report/statistics/paper.h"
 #include "report/statistics/variants.h"
-#include "report/text/digits.h"
 #include "report/text/document.h"
+#include "report/text/texts.h"
 
 namespace desmo::report {
-
-namespace {
-
-Measured measured(Status status, const Time& time) {
-  switch (status) {
-    case Status::ok:
-      return {summarise(time.seconds, time.windows), {}, time.clock};
-    case Status::failed:
-      return {std::nullopt, failed_mark};
-    case Status::not_run:
-      break;
-  }
-  return {std::nullopt, not_run_mark};
-}
-
-}  // namespace
 
 Measured measured(const Record& record, const CandidateKey& key) {
   const auto candidate = record.candidates.find(key);
@@ -34,25 +16,28 @@ Measured measured(const Record& record, const CandidateKey& key) {
   return measured(candidate->second);
 }
 
-Measured measured(const Candidate& candidate) { return measured(candidate.status, candidate.time); }
-
-Measured measured(const Request& request) { return measured(request.status, request.time); }
+Measured measured(const Candidate& candidate) {
+  if (candidate.status != Status::ok)
+    return {std::nullopt, candidate.status == Status::failed ? failed_mark : not_run_mark};
+  const Time& time = candidate.time;
+  return {summarise(time.seconds, time.windows), {}, time.clock};
+}
 
 std::map<CandidateKey, Timing> timings(const Record& record, Clock clock) {
   const bool by_wall = clock == Clock::wall;
   std::map<CandidateKey, Timing> all;
+  const auto add = [&](const CandidateKey& key, const Candidate& candidate) {
+    all[key] = {measured(candidate), remark(candidate), candidate.origin};
+  };
   for (const auto& [key, candidate] : by_wall ? record.wall_candidates : record.candidates)
-    all[key] = {measured(candidate), remark(candidate.status, candidate.message), candidate.origin};
+    add(key, candidate);
   for (const Request& request : by_wall ? record.wall_requests : record.requests) {
-    CandidateKey key = request.candidate;
+    CandidateKey key = request.key;
     key.id += "/request:" + request.name;
-    all[key] = {measured(request), remark(request.status, request.message), request.origin};
+    add(key, request.solved);
   }
   if (by_wall) return all;
-  for (const Peer& peer : record.peers)
-    all[key_of(peer)] = {measured(peer.candidate),
-                         remark(peer.candidate.status, peer.candidate.message),
-                         peer.candidate.origin};
+  for (const Peer& peer : record.peers) add(key_of(peer), peer.solved);
   return all;
 }
 
@@ -99,19 +84,15 @@ std::vector<std::string_view> recorded_families(const Record& record) {
   return families;
 }
 
-Sources sources(const Record& record) {
-  const double duration = record.settings.duration_seconds;
-  if (std::abs(duration - published_duration) < 1e-9) return {"ours", "paper", {}, {}};
-  const std::string ours = write_shortest(duration) + " s";
-  const std::string paper = write_shortest(published_duration) + " s";
-  const std::string motions = "Ours is " + ours + " of motion, the paper's " + paper;
-  return {"ours, " + ours, "paper, " + paper, motions + ": these times are not to be compared.",
-          motions + ": these are ratios of times of unequal motions."};
+std::set<std::string> recorded_cases(const Record& record) {
+  std::set<std::string> cases;
+  for (const auto& [key, candidate] : record.candidates) cases.insert(key.case_name);
+  return cases;
 }
 
-std::string remark(Status status, const std::string& message) {
-  if (status == Status::ok) return {};
-  return message.empty() ? "no reason recorded" : message;
+std::string remark(const Candidate& candidate) {
+  if (candidate.status == Status::ok) return {};
+  return candidate.message.empty() ? sentence("common.no_reason") : candidate.message;
 }
 
 }  // namespace desmo::report

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -23,7 +24,6 @@ struct Measured {
 
 /// The time of a candidate that the CPU clock measured.
 Measured measured(const Record& record, const CandidateKey& key);
-Measured measured(const Request& request);
 Measured measured(const Candidate& candidate);
 
 /// What a candidate, request or peer says of its time.
@@ -66,18 +66,10 @@ std::vector<std::int64_t> recorded_sizes(const Record& record, std::string_view 
 /// backend has none of it, and no table shows it.
 std::vector<std::string_view> recorded_families(const Record& record);
 
-/// How ours and the paper's values are told apart: "ours" and "paper" when both are times of the
-/// same motion, "ours, 2 s" and "paper, 30 s" when they are not.
-struct Sources {
-  std::string ours;
-  std::string paper;
-  std::string warning;        ///< why the times cannot be compared; empty when they can
-  std::string ratio_warning;  ///< likewise, for ratios of them
-};
+/// Returns the cases recorded, in whatever state.
+std::set<std::string> recorded_cases(const Record& record);
 
-Sources sources(const Record& record);
-
-/// Why there is no time; empty when there is one.
-std::string remark(Status status, const std::string& message);
+/// Says why there is no time; empty when there is one.
+std::string remark(const Candidate& candidate);
 
 }  // namespace desmo::report

@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <set>
 
-#include "report/tables/entries.h"
-#include "report/text/digits.h"
-
 namespace desmo::report {
 
 std::vector<std::string> cases_with_points(const Record& record) {
@@ -106,46 +103,6 @@ const NamedPoint* cheapest(const Points& points, double max_error) {
 const NamedPoint* cheapest_of_paper(const Points& points, double max_error) {
   return cheapest(points, max_error,
                   [](const Configuration& c) { return c.has_papers_settings(); });
-}
-
-Entry step_time_entry(const std::vector<double>& samples) {
-  const StepTime time = step_time(samples);
-  const DigitStyle style = significant_digits(time.seconds * 1e6, 4);
-  const std::string least = write(time.seconds * 1e6, style);
-  if (samples.size() < 2) return {least + " (one run)", {least, ""}, "one run"};
-  const std::string again = write(time.again * 1e6, style);
-  return {least + " – " + again, {least, again}, {}};
-}
-
-Entry step_time_entry(const NamedPoint* point) {
-  return point ? step_time_entry(point->second.seconds_per_step) : note_entry(missing_mark);
-}
-
-Entry step_ratio_entry(const NamedPoint* reference, const NamedPoint* variant) {
-  if (!reference || !variant) return note_entry(missing_mark);
-  if (reference == variant) return {"1.00 reference", {"1.00", "", ""}, "reference"};
-  return ratio_entry(speed_up(*reference, *variant));
-}
-
-Entry error_entry(const std::optional<double>& error) {
-  if (!error) return note_entry(missing_mark);
-  const std::string digits = write(*error, {.scientific = true, .decimals = 1});
-  return {digits, {digits}, {}};
-}
-
-Entry error_entry(const NamedPoint* point) {
-  return error_entry(point ? std::optional(position_error(*point)) : std::nullopt);
-}
-
-Entry iterations_entry(const NamedPoint* point) {
-  return number_entry(point ? std::optional(point->second.iterations_per_step) : std::nullopt, 3);
-}
-
-std::string step_time_note() {
-  return "µs/step: CPU time, the least sample – the second least, of first assembly, drivers, all "
-         "steps and delivery, by the number of instants. Ratios: of the least samples [from the "
-         "one over the other's second least to the reverse]; " +
-         inconclusive_note() + ".";
 }
 
 }  // namespace desmo::report

@@ -11,7 +11,6 @@
 
 #include "report/read/record.h"
 #include "report/statistics/statistics.h"
-#include "report/text/document.h"
 
 namespace desmo::report {
 
@@ -21,9 +20,6 @@ using Points = std::vector<const NamedPoint*>;
 
 /// Errors that answers are wanted within: relative, of position, the largest.
 inline constexpr std::array accuracies{1e-3, 1e-6, 1e-9, 1e-12};
-
-/// The formulation that everything is compared with.
-inline constexpr std::string_view usual_reference = "global_automatic_klu";
 
 std::vector<std::string> cases_with_points(const Record& record);
 
@@ -71,18 +67,5 @@ const NamedPoint* cheapest(const Points& points, double max_error);
 /// The fastest within an error with the paper's guesses_and_updates, wherever it stops; null when
 /// there is none.
 const NamedPoint* cheapest_of_paper(const Points& points, double max_error);
-
-/// "12.34 – 12.41", quantities {microseconds, again}; of null the mark.
-Entry step_time_entry(const NamedPoint* point);
-Entry step_time_entry(const std::vector<double>& samples);
-/// "2.31 [2.28, 2.35]", quantities {speed_up, low, high}; of null the mark.
-Entry step_ratio_entry(const NamedPoint* reference, const NamedPoint* variant);
-/// "8.0e-10", quantities {error}; of nothing the mark.
-Entry error_entry(const std::optional<double>& error);
-Entry error_entry(const NamedPoint* point);
-Entry iterations_entry(const NamedPoint* point);  ///< quantities {iterations}
-
-/// What times and their ratios are, for the notes of a table.
-std::string step_time_note();
 
 }  // namespace desmo::report

@@ -6,9 +6,24 @@
 #include <span>
 #include <vector>
 
-#include "report/statistics/windows.h"
+#include "report/read/timed.h"
 
 namespace desmo::report {
+
+/// The seconds of an analysis that nothing disturbed, from all there were or from all but one.
+///
+/// A window takes so much for each instant and so much for each update, and at times more, never
+/// less: of the points (updates an instant, seconds an instant) of all windows and analyses, the
+/// undisturbed ones lie on a line, which rises, but not faster than in proportion, and the others
+/// above it. So the time is that of the lower convex envelope of these points at the updates of the
+/// whole motion, or less where that is more than a single point allows.
+///
+/// windows: with samples, two or more where one is left out.
+double undisturbed(const Windows& windows, std::optional<std::size_t> left_out = std::nullopt);
+
+/// The largest that leaving out one analysis makes of it: with the best of them gone, what the
+/// others say. windows: with two samples or more.
+double undisturbed_without_best(const Windows& windows);
 
 /// Repetitions below which there is no interval: two may have been disturbed alike.
 inline constexpr std::size_t min_for_interval = 3;

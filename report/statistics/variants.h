@@ -18,6 +18,13 @@ inline constexpr std::array<std::string_view, 3> stand_ins{"cholmod", "umfpack",
 inline constexpr std::array<std::string_view, 4> sparse_families{papers_own, "cholmod", "umfpack",
                                                                  "klu"};
 
+/// The formulation that everything is compared with.
+inline constexpr std::string_view usual_reference = "global_automatic_klu";
+
+/// Guesses of the experiment accuracy, in the order of tables.
+inline constexpr std::array tried_guesses{"previous", "linear",   "quadratic",
+                                          "hermite3", "hermite5", "adams8"};
+
 /// The same reference as global_automatic_klu, without a structure that KLU finds by itself: on
 /// some mechanisms the faster one.
 inline constexpr std::string_view reference_of_one_block = "global_automatic_klu/btf:off";

@@ -1,11 +1,10 @@
-#include "report/tables/best.h"
-
+// The best formulations of one thread, held against the global reference like for like.
 #include <algorithm>
 #include <functional>
 
-#include "report/statistics/variants.h"
 #include "report/tables/entries.h"
 #include "report/tables/tables.h"
+#include "report/text/texts.h"
 
 namespace desmo::report {
 namespace {
@@ -90,21 +89,16 @@ Best compared_with_references(const Record& record, const CandidateKey& key) {
           over(record, reference_with(record, {}), key)};
 }
 
-Entry times_entry(const MeasuredSpeedUp& ratio, bool is_itself) {
-  if (is_itself) return {"1.00 reference", {"1.00", "", ""}, "reference"};
-  return ratio.speed_up ? ratio_entry(*ratio.speed_up) : note_entry(ratio.mark);
-}
-
 void add_row(Table& table, const Record& record, const std::string& what,
              const std::optional<CandidateKey>& key) {
   if (!key) return;
-  const double step =
-      1e6 * measured(record, *key).seconds->value / static_cast<double>(record.settings.instants);
   const Best best = compared_with_references(record, *key);
+  const auto ratio = [&](const MeasuredSpeedUp& times, const Start& start) {
+    return key == reference_with(record, start) ? reference_entry() : ratio_entry(times);
+  };
   table.rows.push_back(
-      {text_entry(what), text_entry(key->id), number_entry(step, 3),
-       times_entry(best.like_for_like, key == reference_with(record, start_of(key->id))),
-       times_entry(best.papers_settings, key == reference_with(record, {}))});
+      {text_entry(what), text_entry(key->id), instant_entry(record, measured(record, *key), 3),
+       ratio(best.like_for_like, start_of(key->id)), ratio(best.papers_settings, {})});
 }
 
 }  // namespace
@@ -117,20 +111,7 @@ std::optional<Best> best_generated(const Record& record, Batch batch) {
 }
 
 Table best_formulations(const Record& record) {
-  Table table{
-      .name = "best",
-      .title = "One thread over the best global reference, truck suspension, " +
-               std::to_string(size_compared(record)) + " coordinates",
-      .notes =
-          {"µs/step: time of one instant. Like for like: times as fast as the fastest "
-           "global_automatic_… with the same guess and tolerance [interval]. Paper's settings: "
-           "as the fastest with the paper's guess and tolerance."},
-      .columns = {{"what", {}},
-                  {"id", {}},
-                  {"µs/step", {"microseconds"}},
-                  {"like for like", {"ratio", "low", "high"}},
-                  {"paper's settings", {"ratio", "low", "high"}}},
-      .rows = {}};
+  Table table = headed_table("best", {{"coordinates", size_compared(record)}});
   const std::optional<CandidateKey> paper = reference_with(record, {}),
                                     best = best_reference(record);
   add_row(table, record, "global, paper's settings", paper);

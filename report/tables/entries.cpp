@@ -5,6 +5,7 @@
 #include "report/statistics/paper.h"
 #include "report/statistics/variants.h"
 #include "report/text/digits.h"
+#include "report/text/texts.h"
 
 namespace desmo::report {
 namespace {
@@ -20,11 +21,6 @@ std::optional<double> number(const std::string& digits) {
 std::string runs(std::size_t repetitions) { return repetitions == 1 ? "one run" : "two runs"; }
 
 }  // namespace
-
-std::string inconclusive_note() {
-  return std::string(inconclusive_mark) + ": the interval is wider than ±" +
-         write_shortest(100 * max_conclusive_width) + " %; one or two runs have none";
-}
 
 void add_note(Entry& entry, const std::string& note) {
   entry.shown += (entry.note.empty() ? " " : ", ") + note;
@@ -54,15 +50,27 @@ Entry median_entry(const Measured& measured) {
   return {value + " (median " + median + ")", {value, median, count}, {}};
 }
 
+Entry digits_entry(std::string digits) { return {digits, {digits}, {}}; }
+
 Entry number_entry(const std::optional<double>& value, int significant) {
-  if (!value) return note_entry(missing_mark);
-  const std::string digits = write_significant(*value, significant);
-  return {digits, {digits}, {}};
+  return value ? digits_entry(write_significant(*value, significant)) : note_entry(missing_mark);
 }
 
-Entry count_entry(std::size_t count) {
-  const std::string digits = std::to_string(count);
-  return {digits, {digits}, {}};
+Entry count_entry(std::size_t count) { return digits_entry(std::to_string(count)); }
+
+Entry reference_entry() { return {"1.00 reference", {"1.00"}, "reference"}; }
+
+Entry instant_entry(const Record& record, const Measured& measured, int significant) {
+  if (!measured.seconds) return note_entry(missing_mark);
+  return number_entry(1e6 * measured.seconds->value / static_cast<double>(record.settings.instants),
+                      significant);
+}
+
+void add_errors(std::vector<Entry>& row, const Candidate& candidate) {
+  const auto& checked = candidate.verification;
+  for (double Verification::*level :
+       {&Verification::position, &Verification::velocity, &Verification::acceleration})
+    row.push_back(number_entry(checked ? std::optional((*checked).*level) : std::nullopt, 2));
 }
 
 Entry speed_up_entry(const MeasuredSpeedUp& measured) {
@@ -102,6 +110,10 @@ Entry ratio_entry(const SpeedUp& ratio) {
   return entry;
 }
 
+Entry ratio_entry(const MeasuredSpeedUp& measured) {
+  return measured.speed_up ? ratio_entry(*measured.speed_up) : note_entry(measured.mark);
+}
+
 // With fewer sizes than the paper's it cannot stand beside the paper's, and says so.
 Entry mean_speed_up_entry(const Record& record, std::string_view family, std::size_t variant) {
   const std::vector<std::int64_t>& sizes = published_sizes();
@@ -122,6 +134,50 @@ Entry compared(Entry published, const Entry& ours) {
   published.note = *low <= *value && *value <= *high ? inside_mark : outside_mark;
   published.shown += " " + published.note;
   return published;
+}
+
+Entry step_time_entry(const std::vector<double>& samples) {
+  const StepTime time = step_time(samples);
+  const DigitStyle style = significant_digits(time.seconds * 1e6, 4);
+  const std::string least = write(time.seconds * 1e6, style);
+  if (samples.size() < 2) return {least + " (one run)", {least, ""}, "one run"};
+  const std::string again = write(time.again * 1e6, style);
+  return {least + " – " + again, {least, again}, {}};
+}
+
+Entry step_time_entry(const NamedPoint* point) {
+  return point ? step_time_entry(point->second.seconds_per_step) : note_entry(missing_mark);
+}
+
+Entry step_ratio_entry(const NamedPoint* reference, const NamedPoint* variant) {
+  if (!reference || !variant) return note_entry(missing_mark);
+  if (reference == variant) return reference_entry();
+  return ratio_entry(speed_up(*reference, *variant));
+}
+
+Entry error_entry(const std::optional<double>& error) {
+  if (!error) return note_entry(missing_mark);
+  return digits_entry(write(*error, {.scientific = true, .decimals = 1}));
+}
+
+Entry error_entry(const NamedPoint* point) {
+  return error_entry(point ? std::optional(position_error(*point)) : std::nullopt);
+}
+
+Entry iterations_entry(const NamedPoint* point) {
+  return number_entry(point ? std::optional(point->second.iterations_per_step) : std::nullopt, 3);
+}
+
+Entry stop_entry(const NamedPoint* point) {
+  if (!point) return text_entry(sentence("costs.no_stop"));
+  const auto& [iterations, tolerance] =
+      std::pair(point->second.configuration.iterations, point->second.configuration.tolerance);
+  if (iterations.empty() && tolerance.empty()) return text_entry(sentence("costs.usual_stop"));
+  const std::string count = sentence(iterations == "1" ? "costs.one_iteration" : "costs.iterations",
+                                     {{"count", iterations}}),
+                    limit = sentence("costs.tolerance", {{"tolerance", tolerance}});
+  if (tolerance.empty()) return text_entry(count);
+  return text_entry(iterations.empty() ? limit : count + ", " + limit);
 }
 
 }  // namespace desmo::report

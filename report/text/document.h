@@ -1,6 +1,7 @@
 // What the report says, before it takes the form of a format: sections of paragraphs and tables.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,6 +30,7 @@ struct Entry {
 };
 
 inline Entry text_entry(std::string text) { return {std::move(text), {}, {}}; }
+inline Entry text_entry(std::int64_t number) { return text_entry(std::to_string(number)); }
 inline Entry note_entry(std::string note) { return {note, {}, note}; }
 
 struct Column {

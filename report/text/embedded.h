@@ -12,6 +12,7 @@ extern const std::string_view figure5;                     ///< report/figures/f
 extern const std::string_view figure6;                     ///< report/figures/figure6.template.json
 extern const std::string_view growth;                      ///< .../growth.template.json
 extern const std::string_view work_precision;              ///< .../work_precision.template.json
+extern const std::string_view texts;                       ///< report/text/texts.txt
 extern const std::string_view page_style;                  ///< report/formats/page.css
 
 }  // namespace desmo::report::embedded

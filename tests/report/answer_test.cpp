@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "report/report.h"
-#include "report/tables/best.h"
 #include "report/tables/tables.h"
 #include "tests/report/contains.h"
 #include "tests/report/sample.h"
@@ -119,38 +118,6 @@ TEST(Best, LeavesOutWhatWasNotMeasured) {
   for (const auto& row : table.rows)
     EXPECT_TRUE(row.front().shown.ends_with("paper's settings")) << row.front().shown;
   EXPECT_FALSE(best_generated(record_from(complete_record()), Batch::lanes));
-}
-
-TEST(References, HoldTheSameFormulationsAgainstEach) {
-  Json json = complete_record();
-  set_samples(json, 558, "global_automatic_klu", {4, 5, 6});
-  set_samples(json, 558, "global_automatic_umfpack", {10, 20, 30});
-  set_samples(json, 558, "group_symbolic_lapack", {2, 2, 4});
-  const auto table = references(record_from(json), "truck_suspension");
-  ASSERT_TRUE(table);
-  EXPECT_EQ(table->name, "references_truck_suspension");
-  EXPECT_EQ(entry_at(*table, {"global_automatic_klu"}, "CPU s").shown, "5.000");
-  const Entry klu = entry_at(*table, {"global_automatic_klu"}, "group_symbolic_lapack");
-  EXPECT_EQ(klu.shown, "2.50 [1.00, 3.00] inconclusive");
-  EXPECT_EQ(klu.digits, (std::vector<std::string>{"2.50", "1.00", "3.00"}));
-  EXPECT_EQ(entry_at(*table, {"global_automatic_umfpack"}, "group_symbolic_lapack").shown,
-            "10.00 [2.50, 15.00] inconclusive");
-  EXPECT_EQ(entry_at(*table, {"MA27 (the paper)"}, "CPU s").shown, "7.100");
-  EXPECT_EQ(entry_at(*table, {"MA27 (the paper)"}, "group_symbolic_lapack").shown, "3.6");
-  // Slowest last, the paper below.
-  EXPECT_EQ(table->rows[table->rows.size() - 2].front().shown, "global_automatic_umfpack");
-}
-
-TEST(References, LeaveOutWhatHasNoTime) {
-  Json json = complete_record();
-  fail_candidate(json, "truck_suspension", 558, "global_automatic_klu");
-  fail_candidate(json, "truck_suspension", 558, "group_symbolic_lapack");
-  const auto table = references(record_from(json), "truck_suspension");
-  ASSERT_TRUE(table);
-  EXPECT_THROW(entry_at(*table, {"global_automatic_klu"}, "CPU s"), std::runtime_error);
-  EXPECT_EQ(entry_at(*table, {"global_automatic_umfpack"}, "group_symbolic_lapack").shown,
-            failed_mark);
-  EXPECT_FALSE(references(record_from(json), "no_such_case"));
 }
 
 bool limits(const Json& json, const std::string& part) {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "report/check/check_reader.h"
+#include "report/check/check_record.h"
 
 namespace desmo::report {
 namespace {

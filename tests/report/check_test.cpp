@@ -4,9 +4,7 @@
 #include <functional>
 
 #include "report/check/check_outcome.h"
-#include "report/check/check_reader.h"
-#include "report/check/verdict.h"
-#include "report/read/json_document.h"
+#include "report/check/check_record.h"
 #include "tests/report/check_sample.h"
 
 namespace desmo::report::check_test {
@@ -254,7 +252,7 @@ TEST(CheckReader, RefusesWhatIsNotAWholeCheck) {
     spoil(check);
     try {
       check_from(check);
-    } catch (const InvalidRecord& error) {
+    } catch (const InputError& error) {
       return std::string(error.what());
     }
     return std::string("accepted");
@@ -292,12 +290,12 @@ TEST(CheckReader, RefusesWhatIsNotAWholeCheck) {
             std::string::npos);
   EXPECT_NE(complaint([](Json& c) {
               c["work"]["instructions"] = Json::object();
-            }).find("work.instructions: the cell truck_suspension"),
+            }).find("/work/instructions: the cell truck_suspension"),
             std::string::npos);
   EXPECT_NE(
       complaint([](Json& c) { c["work"]["instructions"][watched]["head"] = 0.5; }).find("whole"),
       std::string::npos);
-  EXPECT_NE(complaint([](Json& c) { c["control"]["head"][0] = -1; }).find("control.head[0]"),
+  EXPECT_NE(complaint([](Json& c) { c["control"]["head"][0] = -1; }).find("/control/head/0"),
             std::string::npos);
   EXPECT_NE(complaint([](Json& c) { c["schema"] = "desmo-results"; }).find("desmo-check"),
             std::string::npos);
@@ -320,14 +318,14 @@ TEST(CheckReader, SpoiltFilesAreRefusedOrJudged) {
   confirm(check, watched, 1.1);
   const std::string whole = check.dump();
   for (std::size_t size = 0; size < whole.size(); size += 97)
-    EXPECT_THROW(parse_check(whole.substr(0, size)), InvalidRecord) << size;
+    EXPECT_THROW(parse_check(whole.substr(0, size)), InputError) << size;
   for (std::size_t i = 0; i < whole.size(); i += 31) {
     std::string spoilt = whole;
     spoilt[i] = static_cast<char>(spoilt[i] ^ (1 << (i % 7)));
     try {
       const CheckRecord record = parse_check(spoilt);
       verdict_document(record, compare_sides(record));
-    } catch (const InvalidRecord&) {
+    } catch (const InputError&) {
     }
   }
 }

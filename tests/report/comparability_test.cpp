@@ -64,7 +64,10 @@ TEST(Comparability, NamesBothValues) {
   other["record"]["blas"]["core"] = "Abacus";
   const auto found = why_incomparable(record_from(newest()), record_from(other));
   const std::string core = newest()["record"]["blas"]["core"];
-  EXPECT_EQ(describe(found), "BLAS core: " + core + " here, Abacus there\n");
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].what, "BLAS core");
+  EXPECT_EQ(found[0].first, core);
+  EXPECT_EQ(found[0].second, "Abacus");
 }
 
 // There is nothing to pair with a record without windows: both by their medians.
@@ -75,9 +78,9 @@ TEST(Comparability, ARecordWithWindowsIsComparedByItsMediansWithOneWithout) {
     return table_named(make_comparison(record_from(a), record_from(b)), "comparison").notes[0];
   };
   EXPECT_EQ(reasons(record, old), Names{});
-  EXPECT_TRUE(note(record, record).starts_with("Undisturbed time ±"));
-  EXPECT_TRUE(note(record, old).starts_with("Median ±"));
-  EXPECT_TRUE(note(old, record).starts_with("Median ±"));
+  EXPECT_TRUE(note(record, record).starts_with("A, B: undisturbed time ±"));
+  EXPECT_TRUE(note(record, old).starts_with("A, B: median ±"));
+  EXPECT_TRUE(note(old, record).starts_with("A, B: median ±"));
 }
 
 // In the whole record: the CPU, the model of a case and size, its results.

@@ -9,7 +9,7 @@
 #include "report/formats/formats.h"
 #include "report/read/record_reader.h"
 #include "report/report.h"
-#include "report/tables/time_words.h"
+#include "report/tables/record_words.h"
 #include "tests/report/sample.h"
 
 namespace desmo::report::golden_test {

@@ -58,7 +58,7 @@ TEST(PapersOwn, StandsFirstAndIsComparedDirectly) {
   EXPECT_TRUE(entry_at(times, {"558", "ours"}, "TS-G_ma27").has_number());
   const Table figure = figure_of_speed_ups(record);
   ASSERT_EQ(figure.columns.size(), 6u);
-  EXPECT_EQ(figure.columns[1].name, paper_solver);
+  EXPECT_EQ(figure.columns[1].name, "MA27 (the paper)");
   EXPECT_EQ(figure.columns[2].name, papers_own);
   EXPECT_NE(figures(record)[1].content.find("\"ma27\""), std::string::npos);
 }

@@ -126,8 +126,8 @@ Record record_from(const Json& json) { return parse_record(json.dump()); }
 std::string complaint(const std::string& text) {
   try {
     parse_record(text);
-  } catch (const InvalidRecord& error) {
-    return error.what();
+  } catch (const InputError& error) {
+    return std::string(error.what()).substr(std::string("record: ").size());
   }
   return "accepted";
 }

@@ -109,7 +109,7 @@ TEST(TableOne, ShowsTheUndisturbedTimesThatTableTwoDivides) {
   EXPECT_EQ(entry_at(times, {"114", "ours"}, "TS-TPS_klu").shown, "2.000 (median 3.000)");
   EXPECT_EQ(entry_at(ratios, {"114", "ours"}, "TS-TPS_klu").shown, "2.00 [2.00, 2.00] (50.0 %)");
   EXPECT_NE(times.notes[0].find("undisturbed time (and median)"), std::string::npos);
-  EXPECT_NE(ratios.notes[0].find("ratio of the undisturbed times"), std::string::npos);
+  EXPECT_NE(ratios.notes[0].find("ratio of the times"), std::string::npos);
   for (const Table* table : {&times, &ratios})
     EXPECT_TRUE(std::ranges::any_of(table->notes, [](const std::string& note) {
       return note.starts_with("Undisturbed time: of each of 25 equal pieces");
@@ -233,31 +233,6 @@ TEST(TableTwo, MeanIsOfThePapersSizes) {
   EXPECT_EQ(entry_at(table, {"mean", "ours"}, "TS-TPS_klu").digits[0], "2.00");
 }
 
-TEST(Scaling, SaysWhichSlopesAreLinear) {
-  Json json = complete_record();
-  for (const int size : {114, 225, 336, 447, 558}) {
-    set_samples(json, size, "global_automatic_klu", {1e-3 * size});
-    set_samples(json, size, "group_automatic_klu", {1e-6 * size * size});
-  }
-  const Table table = scaling(record_from(json));
-  EXPECT_EQ(entry_at(table, {"TS-G_<sparse>"}, "klu").shown, "1.000 [1.000, 1.000] n=5 linear");
-  EXPECT_EQ(entry_at(table, {"TS-TPA_<sparse>"}, "klu").shown,
-            "2.000 [2.000, 2.000] n=5 not linear");
-  EXPECT_EQ(entry_at(table, {"TS-TPA_LAP"}, "klu").digits,
-            entry_at(table, {"TS-TPA_LAP"}, "cholmod").digits);
-  EXPECT_EQ(entry_at(table, {"FBL-TP"}, "klu").digits[3], "6");
-  EXPECT_EQ(entry_at(table, {"FBL-TP"}, "paper (MA27)").shown, missing_mark);
-}
-
-TEST(Scaling, NeedsThreeSizesAndMarksFailures) {
-  Json json = complete_record();
-  for (const int size : {114, 225}) fail_candidate(json, truck, size, "group_automatic_lapack");
-  for (const int size : {114, 225, 336}) fail_candidate(json, truck, size, "group_symbolic_lapack");
-  const Table table = scaling(record_from(json));
-  EXPECT_NE(entry_at(table, {"TS-TPA_LAP"}, "klu").note.find("a size FAILED"), std::string::npos);
-  EXPECT_EQ(entry_at(table, {"TS-TPS_LAP"}, "klu").shown, "too few sizes: 2, a size FAILED");
-}
-
 TEST(EveryFormulation, OrdersAndReferencesTheFastestGlobal) {
   Json json = complete_record();
   set_samples(json, 558, "global_automatic_klu", {0.3, 0.2, 0.4});
@@ -325,28 +300,27 @@ TEST(EveryFormulation, SaysWhatExceedsTheAllowedError) {
 TEST(TimeSplit, IsWallClockWithTheRangeOfTheTotal) {
   Json json = complete_record();
   const Table table = time_split(record_from(json));
-  EXPECT_EQ(table.notes.front().rfind("Wall clock, one instrumented run", 0), 0u);
-  EXPECT_NE(table.notes.front().find("median of several passes"), std::string::npos);
   EXPECT_EQ(entry_at(table, {truck, "558", "global_automatic_klu"}, "total").shown, "53.50");
   const Entry total = entry_at(table, {truck, "558", "group_symbolic_lapack"}, "total");
   EXPECT_EQ(total.shown, "111.3 ±1.0");
   EXPECT_EQ(total.digits, (std::vector<std::string>{"111.3", "1.0"}));
   json["paper"]["profiles"][1]["time_per_step"].erase("total_range");
-  EXPECT_EQ(time_split(record_from(json)).notes.front().find("median"), std::string::npos);
+  EXPECT_EQ(
+      entry_at(time_split(record_from(json)), {truck, "558", "group_symbolic_lapack"}, "total")
+          .shown,
+      "111.3");
 }
 
 TEST(TimeSplit, SharesOfTheTotal) {
   Json json = complete_record();
   json["paper"]["profiles"][0]["time_per_step"]["phases"] = {
-      {"residual", 1e-6}, {"jacobian", 2e-6},         {"factorisation", 4e-6}, {"solve", 2e-6},
-      {"rest", 0},        {"right_hand_sides", 1e-6}, {"delivery", 0}};
+      {"residual", 1e-6}, {"jacobian", 2e-6}, {"factorisation", 4e-6},
+      {"solve", 2e-6},    {"rest", 0},        {"right_hand_sides", 1e-6}};
   const Table table = time_split(record_from(json));
-  EXPECT_EQ(table.columns.back().name, "delivery");
+  EXPECT_EQ(table.columns.back().name, "rest");
   EXPECT_EQ(entry_at(table, {truck, "558", "global_automatic_klu"}, "total").shown, "10.00");
   EXPECT_EQ(entry_at(table, {truck, "558", "global_automatic_klu"}, "factorisation").shown,
             "4.00 (40 %)");
-  EXPECT_EQ(entry_at(table, {truck, "558", "group_symbolic_lapack"}, "delivery").shown,
-            missing_mark);
   fail_candidate(json, truck, 558, "global_automatic_klu");
   EXPECT_EQ(entry_at(time_split(record_from(json)), {truck, "558", "global_automatic_klu"}, "total")
                 .shown,
@@ -364,7 +338,7 @@ TEST(Report, SkipsFamiliesWithoutACell) {
         for (const Column& column : table.columns) EXPECT_NE(column.name, family) << table.name;
       }
   EXPECT_EQ(table_named(document, "table1_klu").columns.size(), 2u + 7);
-  EXPECT_EQ(table_named(document, "scaling").columns.size(), 3u);
+  EXPECT_EQ(table_named(document, "figure6").columns.size(), 3u);
 }
 
 TEST(Report, WithoutAnyFamilySaysSo) {
@@ -372,7 +346,7 @@ TEST(Report, WithoutAnyFamilySaysSo) {
   for (const char* family : {"cholmod", "umfpack", "klu"}) erase_family(json, family);
   const Document document = make_report(record_from(json));
   EXPECT_THROW(table_named(document, "table1_klu"), std::runtime_error);
-  EXPECT_EQ(table_named(document, "scaling").columns.size(), 2u);
+  EXPECT_EQ(table_named(document, "figure6").columns.size(), 2u);
 }
 
 TEST(Report, NamesEveryFailure) {
@@ -392,7 +366,7 @@ TEST(Report, ProvenanceComesFromTheRecord) {
   EXPECT_NE(entry_at(table, {"commit"}, "value").shown.find("with uncommitted changes"),
             std::string::npos);
   EXPECT_EQ(entry_at(table, {"KLU"}, "value").shown, "2.0.1");
-  EXPECT_EQ(entry_at(table, {"BLAS"}, "value").shown, "Synthetic, 1 thread");
+  EXPECT_EQ(entry_at(table, {"BLAS threads"}, "value").shown, "1");
   EXPECT_EQ(entry_at(table, {"duration"}, "value").shown, "30 s, 3001 instants");
 }
 

@@ -1,5 +1,4 @@
 // What an analysis takes undisturbed, from segments of disturbed ones.
-#include "report/statistics/windows.h"
 
 #include <gtest/gtest.h>
 

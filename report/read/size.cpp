@@ -1,0 +1,74 @@
+// The experiments size and instructions.
+#include <algorithm>
+#include <utility>
+
+#include "report/read/readers.h"
+
+namespace desmo::report {
+namespace {
+
+TimedSize failed(TimedSize entry, std::string why) {
+  entry.status = Status::failed;
+  entry.message = std::move(why);
+  entry.seconds_per_step.clear();
+  return entry;
+}
+
+/// It grows as the tolerance does beyond the record's.
+Allowed allowed_of(const TimedSize& entry, const Settings& settings) {
+  const double times = std::max(1.0, entry.tolerance / settings.tolerance);
+  return {times * settings.allowed->position, times * settings.allowed->velocity,
+          times * settings.allowed->acceleration, std::nullopt};
+}
+
+TimedSize read_entry(const RecordValue& node, const Settings& settings) {
+  TimedSize entry{.status = read_status(node["status"]),
+                  .message = node.find_text("message").value_or(""),
+                  .unknowns = node["unknowns"].integer(1),
+                  .tolerance = node["tolerance"].positive(),
+                  .checked_against = {},
+                  .verification = std::nullopt,
+                  .bytes = std::nullopt,
+                  .seconds_per_step = {}};
+  if (entry.status == Status::not_run) node["status"].complain("everything here is run");
+  if (entry.status != Status::ok) return entry;
+  entry.checked_against = node["checked_against"].text();
+  entry.verification = read_verification(node["verification"]);
+  entry.iterations_per_step = node["iterations_per_step"].not_negative();
+  entry.state_bytes = node["state_bytes"].positive();
+  if (const auto bytes = node.find("bytes")) entry.bytes = bytes->positive();
+  entry.seconds_per_step = read_cpu_seconds(node["time_per_step"]);
+  if (!settings.allowed) return entry;
+  std::string reason = excess(*entry.verification, allowed_of(entry, settings));
+  return reason.empty() ? entry : failed(std::move(entry), std::move(reason));
+}
+
+void read_list(std::map<CandidateKey, TimedSize>& entries, const RecordValue& list,
+               const Settings& settings) {
+  for (const RecordValue& node : list.elements()) {
+    const CandidateKey key = read_key(node);
+    if (!entries.emplace(key, read_entry(node, settings)).second)
+      node.complain(name_of(key) + " is given twice");
+  }
+}
+
+}  // namespace
+
+void read_sizes(Record& record, const RecordValue& section) {
+  if (const auto growth = section.find("growth"))
+    read_list(record.growth, *growth, record.settings);
+  if (const auto break_even = section.find("break_even"))
+    read_list(record.break_even, *break_even, record.settings);
+}
+
+void read_instructions(Record& record, const RecordValue& section) {
+  for (const RecordValue& node : section["counts"].elements()) {
+    const CandidateKey key = read_key(node);
+    const StepCount count{node["instructions_per_step"].integer(1), node["steps"].integer(1),
+                          node["tool"].text()};
+    if (!record.instructions.emplace(key, count).second)
+      node.complain(name_of(key) + " is given twice");
+  }
+}
+
+}  // namespace desmo::report
