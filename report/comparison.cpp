@@ -40,7 +40,7 @@ std::string remarks(const Timing& a, const Timing& b) {
 }
 
 std::vector<Entry> names_of(const CandidateKey& key) {
-  return {text_entry(key.case_name), text_entry(key.coordinates), text_entry(key.id)};
+  return {key.case_name, key.coordinates, key.id};
 }
 
 Table seconds_of_both(const TimedGroup& a, const TimedGroup& b, const Record& first) {
@@ -55,9 +55,9 @@ Table seconds_of_both(const TimedGroup& a, const TimedGroup& b, const Record& fi
     if (found == b.timings.end()) continue;
     const Timing& other = found->second;
     std::vector<Entry> row = names_of(key);
-    row.insert(row.end(), {seconds_entry(one.time), seconds_entry(other.time),
-                           speed_up_entry(measured_speed_up(one.time, other.time)),
-                           text_entry(remarks(one, other))});
+    row.insert(row.end(),
+               {seconds_entry(one.time), seconds_entry(other.time),
+                speed_up_entry(measured_speed_up(one.time, other.time)), remarks(one, other)});
     table.rows.push_back(std::move(row));
   }
   return table;
@@ -106,20 +106,9 @@ void add(Section& section, Table table) {
   if (!table.rows.empty()) section.tables.push_back(std::move(table));
 }
 
-/// As of a record without timing windows.
-Record without_windows(Record record) {
-  record.settings.windows.reset();
-  for (auto& [key, candidate] : record.candidates) candidate.time.windows = {};
-  for (Request& request : record.requests) request.solved.time.windows = {};
-  for (Peer& peer : record.peers) peer.solved.time.windows = {};
-  return record;
-}
-
 }  // namespace
 
 Document make_comparison(const Record& first, const Record& second) {
-  if (first.settings.windows != second.settings.windows)  // then there is nothing to pair
-    return make_comparison(without_windows(first), without_windows(second));
   Section section{sentence("comparison.section"), origins(first, second), {}};
   const std::vector<TimedGroup> a = timed_groups(first), b = timed_groups(second);
   for (std::size_t i = 0; i < a.size(); ++i) add(section, seconds_of_both(a[i], b[i], first));

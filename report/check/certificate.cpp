@@ -92,13 +92,13 @@ Certificate read_certificate(const std::filesystem::path& file) {
     certificate.refuted = certificate.refuted || refuted;
     certificate.holds = certificate.holds && enough && !refuted;
     const std::string claim = c.misses == 0 ? "every one" : "all but " + std::to_string(c.misses);
-    table.rows.push_back(
-        {text_entry(c.title), text_entry(c.load), digits_entry(std::to_string(c.trials)),
-         digits_entry(std::to_string(t.trials)), digits_entry(std::to_string(t.shown)),
-         digits_entry(std::to_string(t.inconclusive)),
-         text_entry(claim + (refuted  ? ": DOES NOT HOLD"
-                             : enough ? ": holds"
-                                      : ": trials are missing"))});
+    table.rows.push_back({c.title, c.load, digits_entry(std::to_string(c.trials)),
+                          digits_entry(std::to_string(t.trials)),
+                          digits_entry(std::to_string(t.shown)),
+                          digits_entry(std::to_string(t.inconclusive)),
+                          claim + (refuted  ? ": DOES NOT HOLD"
+                                   : enough ? ": holds"
+                                            : ": trials are missing")});
   }
   Section section{sentence(certificate.holds     ? "certificate.holds"
                            : certificate.refuted ? "certificate.refuted"

@@ -1,6 +1,7 @@
 // What a check says as a whole.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,8 @@ namespace desmo::report {
 
 /// Exit codes of `desmo_report check`.
 enum class Verdict { pass = 0, regression = 1, invalid = 2, inconclusive = 3, incomparable = 4 };
+inline constexpr std::array verdict_names{"pass", "regression", "invalid", "inconclusive",
+                                          "incomparable"};
 
 /// A candidate that is not judged, and why.
 struct Excluded {
@@ -39,9 +42,6 @@ struct Pending {
   std::string candidate;
 };
 std::vector<Pending> pending(const CheckOutcome& found);
-
-/// "PASS", "REGRESSION", ...
-const char* verdict_word(Verdict verdict);
 
 /// What was found, candidate by candidate, and what it was found on.
 Document verdict_document(const CheckRecord& check, const CheckOutcome& found);

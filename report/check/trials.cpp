@@ -14,22 +14,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* schema = "desmo-certificate";
 
-const char* name_of(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::pass:
-      return "pass";
-    case Verdict::regression:
-      return "regression";
-    case Verdict::invalid:
-      return "invalid";
-    case Verdict::inconclusive:
-      return "inconclusive";
-    case Verdict::incomparable:
-      break;
-  }
-  return "incomparable";
-}
-
 std::vector<std::string> read_candidates(const RecordValue& line, const char* key) {
   std::vector<std::string> candidates;
   if (const auto list = line.find(key))
@@ -78,7 +62,7 @@ Json read_what(const RecordValue& trial) {
 }
 
 Json trial_line(const Json& what, const CheckOutcome& found) {
-  Json line{{"trial", what}, {"verdict", name_of(found.verdict)}};
+  Json line{{"trial", what}, {"verdict", verdict_names[static_cast<std::size_t>(found.verdict)]}};
   add_candidates(line, "slower", found.time.candidates, Outcome::regression);
   add_candidates(line, "faster", found.time.candidates, Outcome::gain);
   add_candidates(line, "more_work", found.work.candidates, Outcome::regression);

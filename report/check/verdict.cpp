@@ -1,3 +1,5 @@
+#include <cctype>
+
 #include "report/check/check_outcome.h"
 #include "report/tables/entries.h"
 #include "report/tables/record_words.h"
@@ -23,21 +25,9 @@ Entry change_entry(const std::optional<Change>& c) {
 }
 
 std::string outcome_word(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::same:
-      return "same";
-    case Outcome::gain:
-      return "gain";
-    case Outcome::regression:
-      return "REGRESSION";
-    case Outcome::unconfirmed:
-      return "alarm, not yet confirmed";
-    case Outcome::refuted:
-      return "same: the second pass refutes the first";
-    case Outcome::noisy:
-      return "too noisy";
-  }
-  return {};
+  constexpr std::array names{"outcomes.same",        "outcomes.gain",    "outcomes.regression",
+                             "outcomes.unconfirmed", "outcomes.refuted", "outcomes.noisy"};
+  return sentence(names[static_cast<std::size_t>(outcome)]);
 }
 
 Entry milliseconds(double seconds) {
@@ -54,9 +44,8 @@ Table time_table(const TimeFindings& time) {
   else
     table.title = sentence("time.over_baseline");
   for (const TimeFinding& f : time.candidates)
-    table.rows.push_back({text_entry(f.candidate), milliseconds(f.base_seconds),
-                          milliseconds(f.head_seconds), change_entry(f.first),
-                          change_entry(f.second), text_entry(outcome_word(f.outcome))});
+    table.rows.push_back({f.candidate, milliseconds(f.base_seconds), milliseconds(f.head_seconds),
+                          change_entry(f.first), change_entry(f.second), outcome_word(f.outcome)});
   return table;
 }
 
@@ -66,11 +55,11 @@ Table work_table(const WorkFindings& work, const Work& counted) {
       {{"steps", counted.steps}, {"iterations", counted.iterations}, {"tool", counted.tool}});
   for (const WorkFinding& f : work.candidates) {
     const std::string percent = signed_percent(f.percent);
-    table.rows.push_back({text_entry(f.candidate),
+    table.rows.push_back({f.candidate,
                           digits_entry(std::to_string(f.base)),
                           digits_entry(std::to_string(f.head)),
                           {percent + " %", {percent}, {}},
-                          text_entry(outcome_word(f.outcome))});
+                          outcome_word(f.outcome)});
   }
   return table;
 }
@@ -134,24 +123,10 @@ std::string provenance_line(const CheckRecord& check) {
 
 }  // namespace
 
-const char* verdict_word(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::pass:
-      return "PASS";
-    case Verdict::regression:
-      return "REGRESSION";
-    case Verdict::invalid:
-      return "INVALID";
-    case Verdict::inconclusive:
-      return "INCONCLUSIVE";
-    case Verdict::incomparable:
-      return "INCOMPARABLE";
-  }
-  return "";
-}
-
 Document verdict_document(const CheckRecord& check, const CheckOutcome& j) {
-  Section section = headed_section("verdict", {{"verdict", verdict_word(j.verdict)}});
+  std::string verdict = verdict_names[static_cast<std::size_t>(j.verdict)];
+  for (char& c : verdict) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  Section section = headed_section("verdict", {{"verdict", verdict}});
   section.paragraphs = summary(j);
   if (!j.time.candidates.empty()) section.tables.push_back(time_table(j.time));
   if (!j.work.candidates.empty()) section.tables.push_back(work_table(j.work, *check.work));

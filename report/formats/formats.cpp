@@ -10,6 +10,16 @@ const std::vector<std::string>& format_names() {
   return names;
 }
 
+std::string escaped(std::string_view text, const std::map<char, std::string>& escapes) {
+  std::string result;
+  for (const char c : text)
+    if (const auto escape = escapes.find(c); escape != escapes.end())
+      result += escape->second;
+    else
+      result += c;
+  return result;
+}
+
 // Continuation bytes take no room.
 std::size_t characters(const std::string& text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {

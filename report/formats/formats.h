@@ -2,7 +2,9 @@
 // are; none rounds.
 #pragma once
 
+#include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cases/io/new_files.h"
@@ -35,6 +37,9 @@ std::string to_markdown(const Document& document);
 /// stands between the comments "<!-- NAME -->" and "<!-- end of NAME -->", NAME a figure or
 /// "scripts", belongs to report/figures/render, which puts the figures there.
 std::string to_html(const Document& document);
+
+/// Replaces some characters.
+std::string escaped(std::string_view text, const std::map<char, std::string>& escapes);
 
 /// Characters of UTF-8, not bytes.
 std::size_t characters(const std::string& text);

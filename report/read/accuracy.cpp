@@ -93,41 +93,27 @@ Promise read_promise(const RecordValue& node) {
           .best = read_tuned_choice(node["best"])};
 }
 
-void read_points(Record& record, const RecordValue& section) {
-  if (const auto floors = section.find("floors"))
-    for (const RecordValue& node : floors->elements())
-      if (const SeriesKey key = read_series(node);
-          !record.floors.emplace(key, read_floor(node)).second)
-        node.complain("the floor of " + described(key) + " is given twice");
-  const auto points = section.find("points");
-  if (!points) return;
-  for (const RecordValue& node : points->elements()) {
+}  // namespace
+
+void read_accuracy(Record& record, const RecordValue& section) {
+  read_each(section, "floors", [&](const RecordValue& node) {
+    const SeriesKey key = read_series(node);
+    add_once(record.floors, node, key, read_floor(node), "the floor of " + described(key));
+  });
+  read_each(section, "points", [&](const RecordValue& node) {
     const PointKey key{read_series(node), node["id"].text()};
     if (!record.floors.contains(key.series))
       node.complain("\"floors\" has nothing of " + described(key.series));
-    if (!record.points.emplace(key, read_point(node)).second)
-      node.complain(key.id + " of " + described(key.series) + " is given twice");
-  }
-}
-
-void read_tuning(Record& record, const RecordValue& section) {
-  const auto promises = section.find("tuning");
-  if (!promises) return;
+    add_once(record.points, node, key, read_point(node), key.id + " of " + described(key.series));
+  });
   std::set<std::pair<std::string, double>> seen;
-  for (const RecordValue& node : promises->elements()) {
+  read_each(section, "tuning", [&](const RecordValue& node) {
     record.tuning.push_back(read_promise(node));
     const Promise& promise = record.tuning.back();
     if (!seen.emplace(promise.mechanism, promise.allowed).second)
       node.complain("the promise of " + write_shortest(promise.allowed) + " for " +
                     promise.mechanism + " is given twice");
-  }
-}
-
-}  // namespace
-
-void read_accuracy(Record& record, const RecordValue& section) {
-  read_points(record, section);
-  read_tuning(record, section);
+  });
 }
 
 }  // namespace desmo::report

@@ -38,26 +38,23 @@ ExtremeResult read_result(const RecordValue& node) {
 }  // namespace
 
 void read_extremes(Record& record, const RecordValue& section) {
-  if (const auto rows = section.find("rows"))
-    for (const RecordValue& node : rows->elements()) {
-      record.extreme_rows.push_back({node["row"].integer(1), node["name"].text(),
-                                     node["extreme"].text(), node["expected"].text()});
-      if (std::ranges::count(record.extreme_rows, record.extreme_rows.back().number,
-                             &ExtremeRow::number) > 1)
-        node.complain("row " + std::to_string(record.extreme_rows.back().number) +
-                      " is given twice");
-    }
-  const auto results = section.find("results");
-  if (!results) return;
+  const auto rows_of = [&](std::int64_t number) {
+    return std::ranges::count(record.extreme_rows, number, &ExtremeRow::number);
+  };
+  read_each(section, "rows", [&](const RecordValue& node) {
+    record.extreme_rows.push_back({node["row"].integer(1), node["name"].text(),
+                                   node["extreme"].text(), node["expected"].text()});
+    const std::int64_t number = record.extreme_rows.back().number;
+    if (rows_of(number) > 1) node.complain("row " + std::to_string(number) + " is given twice");
+  });
   std::set<std::tuple<std::int64_t, std::string, std::string>> seen;
-  for (const RecordValue& node : results->elements()) {
+  read_each(section, "results", [&](const RecordValue& node) {
     record.extremes.push_back(read_result(node));
     const ExtremeResult& r = record.extremes.back();
-    if (!std::ranges::count(record.extreme_rows, r.row, &ExtremeRow::number))
-      node["row"].complain("\"rows\" has no row " + std::to_string(r.row));
+    if (rows_of(r.row) == 0) node["row"].complain("\"rows\" has no row " + std::to_string(r.row));
     if (!seen.emplace(r.row, r.case_name, r.id).second)
       node.complain(r.id + " in \"" + r.case_name + "\" is given twice");
-  }
+  });
 }
 
 }  // namespace desmo::report

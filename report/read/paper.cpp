@@ -1,7 +1,7 @@
 // The paper's experiment: candidates, requests and peers; structure and profiles.
+#include <algorithm>
 #include <set>
 #include <string_view>
-#include <tuple>
 #include <utility>
 
 #include "report/read/readers.h"
@@ -116,36 +116,6 @@ Peer read_peer(const RecordValue& node, const Settings& settings) {
           .solved = read_candidate(node, settings, "a peer")};
 }
 
-void read_candidates(Record& record, const RecordValue& list) {
-  for (const RecordValue& node : list.elements()) {
-    const CandidateKey key = read_key(node);
-    auto& candidates = is_by_wall(key.id) ? record.wall_candidates : record.candidates;
-    if (!candidates.emplace(key, read_candidate(node, record.settings, key.id)).second)
-      node.complain(name_of(key) + " is given twice");
-  }
-}
-
-void read_requests(Record& record, const RecordValue& list) {
-  std::set<std::pair<CandidateKey, std::string>> seen;
-  for (const RecordValue& node : list.elements()) {
-    Request request = read_request(node, record.settings);
-    if (!seen.emplace(request.key, request.name).second)
-      node.complain("the request " + request.name + " of " + request.key.id + " is given twice");
-    (is_by_wall(request.key.id) ? record.wall_requests : record.requests)
-        .push_back(std::move(request));
-  }
-}
-
-void read_peers(Record& record, const RecordValue& list) {
-  std::set<std::tuple<std::string, std::int64_t, std::string>> seen;
-  for (const RecordValue& node : list.elements()) {
-    record.peers.push_back(read_peer(node, record.settings));
-    const Peer& peer = record.peers.back();
-    if (!seen.emplace(peer.case_name, peer.coordinates, peer.name).second)
-      node.complain(name_of(key_of(peer)) + " is given twice");
-  }
-}
-
 std::array<double, 2> read_range(const RecordValue& node) {
   const std::vector<RecordValue> ends = node.elements();
   if (ends.size() != 2) node.complain("two numbers were expected, smallest and largest");
@@ -177,28 +147,6 @@ Structure read_structure(const RecordValue& node) {
   return structure;
 }
 
-void read_structures(Record& record, const RecordValue& section) {
-  const auto list = section.find("structure");
-  if (!list) return;
-  for (const RecordValue& node : list->elements()) {
-    const StructureKey key{node["case"].name(), node["coordinates"].integer(1),
-                           node["partition"].name()};
-    if (!record.structure.emplace(key, read_structure(node)).second)
-      node.complain("the structure of " + key.case_name + "/" + std::to_string(key.coordinates) +
-                    "/" + key.partition + " is given twice");
-  }
-}
-
-void read_profiles(Record& record, const RecordValue& section) {
-  const auto list = section.find("profiles");
-  if (!list) return;
-  for (const RecordValue& node : list->elements()) {
-    const CandidateKey key = read_key(node);
-    if (!record.profiles.emplace(key, read_profile(node)).second)
-      node.complain(name_of(key) + " is given twice");
-  }
-}
-
 }  // namespace
 
 CandidateKey read_key(const RecordValue& node) {
@@ -206,11 +154,36 @@ CandidateKey read_key(const RecordValue& node) {
 }
 
 void read_paper(Record& record, const RecordValue& section) {
-  if (const auto candidates = section.find("cells")) read_candidates(record, *candidates);
-  if (const auto requests = section.find("requests")) read_requests(record, *requests);
-  if (const auto peers = section.find("peers")) read_peers(record, *peers);
-  read_structures(record, section);
-  read_profiles(record, section);
+  const Settings& settings = record.settings;
+  read_each(section, "cells", [&](const RecordValue& node) {
+    const CandidateKey key = read_key(node);
+    add_once(is_by_wall(key.id) ? record.wall_candidates : record.candidates, node, key,
+             read_candidate(node, settings, key.id), name_of(key));
+  });
+  std::set<std::pair<CandidateKey, std::string>> seen;
+  read_each(section, "requests", [&](const RecordValue& node) {
+    Request request = read_request(node, settings);
+    if (!seen.emplace(request.key, request.name).second)
+      node.complain("the request " + request.name + " of " + request.key.id + " is given twice");
+    (is_by_wall(request.key.id) ? record.wall_requests : record.requests)
+        .push_back(std::move(request));
+  });
+  read_each(section, "peers", [&](const RecordValue& node) {
+    record.peers.push_back(read_peer(node, settings));
+    const CandidateKey key = key_of(record.peers.back());
+    if (std::ranges::count(record.peers, key, key_of) > 1)
+      node.complain(name_of(key) + " is given twice");
+  });
+  read_each(section, "structure", [&](const RecordValue& node) {
+    const StructureKey key{node["case"].name(), node["coordinates"].integer(1),
+                           node["partition"].name()};
+    add_once(record.structure, node, key, read_structure(node),
+             "the structure of " + name_of({key.case_name, key.coordinates, key.partition}));
+  });
+  read_each(section, "profiles", [&](const RecordValue& node) {
+    const CandidateKey key = read_key(node);
+    add_once(record.profiles, node, key, read_profile(node), name_of(key));
+  });
 }
 
 }  // namespace desmo::report

@@ -24,6 +24,21 @@ Record read_environment(const RecordValue& node);
 
 // ---- what several sections have ----
 
+/// Calls `read` with each element of a list that may be missing.
+template <class Read>
+void read_each(const RecordValue& section, std::string_view list, const Read& read) {
+  if (const auto found = section.find(list))
+    for (const RecordValue& node : found->elements()) read(node);
+}
+
+/// Adds to a map what is read of a node. Throws InputError, with the words for it, when the map has
+/// the key.
+template <class Map, class Key>
+void add_once(Map& map, const RecordValue& node, const Key& key, typename Map::mapped_type value,
+              const std::string& name) {
+  if (!map.emplace(key, std::move(value)).second) node.complain(name + " is given twice");
+}
+
 /// Reads what names a candidate.
 CandidateKey read_key(const RecordValue& node);
 

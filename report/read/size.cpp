@@ -43,31 +43,24 @@ TimedSize read_entry(const RecordValue& node, const Settings& settings) {
   return reason.empty() ? entry : failed(std::move(entry), std::move(reason));
 }
 
-void read_list(std::map<CandidateKey, TimedSize>& entries, const RecordValue& list,
-               const Settings& settings) {
-  for (const RecordValue& node : list.elements()) {
-    const CandidateKey key = read_key(node);
-    if (!entries.emplace(key, read_entry(node, settings)).second)
-      node.complain(name_of(key) + " is given twice");
-  }
-}
-
 }  // namespace
 
 void read_sizes(Record& record, const RecordValue& section) {
-  if (const auto growth = section.find("growth"))
-    read_list(record.growth, *growth, record.settings);
-  if (const auto break_even = section.find("break_even"))
-    read_list(record.break_even, *break_even, record.settings);
+  for (const auto& [list, entries] :
+       {std::pair{"growth", &record.growth}, {"break_even", &record.break_even}})
+    read_each(section, list, [&, &entries = entries](const RecordValue& node) {
+      const CandidateKey key = read_key(node);
+      add_once(*entries, node, key, read_entry(node, record.settings), name_of(key));
+    });
 }
 
 void read_instructions(Record& record, const RecordValue& section) {
   for (const RecordValue& node : section["counts"].elements()) {
     const CandidateKey key = read_key(node);
-    const StepCount count{node["instructions_per_step"].integer(1), node["steps"].integer(1),
-                          node["tool"].text()};
-    if (!record.instructions.emplace(key, count).second)
-      node.complain(name_of(key) + " is given twice");
+    add_once(
+        record.instructions, node, key,
+        {node["instructions_per_step"].integer(1), node["steps"].integer(1), node["tool"].text()},
+        name_of(key));
   }
 }
 

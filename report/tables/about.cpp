@@ -32,7 +32,7 @@ bool is_unsteady(const Machine& machine) {
 Table provenance(const Record& record) {
   Table table = headed_table("provenance");
   const auto add = [&table](const std::string& what, const std::string& value) {
-    table.rows.push_back({text_entry(what), text_entry(value)});
+    table.rows.push_back({what, value});
   };
   const Machine& machine = record.machine;
   const Settings& settings = record.settings;

@@ -50,9 +50,8 @@ Table filled_with(Table table, const Record& record, std::vector<Entry> (*of)(co
     const SeriesKey series = *main_series(record, name);
     const Points points = points_of(record, series), solving = solving_every_instant(points);
     const auto add = [&](double accuracy, const Choice& choice) {
-      std::vector<Entry> row{
-          text_entry(name), text_entry(series.coordinates), text_entry(write_shortest(accuracy)),
-          text_entry(choice.best ? choice.best->first.id : sentence("costs.none"))};
+      std::vector<Entry> row{name, series.coordinates, write_shortest(accuracy),
+                             choice.best ? choice.best->first.id : sentence("costs.none")};
       std::ranges::move(of(choice), std::back_inserter(row));
       table.rows.push_back(std::move(row));
     };

@@ -96,9 +96,9 @@ void add_row(Table& table, const Record& record, const std::string& what,
   const auto ratio = [&](const MeasuredSpeedUp& times, const Start& start) {
     return key == reference_with(record, start) ? reference_entry() : ratio_entry(times);
   };
-  table.rows.push_back(
-      {text_entry(what), text_entry(key->id), instant_entry(record, measured(record, *key), 3),
-       ratio(best.like_for_like, start_of(key->id)), ratio(best.papers_settings, {})});
+  table.rows.push_back({what, key->id, instant_entry(record, measured(record, *key), 3),
+                        ratio(best.like_for_like, start_of(key->id)),
+                        ratio(best.papers_settings, {})});
 }
 
 }  // namespace

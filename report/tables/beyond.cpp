@@ -81,8 +81,7 @@ void add_delivery(Table& table, const Record& record, Delivery delivery) {
   for (const Timed& one : delivery.timed) {
     const auto& checked = one.candidate->verification;
     table.rows.push_back(
-        {text_entry(delivery.delivered), text_entry(one.id), seconds_entry(one.time),
-         instant_entry(record, one.time),
+        {delivery.delivered, one.id, seconds_entry(one.time), instant_entry(record, one.time),
          ratio(paper == delivery.timed.end() ? nullptr : &*paper, one),
          ratio(like_for_like(delivery, one.id), one),
          number_entry(one.candidate->iterations_per_step, 3),

@@ -40,9 +40,9 @@ Section dense_or_sparse(const Record& record) {
     for (const std::string_view family : sparse_families) {
       const Curve& sparse = curves["global_automatic_" + std::string(family)];
       if (sparse.points.empty()) continue;
-      table.rows.push_back({text_entry(name), text_entry(std::string(family)),
-                            break_even_entry(lapack, sparse), break_even_entry(eigen, sparse),
-                            break_even_entry(faster, sparse), digits_entry(published_break_even)});
+      table.rows.push_back({name, std::string(family), break_even_entry(lapack, sparse),
+                            break_even_entry(eigen, sparse), break_even_entry(faster, sparse),
+                            digits_entry(published_break_even)});
     }
   }
   Section section = headed_section("break_even_section");

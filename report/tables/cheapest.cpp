@@ -54,8 +54,7 @@ Table cheapest_by_formulation(const Record& record, const std::string& case_name
   const std::vector<Points> all = in_order(solving_every_instant(points_of(record, series)));
   const NamedPoint* global = all.empty() ? nullptr : cheapest_global(all);
   for (const Points& own : all) {
-    std::vector<Entry> row{text_entry(own.front()->second.configuration.formulation),
-                           count_entry(own.size())};
+    std::vector<Entry> row{own.front()->second.configuration.formulation, count_entry(own.size())};
     for (const double accuracy : accuracies)
       row.push_back(step_time_entry(cheapest(own, accuracy)));
     row.push_back(common_configurations(own) < common_configurations(all.front())

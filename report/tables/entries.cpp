@@ -20,6 +20,19 @@ std::optional<double> number(const std::string& digits) {
 
 std::string runs(std::size_t repetitions) { return repetitions == 1 ? "one run" : "two runs"; }
 
+/// Shows a time with what says how far it varies: a quantity, and how that is shown.
+template <class Variation>
+Entry time_entry(const Measured& measured, const Variation& variation) {
+  if (!measured.seconds) return note_entry(measured.mark);
+  const Summary& seconds = *measured.seconds;
+  const DigitStyle style = significant_digits(seconds.value, 4);
+  const std::string value = write(seconds.value, style), count = std::to_string(seconds.count);
+  if (!seconds.has_interval())
+    return {value + " (" + runs(seconds.count) + ")", {value, "", count}, runs(seconds.count)};
+  const auto& [quantity, shown] = variation(seconds, value, style);
+  return {value + shown, {value, quantity, count}, {}};
+}
+
 }  // namespace
 
 void add_note(Entry& entry, const std::string& note) {
@@ -28,26 +41,19 @@ void add_note(Entry& entry, const std::string& note) {
 }
 
 Entry seconds_entry(const Measured& measured) {
-  if (!measured.seconds) return note_entry(measured.mark);
-  const Summary& seconds = *measured.seconds;
-  const DigitStyle style = significant_digits(seconds.value, 4);
-  const std::string value = write(seconds.value, style), count = std::to_string(seconds.count);
-  if (!seconds.has_interval())
-    return {value + " (" + runs(seconds.count) + ")", {value, "", count}, runs(seconds.count)};
-  const std::string half = write(seconds.half_range(), style);
-  return {value + " ±" + half, {value, half, count}, {}};
+  return time_entry(measured, [](const Summary& seconds, const std::string&, DigitStyle style) {
+    const std::string half = write(seconds.half_range(), style);
+    return std::pair(half, " ±" + half);
+  });
 }
 
 Entry median_entry(const Measured& measured) {
-  if (!measured.seconds) return note_entry(measured.mark);
-  const Summary& seconds = *measured.seconds;
-  const DigitStyle style = significant_digits(seconds.value, 4);
-  const std::string value = write(seconds.value, style), median = write(seconds.median, style),
-                    count = std::to_string(seconds.count);
-  if (!seconds.has_interval())
-    return {value + " (" + runs(seconds.count) + ")", {value, "", count}, runs(seconds.count)};
-  if (median == value) return {value, {value, "", count}, {}};
-  return {value + " (median " + median + ")", {value, median, count}, {}};
+  return time_entry(measured,
+                    [](const Summary& seconds, const std::string& value, DigitStyle style) {
+                      const std::string median = write(seconds.median, style);
+                      if (median == value) return std::pair(std::string(), std::string());
+                      return std::pair(median, " (median " + median + ")");
+                    });
 }
 
 Entry digits_entry(std::string digits) { return {digits, {digits}, {}}; }
@@ -169,15 +175,15 @@ Entry iterations_entry(const NamedPoint* point) {
 }
 
 Entry stop_entry(const NamedPoint* point) {
-  if (!point) return text_entry(sentence("costs.no_stop"));
+  if (!point) return sentence("costs.no_stop");
   const auto& [iterations, tolerance] =
       std::pair(point->second.configuration.iterations, point->second.configuration.tolerance);
-  if (iterations.empty() && tolerance.empty()) return text_entry(sentence("costs.usual_stop"));
+  if (iterations.empty() && tolerance.empty()) return sentence("costs.usual_stop");
   const std::string count = sentence(iterations == "1" ? "costs.one_iteration" : "costs.iterations",
                                      {{"count", iterations}}),
                     limit = sentence("costs.tolerance", {{"tolerance", tolerance}});
-  if (tolerance.empty()) return text_entry(count);
-  return text_entry(iterations.empty() ? limit : count + ", " + limit);
+  if (tolerance.empty()) return count;
+  return iterations.empty() ? limit : count + ", " + limit;
 }
 
 }  // namespace desmo::report

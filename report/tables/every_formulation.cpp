@@ -84,13 +84,13 @@ Table every_formulation(const Record& record, const std::string& case_name,
   for (const CandidateKey& key : keys) {
     const Candidate& candidate = record.candidates.at(key);
     const Measured time = measured(candidate);
-    std::vector<Entry> row{text_entry(key.id), range_entry(time), instant_entry(record, time),
+    std::vector<Entry> row{key.id, range_entry(time), instant_entry(record, time),
                            plain_ratio(record, reference, key),
                            number_entry(candidate.iterations_per_step, 3)};
     add_errors(row, candidate);
     row.push_back(number_entry(candidate.setup_seconds, 2));
-    row.push_back(text_entry(candidate.status == Status::ok ? solvers_text(candidate.solvers)
-                                                            : remark(candidate)));
+    row.push_back(candidate.status == Status::ok ? solvers_text(candidate.solvers)
+                                                 : remark(candidate));
     table.rows.push_back(std::move(row));
   }
   return table;

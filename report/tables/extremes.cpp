@@ -92,7 +92,7 @@ Table extremes_by_formulation(const Record& record) {
         {std::to_string(row.number) + " " + row.name, {"cases", "of", "error_over_floor"}});
   for (const std::string& name : formulations(record)) {
     std::vector<Entry>& entries = table.rows.emplace_back();
-    entries.push_back(text_entry(name));
+    entries.push_back(name);
     for (const ExtremeRow& row : record.extreme_rows)
       entries.push_back(results_entry(results_of(record, [&](const ExtremeResult& r) {
         return r.row == row.number && formulation_of(r) == name;
@@ -105,8 +105,7 @@ Table extreme_rows(const Record& record) {
   Table table = headed_table("extreme_rows");
   for (const ExtremeRow& row : record.extreme_rows) {
     std::vector<Entry>& entries = table.rows.emplace_back();
-    entries = {text_entry(std::to_string(row.number) + " " + row.name), text_entry(row.extreme),
-               text_entry(row.expected)};
+    entries = {std::to_string(row.number) + " " + row.name, row.extreme, row.expected};
     add_verdicts(entries,
                  results_of(record, [&](const ExtremeResult& r) { return r.row == row.number; }));
   }
@@ -120,9 +119,9 @@ Table extreme_cases(const Record& record) {
   for (const ExtremeResult& r : record.extremes) cases[{r.row, r.case_name}].push_back(&r);
   for (const auto& [place, results] : cases) {
     std::vector<Entry>& entries = table.rows.emplace_back();
-    entries = {text_entry(place.first), text_entry(place.second)};
+    entries = {place.first, place.second};
     add_verdicts(entries, results);
-    entries.push_back(text_entry(example(results)));
+    entries.push_back(example(results));
   }
   return table;
 }

@@ -32,7 +32,7 @@ TextValues values_of(const Record& record) {
 template <typename EntryOf>
 void add_panel(Table& table, const std::string& name, EntryOf entry_of) {
   for (const std::int64_t size : published_sizes()) {
-    std::vector<Entry> row{text_entry(name), text_entry(size)};
+    std::vector<Entry> row{name, size};
     for (const Variant& variant : variants) row.push_back(entry_of(size, variant));
     table.rows.push_back(std::move(row));
   }
@@ -70,7 +70,7 @@ Table figure_of_speed_ups(const Record& record) {
   for (const std::string_view family : recorded_families(record))
     table.columns.push_back({std::string(family), quantities});
   for (const std::size_t variant : topological) {
-    std::vector<Entry> row{text_entry(legend(variants[variant])),
+    std::vector<Entry> row{legend(variants[variant]),
                            without_percent(published_speed_up_entry("mean", variants[variant]))};
     for (const std::string_view family : recorded_families(record))
       row.push_back(without_percent(mean_speed_up_entry(record, family, variant)));

@@ -71,7 +71,7 @@ Entry iterations_of_ends(const Curve& curve) {
 Table exponents(const std::vector<Curve>& curves) {
   Table table = headed_table("growth_exponents");
   for (const Curve& curve : curves) {
-    std::vector<Entry> row{text_entry(curve.case_name), text_entry(curve.id), slope_entry(curve)};
+    std::vector<Entry> row{curve.case_name, curve.id, slope_entry(curve)};
     if (const CurvePoint* const least = cheapest(curve)) {
       row.push_back(cost_entry(*least));
       row.push_back(end_entry(end_of_growth(curve)));
@@ -93,22 +93,20 @@ Table growth_data(const Record& record) {
     return number_entry(bytes ? std::optional(*bytes / 1024) : std::nullopt, 4);
   };
   for (const auto& [key, entry] : record.growth) {
-    std::vector<Entry> row{text_entry(key.case_name), text_entry(key.id),
-                           text_entry(key.coordinates)};
+    std::vector<Entry> row{key.case_name, key.id, key.coordinates};
     if (entry.status == Status::ok) {
       const double seconds = step_time(entry.seconds_per_step).seconds;
-      row.insert(
-          row.end(),
-          {step_time_entry(entry.seconds_per_step),
-           number_entry(1e9 * seconds / static_cast<double>(key.coordinates), 4),
-           kibibytes(entry.bytes), kibibytes(entry.state_bytes),
-           number_entry(entry.iterations_per_step, 3), error_entry(entry.verification->position),
-           text_entry(entry.bytes ? held_by(caches, *entry.bytes) : ""),
-           text_entry(sentence("growth.checked", {{"precision", entry.checked_against}}))});
+      row.insert(row.end(), {step_time_entry(entry.seconds_per_step),
+                             number_entry(1e9 * seconds / static_cast<double>(key.coordinates), 4),
+                             kibibytes(entry.bytes), kibibytes(entry.state_bytes),
+                             number_entry(entry.iterations_per_step, 3),
+                             error_entry(entry.verification->position),
+                             entry.bytes ? held_by(caches, *entry.bytes) : "",
+                             sentence("growth.checked", {{"precision", entry.checked_against}})});
     } else {
       row.push_back(note_entry(failed_mark));
       row.resize(9, note_entry(missing_mark));
-      row.insert(row.end(), {text_entry(""), text_entry(entry.message)});
+      row.insert(row.end(), {"", entry.message});
     }
     table.rows.push_back(std::move(row));
   }

@@ -37,8 +37,7 @@ struct Usual {
 void add_case(Table& table, const SeriesKey& series, const Points& points) {
   const Usual usual(points);
   const auto add = [&](const char* guess, const std::string& update, const NamedPoint* best) {
-    table.rows.push_back({text_entry(series.case_name), text_entry(series.coordinates),
-                          text_entry(guess), text_entry(update), stop_entry(best),
+    table.rows.push_back({series.case_name, series.coordinates, guess, update, stop_entry(best),
                           error_entry(best), iterations_entry(best), step_time_entry(best),
                           step_ratio_entry(usual.paper, best),
                           step_ratio_entry(usual.stopped, best)});

@@ -40,7 +40,7 @@ Table instructions_table(const TextValues& place, std::vector<const Counted*> co
   values.emplace_back("tool", counts.front()->second.tool);
   Table table = headed_table("instructions_case", values);
   for (const Counted* counted : counts)
-    table.rows.push_back({text_entry(counted->first.id), text_entry(paper_name(counted->first)),
+    table.rows.push_back({counted->first.id, paper_name(counted->first),
                           count_entry(static_cast<std::size_t>(counted->second.instructions)),
                           times_fewer(reference == counts.end() ? nullptr : *reference, counted),
                           count_entry(static_cast<std::size_t>(counted->second.steps))});

@@ -67,8 +67,7 @@ Table cpu_times(const Record& record, std::string_view family) {
   sizes.insert(published_four_bar);
   for (const std::int64_t size : sizes) {
     const std::string row = std::to_string(size);
-    std::vector<Entry> ours{text_entry(row), text_entry(source.ours)},
-        paper{text_entry(row), text_entry(source.paper)};
+    std::vector<Entry> ours{row, source.ours}, paper{row, source.paper};
     for (const Variant& variant : variants) {
       ours.push_back(median_entry(measured(record, family_key(variant, size, family))));
       paper.push_back(published_seconds_entry(row, variant));
@@ -89,8 +88,7 @@ Table speed_ups(const Record& record, std::string_view family) {
   for (const Variant& variant : shown)
     table.columns.push_back({family_name(variant, family), {"speed_up", "low", "high", "percent"}});
   const auto add = [&](const std::string& name, const auto& ours_of) {
-    std::vector<Entry> ours{text_entry(name), text_entry("ours")},
-        paper{text_entry(name), text_entry("paper")};
+    std::vector<Entry> ours{name, "ours"}, paper{name, "paper"};
     for (const std::size_t variant : topological) {
       ours.push_back(ours_of(variant));
       paper.push_back(compared(published_speed_up_entry(name, variants[variant]), ours.back()));

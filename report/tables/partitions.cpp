@@ -65,10 +65,9 @@ Section partitions(const Record& record) {
       const auto found = record.structure.find(key);
       if (found == record.structure.end()) continue;
       const Structure& structure = found->second;
-      table.rows.push_back({text_entry(key.case_name), text_entry(key.coordinates),
-                            text_entry(name), digits_entry(std::to_string(parts_of(structure))),
-                            digits_entry(std::to_string(structure.parts.front().unknowns)),
-                            text_entry(addends(structure))});
+      table.rows.push_back(
+          {key.case_name, key.coordinates, name, digits_entry(std::to_string(parts_of(structure))),
+           digits_entry(std::to_string(structure.parts.front().unknowns)), addends(structure)});
     }
   }
   for (const auto& [name, key] : largest) {

@@ -47,15 +47,15 @@ void add_solver(Table& table, const Record& record, const Ours& ours, const Cand
                 const std::string& name, const Candidate& candidate) {
   const Measured time = measured(candidate);
   std::vector<Entry> row{
-      text_entry(key.coordinates),
-      text_entry(name),
+      key.coordinates,
+      name,
       seconds_entry(time),
       instant_entry(record, time),
       times_ours(record, ours.global, key, time),
       times_ours(record, ours.fastest, key, time),
       number_entry(time.seconds ? candidate.iterations_per_step : std::nullopt, 3)};
   add_errors(row, candidate);
-  row.push_back(text_entry(remark(candidate)));
+  row.push_back(remark(candidate));
   table.rows.push_back(std::move(row));
 }
 

@@ -18,15 +18,15 @@ Entry unknowns_entry(std::int64_t solved, std::int64_t all) {
 
 std::vector<Entry> request_row(const Record& record, const Request& request) {
   const Measured time = measured(request.solved);
-  return {text_entry(request.title),
-          text_entry(request.level),
-          text_entry(request.key.id),
+  return {request.title,
+          request.level,
+          request.key.id,
           unknowns_entry(request.unknowns, request.all_unknowns),
           seconds_entry(time),
           speed_up_entry(measured_speed_up(measured(record, request.key), time)),
           number_entry(time.seconds ? request.solved.iterations_per_step : std::nullopt, 3),
           number_entry(request.difference, 2),
-          text_entry(remark(request.solved))};
+          remark(request.solved)};
 }
 
 /// The row of what solves everything with the formulation of a request.
@@ -34,15 +34,15 @@ std::vector<Entry> everything_row(const Record& record, const Request& request) 
   const Measured time = measured(record, request.key);
   const auto whole = record.candidates.find(request.key);
   const bool found = whole != record.candidates.end();
-  return {text_entry("everything"),
-          text_entry("acceleration"),
-          text_entry(request.key.id),
+  return {"everything",
+          "acceleration",
+          request.key.id,
           unknowns_entry(request.all_unknowns, request.all_unknowns),
           seconds_entry(time),
           time.seconds ? reference_entry() : note_entry(time.mark),
           number_entry(time.seconds ? whole->second.iterations_per_step : std::nullopt, 3),
           note_entry(missing_mark),
-          text_entry(found ? remark(whole->second) : "")};
+          found ? remark(whole->second) : ""};
 }
 
 }  // namespace

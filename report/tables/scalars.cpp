@@ -60,17 +60,16 @@ void add_scalars(Table& table, const Record& record, const SeriesKey& series, co
     const Points solved = points_with(points, [](const auto* p) { return is_solved(*p); });
     const NamedPoint* best = best_error(solved);
     const std::string count = std::to_string(solved.size()), all = std::to_string(points.size());
-    std::vector<Entry> row{text_entry(series.case_name),
-                           text_entry(own.front()->second.configuration.formulation),
-                           text_entry(scalar),
+    std::vector<Entry> row{series.case_name,
+                           own.front()->second.configuration.formulation,
+                           scalar,
                            {count + " of " + all, {count, all}, {}},
                            error_entry(best),
                            step_time_entry(best),
                            predicted_entry(record.floors.at(series), scalar)};
     for (const double error : asked)
       row.push_back(step_ratio_entry(cheapest(in_double, error), cheapest(points, error)));
-    row.push_back(
-        text_entry(best ? std::string() : kind_of_failure(points.front()->second.message)));
+    row.push_back(best ? std::string() : kind_of_failure(points.front()->second.message));
     table.rows.push_back(std::move(row));
   }
 }

@@ -90,8 +90,7 @@ Table sensitivity(const Record& record) {
         {family_name(variants[claim.variant], "<sparse>"), {"speed_up", "low", "high"}});
   for (const std::string_view family : sparse_families)
     for (const Variation& variation : variations(record)) {
-      std::vector<Entry> row{text_entry(std::string(family)), text_entry(variation.what),
-                             text_entry(variation.value)};
+      std::vector<Entry> row{std::string(family), variation.what, variation.value};
       bool any = false;
       for (const Claimed& claim : claimed) {
         row.push_back(claim_entry(record, family, claim, variation));

@@ -58,10 +58,10 @@ std::vector<Table> threads(const Record& record) {
         all, {}, [](const WallTimed& one) { return std::pair(one.place(), one.threads); });
     Table table = headed_table("threads", {{"case", name}});
     for (const WallTimed& one : all)
-      table.rows.push_back(
-          {text_entry(one.coordinates), text_entry(one.delivered), text_entry(one.analysis),
-           count_entry(static_cast<std::size_t>(one.threads)), seconds_entry(one.time),
-           instant_entry(record, one.time), over_one_thread(all, one), text_entry(one.remark)});
+      table.rows.push_back({one.coordinates, one.delivered, one.analysis,
+                            count_entry(static_cast<std::size_t>(one.threads)),
+                            seconds_entry(one.time), instant_entry(record, one.time),
+                            over_one_thread(all, one), one.remark});
     tables.push_back(std::move(table));
   }
   return tables;

@@ -32,8 +32,7 @@ Table time_split(const Record& record) {
     const bool failed = measured(record, key).mark == failed_mark;
     double total = 0;
     for (const double seconds : profile.seconds_per_step) total += seconds;
-    std::vector<Entry> row{text_entry(key.case_name), text_entry(key.coordinates),
-                           text_entry(key.id),
+    std::vector<Entry> row{key.case_name, key.coordinates, key.id,
                            failed ? note_entry(failed_mark) : total_entry(profile, total)};
     for (const double seconds : profile.seconds_per_step)
       row.push_back(failed ? note_entry(failed_mark) : phase_entry(seconds, total));

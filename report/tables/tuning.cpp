@@ -23,12 +23,11 @@ Table tuning_table(const Record& record) {
   for (const Promise& p : record.tuning) {
     const bool itself = p.best.id == p.choice.id;
     table.rows.push_back(
-        {text_entry(p.mechanism), text_entry(p.coordinates), text_entry(write_shortest(p.allowed)),
-         error_entry(p.promised), error_entry(p.choice.error),
-         text_entry(is_kept(p) ? "kept" : "BROKEN"), text_entry(p.choice.id),
+        {p.mechanism, p.coordinates, write_shortest(p.allowed), error_entry(p.promised),
+         error_entry(p.choice.error), is_kept(p) ? "kept" : "BROKEN", p.choice.id,
          step_time_entry(p.choice.seconds_per_step),
          itself ? Entry{"1.00 itself", {"1.00"}, "itself"} : ratio_entry(times_the_best(p)),
-         text_entry(itself ? "" : p.best.id)});
+         itself ? "" : p.best.id});
   }
   return table;
 }

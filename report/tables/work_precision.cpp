@@ -64,8 +64,8 @@ Entry maximum_entry(const std::optional<LevelError>& error,
 std::vector<Entry> point_row(const NamedPoint& point, bool in_front) {
   const Point& p = point.second;
   const bool solved = is_solved(point);
-  return {text_entry(point.first.id),
-          text_entry(family_of(p.configuration)),
+  return {point.first.id,
+          family_of(p.configuration),
           solved ? step_time_entry(&point) : note_entry(failed_mark),
           maximum_entry(p.error.position),
           maximum_entry(p.error.position, &LevelError::rms),
@@ -73,8 +73,8 @@ std::vector<Entry> point_row(const NamedPoint& point, bool in_front) {
           maximum_entry(p.error.acceleration),
           maximum_entry(p.violation.position),
           solved ? iterations_entry(&point) : note_entry(missing_mark),
-          text_entry(in_front ? "front" : ""),
-          text_entry(p.message)};
+          in_front ? "front" : "",
+          p.message};
 }
 
 std::int64_t count_of(const Points& points, Point::Status status) {

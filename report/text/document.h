@@ -18,7 +18,14 @@ inline constexpr const char* outside_mark = "out";
 /// One place in a table. `shown` is composed of `digits` and `note` and nothing else, so that a
 /// reader of the Markdown and a program reading the JSON see the same numbers.
 struct Entry {
-  std::string shown;                ///< terminal, Markdown, LaTeX (not yet escaped)
+  // A text alone, as rows are mostly written.
+  Entry(std::string text) : shown(std::move(text)) {}            // NOLINT
+  Entry(const char* text) : shown(text) {}                       // NOLINT
+  Entry(std::int64_t number) : shown(std::to_string(number)) {}  // NOLINT
+  Entry(std::string text, std::vector<std::string> numbers, std::string reservation)
+      : shown(std::move(text)), digits(std::move(numbers)), note(std::move(reservation)) {}
+
+  std::string shown;                ///< terminal, Markdown
   std::vector<std::string> digits;  ///< one per Column::quantities, "" where there is none
   std::string note;  ///< in place of a number (failed_mark ...) or a reservation about it
 
@@ -29,8 +36,6 @@ struct Entry {
   }
 };
 
-inline Entry text_entry(std::string text) { return {std::move(text), {}, {}}; }
-inline Entry text_entry(std::int64_t number) { return text_entry(std::to_string(number)); }
 inline Entry note_entry(std::string note) { return {note, {}, note}; }
 
 struct Column {

@@ -70,19 +70,6 @@ TEST(Comparability, NamesBothValues) {
   EXPECT_EQ(found[0].second, "Abacus");
 }
 
-// There is nothing to pair with a record without windows: both by their medians.
-TEST(Comparability, ARecordWithWindowsIsComparedByItsMediansWithOneWithout) {
-  const Json old = newest();
-  const Json record = with_windows(old);
-  const auto note = [](const Json& a, const Json& b) {
-    return table_named(make_comparison(record_from(a), record_from(b)), "comparison").notes[0];
-  };
-  EXPECT_EQ(reasons(record, old), Names{});
-  EXPECT_TRUE(note(record, record).starts_with("A, B: undisturbed time ±"));
-  EXPECT_TRUE(note(record, old).starts_with("A, B: median ±"));
-  EXPECT_TRUE(note(old, record).starts_with("A, B: median ±"));
-}
-
 // In the whole record: the CPU, the model of a case and size, its results.
 Json replaced(const Json& record, const std::string& from, const std::string& to) {
   std::string text = record.dump();

@@ -19,14 +19,13 @@ Document complete_document() { return make_report(record_from(complete_record())
 
 // One table, with everything a format could stumble over.
 Document awkward() {
-  Table table{
-      .name = "awkward",
-      .title = "50 % of a_b",
-      .notes = {"a | b"},
-      .columns = {{"id", {}}, {"time", {"seconds", "spread"}}},
-      .rows = {{text_entry("x_y|<z>, \"q\" --quick"), {"-1.50 ±0.10", {"-1.50", "0.10"}, ""}},
-               {text_entry("[w] $5 & #1 {2} ~ ^ \\"), note_entry(failed_mark)},
-               {text_entry("v"), {"7.100 old", {"7.100", ""}, "old"}}}};
+  Table table{.name = "awkward",
+              .title = "50 % of a_b",
+              .notes = {"a | b"},
+              .columns = {{"id", {}}, {"time", {"seconds", "spread"}}},
+              .rows = {{"x_y|<z>, \"q\" --quick", {"-1.50 ±0.10", {"-1.50", "0.10"}, ""}},
+                       {"[w] $5 & #1 {2} ~ ^ \\", note_entry(failed_mark)},
+                       {"v", {"7.100 old", {"7.100", ""}, "old"}}}};
   return {.title = "T", .sections = {{"S", {"p_q"}, {table}}}};
 }
 

@@ -110,8 +110,8 @@ TEST(Page, TellsVerdictsFromNumbers) {
               .title = "T",
               .notes = {},
               .columns = {{"id", {}}, {"n", {"value", "low"}}},
-              .rows = {{text_entry("a"), {"1.5 [1.0] in", {"1.5", "1.0"}, inside_mark}},
-                       {text_entry("b"), note_entry(failed_mark)}}};
+              .rows = {{"a", {"1.5 [1.0] in", {"1.5", "1.0"}, inside_mark}},
+                       {"b", note_entry(failed_mark)}}};
   const std::string page = to_html({"D", {{"S", {}, {table}}}});
   EXPECT_NE(
       page.find("1.5<span class=\"rest interval\"> [1.0] </span><span class=\"in\">in</span>"),

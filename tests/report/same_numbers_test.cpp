@@ -137,7 +137,7 @@ TEST(SameNumbers, DifferencesAreSeen) {
               .title = "One",
               .notes = {},
               .columns = {{"id", {}}, {"time", {"seconds", "half_range"}}},
-              .rows = {{text_entry("a"), {"1.50 ±0.10", {"1.50", "0.10"}, ""}}}};
+              .rows = {{"a", {"1.50 ±0.10", {"1.50", "0.10"}, ""}}}};
   const Json json = Json::parse(to_json({"T", {{"S", {}, {table}}}}))["sections"][0]["tables"][0];
   const auto csv = read_csv(to_csv(table));
   const auto differences = [&](ReadTable read) {
