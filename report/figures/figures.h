@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "report/formats/formats.h"
+#include "cases/io/new_files.h"
 #include "report/read/record.h"
 
 namespace desmo::report {
