@@ -115,13 +115,16 @@ Table best_formulations(const Record& record) {
   const std::optional<CandidateKey> paper = reference_with(record, {}),
                                     best = best_reference(record);
   add_row(table, record, "global, paper's settings", paper);
-  add_row(table, record, "generated, paper's settings", generated_with(record, {}, Batch::none));
+  add_row(table, record, "generated elimination, paper's settings",
+          generated_with(record, {}, Batch::none));
   if (!best || best == paper) return table;
   const Start start = start_of(best->id);
   add_row(table, record, "global, best settings", best);
-  add_row(table, record, "generated, best settings", generated_with(record, start, Batch::none));
-  add_row(table, record, "… and lanes", generated_with(record, start, Batch::lanes));
-  add_row(table, record, "… and segments", generated_with(record, start, Batch::segments));
+  add_row(table, record, "generated elimination, best settings",
+          generated_with(record, start, Batch::none));
+  add_row(table, record, "the same, in lanes", generated_with(record, start, Batch::lanes));
+  add_row(table, record, "the same, in segments, without lanes",
+          generated_with(record, start, Batch::segments));
   return table;
 }
 
