@@ -2,33 +2,32 @@
 
 #include <algorithm>
 
-#include "report/compared_times.h"
-#include "report/entries.h"
-#include "report/measurements.h"
-#include "report/time_words.h"
+#include "report/statistics/compared_times.h"
+#include "report/statistics/measurements.h"
+#include "report/tables/entries.h"
+#include "report/tables/record_words.h"
+#include "report/text/texts.h"
 
 namespace desmo::report {
 namespace {
 
-std::string origin(const std::string& name, const Record& record) {
-  return name + ": " + record.date + ", commit " + record.commit +
-         (record.dirty ? " with uncommitted changes" : "") + ", " + record.machine.cpu;
-}
-
 std::vector<std::string> origins(const Record& first, const Record& second) {
-  return {origin("A", first), origin("B", second)};
+  std::vector<std::string> lines;
+  for (const auto& [name, record] : {std::pair{"A", &first}, {"B", &second}})
+    lines.push_back(sentence("comparison.origin", {{"name", name},
+                                                   {"date", record->date},
+                                                   {"commit", commit_of(*record)},
+                                                   {"cpu", record->machine.cpu}}));
+  return lines;
 }
 
-/// How many of some that the others have not: "3 in A only, 0 in B only".
-std::string unshared(const TimedGroup& a, const TimedGroup& b) {
-  const auto only = [](const TimedGroup& in, const TimedGroup& other) {
-    return std::to_string(std::ranges::count_if(
-        in.timings, [&](const auto& entry) { return !other.timings.contains(entry.first); }));
-  };
-  return only(a, b) + " in A only, " + only(b, a) + " in B only";
+/// Counts what one has and the other has not.
+std::int64_t only_in(const TimedGroup& group, const TimedGroup& other) {
+  return std::ranges::count_if(
+      group.timings, [&](const auto& entry) { return !other.timings.contains(entry.first); });
 }
 
-Timing timing_of(const std::map<CellKey, Timing>& all, const CellKey& key) {
+Timing timing_of(const std::map<CandidateKey, Timing>& all, const CandidateKey& key) {
   const auto found = all.find(key);
   if (found != all.end()) return found->second;
   return {{std::nullopt, missing_mark}, {}, {}};
@@ -40,64 +39,43 @@ std::string remarks(const Timing& a, const Timing& b) {
   return text;
 }
 
-std::vector<Entry> names_of(const CellKey& key) {
-  return {text_entry(key.case_name), text_entry(std::to_string(key.coordinates)),
-          text_entry(key.id)};
+std::vector<Entry> names_of(const CandidateKey& key) {
+  return {key.case_name, key.coordinates, key.id};
 }
 
-Table seconds_beside(const TimedGroup& a, const TimedGroup& b, const Record& first) {
-  const std::vector<std::string> seconds{"seconds", "half_range", "repetitions"};
-  const TimeWords words = time_words(first);
-  Table table{
-      .name = a.name,
-      .title = a.what + " of A and B",
-      .notes = {capitalised(words.time) +
-                    " ± half the range. A over B: how many times as fast B is, ratio of "
-                    "the " +
-                    words.times + " [its interval] (time saved); " + inconclusive_note() + ".",
-                "Not shown: " + unshared(a, b) + "."},
-      .columns = {{"case", {}},
-                  {"coordinates", {}},
-                  {"id", {}},
-                  {"A", seconds},
-                  {"B", seconds},
-                  {"A over B", {"speed_up", "low", "high", "percent"}},
-                  {"remark", {}}},
-      .rows = {}};
+Table seconds_of_both(const TimedGroup& a, const TimedGroup& b, const Record& first) {
+  Table table = headed_table("comparison", {{"name", a.name},
+                                            {"what", a.what},
+                                            {"time", time_word(first)},
+                                            {"only_a", only_in(a, b)},
+                                            {"only_b", only_in(b, a)}});
   define_time(table, first);
   for (const auto& [key, one] : a.timings) {
     const auto found = b.timings.find(key);
     if (found == b.timings.end()) continue;
     const Timing& other = found->second;
     std::vector<Entry> row = names_of(key);
-    row.insert(row.end(), {seconds_entry(one.time), seconds_entry(other.time),
-                           speed_up_entry(measured_speed_up(one.time, other.time)),
-                           text_entry(remarks(one, other))});
+    row.insert(row.end(),
+               {seconds_entry(one.time), seconds_entry(other.time),
+                speed_up_entry(measured_speed_up(one.time, other.time)), remarks(one, other)});
     table.rows.push_back(std::move(row));
   }
   return table;
 }
 
 /// What may be shown of a key in a record: nothing of a reference, which is 1 everywhere.
-std::optional<SpeedUp> speed_up_of(const TimedGroup& group, const CellKey& key) {
-  const CellKey reference = reference_of(key);
+std::optional<SpeedUp> speed_up_of(const TimedGroup& group, const CandidateKey& key) {
+  const CandidateKey reference = reference_of(key);
   if (reference == key) return std::nullopt;
   return measured_speed_up(timing_of(group.timings, reference).time,
                            timing_of(group.timings, key).time)
       .speed_up;
 }
 
-Table speed_ups_beside(const TimedGroup& a, const TimedGroup& b) {
-  const std::vector<std::string> ratio{"ratio", "low", "high"};
-  Table table{
-      .name = "machines" + a.name.substr(std::string("comparison").size()),
-      .title = "Speed-ups of two machines: " + a.what,
-      .notes = {"Times as fast as the reference of the same case, size and request on the "
-                "same machine [its interval]; the reference is global_automatic_klu, of "
-                "several threads the same analysis on one; " +
-                inconclusive_note() + "."},
-      .columns = {{"case", {}}, {"coordinates", {}}, {"id", {}}, {"A", ratio}, {"B", ratio}},
-      .rows = {}};
+Table speed_ups_of_both(const TimedGroup& a, const TimedGroup& b) {
+  Table table = headed_table(
+      "machines",
+      {{"name", a.name.substr(std::string_view("comparison").size())}, {"what", a.what}});
   for (const auto& [key, timing] : a.timings) {
     const std::optional<SpeedUp> one = speed_up_of(a, key), other = speed_up_of(b, key);
     if (!one || !other) continue;
@@ -108,17 +86,8 @@ Table speed_ups_beside(const TimedGroup& a, const TimedGroup& b) {
   return table;
 }
 
-Table counts_beside(const Record& first, const Record& second) {
-  Table table{.name = "comparison_instructions",
-              .title = "Instructions of a step in A and B",
-              .notes = {"A over B: how many times as many A takes."},
-              .columns = {{"case", {}},
-                          {"coordinates", {}},
-                          {"id", {}},
-                          {"A", {"instructions"}},
-                          {"B", {"instructions"}},
-                          {"A over B", {"ratio"}}},
-              .rows = {}};
+Table counts_of_both(const Record& first, const Record& second) {
+  Table table = headed_table("comparison_instructions");
   for (const auto& [key, count] : first.instructions) {
     const auto other = second.instructions.find(key);
     if (other == second.instructions.end()) continue;
@@ -137,33 +106,22 @@ void add(Section& section, Table table) {
   if (!table.rows.empty()) section.tables.push_back(std::move(table));
 }
 
-/// As of a record without timing windows.
-Record without_windows(Record record) {
-  record.settings.windows.reset();
-  for (auto& [key, cell] : record.cells) cell.time.windows = {};
-  for (Request& request : record.requests) request.time.windows = {};
-  for (Peer& peer : record.peers) peer.cell.time.windows = {};
-  return record;
-}
-
 }  // namespace
 
 Document make_comparison(const Record& first, const Record& second) {
-  if (first.settings.windows != second.settings.windows)  // then there is nothing to pair
-    return make_comparison(without_windows(first), without_windows(second));
-  Section section{"Two runs", origins(first, second), {}};
+  Section section{sentence("comparison.section"), origins(first, second), {}};
   const std::vector<TimedGroup> a = timed_groups(first), b = timed_groups(second);
-  for (std::size_t i = 0; i < a.size(); ++i) add(section, seconds_beside(a[i], b[i], first));
-  add(section, counts_beside(first, second));
-  return {.title = "desmo: one run beside another", .sections = {std::move(section)}};
+  for (std::size_t i = 0; i < a.size(); ++i) add(section, seconds_of_both(a[i], b[i], first));
+  add(section, counts_of_both(first, second));
+  return {.title = sentence("comparison.document"), .sections = {std::move(section)}};
 }
 
 Document make_comparison_of_machines(const Record& first, const Record& second) {
-  Section section{"Two machines", origins(first, second), {}};
+  Section section{sentence("machines.section"), origins(first, second), {}};
   const std::vector<TimedGroup> a = timed_groups(first), b = timed_groups(second);
-  for (std::size_t i = 0; i < a.size(); ++i) add(section, speed_ups_beside(a[i], b[i]));
-  add(section, counts_beside(first, second));
-  return {.title = "desmo: one machine beside another", .sections = {std::move(section)}};
+  for (std::size_t i = 0; i < a.size(); ++i) add(section, speed_ups_of_both(a[i], b[i]));
+  add(section, counts_of_both(first, second));
+  return {.title = sentence("machines.document"), .sections = {std::move(section)}};
 }
 
 }  // namespace desmo::report

@@ -1,8 +1,8 @@
 // One run beside another.
 #pragma once
 
-#include "report/document.h"
-#include "report/record.h"
+#include "report/read/record.h"
+#include "report/text/document.h"
 
 namespace desmo::report {
 

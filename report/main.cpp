@@ -4,17 +4,18 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "cases/io/new_files.h"
 #include "report/check/command.h"
-#include "report/comparability.h"
 #include "report/comparison.h"
 #include "report/figures/figures.h"
 #include "report/formats/formats.h"
-#include "report/output_files.h"
-#include "report/record_reader.h"
+#include "report/read/record_reader.h"
 #include "report/report.h"
+#include "report/statistics/comparability.h"
 
 namespace {
 
+using namespace desmo;
 using namespace desmo::report;
 
 // From 64 on, the numbers of sysexits.h.
@@ -26,17 +27,6 @@ enum ExitCode {
   invalid_data = 65,
   io_error = 74
 };
-
-Record read_named(const std::string& file) {
-  const auto named = [&file](const InvalidRecord& error) { return file + ": " + error.what(); };
-  try {
-    return read_record(file);
-  } catch (const MixedRecord& error) {
-    throw MixedRecord(named(error));
-  } catch (const InvalidRecord& error) {
-    throw InvalidRecord(named(error));
-  }
-}
 
 struct TablesCommand {
   std::vector<std::string> records;
@@ -70,7 +60,7 @@ Document with_tables(Document document, const std::vector<std::string>& names) {
 std::string on_standard_output(const Document& document, const std::vector<std::string>& formats) {
   std::string text;
   for (const std::string& format : formats)
-    for (const Rendered& file : render(document, format)) {
+    for (const NewFile& file : render(document, format)) {
       if (format == "csv") text += (text.empty() ? "# " : "\n# ") + file.file_name + "\n";
       text += file.content;
     }
@@ -80,16 +70,17 @@ std::string on_standard_output(const Document& document, const std::vector<std::
 // Says why two records cannot be put beside each other; nothing when they can.
 bool complain(const std::string& first, const std::string& second,
               const std::vector<Difference>& differences) {
-  if (!differences.empty())
-    std::cerr << "desmo_report: " << first << " and " << second << " cannot be compared:\n"
-              << describe(differences);
-  return !differences.empty();
+  if (differences.empty()) return false;
+  std::cerr << "desmo_report: " << first << " and " << second << " cannot be compared:\n";
+  for (const Difference& d : differences)
+    std::cerr << d.what << ": " << d.first << " here, " << d.second << " there\n";
+  return true;
 }
 
 ExitCode tables(const TablesCommand& command) {
   std::vector<Record> records;
   for (const std::string& file : command.records) {
-    Record record = read_named(file);
+    Record record = read_record(file);
     for (std::size_t i = 0; i < records.size(); ++i)
       if (complain(command.records[i], file, why_apart(records[i], record))) return incomparable;
     records.push_back(std::move(record));
@@ -107,7 +98,7 @@ ExitCode tables(const TablesCommand& command) {
                           "\nEverything else: --all, or --out FOLDER for files and a page.\n");
     return success;
   }
-  std::vector<Rendered> files;
+  std::vector<NewFile> files;
   for (const Record& record : records)
     std::ranges::move(figures(record), std::back_inserter(files));
   for (const std::string& format : chosen.empty() ? format_names() : chosen)
@@ -123,7 +114,7 @@ struct CompareCommand {
 };
 
 ExitCode compare(const CompareCommand& command) {
-  const Record first = read_named(command.first), second = read_named(command.second);
+  const Record first = read_record(command.first), second = read_record(command.second);
   const bool two_machines = are_of_two_machines(first, second);
   if (complain(
           command.first, command.second,
@@ -157,7 +148,7 @@ int main(int argc, char** argv) {
                          "Write the files of every format, and the figures, into this folder");
   tables_app
       ->add_option("--format", command.formats,
-                   "Only these formats: terminal, json, csv, markdown, latex, html")
+                   "Only these formats: terminal, json, csv, markdown, html")
       ->check(CLI::IsMember(format_names()));
   tables_app->add_option("--table", command.tables, "Only the table of this name; repeatable");
   tables_app->add_flag("--all", command.all, "Print every table, not only what stands in front");
@@ -168,13 +159,13 @@ int main(int argc, char** argv) {
                          "speed-ups side by side (exit code 3)");
   compare_app->add_option("A", comparison.first, "The first record")->required();
   compare_app->add_option("B", comparison.second, "The second record")->required();
-  compare_app->add_option("--format", comparison.format, "terminal, json, csv, markdown or latex")
+  compare_app->add_option("--format", comparison.format, "terminal, json, csv or markdown")
       ->check(CLI::IsMember(format_names()));
   CheckCommand check;
   CLI::App* check_app = app.add_subcommand("check", "The verdict of a check of bench/check");
   check_app->add_option("file", check.file, "The results file")->required();
   check_app->add_option("--baseline", check.baseline, "Compare with this results file");
-  check_app->add_option("--format", check.format, "terminal, json, csv, markdown or latex")
+  check_app->add_option("--format", check.format, "terminal, json, csv or markdown")
       ->check(CLI::IsMember(format_names()));
   check_app->add_flag("--pending", check.pending, "List what has still to be measured");
   CertificateCommand certificate;
@@ -183,29 +174,28 @@ int main(int argc, char** argv) {
   certificate_app->add_option("file", certificate.file, "The trials")->required();
   certificate_app->add_option("--add", certificate.added,
                               "Judge the check of this trial and add a line to the file");
-  certificate_app
-      ->add_option("--format", certificate.format, "terminal, json, csv, markdown or latex")
+  certificate_app->add_option("--format", certificate.format, "terminal, json, csv or markdown")
       ->check(CLI::IsMember(format_names()));
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? success : usage_error;
   }
+  const auto failed = [](const std::exception& error, ExitCode code) {
+    std::cerr << "desmo_report: " << error.what() << "\n";
+    return code;
+  };
   try {
     if (check_app->parsed()) return run(check);
     if (certificate_app->parsed()) return run(certificate);
     return compare_app->parsed() ? compare(comparison) : tables(command);
   } catch (const UsageError& error) {
-    std::cerr << "desmo_report: " << error.what() << "\n";
-    return usage_error;
+    return failed(error, usage_error);
   } catch (const MixedRecord& error) {
-    std::cerr << "desmo_report: " << error.what() << "\n";
-    return incomparable;
-  } catch (const InvalidRecord& error) {
-    std::cerr << "desmo_report: " << error.what() << "\n";
-    return invalid_data;
+    return failed(error, incomparable);
+  } catch (const InputError& error) {
+    return failed(error, invalid_data);
   } catch (const OutputError& error) {
-    std::cerr << "desmo_report: " << error.what() << "\n";
-    return io_error;
+    return failed(error, io_error);
   }
 }

@@ -3,104 +3,37 @@
 #include <algorithm>
 #include <functional>
 #include <iterator>
-#include <set>
 
-#include "report/measurements.h"
-#include "report/paper.h"
-#include "report/tables/extremes.h"
-#include "report/tables/in_short.h"
-#include "report/tables/precision.h"
-#include "report/tables/size.h"
 #include "report/tables/tables.h"
-#include "report/variants.h"
+#include "report/text/texts.h"
 
 namespace desmo::report {
 namespace {
 
-Section paper_tables(const Record& record) {
-  Section section{.title = "The paper's tables", .paragraphs = {}, .tables = {}};
-  const std::vector<std::string_view> families = recorded_families(record);
-  if (families.empty())
-    section.paragraphs.push_back("None: the record has no cell of a sparse solver.");
-  for (const std::string_view family : families)
-    section.tables.push_back(speed_ups(record, family));
-  for (const std::string_view family : families)
-    section.tables.push_back(cpu_times(record, family));
-  return section;
-}
-
-std::set<std::string> recorded_cases(const Record& record) {
-  std::set<std::string> cases;
-  for (const auto& [key, cell] : record.cells) cases.insert(key.case_name);
-  return cases;
-}
-
-Section global_references(const Record& record) {
-  Section section{.title = "Which global reference", .paragraphs = {}, .tables = {}};
-  for (const std::string& name : recorded_cases(record))
-    if (auto table = references(record, name)) section.tables.push_back(std::move(*table));
-  return section;
-}
-
-// Each case in full; other sizes than the paper's largest, or the largest there is, are details.
-Section formulations(const Record& record) {
-  Section section{.title = "Every formulation", .paragraphs = {}, .tables = {}};
-  for (const std::string& name : recorded_cases(record)) {
-    const std::vector<std::int64_t> sizes = recorded_sizes(record, name);
-    std::int64_t foremost = sizes.back();
-    for (const std::int64_t size : sizes)
-      if (size == published_sizes().back()) foremost = size;
-    for (const std::int64_t size : sizes) {
-      section.tables.push_back(every_formulation(record, name, size));
-      section.tables.back().detail = size != foremost;
-    }
-  }
-  return section;
-}
-
 std::vector<Section> paper_sections(const Record& record) {
-  std::vector<Section> sections{
-      answer(record),
-      paper_tables(record),
-      {"Time over the number of coordinates", {}, {figure_of_times(record), scaling(record)}}};
+  Section times = headed_section("times");
+  times.tables = {figure_of_times(record)};
+  std::vector<Section> sections{answer(record), paper_tables(record), std::move(times)};
   const auto add = [&sections](Section section) {
     if (!section.tables.empty()) sections.push_back(std::move(section));
   };
-  add(global_references(record));
   add(beyond(record));
-  if (!record.structure.empty()) sections.push_back(partitions(record));
-  if (!record.requests.empty()) sections.push_back(requests(record));
-  if (!record.peers.empty()) sections.push_back(peers(record));
-  add(formulations(record));
-  if (!record.profiles.empty())
-    sections.push_back({"Where the time goes", {}, {time_split(record)}});
+  if (!record.structure.empty()) add(partitions(record));
+  add(requests(record));
+  if (!record.peers.empty()) add(peers(record));
+  add(every_formulation(record));
+  if (!record.profiles.empty()) add({sentence("time_split.section"), {}, {time_split(record)}});
   return sections;
 }
 
-/// Moves the last figure of a section before the tables of the one in front.
-void move_figure_to_front(std::vector<Section>& sections, std::size_t from) {
-  std::vector<Table>&tables = sections.at(from).tables, &front = sections.front().tables;
+/// Moves the last figure of the second section before the tables of the one in front.
+void move_figure_to_front(std::vector<Section>& sections) {
+  if (sections.size() < 2) return;
+  std::vector<Table>&tables = sections[1].tables, &front = sections.front().tables;
   const auto figure = std::find_if(tables.rbegin(), tables.rend(), std::mem_fn(&Table::figure));
   if (figure == tables.rend()) return;
   front.insert(front.begin(), std::move(*figure));
   tables.erase(std::next(figure).base());
-}
-
-std::vector<Section> accuracy_sections(const Record& record) {
-  std::vector<Section> sections{accuracy_in_short(record)};
-  std::ranges::move(precision_sections(record), std::back_inserter(sections));
-  move_figure_to_front(sections, 1);
-  return sections;
-}
-
-std::vector<Section> size_sections(const Record& record) {
-  std::vector<Section> sections{size_in_short(record)};
-  if (!record.growth.empty()) {
-    sections.push_back(growth(record));
-    move_figure_to_front(sections, 1);
-  }
-  if (!record.break_even.empty()) sections.push_back(dense_or_sparse(record));
-  return sections;
 }
 
 /// What a record may have, and the sections it then gives, those in front first.
@@ -112,27 +45,20 @@ struct Experiment {
 
 const std::vector<Experiment>& reported_experiments() {
   static const std::vector<Experiment> all{
-      {"The paper's experiment", has_cells, paper_sections},
+      {"The paper's experiment", has_paper, paper_sections},
       {"Accuracy", [](const Record& r) { return !r.points.empty(); }, accuracy_sections},
       {"Accuracy of desmo tune", [](const Record& r) { return !r.tuning.empty(); },
-       [](const Record& r) {
-         return std::vector{tuning_in_short(r), tuning(r)};
-       }},
+       tuning_sections},
       {"Size", has_sizes, size_sections},
       {"Instructions", [](const Record& r) { return !r.instructions.empty(); },
-       [](const Record& r) {
-         return std::vector{instructions_in_short(r), instructions(r)};
-       }},
-      {"Extremes", [](const Record& r) { return !r.extremes.empty(); },
-       [](const Record& r) {
-         return std::vector{extremes_in_short(r), extremes(r)};
-       }}};
+       instructions_sections},
+      {"Extremes", [](const Record& r) { return !r.extremes.empty(); }, extremes_sections}};
   return all;
 }
 
 /// A table of each; the names of the later ones are numbered.
 Section measured_how(const std::vector<Record>& records) {
-  Section section{"How it was measured", {}, {}};
+  Section section = headed_section("measured");
   for (const Record& record : records) {
     section.tables.push_back(provenance(record));
     if (const std::size_t count = section.tables.size(); count > 1) {
@@ -162,6 +88,7 @@ Document make_report(const std::vector<Record>& records) {
     if (record == records.end()) continue;
     if (document.title.empty()) document.title = "desmo: " + std::string(experiment.title);
     std::vector<Section> sections = experiment.sections(*record);
+    move_figure_to_front(sections);
     sections.front().front = true;
     for (Section& section : sections) {
       section.chapter = experiment.title;
@@ -169,14 +96,14 @@ Document make_report(const std::vector<Record>& records) {
     }
   }
   const auto add = [&document](Section section) {
-    section.chapter = "About the record";
+    section.chapter = sentence("about.chapter");
     document.sections.push_back(std::move(section));
   };
   add(measured_how(records));
   add(joint_limitations(records));
-  if (const auto with_cells = std::ranges::find_if(records, has_cells); with_cells != records.end())
-    if (const auto lines = failures(*with_cells); !lines.empty())
-      add({"Failed verification: no time, and no ratio computed from one", lines, {}});
+  if (const auto with_paper = std::ranges::find_if(records, has_paper); with_paper != records.end())
+    if (const auto lines = failures(*with_paper); !lines.empty())
+      add({headed_section("failures").title, lines, {}});
   return document;
 }
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "report/document.h"
-#include "report/record.h"
+#include "report/read/record.h"
+#include "report/text/document.h"
 
 namespace desmo::report {
 

@@ -1,23 +1,14 @@
 #pragma once
 
 #include <filesystem>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
+#include "cases/io/input_error.h"
 #include "cases/mechanism/mechanism.h"
 #include "cases/mechanism/scene.h"
 
 namespace desmo {
-
-/// Error in an input. The message is "<file>: <place>: <what is wrong>; <remedy>". The place is a
-/// line and a column if the text is not JSON, else a JSON pointer such as /joints/2/points/0, or
-/// "top level". It is missing when the file cannot be read. Names from the input are shortened, and
-/// escaped for terminals.
-class InputError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 /// The functions below read and write the files that cases/files.md specifies. Values are converted
 /// to metres (or the mechanism's free unit) and radians. All throw InputError. file_name is used in

@@ -1,17 +1,18 @@
-#include "report/check/certificate.h"
-
+// What the trials of bench/check --certify show of the check itself.
 #include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
 
 #include "report/check/trials.h"
-#include "report/json_document.h"
+#include "report/read/record_file.h"
+#include "report/tables/entries.h"
+#include "report/text/texts.h"
 
 namespace desmo::report {
 namespace {
 
-/// What a trial has to show: no alarm, or that what was done to its cell is found and named.
+/// What a trial has to show: no alarm, or that what was done to its candidate is found and named.
 enum class Shows { no_alarm, slower, more_work, faster };
 
 /// Trials of a kind and load, how many there must be, and how many may not show it.
@@ -41,8 +42,8 @@ struct Tally {
   int trials = 0, shown = 0, inconclusive = 0;
 };
 
-bool is_only(const std::vector<std::string>& cells, const std::string& cell) {
-  return cells.size() == 1 && cells.front() == cell;
+bool is_only(const std::vector<std::string>& candidates, const std::string& candidate) {
+  return candidates.size() == 1 && candidates.front() == candidate;
 }
 
 bool is_shown(Shows shows, const Trial& t) {
@@ -51,24 +52,24 @@ bool is_shown(Shows shows, const Trial& t) {
     case Shows::no_alarm:
       return pass || t.verdict == "inconclusive";
     case Shows::slower:
-      return regression && is_only(t.slower, t.cell);
+      return regression && is_only(t.slower, t.candidate);
     case Shows::more_work:
-      return regression && is_only(t.more_work, t.cell);
+      return regression && is_only(t.more_work, t.candidate);
     case Shows::faster:
-      return pass && is_only(t.faster, t.cell);
+      return pass && is_only(t.faster, t.candidate);
   }
   return false;
 }
 
 using Tallies = std::array<Tally, claims.size()>;
 
-Tallies tallied(const std::vector<Trial>& trials) {
+Tallies tallied(const std::vector<Trial>& trials, const std::string& file) {
   Tallies tallies{};
   for (const Trial& trial : trials) {
     const auto claim = std::ranges::find_if(
         claims, [&](const Claim& c) { return trial.kind == c.kind && trial.load == c.load; });
     if (claim == claims.end())
-      throw InvalidRecord("no such trial: " + trial.kind + ", " + trial.load);
+      throw InputError(file + ": no such trial: " + trial.kind + ", " + trial.load);
     Tally& tally = tallies[static_cast<std::size_t>(claim - claims.begin())];
     ++tally.trials;
     tally.shown += is_shown(claim->shows, trial);
@@ -77,30 +78,13 @@ Tallies tallied(const std::vector<Trial>& trials) {
   return tallies;
 }
 
-Entry number(int value) {
-  const std::string text = std::to_string(value);
-  return {text, {text}, {}};
-}
-
 }  // namespace
 
 Certificate read_certificate(const std::filesystem::path& file) {
-  const Trials trials = read_trials(read_whole(file));
-  const Tallies tallies = tallied(trials.all);
+  const Trials trials = read_trials(read_record_text(file), file.string());
+  const Tallies tallies = tallied(trials.all, file.string());
   Certificate certificate{true, false, {}};
-  Table table{.name = "certificate",
-              .title = "What the trials show",
-              .notes = {"A false alarm is an exit code 1; what was made slower or faster counts as "
-                        "found when it, and nothing else, is named. Inconclusive trials are no "
-                        "alarms; where something is to be found, they count as missed."},
-              .columns = {{"trial", {}},
-                          {"machine", {}},
-                          {"needed", {"trials"}},
-                          {"done", {"trials"}},
-                          {"as claimed", {"trials"}},
-                          {"inconclusive", {"trials"}},
-                          {"claim", {}}},
-              .rows = {}};
+  Table table = headed_table("certificate");
   for (std::size_t i = 0; i < claims.size(); ++i) {
     const Claim& c = claims[i];
     const Tally& t = tallies[i];
@@ -108,21 +92,25 @@ Certificate read_certificate(const std::filesystem::path& file) {
     certificate.refuted = certificate.refuted || refuted;
     certificate.holds = certificate.holds && enough && !refuted;
     const std::string claim = c.misses == 0 ? "every one" : "all but " + std::to_string(c.misses);
-    table.rows.push_back({text_entry(c.title), text_entry(c.load), number(c.trials),
-                          number(t.trials), number(t.shown), number(t.inconclusive),
-                          text_entry(claim + (refuted  ? ": DOES NOT HOLD"
-                                              : enough ? ": holds"
-                                                       : ": trials are missing"))});
+    table.rows.push_back({c.title, c.load, digits_entry(std::to_string(c.trials)),
+                          digits_entry(std::to_string(t.trials)),
+                          digits_entry(std::to_string(t.shown)),
+                          digits_entry(std::to_string(t.inconclusive)),
+                          claim + (refuted  ? ": DOES NOT HOLD"
+                                   : enough ? ": holds"
+                                            : ": trials are missing")});
   }
-  Section section{certificate.holds     ? "Every claim holds"
-                  : certificate.refuted ? "A claim does not hold"
-                                        : "Trials are missing",
+  Section section{sentence(certificate.holds     ? "certificate.holds"
+                           : certificate.refuted ? "certificate.refuted"
+                                                 : "certificate.incomplete"),
                   {},
                   {std::move(table)}};
   if (const auto& head = trials.head)
-    section.paragraphs.push_back("From " + head->date + " on, " + head->cpu + ", " +
-                                 std::to_string(head->cores) + " cores, " + head->compiler + ".");
-  certificate.document = {"Certificate of the regression check", {std::move(section)}};
+    section.paragraphs.push_back(sentence("certificate.machine", {{"date", head->date},
+                                                                  {"cpu", head->cpu},
+                                                                  {"cores", head->cores},
+                                                                  {"compiler", head->compiler}}));
+  certificate.document = {sentence("certificate.document"), {std::move(section)}};
   return certificate;
 }
 

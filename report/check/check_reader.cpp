@@ -1,23 +1,19 @@
-#include "report/check/check_reader.h"
-
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
-#include "report/json_document.h"
-#include "report/json_node.h"
-#include "report/record_reader.h"
+#include "report/check/check_record.h"
+#include "report/read/record_reader.h"
 
 namespace desmo::report {
 namespace {
 
-std::vector<double> read_samples(const JsonNode& node) {
+std::vector<double> read_samples(const RecordValue& node) {
   std::vector<double> samples;
-  for (const JsonNode& sample : node.elements()) samples.push_back(sample.sample());
+  for (const RecordValue& sample : node.elements()) samples.push_back(sample.sample());
   if (samples.empty()) node.complain("at least one round is needed");
   return samples;
 }
 
-Rounds read_rounds(const JsonNode& node, bool two_sides) {
+Rounds read_rounds(const RecordValue& node, bool two_sides) {
   Rounds rounds{{}, read_samples(node["head"])};
   if (two_sides) rounds.base = read_samples(node["base"]);
   if (two_sides && rounds.base.size() != rounds.head.size())
@@ -25,17 +21,17 @@ Rounds read_rounds(const JsonNode& node, bool two_sides) {
   return rounds;
 }
 
-std::int64_t read_count(const JsonNode& node) {
+std::int64_t read_count(const RecordValue& node) {
   const double count = node.positive();
   if (count != static_cast<double>(static_cast<std::int64_t>(count)))
     node.complain("a whole number of instructions was expected");
   return static_cast<std::int64_t>(count);
 }
 
-Work read_work(const JsonNode& node, bool two_sides) {
+Work read_work(const RecordValue& node, bool two_sides) {
   Work work{node["tool"].text(), node["steps"].integer(1), node["iterations"].integer(1), {}};
-  for (const auto& [cell, sides] : node["instructions"].members()) {
-    Instructions& counts = work.instructions[cell];
+  for (const auto& [candidate, sides] : node["instructions"].members()) {
+    Instructions& counts = work.instructions[candidate];
     counts.head = read_count(sides["head"]);
     if (two_sides) counts.base = read_count(sides["base"]);
   }
@@ -43,41 +39,46 @@ Work read_work(const JsonNode& node, bool two_sides) {
 }
 
 bool is_timed(const Record& record) {
-  return std::ranges::any_of(record.cells,
-                             [](const auto& cell) { return cell.second.status == Status::ok; });
+  return std::ranges::any_of(record.candidates, [](const auto& candidate) {
+    return candidate.second.status == Status::ok;
+  });
 }
 
-// Both sides have the same cells; what was timed on one was timed on the other, in the same rounds.
-void check_pairs(const CheckRecord& check, const JsonNode& root) {
-  for (const auto& [key, head] : check.head.cells) {
-    const auto base = check.base->cells.find(key);
-    if (base == check.base->cells.end())
+// Both sides have the same candidates; what was timed on one was timed on the other, in the same
+// rounds.
+void check_pairs(const CheckRecord& check, const RecordValue& root) {
+  for (const auto& [key, head] : check.head.candidates) {
+    const auto base = check.base->candidates.find(key);
+    if (base == check.base->candidates.end())
       root["base"].complain("the cell " + name_of(key) + " of head is missing");
     if (base->second.status == Status::ok && head.status == Status::ok &&
         base->second.time.seconds.size() != head.time.seconds.size())
       root["head"].complain("the cell " + name_of(key) + " has another number of rounds in base");
   }
-  for (const auto& [key, base] : check.base->cells)
-    if (!check.head.cells.contains(key))
+  for (const auto& [key, base] : check.base->candidates)
+    if (!check.head.candidates.contains(key))
       root["head"].complain("the cell " + name_of(key) + " of base is missing");
 }
 
 // Its answers are right, whether it was timed or not.
-bool is_sound(const Cell& cell) { return cell.status != Status::failed && cell.verification; }
+bool is_sound(const Candidate& candidate) {
+  return candidate.status != Status::failed && candidate.verification;
+}
 
 // What is sound on every side was measured by every means that the check used.
-void check_complete(const CheckRecord& check, const JsonNode& root) {
-  const JsonNode head = root["head"];
+void check_complete(const CheckRecord& check, const RecordValue& root) {
+  const RecordValue head = root["head"];
   const bool timed = root.find(control_name).has_value();
-  if (check.head.cells.empty()) head["paper"]["cells"].complain("at least one cell is needed");
+  if (check.head.candidates.empty()) head["paper"]["cells"].complain("at least one cell is needed");
   if (!timed && !check.work) root.complain("nothing was measured: neither times nor work");
-  for (const auto& [key, cell] : check.head.cells) {
+  for (const auto& [key, candidate] : check.head.candidates) {
     const std::string name = name_of(key);
-    if (cell.status == Status::failed) continue;
-    if (!is_sound(cell)) head.complain("the cell " + name + " was not run: " + cell.message);
-    if (check.base && !is_sound(check.base->cells.at(key))) continue;
-    if (timed && cell.status != Status::ok)
-      head.complain("the cell " + name + " has no times: " + cell.message);
+    if (candidate.status == Status::failed) continue;
+    if (!is_sound(candidate))
+      head.complain("the cell " + name + " was not run: " + candidate.message);
+    if (check.base && !is_sound(check.base->candidates.at(key))) continue;
+    if (timed && candidate.status != Status::ok)
+      head.complain("the cell " + name + " has no times: " + candidate.message);
     if (check.work && !check.work->instructions.contains(name))
       root["work"]["instructions"].complain("the cell " + name + " is missing");
   }
@@ -85,7 +86,7 @@ void check_complete(const CheckRecord& check, const JsonNode& root) {
 
 }  // namespace
 
-CheckRecord read_check(const JsonNode& root) {
+CheckRecord read_check(const RecordValue& root) {
   check_schema(root, "desmo-check");
   CheckRecord check;
   check.head = read_record(root["head"]);
@@ -94,8 +95,8 @@ CheckRecord read_check(const JsonNode& root) {
   if (two_sides) check_pairs(check, root);
   if (is_timed(check.head)) check.control = read_rounds(root[control_name], two_sides);
   if (const auto second = root.find("second"))
-    for (const auto& [cell, rounds] : second->members())
-      check.second.emplace(cell, read_rounds(rounds, two_sides));
+    for (const auto& [candidate, rounds] : second->members())
+      check.second.emplace(candidate, read_rounds(rounds, two_sides));
   if (!check.second.empty() && !check.second.contains(control_name))
     root["second"].complain("the control is missing");
   if (const auto work = root.find("work")) check.work = read_work(*work, two_sides);
@@ -104,11 +105,12 @@ CheckRecord read_check(const JsonNode& root) {
   return check;
 }
 
-CheckRecord parse_check(std::string_view text) {
-  const nlohmann::json document = parse_json(text);
-  return read_check(JsonNode(document));
+CheckRecord parse_check(std::string_view text, const std::string& file) {
+  return read_document(text, file, [](const RecordValue& root) { return read_check(root); });
 }
 
-CheckRecord read_check(const std::filesystem::path& file) { return parse_check(read_whole(file)); }
+CheckRecord read_check(const std::filesystem::path& file) {
+  return parse_check(read_record_text(file), file.string());
+}
 
 }  // namespace desmo::report

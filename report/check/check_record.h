@@ -2,25 +2,27 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "report/record.h"
+#include "report/read/record_reader.h"
 
 namespace desmo::report {
 
-/// Name of the fixed kernel that is timed like a cell.
+/// Name of the fixed kernel that is timed like a candidate.
 inline constexpr const char* control_name = "control";
 
-/// The least CPU seconds of a cell in each round.
+/// The least CPU seconds of a candidate in each round.
 struct Rounds {
   std::vector<double> base,
       head;  ///< as many of either; base is empty when head was measured alone
 };
 
-/// Instructions of a cell's counted steps.
+/// Instructions of a candidate's counted steps.
 struct Instructions {
   std::optional<std::int64_t> base, head;
 };
@@ -28,7 +30,7 @@ struct Instructions {
 struct Work {
   std::string tool;
   std::int64_t steps = 0, iterations = 0;  ///< of which the counts are; equal work needs equal ones
-  std::map<std::string, Instructions> instructions;  ///< by cell
+  std::map<std::string, Instructions> instructions;  ///< by candidate
 };
 
 struct CheckRecord {
@@ -36,9 +38,21 @@ struct CheckRecord {
   Record head;                 ///< samples: the first pass, a value a round
   Rounds control;              ///< likewise
   std::map<std::string, Rounds>
-      second;  ///< pass that confirms the first, by cell, with the control
+      second;  ///< pass that confirms the first, by candidate, with the control
   std::optional<Work> work;
   std::string slowed;  ///< what was made slower on purpose, SIDE:CELL:PERCENT; empty: nothing
 };
+
+/// Checks everything that a verdict relies on: that both sides have the same candidates, and that
+/// what is right on both was measured by all that was used, Time, Work or both. The two sides are
+/// records of their own, read as such. Throws InputError, naming the place; UnsupportedVersion
+/// and MixedRecord where they apply.
+CheckRecord parse_check(std::string_view text, const std::string& file = "check");
+
+/// Likewise, of what has been parsed already.
+CheckRecord read_check(const RecordValue& root);
+
+/// Throws as parse_check, or UnreadableRecord.
+CheckRecord read_check(const std::filesystem::path& file);
 
 }  // namespace desmo::report

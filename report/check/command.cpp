@@ -2,14 +2,9 @@
 
 #include <iostream>
 
-#include "report/check/certificate.h"
-#include "report/check/check_reader.h"
-#include "report/check/judgement.h"
+#include "report/check/check_outcome.h"
 #include "report/check/trials.h"
-#include "report/check/verdict.h"
 #include "report/formats/formats.h"
-#include "report/json_document.h"
-#include "report/output_files.h"
 
 namespace desmo::report {
 namespace {
@@ -20,53 +15,26 @@ int code(Verdict verdict) { return static_cast<int>(verdict); }
 
 std::string printed(const Document& document, const std::string& format) {
   std::string text;
-  for (const Rendered& file : render(document, format)) text += file.content;
+  for (const NewFile& file : render(document, format)) text += file.content;
   return text;
 }
 
-int judged(const CheckCommand& command, std::string& reading) {
-  const CheckRecord check = read_check(reading = command.file);
-  const Judgement judgement = command.baseline.empty()
-                                  ? judge(check)
-                                  : judge(check, read_check(reading = command.baseline));
-  if (command.pending) {
-    std::string lines;
-    for (const Pending& p : pending(judgement)) lines += p.pass + " " + p.cell + "\n";
-    write_standard_output(lines);
-    return 0;
-  }
-  write_standard_output(printed(verdict_document(check, judgement), command.format));
-  return code(judgement.verdict);
-}
-
-int certified(const CertificateCommand& command, std::string& reading) {
-  if (!command.added.empty()) {
-    add_trial(command.file, reading = command.added);
-    return code(Verdict::pass);
-  }
-  const Certificate certificate = read_certificate(reading = command.file);
-  write_standard_output(printed(certificate.document, command.format));
-  if (certificate.holds) return code(Verdict::pass);
-  return code(certificate.refuted ? Verdict::regression : Verdict::inconclusive);
-}
-
-/// What goes wrong with a file is told of the one that was being read.
+/// Runs a command. Returns its exit code, or that of a file that cannot be used, with a message.
 template <class Work>
 int reporting_errors(const Work& work) {
-  std::string reading;
-  const auto failed = [&reading](const InvalidRecord& error, int code) {
-    std::cerr << "desmo_report: " << reading << ": " << error.what() << "\n";
+  const auto failed = [](const InputError& error, int code) {
+    std::cerr << "desmo_report: " << error.what() << "\n";
     return code;
   };
   try {
-    return work(reading);
-  } catch (const UnreadableFile& error) {
+    return work();
+  } catch (const UnreadableRecord& error) {
     return failed(error, usage_error);
   } catch (const MixedRecord& error) {
     return failed(error, code(Verdict::incomparable));
   } catch (const UnsupportedVersion& error) {
     return failed(error, code(Verdict::incomparable));
-  } catch (const InvalidRecord& error) {
+  } catch (const InputError& error) {
     return failed(error, code(Verdict::invalid));
   }
 }
@@ -74,11 +42,33 @@ int reporting_errors(const Work& work) {
 }  // namespace
 
 int run(const CheckCommand& command) {
-  return reporting_errors([&](std::string& reading) { return judged(command, reading); });
+  return reporting_errors([&] {
+    const CheckRecord check = read_check(command.file);
+    const CheckOutcome found = command.baseline.empty()
+                                   ? compare_sides(check)
+                                   : compare_sides(check, read_check(command.baseline));
+    if (command.pending) {
+      std::string lines;
+      for (const Pending& p : pending(found)) lines += p.pass + " " + p.candidate + "\n";
+      write_standard_output(lines);
+      return code(Verdict::pass);
+    }
+    write_standard_output(printed(verdict_document(check, found), command.format));
+    return code(found.verdict);
+  });
 }
 
 int run(const CertificateCommand& command) {
-  return reporting_errors([&](std::string& reading) { return certified(command, reading); });
+  return reporting_errors([&] {
+    if (!command.added.empty()) {
+      add_trial(command.file, command.added);
+      return code(Verdict::pass);
+    }
+    const Certificate certificate = read_certificate(command.file);
+    write_standard_output(printed(certificate.document, command.format));
+    if (certificate.holds) return code(Verdict::pass);
+    return code(certificate.refuted ? Verdict::regression : Verdict::inconclusive);
+  });
 }
 
 }  // namespace desmo::report

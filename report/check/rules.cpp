@@ -12,14 +12,14 @@ int direction(const Change& c) {
 
 bool beyond(double ratio, double limit) { return ratio > limit || ratio < 1 / limit; }
 
-bool is_wide(const Change& c) { return c.high / c.low > widest_interval; }
+bool is_wide(const Change& c) { return c.high / c.low > max_interval; }
 
 // Not alarming, but not to be trusted either.
 bool is_undecided(const Change& c) { return is_wide(c) || beyond(c.ratio, alarming_change); }
 
 }  // namespace
 
-Outcome judge_time(const Change& first, const std::optional<Change>& second) {
+Outcome outcome_of_time(const Change& first, const std::optional<Change>& second) {
   const int seen = direction(first);
   if (seen == 0) return is_undecided(first) ? Outcome::noisy : Outcome::same;
   if (!second) return Outcome::unconfirmed;
@@ -31,7 +31,7 @@ bool is_unsteady(const Change& control) {
   return is_wide(control) || beyond(control.ratio, steady_control);
 }
 
-Outcome judge_work(double percent) {
+Outcome outcome_of_work(double percent) {
   if (percent >= alarming_percent) return Outcome::regression;
   if (percent <= -alarming_percent) return Outcome::gain;
   return Outcome::same;

@@ -12,7 +12,7 @@ namespace desmo::report {
 inline constexpr double alarming_change = 1.05;
 inline constexpr double certain_change = 1.02;
 /// Wider intervals than this, highest over lowest, tell nothing.
-inline constexpr double widest_interval = 1.05;
+inline constexpr double max_interval = 1.05;
 /// The control's time may not change by more, nor its interval be wider than the above.
 inline constexpr double steady_control = 1.02;
 /// Work: an alarm from this change on, in percent rounded to the tenth that is shown.
@@ -28,12 +28,12 @@ enum class Outcome {
 };
 
 /// Of a time, from its changes in the first pass and, where there was one, the second.
-Outcome judge_time(const Change& first, const std::optional<Change>& second);
+Outcome outcome_of_time(const Change& first, const std::optional<Change>& second);
 
 /// Whether the machine, and not what was measured, changed so much that no time can be judged.
 bool is_unsteady(const Change& control);
 
 /// Of a change of instructions in percent, rounded to a tenth.
-Outcome judge_work(double percent);
+Outcome outcome_of_work(double percent);
 
 }  // namespace desmo::report

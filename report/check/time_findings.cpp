@@ -1,23 +1,22 @@
-#include "report/check/time_findings.h"
-
 #include <functional>
 #include <map>
 
-#include "report/statistics.h"
+#include "report/check/findings.h"
+#include "report/statistics/statistics.h"
 
 namespace desmo::report {
 namespace {
 
-using Pass = std::map<std::string, Rounds>;  // by cell, with the control
-using FindChange = std::function<Change(const Pass& pass, const std::string& cell)>;
+using Pass = std::map<std::string, Rounds>;  // by candidate, with the control
+using FindChange = std::function<Change(const Pass& pass, const std::string& candidate)>;
 
 Pass first_pass(const CheckRecord& check) {
   Pass pass;
-  for (const auto& [key, head] : check.head.cells) {
+  for (const auto& [key, head] : check.head.candidates) {
     if (head.status != Status::ok) continue;
     if (!check.base) {
       pass[name_of(key)] = {{}, head.time.seconds};
-    } else if (const Cell& base = check.base->cells.at(key); base.status == Status::ok) {
+    } else if (const Candidate& base = check.base->candidates.at(key); base.status == Status::ok) {
       pass[name_of(key)] = {base.time.seconds, head.time.seconds};
     }
   }
@@ -29,29 +28,36 @@ double middle(const std::vector<double>& samples) {
   return samples.empty() ? 0 : summarise(samples).median;
 }
 
-using FindReference = std::function<std::string(const std::string& cell)>;
+using FindReference = std::function<std::string(const std::string& candidate)>;
 
-std::vector<TimeFinding> judge_cells(const Pass& first, const Pass& second,
-                                     const FindReference& reference, const FindChange& change) {
+std::vector<TimeFinding> compare_candidates(const Pass& first, const Pass& second,
+                                            const FindReference& reference,
+                                            const FindChange& change) {
   std::vector<TimeFinding> findings;
-  for (const auto& [cell, rounds] : first) {
-    if (cell == control_name) continue;
-    TimeFinding finding{
-        cell, reference(cell), middle(rounds.base), middle(rounds.head), change(first, cell), {},
-        {}};
-    if (second.contains(cell) && (finding.reference.empty() || second.contains(finding.reference)))
-      finding.second = change(second, cell);
-    finding.outcome = judge_time(finding.first, finding.second);
+  for (const auto& [candidate, rounds] : first) {
+    if (candidate == control_name) continue;
+    TimeFinding finding{candidate,
+                        reference(candidate),
+                        middle(rounds.base),
+                        middle(rounds.head),
+                        change(first, candidate),
+                        {},
+                        {}};
+    if (second.contains(candidate) &&
+        (finding.reference.empty() || second.contains(finding.reference)))
+      finding.second = change(second, candidate);
+    finding.outcome = outcome_of_time(finding.first, finding.second);
     findings.push_back(std::move(finding));
   }
   return findings;
 }
 
 /// "<case>/.../global_automatic_klu" of the same case; of that one, the control.
-std::string reference_of(const std::string& cell, const Pass& pass) {
-  const std::string case_name = cell.substr(0, cell.find('/') + 1);
+std::string reference_of(const std::string& candidate, const Pass& pass) {
+  const std::string case_name = candidate.substr(0, candidate.find('/') + 1);
   for (const auto& [other, ignored] : pass)
-    if (other != cell && other.starts_with(case_name) && other.ends_with("/global_automatic_klu"))
+    if (other != candidate && other.starts_with(case_name) &&
+        other.ends_with("/global_automatic_klu"))
       return other;
   return control_name;
 }
@@ -61,16 +67,16 @@ std::string reference_of(const std::string& cell, const Pass& pass) {
 TimeFindings find_times(const CheckRecord& check) {
   const Pass first = first_pass(check);
   if (first.empty()) return {};
-  const FindChange paired = [](const Pass& pass, const std::string& cell) {
-    return median_change(log_ratios(pass.at(cell).head, pass.at(cell).base));
+  const FindChange paired = [](const Pass& pass, const std::string& candidate) {
+    return median_change(log_ratios(pass.at(candidate).head, pass.at(candidate).base));
   };
   const FindReference none = [](const std::string&) { return std::string(); };
   TimeFindings findings{paired(first, control_name),
-                        judge_cells(first, check.second, none, paired)};
+                        compare_candidates(first, check.second, none, paired)};
   const bool first_unsteady = is_unsteady(*findings.control);
   const bool second_unsteady =
       !check.second.empty() && is_unsteady(paired(check.second, control_name));
-  for (TimeFinding& finding : findings.cells)
+  for (TimeFinding& finding : findings.candidates)
     if (first_unsteady || (second_unsteady && finding.second)) finding.outcome = Outcome::noisy;
   return findings;
 }
@@ -79,14 +85,16 @@ TimeFindings find_times(const CheckRecord& check, const CheckRecord& baseline) {
   const Pass then = first_pass(baseline);
   Pass now = first_pass(check);
   std::erase_if(now, [&](const auto& entry) { return !then.contains(entry.first); });
-  const FindReference reference = [&](const std::string& cell) { return reference_of(cell, now); };
-  const FindChange unpaired = [&](const Pass& pass, const std::string& cell) {
+  const FindReference reference = [&](const std::string& candidate) {
+    return reference_of(candidate, now);
+  };
+  const FindChange unpaired = [&](const Pass& pass, const std::string& candidate) {
     const auto ratios = [&](const Pass& run) {
-      return log_ratios(run.at(cell).head, run.at(reference(cell)).head);
+      return log_ratios(run.at(candidate).head, run.at(reference(candidate)).head);
     };
     return median_change(ratios(pass), ratios(then));
   };
-  return {std::nullopt, judge_cells(now, check.second, reference, unpaired)};
+  return {std::nullopt, compare_candidates(now, check.second, reference, unpaired)};
 }
 
 }  // namespace desmo::report

@@ -2,12 +2,10 @@
 
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
-#include "report/check/check_reader.h"
-#include "report/check/judgement.h"
-#include "report/json_document.h"
-#include "report/json_node.h"
-#include "report/output_files.h"
+#include "cases/io/new_files.h"
+#include "report/check/check_outcome.h"
 
 namespace desmo::report {
 namespace {
@@ -16,55 +14,34 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* schema = "desmo-certificate";
 
-const char* name_of(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::pass:
-      return "pass";
-    case Verdict::regression:
-      return "regression";
-    case Verdict::invalid:
-      return "invalid";
-    case Verdict::inconclusive:
-      return "inconclusive";
-    case Verdict::incomparable:
-      break;
-  }
-  return "incomparable";
-}
-
-std::vector<std::string> read_cells(const JsonNode& line, const char* key) {
-  std::vector<std::string> cells;
+std::vector<std::string> read_candidates(const RecordValue& line, const char* key) {
+  std::vector<std::string> candidates;
   if (const auto list = line.find(key))
-    for (const JsonNode& cell : list->elements()) cells.push_back(cell.text());
-  return cells;
+    for (const RecordValue& candidate : list->elements()) candidates.push_back(candidate.text());
+  return candidates;
 }
 
-TrialsHead read_head(const JsonNode& line) {
+TrialsHead read_head(const RecordValue& line) {
   check_schema(line, schema);
   return {line["date"].utc(), line["cpu"].text(), line["compiler"].text(), line["flags"].text(),
           line["cores"].integer(1)};
 }
 
-Trial read_trial(const JsonNode& line) {
-  const JsonNode trial = line["trial"];
-  return {trial["kind"].text(),         trial["load"].text(),       trial["cell"].text(),
-          line["verdict"].text(),       read_cells(line, "slower"), read_cells(line, "faster"),
-          read_cells(line, "more_work")};
-}
-
-void read_line(Trials& trials, const std::string& text) {
-  const nlohmann::json line = parse_json(text);
-  const JsonNode node(line);
-  if (trials.head)
-    trials.all.push_back(read_trial(node));
-  else
-    trials.head = read_head(node);
+Trial read_trial(const RecordValue& line) {
+  const RecordValue trial = line["trial"];
+  return {trial["kind"].text(),
+          trial["load"].text(),
+          trial["cell"].text(),
+          line["verdict"].text(),
+          read_candidates(line, "slower"),
+          read_candidates(line, "faster"),
+          read_candidates(line, "more_work")};
 }
 
 template <class Findings>
-void add_cells(Json& line, const char* key, const Findings& findings, Outcome outcome) {
+void add_candidates(Json& line, const char* key, const Findings& findings, Outcome outcome) {
   for (const auto& finding : findings)
-    if (finding.outcome == outcome) line[key].push_back(finding.cell);
+    if (finding.outcome == outcome) line[key].push_back(finding.candidate);
 }
 
 Json head_line(const Record& head) {
@@ -77,22 +54,24 @@ Json head_line(const Record& head) {
           {"flags", head.build.flags}};
 }
 
-Json trial_line(const nlohmann::json& trial, const Judgement& judgement) {
-  Json line{{"trial",
-             {{"kind", trial["kind"]},
-              {"load", trial["load"]},
-              {"number", trial["number"]},
-              {"cell", trial["cell"]}}},
-            {"verdict", name_of(judgement.verdict)}};
-  add_cells(line, "slower", judgement.time.cells, Outcome::regression);
-  add_cells(line, "faster", judgement.time.cells, Outcome::gain);
-  add_cells(line, "more_work", judgement.work.cells, Outcome::regression);
+Json read_what(const RecordValue& trial) {
+  return {{"kind", trial["kind"].text()},
+          {"load", trial["load"].text()},
+          {"number", trial["number"].integer(1)},
+          {"cell", trial["cell"].text()}};
+}
+
+Json trial_line(const Json& what, const CheckOutcome& found) {
+  Json line{{"trial", what}, {"verdict", verdict_names[static_cast<std::size_t>(found.verdict)]}};
+  add_candidates(line, "slower", found.time.candidates, Outcome::regression);
+  add_candidates(line, "faster", found.time.candidates, Outcome::gain);
+  add_candidates(line, "more_work", found.work.candidates, Outcome::regression);
   return line;
 }
 
 std::optional<TrialsHead> head_of(const std::filesystem::path& certificate) {
   if (!std::filesystem::exists(certificate)) return std::nullopt;
-  return read_trials(read_whole(certificate)).head;
+  return read_trials(read_record_text(certificate), certificate.string()).head;
 }
 
 void require_same_machine(const TrialsHead& head, const Record& record) {
@@ -103,39 +82,32 @@ void require_same_machine(const TrialsHead& head, const Record& record) {
 
 }  // namespace
 
-Trials read_trials(const std::string& text) {
+Trials read_trials(const std::string& text, const std::string& file) {
   Trials trials;
+  std::istringstream lines(text);
   int number = 0;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    const std::string line = text.substr(begin, end - begin);
-    begin = end + 1;
+  for (std::string line; std::getline(lines, line);) {
     ++number;
     if (line.find_first_not_of(" \t\r") == line.npos) continue;  // as JSON Lines are read elsewhere
-    const auto named = [&](const InvalidRecord& error) {
-      return "line " + std::to_string(number) + ": " + error.what();
-    };
-    try {
-      read_line(trials, line);
-    } catch (const UnsupportedVersion& error) {
-      throw UnsupportedVersion(named(error));
-    } catch (const InvalidRecord& error) {
-      throw InvalidRecord(named(error));
-    }
+    const JsonDocument document(line, file + ": line " + std::to_string(number));
+    const RecordValue root(document.root());
+    if (trials.head)
+      trials.all.push_back(read_trial(root));
+    else
+      trials.head = read_head(root);
   }
   return trials;
 }
 
 void add_trial(const std::filesystem::path& certificate, const std::filesystem::path& trial) {
-  const nlohmann::json document = parse_json(read_whole(trial));
-  const JsonNode node(document), what = node["trial"];
-  for (const char* key : {"kind", "load", "cell"}) what[key].text();
-  what["number"].integer(1);
-  const CheckRecord check = read_check(node["check"]);
+  const JsonDocument document(read_record_text(trial), trial.string());
+  const RecordValue root(document.root());
+  const Json what = read_what(root["trial"]);
+  const CheckRecord check = read_check(root["check"]);
   const std::optional<TrialsHead> head = head_of(certificate);
   if (head) require_same_machine(*head, check.head);
   std::string text = head ? "" : head_line(check.head).dump() + "\n";
-  text += trial_line(document["trial"], judge(check)).dump() + "\n";
+  text += trial_line(what, compare_sides(check)).dump() + "\n";
   std::ofstream out(certificate, std::ios::app);
   out << text << std::flush;
   if (!out) throw OutputError(certificate.string() + " cannot be written");

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "report/text/document.h"
+
 namespace desmo::report {
 
 /// The machine on which trials were made: those of two machines or compilers do not make one
@@ -19,9 +21,9 @@ struct TrialsHead {
 
 /// A trial: what was done to the check, and what it said.
 struct Trial {
-  std::string kind, load, cell;
+  std::string kind, load, candidate;
   std::string verdict;                                 ///< "pass", "regression" ...
-  std::vector<std::string> slower, faster, more_work;  ///< cells that it named
+  std::vector<std::string> slower, faster, more_work;  ///< candidates that it named
 };
 
 struct Trials {
@@ -29,13 +31,23 @@ struct Trials {
   std::vector<Trial> all;
 };
 
-/// Reads the text of a certificate, blank lines aside. Throws InvalidRecord, naming the line.
-Trials read_trials(const std::string& text);
+/// Reads the text of a certificate, blank lines aside. Throws InputError, naming the line.
+Trials read_trials(const std::string& text, const std::string& file = "trials");
 
-/// Judges the check of a trial, {"trial": {"kind", "load", "number", "cell"}, "check": ...}, and
-/// adds a line to a certificate, which is begun where there is none.
+/// Judges the check of a trial, {"trial": {"kind", "load", "number", "candidate"}, "check": ...},
+/// and adds a line to a certificate, which is begun where there is none.
 ///
-/// Throws InvalidRecord; MixedRecord for a trial of another machine or compiler; OutputError.
+/// Throws InputError; MixedRecord for a trial of another machine or compiler; OutputError.
 void add_trial(const std::filesystem::path& certificate, const std::filesystem::path& trial);
+
+struct Certificate {
+  bool holds = false;    ///< every claim, with all its trials
+  bool refuted = false;  ///< some claim, whatever trials are missing
+  Document document;
+};
+
+/// Reads the trials (report/check/trials.h) and counts what they show. Throws InputError, naming
+/// the line, and UnreadableRecord.
+Certificate read_certificate(const std::filesystem::path& file);
 
 }  // namespace desmo::report

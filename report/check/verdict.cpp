@@ -1,6 +1,10 @@
-#include "report/check/verdict.h"
+#include <cctype>
 
-#include "report/digits.h"
+#include "report/check/check_outcome.h"
+#include "report/tables/entries.h"
+#include "report/tables/record_words.h"
+#include "report/text/digits.h"
+#include "report/text/texts.h"
 
 namespace desmo::report {
 namespace {
@@ -21,164 +25,113 @@ Entry change_entry(const std::optional<Change>& c) {
 }
 
 std::string outcome_word(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::same:
-      return "same";
-    case Outcome::gain:
-      return "gain";
-    case Outcome::regression:
-      return "REGRESSION";
-    case Outcome::unconfirmed:
-      return "alarm, not yet confirmed";
-    case Outcome::refuted:
-      return "same: the second pass refutes the first";
-    case Outcome::noisy:
-      return "too noisy";
-  }
-  return {};
+  constexpr std::array names{"outcomes.same",        "outcomes.gain",    "outcomes.regression",
+                             "outcomes.unconfirmed", "outcomes.refuted", "outcomes.noisy"};
+  return sentence(names[static_cast<std::size_t>(outcome)]);
 }
 
 Entry milliseconds(double seconds) {
   if (seconds <= 0) return note_entry(missing_mark);
-  const std::string text = write_significant(1e3 * seconds, 4);
-  return {text, {text}, {}};
+  return number_entry(1e3 * seconds, 4);
 }
 
 Table time_table(const TimeFindings& time) {
-  const bool against_baseline = !time.control;
-  Table table{.name = "time",
-              .title = "Time: the median over rounds of head's least time over base's",
-              .notes = {},
-              .columns = {{"cell", {}},
-                          {"base, ms", {"base_ms"}},
-                          {"head, ms", {"head_ms"}},
-                          {"change", {"percent", "low", "high"}},
-                          {"second pass", {"percent", "low", "high"}},
-                          {"outcome", {}}},
-              .rows = {}};
-  if (against_baseline)
-    table.title = "Time: each over that of its case's global_automatic_klu, beside the baseline's";
   std::size_t rounds = 0;
-  for (const TimeFinding& f : time.cells) {
-    rounds = std::max(rounds, f.first.rounds);
-    table.rows.push_back({text_entry(f.cell), milliseconds(f.base_seconds),
-                          milliseconds(f.head_seconds), change_entry(f.first),
-                          change_entry(f.second), text_entry(outcome_word(f.outcome))});
-  }
-  table.notes.push_back(
-      "Up to " + std::to_string(rounds) +
-      " rounds; 99 % bootstrap intervals. An alarm: more than 5 %, its lower end above 2 %, in two "
-      "passes.");
+  for (const TimeFinding& f : time.candidates) rounds = std::max(rounds, f.first.rounds);
+  Table table = headed_table("time", {{"rounds", rounds}});
   if (time.control)
-    table.notes.push_back(
-        "The control kernel, which must not change: " + change_entry(time.control).shown + ".");
+    table.notes.push_back(sentence("time.control", {{"change", change_entry(time.control).shown}}));
+  else
+    table.title = sentence("time.over_baseline");
+  for (const TimeFinding& f : time.candidates)
+    table.rows.push_back({f.candidate, milliseconds(f.base_seconds), milliseconds(f.head_seconds),
+                          change_entry(f.first), change_entry(f.second), outcome_word(f.outcome)});
   return table;
 }
 
 Table work_table(const WorkFindings& work, const Work& counted) {
-  Table table{.name = "work",
-              .title = "Work: instructions of " + std::to_string(counted.steps) + " steps with " +
-                       std::to_string(counted.iterations) + " iterations each",
-              .notes = {"Counted by " + counted.tool +
-                        "; repeatable to the last one. An alarm: 1.0 % or more."},
-              .columns = {{"cell", {}},
-                          {"base", {"base"}},
-                          {"head", {"head"}},
-                          {"change", {"percent"}},
-                          {"outcome", {}}},
-              .rows = {}};
-  for (const WorkFinding& f : work.cells) {
-    const std::string base = std::to_string(f.base), head = std::to_string(f.head),
-                      percent = signed_percent(f.percent);
-    table.rows.push_back({text_entry(f.cell),
-                          {base, {base}, {}},
-                          {head, {head}, {}},
+  Table table = headed_table(
+      "work",
+      {{"steps", counted.steps}, {"iterations", counted.iterations}, {"tool", counted.tool}});
+  for (const WorkFinding& f : work.candidates) {
+    const std::string percent = signed_percent(f.percent);
+    table.rows.push_back({f.candidate,
+                          digits_entry(std::to_string(f.base)),
+                          digits_entry(std::to_string(f.head)),
                           {percent + " %", {percent}, {}},
-                          text_entry(outcome_word(f.outcome))});
+                          outcome_word(f.outcome)});
   }
   return table;
 }
 
 template <class Findings>
-std::string cells_with(const Findings& findings, Outcome outcome) {
+std::string candidates_with(const Findings& findings, Outcome outcome) {
   std::string list;
   for (const auto& f : findings)
-    if (f.outcome == outcome) list += (list.empty() ? "" : ", ") + f.cell;
+    if (f.outcome == outcome) list += (list.empty() ? "" : ", ") + f.candidate;
   return list;
 }
 
-void say(std::vector<std::string>& paragraphs, const std::string& what, const std::string& cells) {
-  if (!cells.empty()) paragraphs.push_back(what + ": " + cells + ".");
-}
-
-void say_differences(std::vector<std::string>& paragraphs, const std::string& what,
-                     const std::vector<Difference>& differences) {
-  for (const Difference& d : differences)
-    paragraphs.push_back(what + " cannot be compared, " + d.what + ": " + d.first + " in base, " +
-                         d.second + " in head.");
-}
-
-std::vector<std::string> summary(const Judgement& j) {
-  std::vector<std::string> text;
-  for (const Excluded& cell : j.invalid)
-    text.push_back("Wrong numerics, not timed: " + cell.cell + " (" + cell.reason + ").");
-  for (const std::string& cell : j.missing)
-    text.push_back("Not measured, but in the baseline: " + cell + ".");
-  say(text, "Slower", cells_with(j.time.cells, Outcome::regression));
-  say(text, "More work", cells_with(j.work.cells, Outcome::regression));
-  say(text, "Faster", cells_with(j.time.cells, Outcome::gain));
-  say(text, "Less work", cells_with(j.work.cells, Outcome::gain));
-  say(text, "An alarm that needs its second pass", cells_with(j.time.cells, Outcome::unconfirmed));
-  say(text, "Too noisy to tell", cells_with(j.time.cells, Outcome::noisy));
-  say_differences(text, "Times", j.differences);
-  say_differences(text, "Instruction counts", j.work.differences);
+std::vector<std::string> summary(const CheckOutcome& j) {
+  std::vector<std::string> lines;
+  const auto say = [&](const char* name, const TextValues& values = {}) {
+    lines.push_back(sentence(std::string("verdict.") + name, values));
+  };
+  const auto say_list = [&](const char* name, const std::string& list) {
+    if (!list.empty()) say(name, {{"candidates", list}});
+  };
+  const auto say_differences = [&](const char* name, const std::vector<Difference>& differences) {
+    for (const Difference& d : differences)
+      say(name, {{"what", d.what}, {"first", d.first}, {"second", d.second}});
+  };
+  for (const Excluded& e : j.invalid)
+    say("wrong", {{"candidate", e.candidate}, {"reason", e.reason}});
+  for (const std::string& name : j.missing) say("missing", {{"candidate", name}});
+  say_list("slower", candidates_with(j.time.candidates, Outcome::regression));
+  say_list("more_work", candidates_with(j.work.candidates, Outcome::regression));
+  say_list("faster", candidates_with(j.time.candidates, Outcome::gain));
+  say_list("less_work", candidates_with(j.work.candidates, Outcome::gain));
+  say_list("unconfirmed", candidates_with(j.time.candidates, Outcome::unconfirmed));
+  say_list("noisy", candidates_with(j.time.candidates, Outcome::noisy));
+  say_differences("times_differ", j.differences);
+  say_differences("counts_differ", j.work.differences);
   if (j.verdict == Verdict::incomparable && j.differences.empty() && j.work.differences.empty())
-    text.push_back("There is nothing to compare with.");
-  for (const Excluded& cell : j.excluded)
-    text.push_back("Not compared: " + cell.cell + " (" + cell.reason + ").");
-  if (text.empty()) text.push_back("No cell has changed.");
-  return text;
+    say("nothing");
+  for (const Excluded& e : j.excluded)
+    say("not_compared", {{"candidate", e.candidate}, {"reason", e.reason}});
+  if (lines.empty()) say("unchanged");
+  return lines;
 }
 
-std::string side(const char* name, const Record& r) {
-  return std::string(name) + " is " + r.commit.substr(0, 12) +
-         (r.dirty ? " with uncommitted changes" : "");
-}
-
-std::string provenance(const CheckRecord& check) {
+std::string provenance_line(const CheckRecord& check) {
   const Record& head = check.head;
-  std::string text = (check.base ? side("Base", *check.base) + ", h" : std::string("H")) +
-                     side("ead", head) + "; measured " + head.date + " on " + head.machine.cpu +
-                     ", " + std::to_string(head.machine.cores) + " cores, " + head.build.compiler +
-                     ", BLAS core " + head.blas.core + ".";
-  if (!check.slowed.empty()) text += " On purpose slower: " + check.slowed + " %.";
+  const auto short_commit = [](Record record) {
+    record.commit.resize(std::min<std::size_t>(12, record.commit.size()));
+    return commit_of(record);
+  };
+  std::string text =
+      check.base ? sentence("verdict.base", {{"commit", short_commit(*check.base)}}) + " " : "";
+  text += sentence("verdict.measured", {{"commit", short_commit(head)},
+                                        {"date", head.date},
+                                        {"cpu", head.machine.cpu},
+                                        {"cores", head.machine.cores},
+                                        {"compiler", head.build.compiler},
+                                        {"blas", head.blas.core}});
+  if (!check.slowed.empty()) text += " " + sentence("verdict.slowed", {{"slowed", check.slowed}});
   return text;
 }
 
 }  // namespace
 
-const char* verdict_word(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::pass:
-      return "PASS";
-    case Verdict::regression:
-      return "REGRESSION";
-    case Verdict::invalid:
-      return "INVALID";
-    case Verdict::inconclusive:
-      return "INCONCLUSIVE";
-    case Verdict::incomparable:
-      return "INCOMPARABLE";
-  }
-  return "";
-}
-
-Document verdict_document(const CheckRecord& check, const Judgement& j) {
-  Section section{std::string("Verdict: ") + verdict_word(j.verdict), summary(j), {}};
-  if (!j.time.cells.empty()) section.tables.push_back(time_table(j.time));
-  if (!j.work.cells.empty()) section.tables.push_back(work_table(j.work, *check.work));
-  section.paragraphs.push_back(provenance(check));
-  return {"Regression check", {std::move(section)}};
+Document verdict_document(const CheckRecord& check, const CheckOutcome& j) {
+  std::string verdict = verdict_names[static_cast<std::size_t>(j.verdict)];
+  for (char& c : verdict) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  Section section = headed_section("verdict", {{"verdict", verdict}});
+  section.paragraphs = summary(j);
+  if (!j.time.candidates.empty()) section.tables.push_back(time_table(j.time));
+  if (!j.work.candidates.empty()) section.tables.push_back(work_table(j.work, *check.work));
+  section.paragraphs.push_back(provenance_line(check));
+  return {sentence("verdict.document"), {std::move(section)}};
 }
 
 }  // namespace desmo::report

@@ -1,7 +1,7 @@
-#include "report/check/work_findings.h"
-
 #include <cmath>
 #include <functional>
+
+#include "report/check/findings.h"
 
 namespace desmo::report {
 namespace {
@@ -37,16 +37,16 @@ std::vector<Difference> differences(const CheckRecord& now, const Record& then,
   return all;
 }
 
-using FindBefore = std::function<std::optional<std::int64_t>(const std::string& cell)>;
+using FindBefore = std::function<std::optional<std::int64_t>(const std::string& candidate)>;
 
 std::vector<WorkFinding> compare(const Work& work, const FindBefore& before) {
   std::vector<WorkFinding> findings;
-  for (const auto& [cell, counts] : work.instructions) {
-    const auto base = before(cell);
+  for (const auto& [candidate, counts] : work.instructions) {
+    const auto base = before(candidate);
     if (!base) continue;
     const double exact = 100 * (static_cast<double>(*counts.head) / static_cast<double>(*base) - 1);
     const double percent = std::round(10 * exact) / 10;
-    findings.push_back({cell, *base, *counts.head, percent, judge_work(percent)});
+    findings.push_back({candidate, *base, *counts.head, percent, outcome_of_work(percent)});
   }
   return findings;
 }
@@ -57,8 +57,8 @@ WorkFindings find_works(const CheckRecord& check) {
   if (!check.work || !check.base) return {};
   WorkFindings found{differences(check, *check.base, *check.work), {}};
   if (found.differences.empty())
-    found.cells = compare(*check.work, [&](const std::string& cell) {
-      return check.work->instructions.at(cell).base;
+    found.candidates = compare(*check.work, [&](const std::string& candidate) {
+      return check.work->instructions.at(candidate).base;
     });
   return found;
 }
@@ -67,8 +67,8 @@ WorkFindings find_works(const CheckRecord& check, const CheckRecord& baseline) {
   if (!check.work || !baseline.work) return {};
   WorkFindings found{differences(check, baseline.head, *baseline.work), {}};
   if (found.differences.empty())
-    found.cells = compare(*check.work, [&](const std::string& cell) {
-      const auto before = baseline.work->instructions.find(cell);
+    found.candidates = compare(*check.work, [&](const std::string& candidate) {
+      const auto before = baseline.work->instructions.find(candidate);
       return before == baseline.work->instructions.end() ? std::nullopt : before->second.head;
     });
   return found;

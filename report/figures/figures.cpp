@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 
-#include "report/embedded.h"
-#include "report/figures/growth.h"
-#include "report/figures/work_precision.h"
-#include "report/precision/selection.h"
+#include "report/figures/design.h"
 #include "report/tables/tables.h"
+#include "report/text/embedded.h"
 
 namespace desmo::report {
 namespace {
@@ -61,41 +60,24 @@ Json design_of_times(const Table& table) {
   return spec;
 }
 
-// No line in the legend for a family that was not recorded; the others keep their colours.
+/// Leaves in the legend only the families recorded.
 Json design_of_speed_ups(const Table& table) {
   Json spec = Json::parse(embedded::figure6);
-  Json& scale = spec["layer"][0]["encoding"]["color"]["scale"];
-  Json domain = Json::array(), range = Json::array();
-  for (std::size_t i = 0; i < scale["domain"].size(); ++i) {
-    const std::string solver = scale["domain"][i];
-    if (std::none_of(table.columns.begin(), table.columns.end(),
-                     [&](const Column& column) { return column.name == solver; }))
-      continue;
-    domain.push_back(solver);
-    range.push_back(scale["range"][i]);
-  }
-  scale["domain"] = domain;
-  scale["range"] = range;
-  spec["params"][0]["value"] = domain;
-  spec["encoding"]["xOffset"]["sort"] = domain;
+  std::set<std::string> solvers;
+  for (std::size_t i = 1; i < table.columns.size(); ++i) solvers.insert(table.columns[i].name);
+  keep_measured(spec, {&spec["layer"][0]["encoding"]}, solvers);
+  spec["encoding"]["xOffset"]["sort"] = spec["params"][0]["value"];
   return spec;
-}
-
-Rendered filled(const Table& table, Json spec, Json data) {
-  spec["title"]["text"] = table.title;
-  spec["title"]["subtitle"] = table.notes;
-  spec["data"] = {{"values", std::move(data)}};
-  return {table.name + ".vl.json", spec.dump(1) + "\n"};
 }
 
 }  // namespace
 
-std::vector<Rendered> figures(const Record& record) {
-  std::vector<Rendered> files;
-  if (has_cells(record)) {
+std::vector<NewFile> figures(const Record& record) {
+  std::vector<NewFile> files;
+  if (has_paper(record)) {
     const Table times = figure_of_times(record), speed_ups = figure_of_speed_ups(record);
-    files = {filled(times, design_of_times(times), time_points(times)),
-             filled(speed_ups, design_of_speed_ups(speed_ups), speed_up_bars(speed_ups))};
+    files = {filled_figure(times, design_of_times(times), time_points(times)),
+             filled_figure(speed_ups, design_of_speed_ups(speed_ups), speed_up_bars(speed_ups))};
   }
   for (const std::string& name : drawn_cases(record))
     files.push_back(work_precision_figure(record, name));

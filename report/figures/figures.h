@@ -3,16 +3,16 @@
 
 #include <vector>
 
-#include "report/formats/formats.h"
-#include "report/record.h"
+#include "cases/io/new_files.h"
+#include "report/read/record.h"
 
 namespace desmo::report {
 
 /// figure5.vl.json, CPU time over coordinates, and figure6.vl.json, mean speed-up: the paper's own
 /// values beside every sparse family. What failed or is missing has null where a number would be.
 /// The design is in report/figures/*.template.json; data, title and subtitle are those of the
-/// tables of the figures (tables/tables.h). These of a record with cells; of one with points
+/// tables of the figures (tables/tables.h). These of a record with candidates; of one with points
 /// figures/work_precision.h for each case, of one with growth figures/growth.h.
-std::vector<Rendered> figures(const Record& record);
+std::vector<NewFile> figures(const Record& record);
 
 }  // namespace desmo::report

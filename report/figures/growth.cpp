@@ -1,13 +1,11 @@
-#include "report/figures/growth.h"
-
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "report/digits.h"
-#include "report/embedded.h"
-#include "report/figures/legend.h"
-#include "report/size/caches.h"
-#include "report/tables/size.h"
+#include "report/figures/design.h"
+#include "report/statistics/curves.h"
+#include "report/tables/tables.h"
+#include "report/text/digits.h"
+#include "report/text/embedded.h"
 
 namespace desmo::report {
 namespace {
@@ -41,7 +39,7 @@ Json mark(const std::vector<Entry>& row) {
 
 }  // namespace
 
-Rendered growth_figure(const Record& record) {
+NewFile growth_figure(const Record& record) {
   const Table table = growth_data(record);
   Json spec = Json::parse(embedded::growth), data = Json::array();
   std::set<std::string> measured, panels;
@@ -59,10 +57,7 @@ Rendered growth_figure(const Record& record) {
     }
   Json& layers = spec["spec"]["layer"];
   keep_measured(spec, {&layers[0]["encoding"], &layers[1]["encoding"]}, measured);
-  spec["title"]["text"] = table.title;
-  spec["title"]["subtitle"] = table.notes;
-  spec["data"]["values"] = std::move(data);
-  return {table.name + ".vl.json", spec.dump(1) + "\n"};
+  return filled_figure(table, std::move(spec), std::move(data));
 }
 
 }  // namespace desmo::report

@@ -1,27 +1,26 @@
-#include "report/figures/work_precision.h"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "report/embedded.h"
-#include "report/figures/legend.h"
-#include "report/precision/selection.h"
-#include "report/tables/precision.h"
+#include "report/figures/design.h"
+#include "report/statistics/selection.h"
+#include "report/tables/entries.h"
+#include "report/tables/tables.h"
+#include "report/text/embedded.h"
 
 namespace desmo::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double least_drawn = 1e-18;  // where an error stands that is less, or 0
-constexpr double largest_drawn = 10;   // likewise, that is more
-constexpr double room = 0.7;           // decades between the labels of the front
+constexpr double min_drawn = 1e-18;  // where an error stands that is less, or 0
+constexpr double max_drawn = 10;     // likewise, that is more
+constexpr double room = 0.7;         // decades between the labels of the front
 constexpr std::size_t id = 0, family = 1, time = 2, error = 3, iterations = 8, front = 9, why = 10;
 
-double drawn(double value) { return std::clamp(value, least_drawn, largest_drawn); }
+double drawn(double value) { return std::clamp(value, min_drawn, max_drawn); }
 
 Json solved(const std::vector<Entry>& row) {
   return {{"id", row[id].shown},
@@ -44,7 +43,7 @@ Json failed(const std::vector<Entry>& row, int place) {
 
 /// Of the front, whose marks come with the error falling, as many as have room.
 void label(Json& all) {
-  double last = 100 * largest_drawn;
+  double last = 100 * max_drawn;
   for (Json& mark : all)
     if (mark.value("front", false)) {
       const double at = mark["drawn_at"].get<double>();
@@ -100,11 +99,9 @@ std::set<std::string> families(const Table& table) {
 
 }  // namespace
 
-Rendered work_precision_figure(const Record& record, const std::string& case_name) {
+NewFile work_precision_figure(const Record& record, const std::string& case_name) {
   const Table table = work_precision(record, case_name);
   Json spec = Json::parse(embedded::work_precision), data = marks(table);
-  spec["title"]["text"] = table.title;
-  spec["title"]["subtitle"] = table.notes;
   Json& layers = spec["vconcat"][0]["layer"];
   keep_measured(spec, {&layers[0]["encoding"]}, families(table));
   const Json ends = domain(data);
@@ -114,8 +111,7 @@ Rendered work_precision_figure(const Record& record, const std::string& case_nam
   for (const std::size_t layer : {3, 4}) layers[layer]["data"]["values"] = rules;
   if (std::ranges::none_of(data, [](const Json& mark) { return mark.contains("reason"); }))
     spec["vconcat"].erase(1);
-  spec["data"]["values"] = std::move(data);
-  return {table.name + ".vl.json", spec.dump(1) + "\n"};
+  return filled_figure(table, std::move(spec), std::move(data));
 }
 
 }  // namespace desmo::report

@@ -6,9 +6,18 @@
 namespace desmo::report {
 
 const std::vector<std::string>& format_names() {
-  static const std::vector<std::string> names{"terminal", "json",  "csv",
-                                              "markdown", "latex", "html"};
+  static const std::vector<std::string> names{"terminal", "json", "csv", "markdown", "html"};
   return names;
+}
+
+std::string escaped(std::string_view text, const std::map<char, std::string>& escapes) {
+  std::string result;
+  for (const char c : text)
+    if (const auto escape = escapes.find(c); escape != escapes.end())
+      result += escape->second;
+    else
+      result += c;
+  return result;
 }
 
 // Continuation bytes take no room.
@@ -28,14 +37,13 @@ std::size_t row_width(const Table& table) {
   return width;
 }
 
-std::vector<Rendered> render(const Document& document, const std::string& format) {
+std::vector<NewFile> render(const Document& document, const std::string& format) {
   if (format == "terminal") return {{"tables.txt", to_terminal(document)}};
   if (format == "json") return {{"tables.json", to_json(document)}};
   if (format == "markdown") return {{"tables.md", to_markdown(document)}};
-  if (format == "latex") return {{"tables.tex", to_latex(document)}};
   if (format == "html") return {{"report.html", to_html(document)}};
   if (format != "csv") throw std::invalid_argument("no such format: " + format);
-  std::vector<Rendered> files;
+  std::vector<NewFile> files;
   for (const Section& section : document.sections)
     for (const Table& table : section.tables) files.push_back({table.name + ".csv", to_csv(table)});
   return files;

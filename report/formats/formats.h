@@ -2,10 +2,13 @@
 // are; none rounds.
 #pragma once
 
+#include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "report/document.h"
+#include "cases/io/new_files.h"
+#include "report/text/document.h"
 
 namespace desmo::report {
 
@@ -30,13 +33,13 @@ std::string to_csv(const Table& table);
 /// GitHub's dialect.
 std::string to_markdown(const Document& document);
 
-/// For \input; needs the package longtable only.
-std::string to_latex(const Document& document);
-
 /// One page, self-contained: no script, no request to a network, figures missing and named. What
 /// stands between the comments "<!-- NAME -->" and "<!-- end of NAME -->", NAME a figure or
 /// "scripts", belongs to report/figures/render, which puts the figures there.
 std::string to_html(const Document& document);
+
+/// Replaces some characters.
+std::string escaped(std::string_view text, const std::map<char, std::string>& escapes);
 
 /// Characters of UTF-8, not bytes.
 std::size_t characters(const std::string& text);
@@ -44,15 +47,10 @@ std::size_t characters(const std::string& text);
 /// Characters of a row in which every entry is its column's longest: how wide a table gets.
 std::size_t row_width(const Table& table);
 
-struct Rendered {
-  std::string file_name;
-  std::string content;
-};
-
-/// "terminal", "json", "csv", "markdown", "latex", "html".
+/// "terminal", "json", "csv", "markdown", "html".
 const std::vector<std::string>& format_names();
 
 /// The files of one format: one, or for csv one per table. The format is one of format_names().
-std::vector<Rendered> render(const Document& document, const std::string& format);
+std::vector<NewFile> render(const Document& document, const std::string& format);
 
 }  // namespace desmo::report

@@ -1,33 +1,16 @@
 // The page: one file that asks the network for nothing. Where a figure goes stands between two
 // comments, which report/figures/render fills; until then a sentence there names what is missing.
-#include "report/embedded.h"
 #include "report/formats/formats.h"
+#include "report/text/embedded.h"
 
 namespace desmo::report {
 namespace {
 
 // A row with more characters has its intervals below the numbers.
-constexpr std::size_t most_in_line = 122;
+constexpr std::size_t max_row_width = 122;
 
 std::string html_text(std::string_view text) {
-  std::string result;
-  for (const char c : text) switch (c) {
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '&':
-        result += "&amp;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  return result;
+  return escaped(text, {{'<', "&lt;"}, {'>', "&gt;"}, {'&', "&amp;"}, {'"', "&quot;"}});
 }
 
 std::string element(const std::string& name, const std::string& content) {
@@ -109,7 +92,7 @@ std::string table_html(const Table& table) {
   const std::string caption = table.name + "-caption";
   return "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-labelledby=\"" + caption +
          "\">\n<table id=\"" + table.name + (table.figure ? "-data" : "") + "\"" +
-         (row_width(table) > most_in_line ? " class=\"wide\"" : "") + ">\n" +
+         (row_width(table) > max_row_width ? " class=\"wide\"" : "") + ">\n" +
          element("caption id=\"" + caption + "\"", element("span", html_text(table.title))) + "\n" +
          header_html(table) + rows_html(table) + "</table>\n</div>\n";
 }

@@ -4,33 +4,9 @@ namespace desmo::report {
 namespace {
 
 std::string markdown_text(const std::string& text) {
-  std::string result;
-  for (const char c : text) switch (c) {
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '&':
-        result += "&amp;";
-        break;
-      case '\\':
-      case '`':
-      case '*':
-      case '_':
-      case '|':
-      case '[':
-      case ']':
-      case '~':
-      case '$':
-      case '#':
-        result += '\\';
-        [[fallthrough]];
-      default:
-        result += c;
-    }
-  return result;
+  std::map<char, std::string> escapes{{'<', "&lt;"}, {'>', "&gt;"}, {'&', "&amp;"}};
+  for (const char c : std::string_view("\\`*_|[]~$#")) escapes[c] = {'\\', c};
+  return escaped(text, escapes);
 }
 
 std::string markdown_table(const Table& table) {

@@ -42,7 +42,7 @@ std::string without_last_space(std::string text) {
   return text;
 }
 
-std::size_t longest_piece(const std::string& text) {
+std::size_t min_width(const std::string& text) {
   std::size_t longest = 0;
   for (const std::string& piece : pieces(text))
     longest = std::max(longest, characters(without_last_space(piece)));
@@ -69,10 +69,10 @@ std::vector<std::size_t> column_widths(const Table& table) {
   std::vector<std::size_t> widths, least;
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     widths.push_back(characters(table.columns[i].name));
-    least.push_back(longest_piece(table.columns[i].name));
+    least.push_back(min_width(table.columns[i].name));
     for (const auto& row : table.rows) {
       widths[i] = std::max(widths[i], characters(row[i].shown));
-      least[i] = std::max(least[i], longest_piece(row[i].shown));
+      least[i] = std::max(least[i], min_width(row[i].shown));
     }
   }
   while (std::accumulate(widths.begin(), widths.end(), 2 * widths.size()) > line_width) {

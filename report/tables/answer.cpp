@@ -1,23 +1,16 @@
-// The front of the report: what the paper found, what this record says of it, what gains. Fixed
-// sentences with numbers in them, and two tables.
+// The front of the report: what the paper found, what this record says of it, what gains.
 #include <algorithm>
 
-#include "report/digits.h"
-#include "report/measurements.h"
-#include "report/paper.h"
-#include "report/tables/best.h"
+#include "report/statistics/paper.h"
 #include "report/tables/tables.h"
-#include "report/variants.h"
+#include "report/text/digits.h"
+#include "report/text/texts.h"
 
 namespace desmo::report {
 namespace {
 
 constexpr std::size_t papers_best = 6;  // TS-TPS_LAP, in `variants`
-constexpr std::size_t fewest_repetitions = 3;
-
-constexpr const char* finding =
-    "The speed-up that the paper found depends on the solver underneath, not on the topology; what "
-    "gains is generating the elimination.";
+constexpr std::size_t min_repetitions = 3;
 
 std::string two_digits(double value) { return write(value, significant_digits(value, 2)); }
 
@@ -44,21 +37,11 @@ std::string list(const std::vector<Mean>& means) {
   for (const auto& [family, speed_up] : means)
     text += (text.empty() ? "" : ", ") + std::string(family) + " " + two_digits(speed_up.value) +
             (speed_up.inconclusive() ? " (inconclusive)" : "");
-  return text.empty() ? "not measured" : text;
+  return text.empty() ? sentence("answer.not_measured") : text;
 }
 
-std::string what_the_paper_found(const Record& record) {
-  const std::string name(variants[papers_best].paper_name);
-  return "The paper's best variant, " + name +
-         " (group after group, generated equations, LAPACK), was " +
-         published_speed_up().text("mean", name) +
-         " times as fast as its global formulation with the sparse solver MA27. Here the same "
-         "ratio "
-         "is, by the sparse solver: " +
-         list(complete_means(record)) + ".";
-}
-
-/// Whether solvers differ by a factor of 1.5 or more and generated code is faster, like for like.
+/// Tells whether solvers differ by a factor of 1.5 or more and generated code is faster, like for
+/// like.
 bool shows_the_finding(const Record& record) {
   const std::vector<Mean> means = complete_means(record);
   const auto value = [](const Mean& mean) { return mean.speed_up.value; };
@@ -78,21 +61,20 @@ std::string what_gains(const Record& record) {
                                            : missing_mark;
   };
   const auto like = &Best::like_for_like, paper = &Best::papers_settings;
-  return "On one thread, a generated elimination is " + times(scalar, like) +
-         " times as fast as the fastest global reference with the same guess and tolerance, " +
-         times(lanes, like) + " times with equal parts side by side (lanes), " +
-         times(segments, like) +
-         " times with pieces of a motion known in advance side by side (segments); over the "
-         "reference with the paper's settings " +
-         times(scalar, paper) + ", " + times(lanes, paper) + " and " + times(segments, paper) +
-         " times.";
+  return sentence("answer.gains", {{"scalar", times(scalar, like)},
+                                   {"lanes", times(lanes, like)},
+                                   {"segments", times(segments, like)},
+                                   {"scalar_paper", times(scalar, paper)},
+                                   {"lanes_paper", times(lanes, paper)},
+                                   {"segments_paper", times(segments, paper)}});
 }
 
-/// Repetitions of what has the fewest, of the truck's cells with a time; 0 where there is none.
+/// Returns the repetitions of what has the fewest, of the truck's candidates with a time; 0 where
+/// there is none.
 std::size_t least_repetitions(const Record& record) {
   std::size_t least = 0;
-  for (const auto& [key, cell] : record.cells)
-    if (const Measured time = measured(record, key);
+  for (const auto& [key, candidate] : record.candidates)
+    if (const Measured time = measured(candidate);
         time.seconds && key.case_name == variants[truck_global].case_name)
       least = least == 0 ? time.seconds->count : std::min(least, time.seconds->count);
   return least;
@@ -101,25 +83,22 @@ std::size_t least_repetitions(const Record& record) {
 }  // namespace
 
 Section answer(const Record& record) {
-  Section section{.title = "The answer",
-                  .paragraphs = {},
-                  .tables = {figure_of_speed_ups(record), best_formulations(record)}};
-  if (least_repetitions(record) >= fewest_repetitions) {
+  Section section = headed_section("answer");
+  section.tables = {figure_of_speed_ups(record), best_formulations(record)};
+  if (least_repetitions(record) >= min_repetitions) {
+    const std::string_view name = variants[papers_best].paper_name;
     section.paragraphs = {
-        what_the_paper_found(record),
-        (shows_the_finding(record) ? "" : "The filed records say, and this one does not show: ") +
-            std::string(finding),
+        sentence("answer.paper", {{"variant", name},
+                                  {"published", published_speed_up().text("mean", name)},
+                                  {"by_solver", list(complete_means(record))}}),
+        sentence(shows_the_finding(record) ? "answer.finding" : "answer.finding_not_shown"),
         what_gains(record)};
   } else {
-    section.paragraphs = {
-        "Too few repetitions for a figure; run bench/run without --quick. The tables are a first "
-        "look.",
-        "The filed records say: " + std::string(finding)};
+    section.paragraphs = {sentence("answer.too_few"), sentence("answer.finding_filed")};
     for (Table& table : section.tables) table.title += " (first look)";
   }
   if (const std::size_t count = failures(record).size(); count > 0)
-    section.paragraphs.push_back("Failed their verification and have no time: " +
-                                 std::to_string(count) + "; the last section says which and why.");
+    section.paragraphs.push_back(sentence("answer.failed", {{"count", count}}));
   return section;
 }
 

@@ -1,11 +1,10 @@
-#include "report/tables/best.h"
-
+// The best formulations of one thread, held against the global reference like for like.
 #include <algorithm>
 #include <functional>
 
-#include "report/entries.h"
+#include "report/tables/entries.h"
 #include "report/tables/tables.h"
-#include "report/variants.h"
+#include "report/text/texts.h"
 
 namespace desmo::report {
 namespace {
@@ -41,18 +40,18 @@ bool is_reference(std::string_view id) {
 std::int64_t size_compared(const Record& record) {
   const std::vector<std::int64_t> sizes = recorded_sizes(record, truck_case);
   std::int64_t size = 0;
-  for (const auto& [key, cell] : record.cells)
+  for (const auto& [key, candidate] : record.candidates)
     if (key.case_name == truck_case && has_settings(key.id) && !is_beside_peers(record, key.id))
       size = std::max(size, key.coordinates);
   return size > 0 || sizes.empty() ? size : sizes.back();
 }
 
 /// The fastest of those that something holds of.
-std::optional<CellKey> fastest(const Record& record, const Holds& holds) {
+std::optional<CandidateKey> fastest(const Record& record, const Holds& holds) {
   const std::int64_t size = size_compared(record);
-  std::optional<CellKey> found;
+  std::optional<CandidateKey> found;
   double least = 0;
-  for (const auto& [key, cell] : record.cells) {
+  for (const auto& [key, candidate] : record.candidates) {
     if (key.case_name != truck_case || key.coordinates != size || !holds(key.id) ||
         is_beside_peers(record, key.id))
       continue;
@@ -64,74 +63,57 @@ std::optional<CellKey> fastest(const Record& record, const Holds& holds) {
   return found;
 }
 
-std::optional<CellKey> reference_with(const Record& record, const Start& start) {
+std::optional<CandidateKey> reference_with(const Record& record, const Start& start) {
   return fastest(record,
                  [&](std::string_view id) { return is_reference(id) && start_of(id) == start; });
 }
 
-std::optional<CellKey> best_reference(const Record& record) {
+std::optional<CandidateKey> best_reference(const Record& record) {
   return fastest(record, is_reference);
 }
 
-std::optional<CellKey> generated_with(const Record& record, const Start& start, Batch batch) {
+std::optional<CandidateKey> generated_with(const Record& record, const Start& start, Batch batch) {
   return fastest(record, [&](std::string_view id) {
     return !id.starts_with("global_") && start_of(id) == start && batch_of(id) == batch;
   });
 }
 
-MeasuredSpeedUp over(const Record& record, const std::optional<CellKey>& reference,
-                     const CellKey& key) {
+MeasuredSpeedUp over(const Record& record, const std::optional<CandidateKey>& reference,
+                     const CandidateKey& key) {
   if (!reference) return {std::nullopt, missing_mark};
   return measured_speed_up(record, *reference, key);
 }
 
-Best compared_with_references(const Record& record, const CellKey& key) {
+Best compared_with_references(const Record& record, const CandidateKey& key) {
   return {key, over(record, reference_with(record, start_of(key.id)), key),
           over(record, reference_with(record, {}), key)};
 }
 
-Entry times_entry(const MeasuredSpeedUp& ratio, bool is_itself) {
-  if (is_itself) return {"1.00 reference", {"1.00", "", ""}, "reference"};
-  return ratio.speed_up ? ratio_entry(*ratio.speed_up) : note_entry(ratio.mark);
-}
-
 void add_row(Table& table, const Record& record, const std::string& what,
-             const std::optional<CellKey>& key) {
+             const std::optional<CandidateKey>& key) {
   if (!key) return;
-  const double step =
-      1e6 * measured(record, *key).seconds->value / static_cast<double>(record.settings.instants);
   const Best best = compared_with_references(record, *key);
-  table.rows.push_back(
-      {text_entry(what), text_entry(key->id), number_entry(step, 3),
-       times_entry(best.like_for_like, key == reference_with(record, start_of(key->id))),
-       times_entry(best.papers_settings, key == reference_with(record, {}))});
+  const auto ratio = [&](const MeasuredSpeedUp& times, const Start& start) {
+    return key == reference_with(record, start) ? reference_entry() : ratio_entry(times);
+  };
+  table.rows.push_back({what, key->id, instant_entry(record, measured(record, *key), 3),
+                        ratio(best.like_for_like, start_of(key->id)),
+                        ratio(best.papers_settings, {})});
 }
 
 }  // namespace
 
 std::optional<Best> best_generated(const Record& record, Batch batch) {
-  const std::optional<CellKey> reference = best_reference(record);
+  const std::optional<CandidateKey> reference = best_reference(record);
   if (!reference) return std::nullopt;
   const auto key = generated_with(record, start_of(reference->id), batch);
   return key ? std::optional(compared_with_references(record, *key)) : std::nullopt;
 }
 
 Table best_formulations(const Record& record) {
-  Table table{
-      .name = "best",
-      .title = "One thread over the best global reference, truck suspension, " +
-               std::to_string(size_compared(record)) + " coordinates",
-      .notes =
-          {"µs/step: time of one instant. Like for like: times as fast as the fastest "
-           "global_automatic_… with the same guess and tolerance [interval]. Paper's settings: "
-           "as the fastest with the paper's guess and tolerance."},
-      .columns = {{"what", {}},
-                  {"id", {}},
-                  {"µs/step", {"microseconds"}},
-                  {"like for like", {"ratio", "low", "high"}},
-                  {"paper's settings", {"ratio", "low", "high"}}},
-      .rows = {}};
-  const std::optional<CellKey> paper = reference_with(record, {}), best = best_reference(record);
+  Table table = headed_table("best", {{"coordinates", size_compared(record)}});
+  const std::optional<CandidateKey> paper = reference_with(record, {}),
+                                    best = best_reference(record);
   add_row(table, record, "global, paper's settings", paper);
   add_row(table, record, "generated elimination, paper's settings",
           generated_with(record, {}, Batch::none));

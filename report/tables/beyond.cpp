@@ -1,26 +1,21 @@
-// What settings and generated code gain over the paper's: formulations with settings beside the
+// What settings and generated code gain over the paper's: formulations with settings next to the
 // global reference, everything delivered and what a request asks for; threads apart.
 #include <algorithm>
 #include <set>
 
-#include "report/digits.h"
-#include "report/entries.h"
-#include "report/measurements.h"
+#include "report/tables/entries.h"
+#include "report/tables/record_words.h"
 #include "report/tables/tables.h"
-#include "report/time_words.h"
-#include "report/variants.h"
+#include "report/text/texts.h"
 
 namespace desmo::report {
 namespace {
 
-constexpr std::string_view reference_id = "global_automatic_klu";
-
 /// Something timed with the same delivery as others.
 struct Timed {
   std::string id;
-  Measured time;
-  const std::optional<Verification>* verification;  // null: a request has none of its own
-  std::optional<double> iterations;
+  const Candidate* candidate;
+  Measured time = measured(*candidate);
 };
 
 struct Delivery {
@@ -30,53 +25,41 @@ struct Delivery {
 
 std::string without_settings(const std::string& id) { return id.substr(0, id.find('/')); }
 
-/// Largest size at which a case was solved with settings; nothing where there is none.
-std::optional<std::int64_t> size_with_settings(const Record& record, std::string_view case_name) {
-  std::optional<std::int64_t> size;
-  for (const auto& [key, cell] : record.cells)
-    if (key.case_name == case_name && has_settings(key.id) && !is_beside_peers(record, key.id))
-      size = std::max(size.value_or(0), key.coordinates);
-  return size;
+bool is_beyond(const Record& record, const CandidateKey& key) {
+  return has_settings(key.id) && !is_beside_peers(record, key.id);
 }
 
-/// With settings, the same without, and the reference.
-bool belongs(const std::string& id, const std::set<std::string>& bases) {
-  return id == reference_id || bases.contains(without_settings(id));
-}
-
-std::vector<Delivery> deliveries(const Record& record, std::string_view case_name,
-                                 std::int64_t size) {
-  std::set<std::string> bases;
-  for (const auto& [key, cell] : record.cells)
-    if (key.case_name == case_name && key.coordinates == size && has_settings(key.id) &&
-        !is_beside_peers(record, key.id))
-      bases.insert(without_settings(key.id));
+/// Returns formulations with settings, the same without, and the reference; by what is delivered.
+std::vector<Delivery> deliveries(const Record& record, const CandidateKey& place) {
+  const auto is_here = [&](const CandidateKey& key) {
+    return key.case_name == place.case_name && key.coordinates == place.coordinates;
+  };
+  std::set<std::string> bases{std::string(usual_reference)};
+  for (const auto& [key, candidate] : record.candidates)
+    if (is_here(key) && is_beyond(record, key)) bases.insert(without_settings(key.id));
   std::vector<Delivery> all{{"everything", {}}};
-  for (const auto& [key, cell] : record.cells)
-    if (key.case_name == case_name && key.coordinates == size && belongs(key.id, bases) &&
+  for (const auto& [key, candidate] : record.candidates)
+    if (is_here(key) && bases.contains(without_settings(key.id)) &&
         !is_beside_peers(record, key.id))
-      all.front().timed.push_back(
-          {key.id, measured(cell), &cell.verification, cell.iterations_per_step});
-  std::set<std::string> requests;
+      all.front().timed.push_back({key.id, &candidate});
   for (const Request& request : record.requests)
-    if (request.cell.case_name == case_name && request.cell.coordinates == size &&
-        has_settings(request.cell.id) && requests.insert(request.name).second)
+    if (is_here(request.key) && has_settings(request.key.id) &&
+        !std::ranges::count(all, request.title, &Delivery::delivered))
       all.push_back({request.title, {}});
   for (const Request& request : record.requests) {
     const auto delivery = std::ranges::find(all, request.title, &Delivery::delivered);
-    if (request.cell.case_name == case_name && request.cell.coordinates == size &&
-        delivery != all.end() && belongs(request.cell.id, bases))
-      delivery->timed.push_back(
-          {request.cell.id, measured(request), nullptr, request.iterations_per_step});
+    if (is_here(request.key) && delivery != all.end() &&
+        bases.contains(without_settings(request.key.id)))
+      delivery->timed.push_back({request.key.id, &request.solved});
   }
   return all;
 }
 
-/// The fastest reference that has the same guess and tolerance.
+/// Returns the fastest reference that has the same guess and tolerance; null where there is none.
 const Timed* like_for_like(const Delivery& delivery, const std::string& id) {
   const Timed* best = nullptr;
   for (const Timed& one : delivery.timed)
-    if (without_settings(one.id) == reference_id && one.time.seconds &&
+    if (without_settings(one.id) == usual_reference && one.time.seconds &&
         setting(one.id, "guess") == setting(id, "guess") &&
         setting(one.id, "tolerance") == setting(id, "tolerance") &&
         (!best || one.time.seconds->value < best->time.seconds->value))
@@ -84,73 +67,45 @@ const Timed* like_for_like(const Delivery& delivery, const std::string& id) {
   return best;
 }
 
-const Timed* paper_reference(const Delivery& delivery) {
-  const auto found = std::ranges::find(delivery.timed, reference_id, &Timed::id);
-  return found == delivery.timed.end() ? nullptr : &*found;
-}
-
 Entry ratio(const Timed* reference, const Timed& one) {
   if (!reference) return note_entry(missing_mark);
-  if (reference == &one) return {"1.00 reference", {"1.00", "", ""}, "reference"};
-  const MeasuredSpeedUp ratio = measured_speed_up(reference->time, one.time);
-  return ratio.speed_up ? ratio_entry(*ratio.speed_up) : note_entry(ratio.mark);
+  if (reference == &one) return reference_entry();
+  return ratio_entry(measured_speed_up(reference->time, one.time));
 }
 
-void add_rows(Table& table, const Record& record, Delivery& delivery) {
+void add_delivery(Table& table, const Record& record, Delivery delivery) {
   std::ranges::stable_sort(delivery.timed, std::ranges::greater{}, [](const Timed& one) {
     return one.time.seconds ? one.time.seconds->value : 0;
   });
-  const Timed* const paper = paper_reference(delivery);
+  const auto paper = std::ranges::find(delivery.timed, usual_reference, &Timed::id);
   for (const Timed& one : delivery.timed) {
-    std::optional<double> step, error;
-    if (one.time.seconds)
-      step = 1e6 * one.time.seconds->value / static_cast<double>(record.settings.instants);
-    if (one.verification && *one.verification) error = (*one.verification)->position;
-    table.rows.push_back({text_entry(delivery.delivered), text_entry(one.id),
-                          seconds_entry(one.time), number_entry(step, 4), ratio(paper, one),
-                          ratio(like_for_like(delivery, one.id), one),
-                          number_entry(one.iterations, 3), number_entry(error, 2)});
+    const auto& checked = one.candidate->verification;
+    table.rows.push_back(
+        {delivery.delivered, one.id, seconds_entry(one.time), instant_entry(record, one.time),
+         ratio(paper == delivery.timed.end() ? nullptr : &*paper, one),
+         ratio(like_for_like(delivery, one.id), one),
+         number_entry(one.candidate->iterations_per_step, 3),
+         number_entry(checked ? std::optional(checked->position) : std::nullopt, 2)});
   }
-}
-
-Table beyond_table(const Record& record, const std::string& case_name, std::int64_t size) {
-  const TimeWords words = time_words(record);
-  Table table{
-      .name = "beyond_" + case_name,
-      .title = "Beyond the paper: " + case_name + ", " + std::to_string(size) + " coordinates",
-      .notes =
-          {"Times: how many times as fast as " + std::string(reference_id) +
-               " with the paper's settings, and, like for like, as the fastest of it with the same "
-               "guess and tolerance, delivering the same in the same run; ratio of the " +
-               words.times + " [its interval]; " + inconclusive_note() + ".",
-           "lanes: parts of one type solved side by side, step by step. segments: segments of "
-           "the motion, which has to be known in advance, solved side by side.",
-           "CPU s: " + words.time +
-               " ± half the range, first assembly, drivers, all steps and delivery."},
-      .columns = {{"delivered", {}},
-                  {"id", {}},
-                  {"CPU s", {"seconds", "half_range", "repetitions"}},
-                  {"µs/step", {"microseconds"}},
-                  {"times the paper's settings", {"ratio", "low", "high"}},
-                  {"times like for like", {"ratio", "low", "high"}},
-                  {"iterations/step", {"iterations"}},
-                  {"error q", {"error"}}},
-      .rows = {}};
-  define_time(table, record);
-  for (Delivery& delivery : deliveries(record, case_name, size)) add_rows(table, record, delivery);
-  return table;
 }
 
 }  // namespace
 
 Section beyond(const Record& record) {
-  Section section{.title = "Beyond the paper", .paragraphs = {}, .tables = {}};
-  std::set<std::string> cases;
-  for (const auto& [key, cell] : record.cells) cases.insert(key.case_name);
-  for (const std::string& name : cases)
-    if (const auto size = size_with_settings(record, name))
-      section.tables.push_back(beyond_table(record, name, *size));
-  for (Table& table : threads(record)) section.tables.push_back(std::move(table));
+  Section section = headed_section("beyond");
+  std::map<std::string, CandidateKey> places;  // the largest size with settings of each case
+  for (const auto& [key, candidate] : record.candidates)
+    if (is_beyond(record, key)) places[key.case_name] = key;
+  for (const auto& [name, place] : places) {
+    Table table = headed_table(
+        "beyond_case",
+        {{"case", name}, {"coordinates", place.coordinates}, {"time", time_word(record)}});
+    define_time(table, record);
+    for (Delivery& delivery : deliveries(record, place))
+      add_delivery(table, record, std::move(delivery));
+    section.tables.push_back(std::move(table));
+  }
+  std::ranges::move(threads(record), std::back_inserter(section.tables));
   return section;
 }
 

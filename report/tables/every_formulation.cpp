@@ -2,45 +2,37 @@
 #include <algorithm>
 #include <limits>
 
-#include "report/digits.h"
-#include "report/entries.h"
-#include "report/measurements.h"
+#include "report/statistics/paper.h"
+#include "report/tables/entries.h"
+#include "report/tables/record_words.h"
 #include "report/tables/tables.h"
-#include "report/time_words.h"
-#include "report/variants.h"
+#include "report/text/digits.h"
+#include "report/text/texts.h"
 
 namespace desmo::report {
 namespace {
 
-// What stands beside peers is shown there. Fastest first; what has no time comes last, by
-// id.
-std::vector<CellKey> ordered_keys(const Record& record, std::string_view case_name,
-                                  std::int64_t coordinates) {
-  std::vector<std::pair<double, CellKey>> found;
-  for (const auto& [key, cell] : record.cells)
+/// Returns the fastest first; what has no time comes last, by id. What stands next to peers is
+/// shown there.
+std::vector<CandidateKey> ordered_keys(const Record& record, const std::string& case_name,
+                                       std::int64_t coordinates) {
+  std::vector<CandidateKey> keys;
+  for (const auto& [key, candidate] : record.candidates)
     if (key.case_name == case_name && key.coordinates == coordinates &&
-        !is_beside_peers(record, key.id)) {
-      const Measured time = measured(record, key);
-      found.emplace_back(
-          time.seconds ? time.seconds->value : std::numeric_limits<double>::infinity(), key);
-    }
-  std::sort(found.begin(), found.end());
-  std::vector<CellKey> keys;
-  for (auto& [seconds, key] : found) keys.push_back(std::move(key));
+        !is_beside_peers(record, key.id))
+      keys.push_back(key);
+  std::ranges::stable_sort(keys, {}, [&](const CandidateKey& key) {
+    const Measured time = measured(record, key);
+    return time.seconds ? time.seconds->value : std::numeric_limits<double>::infinity();
+  });
   return keys;
 }
 
-bool is_reference(const std::string& id) {
+bool is_global_reference(const std::string& id) {
   return id == reference_of_one_block ||
          std::ranges::any_of(sparse_families, [&](std::string_view family) {
            return id == "global_automatic_" + std::string(family);
          });
-}
-
-std::optional<CellKey> fastest_reference(const Record& record, const std::vector<CellKey>& keys) {
-  for (const CellKey& key : keys)
-    if (is_reference(key.id) && measured(record, key).seconds) return key;
-  return std::nullopt;
 }
 
 Entry range_entry(const Measured& time) {
@@ -54,17 +46,15 @@ Entry range_entry(const Measured& time) {
   return {value + " (" + least + " – " + largest + ")", {value, least, largest, count}, {}};
 }
 
-Entry ratio_entry(const Record& record, const std::optional<CellKey>& reference,
-                  const CellKey& key) {
+/// A ratio without its interval.
+Entry plain_ratio(const Record& record, const std::optional<CandidateKey>& reference,
+                  const CandidateKey& key) {
   if (!reference) return note_entry(missing_mark);
+  if (key == *reference) return reference_entry();
   const MeasuredSpeedUp ratio = measured_speed_up(record, *reference, key);
   if (!ratio.speed_up) return note_entry(ratio.mark);
-  const std::string digits = write(ratio.speed_up->value, ratio_digits(ratio.speed_up->value));
-  Entry entry{digits, {digits}, {}};
-  if (key == *reference)
-    add_note(entry, "reference");
-  else if (ratio.speed_up->inconclusive())
-    add_note(entry, inconclusive_mark);
+  Entry entry = digits_entry(write(ratio.speed_up->value, ratio_digits(ratio.speed_up->value)));
+  if (ratio.speed_up->inconclusive()) add_note(entry, inconclusive_mark);
   return entry;
 }
 
@@ -78,73 +68,46 @@ std::string solvers_text(const std::vector<Solver>& solvers) {
   return text;
 }
 
-std::string failure(const CellKey& key, const std::string& request, const std::string& why) {
-  return std::string(failed_mark) + ": " + name_of(key) + request + ": " + why;
-}
-
 }  // namespace
 
-Table every_formulation(const Record& record, std::string_view case_name,
+Table every_formulation(const Record& record, const std::string& case_name,
                         std::int64_t coordinates) {
-  const std::string place = std::string(case_name) + ", " + std::to_string(coordinates);
-  const TimeWords words = time_words(record);
-  Table table{
-      .name = "formulations_" + std::string(case_name) + "_" + std::to_string(coordinates),
-      .title = "Every formulation: " + place + " coordinates, fastest first",
-      .notes = {"CPU seconds: " + words.time + " (smallest – largest) of " + repetitions(record) +
-                "; speed-up: over the fastest global_automatic_<sparse>, ratio of " + words.times +
-                "; " + inconclusive_note() +
-                "; errors: largest difference from the quadruple-precision reference."},
-      .columns = {{"id", {}},
-                  {"CPU s", {"seconds", "least", "largest", "repetitions"}},
-                  {"µs/step", {"microseconds"}},
-                  {"speed-up", {"speed_up"}},
-                  {"iterations/step", {"iterations"}},
-                  {"error q", {"error"}},
-                  {"error q'", {"error"}},
-                  {"error q''", {"error"}},
-                  {"set-up s", {"seconds"}},
-                  {"remark", {}}},
-      .rows = {}};
+  Table table = headed_table("formulations_case", {{"case", case_name},
+                                                   {"coordinates", coordinates},
+                                                   {"time", time_word(record)},
+                                                   {"repetitions", repetitions(record)}});
   define_time(table, record);
-  const std::vector<CellKey> keys = ordered_keys(record, case_name, coordinates);
-  const std::optional<CellKey> reference = fastest_reference(record, keys);
-  for (const CellKey& key : keys) {
-    const Cell& cell = record.cells.at(key);
-    const Measured time = measured(record, key);
-    const auto& checked = cell.verification;
-    std::optional<double> step, position, velocity, acceleration;
-    if (time.seconds)
-      step = time.seconds->value / static_cast<double>(record.settings.instants) * 1e6;
-    if (checked) position = checked->position;
-    if (checked) velocity = checked->velocity;
-    if (checked) acceleration = checked->acceleration;
-    table.rows.push_back(
-        {text_entry(key.id), range_entry(time), number_entry(step, 4),
-         ratio_entry(record, reference, key), number_entry(cell.iterations_per_step, 3),
-         number_entry(position, 2), number_entry(velocity, 2), number_entry(acceleration, 2),
-         number_entry(cell.setup_seconds, 2),
-         text_entry(cell.status == Status::ok ? solvers_text(cell.solvers)
-                                              : remark(cell.status, cell.message))});
+  const std::vector<CandidateKey> keys = ordered_keys(record, case_name, coordinates);
+  std::optional<CandidateKey> reference;
+  for (const CandidateKey& key : keys)
+    if (!reference && is_global_reference(key.id) && measured(record, key).seconds) reference = key;
+  for (const CandidateKey& key : keys) {
+    const Candidate& candidate = record.candidates.at(key);
+    const Measured time = measured(candidate);
+    std::vector<Entry> row{key.id, range_entry(time), instant_entry(record, time),
+                           plain_ratio(record, reference, key),
+                           number_entry(candidate.iterations_per_step, 3)};
+    add_errors(row, candidate);
+    row.push_back(number_entry(candidate.setup_seconds, 2));
+    row.push_back(candidate.status == Status::ok ? solvers_text(candidate.solvers)
+                                                 : remark(candidate));
+    table.rows.push_back(std::move(row));
   }
   return table;
 }
 
-std::vector<std::string> failures(const Record& record) {
-  std::vector<std::string> lines;
-  for (const auto* cells : {&record.cells, &record.wall_cells})
-    for (const auto& [key, cell] : *cells)
-      if (cell.status == Status::failed)
-        lines.push_back(failure(key, "", remark(cell.status, cell.message)));
-  for (const auto* requests : {&record.requests, &record.wall_requests})
-    for (const Request& request : *requests)
-      if (request.status == Status::failed)
-        lines.push_back(failure(request.cell, "/request:" + request.name,
-                                remark(request.status, request.message)));
-  for (const Peer& peer : record.peers)
-    if (peer.cell.status == Status::failed)
-      lines.push_back(failure(key_of(peer), "", remark(peer.cell.status, peer.cell.message)));
-  return lines;
+// Other sizes than the paper's largest, or the largest there is, are details.
+Section every_formulation(const Record& record) {
+  Section section = headed_section("formulations");
+  for (const std::string& name : recorded_cases(record)) {
+    const std::vector<std::int64_t> sizes = recorded_sizes(record, name);
+    const bool published = std::ranges::count(sizes, published_sizes().back()) > 0;
+    for (const std::int64_t size : sizes) {
+      section.tables.push_back(every_formulation(record, name, size));
+      section.tables.back().detail = size != (published ? published_sizes() : sizes).back();
+    }
+  }
+  return section;
 }
 
 }  // namespace desmo::report

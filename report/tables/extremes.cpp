@@ -1,13 +1,13 @@
 // Stability at the extremes: which formulation does what where most go wrong.
-#include "report/tables/extremes.h"
-
 #include <algorithm>
 #include <map>
 #include <optional>
 #include <utility>
 
-#include "report/digits.h"
-#include "report/entries.h"
+#include "report/tables/entries.h"
+#include "report/tables/excerpt.h"
+#include "report/tables/tables.h"
+#include "report/text/digits.h"
 
 namespace desmo::report {
 namespace {
@@ -52,7 +52,7 @@ std::vector<std::string> formulations(const Record& record) {
   return names;
 }
 
-Entry entry(const Results& results) {
+Entry results_entry(const Results& results) {
   const std::size_t tried = results.size() - count(results, Verdict::not_applicable);
   if (tried == 0) return note_entry(not_applicable_mark);
   const std::size_t defects = count(results, Verdict::defect),
@@ -71,11 +71,6 @@ Entry entry(const Results& results) {
   return e;
 }
 
-std::vector<Column> verdict_columns() {
-  return {
-      {"as expected", {"count"}}, {"missed", {"count"}}, {"DEFECT", {"count"}}, {"n/a", {"count"}}};
-}
-
 void add_verdicts(std::vector<Entry>& row, const Results& results) {
   for (const Verdict v :
        {Verdict::as_expected, Verdict::missed, Verdict::defect, Verdict::not_applicable})
@@ -90,30 +85,16 @@ std::string example(const Results& results) {
   return {};
 }
 
-}  // namespace
-
 Table extremes_by_formulation(const Record& record) {
-  Table table{
-      .name = "extremes",
-      .title = "What every formulation does at the extremes",
-      .notes =
-          {"ok: as expected in every case. missed: in so many of the cases tried it does less than "
-           "expected: it fails, is less exact, or does not say what it should. DEFECT: in so many "
-           "it gives, without a flag, numbers where there is no answer, or numbers that are wrong "
-           "by more than is allowed and by ten times the tolerance and the floor. n/a: not "
-           "applicable, or not tried for the time it takes; the reasons stand with the cases. "
-           "After it: of each case and level the error that is the most of what is allowed, over "
-           "the floor that conditioning sets at its instant; the largest."},
-      .columns = {{"formulation", {}}},
-      .rows = {}};
+  Table table = headed_table("extremes");
   for (const ExtremeRow& row : record.extreme_rows)
     table.columns.push_back(
         {std::to_string(row.number) + " " + row.name, {"cases", "of", "error_over_floor"}});
   for (const std::string& name : formulations(record)) {
     std::vector<Entry>& entries = table.rows.emplace_back();
-    entries.push_back(text_entry(name));
+    entries.push_back(name);
     for (const ExtremeRow& row : record.extreme_rows)
-      entries.push_back(entry(results_of(record, [&](const ExtremeResult& r) {
+      entries.push_back(results_entry(results_of(record, [&](const ExtremeResult& r) {
         return r.row == row.number && formulation_of(r) == name;
       })));
   }
@@ -121,63 +102,45 @@ Table extremes_by_formulation(const Record& record) {
 }
 
 Table extreme_rows(const Record& record) {
-  Table table{.name = "extreme_rows",
-              .title = "What is extreme, and what is expected",
-              .notes = {"Results: a case in a formulation each."},
-              .columns = {{"row", {}}, {"extreme", {}}, {"expected", {}}},
-              .rows = {}};
-  std::ranges::move(verdict_columns(), std::back_inserter(table.columns));
+  Table table = headed_table("extreme_rows");
   for (const ExtremeRow& row : record.extreme_rows) {
     std::vector<Entry>& entries = table.rows.emplace_back();
-    entries = {text_entry(std::to_string(row.number) + " " + row.name), text_entry(row.extreme),
-               text_entry(row.expected)};
+    entries = {std::to_string(row.number) + " " + row.name, row.extreme, row.expected};
     add_verdicts(entries,
                  results_of(record, [&](const ExtremeResult& r) { return r.row == row.number; }));
   }
   return table;
 }
 
+/// Shows how many formulations do as expected in every case, and the first that does not.
 Table extreme_cases(const Record& record) {
-  Table table{.name = "extreme_cases",
-              .title = "Every case at the extremes",
-              .notes = {"Formulations by what they do; example: the first that does worst."},
-              .columns = {{"row", {}}, {"case", {}}},
-              .rows = {},
-              .detail = true};
-  std::ranges::move(verdict_columns(), std::back_inserter(table.columns));
-  table.columns.push_back({"example", {}});
-  for (const ExtremeRow& row : record.extreme_rows) {
-    std::vector<std::string> names;
-    for (const ExtremeResult& r : record.extremes)
-      if (r.row == row.number && !std::ranges::count(names, r.case_name))
-        names.push_back(r.case_name);
-    for (const std::string& name : names) {
-      const Results results = results_of(record, [&](const ExtremeResult& r) {
-        return r.row == row.number && r.case_name == name;
-      });
-      std::vector<Entry>& entries = table.rows.emplace_back();
-      entries = {text_entry(std::to_string(row.number)), text_entry(name)};
-      add_verdicts(entries, results);
-      entries.push_back(text_entry(example(results)));
-    }
+  Table table = headed_table("extreme_cases");
+  std::map<std::pair<std::int64_t, std::string>, Results> cases;
+  for (const ExtremeResult& r : record.extremes) cases[{r.row, r.case_name}].push_back(&r);
+  for (const auto& [place, results] : cases) {
+    std::vector<Entry>& entries = table.rows.emplace_back();
+    entries = {place.first, place.second};
+    add_verdicts(entries, results);
+    entries.push_back(example(results));
   }
   return table;
 }
 
-Section extremes(const Record& record) {
+}  // namespace
+
+std::vector<Section> extremes_sections(const Record& record) {
   const Results all = results_of(record, [](const ExtremeResult&) { return true; });
   const std::size_t defects = count(all, Verdict::defect);
-  const std::size_t tried = all.size() - count(all, Verdict::not_applicable);
-  const std::string of_all = " of " + std::to_string(tried) + " results";
-  return {
-      "Stability at the extremes",
-      {(defects == 0 ? "No wrong number without a flag in any"
-                     : "Wrong numbers without a flag, which is a defect whatever the residual, "
-                       "in " +
-                           std::to_string(defects)) +
-       of_all + "; " + std::to_string(count(all, Verdict::as_expected)) + " are as expected, and " +
-       std::to_string(count(all, Verdict::missed)) + " fall short of it without a wrong number."},
-      {extremes_by_formulation(record), extreme_rows(record), extreme_cases(record)}};
+  Section front = headed_section("extremes_front"), section = headed_section("extremes_section");
+  section.paragraphs = {
+      sentence(defects == 0 ? "extremes_section.none" : "extremes_section.defects",
+               {{"defects", defects},
+                {"tried", all.size() - count(all, Verdict::not_applicable)},
+                {"expected", count(all, Verdict::as_expected)},
+                {"missed", count(all, Verdict::missed)}})};
+  section.tables = {extremes_by_formulation(record), extreme_rows(record), extreme_cases(record)};
+  front.tables = {excerpt(section.tables[1], headed_table("extremes_in_short"))};
+  return {front, section};
 }
 
 }  // namespace desmo::report

@@ -1,16 +1,18 @@
 // What figures 5 and 6 show, as tables: the designs in report/figures draw these numbers.
-#include "report/digits.h"
-#include "report/entries.h"
-#include "report/measurements.h"
-#include "report/paper.h"
+#include "report/statistics/paper.h"
+#include "report/tables/entries.h"
+#include "report/tables/record_words.h"
 #include "report/tables/tables.h"
-#include "report/time_words.h"
-#include "report/variants.h"
+#include "report/text/digits.h"
+#include "report/text/texts.h"
 
 namespace desmo::report {
 namespace {
 
-// What stands under the same line of the legend in every panel: TS-TPA_MA27 -> TS-TPA sparse.
+/// How the paper's own solver is named next to the families.
+constexpr const char* paper_solver = "MA27 (the paper)";
+
+/// What stands under the same line of the legend in every panel: TS-TPA_MA27 -> TS-TPA sparse.
 std::string legend(const Variant& variant) {
   std::string name = family_name(variant, "sparse");
   for (char& c : name)
@@ -18,16 +20,19 @@ std::string legend(const Variant& variant) {
   return name.ends_with("LAP") ? name + "ACK" : name;
 }
 
-std::string place(const Record& record) {
-  return "Ours: " + record.machine.cpu + ", " + record.date.substr(0, 10) + ", " +
-         repetitions(record) + ".";
+TextValues values_of(const Record& record) {
+  return {{"cpu", record.machine.cpu},
+          {"date", record.date.substr(0, 10)},
+          {"repetitions", repetitions(record)},
+          {"time", time_and_median(record)},
+          {"duration", write_shortest(record.settings.duration_seconds)}};
 }
 
-// One row per size; `entry_of` gives a variant's time at a size.
+/// Adds a row for each size; `entry_of` gives a variant's time at a size.
 template <typename EntryOf>
 void add_panel(Table& table, const std::string& name, EntryOf entry_of) {
   for (const std::int64_t size : published_sizes()) {
-    std::vector<Entry> row{text_entry(name), text_entry(std::to_string(size))};
+    std::vector<Entry> row{name, size};
     for (const Variant& variant : variants) row.push_back(entry_of(size, variant));
     table.rows.push_back(std::move(row));
   }
@@ -38,22 +43,10 @@ void add_panel(Table& table, const std::string& name, EntryOf entry_of) {
 Table figure_of_times(const Record& record) {
   const Sources source = sources(record);
   const bool same = source.warning.empty();
-  const std::string duration = write_shortest(record.settings.duration_seconds) + " s of motion";
-  const TimeWords words = time_words(record);
-  Table table{
-      .name = "figure5",
-      .title = "Figure 5. CPU time over the number of coordinates, by sparse solver",
-      .notes = {place(record), "CPU time of " + duration + ": " + words.time + words.beside + "."},
-      .columns = {{"sparse solver", {}}, {"coordinates", {}}},
-      .rows = {},
-      .detail = true,
-      .figure = true};
+  Table table = headed_table("figure5", values_of(record));
   if (!same) table.notes.push_back(source.warning);
-  table.notes.insert(
-      table.notes.end(),
-      {"The paper: Intel Core i5-2400; its FBL-TP, below 0.015 s, has no points.",
-       "Grey: four-bar (FBL). Symbolic groups (TPS) are thin and dashed, over automatic ones "
-       "(TPA). A gap: failed or not measured."});
+  table.notes.push_back(sentence("figure5.paper_machine"));
+  table.notes.push_back(sentence("figure5.lines"));
   for (const Variant& variant : variants)
     table.columns.push_back({legend(variant), {"seconds", "median", "repetitions"}});
   add_panel(table, same ? paper_solver : "MA27 (the " + source.paper + ")",
@@ -69,15 +62,7 @@ Table figure_of_times(const Record& record) {
 }
 
 Table figure_of_speed_ups(const Record& record) {
-  Table table{
-      .name = "figure6",
-      .title = "Figure 6. Mean speed-up over the global formulation, truck suspension",
-      .notes = {place(record),
-                "Mean of five sizes (* fewer) [interval]; the same solver stands in sparse and "
-                "in the global one."},
-      .columns = {{"variant", {}}},
-      .rows = {},
-      .figure = true};
+  Table table = headed_table("figure6", values_of(record));
   if (const Sources source = sources(record); !source.ratio_warning.empty())
     table.notes.push_back(source.ratio_warning);
   const std::vector<std::string> quantities{"speed_up", "low", "high"};
@@ -85,7 +70,7 @@ Table figure_of_speed_ups(const Record& record) {
   for (const std::string_view family : recorded_families(record))
     table.columns.push_back({std::string(family), quantities});
   for (const std::size_t variant : topological) {
-    std::vector<Entry> row{text_entry(legend(variants[variant])),
+    std::vector<Entry> row{legend(variants[variant]),
                            without_percent(published_speed_up_entry("mean", variants[variant]))};
     for (const std::string_view family : recorded_families(record))
       row.push_back(without_percent(mean_speed_up_entry(record, family, variant)));

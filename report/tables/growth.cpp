@@ -1,32 +1,146 @@
-// How the time of a step grows with the size, and where caches end it.
-#include "report/size/curves.h"
-#include "report/tables/size.h"
-#include "report/tables/slope.h"
+// How the time of a step grows with the number of coordinates, and where caches end it.
+#include "report/tables/entries.h"
+#include "report/tables/excerpt.h"
+#include "report/tables/tables.h"
+#include "report/text/digits.h"
 
 namespace desmo::report {
 namespace {
 
-/// How many of the slopes are linear.
-std::string linearity(const std::vector<Curve>& curves) {
-  std::size_t fitted = 0, linear = 0;
-  for (const Curve& curve : curves) {
-    const SizedTimes times = judged_times(curve);
-    const auto slope = fit_slope(times.sizes, times.seconds);
-    fitted += slope.has_value();
-    linear += slope && is_linear(slope->value);
+constexpr double min_linear = 0.9, max_linear = 1.15;
+
+bool is_linear(double slope) { return min_linear <= slope && slope <= max_linear; }
+
+/// Fits the times of a curve up to max_linear_coordinates.
+struct Fit {
+  explicit Fit(const Curve& curve) {
+    std::vector<double> sizes, seconds;
+    for (const CurvePoint& point : curve.points)
+      if (point.coordinates <= max_linear_coordinates) {
+        sizes.push_back(static_cast<double>(point.coordinates));
+        seconds.push_back(point.seconds);
+      }
+    count = sizes.size();
+    slope = fit_slope(sizes, seconds);
   }
-  return "Up to " + std::to_string(judged_coordinates) + " coordinates time grows linearly in " +
-         std::to_string(linear) + " of " + std::to_string(fitted) +
-         " pairs of case and formulation.";
+  std::size_t count;
+  std::optional<Slope> slope;
+};
+
+/// "1.012 [0.990, 1.034] n=5 linear"; the number of sizes where there are too few for a slope.
+Entry slope_entry(const Curve& curve) {
+  const Fit fit(curve);
+  const std::string count = std::to_string(fit.count),
+                    gap = curve.failed ? ", a size " + std::string(failed_mark) : "";
+  if (!fit.slope) return note_entry(sentence("growth_exponents.too_few", {{"sizes", count}}) + gap);
+  const auto& [slope, lowest, highest, points] = *fit.slope;
+  const std::string value = write_fixed(slope, 3), low = write_fixed(lowest, 3),
+                    high = write_fixed(highest, 3),
+                    note = (!is_linear(slope)                         ? "not linear"
+                            : is_linear(lowest) && is_linear(highest) ? "linear"
+                                                                      : "uncertain") +
+                           gap;
+  return {value + " [" + low + ", " + high + "] n=" + count + " " + note,
+          {value, low, high, count},
+          note};
+}
+
+/// "8.28 at 558"
+Entry cost_entry(const CurvePoint& point) {
+  const std::string cost = write_significant(point.nanoseconds(), 3),
+                    size = std::to_string(point.coordinates);
+  return {cost + " at " + size, {cost, size}, {}};
+}
+
+/// "22203, 17620", in KiB.
+Entry end_entry(const CurvePoint* end) {
+  if (!end) return note_entry(sentence("growth_exponents.nowhere"));
+  const std::string size = std::to_string(end->coordinates);
+  if (!end->entry->bytes) return digits_entry(size);
+  const std::string memory = write_significant(*end->entry->bytes / 1024, 4);
+  return {size + ", " + memory, {size, memory}, {}};
+}
+
+/// "3.00 – 2.73", of the smallest and the largest size.
+Entry iterations_of_ends(const Curve& curve) {
+  const std::string first = write_fixed(curve.points.front().entry->iterations_per_step, 2),
+                    last = write_fixed(curve.points.back().entry->iterations_per_step, 2);
+  return {first + " – " + last, {first, last}, {}};
+}
+
+Table exponents(const std::vector<Curve>& curves) {
+  Table table = headed_table("growth_exponents");
+  for (const Curve& curve : curves) {
+    std::vector<Entry> row{curve.case_name, curve.id, slope_entry(curve)};
+    if (const CurvePoint* const least = cheapest(curve)) {
+      row.push_back(cost_entry(*least));
+      row.push_back(end_entry(end_of_growth(curve)));
+      row.push_back(number_entry(curve.points.back().nanoseconds() / least->nanoseconds(), 3));
+      row.push_back(iterations_of_ends(curve));
+    }
+    row.resize(table.columns.size(), note_entry(missing_mark));
+    table.rows.push_back(std::move(row));
+  }
+  return table;
 }
 
 }  // namespace
 
+Table growth_data(const Record& record) {
+  Table table = headed_table("growth", {{"cpu", record.machine.cpu}, {"date", record.date}});
+  const std::vector<Cache> caches = data_caches(record.machine);
+  const auto kibibytes = [](std::optional<double> bytes) {
+    return number_entry(bytes ? std::optional(*bytes / 1024) : std::nullopt, 4);
+  };
+  for (const auto& [key, entry] : record.growth) {
+    std::vector<Entry> row{key.case_name, key.id, key.coordinates};
+    if (entry.status == Status::ok) {
+      const double seconds = step_time(entry.seconds_per_step).seconds;
+      row.insert(row.end(), {step_time_entry(entry.seconds_per_step),
+                             number_entry(1e9 * seconds / static_cast<double>(key.coordinates), 4),
+                             kibibytes(entry.bytes), kibibytes(entry.state_bytes),
+                             number_entry(entry.iterations_per_step, 3),
+                             error_entry(entry.verification->position),
+                             entry.bytes ? held_by(caches, *entry.bytes) : "",
+                             sentence("growth.checked", {{"precision", entry.checked_against}})});
+    } else {
+      row.push_back(note_entry(failed_mark));
+      row.resize(9, note_entry(missing_mark));
+      row.insert(row.end(), {"", entry.message});
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
 Section growth(const Record& record) {
   const std::vector<Curve> curves = curves_of(record.growth);
-  return {"Growth, and where caches end it",
-          {linearity(curves)},
-          {growth_data(record), growth_exponents(curves), growth_caches(record, curves)}};
+  std::size_t fitted = 0, linear = 0;
+  for (const Curve& curve : curves)
+    if (const auto slope = Fit(curve).slope) {
+      ++fitted;
+      linear += is_linear(slope->value);
+    }
+  Section section = headed_section("growth_section", {{"linear", linear}, {"fitted", fitted}});
+  section.tables = {growth_data(record), exponents(curves)};
+  return section;
+}
+
+std::vector<Section> size_sections(const Record& record) {
+  std::vector<Section> sections{headed_section("size")};
+  if (!record.growth.empty()) {
+    sections.push_back(growth(record));
+    const Table slopes = sections.back().tables.back();
+    sections.front().tables.push_back(
+        excerpt(slopes, headed_table("growth_in_short"),
+                [&](const auto& row) { return is_of_last_case(slopes, row); }));
+  }
+  if (!record.break_even.empty()) {
+    sections.push_back(dense_or_sparse(record));
+    sections.front().tables.push_back(
+        excerpt(sections.back().tables.front(), headed_table("break_even_in_short")));
+  }
+  return sections;
 }
 
 }  // namespace desmo::report

@@ -1,21 +1,19 @@
 // Instructions of a step: repeatable where times are not.
 #include <algorithm>
-#include <optional>
-#include <set>
+#include <map>
 
-#include "report/digits.h"
-#include "report/entries.h"
-#include "report/precision/selection.h"
-#include "report/tables/size.h"
-#include "report/variants.h"
+#include "report/tables/entries.h"
+#include "report/tables/excerpt.h"
+#include "report/tables/tables.h"
+#include "report/text/digits.h"
 
 namespace desmo::report {
 namespace {
 
-using Counted = std::pair<const CellKey, StepCount>;
+using Counted = std::pair<const CandidateKey, StepCount>;
 
 /// The paper's name of a formulation, where it has one.
-std::string paper_name(const CellKey& key) {
+std::string paper_name(const CandidateKey& key) {
   for (const Variant& variant : variants)
     for (const std::string_view family : sparse_families)
       if (variant.case_name == key.case_name &&
@@ -24,80 +22,47 @@ std::string paper_name(const CellKey& key) {
   return {};
 }
 
-/// Of one case at one size, the fewest first.
-std::vector<const Counted*> sorted(const Record& record, const CellKey& place) {
-  std::vector<const Counted*> counts;
-  for (const Counted& counted : record.instructions)
-    if (counted.first.case_name == place.case_name &&
-        counted.first.coordinates == place.coordinates)
-      counts.push_back(&counted);
-  std::ranges::stable_sort(counts, {}, [](const Counted* c) { return c->second.instructions; });
-  return counts;
-}
-
 /// "15.71": the reference's over these.
-Entry ratio_entry_of(const std::optional<StepCount>& reference, const Counted& counted) {
+Entry times_fewer(const Counted* reference, const Counted* counted) {
   if (!reference) return note_entry(missing_mark);
-  if (counted.first.id == usual_reference) return {"1.00 reference", {"1.00"}, "reference"};
-  const double ratio = static_cast<double>(reference->instructions) /
-                       static_cast<double>(counted.second.instructions);
-  const std::string digits = write(ratio, ratio_digits(ratio));
-  return {digits, {digits}, {}};
+  if (counted == reference) return reference_entry();
+  const double ratio = static_cast<double>(reference->second.instructions) /
+                       static_cast<double>(counted->second.instructions);
+  return digits_entry(write(ratio, ratio_digits(ratio)));
 }
 
-std::optional<StepCount> reference_of(const Record& record, const CellKey& place) {
-  const auto found =
-      record.instructions.find({place.case_name, place.coordinates, std::string(usual_reference)});
-  return found == record.instructions.end() ? std::nullopt : std::optional(found->second);
-}
-
-Table table_of(const Record& record, const CellKey& place) {
-  const std::string size = std::to_string(place.coordinates);
-  Table table{.name = "instructions_" + place.case_name + "_" + size,
-              .title = "Instructions a step: " + place.case_name + ", " + size + " coordinates",
-              .notes = {"Delivery included, with as many Newton iterations as a step takes; the "
-                        "mean over the steps counted. Times fewer: " +
-                        std::string(usual_reference) + " over the formulation. Counted by " +
-                        sorted(record, place).front()->second.tool +
-                        ", which shows every program the same processor, without AVX-512."},
-              .columns = {{"id", {}},
-                          {"paper", {}},
-                          {"instructions/step", {"instructions"}},
-                          {"times fewer", {"ratio"}},
-                          {"steps", {"steps"}}},
-              .rows = {}};
-  const std::optional<StepCount> reference = reference_of(record, place);
-  for (const Counted* counted : sorted(record, place))
-    table.rows.push_back({text_entry(counted->first.id), text_entry(paper_name(counted->first)),
+/// Shows the counts of one case and size, the fewest first.
+Table instructions_table(const TextValues& place, std::vector<const Counted*> counts) {
+  std::ranges::stable_sort(counts, {}, [](const Counted* c) { return c->second.instructions; });
+  const auto reference =
+      std::ranges::find(counts, usual_reference, [](const Counted* c) { return c->first.id; });
+  TextValues values = place;
+  values.emplace_back("tool", counts.front()->second.tool);
+  Table table = headed_table("instructions_case", values);
+  for (const Counted* counted : counts)
+    table.rows.push_back({counted->first.id, paper_name(counted->first),
                           count_entry(static_cast<std::size_t>(counted->second.instructions)),
-                          ratio_entry_of(reference, *counted),
+                          times_fewer(reference == counts.end() ? nullptr : *reference, counted),
                           count_entry(static_cast<std::size_t>(counted->second.steps))});
   return table;
 }
 
-std::string sentence(const Record& record, const CellKey& place) {
-  const Counted& fewest = *sorted(record, place).front();
-  const std::optional<StepCount> reference = reference_of(record, place);
-  return place.case_name + ", " + std::to_string(place.coordinates) +
-         " coordinates: " + std::to_string(fewest.second.instructions) +
-         " instructions a step are the fewest, with " + fewest.first.id +
-         (reference ? "; " + std::string(usual_reference) + " takes " +
-                          std::to_string(reference->instructions) + "."
-                    : ".");
-}
-
 }  // namespace
 
-Section instructions(const Record& record) {
-  Section section{.title = "Instructions a step", .paragraphs = {}, .tables = {}};
-  std::set<CellKey> places;
-  for (const auto& [key, count] : record.instructions)
-    places.insert({key.case_name, key.coordinates, {}});
-  for (const CellKey& place : places) {
-    section.paragraphs.push_back(sentence(record, place));
-    section.tables.push_back(table_of(record, place));
+std::vector<Section> instructions_sections(const Record& record) {
+  std::map<std::pair<std::string, std::int64_t>, std::vector<const Counted*>> places;
+  for (const Counted& counted : record.instructions)
+    places[{counted.first.case_name, counted.first.coordinates}].push_back(&counted);
+  Section front = headed_section("instructions_front"), section = headed_section("instructions");
+  for (const auto& [place, counts] : places) {
+    const TextValues values{{"case", place.first}, {"coordinates", place.second}};
+    section.tables.push_back(instructions_table(values, counts));
+    const bool truck = place.first == variants[truck_global].case_name;
+    if (front.tables.empty() || truck)
+      front.tables = {
+          excerpt(section.tables.back(), headed_table("instructions_in_short", values))};
   }
-  return section;
+  return {front, section};
 }
 
 }  // namespace desmo::report

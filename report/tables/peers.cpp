@@ -1,39 +1,33 @@
-// What a user would pick instead: peers beside the formulations that start from the same guess.
-#include <algorithm>
+// What a user would pick instead: peers next to the formulations that start from the same guess.
 #include <map>
 #include <set>
 
-#include "report/digits.h"
-#include "report/entries.h"
-#include "report/measurements.h"
+#include "report/tables/entries.h"
+#include "report/tables/record_words.h"
 #include "report/tables/tables.h"
-#include "report/time_words.h"
-#include "report/variants.h"
+#include "report/text/texts.h"
 
 namespace desmo::report {
 namespace {
 
-using Place = std::pair<std::string, std::int64_t>;  // case and size
-
-Place place_of(const Peer& peer) { return {peer.case_name, peer.coordinates}; }
-
-/// Ours with the guess of the peers at one place: all of them, and those that ratios are over.
+/// Ours with one guess at one place: all of them, and those that ratios are over.
 struct Ours {
-  std::vector<CellKey> all;
-  std::optional<CellKey> global, fastest;  // the fastest that solves globally, and of all
+  std::vector<CandidateKey> all;
+  std::optional<CandidateKey> global, fastest;  // the fastest that solves globally, and of all
 };
 
-Ours ours_beside(const Record& record, const Place& place, const std::string& guess) {
+Ours ours_with(const Record& record, const Peer& peer) {
   Ours ours;
-  for (const auto& [key, cell] : record.cells)
-    if (Place(key.case_name, key.coordinates) == place && key.id.ends_with("/guess:" + guess))
-      ours.all.push_back(key);
-  const auto take = [&](std::optional<CellKey>& best, const CellKey& key) {
+  const auto take = [&](std::optional<CandidateKey>& best, const CandidateKey& key) {
     const Measured time = measured(record, key);
     if (time.seconds && (!best || time.seconds->value < measured(record, *best).seconds->value))
       best = key;
   };
-  for (const CellKey& key : ours.all) {
+  for (const auto& [key, candidate] : record.candidates) {
+    if (key.case_name != peer.case_name || key.coordinates != peer.coordinates ||
+        !key.id.ends_with("/guess:" + peer.guess))
+      continue;
+    ours.all.push_back(key);
     take(ours.fastest, key);
     if (key.id.starts_with("global_")) take(ours.global, key);
   }
@@ -41,152 +35,57 @@ Ours ours_beside(const Record& record, const Place& place, const std::string& gu
 }
 
 /// How many times as long as ours: "6.10 [5.90, 6.32]", quantities {ratio, low, high}.
-Entry peer_ratio(const Record& record, const std::optional<CellKey>& ours, const Measured& time) {
+Entry times_ours(const Record& record, const std::optional<CandidateKey>& ours,
+                 const CandidateKey& key, const Measured& time) {
+  if (ours == key) return reference_entry();
   if (!ours) return note_entry(missing_mark);
   if (!time.seconds) return note_entry(time.mark);
   return ratio_entry(speed_up(*time.seconds, *measured(record, *ours).seconds));
 }
 
-Entry peer_ratio(const Record& record, const std::optional<CellKey>& reference,
-                 const CellKey& key) {
-  if (reference == key) return {"1.00 reference", {"1.00", "", ""}, "reference"};
-  return peer_ratio(record, reference, measured(record, key));
-}
-
-/// From the time on, what peers and ours have alike.
-std::vector<Entry> row(const Record& record, const Place& place, const std::string& who,
-                       const Cell& cell, const Measured& time, Entry over_global,
-                       Entry over_fastest) {
-  std::optional<double> step, position, velocity, acceleration;
-  if (time.seconds)
-    step = time.seconds->value / static_cast<double>(record.settings.instants) * 1e6;
-  if (cell.verification) {
-    position = cell.verification->position;
-    velocity = cell.verification->velocity;
-    acceleration = cell.verification->acceleration;
-  }
-  return {text_entry(std::to_string(place.second)),
-          text_entry(who),
-          seconds_entry(time),
-          number_entry(step, 4),
-          std::move(over_global),
-          std::move(over_fastest),
-          number_entry(time.seconds ? cell.iterations_per_step : std::nullopt, 3),
-          number_entry(position, 2),
-          number_entry(velocity, 2),
-          number_entry(acceleration, 2),
-          text_entry(remark(cell.status, cell.message))};
-}
-
-std::vector<const Peer*> peers_at(const Record& record, const Place& place) {
-  std::vector<const Peer*> found;
-  for (const Peer& peer : record.peers)
-    if (place_of(peer) == place) found.push_back(&peer);
-  return found;
-}
-
-void add_rows(Table& table, const Record& record, const Place& place) {
-  std::set<std::string> guesses;
-  for (const Peer* peer : peers_at(record, place)) guesses.insert(peer->guess);
-  for (const std::string& guess : guesses) {
-    const Ours ours = ours_beside(record, place, guess);
-    for (const Peer* peer : peers_at(record, place)) {
-      if (peer->guess != guess) continue;
-      const Measured time = measured(peer->cell);
-      table.rows.push_back(row(record, place, peer->name, peer->cell, time,
-                               peer_ratio(record, ours.global, time),
-                               peer_ratio(record, ours.fastest, time)));
-    }
-    for (const CellKey& key : ours.all)
-      table.rows.push_back(row(record, place, key.id, record.cells.at(key), measured(record, key),
-                               peer_ratio(record, ours.global, key),
-                               peer_ratio(record, ours.fastest, key)));
-  }
-}
-
-Table times_of(const Record& record, const std::string& case_name) {
-  const TimeWords words = time_words(record);
-  Table table{
-      .name = "peers_" + case_name,
-      .title = "Curves beside ours: " + case_name,
-      .notes =
-          {"CPU s: " + words.time +
-               " ± half the range, first assembly, all steps and delivery. Times ours: the peer "
-               "over our fastest global formulation, and over our fastest, with the same guess in "
-               "the same run; ratio of the " +
-               words.times + " [its interval]; " + inconclusive_note() + ".",
-           "Iterations: of each peer's own method. Errors: largest difference from the "
-           "quadruple-precision reference, in the coordinates that the peer finds."},
-      .columns = {{"coordinates", {}},
-                  {"solved by", {}},
-                  {"CPU s", {"seconds", "half_range", "repetitions"}},
-                  {"µs/step", {"microseconds"}},
-                  {"times ours, global", {"ratio", "low", "high"}},
-                  {"times ours, fastest", {"ratio", "low", "high"}},
-                  {"iterations/step", {"iterations"}},
-                  {"error q", {"error"}},
-                  {"error q'", {"error"}},
-                  {"error q''", {"error"}},
-                  {"remark", {}}},
-      .rows = {}};
-  define_time(table, record);
-  std::set<Place> places;
-  for (const Peer& peer : record.peers)
-    if (peer.case_name == case_name) places.insert(place_of(peer));
-  for (const Place& place : places) add_rows(table, record, place);
-  return table;
-}
-
-Table setups(const Record& record) {
-  Table table{.name = "peer_setups",
-              .title = "What each peer needed to be set up",
-              .notes = {"Set-up s: CPU time of making the model, not in the times above. Compared: "
-                        "coordinates of ours that the peer finds, too."},
-              .columns = {{"case", {}},
-                          {"coordinates", {}},
-                          {"peer", {}},
-                          {"set-up", {}},
-                          {"compared", {"coordinates"}},
-                          {"set-up s", {"seconds"}}},
-              .rows = {}};
-  std::vector<const Peer*> ordered;
-  for (const Peer& peer : record.peers) ordered.push_back(&peer);
-  std::stable_sort(ordered.begin(), ordered.end(),
-                   [](const Peer* a, const Peer* b) { return place_of(*a) < place_of(*b); });
-  for (const Peer* peer : ordered) {
-    const std::string compared = peer->compared ? std::to_string(*peer->compared) : "";
-    table.rows.push_back(
-        {text_entry(peer->case_name), text_entry(std::to_string(peer->coordinates)),
-         text_entry(peer->name),
-         peer->setup.empty() ? note_entry(missing_mark) : text_entry(peer->setup),
-         compared.empty() ? note_entry(missing_mark) : Entry{compared, {compared}, {}},
-         number_entry(peer->cell.setup_seconds, 2)});
-  }
-  return table;
+void add_solver(Table& table, const Record& record, const Ours& ours, const CandidateKey& key,
+                const std::string& name, const Candidate& candidate) {
+  const Measured time = measured(candidate);
+  std::vector<Entry> row{
+      key.coordinates,
+      name,
+      seconds_entry(time),
+      instant_entry(record, time),
+      times_ours(record, ours.global, key, time),
+      times_ours(record, ours.fastest, key, time),
+      number_entry(time.seconds ? candidate.iterations_per_step : std::nullopt, 3)};
+  add_errors(row, candidate);
+  row.push_back(remark(candidate));
+  table.rows.push_back(std::move(row));
 }
 
 }  // namespace
 
 Section peers(const Record& record) {
-  Section section{.title = "What peers take", .paragraphs = {}, .tables = {}};
-  if (record.peers.empty()) return section;
+  Section section = headed_section("peers");
   std::map<std::string, std::string> methods;
-  std::set<std::string> cases;
+  using PeersByGuess = std::map<std::pair<std::int64_t, std::string>, std::vector<const Peer*>>;
+  std::map<std::string, PeersByGuess> cases;
   for (const Peer& peer : record.peers) {
-    methods[peer.name] =
-        peer.name + ": " + peer.library + " " + peer.library_version + ", " + peer.method + ".";
-    cases.insert(peer.case_name);
+    methods[peer.name] = sentence("peers.method", {{"peer", peer.name},
+                                                   {"library", peer.library},
+                                                   {"version", peer.library_version},
+                                                   {"method", peer.method}});
+    cases[peer.case_name][{peer.coordinates, peer.guess}].push_back(&peer);
   }
-  section.paragraphs.push_back(
-      "What a user would pick instead, a library or code written by hand for the case, on the same "
-      "motion, in the same run and random order, held to the same verification, and started from "
-      "the same guess: each extrapolates in its own coordinates (quadratic: q + q' h + q'' h²/2 of "
-      "the last instant; hermite5: the quintic through q, q' and q'' of the last two; adams8: from "
-      "the last q, the polynomial through q' and q'' of the last four). A ratio "
-      "above 1 is a peer that takes longer.");
   for (const auto& [name, method] : methods) section.paragraphs.push_back(method);
-  for (const std::string& name : cases) section.tables.push_back(times_of(record, name));
-  section.tables.push_back(setups(record));
+  for (const auto& [name, places] : cases) {
+    Table table = headed_table("peers_case", {{"case", name}, {"time", time_word(record)}});
+    define_time(table, record);
+    for (const auto& [place, peers] : places) {
+      const Ours ours = ours_with(record, *peers.front());
+      for (const Peer* peer : peers)
+        add_solver(table, record, ours, key_of(*peer), peer->name, peer->solved);
+      for (const CandidateKey& key : ours.all)
+        add_solver(table, record, ours, key, key.id, record.candidates.at(key));
+    }
+    section.tables.push_back(std::move(table));
+  }
   return section;
 }
 

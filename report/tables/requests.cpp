@@ -1,124 +1,73 @@
 // What it costs to solve only what is asked.
-#include <algorithm>
+#include <map>
 #include <set>
 
-#include "report/digits.h"
-#include "report/entries.h"
-#include "report/measurements.h"
+#include "report/tables/entries.h"
+#include "report/tables/record_words.h"
 #include "report/tables/tables.h"
-#include "report/time_words.h"
+#include "report/text/digits.h"
+#include "report/text/texts.h"
 
 namespace desmo::report {
 namespace {
-
-using Place = std::pair<std::string, std::int64_t>;  // case and size
-
-Place place_of(const Request& request) {
-  return {request.cell.case_name, request.cell.coordinates};
-}
 
 Entry unknowns_entry(std::int64_t solved, std::int64_t all) {
   const std::string some = std::to_string(solved), whole = std::to_string(all);
   return {some + " of " + whole, {some, whole}, {}};
 }
 
-std::vector<Entry> everything_row(const Record& record, const Request& request) {
-  const Measured time = measured(record, request.cell);
-  const auto cell = record.cells.find(request.cell);
-  const bool found = cell != record.cells.end();
-  Entry ratio = note_entry(time.mark);
-  if (time.seconds) ratio = {"1.00 reference", {"1.00", "", "", ""}, "reference"};
-  return {text_entry("everything"),
-          text_entry("acceleration"),
-          text_entry(request.cell.id),
-          unknowns_entry(request.all_unknowns, request.all_unknowns),
-          seconds_entry(time),
-          std::move(ratio),
-          number_entry(time.seconds ? cell->second.iterations_per_step : std::nullopt, 3),
-          note_entry(missing_mark),
-          text_entry(found ? remark(cell->second.status, cell->second.message) : "")};
-}
-
 std::vector<Entry> request_row(const Record& record, const Request& request) {
-  const Measured time = measured(request);
-  const bool ok = time.seconds.has_value();
-  return {text_entry(request.title),
-          text_entry(request.level),
-          text_entry(request.cell.id),
+  const Measured time = measured(request.solved);
+  return {request.title,
+          request.level,
+          request.key.id,
           unknowns_entry(request.unknowns, request.all_unknowns),
           seconds_entry(time),
-          speed_up_entry(measured_speed_up(measured(record, request.cell), time)),
-          number_entry(ok ? request.iterations_per_step : std::nullopt, 3),
+          speed_up_entry(measured_speed_up(measured(record, request.key), time)),
+          number_entry(time.seconds ? request.solved.iterations_per_step : std::nullopt, 3),
           number_entry(request.difference, 2),
-          text_entry(remark(request.status, request.message))};
+          remark(request.solved)};
 }
 
-// Of the requests alone: cells may have been repeated more or less often.
-std::string repetitions_at(const Record& record, const Place& place) {
-  std::size_t least = 0, largest = 0;
-  for (const Request& request : record.requests) {
-    if (place_of(request) != place || request.status != Status::ok) continue;
-    const std::size_t count = request.time.seconds.size();
-    least = least == 0 ? count : std::min(least, count);
-    largest = std::max(largest, count);
-  }
-  const std::string text = std::to_string(largest);
-  return (least == largest ? text : std::to_string(least) + " to " + text) +
-         (largest == 1 ? " repetition" : " repetitions");
-}
-
-std::string allowed_difference(const Record& record) {
-  const auto& allowed = record.settings.allowed;
-  if (!allowed || !allowed->request) return "";
-  return " (" + write_shortest(*allowed->request) + " is allowed)";
-}
-
-Table request_table(const Record& record, const Place& place) {
-  const auto& [case_name, coordinates] = place;
-  const std::string size = std::to_string(coordinates);
-  const TimeWords words = time_words(record);
-  Table table{
-      .name = "requests_" + case_name + "_" + size,
-      .title = "What a request costs: " + case_name + ", " + size + " coordinates",
-      .notes =
-          {"Solved: the irreducible blocks of equations upstream of what is asked, each as far as "
-           "anything asks of it; delivered: what is asked. CPU s: " +
-               words.time + " ± half the range of " + repetitions_at(record, place) + ".",
-           "Times cheaper: everything over the request with the same formulation in the same run, "
-           "ratio of the " +
-               words.times + " [its interval] (CPU time saved); " + inconclusive_note() + ".",
-           "Both stop at the tolerance for what they solve, so that a request may need fewer "
-           "iterations. Difference: largest of what is asked, over the whole motion, from the "
-           "solution of the whole mechanism with the same formulation, both converged as far as "
-           "double precision goes" +
-               allowed_difference(record) + "."},
-      .columns = {{"request", {}},
-                  {"level", {}},
-                  {"id", {}},
-                  {"unknowns", {"solved", "all"}},
-                  {"CPU s", {"seconds", "half_range", "repetitions"}},
-                  {"times cheaper", {"speed_up", "low", "high", "percent"}},
-                  {"iterations/step", {"iterations"}},
-                  {"difference", {"difference"}},
-                  {"remark", {}}},
-      .rows = {}};
-  define_time(table, record);
-  std::set<std::string> ids;
-  for (const Request& request : record.requests)
-    if (place_of(request) == place && ids.insert(request.cell.id).second)
-      table.rows.push_back(everything_row(record, request));
-  for (const Request& request : record.requests)
-    if (place_of(request) == place) table.rows.push_back(request_row(record, request));
-  return table;
+/// The row of what solves everything with the formulation of a request.
+std::vector<Entry> everything_row(const Record& record, const Request& request) {
+  const Measured time = measured(record, request.key);
+  const auto whole = record.candidates.find(request.key);
+  const bool found = whole != record.candidates.end();
+  return {"everything",
+          "acceleration",
+          request.key.id,
+          unknowns_entry(request.all_unknowns, request.all_unknowns),
+          seconds_entry(time),
+          time.seconds ? reference_entry() : note_entry(time.mark),
+          number_entry(time.seconds ? whole->second.iterations_per_step : std::nullopt, 3),
+          note_entry(missing_mark),
+          found ? remark(whole->second) : ""};
 }
 
 }  // namespace
 
 Section requests(const Record& record) {
-  Section section{.title = "What a request costs", .paragraphs = {}, .tables = {}};
-  std::set<Place> places;
-  for (const Request& request : record.requests) places.insert(place_of(request));
-  for (const Place& place : places) section.tables.push_back(request_table(record, place));
+  Section section = headed_section("requests");
+  std::map<std::pair<std::string, std::int64_t>, std::vector<const Request*>> places;
+  for (const Request& request : record.requests)
+    places[{request.key.case_name, request.key.coordinates}].push_back(&request);
+  const auto& allowed = record.settings.allowed;
+  for (const auto& [place, asked] : places) {
+    Table table = headed_table(
+        "requests_case",
+        {{"case", place.first},
+         {"coordinates", place.second},
+         {"time", time_word(record)},
+         {"allowed", allowed && allowed->request ? write_shortest(*allowed->request) : "any"}});
+    define_time(table, record);
+    std::set<std::string> ids;
+    for (const Request* request : asked)
+      if (ids.insert(request->key.id).second)
+        table.rows.push_back(everything_row(record, *request));
+    for (const Request* request : asked) table.rows.push_back(request_row(record, *request));
+    section.tables.push_back(std::move(table));
+  }
   return section;
 }
 

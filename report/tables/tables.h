@@ -1,85 +1,155 @@
-// The parts of the report, one .cpp each: pure functions of the record and of the paper's tables.
+// The tables and sections of the report, one topic a .cpp: pure functions of the record and of the
+// paper's tables. Their words stand in text/texts.txt.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "report/document.h"
-#include "report/record.h"
-#include "report/variants.h"
+#include "report/read/record.h"
+#include "report/statistics/curves.h"
+#include "report/statistics/measurements.h"
+#include "report/statistics/variants.h"
+#include "report/text/document.h"
 
 namespace desmo::report {
 
-/// The answer: three fixed sentences with numbers, the data of figure 6, and the best formulations.
-/// Puts no number into a sentence where fewer than three repetitions were measured.
+// ---- paper ----
+
+/// Says the answer: three fixed sentences with numbers, the data of figure 6, and the best
+/// formulations. Puts no number into a sentence where fewer than three repetitions were measured.
 Section answer(const Record& record);
 
-/// Table 1 of the paper for one sparse family: CPU seconds of every analysis, ours above the
-/// paper's, which is marked in or out of our interval. Its sizes are the paper's, the largest
-/// four-bar and whatever else was recorded.
+/// The things that a formulation solves side by side.
+enum class Batch { none, lanes, segments };
+
+/// A formulation at the truck's largest size, and how many times as fast it is as the fastest
+/// global_automatic_<sparse> with the same guess and tolerance, and with the paper's settings.
+struct Best {
+  CandidateKey key;
+  MeasuredSpeedUp like_for_like;
+  MeasuredSpeedUp papers_settings;
+};
+
+/// Finds the fastest formulation by groups or blocks with the guess and the tolerance of the
+/// fastest global reference.
+std::optional<Best> best_generated(const Record& record, Batch batch);
+
+/// Lists the references and the best formulations with the paper's settings and with the best.
+Table best_formulations(const Record& record);
+
+/// Shows tables 1 and 2 of the paper for each sparse family recorded.
+Section paper_tables(const Record& record);
+
+/// Shows table 1 of the paper for one sparse family: CPU seconds of every analysis, ours above the
+/// paper's. Its sizes are the paper's, its four-bar and whatever else was recorded.
 Table cpu_times(const Record& record, std::string_view family);
 
-/// Table 2 of the paper for one sparse family, which stands in the sparse columns and in the
-/// global reference alike: speed-up and improvement, ours above the paper's.
+/// Shows table 2 of the paper for one sparse family, which stands in the sparse columns and in the
+/// global reference alike: speed-up and improvement, ours above the paper's, which is marked in or
+/// out of our interval.
 Table speed_ups(const Record& record, std::string_view family);
 
-/// How the paper's own solver is named beside the families.
-inline constexpr const char* paper_solver = "MA27 (the paper)";
-
-/// The data of figure 5, CPU time over coordinates: a row for each sparse solver and size.
-Table figure_of_times(const Record& record);
-
-/// The data of figure 6, mean speed-up over the global formulation: a row for each variant.
-Table figure_of_speed_ups(const Record& record);
-
-/// What the paper prints of a variant in a row of its table 1 or 2 ("114" ... "mean"), with the
-/// quantities of ours: {seconds, median, repetitions}, {speed_up, low, high, percent}.
+/// Returns what the paper prints of a variant in a row of its table 1 or 2 ("114" ... "mean"), with
+/// the quantities of ours: {seconds, median, repetitions}, {speed_up, low, high, percent}.
 Entry published_seconds_entry(const std::string& row, const Variant& variant);
 Entry published_speed_up_entry(const std::string& row, const Variant& variant);
 
-/// The same formulations over every global reference that has a time, at the largest of the paper's
-/// sizes recorded; nothing when there is no such reference or formulation.
-std::optional<Table> references(const Record& record, const std::string& case_name);
+/// Returns the data of figure 5, CPU time over coordinates: a row for each sparse solver and size.
+Table figure_of_times(const Record& record);
 
-/// Log-log slope of CPU time over coordinates, the paper's values and every family.
-Table scaling(const Record& record);
+/// Returns the data of figure 6, mean speed-up over the global formulation: a row for each variant.
+Table figure_of_speed_ups(const Record& record);
 
-/// Everything that was recorded of one case at one size, fastest first.
-Table every_formulation(const Record& record, std::string_view case_name, std::int64_t coordinates);
-
-/// Where the time of a step goes.
-Table time_split(const Record& record);
-
-/// When, on what and how it was measured.
-Table provenance(const Record& record);
-
-/// How each partition cuts the unknowns, what the equations know beyond the bodies, and what that
-/// is worth. Without tables when the record has no structure.
-Section partitions(const Record& record);
-
-/// What it costs to solve only what is asked, one table for each case and size. Without tables when
-/// the record has no requests.
-Section requests(const Record& record);
-
-/// What must not be concluded from the record.
-Section limitations(const Record& record);
-
-/// What settings and generated code gain over the paper's: a table for each case that was solved
-/// with settings. Without tables when none was.
+/// Shows what settings and generated code gain over the paper's: a table for each case that was
+/// solved with settings, and those of threads(). Without tables when there is none.
 Section beyond(const Record& record);
 
-/// Makes the tables of what several threads gain over one, by the wall clock: a table for each case
-/// that was solved on several.
+/// Shows what several threads gain over one, by the wall clock: a table for each case.
 std::vector<Table> threads(const Record& record);
 
-/// Makes the tables of what peers take next to the formulations that start from the same guess: a
-/// table for each case, and one of what they needed to be set up. Without tables when the record
-/// has no peers.
+/// Shows how each partition cuts the unknowns, and what the equations know beyond the bodies.
+Section partitions(const Record& record);
+
+/// Shows what it costs to solve only what is asked: a table for each case and size.
+Section requests(const Record& record);
+
+/// Shows what peers take next to the formulations that start from the same guess: a table for each
+/// case.
 Section peers(const Record& record);
 
-/// One line for every cell, request or peer that failed its verification; empty when none did.
+/// Shows everything that was recorded of each case at each size, fastest first.
+Section every_formulation(const Record& record);
+Table every_formulation(const Record& record, const std::string& case_name,
+                        std::int64_t coordinates);
+
+/// Shows where the time of a step goes.
+Table time_split(const Record& record);
+
+// ---- accuracy ----
+
+/// Returns all that follows in sections, the front first. The record has points. What is asked of a
+/// case by name needs its main series (statistics/selection.h).
+std::vector<Section> accuracy_sections(const Record& record);
+
+/// Returns the data of the work–precision figure of a case at its largest size: every configuration
+/// solved or failed, fastest first.
+Table work_precision(const Record& record, const std::string& case_name);
+
+/// Shows the cheapest configuration for each of the accuracies, what it gains, and what it gives
+/// up.
+Table accuracy_costs(const Record& record);
+Table accuracy_errors(const Record& record);
+
+/// Shows the least time of every formulation for each of the accuracies, every instant solved.
+Table cheapest_by_formulation(const Record& record, const std::string& case_name);
+
+/// Shows guesses × Jacobian updates of global_automatic_klu at an error of 1e-9, with a sentence on
+/// what they gain.
+Section guesses(const Record& record);
+
+/// Shows what float and mixed precision reach and what they cost, beside double.
+Table scalars(const Record& record);
+
+/// Shows table 2 with other steps, tolerances and guesses.
+Table sensitivity(const Record& record);
+
+/// Shows what the choices of desmo tune are worth, the front first. The record has tuning.
+std::vector<Section> tuning_sections(const Record& record);
+
+/// Returns what a message says of a failure before place and time: "singular Jacobian".
+std::string kind_of_failure(std::string_view message);
+
+// ---- size, instructions, extremes ----
+
+/// Returns all about time against size, the front first. The record has sizes.
+std::vector<Section> size_sections(const Record& record);
+
+/// Returns the data of the figure of growth: a row for each case, formulation and size.
+Table growth_data(const Record& record);
+
+/// Shows whether growth is linear, and up to where. The record has `growth`.
+Section growth(const Record& record);
+
+/// Shows from how many unknowns on sparse matrices pay. The record has `break_even`.
+Section dense_or_sparse(const Record& record);
+
+/// Shows instructions of a step, and how many times those of the usual reference, the front first.
+/// The record has `instructions`.
+std::vector<Section> instructions_sections(const Record& record);
+
+/// Shows which formulation does what where most go wrong, the front first. The record has extremes.
+std::vector<Section> extremes_sections(const Record& record);
+
+// ---- about the record ----
+
+/// Shows when, on what and how it was measured.
+Table provenance(const Record& record);
+
+/// Says what must not be concluded from the record.
+Section limitations(const Record& record);
+
+/// Returns a line for every candidate, request or peer that failed its verification.
 std::vector<std::string> failures(const Record& record);
 
 }  // namespace desmo::report

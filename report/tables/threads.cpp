@@ -1,12 +1,10 @@
 // What several threads gain: the wall clock's times, and ratios of them over one thread's.
 #include <algorithm>
-#include <set>
 #include <tuple>
 
-#include "report/entries.h"
-#include "report/measurements.h"
+#include "report/tables/entries.h"
 #include "report/tables/tables.h"
-#include "report/variants.h"
+#include "report/text/texts.h"
 
 namespace desmo::report {
 namespace {
@@ -18,88 +16,54 @@ struct WallTimed {
   std::int64_t threads;
   Measured time;
   std::string remark;
+
+  auto place() const {
+    return std::tuple(coordinates, delivered != "everything", delivered, analysis);
+  }
 };
 
 /// Where a failure recorded no number of threads, the id names it.
-std::int64_t threads_of(const std::string& id) {
-  const std::string_view count = setting(id, "threads");
-  return count.empty() ? 1 : std::stoll(std::string(count));
-}
-
-template <class Solved>
-WallTimed timed_of(const CellKey& key, const std::string& delivered, const Solved& solved) {
+WallTimed timed_by_wall(const CandidateKey& key, const std::string& delivered,
+                        const Candidate& candidate) {
+  const std::string_view count = setting(key.id, "threads");
   return {key.coordinates,
           delivered,
           without_setting(without_setting(key.id, "threads"), "clock"),
-          threads_of(key.id),
-          measured(solved),
-          remark(solved.status, solved.message)};
-}
-
-std::vector<WallTimed> timed_by_wall(const Record& record, const std::string& case_name) {
-  std::vector<WallTimed> all;
-  for (const auto& [key, cell] : record.wall_cells)
-    if (key.case_name == case_name) all.push_back(timed_of(key, "everything", cell));
-  for (const Request& request : record.wall_requests)
-    if (request.cell.case_name == case_name)
-      all.push_back(timed_of(request.cell, request.title, request));
-  std::ranges::stable_sort(all, {}, [](const WallTimed& one) {
-    return std::tuple(one.coordinates, one.delivered != "everything", one.delivered, one.analysis,
-                      one.threads);
-  });
-  return all;
+          count.empty() ? 1 : std::stoll(std::string(count)),
+          measured(candidate),
+          remark(candidate)};
 }
 
 Entry over_one_thread(const std::vector<WallTimed>& all, const WallTimed& several) {
   const auto one = std::ranges::find_if(all, [&](const WallTimed& other) {
-    return other.threads == 1 && other.coordinates == several.coordinates &&
-           other.delivered == several.delivered && other.analysis == several.analysis;
+    return other.threads == 1 && other.place() == several.place();
   });
-  if (one == all.end()) return note_entry("one thread not measured");
-  if (&*one == &several) return {"1.00 reference", {"1.00", "", ""}, "reference"};
-  const MeasuredSpeedUp ratio = measured_speed_up(one->time, several.time);
-  return ratio.speed_up ? ratio_entry(*ratio.speed_up) : note_entry(ratio.mark);
-}
-
-Table threads_of_case(const Record& record, const std::string& case_name) {
-  Table table{
-      .name = "threads_" + case_name,
-      .title = "Several threads, by the wall clock: " + case_name,
-      .notes = {"Wall s: seconds that passed, the least repetition ± half the range. Times: "
-                "how many times as fast as the same analysis on one thread by the same "
-                "clock [without the best repetition of either side]; " +
-                inconclusive_note() + ". No time here compares with CPU time."},
-      .columns = {{"coordinates", {}},
-                  {"delivered", {}},
-                  {"id", {}},
-                  {"threads", {"threads"}},
-                  {"wall s", {"seconds", "half_range", "repetitions"}},
-                  {"µs/step", {"microseconds"}},
-                  {"times one thread", {"ratio", "low", "high"}},
-                  {"remark", {}}},
-      .rows = {}};
-  const std::vector<WallTimed> all = timed_by_wall(record, case_name);
-  for (const WallTimed& one : all) {
-    std::optional<double> step;
-    if (one.time.seconds)
-      step = 1e6 * one.time.seconds->value / static_cast<double>(record.settings.instants);
-    table.rows.push_back({text_entry(std::to_string(one.coordinates)), text_entry(one.delivered),
-                          text_entry(one.analysis),
-                          count_entry(static_cast<std::size_t>(one.threads)),
-                          seconds_entry(one.time), number_entry(step, 4), over_one_thread(all, one),
-                          text_entry(one.remark)});
-  }
-  return table;
+  if (one == all.end()) return note_entry(sentence("threads.alone"));
+  if (&*one == &several) return reference_entry();
+  return ratio_entry(measured_speed_up(one->time, several.time));
 }
 
 }  // namespace
 
 std::vector<Table> threads(const Record& record) {
-  std::set<std::string> cases;
-  for (const auto& [key, cell] : record.wall_cells) cases.insert(key.case_name);
-  for (const Request& request : record.wall_requests) cases.insert(request.cell.case_name);
+  std::map<std::string, std::vector<WallTimed>> cases;
+  for (const auto& [key, candidate] : record.wall_candidates)
+    cases[key.case_name].push_back(timed_by_wall(key, "everything", candidate));
+  for (const Request& request : record.wall_requests)
+    cases[request.key.case_name].push_back(
+        timed_by_wall(request.key, request.title, request.solved));
   std::vector<Table> tables;
-  for (const std::string& name : cases) tables.push_back(threads_of_case(record, name));
+  for (auto& [name, all] : cases) {
+    std::ranges::stable_sort(
+        all, {}, [](const WallTimed& one) { return std::pair(one.place(), one.threads); });
+    Table table = headed_table("threads", {{"case", name}});
+    for (const WallTimed& one : all)
+      table.rows.push_back({one.coordinates, one.delivered, one.analysis,
+                            count_entry(static_cast<std::size_t>(one.threads)),
+                            seconds_entry(one.time), instant_entry(record, one.time),
+                            over_one_thread(all, one), one.remark});
+    tables.push_back(std::move(table));
+  }
   return tables;
 }
 

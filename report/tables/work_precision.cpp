@@ -6,13 +6,34 @@
 #include <string>
 #include <utility>
 
-#include "report/digits.h"
-#include "report/precision/families.h"
-#include "report/precision/selection.h"
-#include "report/tables/precision.h"
+#include "report/tables/entries.h"
+#include "report/tables/tables.h"
+#include "report/text/digits.h"
+#include "report/text/texts.h"
 
 namespace desmo::report {
 namespace {
+
+std::string cut(std::string_view formulation) {
+  if (formulation.starts_with("global_")) return "global";
+  if (formulation.starts_with("group_")) return "groups";
+  if (formulation.starts_with("block_")) return "blocks";
+  return "other";
+}
+
+std::string algebra(std::string_view formulation) {
+  const std::string_view name = formulation.substr(formulation.rfind('_') + 1);
+  if (name == "lapack" || name == "eigen") return "dense";
+  if (name == "inlined" || name == "explicit") return "generated";
+  return "sparse";
+}
+
+/// "groups, sparse": of <partition>_<equations>_<algebra>; "interpolated", whatever it is, where
+/// not every instant is solved.
+std::string family_of(const Configuration& configuration) {
+  if (!configuration.solves_every_instant()) return "interpolated";
+  return cut(configuration.formulation) + ", " + algebra(configuration.formulation);
+}
 
 double seconds_of(const NamedPoint* point) {
   return is_solved(*point) ? step_time(*point).seconds : std::numeric_limits<double>::infinity();
@@ -35,71 +56,47 @@ Points drawn(Points points) {
   return points;
 }
 
-Entry level_entry(const std::optional<LevelError>& error, double LevelError::*value) {
+Entry maximum_entry(const std::optional<LevelError>& error,
+                    double LevelError::*value = &LevelError::max) {
   return error_entry(error ? std::optional((*error).*value) : std::nullopt);
 }
 
-std::vector<Entry> row(const NamedPoint& point, bool in_front) {
+std::vector<Entry> point_row(const NamedPoint& point, bool in_front) {
   const Point& p = point.second;
   const bool solved = is_solved(point);
-  return {text_entry(point.first.id),
-          text_entry(family_of(p.configuration)),
+  return {point.first.id,
+          family_of(p.configuration),
           solved ? step_time_entry(&point) : note_entry(failed_mark),
-          level_entry(p.error.position, &LevelError::max),
-          level_entry(p.error.position, &LevelError::rms),
-          level_entry(p.error.velocity, &LevelError::max),
-          level_entry(p.error.acceleration, &LevelError::max),
-          level_entry(p.violation.position, &LevelError::max),
+          maximum_entry(p.error.position),
+          maximum_entry(p.error.position, &LevelError::rms),
+          maximum_entry(p.error.velocity),
+          maximum_entry(p.error.acceleration),
+          maximum_entry(p.violation.position),
           solved ? iterations_entry(&point) : note_entry(missing_mark),
-          text_entry(in_front ? "front" : ""),
-          text_entry(p.message)};
+          in_front ? "front" : "",
+          p.message};
 }
 
-std::vector<std::string> notes(const Record& record, const SeriesKey& series,
-                               const Points& points) {
-  const auto count = [&](Point::Status status) {
-    return std::to_string(std::ranges::count_if(
-        points, [&](const NamedPoint* p) { return p->second.status == status; }));
-  };
-  return {"Ours: " + record.machine.cpu + ", " + record.date + ". " +
-              std::to_string(series.instants) + " instants " + write_shortest(series.step_seconds) +
-              " s apart; the least CPU time of a step.",
-          count(Point::Status::ok) + " configurations solved, " + count(Point::Status::failed) +
-              " failed (below, with their reason), " + count(Point::Status::not_applicable) +
-              " not applicable. Of those solved, what no other settings of the same formulation "
-              "beat in "
-              "time and error at once, and the paper's settings; the record has all.",
-          "Numbers beside the line: iterations a step of what is fastest at its error. Black: "
-          "global, blue: by groups, yellow: by blocks.",
-          "Circles: sparse solvers, squares: dense ones, triangles: generated elimination. Green "
-          "diamonds, apart from the line: instants interpolated between solved ones. What is more "
-          "than 10 off stands at the right edge."};
+std::int64_t count_of(const Points& points, Point::Status status) {
+  return std::ranges::count_if(points,
+                               [&](const NamedPoint* p) { return p->second.status == status; });
 }
 
 }  // namespace
 
 Table work_precision(const Record& record, const std::string& case_name) {
-  Table table{.name = "work_precision_" + case_name,
-              .title = "Work–precision: " + case_name,
-              .notes = {},
-              .columns = {{"id", {}},
-                          {"family", {}},
-                          {"µs/step", {"microseconds", "again"}},
-                          {"error q", {"error"}},
-                          {"rms q", {"error"}},
-                          {"error q'", {"error"}},
-                          {"error q''", {"error"}},
-                          {"violation", {"violation"}},
-                          {"iterations/step", {"iterations"}},
-                          {"Pareto", {}},
-                          {"remark", {}}},
-              .rows = {},
-              .detail = true,
-              .figure = true};
   const SeriesKey series = *main_series(record, case_name);
-  table.title += ", " + std::to_string(series.coordinates) + " coordinates";
   Points points = points_of(record, series);
-  table.notes = notes(record, series, points);
+  Table table = headed_table("work_precision",
+                             {{"case", case_name},
+                              {"coordinates", series.coordinates},
+                              {"cpu", record.machine.cpu},
+                              {"date", record.date},
+                              {"instants", series.instants},
+                              {"step", write_shortest(series.step_seconds)},
+                              {"solved", count_of(points, Point::Status::ok)},
+                              {"failed", count_of(points, Point::Status::failed)},
+                              {"not_applicable", count_of(points, Point::Status::not_applicable)}});
   std::erase_if(points, [](const NamedPoint* p) {
     return p->second.status == Point::Status::not_applicable;
   });
@@ -109,7 +106,7 @@ Table work_precision(const Record& record, const std::string& case_name) {
     const bool in_front = is_solved(*point) && position_error(*point) < least &&
                           point->second.configuration.solves_every_instant();
     if (in_front) least = position_error(*point);
-    table.rows.push_back(row(*point, in_front));
+    table.rows.push_back(point_row(*point, in_front));
   }
   return table;
 }

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "report/report.h"
-#include "report/tables/best.h"
 #include "report/tables/tables.h"
 #include "tests/report/contains.h"
 #include "tests/report/sample.h"
@@ -20,11 +19,11 @@ std::vector<std::string> answer_to(const Json& json) {
   return answer(record_from(json)).paragraphs;
 }
 
-/// Adds a truck cell at the largest size like another, with three equal samples.
-void add_cell(Json& json, const std::string& id, double seconds) {
-  Json cell = cell_of(json, truck, 558, "global_automatic_klu");
-  cell["id"] = id;
-  json["paper"]["cells"].push_back(cell);
+/// Adds a truck candidate at the largest size like another, with three equal samples.
+void add_candidate(Json& json, const std::string& id, double seconds) {
+  Json candidate = candidate_of(json, truck, 558, "global_automatic_klu");
+  candidate["id"] = id;
+  json["paper"]["cells"].push_back(candidate);
   set_samples(json, 558, id, {seconds, seconds, seconds});
 }
 
@@ -35,12 +34,12 @@ Json record_with_settings() {
     set_family(json, "global_automatic_" + std::string(family), 8);
     set_samples(json, 558, "global_automatic_" + std::string(family), {8, 8, 8});
   }
-  add_cell(json, "global_automatic_klu/guess:adams8/jacobian:step/tolerance:1e-10", 4);
-  add_cell(json, "global_automatic_klu/guess:hermite5", 5);
-  add_cell(json, "group_symbolic_explicit/guess:adams8/tolerance:1e-10", 0.5);
-  add_cell(json, "group_symbolic_explicit/guess:hermite5", 0.125);
-  add_cell(json, "group_symbolic_explicit/guess:adams8/lanes:4/tolerance:1e-10", 0.25);
-  add_cell(json, "group_symbolic_explicit/guess:adams8/segments:8/tolerance:1e-10", 0.125);
+  add_candidate(json, "global_automatic_klu/guess:adams8/jacobian:step/tolerance:1e-10", 4);
+  add_candidate(json, "global_automatic_klu/guess:hermite5", 5);
+  add_candidate(json, "group_symbolic_explicit/guess:adams8/tolerance:1e-10", 0.5);
+  add_candidate(json, "group_symbolic_explicit/guess:hermite5", 0.125);
+  add_candidate(json, "group_symbolic_explicit/guess:adams8/lanes:4/tolerance:1e-10", 0.25);
+  add_candidate(json, "group_symbolic_explicit/guess:adams8/segments:8/tolerance:1e-10", 0.125);
   return json;
 }
 
@@ -88,14 +87,14 @@ TEST(Answer, LeavesOutIncompleteMeansAndMarksTheInconclusive) {
   Json json = record_with_settings();
   set_family(json, "group_symbolic_lapack", 2);
   set_family(json, "global_automatic_umfpack", 8, 0.5);
-  fail_cell(json, truck, 336, "global_automatic_cholmod");
+  fail_candidate(json, truck, 336, "global_automatic_cholmod");
   EXPECT_CONTAINS(answer_to(json)[0], "by the sparse solver: umfpack 4.0 (inconclusive), klu 4.0.");
 }
 
 TEST(Answer, CountsWhatFailed) {
   Json json = complete_record();
   EXPECT_EQ(answer_to(json).back().find("Failed"), std::string::npos);
-  fail_cell(json, truck, 336, "group_symbolic_lapack");
+  fail_candidate(json, truck, 336, "group_symbolic_lapack");
   EXPECT_CONTAINS(answer_to(json).back(), "Failed their verification and have no time: 1;");
 }
 
@@ -120,38 +119,6 @@ TEST(Best, LeavesOutWhatWasNotMeasured) {
   for (const auto& row : table.rows)
     EXPECT_TRUE(row.front().shown.ends_with("paper's settings")) << row.front().shown;
   EXPECT_FALSE(best_generated(record_from(complete_record()), Batch::lanes));
-}
-
-TEST(References, HoldTheSameFormulationsAgainstEach) {
-  Json json = complete_record();
-  set_samples(json, 558, "global_automatic_klu", {4, 5, 6});
-  set_samples(json, 558, "global_automatic_umfpack", {10, 20, 30});
-  set_samples(json, 558, "group_symbolic_lapack", {2, 2, 4});
-  const auto table = references(record_from(json), "truck_suspension");
-  ASSERT_TRUE(table);
-  EXPECT_EQ(table->name, "references_truck_suspension");
-  EXPECT_EQ(entry_at(*table, {"global_automatic_klu"}, "CPU s").shown, "5.000");
-  const Entry klu = entry_at(*table, {"global_automatic_klu"}, "group_symbolic_lapack");
-  EXPECT_EQ(klu.shown, "2.50 [1.00, 3.00] inconclusive");
-  EXPECT_EQ(klu.digits, (std::vector<std::string>{"2.50", "1.00", "3.00"}));
-  EXPECT_EQ(entry_at(*table, {"global_automatic_umfpack"}, "group_symbolic_lapack").shown,
-            "10.00 [2.50, 15.00] inconclusive");
-  EXPECT_EQ(entry_at(*table, {"MA27 (the paper)"}, "CPU s").shown, "7.100");
-  EXPECT_EQ(entry_at(*table, {"MA27 (the paper)"}, "group_symbolic_lapack").shown, "3.6");
-  // Slowest last, the paper below.
-  EXPECT_EQ(table->rows[table->rows.size() - 2].front().shown, "global_automatic_umfpack");
-}
-
-TEST(References, LeaveOutWhatHasNoTime) {
-  Json json = complete_record();
-  fail_cell(json, "truck_suspension", 558, "global_automatic_klu");
-  fail_cell(json, "truck_suspension", 558, "group_symbolic_lapack");
-  const auto table = references(record_from(json), "truck_suspension");
-  ASSERT_TRUE(table);
-  EXPECT_THROW(entry_at(*table, {"global_automatic_klu"}, "CPU s"), std::runtime_error);
-  EXPECT_EQ(entry_at(*table, {"global_automatic_umfpack"}, "group_symbolic_lapack").shown,
-            failed_mark);
-  EXPECT_FALSE(references(record_from(json), "no_such_case"));
 }
 
 bool limits(const Json& json, const std::string& part) {

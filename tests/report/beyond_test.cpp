@@ -2,8 +2,8 @@
 
 #include <stdexcept>
 
-#include "report/measurements.h"
 #include "report/report.h"
+#include "report/statistics/measurements.h"
 #include "report/tables/tables.h"
 #include "tests/report/sample.h"
 
@@ -21,12 +21,12 @@ constexpr const char* hermite_lanes = "group_symbolic_explicit/guess:hermite5/la
 /// The reference with better settings, and generated code with lanes, on everything and a request.
 Json beyond_record() {
   Json json = structured_record();
-  const Json cell = cell_of(json, "truck_suspension", 114, "global_automatic_klu");
-  cell_of(json, "truck_suspension", 114, "global_automatic_klu")["time"]["seconds"] = {0.8, 0.8,
-                                                                                       0.8};
-  json["paper"]["cells"].push_back(timed(cell, "global_automatic_klu/guess:hermite5", 0.4));
-  json["paper"]["cells"].push_back(timed(cell, "group_symbolic_explicit", 0.1));
-  json["paper"]["cells"].push_back(timed(cell, hermite_lanes, 0.05));
+  const Json candidate = candidate_of(json, "truck_suspension", 114, "global_automatic_klu");
+  candidate_of(json, "truck_suspension", 114, "global_automatic_klu")["time"]["seconds"] = {
+      0.8, 0.8, 0.8};
+  json["paper"]["cells"].push_back(timed(candidate, "global_automatic_klu/guess:hermite5", 0.4));
+  json["paper"]["cells"].push_back(timed(candidate, "group_symbolic_explicit", 0.1));
+  json["paper"]["cells"].push_back(timed(candidate, hermite_lanes, 0.05));
   Json request = json["paper"]["requests"][0];
   request["case"] = "truck_suspension";
   request["coordinates"] = 114;
@@ -62,7 +62,7 @@ TEST(Beyond, HoldsSettingsBesideTheReferenceThatDeliversTheSame) {
 /// The same on two threads, and, to be compared with, on one by the same clock.
 Json threads_record() {
   Json json = beyond_record();
-  Json several = cell_of(json, "truck_suspension", 114, hermite_lanes);
+  Json several = candidate_of(json, "truck_suspension", 114, hermite_lanes);
   several["time"]["clock"] = "wall";
   Json one = timed(several, std::string(hermite_lanes) + "/clock:wall", 0.06);
   several["id"] = std::string(hermite_lanes) + "/threads:2";
@@ -96,8 +96,8 @@ TEST(Threads, HaveNoRatioOverCpuTime) {
   EXPECT_EQ(entry_at(table, {"114", "everything", hermite_lanes, "2"}, "times one thread").shown,
             "one thread not measured");
   const Record record = record_from(json);
-  EXPECT_THROW(measured_speed_up(measured(record.cells.begin()->second),
-                                 measured(record.wall_cells.begin()->second)),
+  EXPECT_THROW(measured_speed_up(measured(record.candidates.begin()->second),
+                                 measured(record.wall_candidates.begin()->second)),
                std::logic_error);
 }
 
@@ -107,8 +107,8 @@ TEST(Beyond, IsNotThereWithoutSettings) {
 
 TEST(Beyond, LeavesOutWhatStandsBesidePeers) {
   Json json = structured_record();
-  const Json cell = cell_of(json, "truck_suspension", 114, "global_automatic_klu");
-  json["paper"]["cells"].push_back(timed(cell, "global_automatic_klu/guess:quadratic", 0.4));
+  const Json candidate = candidate_of(json, "truck_suspension", 114, "global_automatic_klu");
+  json["paper"]["cells"].push_back(timed(candidate, "global_automatic_klu/guess:quadratic", 0.4));
   EXPECT_EQ(beyond(record_from(json)).tables.size(), 1u);
   json["paper"]["peers"] = {{{"case", "truck_suspension"},
                              {"coordinates", 114},

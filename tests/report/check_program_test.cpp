@@ -49,7 +49,7 @@ TEST_F(CheckProgram, WrongNumerics) {
 TEST_F(CheckProgram, FilesThatCannotBeJudgedSayWhy) {
   const std::string whole = check_sample().dump();
   EXPECT_EQ(check(whole.substr(0, whole.size() / 2)), 2);
-  EXPECT_NE(err_.find("results.json: not a complete JSON document"), std::string::npos) << err_;
+  EXPECT_NE(err_.find("results.json: line 1, column "), std::string::npos) << err_;
   EXPECT_EQ(check("nonsense"), 2);
   Json json = check_sample();
   json["schema_version"] = "3.0.0";
@@ -60,7 +60,7 @@ TEST_F(CheckProgram, FilesThatCannotBeJudgedSayWhy) {
   EXPECT_EQ(check(json.dump()), 4);
   EXPECT_NE(err_.find("a record is of one machine"), std::string::npos) << err_;
   EXPECT_EQ(report("check " + (folder_ / "no_such.json").string()), 64);
-  EXPECT_NE(err_.find("no_such.json: cannot be read: No such file"), std::string::npos) << err_;
+  EXPECT_NE(err_.find("no_such.json: there is no such file"), std::string::npos) << err_;
   EXPECT_EQ(report("check"), 64);
 }
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "report/check/check_reader.h"
+#include "report/check/check_record.h"
 
 namespace desmo::report {
 namespace {
@@ -17,33 +17,35 @@ Json times(double middle, int stride) {
   return seconds;
 }
 
-/// The environment and three cells of a recorded run, with made-up times.
+/// The environment and three candidates of a recorded run, with made-up times.
 Json side(int stride) {
   Json record = Json::parse(read_text(data_file("origins.json")));
   for (const char* list : {"profiles", "structure", "requests"}) record["paper"].erase(list);
-  Json cells = Json::array();
+  Json candidates = Json::array();
   double middle = 0.001;
-  for (const Json& cell : record["paper"]["cells"]) {
-    const std::string id = cell["id"];
-    const bool wanted = cell["case"] == "truck_suspension" && cell["coordinates"] == 114 &&
+  for (const Json& candidate : record["paper"]["cells"]) {
+    const std::string id = candidate["id"];
+    const bool wanted = candidate["case"] == "truck_suspension" &&
+                        candidate["coordinates"] == 114 &&
                         (id == "global_automatic_klu" || id == "group_symbolic_klu" ||
                          id == "group_symbolic_inlined");
     if (!wanted) continue;
-    cells.push_back(cell);
-    cells.back()["time"]["seconds"] = times(middle *= 0.7, stride);
+    candidates.push_back(candidate);
+    candidates.back()["time"]["seconds"] = times(middle *= 0.7, stride);
   }
-  record["paper"]["cells"] = cells;
+  record["paper"]["cells"] = candidates;
   return record;
 }
 
-std::string name_of(const Json& cell) {
-  return cell["case"].get<std::string>() + "/" + std::to_string(cell["coordinates"].get<int>()) +
-         "/" + cell["id"].get<std::string>();
+std::string name_of(const Json& candidate) {
+  return candidate["case"].get<std::string>() + "/" +
+         std::to_string(candidate["coordinates"].get<int>()) + "/" +
+         candidate["id"].get<std::string>();
 }
 
-Json& cell_named(Json& record, const std::string& name) {
-  for (Json& cell : record["paper"]["cells"])
-    if (name_of(cell) == name) return cell;
+Json& candidate_named(Json& record, const std::string& name) {
+  for (Json& candidate : record["paper"]["cells"])
+    if (name_of(candidate) == name) return candidate;
   ADD_FAILURE() << "no cell " << name;
   return record["paper"]["cells"][0];
 }
@@ -57,8 +59,8 @@ Json check_sample() {
   check["head"] = side(11);
   check["control"] = {{"base", times(1e-4, 7)}, {"head", times(1e-4, 11)}};
   check["work"] = {{"tool", "valgrind-3.19.0"}, {"steps", 100}, {"iterations", 3}};
-  for (const Json& cell : check["head"]["paper"]["cells"])
-    check["work"]["instructions"][name_of(cell)] = {{"base", 1'000'000}, {"head", 1'000'000}};
+  for (const Json& candidate : check["head"]["paper"]["cells"])
+    check["work"]["instructions"][name_of(candidate)] = {{"base", 1'000'000}, {"head", 1'000'000}};
   return check;
 }
 
@@ -70,39 +72,39 @@ Json one_tree_sample() {
   return check;
 }
 
-void slow_down(Json& check, const std::string& cell, double factor) {
-  for (Json& seconds : cell_named(check["head"], cell)["time"]["seconds"])
+void slow_down(Json& check, const std::string& candidate, double factor) {
+  for (Json& seconds : candidate_named(check["head"], candidate)["time"]["seconds"])
     seconds = seconds.get<double>() * factor;
 }
 
-void confirm(Json& check, const std::string& cell, double factor) {
-  check["second"][cell] = {{"base", times(1e-3, 7)}, {"head", times(1e-3 * factor, 11)}};
+void confirm(Json& check, const std::string& candidate, double factor) {
+  check["second"][candidate] = {{"base", times(1e-3, 7)}, {"head", times(1e-3 * factor, 11)}};
   check["second"]["control"] = check["control"];
 }
 
 void fail_head(Json& check, const std::string& name) {
-  Json& cell = cell_named(check["head"], name);
-  cell["status"] = "failed";
-  cell["message"] = "differs from the quadruple reference";
-  cell.erase("time");
+  Json& candidate = candidate_named(check["head"], name);
+  candidate["status"] = "failed";
+  candidate["message"] = "differs from the quadruple reference";
+  candidate.erase("time");
 }
 
 void leave_out(Json& check, const std::string& side, const std::string& name) {
-  Json& cell = cell_named(check[side], name);
-  cell = {{"case", cell["case"]},
-          {"coordinates", cell["coordinates"]},
-          {"id", cell["id"]},
-          {"status", "not_run"},
-          {"message", "unknown"}};
+  Json& candidate = candidate_named(check[side], name);
+  candidate = {{"case", candidate["case"]},
+               {"coordinates", candidate["coordinates"]},
+               {"id", candidate["id"]},
+               {"status", "not_run"},
+               {"message", "unknown"}};
 }
 
 void take_no_times(Json& check) {
   check.erase("control");
   for (const char* side : {"base", "head"})
-    for (Json& cell : check[side]["paper"]["cells"]) {
-      cell["status"] = "not_run";
-      cell["message"] = "verified, not timed";
-      cell.erase("time");
+    for (Json& candidate : check[side]["paper"]["cells"]) {
+      candidate["status"] = "not_run";
+      candidate["message"] = "verified, not timed";
+      candidate.erase("time");
     }
 }
 

@@ -1,4 +1,4 @@
-// A synthetic record of bench/check: three cells of the two trees compared, `base` and `head`.
+// A synthetic record of bench/check: three candidates of the two trees compared, `base` and `head`.
 #pragma once
 
 #include <string>
@@ -16,17 +16,17 @@ Json check_sample();
 /// Returns the same check with head alone, as a baseline is stored.
 Json one_tree_sample();
 
-/// Multiplies head's times of a cell in the first pass by a factor.
-void slow_down(Json& check, const std::string& cell, double factor);
+/// Multiplies head's times of a candidate in the first pass by a factor.
+void slow_down(Json& check, const std::string& candidate, double factor);
 
-/// Adds a second pass of a cell in which head takes `factor` times base's time.
-void confirm(Json& check, const std::string& cell, double factor);
+/// Adds a second pass of a candidate in which head takes `factor` times base's time.
+void confirm(Json& check, const std::string& candidate, double factor);
 
-/// Marks head's cell as failed verification, as desmo_check records it.
-void fail_head(Json& check, const std::string& cell);
+/// Marks head's candidate as failed verification, as desmo_check records it.
+void fail_head(Json& check, const std::string& candidate);
 
-/// Marks a cell as missing on a side ("base" or "head"), as desmo_check records it.
-void leave_out(Json& check, const std::string& side, const std::string& cell);
+/// Marks a candidate as missing on a side ("base" or "head"), as desmo_check records it.
+void leave_out(Json& check, const std::string& side, const std::string& candidate);
 
 /// Removes all times and keeps the instruction counts, as desmo_check records it.
 void take_no_times(Json& check);

@@ -3,37 +3,35 @@
 
 #include <functional>
 
-#include "report/check/check_reader.h"
-#include "report/check/judgement.h"
-#include "report/check/verdict.h"
-#include "report/json_document.h"
+#include "report/check/check_outcome.h"
+#include "report/check/check_record.h"
 #include "tests/report/check_sample.h"
 
 namespace desmo::report::check_test {
 namespace {
 
-Judgement judged(const Json& json) { return judge(check_from(json)); }
+CheckOutcome judged(const Json& json) { return compare_sides(check_from(json)); }
 
-Outcome outcome_of(const Judgement& j, const std::string& cell) {
-  for (const TimeFinding& f : j.time.cells)
-    if (f.cell == cell) return f.outcome;
-  ADD_FAILURE() << cell << " is not judged";
+Outcome outcome_of(const CheckOutcome& j, const std::string& candidate) {
+  for (const TimeFinding& f : j.time.candidates)
+    if (f.candidate == candidate) return f.outcome;
+  ADD_FAILURE() << candidate << " is not judged";
   return Outcome::same;
 }
 
-std::vector<std::string> pending_lines(const Judgement& j) {
+std::vector<std::string> pending_lines(const CheckOutcome& j) {
   std::vector<std::string> lines;
-  for (const Pending& p : pending(j)) lines.push_back(p.pass + " " + p.cell);
+  for (const Pending& p : pending(j)) lines.push_back(p.pass + " " + p.candidate);
   return lines;
 }
 
 TEST(Check, AnUnchangedTreePasses) {
-  const Judgement j = judged(check_sample());
+  const CheckOutcome j = judged(check_sample());
   EXPECT_EQ(j.verdict, Verdict::pass);
-  ASSERT_EQ(j.time.cells.size(), 3u);
-  for (const TimeFinding& f : j.time.cells) {
-    EXPECT_EQ(f.outcome, Outcome::same) << f.cell;
-    EXPECT_NEAR(f.first.ratio, 1, 0.004) << f.cell;
+  ASSERT_EQ(j.time.candidates.size(), 3u);
+  for (const TimeFinding& f : j.time.candidates) {
+    EXPECT_EQ(f.outcome, Outcome::same) << f.candidate;
+    EXPECT_NEAR(f.first.ratio, 1, 0.004) << f.candidate;
     EXPECT_EQ(f.first.rounds, 25u);
   }
   EXPECT_TRUE(pending(j).empty());
@@ -47,12 +45,13 @@ TEST(Check, ASlowdownIsARegressionOnceConfirmed) {
   EXPECT_EQ(pending_lines(judged(check)),
             (std::vector<std::string>{std::string("second ") + watched}));
   confirm(check, watched, 1.09);
-  const Judgement j = judged(check);
+  const CheckOutcome j = judged(check);
   EXPECT_EQ(j.verdict, Verdict::regression);
   EXPECT_EQ(outcome_of(j, watched), Outcome::regression);
   EXPECT_TRUE(pending(j).empty());
-  for (const TimeFinding& f : j.time.cells)
-    EXPECT_EQ(f.outcome, f.cell == watched ? Outcome::regression : Outcome::same) << f.cell;
+  for (const TimeFinding& f : j.time.candidates)
+    EXPECT_EQ(f.outcome, f.candidate == watched ? Outcome::regression : Outcome::same)
+        << f.candidate;
 }
 
 TEST(Check, ASecondPassThatSaysOtherwiseRefutesTheFirst) {
@@ -69,7 +68,7 @@ TEST(Check, AGainIsReportedAsOneAndPasses) {
   Json check = check_sample();
   slow_down(check, watched, 0.90);
   confirm(check, watched, 0.91);
-  const Judgement j = judged(check);
+  const CheckOutcome j = judged(check);
   EXPECT_EQ(j.verdict, Verdict::pass);
   EXPECT_EQ(outcome_of(j, watched), Outcome::gain);
 }
@@ -86,15 +85,15 @@ TEST(Check, FivePercentAreNoAlarmAndALittleMoreIs) {
 // The median alone does not make an alarm: its interval has to agree.
 TEST(Check, AMedianWithoutItsIntervalIsTooNoisy) {
   Json check = check_sample();
-  for (Json& cell : check["head"]["paper"]["cells"]) {
-    if (cell["id"] != "group_symbolic_klu") continue;
+  for (Json& candidate : check["head"]["paper"]["cells"]) {
+    if (candidate["id"] != "group_symbolic_klu") continue;
     int round = 0;  // 13 rounds 8 % slower, 12 unchanged
-    for (Json& seconds : cell["time"]["seconds"])
+    for (Json& seconds : candidate["time"]["seconds"])
       if (round++ % 2 == 0) seconds = seconds.get<double>() * 1.08;
   }
-  const Judgement j = judged(check);
-  EXPECT_GT(j.time.cells[2].first.ratio, 1.05);
-  EXPECT_LT(j.time.cells[2].first.low, 1.02);
+  const CheckOutcome j = judged(check);
+  EXPECT_GT(j.time.candidates[2].first.ratio, 1.05);
+  EXPECT_LT(j.time.candidates[2].first.low, 1.02);
   EXPECT_EQ(j.verdict, Verdict::inconclusive);
   EXPECT_EQ(pending_lines(j), (std::vector<std::string>{std::string("first ") + watched}));
 }
@@ -121,11 +120,11 @@ TEST(Check, InstructionsAlarmFromOnePercentOn) {
         Row{990'000, Verdict::pass, Outcome::gain}}) {
     Json check = check_sample();
     check["work"]["instructions"][watched]["head"] = row.head;
-    const Judgement j = judged(check);
+    const CheckOutcome j = judged(check);
     EXPECT_EQ(j.verdict, row.verdict) << row.head;
-    ASSERT_EQ(j.work.cells.size(), 3u);
-    for (const WorkFinding& f : j.work.cells)
-      EXPECT_EQ(f.outcome, f.cell == watched ? row.outcome : Outcome::same) << row.head;
+    ASSERT_EQ(j.work.candidates.size(), 3u);
+    for (const WorkFinding& f : j.work.candidates)
+      EXPECT_EQ(f.outcome, f.candidate == watched ? row.outcome : Outcome::same) << row.head;
   }
 }
 
@@ -135,12 +134,12 @@ TEST(Check, WrongNumericsShowNoTimeWhateverElseIsThere) {
   confirm(check, watched, 1.10);
   fail_head(check, "truck_suspension/114/group_symbolic_inlined");
   const CheckRecord record = check_from(check);
-  const Judgement j = judge(record);
+  const CheckOutcome j = compare_sides(record);
   EXPECT_EQ(j.verdict, Verdict::invalid);
-  for (const TimeFinding& f : j.time.cells) EXPECT_FALSE(f.cell.ends_with("inlined"));
+  for (const TimeFinding& f : j.time.candidates) EXPECT_FALSE(f.candidate.ends_with("inlined"));
   fail_head(check, watched);
-  for (const WorkFinding& f : judged(check).work.cells)
-    EXPECT_EQ(f.cell, "truck_suspension/114/global_automatic_klu");
+  for (const WorkFinding& f : judged(check).work.candidates)
+    EXPECT_EQ(f.candidate, "truck_suspension/114/global_automatic_klu");
   const Document document = verdict_document(record, j);
   EXPECT_NE(document.sections[0].paragraphs[0].find("group_symbolic_inlined"), std::string::npos);
 }
@@ -157,35 +156,35 @@ TEST(Check, OtherMachinesCompilersFlagsBlasAndModelsAreIncomparable) {
       {"CPU model",
        [](Json& side) {
          side["record"]["machine"]["cpu"] = "other";
-         for (Json& cell : side["paper"]["cells"]) cell["machine"] = "other";
+         for (Json& candidate : side["paper"]["cells"]) candidate["machine"] = "other";
        }},
       {"compiler", [](Json& side) { side["record"]["build"]["compiler"] = "other"; }},
       {"flags", [](Json& side) { side["record"]["build"]["flags"] = "-O0"; }},
       {"BLAS core", [](Json& side) { side["record"]["blas"]["core"] = "other"; }},
       {"model of truck_suspension/114",
        [](Json& side) {
-         for (Json& cell : side["paper"]["cells"]) cell["model"] = std::string(64, 'a');
+         for (Json& candidate : side["paper"]["cells"]) candidate["model"] = std::string(64, 'a');
        }},
   };
   for (const auto& [what, change] : changes) {
     Json check = check_sample();
     change(check["head"]);
-    const Judgement j = judged(check);
+    const CheckOutcome j = judged(check);
     EXPECT_EQ(j.verdict, Verdict::incomparable) << what;
-    EXPECT_TRUE(j.time.cells.empty()) << what;
+    EXPECT_TRUE(j.time.candidates.empty()) << what;
     ASSERT_FALSE(j.differences.empty()) << what;
     EXPECT_EQ(j.differences[0].what, what);
   }
 }
 
 TEST(Check, NewCellsAreSaidAndNotJudged) {
-  const std::string cell = "truck_suspension/114/group_symbolic_inlined";
+  const std::string candidate = "truck_suspension/114/group_symbolic_inlined";
   Json check = check_sample();
-  leave_out(check, "base", cell);
-  check["work"]["instructions"].erase(cell);
-  const Judgement j = judged(check);
+  leave_out(check, "base", candidate);
+  check["work"]["instructions"].erase(candidate);
+  const CheckOutcome j = judged(check);
   EXPECT_EQ(j.verdict, Verdict::pass);
-  EXPECT_EQ(j.time.cells.size(), 2u);
+  EXPECT_EQ(j.time.candidates.size(), 2u);
   ASSERT_EQ(j.excluded.size(), 1u);
   EXPECT_NE(j.excluded[0].reason.find("new"), std::string::npos);
 }
@@ -197,13 +196,13 @@ TEST(Check, WorkAloneIsACheck) {
   EXPECT_TRUE(judged(check).excluded.empty());
 }
 
-// A check that says nothing of a cell does not pass it.
+// A check that says nothing of a candidate does not pass it.
 TEST(Check, ACellOfTheBaselineThatHeadHasNotIsInvalid) {
   const CheckRecord baseline = check_from(one_tree_sample());
   Json now = one_tree_sample();
   now["head"]["paper"]["cells"].erase(0);
   const CheckRecord check = check_from(now);
-  const Judgement j = judge(check, baseline);
+  const CheckOutcome j = compare_sides(check, baseline);
   EXPECT_EQ(j.verdict, Verdict::invalid);
   EXPECT_EQ(j.missing.size(), 1u);
   EXPECT_EQ(verdict_document(check, j).sections[0].paragraphs[0],
@@ -213,21 +212,21 @@ TEST(Check, ACellOfTheBaselineThatHeadHasNotIsInvalid) {
 TEST(Check, AgainstABaselineRatiosWithinARunAreCompared) {
   const CheckRecord baseline = check_from(one_tree_sample());
   Json now = one_tree_sample();
-  for (Json& cell : now["head"]["paper"]["cells"])  // a slower day
-    for (Json& seconds : cell["time"]["seconds"]) seconds = seconds.get<double>() * 1.2;
+  for (Json& candidate : now["head"]["paper"]["cells"])  // a slower day
+    for (Json& seconds : candidate["time"]["seconds"]) seconds = seconds.get<double>() * 1.2;
   for (Json& seconds : now["control"]["head"]) seconds = seconds.get<double>() * 1.2;
-  EXPECT_EQ(judge(check_from(now), baseline).verdict, Verdict::pass);
+  EXPECT_EQ(compare_sides(check_from(now), baseline).verdict, Verdict::pass);
   slow_down(now, watched, 1.10);
-  const Judgement j = judge(check_from(now), baseline);
+  const CheckOutcome j = compare_sides(check_from(now), baseline);
   EXPECT_EQ(outcome_of(j, watched), Outcome::unconfirmed);
   EXPECT_EQ(pending_lines(j),
             (std::vector<std::string>{std::string("second ") + watched,
                                       "second truck_suspension/114/global_automatic_klu"}));
-  for (const Json& cell : now["head"]["paper"]["cells"])
-    now["second"][cell["case"].get<std::string>() + "/114/" + cell["id"].get<std::string>()] = {
-        {"head", cell["time"]["seconds"]}};
+  for (const Json& candidate : now["head"]["paper"]["cells"])
+    now["second"][candidate["case"].get<std::string>() + "/114/" +
+                  candidate["id"].get<std::string>()] = {{"head", candidate["time"]["seconds"]}};
   now["second"]["control"] = now["control"];
-  EXPECT_EQ(judge(check_from(now), baseline).verdict, Verdict::regression);
+  EXPECT_EQ(compare_sides(check_from(now), baseline).verdict, Verdict::regression);
 }
 
 TEST(Check, OnAnotherProcessorOnlyInstructionsAreComparedWithABaseline) {
@@ -236,14 +235,14 @@ TEST(Check, OnAnotherProcessorOnlyInstructionsAreComparedWithABaseline) {
   now["head"]["record"]["machine"]["cpu"] = "other";
   now["head"]["record"]["blas"]["core"] = "other";
   now["head"]["record"]["libraries"]["lapack"] = "OpenBLAS 0.3.21 for another core";
-  for (Json& cell : now["head"]["paper"]["cells"]) cell["machine"] = "other";
-  EXPECT_EQ(judge(check_from(now), baseline).verdict, Verdict::incomparable);
+  for (Json& candidate : now["head"]["paper"]["cells"]) candidate["machine"] = "other";
+  EXPECT_EQ(compare_sides(check_from(now), baseline).verdict, Verdict::incomparable);
   now["work"]["instructions"][watched]["head"] = 1'020'000;
-  const Judgement j = judge(check_from(now), baseline);
+  const CheckOutcome j = compare_sides(check_from(now), baseline);
   EXPECT_EQ(j.verdict, Verdict::regression);
-  EXPECT_TRUE(j.time.cells.empty());
+  EXPECT_TRUE(j.time.candidates.empty());
   now["work"]["tool"] = "valgrind-9";
-  EXPECT_EQ(judge(check_from(now), baseline).verdict, Verdict::incomparable);
+  EXPECT_EQ(compare_sides(check_from(now), baseline).verdict, Verdict::incomparable);
 }
 
 TEST(CheckReader, RefusesWhatIsNotAWholeCheck) {
@@ -253,7 +252,7 @@ TEST(CheckReader, RefusesWhatIsNotAWholeCheck) {
     spoil(check);
     try {
       check_from(check);
-    } catch (const InvalidRecord& error) {
+    } catch (const InputError& error) {
       return std::string(error.what());
     }
     return std::string("accepted");
@@ -291,12 +290,12 @@ TEST(CheckReader, RefusesWhatIsNotAWholeCheck) {
             std::string::npos);
   EXPECT_NE(complaint([](Json& c) {
               c["work"]["instructions"] = Json::object();
-            }).find("work.instructions: the cell truck_suspension"),
+            }).find("/work/instructions: the cell truck_suspension"),
             std::string::npos);
   EXPECT_NE(
       complaint([](Json& c) { c["work"]["instructions"][watched]["head"] = 0.5; }).find("whole"),
       std::string::npos);
-  EXPECT_NE(complaint([](Json& c) { c["control"]["head"][0] = -1; }).find("control.head[0]"),
+  EXPECT_NE(complaint([](Json& c) { c["control"]["head"][0] = -1; }).find("/control/head/0"),
             std::string::npos);
   EXPECT_NE(complaint([](Json& c) { c["schema"] = "desmo-results"; }).find("desmo-check"),
             std::string::npos);
@@ -319,14 +318,14 @@ TEST(CheckReader, SpoiltFilesAreRefusedOrJudged) {
   confirm(check, watched, 1.1);
   const std::string whole = check.dump();
   for (std::size_t size = 0; size < whole.size(); size += 97)
-    EXPECT_THROW(parse_check(whole.substr(0, size)), InvalidRecord) << size;
+    EXPECT_THROW(parse_check(whole.substr(0, size)), InputError) << size;
   for (std::size_t i = 0; i < whole.size(); i += 31) {
     std::string spoilt = whole;
     spoilt[i] = static_cast<char>(spoilt[i] ^ (1 << (i % 7)));
     try {
       const CheckRecord record = parse_check(spoilt);
-      verdict_document(record, judge(record));
-    } catch (const InvalidRecord&) {
+      verdict_document(record, compare_sides(record));
+    } catch (const InputError&) {
     }
   }
 }

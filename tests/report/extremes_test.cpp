@@ -1,10 +1,9 @@
 // The table of extremes: reader, tables, sentence.
-#include "report/tables/extremes.h"
-
 #include <gtest/gtest.h>
 
-#include "report/comparability.h"
 #include "report/report.h"
+#include "report/statistics/comparability.h"
+#include "report/tables/tables.h"
 #include "tests/report/points_sample.h"
 
 namespace desmo::report::extremes_test {
@@ -50,7 +49,7 @@ Json extremes_record() {
 }
 
 TEST(Extremes, AreATableOfFormulationsAndRows) {
-  const Table table = extremes_by_formulation(record_from(extremes_record()));
+  const Table table = extremes_sections(record_from(extremes_record())).at(1).tables.at(0);
   EXPECT_EQ(table.rows.size(), 2u);
   EXPECT_EQ(entry_at(table, {"klu"}, "2 dead points").shown, "DEFECT 1 of 2, 4e+03");
   EXPECT_EQ(entry_at(table, {"klu"}, "3 singular").shown, "n/a");
@@ -60,18 +59,20 @@ TEST(Extremes, AreATableOfFormulationsAndRows) {
 
 TEST(Extremes, CountDefectsInASentence) {
   Json record = extremes_record();
-  EXPECT_EQ(extremes(record_from(record)).paragraphs.front(),
+  EXPECT_EQ(extremes_sections(record_from(record)).at(1).paragraphs.front(),
             "Wrong numbers without a flag, which is a defect whatever the residual, in 1 of 5 "
             "results; 3 are as expected, and 1 fall short of it without a wrong number.");
   record["extremes"]["results"].erase(1);
-  EXPECT_TRUE(extremes(record_from(record))
+  EXPECT_TRUE(extremes_sections(record_from(record))
+                  .at(1)
                   .paragraphs.front()
                   .starts_with("No wrong number without a flag in any of 4 results;"));
 }
 
 TEST(Extremes, NameTheReasonOfTheWorst) {
   const Record record = record_from(extremes_record());
-  const Table cases = extreme_cases(record), rows = extreme_rows(record);
+  const Section section = extremes_sections(record).at(1);
+  const Table &cases = section.tables.at(2), &rows = section.tables.at(1);
   EXPECT_EQ(entry_at(cases, {"2", "b"}, "example").shown, "klu/tolerance:1e-13: so it is");
   EXPECT_EQ(entry_at(cases, {"2", "a"}, "example").shown, "");
   EXPECT_EQ(entry_at(cases, {"2", "b"}, "missed").shown, "1");
@@ -100,18 +101,18 @@ TEST(Extremes, ThatSayNothingAreRefused) {
   };
   EXPECT_EQ(complaint(extremes_record()), "accepted");
   EXPECT_NE(with("/extremes/results/0/verdict", "fine")
-                .find("extremes.results[0].verdict: \"fine\" is none of"),
+                .find("/extremes/results/0/verdict: \"fine\" is none of"),
             std::string::npos);
   EXPECT_NE(
-      with("/extremes/results/0/row", 4).find("extremes.results[0].row: \"rows\" has no row 4"),
+      with("/extremes/results/0/row", 4).find("/extremes/results/0/row: \"rows\" has no row 4"),
       std::string::npos);
   EXPECT_NE(with("/extremes/results/3/case", "a")
-                .find("extremes.results[3]: eigen in \"a\" is given twice"),
+                .find("/extremes/results/3: eigen in \"a\" is given twice"),
             std::string::npos);
   EXPECT_NE(with("/extremes/results/3/reason", "")
-                .find("extremes.results[3]: what is not as expected needs"),
+                .find("/extremes/results/3: what is not as expected needs"),
             std::string::npos);
-  EXPECT_NE(with("/extremes/rows/1/row", 2).find("extremes.rows[1]: row 2 is given twice"),
+  EXPECT_NE(with("/extremes/rows/1/row", 2).find("/extremes/rows/1: row 2 is given twice"),
             std::string::npos);
   EXPECT_NE(with("/extremes/results", Json::array()).find("nothing was measured"),
             std::string::npos);

@@ -28,7 +28,7 @@ TEST(Figures, AreVegaLiteWithInlineData) {
   ASSERT_EQ(files.size(), 2u);
   EXPECT_EQ(files[0].file_name, "figure5.vl.json");
   EXPECT_EQ(files[1].file_name, "figure6.vl.json");
-  for (const Rendered& file : files) {
+  for (const NewFile& file : files) {
     const Json spec = Json::parse(file.content);
     EXPECT_NE(spec["$schema"].get<std::string>().find("vega-lite/v5"), std::string::npos);
     EXPECT_FALSE(spec["data"].contains("url"));
@@ -92,7 +92,7 @@ TEST(FigureFive, ShowsOursAndThePapers) {
 
 TEST(FigureFive, HasNoPointForAFailedCell) {
   Json record = complete_record();
-  fail_cell(record, "truck_suspension", 336, "group_symbolic_lapack");
+  fail_candidate(record, "truck_suspension", 336, "group_symbolic_lapack");
   for (const char* family : {"cholmod", "umfpack", "klu"}) {
     const Json point =
         find(data_of(record, 0),
@@ -121,7 +121,7 @@ TEST(Figures, SkipFamiliesWithoutACellAndKeepTheColours) {
   Json record = complete_record();
   for (const char* family : {"cholmod", "umfpack"}) erase_family(record, family);
   const auto files = figures(record_from(record));
-  for (const Rendered& file : files)
+  for (const NewFile& file : files)
     for (const char* family : {"cholmod", "umfpack"})
       EXPECT_EQ(file.content.find(family), std::string::npos) << file.file_name;
   const Json scale = Json::parse(files[1].content)["layer"][0]["encoding"]["color"]["scale"];
@@ -146,9 +146,9 @@ TEST(FigureSix, ShowsTheMeansOfTableTwo) {
 
 TEST(FigureSix, MarksIncompleteAndMissingMeans) {
   Json record = complete_record();
-  fail_cell(record, "truck_suspension", 336, "group_automatic_klu");
+  fail_candidate(record, "truck_suspension", 336, "group_automatic_klu");
   for (const int size : {114, 225, 336, 447, 558})
-    erase_cell(record, "truck_suspension", size, "group_symbolic_klu");
+    erase_candidate(record, "truck_suspension", size, "group_symbolic_klu");
   const Json values = data_of(record, 1);
   const std::string label =
       find(values, {{"solver", "klu"}, {"variant", "TS-TPA sparse"}})["label"];

@@ -8,7 +8,7 @@
 #include <set>
 #include <sstream>
 
-#include "report/record_reader.h"
+#include "report/read/record_reader.h"
 #include "report/report.h"
 #include "tests/report/sample.h"
 
@@ -19,14 +19,13 @@ Document complete_document() { return make_report(record_from(complete_record())
 
 // One table, with everything a format could stumble over.
 Document awkward() {
-  Table table{
-      .name = "awkward",
-      .title = "50 % of a_b",
-      .notes = {"a | b"},
-      .columns = {{"id", {}}, {"time", {"seconds", "spread"}}},
-      .rows = {{text_entry("x_y|<z>, \"q\" --quick"), {"-1.50 ±0.10", {"-1.50", "0.10"}, ""}},
-               {text_entry("[w] $5 & #1 {2} ~ ^ \\"), note_entry(failed_mark)},
-               {text_entry("v"), {"7.100 old", {"7.100", ""}, "old"}}}};
+  Table table{.name = "awkward",
+              .title = "50 % of a_b",
+              .notes = {"a | b"},
+              .columns = {{"id", {}}, {"time", {"seconds", "spread"}}},
+              .rows = {{"x_y|<z>, \"q\" --quick", {"-1.50 ±0.10", {"-1.50", "0.10"}, ""}},
+                       {"[w] $5 & #1 {2} ~ ^ \\", note_entry(failed_mark)},
+                       {"v", {"7.100 old", {"7.100", ""}, "old"}}}};
   return {.title = "T", .sections = {{"S", {"p_q"}, {table}}}};
 }
 
@@ -55,29 +54,6 @@ TEST(Markdown, Escapes) {
   EXPECT_NE(text.find("| \\[w\\] \\$5 &amp; \\#1 {2} \\~ ^ \\\\ | FAILED |"), std::string::npos)
       << text;
   EXPECT_NE(text.find("| --- | ---: |"), std::string::npos) << text;
-}
-
-TEST(Latex, Escapes) {
-  const std::string text = to_latex(awkward());
-  EXPECT_NE(
-      text.find("x\\_y\\textbar{}\\textless{}z\\textgreater{}, \\textquotedbl{}q\\textquotedbl{} "
-                "-{}-{}quick & $-$1.50 $\\pm$0.10 \\\\"),
-      std::string::npos)
-      << text;
-  EXPECT_NE(text.find("{[}w] \\$5 \\& \\#1 \\{2\\} \\textasciitilde{} \\textasciicircum{} "
-                      "\\textbackslash{} & FAILED \\\\"),
-            std::string::npos)
-      << text;
-  EXPECT_NE(text.find("\\caption*{50 \\% of a\\_b}"), std::string::npos) << text;
-  EXPECT_NE(to_latex(make_report(record_from(structured_record()))).find("2$\\times$19"),
-            std::string::npos);
-}
-
-TEST(Latex, SetsWideTablesSmaller) {
-  Document document = awkward();
-  EXPECT_EQ(to_latex(document).find("\\tiny"), std::string::npos);
-  document.sections[0].tables[0].rows[0][1].shown = std::string(150, '1');
-  EXPECT_NE(to_latex(document).find("{\\tiny\\setlength"), std::string::npos);
 }
 
 TEST(Formats, MeasureRowsInCharacters) {
@@ -194,10 +170,10 @@ TEST(Formats, HoldIdenticalNumbers) {
 }
 
 TEST(Formats, CsvFieldsMatchTheHeader) {
-  std::vector<Rendered> files = render(complete_document(), "csv");
+  std::vector<NewFile> files = render(complete_document(), "csv");
   std::ranges::move(render(make_report(record_from(structured_record())), "csv"),
                     std::back_inserter(files));
-  for (const Rendered& file : files) {
+  for (const NewFile& file : files) {
     std::istringstream lines(file.content);
     std::set<long> counts;
     for (std::string line; std::getline(lines, line);) {
@@ -217,7 +193,7 @@ TEST(Formats, FileNamesAreUnique) {
   std::set<std::string> names;
   std::size_t count = 0;
   for (const std::string& format : format_names())
-    for (const Rendered& file : render(complete_document(), format)) {
+    for (const NewFile& file : render(complete_document(), format)) {
       names.insert(file.file_name);
       ++count;
     }

@@ -7,9 +7,9 @@
 #include <fstream>
 
 #include "report/formats/formats.h"
-#include "report/record_reader.h"
+#include "report/read/record_reader.h"
 #include "report/report.h"
-#include "report/time_words.h"
+#include "report/tables/record_words.h"
 #include "tests/report/sample.h"
 
 namespace desmo::report::golden_test {
@@ -33,7 +33,7 @@ INSTANTIATE_TEST_SUITE_P(Records, Golden, ::testing::Values(paper, others),
 TEST(GoldenRecords, HaveEverySection) {
   const Record record = read_record(data_file(std::string(paper) + ".json"));
   EXPECT_TRUE(has_samples_of_windows(record));
-  for (const bool is_empty : {record.cells.empty(), record.requests.empty(),
+  for (const bool is_empty : {record.candidates.empty(), record.requests.empty(),
                               record.structure.empty(), record.profiles.empty()})
     EXPECT_FALSE(is_empty);
   const Record other = read_record(data_file(std::string(others) + ".json"));
@@ -42,7 +42,7 @@ TEST(GoldenRecords, HaveEverySection) {
         other.break_even.empty(), other.instructions.empty(), other.extreme_rows.empty(),
         other.extremes.empty()})
     EXPECT_FALSE(is_empty);
-  EXPECT_FALSE(has_cells(other));
+  EXPECT_FALSE(has_paper(other));
 }
 
 }  // namespace

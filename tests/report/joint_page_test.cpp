@@ -9,13 +9,13 @@ namespace {
 
 class JointPage : public Program {
  protected:
-  // The newest record of cells and this one of points on one page.
+  // The newest record of candidates and this one of points on one page.
   int joined(const Json& points, const std::string& options = "") {
     std::ofstream(folder_ / "points.json") << points.dump();
     return tables(data_file("origins.json"), (folder_ / "points.json").string() + " " + options);
   }
 
-  // Made-up points of the machine and build that the cells are of, in a shorter motion.
+  // Made-up points of the machine and build that the candidates are of, in a shorter motion.
   Json points() const {
     Json json = points_record();
     const Json settings = json["record"]["settings"];
@@ -33,8 +33,8 @@ TEST_F(JointPage, HasTheSectionsOfBoth) {
        {"table1_klu.csv", "figure5.vl.json", "accuracy_costs.csv", "sensitivity.csv",
         "work_precision_truck_suspension.vl.json", "provenance.csv", "provenance_2.csv"})
     EXPECT_EQ(files.count(name), 1u) << name;
-  for (const char* name : {"tables.txt", "tables.md", "tables.tex", "tables.json", "report.html"})
-    for (const char* title : {"Which global reference", "What accuracy costs"})
+  for (const char* name : {"tables.txt", "tables.md", "tables.json", "report.html"})
+    for (const char* title : {"Every formulation", "What accuracy costs"})
       EXPECT_NE(files.at(name).find(title), std::string::npos) << name;
   EXPECT_EQ(joined(points(), "--all"), 0);
   const std::string printed = out_;  // the first record is not the foremost
@@ -56,8 +56,8 @@ TEST_F(JointPage, OfRecordsThatDifferIsRefusedWithTheReason) {
 }
 
 TEST_F(JointPage, HasOneRecordOfEachKind) {
-  const std::string cells = data_file("origins.json").string();
-  EXPECT_EQ(tables(cells, cells), 4);
+  const std::string candidates = data_file("origins.json").string();
+  EXPECT_EQ(tables(candidates, candidates), 4);
   EXPECT_NE(err_.find("one record with cells: "), std::string::npos) << err_;
   EXPECT_EQ(joined(points(), (folder_ / "points.json").string()), 4);
   EXPECT_NE(err_.find("one record with points: "), std::string::npos) << err_;
@@ -67,7 +67,7 @@ TEST_F(JointPage, NamesTheFileThatIsWrong) {
   Json json = points();
   json["accuracy"]["points"][2]["status"] = "fine";
   EXPECT_EQ(joined(json), 65);
-  EXPECT_NE(err_.find("points.json: accuracy.points[2].status: "), std::string::npos) << err_;
+  EXPECT_NE(err_.find("points.json: /accuracy/points/2/status: "), std::string::npos) << err_;
 }
 
 }  // namespace

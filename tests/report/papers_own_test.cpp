@@ -4,23 +4,23 @@
 #include <algorithm>
 
 #include "report/figures/figures.h"
+#include "report/statistics/variants.h"
 #include "report/tables/tables.h"
-#include "report/variants.h"
 #include "tests/report/sample.h"
 
 namespace desmo::report::papers_own_test {
 namespace {
 
-/// Its cells are those of another family at first; times as in the paper when they are set.
+/// Its candidates are those of another family at first; times as in the paper when they are set.
 Json record_with_ma27() {
   Json json = complete_record();
   Json more = Json::array();
-  for (Json cell : json["paper"]["cells"])
-    if (std::string id = cell["id"]; id.ends_with("_umfpack")) {
-      cell["id"] = id.replace(id.size() - 7, 7, papers_own);
-      more.push_back(std::move(cell));
+  for (Json candidate : json["paper"]["cells"])
+    if (std::string id = candidate["id"]; id.ends_with("_umfpack")) {
+      candidate["id"] = id.replace(id.size() - 7, 7, papers_own);
+      more.push_back(std::move(candidate));
     }
-  for (Json& cell : more) json["paper"]["cells"].push_back(std::move(cell));
+  for (Json& candidate : more) json["paper"]["cells"].push_back(std::move(candidate));
   json["record"]["libraries"]["ma27"] = "libcoinhsl.so.2.2.5";
   return json;
 }
@@ -58,7 +58,7 @@ TEST(PapersOwn, StandsFirstAndIsComparedDirectly) {
   EXPECT_TRUE(entry_at(times, {"558", "ours"}, "TS-G_ma27").has_number());
   const Table figure = figure_of_speed_ups(record);
   ASSERT_EQ(figure.columns.size(), 6u);
-  EXPECT_EQ(figure.columns[1].name, paper_solver);
+  EXPECT_EQ(figure.columns[1].name, "MA27 (the paper)");
   EXPECT_EQ(figure.columns[2].name, papers_own);
   EXPECT_NE(figures(record)[1].content.find("\"ma27\""), std::string::npos);
 }

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <set>
 
+#include "report/figures/design.h"
 #include "report/figures/figures.h"
-#include "report/figures/work_precision.h"
-#include "report/tables/precision.h"
+#include "report/tables/tables.h"
 #include "tests/report/points_sample.h"
 
 namespace desmo::report::precision_figure_test {

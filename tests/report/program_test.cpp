@@ -51,10 +51,9 @@ TEST_F(Program, WritesEveryFormatTwiceTheSame) {
   EXPECT_LE(std::ranges::count(printed, '\n'), 60);
   const auto files = files_in(first);
   EXPECT_EQ(files, files_in(second));
-  for (const char* name :
-       {"tables.txt", "tables.json", "tables.md", "tables.tex", "report.html", "table1_cholmod.csv",
-        "table2_klu.csv", "figure5.vl.json", "figure6.vl.json", "figure6.csv", "best.csv",
-        "scaling.csv", "provenance.csv"})
+  for (const char* name : {"tables.txt", "tables.json", "tables.md", "report.html",
+                           "table1_cholmod.csv", "table2_klu.csv", "figure5.vl.json",
+                           "figure6.vl.json", "figure6.csv", "best.csv", "provenance.csv"})
     EXPECT_EQ(files.count(name), 1u) << name;
   EXPECT_EQ(tables("complete.json", "--all"), 0);
   EXPECT_EQ(files.at("tables.txt"), out_);
@@ -75,18 +74,15 @@ TEST_F(Program, TheOrderOfCellsDoesNotMatter) {
 TEST_F(Program, WritesTheTablesOfPartitionsAndRequests) {
   EXPECT_EQ(tables("structured.json", "--out " + (folder_ / "out").string()), 0);
   const auto files = files_in(folder_ / "out");
-  for (const char* name :
-       {"partitions.csv", "partition_times_four_bar.csv", "partition_times_truck_suspension.csv",
-        "requests_truck_suspension_225.csv"})
+  for (const char* name : {"partitions.csv", "requests_truck_suspension_225.csv"})
     EXPECT_EQ(files.count(name), 1u) << name;
-  for (const char* name : {"tables.txt", "tables.md", "tables.tex", "tables.json", "report.html"})
+  for (const char* name : {"tables.txt", "tables.md", "tables.json", "report.html"})
     EXPECT_NE(files.at(name).find("What a request costs"), std::string::npos) << name;
 }
 
 TEST_F(Program, WritesOnlyTheChosenFormats) {
   EXPECT_EQ(tables("complete.json", "--format markdown --out " + (folder_ / "out").string()), 0);
   EXPECT_EQ(files_in(folder_ / "out").count("tables.md"), 1u);
-  EXPECT_EQ(files_in(folder_ / "out").count("tables.tex"), 0u);
   EXPECT_EQ(tables("complete.json", "--format json"), 0);
   EXPECT_EQ(Json::parse(out_)["schema"], "desmo-tables");
 }
@@ -99,24 +95,24 @@ TEST_F(Program, UsageErrors) {
   EXPECT_EQ(shell(std::string(DESMO_REPORT_PROGRAM) + " --help"), 0);
 }
 
-TEST_F(Program, InvalidRecordsNameFileAndPlace) {
+TEST_F(Program, InputErrorsNameFileAndPlace) {
   EXPECT_EQ(tables("unknown_version.json", "--out " + (folder_ / "out").string()), 65);
   EXPECT_NE(
       err_.find(
-          "unknown_version.json: schema_version: schema version 3.0.0, and only 2.0.0 is read"),
+          "unknown_version.json: /schema_version: schema version 3.0.0, and only 2.0.0 is read"),
       std::string::npos)
       << err_;
   EXPECT_EQ(out_, "");
   EXPECT_FALSE(fs::exists(folder_ / "out"));
   EXPECT_EQ(tables("truncated.json"), 65);
-  EXPECT_NE(err_.find("truncated.json: not a complete JSON document"), std::string::npos) << err_;
+  EXPECT_NE(err_.find("truncated.json: line 135, column 230: "), std::string::npos) << err_;
   EXPECT_EQ(tables("no_such.json"), 65);
-  EXPECT_NE(err_.find("no_such.json: cannot be read: No such file"), std::string::npos) << err_;
+  EXPECT_NE(err_.find("no_such.json: there is no such file"), std::string::npos) << err_;
 }
 
 TEST_F(Program, MarksFailuresEverywhereAndSucceeds) {
   EXPECT_EQ(tables("failed.json", "--out " + (folder_ / "out").string()), 0);
-  for (const char* name : {"tables.txt", "tables.json", "tables.md", "tables.tex", "report.html",
+  for (const char* name : {"tables.txt", "tables.json", "tables.md", "report.html",
                            "table1_klu.csv", "table2_klu.csv", "figure5.vl.json"})
     EXPECT_NE(files_in(folder_ / "out")[name].find("FAILED"), std::string::npos) << name;
 }

@@ -46,34 +46,6 @@ std::string from_markdown(const std::string& text) {
   return plain(replaced(trimmed(text), escapes));
 }
 
-std::string from_latex(const std::string& text) {
-  return plain(replaced(trimmed(text), {{"\\textbackslash{}", "\\"},
-                                        {"\\textasciitilde{}", "~"},
-                                        {"\\textasciicircum{}", "^"},
-                                        {"\\textless{}", "<"},
-                                        {"\\textgreater{}", ">"},
-                                        {"\\textbar{}", "|"},
-                                        {"\\textquotedbl{}", "\""},
-                                        {"\\textquotesingle{}", "'"},
-                                        {"\\textasciigrave{}", "`"},
-                                        {"$\\pm$", "±"},
-                                        {"$\\mu$", "µ"},
-                                        {"$\\kappa$", "κ"},
-                                        {"$\\times$", "×"},
-                                        {"$-$", "-"},
-                                        {"-{}-{}", "--"},
-                                        {"---", "—"},
-                                        {"--", "–"},
-                                        {"{[}", "["},
-                                        {"\\&", "&"},
-                                        {"\\%", "%"},
-                                        {"\\$", "$"},
-                                        {"\\#", "#"},
-                                        {"\\_", "_"},
-                                        {"\\{", "{"},
-                                        {"\\}", "}"}}));
-}
-
 std::string without_tags(const std::string& text) {
   std::string result;
   bool inside = false;
@@ -122,28 +94,6 @@ std::vector<ReadTable> tables_of_markdown(const std::string& text) {
   return tables;
 }
 
-std::vector<ReadTable> tables_of_latex(const std::string& text) {
-  std::vector<ReadTable> tables;
-  std::size_t at = 0;
-  while (true) {
-    const std::string body = between(text, "\\begin{longtable}", "\\end{longtable}", at);
-    if (at == std::string::npos) return tables;
-    std::size_t place = 0;
-    const std::string title = between(body, "\\caption*{", "}\\\\\n", place);
-    const std::string head = between(body, "\\hline\n", " \\\\\n\\hline", place);
-    const std::string rows = body.substr(body.find("\\endhead\n") + 9);
-    tables.push_back({from_latex(title), {}});
-    std::vector<std::string> lines{head};
-    for (const std::string& line : split(rows, " \\\\\n")) lines.push_back(line);
-    lines.pop_back();  // the rule
-    for (const std::string& line : lines) {
-      tables.back().rows.emplace_back();
-      for (const std::string& cell : split(line, " & "))
-        tables.back().rows.back().push_back(from_latex(cell));
-    }
-  }
-}
-
 std::vector<ReadTable> tables_of_html(const std::string& text) {
   std::vector<ReadTable> tables;
   std::size_t at = 0;
@@ -190,8 +140,6 @@ std::vector<std::vector<std::string>> read_csv(const std::string& text) {
 ReadReport read_markdown(const std::string& text) {
   return {tables_of_markdown(text), from_markdown(text)};
 }
-
-ReadReport read_latex(const std::string& text) { return {tables_of_latex(text), from_latex(text)}; }
 
 ReadReport read_html(const std::string& text) { return {tables_of_html(text), from_html(text)}; }
 

@@ -20,7 +20,6 @@ struct ReadReport {
 
 std::vector<std::vector<std::string>> read_csv(const std::string& text);
 ReadReport read_markdown(const std::string& text);
-ReadReport read_latex(const std::string& text);
 ReadReport read_html(const std::string& text);
 
 /// Returns a text of the report in the form that these readers return.

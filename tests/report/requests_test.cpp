@@ -40,7 +40,7 @@ TEST(Requests, ThatFailedOrDidNotRunHaveNoTime) {
   request_of(json, "global_automatic_klu", "axle")["time"]["seconds"] = {0.001, 0.001};
   const Record record = record_from(json);
   for (const Request& request : record.requests)
-    EXPECT_EQ(request.time.seconds.empty(), request.status != Status::ok);
+    EXPECT_EQ(request.solved.time.seconds.empty(), request.solved.status != Status::ok);
   const Table table = table_of(json);
   const std::vector<std::string> failed{axle, "acceleration", "global_automatic_klu"};
   for (const char* column : {"CPU s", "times cheaper"})
@@ -74,8 +74,8 @@ TEST(Requests, FailWhenTheyDifferMoreThanIsAllowed) {
 
 TEST(Requests, HaveNoRatioWithoutEverything) {
   Json json = structured_record();
-  fail_cell(json, "truck_suspension", 225, "block_symbolic_inlined");
-  erase_cell(json, "truck_suspension", 225, "global_automatic_klu");
+  fail_candidate(json, "truck_suspension", 225, "block_symbolic_inlined");
+  erase_candidate(json, "truck_suspension", 225, "global_automatic_klu");
   const Table table = table_of(json);
   EXPECT_EQ(entry_at(table, {wheel, "position", "block_symbolic_inlined"}, "times cheaper").shown,
             "reference FAILED");
@@ -105,22 +105,22 @@ TEST(Requests, AreCheckedWhenRead) {
     return complaint(json);
   };
   EXPECT_NE(
-      with("/paper/requests/0/level", "jerk").find("paper.requests[0].level: \"jerk\" is none of"),
+      with("/paper/requests/0/level", "jerk").find("/paper/requests/0/level: \"jerk\" is none of"),
       std::string::npos);
   EXPECT_NE(with("/paper/requests/0/unknowns", 219)
-                .find("paper.requests[0].unknowns: more unknowns than"),
+                .find("/paper/requests/0/unknowns: more unknowns than"),
             std::string::npos);
-  EXPECT_NE(with("/paper/requests/0/request", "../x").find("paper.requests[0].request: "),
+  EXPECT_NE(with("/paper/requests/0/request", "../x").find("/paper/requests/0/request: "),
             std::string::npos);
   EXPECT_NE(with("/paper/requests/2/time/seconds", Json::array()).find("at least one sample"),
             std::string::npos);
-  EXPECT_NE(without("difference").find("paper.requests[0]: an \"ok\" request needs \"difference\""),
+  EXPECT_NE(without("difference").find("/paper/requests/0: an \"ok\" request needs \"difference\""),
             std::string::npos);
-  EXPECT_NE(without("verification").find("\"verification\" is missing"), std::string::npos);
+  EXPECT_NE(without("verification").find("'verification' is missing"), std::string::npos);
   Json json = structured_record();
   json["paper"]["requests"].push_back(json["paper"]["requests"][2]);
   EXPECT_NE(
-      complaint(json).find("paper.requests[6]: the request wheel_centre of block_symbolic_inlined "
+      complaint(json).find("/paper/requests/6: the request wheel_centre of block_symbolic_inlined "
                            "is given twice"),
       std::string::npos)
       << complaint(json);
@@ -133,13 +133,13 @@ TEST(Structure, IsCheckedWhenRead) {
     return complaint(json);
   };
   EXPECT_NE(with("/paper/structure/1/parts", Json::array())
-                .find("paper.structure[1].parts: a structure needs"),
+                .find("/paper/structure/1/parts: a structure needs"),
             std::string::npos);
   EXPECT_NE(with("/paper/structure/1/parts/1/unknowns", 39)
-                .find("paper.structure[1].parts[1].unknowns: the parts do not stand largest first"),
+                .find("/paper/structure/1/parts/1/unknowns: the parts do not stand largest first"),
             std::string::npos);
   EXPECT_NE(with("/paper/structure/0/parts/0/count", 0)
-                .find("paper.structure[0].parts[0].count: 0 is not in"),
+                .find("/paper/structure/0/parts/0/count: must be a whole number"),
             std::string::npos);
   Json json = structured_record();
   json["paper"]["structure"].push_back(json["paper"]["structure"][0]);

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "report/record_reader.h"
+#include "report/read/record_reader.h"
 
 namespace desmo::report {
 
@@ -68,36 +68,38 @@ namespace {
 
 std::size_t position(const Json& record, const std::string& case_name, int coordinates,
                      const std::string& id) {
-  const Json& cells = record["paper"]["cells"];
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    if (cells[i]["case"] == case_name && cells[i]["coordinates"] == coordinates &&
-        cells[i]["id"] == id)
+  const Json& candidates = record["paper"]["cells"];
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    if (candidates[i]["case"] == case_name && candidates[i]["coordinates"] == coordinates &&
+        candidates[i]["id"] == id)
       return i;
   throw std::runtime_error("no cell " + case_name + "/" + std::to_string(coordinates) + "/" + id);
 }
 
 }  // namespace
 
-Json& cell_of(Json& record, const std::string& case_name, int coordinates, const std::string& id) {
+Json& candidate_of(Json& record, const std::string& case_name, int coordinates,
+                   const std::string& id) {
   return record["paper"]["cells"][position(record, case_name, coordinates, id)];
 }
 
-void erase_cell(Json& record, const std::string& case_name, int coordinates,
-                const std::string& id) {
+void erase_candidate(Json& record, const std::string& case_name, int coordinates,
+                     const std::string& id) {
   record["paper"]["cells"].erase(position(record, case_name, coordinates, id));
 }
 
-void fail_cell(Json& record, const std::string& case_name, int coordinates, const std::string& id) {
-  Json& cell = cell_of(record, case_name, coordinates, id);
-  cell["status"] = "failed";
-  cell["message"] = "wrong by design";
+void fail_candidate(Json& record, const std::string& case_name, int coordinates,
+                    const std::string& id) {
+  Json& candidate = candidate_of(record, case_name, coordinates, id);
+  candidate["status"] = "failed";
+  candidate["message"] = "wrong by design";
 }
 
 void erase_family(Json& record, const std::string& family) {
   Json kept = Json::array();
-  for (const Json& cell : record["paper"]["cells"]) {
-    const std::string id = cell["id"];
-    if (!id.substr(0, id.find('/')).ends_with("_" + family)) kept.push_back(cell);
+  for (const Json& candidate : record["paper"]["cells"]) {
+    const std::string id = candidate["id"];
+    if (!id.substr(0, id.find('/')).ends_with("_" + family)) kept.push_back(candidate);
   }
   record["paper"]["cells"] = kept;
 }
@@ -111,7 +113,7 @@ void set_motion(Json& record, double duration, double step) {
 
 void set_samples(Json& record, int coordinates, const std::string& id,
                  std::vector<double> samples) {
-  cell_of(record, "truck_suspension", coordinates, id)["time"]["seconds"] = std::move(samples);
+  candidate_of(record, "truck_suspension", coordinates, id)["time"]["seconds"] = std::move(samples);
 }
 
 void set_family(Json& json, const std::string& id, double seconds, double spread) {
@@ -124,8 +126,8 @@ Record record_from(const Json& json) { return parse_record(json.dump()); }
 std::string complaint(const std::string& text) {
   try {
     parse_record(text);
-  } catch (const InvalidRecord& error) {
-    return error.what();
+  } catch (const InputError& error) {
+    return std::string(error.what()).substr(std::string("record: ").size());
   }
   return "accepted";
 }

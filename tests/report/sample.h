@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "report/document.h"
-#include "report/record.h"
+#include "report/read/record.h"
+#include "report/text/document.h"
 
 namespace desmo::report {
 
@@ -32,20 +32,24 @@ Json with_samples_of_windows(Json record, int windows = 25);
 /// Returns data/structured.json: small, with structure and requests, with made-up numbers.
 Json structured_record();
 
-/// Returns a cell of a record. Fails the test when there is none.
-Json& cell_of(Json& record, const std::string& case_name, int coordinates, const std::string& id);
-void erase_cell(Json& record, const std::string& case_name, int coordinates, const std::string& id);
-void fail_cell(Json& record, const std::string& case_name, int coordinates, const std::string& id);
+/// Returns a candidate of a a record. Fails the test when there is none.
+Json& candidate_of(Json& record, const std::string& case_name, int coordinates,
+                   const std::string& id);
+void erase_candidate(Json& record, const std::string& case_name, int coordinates,
+                     const std::string& id);
+void fail_candidate(Json& record, const std::string& case_name, int coordinates,
+                    const std::string& id);
 
-/// Erases every cell with this sparse solver, as in a record of a build without it.
+/// Erases every candidate with this sparse solver, as of a build without it.
 void erase_family(Json& record, const std::string& family);
 
 /// Sets duration [s] and step [s] of the recorded motion.
 void set_motion(Json& record, double duration, double step = 0.01);
 
-/// Replaces the samples of a truck cell.
+/// Replaces the samples of a truck candidate.
 void set_samples(Json& record, int coordinates, const std::string& id, std::vector<double> samples);
-/// Sets three samples around `seconds` for every truck cell of that id, at every size of the paper.
+/// Sets three samples around `seconds` for every truck candidate of that id, at every size of the
+/// paper.
 void set_family(Json& json, const std::string& id, double seconds, double spread = 0.01);
 
 Record record_from(const Json& json);

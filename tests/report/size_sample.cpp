@@ -5,7 +5,7 @@
 namespace desmo::report {
 namespace {
 
-Json without_cells(const std::string& command) {
+Json without_paper(const std::string& command) {
   Json record = structured_record();
   record.erase("paper");
   record["schema_version"] = "2.0.0";
@@ -46,7 +46,7 @@ Json timed_size(const std::string& case_name, int coordinates, const std::string
 }
 
 Json sizes_record() {
-  Json record = without_cells("desmo_bench size --synthetic");
+  Json record = without_paper("desmo_bench size --synthetic");
   const std::string bars = "four_bar", klu = "global_automatic_klu";
   for (const auto& [n, nanoseconds] :
        {std::pair{10, 10}, {100, 10}, {1000, 10}, {10'000, 15}, {100'000, 20}}) {
@@ -70,7 +70,7 @@ Json sizes_record() {
 }
 
 Json instructions_record() {
-  Json record = without_cells("desmo_instructions --synthetic");
+  Json record = without_paper("desmo_instructions --synthetic");
   record["instructions"]["counts"] = {
       counted("truck_suspension", "global_automatic_klu", 1'400'000),
       counted("truck_suspension", "group_symbolic_lapack", 5'900'000),

@@ -1,4 +1,4 @@
-#include "report/statistics.h"
+#include "report/statistics/statistics.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "report/digits.h"
+#include "report/text/digits.h"
 
 namespace desmo::report::statistics_test {
 namespace {

@@ -1,13 +1,12 @@
 // Times of a record: their clocks, samples and timing windows.
-#include "report/time_reader.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <numeric>
 #include <vector>
 
-#include "report/record_reader.h"
+#include "report/read/record_reader.h"
+#include "report/statistics/statistics.h"
 #include "tests/report/contains.h"
 #include "tests/report/sample.h"
 
@@ -17,7 +16,7 @@ namespace {
 TEST(TimeReader, RefusesAClockThatIsNotTheFormulations) {
   Json json = complete_record();
   json["paper"]["cells"][2]["time"]["clock"] = "sundial";
-  EXPECT_CONTAINS(complaint(json), "paper.cells[2].time.clock: \"sundial\" is none of \"cpu\"");
+  EXPECT_CONTAINS(complaint(json), "/paper/cells/2/time/clock: \"sundial\" is none of \"cpu\"");
   json["paper"]["cells"][2]["time"]["clock"] = "wall";
   EXPECT_CONTAINS(complaint(json), " is measured by \"cpu\"");
   const std::string id = json["paper"]["cells"][2]["id"];
@@ -27,34 +26,36 @@ TEST(TimeReader, RefusesAClockThatIsNotTheFormulations) {
     EXPECT_CONTAINS(complaint(json), suffix + std::string(" is measured by \"wall\""));
     json["paper"]["cells"][2]["time"]["clock"] = "wall";
     const Record record = record_from(json);
-    EXPECT_EQ(record.wall_cells.size(), 1u);
-    EXPECT_EQ(record.wall_cells.begin()->second.time.clock, Clock::wall);
-    EXPECT_FALSE(record.cells.contains(record.wall_cells.begin()->first));
+    EXPECT_EQ(record.wall_candidates.size(), 1u);
+    EXPECT_EQ(record.wall_candidates.begin()->second.time.clock, Clock::wall);
+    EXPECT_FALSE(record.candidates.contains(record.wall_candidates.begin()->first));
   }
 }
 
 TEST(TimeReader, ReadsTheWindowsOfEverythingTimed) {
   const Record record = record_from(with_windows(structured_record()));
   EXPECT_EQ(record.settings.windows, 25);
-  for (const auto& [key, cell] : record.cells)
-    EXPECT_EQ(cell.time.windows.least.size(), cell.status == Status::ok ? 25u : 0u) << key.id;
+  for (const auto& [key, candidate] : record.candidates)
+    EXPECT_EQ(candidate.time.windows.least.size(), candidate.status == Status::ok ? 25u : 0u)
+        << key.id;
   for (const Request& request : record.requests)
-    EXPECT_EQ(request.time.windows.least.size(), request.status == Status::ok ? 25u : 0u);
-  EXPECT_TRUE(record_from(structured_record()).cells.begin()->second.time.windows.least.empty());
+    EXPECT_EQ(request.solved.time.windows.least.size(),
+              request.solved.status == Status::ok ? 25u : 0u);
+  EXPECT_TRUE(
+      record_from(structured_record()).candidates.begin()->second.time.windows.least.empty());
 }
 
 TEST(TimeReader, TakesAsAWholeWhatTheWallClockMeasured) {
   Json json = with_windows(complete_record());
-  Json& cell = json["paper"]["cells"][3];
-  cell["id"] = cell["id"].get<std::string>() + "/threads:2";
-  cell["threads"] = 2;
-  cell["time"]["clock"] = "wall";
-  cell["time"].erase("windows");
-  const std::vector<double> seconds = cell["time"]["seconds"];
+  Json& candidate = json["paper"]["cells"][3];
+  candidate["id"] = candidate["id"].get<std::string>() + "/threads:2";
+  candidate["threads"] = 2;
+  candidate["time"]["clock"] = "wall";
+  candidate["time"].erase("windows");
+  const std::vector<double> seconds = candidate["time"]["seconds"];
   const Record record = record_from(json);
-  ASSERT_EQ(record.wall_cells.size(), 1u);
-  const Cell& several = record.wall_cells.begin()->second;
-  EXPECT_EQ(several.threads, 2);
+  ASSERT_EQ(record.wall_candidates.size(), 1u);
+  const Candidate& several = record.wall_candidates.begin()->second;
   EXPECT_EQ(several.time.seconds, seconds);
   ASSERT_EQ(several.time.windows.samples.size(), seconds.size());
   for (std::size_t r = 0; r < seconds.size(); ++r)
@@ -66,62 +67,62 @@ TEST(TimeReader, RefusesWindowsThatAreNotAll) {
   const Json record = with_windows(complete_record());
   Json json = record;
   json["paper"]["cells"][3]["time"]["windows"]["least"].erase(7);
-  EXPECT_CONTAINS(complaint(json), "paper.cells[3].time.windows.least: 24 windows of 25");
+  EXPECT_CONTAINS(complaint(json), "/paper/cells/3/time/windows/least: 24 windows of 25");
   json["paper"]["cells"][3]["time"]["windows"].erase("least");
-  EXPECT_CONTAINS(complaint(json), "paper.cells[3].time.windows: the required key \"least\"");
+  EXPECT_CONTAINS(complaint(json), "/paper/cells/3/time/windows: the key 'least'");
   json["paper"]["cells"][3]["time"].erase("windows");
-  EXPECT_CONTAINS(complaint(json), "paper.cells[3].time: the required key \"windows\" is missing");
+  EXPECT_CONTAINS(complaint(json), "/paper/cells/3/time: the key 'windows' is missing");
   json = record;
   json["paper"]["cells"][3]["time"]["windows"]["least"][7] = 0;
-  EXPECT_CONTAINS(complaint(json), "paper.cells[3].time.windows.least[7]: ");
+  EXPECT_CONTAINS(complaint(json), "/paper/cells/3/time/windows/least/7: ");
   json["paper"]["cells"][3]["time"]["windows"]["least"][7] = 100;
-  EXPECT_CONTAINS(complaint(json), "paper.cells[3].time.windows: together they are longer than");
+  EXPECT_CONTAINS(complaint(json), "/paper/cells/3/time/windows: together they are longer than");
   json = record;
   json["record"]["settings"]["windows"] = 1;
-  EXPECT_CONTAINS(complaint(json), "record.settings.windows: 1 is not in 2");
+  EXPECT_CONTAINS(complaint(json), "/record/settings/windows: must be a whole number from 2");
 }
 
 TEST(TimeReader, ReadsTheSamplesOfWindows) {
   const Record record = record_from(with_samples_of_windows(structured_record()));
-  for (const auto& [key, cell] : record.cells) {
-    EXPECT_EQ(cell.time.windows.samples.size(), cell.time.seconds.size()) << key.id;
-    if (cell.status != Status::ok) continue;
-    EXPECT_EQ(cell.time.windows.updates.size(), 25u);
-    EXPECT_EQ(
-        std::accumulate(cell.time.windows.instants.begin(), cell.time.windows.instants.end(), 0.0),
-        static_cast<double>(record.settings.instants));
+  for (const auto& [key, candidate] : record.candidates) {
+    EXPECT_EQ(candidate.time.windows.samples.size(), candidate.time.seconds.size()) << key.id;
+    if (candidate.status != Status::ok) continue;
+    EXPECT_EQ(candidate.time.windows.updates.size(), 25u);
+    EXPECT_EQ(std::accumulate(candidate.time.windows.instants.begin(),
+                              candidate.time.windows.instants.end(), 0.0),
+              static_cast<double>(record.settings.instants));
   }
 }
 
 TEST(TimeReader, RefusesSamplesOfWindowsThatDoNotBelongTogether) {
   const Json record = with_samples_of_windows(complete_record());
-  const std::string place = "paper.cells[3].time.windows";
+  const std::string place = "/paper/cells/3/time/windows";
   Json json = record;
   json["paper"]["cells"][3]["time"]["windows"]["samples"][0].erase(7);
-  EXPECT_CONTAINS(complaint(json), place + ".samples[0]: 24 windows of 25");
+  EXPECT_CONTAINS(complaint(json), place + "/samples/0: 24 windows of 25");
   json = record;
   json["paper"]["cells"][3]["time"]["windows"]["updates"].push_back(1);
-  EXPECT_CONTAINS(complaint(json), place + ".updates: 26 windows of 25");
+  EXPECT_CONTAINS(complaint(json), place + "/updates: 26 windows of 25");
   json = record;
   json["paper"]["cells"][3]["time"]["windows"]["updates"][2] = -1;
-  EXPECT_CONTAINS(complaint(json), place + ".updates[2]: ");
+  EXPECT_CONTAINS(complaint(json), place + "/updates/2: ");
   json = record;
   json["paper"]["cells"][3]["time"]["windows"].erase("updates");
-  EXPECT_CONTAINS(complaint(json), "the required key \"updates\" is missing");
+  EXPECT_CONTAINS(complaint(json), "the key 'updates' is missing");
   json = record;
   json["paper"]["cells"][3]["time"]["windows"]["samples"] = Json::array();
-  EXPECT_CONTAINS(complaint(json), place + ".samples: there is none");
+  EXPECT_CONTAINS(complaint(json), place + "/samples: there is none");
 }
 
 TEST(TimeReader, RefusesSamplesThatAreNoTimes) {
   for (const char* sample : {"0", "-0.1", "1e-30", "1e30", "\"0.1\"", "null", "[0.1]"}) {
     Json json = complete_record();
     json["paper"]["cells"][2]["time"]["seconds"][1] = Json::parse(sample);
-    EXPECT_CONTAINS(complaint(json), "paper.cells[2].time.seconds[1]: ");
+    EXPECT_CONTAINS(complaint(json), "/paper/cells/2/time/seconds/1: ");
   }
   Json json = complete_record();
   json["paper"]["cells"][2]["time"]["seconds"] = Json::array();
-  EXPECT_CONTAINS(complaint(json), "paper.cells[2].time.seconds: at least one sample");
+  EXPECT_CONTAINS(complaint(json), "/paper/cells/2/time/seconds: at least one sample");
 }
 
 }  // namespace

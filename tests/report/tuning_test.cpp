@@ -1,9 +1,9 @@
 // What the choices of desmo tune are worth: reader, table, sentence.
 #include <gtest/gtest.h>
 
-#include "report/comparability.h"
 #include "report/report.h"
-#include "report/tables/precision.h"
+#include "report/statistics/comparability.h"
+#include "report/tables/tables.h"
 #include "tests/report/points_sample.h"
 
 namespace desmo::report::tuning_test {
@@ -34,7 +34,7 @@ Json promises_record() {
 }
 
 TEST(Promises, StandBesideWhatWasMeasured) {
-  const Section section = tuning(record_from(promises_record()));
+  const Section section = tuning_sections(record_from(promises_record())).at(1);
   EXPECT_EQ(
       section.paragraphs,
       std::vector<std::string>{
@@ -72,12 +72,12 @@ TEST(Promises, ThatSayNothingAreRefused) {
   };
   EXPECT_EQ(complaint(promises_record()), "accepted");
   EXPECT_NE(with("/accuracy/tuning/0/choice/time_per_step/seconds", Json::array())
-                .find("accuracy.tuning[0].choice.time_per_step.seconds: at least one sample"),
+                .find("/accuracy/tuning/0/choice/time_per_step/seconds: at least one sample"),
             std::string::npos);
   EXPECT_NE(with("/accuracy/tuning/1/allowed", 1e-3)
-                .find("accuracy.tuning[1]: the promise of 0.001 for rssr"),
+                .find("/accuracy/tuning/1: the promise of 0.001 for rssr"),
             std::string::npos);
-  EXPECT_NE(with("/accuracy/tuning/0/best/error", -1).find("accuracy.tuning[0].best.error: "),
+  EXPECT_NE(with("/accuracy/tuning/0/best/error", -1).find("/accuracy/tuning/0/best/error: "),
             std::string::npos);
   Json json = promises_record();
   json["accuracy"]["tuning"] = Json::array();

@@ -1,5 +1,4 @@
 // What an analysis takes undisturbed, from segments of disturbed ones.
-#include "report/windows.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +7,7 @@
 #include <numeric>
 #include <random>
 
-#include "report/statistics.h"
+#include "report/statistics/statistics.h"
 
 namespace desmo::report::windows_test {
 namespace {

@@ -1,0 +1,49 @@
+// What a check says as a whole.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "report/check/findings.h"
+#include "report/text/document.h"
+
+namespace desmo::report {
+
+/// Exit codes of `desmo_report check`.
+enum class Verdict { pass = 0, regression = 1, invalid = 2, inconclusive = 3, incomparable = 4 };
+inline constexpr std::array verdict_names{"pass", "regression", "invalid", "inconclusive",
+                                          "incomparable"};
+
+/// A candidate that is not judged, and why.
+struct Excluded {
+  std::string candidate, reason;
+};
+
+struct CheckOutcome {
+  Verdict verdict = Verdict::pass;
+  std::vector<Excluded> invalid;        ///< head's answers are wrong
+  std::vector<std::string> missing;     ///< candidates of the baseline that head has not
+  std::vector<Excluded> excluded;       ///< there is nothing to compare with
+  std::vector<Difference> differences;  ///< why times cannot be compared; then there are none
+  TimeFindings time;
+  WorkFindings work;
+};
+
+/// Base against head. A check of head alone is Verdict::incomparable.
+CheckOutcome compare_sides(const CheckRecord& check);
+
+/// Head against that of a stored baseline, which is a check of one tree, too.
+CheckOutcome compare_sides(const CheckRecord& check, const CheckRecord& baseline);
+
+/// What has still to be measured for the verdict to be final.
+struct Pending {
+  std::string pass;  ///< "first" or "second"
+  std::string candidate;
+};
+std::vector<Pending> pending(const CheckOutcome& found);
+
+/// What was found, candidate by candidate, and what it was found on.
+Document verdict_document(const CheckRecord& check, const CheckOutcome& found);
+
+}  // namespace desmo::report

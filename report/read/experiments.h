@@ -1,0 +1,145 @@
+// What a record holds of the experiments accuracy, size, instructions and extremes: plain data.
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "report/read/configuration.h"
+#include "report/read/timed.h"
+
+namespace desmo::report {
+
+// ---- accuracy: time against error ----
+
+/// A motion that configurations were tried on. Ordered by case, size, step, instants.
+struct SeriesKey {
+  std::string case_name;
+  std::int64_t coordinates = 0;
+  double step_seconds = 0;    ///< s, between two instants
+  std::int64_t instants = 0;  ///< solved
+  auto operator<=>(const SeriesKey&) const = default;
+};
+
+/// A number for each level.
+struct PerLevel {
+  double position = 0, velocity = 0, acceleration = 0;
+};
+
+/// Errors below which nothing is to be expected in a series. Relative, as errors are.
+struct Floor {
+  std::int64_t compared = 0;        ///< instants of the reference
+  PerLevel reference;               ///< how far its two solutions differ
+  std::optional<double> condition;  ///< κ, the largest; nothing where a position is singular
+  std::optional<PerLevel> in_double, in_float;  ///< errors that κ lets be expected; with κ
+};
+
+/// Over the outputs and instants compared.
+struct LevelError {
+  double max = 0, rms = 0;
+};
+
+/// Nothing of a level whose error is beyond all measure.
+struct Errors {
+  std::optional<LevelError> position, velocity, acceleration;
+};
+
+struct PointKey {
+  SeriesKey series;
+  std::string id;
+  auto operator<=>(const PointKey&) const = default;
+};
+
+/// One configuration tried.
+struct Point {
+  enum class Status { ok, failed, not_applicable };
+
+  Configuration configuration;
+  Status status = Status::failed;
+  std::string message;  ///< why it failed or is not applicable
+  Errors error;         ///< relative; of position always when ok
+  Errors violation;     ///< of the equations
+  double iterations_per_step = 0;
+  std::vector<double> seconds_per_step;  ///< samples of CPU time; never empty when ok, else always
+};
+
+/// A configuration of desmo tune, measured apart from any search.
+struct TunedChoice {
+  std::string id;
+  double error = 0;                      ///< relative, of position, the largest
+  std::vector<double> seconds_per_step;  ///< samples of CPU time, at least one
+};
+
+/// One search of desmo tune, and its control.
+struct Promise {
+  std::string mechanism;
+  std::int64_t coordinates = 0;
+  double step_seconds = 0;
+  std::int64_t instants = 0;  ///< of the whole motion
+  double allowed = 0;         ///< error that was asked for
+  double promised = 0;        ///< that the search says its choice has
+  std::int64_t compared = 0;  ///< instants of the control
+  std::int64_t tried = 0;     ///< configurations that `best` is the best of
+  TunedChoice choice, best;
+};
+
+// ---- size: time against size ----
+
+/// A formulation at one size of a case.
+struct TimedSize {
+  Status status = Status::failed;  ///< ok or failed
+  std::string message;             ///< why it failed
+  std::int64_t unknowns = 0;
+  double tolerance = 0;
+  std::string checked_against;  ///< "quadruple", "double": the reference's precision; when ok
+  std::optional<Verification> verification;  ///< always when ok
+  double iterations_per_step = 0;
+  double state_bytes = 0;                ///< q, q', q''
+  std::optional<double> bytes;           ///< that the formulation keeps in memory
+  std::vector<double> seconds_per_step;  ///< as of a Point
+};
+
+// ---- instructions ----
+
+/// Instructions of a step, with as many Newton iterations as it takes.
+struct StepCount {
+  std::int64_t instructions = 0;
+  std::int64_t steps = 0;  ///< counted
+  std::string tool;        ///< what counted, and what else counts depend on
+};
+
+// ---- extremes ----
+
+struct ExtremeRow {
+  std::int64_t number = 0;
+  std::string name;               ///< short
+  std::string extreme, expected;  ///< what is extreme, and what every formulation should do
+};
+
+/// The worst error of a level, with the floor that conditioning sets and what was allowed.
+struct ExtremeError {
+  double error = 0, floor = 0, allowed = 0;
+};
+
+/// A case of a row in one formulation.
+struct ExtremeResult {
+  enum class Verdict {
+    as_expected,
+    missed,  ///< less than expected, and no wrong number without a flag
+    defect,  ///< wrong numbers, or numbers where there is no answer, without a flag
+    not_applicable,
+  };
+  std::int64_t row = 0;
+  std::string case_name;
+  std::string id;       ///< a formulation, with settings
+  std::string outcome;  ///< "converged", "degraded", "failed", "refused", "not_applicable"
+  Verdict verdict = Verdict::as_expected;
+  std::string reason;                                ///< when not as expected
+  std::optional<std::array<ExtremeError, 3>> worst;  ///< position, velocity, acceleration
+  std::int64_t instants = 0, iterations = 0;         ///< 0: not tried
+};
+
+}  // namespace desmo::report

@@ -1,0 +1,65 @@
+// The readers of the parts of a record, one experiment a .cpp. All throw InputError, naming the
+// place, for what the report could not rely on: everything is given once, keys that are required
+// are there, times are above zero, whatever is "ok" has its verification. What exceeds
+// `record.settings.allowed` becomes a failure that says so, and has no time.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "report/read/record.h"
+#include "report/read/record_value.h"
+
+namespace desmo::report {
+
+/// Reads a section of a record: the experiment of that name.
+void read_paper(Record& record, const RecordValue& section);
+void read_accuracy(Record& record, const RecordValue& section);
+void read_sizes(Record& record, const RecordValue& section);
+void read_instructions(Record& record, const RecordValue& section);
+void read_extremes(Record& record, const RecordValue& section);
+
+/// Reads all of `record` but version and sections.
+Record read_environment(const RecordValue& node);
+
+// ---- what several sections have ----
+
+/// Calls `read` with each element of a list that may be missing.
+template <class Read>
+void read_each(const RecordValue& section, std::string_view list, const Read& read) {
+  if (const auto found = section.find(list))
+    for (const RecordValue& node : found->elements()) read(node);
+}
+
+/// Adds to a map what is read of a node. Throws InputError, with the words for it, when the map has
+/// the key.
+template <class Map, class Key>
+void add_once(Map& map, const RecordValue& node, const Key& key, typename Map::mapped_type value,
+              const std::string& name) {
+  if (!map.emplace(key, std::move(value)).second) node.complain(name + " is given twice");
+}
+
+/// Reads what names a candidate.
+CandidateKey read_key(const RecordValue& node);
+
+/// Reads "ok", "failed" or "not_run".
+Status read_status(const RecordValue& node);
+
+Verification read_verification(const RecordValue& node);
+
+/// Says what exceeds its limit: "velocity differs by 2e-06, 1e-08 is allowed"; empty when nothing
+/// does.
+std::string excess(const std::string& what, double difference, double limit);
+std::string excess(const Verification& found, const Allowed& allowed);
+
+/// Throws InputError when the clock of a time is another; `what` is measured by it.
+void require_clock(const RecordValue& time, Clock clock, std::string_view what);
+
+/// Reads the time of a whole analysis: its clock, which `id` decides, its samples, and by the CPU
+/// clock its timing windows, where the settings have some.
+Time read_time(const RecordValue& node, const Settings& settings, std::string_view id);
+
+/// Reads the samples of a time that has to be of the CPU clock, at least one.
+std::vector<double> read_cpu_seconds(const RecordValue& node);
+
+}  // namespace desmo::report

@@ -1,0 +1,191 @@
+// The record of a run, as results/record.schema.json (2.0.0) defines it: plain data.
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "report/read/experiments.h"
+#include "report/read/timed.h"
+
+namespace desmo::report {
+
+struct Machine {
+  std::string cpu;
+  std::int64_t cores = 0;
+  std::vector<std::string> caches;
+  std::string kernel;
+  std::string governor;
+  std::optional<std::string> turbo;  ///< "on", "off", "unknown"
+  std::vector<double> load_before;
+  std::vector<double> load_after;
+};
+
+struct Link {
+  std::string type;  ///< "dynamic", "static"
+  std::string flags;
+  std::vector<std::string> libraries;  ///< shared objects loaded
+};
+
+struct Build {
+  std::string type;
+  std::string compiler;
+  std::string flags;
+  std::optional<Link> link;
+  std::optional<std::string> binary;  ///< SHA-256 of the program, or "unknown"
+};
+
+struct Blas {
+  std::string core;
+  std::int64_t threads = 0;
+};
+
+struct Settings {
+  double tolerance = 0;  ///< of the norm of the constraint equations, whole mechanism
+  std::int64_t max_iterations = 0;
+  std::string guess;
+  double step_seconds = 0;      ///< s, between two instants
+  double duration_seconds = 0;  ///< s, of simulated motion
+  std::int64_t instants = 0;    ///< solved in one analysis
+  std::optional<Allowed> allowed;
+  std::optional<std::int64_t> windows;  ///< timing windows into which the motion is cut
+};
+
+/// What names a candidate: unique in a record. Ordered by case, size, id.
+struct CandidateKey {
+  std::string case_name;
+  std::int64_t coordinates = 0;
+  std::string id;
+  auto operator<=>(const CandidateKey&) const = default;
+};
+
+/// Returns "<case>/<coordinates>/<id>".
+inline std::string name_of(const CandidateKey& key) {
+  return key.case_name + "/" + std::to_string(key.coordinates) + "/" + key.id;
+}
+
+/// So many parts that a library solves, of so many unknowns each.
+struct Solver {
+  std::string algebra;
+  std::int64_t parts = 0;
+  std::array<std::int64_t, 2> unknowns{};  ///< least, most
+};
+
+struct Candidate {
+  Status status = Status::not_run;
+  std::string message;  ///< why it failed or was not run
+  Origin origin;
+  Time time;                                 ///< of the whole analysis; has samples when ok only
+  std::optional<Verification> verification;  ///< always when ok
+  std::optional<double> setup_seconds;
+  std::optional<double> iterations_per_step;
+  std::vector<Solver> solvers;  ///< where they were chosen by measurement
+};
+
+/// Phases of a step, in the order of a Profile.
+inline constexpr std::array phases{"residual", "jacobian",         "factorisation",
+                                   "solve",    "right_hand_sides", "rest"};
+
+/// Where the wall-clock time of a step went in an instrumented run.
+struct Profile {
+  std::array<double, phases.size()> seconds_per_step{};  ///< the median of several passes
+  std::optional<std::array<double, 2>> total_range;      ///< s, of all phases: least, largest pass
+};
+
+/// What names the structure that a partition gives: ordered by case, size, partition.
+struct StructureKey {
+  std::string case_name;
+  std::int64_t coordinates = 0;
+  std::string partition;  ///< as in the ids: "global", "group", "block"
+  auto operator<=>(const StructureKey&) const = default;
+};
+
+/// So many parts with so many unknowns each.
+struct PartSizes {
+  std::int64_t unknowns = 0;
+  std::int64_t count = 0;
+};
+
+/// The parts into which a partition cuts the unknowns; constant ones are left out.
+struct Structure {
+  std::vector<PartSizes> parts;  ///< each number of unknowns once, largest first; never empty
+};
+
+/// A formulation that solves only what is asked.
+struct Request {
+  CandidateKey key;   ///< the formulation, and the candidate that solves everything with it
+  std::string name;   ///< unique for a candidate
+  std::string title;  ///< what is asked, for people
+  std::string level;  ///< "position", "velocity", "acceleration"
+  std::int64_t unknowns = 0;
+  std::int64_t all_unknowns = 0;     ///< of the whole mechanism
+  Candidate solved;                  ///< without verification
+  std::optional<double> difference;  ///< from the whole mechanism's solution; always when ok
+};
+
+/// Another library, or code written by hand, that solves a case at a size; with its name each once.
+struct Peer {
+  std::string case_name;
+  std::int64_t coordinates = 0;
+  std::string name;
+  std::string library, library_version;
+  std::string method;  ///< how it is used, in a sentence
+  std::string guess;   ///< "previous", "quadratic": as in the ids of ours
+  Candidate solved;
+};
+
+/// Returns the key of a peer among candidates: its id is "peer:<name>".
+inline CandidateKey key_of(const Peer& peer) {
+  return {peer.case_name, peer.coordinates, "peer:" + peer.name};
+}
+
+struct Record {
+  std::string version;
+  std::string date;  ///< UTC, ISO 8601
+  std::string commit;
+  bool dirty = false;
+  std::string command;
+  Machine machine;
+  Build build;
+  std::map<std::string, std::string> libraries;
+  Blas blas;
+  Settings settings;
+  // paper; what the wall clock measured stands apart, so that no table mixes the two clocks
+  std::map<CandidateKey, Candidate> candidates;  ///< CPU clock
+  std::map<CandidateKey, Candidate> wall_candidates;
+  std::map<CandidateKey, Profile> profiles;
+  std::map<StructureKey, Structure> structure;
+  std::vector<Request> requests;  ///< CPU clock; in the record's order
+  std::vector<Request> wall_requests;
+  std::vector<Peer> peers;  ///< CPU clock; in the record's order
+  // accuracy
+  std::map<SeriesKey, Floor> floors;  ///< of every series with points
+  std::map<PointKey, Point> points;   ///< time against error
+  std::vector<Promise> tuning;        ///< in the record's order
+  // size
+  std::map<CandidateKey, TimedSize> growth;      ///< time against coordinates
+  std::map<CandidateKey, TimedSize> break_even;  ///< dense and sparse, by unknowns
+  // instructions
+  std::map<CandidateKey, StepCount> instructions;
+  // extremes
+  std::vector<ExtremeRow> extreme_rows;  ///< of every result
+  std::vector<ExtremeResult> extremes;   ///< in the record's order
+};
+
+/// Tells whether it has the paper's experiment.
+inline bool has_paper(const Record& record) {
+  return !record.candidates.empty() || !record.requests.empty() || !record.peers.empty() ||
+         !record.wall_candidates.empty() || !record.wall_requests.empty();
+}
+
+/// Tells whether it has the experiment on size.
+inline bool has_sizes(const Record& record) {
+  return !record.growth.empty() || !record.break_even.empty();
+}
+
+}  // namespace desmo::report

@@ -1,0 +1,54 @@
+// From a file to a JSON document of a known schema.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "cases/io/input_error.h"
+#include "report/read/record_value.h"
+
+namespace desmo::report {
+
+inline constexpr const char* schema_version = "2.0.0";  ///< the one that is read
+
+// Results files that cannot be read throw InputError, whose message names file and place.
+
+/// A record put together from measurements that do not belong together.
+class MixedRecord : public InputError {
+ public:
+  using InputError::InputError;
+};
+
+/// A record of another schema version.
+class UnsupportedVersion : public InputError {
+ public:
+  using InputError::InputError;
+};
+
+/// A file that does not exist, or may not be read.
+class UnreadableRecord : public InputError {
+ public:
+  using InputError::InputError;
+};
+
+/// Reads the text of a file, compressed by gzip or not: at most max_file bytes. Throws
+/// UnreadableRecord, or InputError when there are more or the compressed data are damaged.
+std::string read_record_text(const std::filesystem::path& file);
+
+/// Parses a text and reads its document. A MixedRecord then names the file, too.
+template <class Read>
+auto read_document(std::string_view text, const std::string& file, const Read& read) {
+  const JsonDocument document(text, file);
+  try {
+    return read(RecordValue(document.root()));
+  } catch (const MixedRecord& error) {
+    throw MixedRecord(file + ": " + error.what());
+  }
+}
+
+/// Throws InputError when a document is not of this schema, and UnsupportedVersion, with how to
+/// make it anew, when it is not of schema_version.
+void check_schema(const RecordValue& root, const std::string& name);
+
+}  // namespace desmo::report

@@ -1,0 +1,123 @@
+#include "report/read/record_value.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace desmo::report {
+namespace {
+
+constexpr int max_integer = 1'000'000'000;
+constexpr double min_sample = 1e-9;
+constexpr double max_sample = 1e9;
+
+std::string in_quotes(std::string_view text) { return "\"" + std::string(text) + "\""; }
+
+bool has_only(std::string_view text, std::string_view characters) {
+  return text.find_first_not_of(characters) == text.npos;
+}
+
+}  // namespace
+
+std::optional<RecordValue> RecordValue::find(std::string_view key) const {
+  const auto member = value_.find(key);
+  return member ? std::optional(RecordValue(*member)) : std::nullopt;
+}
+
+std::vector<std::pair<std::string, RecordValue>> RecordValue::members() const {
+  std::vector<std::pair<std::string, RecordValue>> result;
+  for (const JsonValue& member : value_.members())
+    result.emplace_back(member.key(), RecordValue(member));
+  return result;
+}
+
+std::vector<RecordValue> RecordValue::elements() const {
+  std::vector<RecordValue> result;
+  for (const JsonValue& element : value_.elements()) result.emplace_back(element);
+  return result;
+}
+
+std::optional<std::string> RecordValue::find_text(std::string_view key) const {
+  const auto member = find(key);
+  return member ? std::optional(member->text()) : std::nullopt;
+}
+
+std::optional<std::string> RecordValue::find_digest(std::string_view key) const {
+  const auto member = find(key);
+  return member ? std::optional(member->digest()) : std::nullopt;
+}
+
+std::optional<double> RecordValue::find_number(std::string_view key) const {
+  const auto member = find(key);
+  return member ? std::optional(member->not_negative()) : std::nullopt;
+}
+
+std::string RecordValue::text() const {
+  std::string text(value_.text());
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
+  return text;
+}
+
+std::string RecordValue::name() const {
+  const std::string text = this->text();
+  if (text.empty() ||
+      !has_only(text, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-"))
+    complain(in_quotes(text) + " is not a name of letters, digits, _ and -");
+  return text;
+}
+
+std::string RecordValue::digest() const {
+  const std::string text = this->text();
+  if (text.size() != 64 || !has_only(text, "0123456789abcdef"))
+    complain(in_quotes(text) + " is not a SHA-256 digest");
+  return text;
+}
+
+std::string RecordValue::utc() const {
+  const std::string text = this->text();
+  constexpr std::string_view form = "0000-00-00T00:00:00Z";
+  const bool formed = std::ranges::equal(text, form, [](char c, char place) {
+    return place == '0' ? '0' <= c && c <= '9' : c == place;
+  });
+  const auto number = [&](std::size_t first, std::size_t digits) {
+    return std::stoi(text.substr(first, digits));
+  };
+  using namespace std::chrono;
+  if (!formed || !year_month_day(year(number(0, 4)), month(number(5, 2)), day(number(8, 2))).ok() ||
+      number(11, 2) > 23 || number(14, 2) > 59 || number(17, 2) > 60)  // a leap second
+    complain(in_quotes(text) + " is not a date and time, UTC, as 2026-11-21T17:48:47Z");
+  return text;
+}
+
+std::int64_t RecordValue::integer(int least) const {
+  return value_.whole_number(least, max_integer);
+}
+
+double RecordValue::not_negative() const {
+  const double value = value_.number();
+  if (!(value >= 0)) complain("is negative");
+  return value;
+}
+
+double RecordValue::positive() const {
+  const double value = not_negative();
+  if (!(value > 0)) complain("is not above zero");
+  return value;
+}
+
+double RecordValue::sample() const {
+  const double value = positive();
+  if (value < min_sample || value > max_sample) complain("is not a time that a clock can give");
+  return value;
+}
+
+std::size_t RecordValue::one_of(std::initializer_list<std::string_view> words) const {
+  const std::string text = this->text();
+  const auto found = std::ranges::find(words, text);
+  if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
+  std::string list;
+  for (const std::string_view word : words) list += (list.empty() ? "" : ", ") + in_quotes(word);
+  complain(in_quotes(text) + " is none of " + list);
+}
+
+}  // namespace desmo::report

@@ -1,0 +1,51 @@
+// A JSON value of a record, checked as records need it.
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "cases/io/json_document.h"
+
+namespace desmo::report {
+
+/// Refers to a value of a document, which must outlive it. Everything throws InputError, naming
+/// file and place, when the value is not what is asked for.
+class RecordValue {
+ public:
+  explicit RecordValue(JsonValue value) : value_(value) {}
+
+  RecordValue operator[](std::string_view key) const { return RecordValue(value_[key]); }
+  std::optional<RecordValue> find(std::string_view key) const;       ///< optional member
+  std::vector<std::pair<std::string, RecordValue>> members() const;  ///< of an object
+  std::vector<RecordValue> elements() const;                         ///< of an array
+
+  /// Optional members of an object, as text(), digest() and not_negative().
+  std::optional<std::string> find_text(std::string_view key) const;
+  std::optional<std::string> find_digest(std::string_view key) const;
+  std::optional<double> find_number(std::string_view key) const;
+
+  std::string text() const;    ///< control characters, which a terminal would obey, become spaces
+  std::string name() const;    ///< letters, digits, "_" and "-" only: it becomes part of file names
+  std::string digest() const;  ///< SHA-256: 64 hexadecimal digits in lower case
+  std::string utc() const;     ///< a date that there is, and a time: 2026-11-21T17:48:47Z
+  bool boolean() const { return value_.boolean(); }
+  std::int64_t integer(int least) const;  ///< in least ... 1e9
+  double not_negative() const;            ///< and at most 1e100, so that sums stay finite
+  double positive() const;                ///< likewise
+  double sample() const;  ///< a measured time, 1e-9 s ... 1e9 s: no clock gives another
+
+  /// Returns which of some words the text is, by position.
+  std::size_t one_of(std::initializer_list<std::string_view> words) const;
+
+  [[noreturn]] void complain(const std::string& what) const { value_.complain(what); }
+
+ private:
+  JsonValue value_;
+};
+
+}  // namespace desmo::report

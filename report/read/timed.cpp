@@ -1,0 +1,139 @@
+// Times and verifications.
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <string>
+
+#include "report/read/readers.h"
+#include "report/text/digits.h"
+#include "report/text/texts.h"
+
+namespace desmo::report {
+namespace {
+
+std::vector<double> read_samples(const RecordValue& list) {
+  std::vector<double> seconds;
+  for (const RecordValue& sample : list.elements()) seconds.push_back(sample.sample());
+  if (seconds.empty()) list.complain("at least one sample was expected");
+  return seconds;
+}
+
+template <class Read>
+std::vector<double> read_each_window(const RecordValue& list, std::size_t count, const Read& read) {
+  std::vector<double> values;
+  for (const RecordValue& window : list.elements()) values.push_back(read(window));
+  if (values.size() != count)
+    list.complain(std::to_string(values.size()) + " windows of " + std::to_string(count));
+  return values;
+}
+
+double window_seconds(const RecordValue& node) { return node.sample(); }
+double window_updates(const RecordValue& node) { return static_cast<double>(node.integer(0)); }
+
+// Equal by instants, the rest shared out as desmo_bench does.
+std::vector<double> instants_of_windows(std::int64_t instants, std::size_t count) {
+  const auto windows = static_cast<std::int64_t>(count);
+  std::vector<double> of_each;
+  for (std::int64_t i = 0; i < windows; ++i)
+    of_each.push_back(static_cast<double>((i + 1) * instants / windows - i * instants / windows));
+  return of_each;
+}
+
+std::vector<double> least_of(const std::vector<std::vector<double>>& samples, std::size_t count) {
+  std::vector<double> least(count, std::numeric_limits<double>::infinity());
+  for (const std::vector<double>& sample : samples)
+    for (std::size_t i = 0; i < count; ++i) least[i] = std::min(least[i], sample[i]);
+  return least;
+}
+
+// Several threads deliver in another order every time: a piece of the motion has no time of its
+// own, and the whole motion is the only window.
+Windows one_window(const Settings& settings, const std::vector<double>& seconds) {
+  Windows whole{.least = {std::ranges::min(seconds)},
+                .instants = {static_cast<double>(settings.instants)},
+                .updates = {0},
+                .samples = {}};
+  for (const double sample : seconds) whole.samples.push_back({sample});
+  return whole;
+}
+
+Windows read_windows(const RecordValue& node, const Settings& settings) {
+  const auto count = static_cast<std::size_t>(*settings.windows);
+  Windows windows;
+  const auto samples = node.find("samples");
+  if (!samples) {
+    windows.least = read_each_window(node["least"], count, window_seconds);
+    return windows;
+  }
+  for (const RecordValue& sample : samples->elements())
+    windows.samples.push_back(read_each_window(sample, count, window_seconds));
+  if (windows.samples.empty()) samples->complain("there is none");
+  windows.least = least_of(windows.samples, count);
+  windows.updates = read_each_window(node["updates"], count, window_updates);
+  windows.instants = instants_of_windows(settings.instants, count);
+  return windows;
+}
+
+// Windows are all that a repetition consists of, so that their least times cannot add up to more
+// than the least repetition; a thousandth is left to the clock.
+void require_within_repetition(const RecordValue& node, const Time& time) {
+  const std::vector<double>& least = time.windows.least;
+  if (std::accumulate(least.begin(), least.end(), 0.0) > 1.001 * std::ranges::min(time.seconds))
+    node.complain("together they are longer than a whole repetition");
+}
+
+}  // namespace
+
+void require_clock(const RecordValue& time, Clock clock, std::string_view what) {
+  const RecordValue node = time["clock"];
+  if (node.one_of({"cpu", "wall"}) != static_cast<std::size_t>(clock))
+    node.complain(std::string(what) + " is measured by \"" +
+                  (clock == Clock::cpu ? "cpu" : "wall") + "\"");
+}
+
+Time read_time(const RecordValue& node, const Settings& settings, std::string_view id) {
+  const Clock clock = is_by_wall(id) ? Clock::wall : Clock::cpu;
+  require_clock(node, clock, id);
+  Time time{clock, read_samples(node["seconds"]), {}};
+  if (!settings.windows) return time;
+  if (clock == Clock::wall) {
+    time.windows = one_window(settings, time.seconds);
+    return time;
+  }
+  const RecordValue windows = node["windows"];
+  time.windows = read_windows(windows, settings);
+  require_within_repetition(windows, time);
+  return time;
+}
+
+std::vector<double> read_cpu_seconds(const RecordValue& node) {
+  require_clock(node, Clock::cpu, "a step");
+  return read_samples(node["seconds"]);
+}
+
+Status read_status(const RecordValue& node) {
+  return static_cast<Status>(node.one_of({"ok", "failed", "not_run"}));
+}
+
+Verification read_verification(const RecordValue& node) {
+  return {node["instants"].integer(1), node["position"].not_negative(),
+          node["velocity"].not_negative(), node["acceleration"].not_negative()};
+}
+
+std::string excess(const std::string& what, double difference, double limit) {
+  if (difference <= limit) return {};
+  return sentence("common.more_than_allowed", {{"what", what},
+                                               {"difference", write_shortest(difference)},
+                                               {"limit", write_shortest(limit)}});
+}
+
+std::string excess(const Verification& found, const Allowed& allowed) {
+  std::string text;
+  for (const std::string& one : {excess("position", found.position, allowed.position),
+                                 excess("velocity", found.velocity, allowed.velocity),
+                                 excess("acceleration", found.acceleration, allowed.acceleration)})
+    text += (text.empty() || one.empty() ? "" : "; ") + one;
+  return text;
+}
+
+}  // namespace desmo::report

@@ -1,0 +1,64 @@
+// What a record says of something timed: whether its answer is right, and its times. Plain data.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace desmo::report {
+
+/// The clock of a time. Times of two clocks share neither a column nor a ratio.
+enum class Clock {
+  cpu,   ///< CPU seconds of one thread
+  wall,  ///< seconds that passed: where several threads work, and for what is compared with them
+};
+
+/// Times of the equal timing windows, pieces between two clock readings, into which a motion is
+/// cut. Each vector has one value a window, or is empty where the record has none.
+struct Windows {
+  std::vector<double> least;     ///< seconds: the least that any analysis took
+  std::vector<double> instants;  ///< in it; empty, as what follows, where nobody counts updates
+  std::vector<double> updates;   ///< by Newton's method
+  std::vector<std::vector<double>> samples;  ///< seconds, by analysis
+};
+
+/// Samples of a time, by one clock.
+struct Time {
+  Clock clock = Clock::cpu;
+  std::vector<double> seconds;  ///< one per repetition
+  Windows windows;              ///< as many as the record's settings say; one by the wall clock
+};
+
+/// Tells whether a formulation of this id, with settings, is measured by the wall clock.
+inline bool is_by_wall(std::string_view id) {
+  return id.find("/threads:") != id.npos || id.find("/clock:wall") != id.npos;
+}
+
+enum class Status { ok, failed, not_run };
+
+/// Largest absolute differences from the quadruple-precision reference.
+struct Verification {
+  std::int64_t instants = 0;
+  double position = 0;
+  double velocity = 0;
+  double acceleration = 0;
+};
+
+/// Largest differences from the reference that a verification may find.
+struct Allowed {
+  double position = 0;
+  double velocity = 0;
+  double acceleration = 0;
+  std::optional<double> request;  ///< of a request from the whole mechanism
+};
+
+/// The origin of a time. Digests are SHA-256.
+struct Origin {
+  std::optional<std::string> machine;  ///< CPU that it was measured on
+  std::optional<std::string> model;    ///< digest of the mechanism
+  std::optional<std::string> results;  ///< digest of the answers, rounded to what is allowed
+};
+
+}  // namespace desmo::report

@@ -1,0 +1,138 @@
+#include "report/statistics/comparability.h"
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+#include "report/statistics/compared_times.h"
+#include "report/text/digits.h"
+
+namespace desmo::report {
+namespace {
+
+class Comparison {
+ public:
+  void require_same(const std::string& what, const std::optional<std::string>& first,
+                    const std::optional<std::string>& second) {
+    if (!first || !second || *first != *second)
+      differ(what, first.value_or("not recorded"), second.value_or("not recorded"));
+  }
+
+  void differ(const std::string& what, const std::string& first, const std::string& second) {
+    if (named_.insert(what).second)  // once for all candidates of a case and size
+      differences_.push_back({what, first, second});
+  }
+
+  std::vector<Difference> differences() && { return std::move(differences_); }
+
+ private:
+  std::vector<Difference> differences_;
+  std::set<std::string> named_;
+};
+
+std::optional<std::string> linking_of(const Build& build) {
+  if (!build.link) return std::nullopt;
+  return build.link->type + (build.link->flags.empty() ? "" : " " + build.link->flags);
+}
+
+void compare_environment(Comparison& all, const Record& a, const Record& b) {
+  all.require_same("CPU model", a.machine.cpu, b.machine.cpu);
+  all.require_same("compiler", a.build.compiler, b.build.compiler);
+  all.require_same("build type", a.build.type, b.build.type);
+  all.require_same("flags", a.build.flags, b.build.flags);
+  all.require_same("linking", linking_of(a.build), linking_of(b.build));
+  all.require_same("BLAS core", a.blas.core, b.blas.core);
+  all.require_same("BLAS threads", std::to_string(a.blas.threads), std::to_string(b.blas.threads));
+}
+
+void require_same_number(Comparison& all, const char* what, double first, double second) {
+  all.require_same(what, write_shortest(first), write_shortest(second));
+}
+
+void compare_settings(Comparison& all, const Settings& a, const Settings& b) {
+  require_same_number(all, "tolerance", a.tolerance, b.tolerance);
+  require_same_number(all, "iterations at most", static_cast<double>(a.max_iterations),
+                      static_cast<double>(b.max_iterations));
+  all.require_same("first guess", a.guess, b.guess);
+}
+
+void compare_motions(Comparison& all, const Settings& a, const Settings& b) {
+  require_same_number(all, "step", a.step_seconds, b.step_seconds);
+  require_same_number(all, "duration", a.duration_seconds, b.duration_seconds);
+}
+
+// Of what has no time in one of them, there is nothing to compare. Peers find other coordinates, of
+// which there is no digest.
+void compare_timings(Comparison& all, const TimedGroup& a, const TimedGroup& b) {
+  for (const auto& [key, one] : a.timings) {
+    const auto other = b.timings.find(key);
+    if (other == b.timings.end() || !one.time.seconds || !other->second.time.seconds) continue;
+    const Origin &first = one.origin, &second = other->second.origin;
+    const std::string place = key.case_name + "/" + std::to_string(key.coordinates);
+    const auto request = key.id.find("/request:");
+    if (first.model || second.model)
+      all.require_same("model of " + place, first.model, second.model);
+    if (first.results || second.results)
+      all.require_same(
+          "results of " + place + (request == key.id.npos ? "" : key.id.substr(request)),
+          first.results, second.results);
+  }
+}
+
+template <class Map>
+bool share_a_key(const Map& a, const Map& b) {
+  return std::ranges::any_of(a, [&](const auto& entry) { return b.contains(entry.first); });
+}
+
+void compare_measured(Comparison& all, const Record& first, const Record& second) {
+  bool shared = share_a_key(first.instructions, second.instructions);
+  const std::vector<TimedGroup> a = timed_groups(first), b = timed_groups(second);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    compare_timings(all, a[i], b[i]);
+    shared = shared || share_a_key(a[i].timings, b[i].timings);
+  }
+  if (!shared) all.differ("measurements in common", "none", "none");
+}
+
+void compare_work(Comparison& all, const Record& first, const Record& second) {
+  compare_settings(all, first.settings, second.settings);
+  compare_motions(all, first.settings, second.settings);
+  compare_measured(all, first, second);
+}
+
+}  // namespace
+
+bool are_of_two_machines(const Record& first, const Record& second) {
+  return first.machine.cpu != second.machine.cpu;
+}
+
+std::vector<Difference> why_incomparable(const Record& first, const Record& second) {
+  Comparison all;
+  compare_environment(all, first, second);
+  compare_work(all, first, second);
+  return std::move(all).differences();
+}
+
+std::vector<Difference> why_not_the_same_work(const Record& first, const Record& second) {
+  Comparison all;
+  compare_work(all, first, second);
+  return std::move(all).differences();
+}
+
+std::vector<Difference> why_apart(const Record& first, const Record& second) {
+  Comparison all;
+  compare_environment(all, first, second);
+  compare_settings(all, first.settings, second.settings);
+  const auto only_one = [&](const char* what, bool in_first, bool in_second) {
+    if (in_first && in_second) all.differ(std::string("one record with ") + what, "one", "another");
+  };
+  only_one("cells", has_paper(first), has_paper(second));
+  only_one("points", !first.points.empty(), !second.points.empty());
+  only_one("tuning", !first.tuning.empty(), !second.tuning.empty());
+  only_one("sizes", has_sizes(first), has_sizes(second));
+  only_one("instructions", !first.instructions.empty(), !second.instructions.empty());
+  only_one("extremes", !first.extremes.empty(), !second.extremes.empty());
+  return std::move(all).differences();
+}
+
+}  // namespace desmo::report

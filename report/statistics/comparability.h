@@ -1,0 +1,34 @@
+// Which records may be compared: the comparability key.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "report/read/record.h"
+
+namespace desmo::report {
+
+/// Something that must be the same and is not.
+struct Difference {
+  std::string what;           ///< "CPU model", "model of four_bar/114", ...
+  std::string first, second;  ///< what each record says, or "not recorded"
+};
+
+/// Says why times of the two records cannot be compared; empty when they can. They must agree in
+/// CPU model, compiler, flags, linking, BLAS core and threads, settings of the analysis, and, for
+/// what both have timed, in the model solved and the results found. What only one records counts as
+/// different.
+std::vector<Difference> why_incomparable(const Record& first, const Record& second);
+
+/// Likewise, but for the environment: whether speed-ups of two machines may stand side by side.
+std::vector<Difference> why_not_the_same_work(const Record& first, const Record& second);
+
+/// Tells whether the records are of two CPU models.
+bool are_of_two_machines(const Record& first, const Record& second);
+
+/// Why times of the two records cannot stand on one page, one beside the other; empty when they
+/// can: as above, but for the motions and what was timed. Only one of them may have candidates,
+/// only one points, and likewise searches of desmo tune, sizes, instructions and extremes.
+std::vector<Difference> why_apart(const Record& first, const Record& second);
+
+}  // namespace desmo::report

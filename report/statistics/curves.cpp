@@ -1,0 +1,116 @@
+#include "report/statistics/curves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <ranges>
+#include <sstream>
+
+#include "report/text/texts.h"
+
+namespace desmo::report {
+
+std::vector<Curve> curves_of(const std::map<CandidateKey, TimedSize>& entries) {
+  std::map<std::pair<std::string, std::string>, Curve> curves;  // entries of a case are by size
+  for (const auto& [key, entry] : entries) {
+    Curve& curve = curves[{key.case_name, key.id}];
+    curve.case_name = key.case_name;
+    curve.id = key.id;
+    if (entry.status == Status::ok)
+      curve.points.push_back(
+          {key.coordinates, &entry, *std::ranges::min_element(entry.seconds_per_step)});
+    else
+      curve.failed = true;
+  }
+  std::vector<Curve> all;
+  std::ranges::move(curves | std::views::values, std::back_inserter(all));
+  return all;
+}
+
+const CurvePoint* cheapest(const Curve& curve) {
+  const auto least = std::ranges::min_element(curve.points, {}, &CurvePoint::nanoseconds);
+  return least == curve.points.end() ? nullptr : &*least;
+}
+
+const CurvePoint* end_of_growth(const Curve& curve) {
+  const CurvePoint *const least = cheapest(curve), *end = nullptr;
+  for (const CurvePoint& point : curve.points | std::views::reverse) {
+    if (&point <= least || point.nanoseconds() <= dearer * least->nanoseconds()) break;
+    end = &point;
+  }
+  return end;
+}
+
+namespace {
+
+/// A size that both have: its unknowns n, and by what the first is slower, d = log(t₁/t₂).
+struct Both {
+  double n, d;
+};
+
+std::vector<Both> common(const Curve& first, const Curve& second) {
+  std::vector<Both> all;
+  for (const CurvePoint& a : first.points)
+    for (const CurvePoint& b : second.points)
+      if (a.coordinates == b.coordinates)
+        all.push_back({static_cast<double>(a.entry->unknowns), std::log(a.seconds / b.seconds)});
+  return all;
+}
+
+/// Where d, linear in log n, becomes zero.
+double zero_between(const Both& a, const Both& b) {
+  return a.n * std::pow(b.n / a.n, a.d / (a.d - b.d));
+}
+
+}  // namespace
+
+CurveComparison compare(const Curve& first, const Curve& second) {
+  const std::vector<Both> all = common(first, second);
+  CurveComparison r{.sizes = all.size(), .break_even = std::nullopt};
+  if (all.empty()) return r;
+  r.smallest = all.front().n;
+  r.largest = all.back().n;
+  r.second_faster_at_largest = all.back().d > 0;
+  for (std::size_t i = 1; i < all.size() && r.second_faster_at_largest; ++i) {
+    if ((all[i - 1].d > 0) == (all[i].d > 0)) continue;
+    if (!r.break_even) r.break_even = {.low = all[i - 1].n};
+    r.break_even->unknowns = zero_between(all[i - 1], all[i]);  // the last is the one that holds
+    r.break_even->high = all[i].n;
+  }
+  return r;
+}
+
+Curve faster_of(const Curve& a, const Curve& b) {
+  std::map<std::int64_t, CurvePoint> fastest;
+  for (const Curve* curve : {&a, &b})
+    for (const CurvePoint& point : curve->points) {
+      const auto [place, is_new] = fastest.emplace(point.coordinates, point);
+      if (!is_new && point.seconds < place->second.seconds) place->second = point;
+    }
+  Curve faster{a.case_name, a.id + " or " + b.id, {}, a.failed || b.failed};
+  for (const CurvePoint& point : fastest | std::views::values) faster.points.push_back(point);
+  return faster;
+}
+
+std::vector<Cache> data_caches(const Machine& machine) {
+  std::vector<Cache> caches;
+  for (const std::string& text : machine.caches) {
+    std::istringstream words(text);
+    std::string name, type, unit;
+    double size = 0;
+    if (words >> name >> type >> size >> unit && type != "Instruction" && unit.starts_with("KiB") &&
+        size > 0)
+      caches.push_back({name, 1024 * size});
+  }
+  std::ranges::stable_sort(caches, {}, &Cache::bytes);
+  return caches;
+}
+
+std::string held_by(const std::vector<Cache>& caches, double bytes) {
+  if (caches.empty()) return {};
+  for (const Cache& cache : caches)
+    if (bytes <= cache.bytes) return sentence("growth.in", {{"cache", cache.name}});
+  return sentence("growth.beyond", {{"cache", caches.back().name}});
+}
+
+}  // namespace desmo::report

@@ -1,0 +1,81 @@
+// What was measured of one formulation at several sizes.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "report/read/record.h"
+
+namespace desmo::report {
+
+/// Up to so many coordinates growth is judged.
+inline constexpr std::int64_t max_linear_coordinates = 10'000;
+
+/// A size that has a time. `entry` refers to the record.
+struct CurvePoint {
+  std::int64_t coordinates = 0;
+  const TimedSize* entry = nullptr;
+  double seconds = 0;  ///< the least sample, of a step
+  double nanoseconds() const { return 1e9 * seconds / static_cast<double>(coordinates); }  ///< each
+};
+
+struct Curve {
+  std::string case_name, id;
+  std::vector<CurvePoint> points;  ///< by size
+  bool failed = false;             ///< at some other size
+};
+
+/// Of every case and formulation of `growth` or `crossing`.
+std::vector<Curve> curves_of(const std::map<CandidateKey, TimedSize>& entries);
+
+/// Where a coordinate costs least; null without points.
+const CurvePoint* cheapest(const Curve& curve);
+
+/// How many times its least a coordinate costs where growth has ended.
+inline constexpr double dearer = 1.25;
+
+/// The first size beyond the cheapest from which on a coordinate is dearer, at every size; null
+/// where there is none.
+const CurvePoint* end_of_growth(const Curve& curve);
+
+// ---- break-even ----
+
+/// Unknowns from which on the second of two formulations is the faster.
+struct BreakEven {
+  double unknowns = 0;       ///< interpolated in log t over log n between the neighbours
+  double low = 0, high = 0;  ///< the neighbours; of the first and the last where there are several
+};
+
+/// What two curves say, over the sizes that both have.
+struct CurveComparison {
+  std::size_t sizes = 0;
+  double smallest = 0, largest = 0;  ///< unknowns; where there are sizes
+  bool second_faster_at_largest = false;
+  /// Nothing where one is the faster at every size, or the first at the largest.
+  std::optional<BreakEven> break_even;
+};
+
+CurveComparison compare(const Curve& first, const Curve& second);
+
+/// At each size the faster of the two; where only one has it, that one.
+Curve faster_of(const Curve& a, const Curve& b);
+
+// ---- caches ----
+
+struct Cache {
+  std::string name;  ///< "L2"
+  double bytes = 0;
+};
+
+/// Those that hold data, smallest first: of "L2 Unified 1024 KiB, shared by 1" and the like, what
+/// does not read so is left out.
+std::vector<Cache> data_caches(const Machine& machine);
+
+/// "in L1", …, "beyond L3": the smallest cache that holds so many bytes; empty when no cache is
+/// known.
+std::string held_by(const std::vector<Cache>& caches, double bytes);
+
+}  // namespace desmo::report

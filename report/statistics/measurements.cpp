@@ -1,0 +1,98 @@
+#include "report/statistics/measurements.h"
+
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+
+#include "report/statistics/variants.h"
+#include "report/text/document.h"
+#include "report/text/texts.h"
+
+namespace desmo::report {
+
+Measured measured(const Record& record, const CandidateKey& key) {
+  const auto candidate = record.candidates.find(key);
+  if (candidate == record.candidates.end()) return {std::nullopt, missing_mark};
+  return measured(candidate->second);
+}
+
+Measured measured(const Candidate& candidate) {
+  if (candidate.status != Status::ok)
+    return {std::nullopt, candidate.status == Status::failed ? failed_mark : not_run_mark};
+  const Time& time = candidate.time;
+  return {summarise(time.seconds, time.windows), {}, time.clock};
+}
+
+std::map<CandidateKey, Timing> timings(const Record& record, Clock clock) {
+  const bool by_wall = clock == Clock::wall;
+  std::map<CandidateKey, Timing> all;
+  const auto add = [&](const CandidateKey& key, const Candidate& candidate) {
+    all[key] = {measured(candidate), remark(candidate), candidate.origin};
+  };
+  for (const auto& [key, candidate] : by_wall ? record.wall_candidates : record.candidates)
+    add(key, candidate);
+  for (const Request& request : by_wall ? record.wall_requests : record.requests) {
+    CandidateKey key = request.key;
+    key.id += "/request:" + request.name;
+    add(key, request.solved);
+  }
+  if (by_wall) return all;
+  for (const Peer& peer : record.peers) add(key_of(peer), peer.solved);
+  return all;
+}
+
+MeasuredSpeedUp measured_speed_up(const Record& record, const CandidateKey& reference,
+                                  const CandidateKey& variant) {
+  return measured_speed_up(measured(record, reference), measured(record, variant));
+}
+
+MeasuredSpeedUp measured_speed_up(const Measured& reference, const Measured& variant) {
+  if (!variant.seconds) return {std::nullopt, variant.mark};
+  if (!reference.seconds) return {std::nullopt, "reference " + reference.mark};
+  if (reference.clock != variant.clock)
+    throw std::logic_error("CPU time and wall-clock time make no ratio");
+  return {speed_up(*reference.seconds, *variant.seconds), {}};
+}
+
+MeanSpeedUp mean_speed_up(const Record& record, std::string_view family, std::size_t reference,
+                          std::size_t variant, std::span<const std::int64_t> sizes) {
+  std::vector<SpeedUp> found;
+  for (const std::int64_t size : sizes) {
+    const auto one = measured_speed_up(record, family_key(variants[reference], size, family),
+                                       family_key(variants[variant], size, family));
+    if (one.speed_up) found.push_back(*one.speed_up);
+  }
+  if (found.empty()) return {};
+  return {mean(found), found.size()};
+}
+
+std::vector<std::int64_t> recorded_sizes(const Record& record, std::string_view case_name) {
+  std::set<std::int64_t> sizes;
+  for (const auto& [key, candidate] : record.candidates)
+    if (key.case_name == case_name) sizes.insert(key.coordinates);
+  return {sizes.begin(), sizes.end()};
+}
+
+std::vector<std::string_view> recorded_families(const Record& record) {
+  std::vector<std::string_view> families;
+  for (const std::string_view family : sparse_families)
+    if (std::any_of(record.candidates.begin(), record.candidates.end(), [&](const auto& candidate) {
+          const std::string& id = candidate.first.id;  // group_symbolic_klu/lanes:8
+          return id.substr(0, id.find('/')).ends_with("_" + std::string(family));
+        }))
+      families.push_back(family);
+  return families;
+}
+
+std::set<std::string> recorded_cases(const Record& record) {
+  std::set<std::string> cases;
+  for (const auto& [key, candidate] : record.candidates) cases.insert(key.case_name);
+  return cases;
+}
+
+std::string remark(const Candidate& candidate) {
+  if (candidate.status == Status::ok) return {};
+  return candidate.message.empty() ? sentence("common.no_reason") : candidate.message;
+}
+
+}  // namespace desmo::report

@@ -1,0 +1,75 @@
+// Finding measurements in a record. Whoever looks for a number gets it or the reason for none.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "report/read/record.h"
+#include "report/statistics/statistics.h"
+
+namespace desmo::report {
+
+/// A measurement, or the mark that stands in its place.
+struct Measured {
+  std::optional<Summary> seconds;  ///< of one analysis
+  std::string mark;  ///< failed_mark, not_run_mark or missing_mark; empty when measured
+  Clock clock = Clock::cpu;
+};
+
+/// The time of a candidate that the CPU clock measured.
+Measured measured(const Record& record, const CandidateKey& key);
+Measured measured(const Candidate& candidate);
+
+/// What a candidate, request or peer says of its time.
+struct Timing {
+  Measured time;
+  std::string remark;  ///< why there is no time; empty when there is one
+  Origin origin;
+};
+
+/// Returns all that was to be timed by a clock; of a request, the id ends in "/request:<name>"; of
+/// a peer, it is "peer:<name>".
+std::map<CandidateKey, Timing> timings(const Record& record, Clock clock);
+
+/// The speed-up of one candidate over another, or the mark of the one that has no number.
+struct MeasuredSpeedUp {
+  std::optional<SpeedUp> speed_up;
+  std::string mark;
+};
+
+MeasuredSpeedUp measured_speed_up(const Record& record, const CandidateKey& reference,
+                                  const CandidateKey& variant);
+
+/// Throws std::logic_error for times of two clocks: they make no ratio.
+MeasuredSpeedUp measured_speed_up(const Measured& reference, const Measured& variant);
+
+/// The mean speed-up of one of the paper's variants over another (both by position in `variants`)
+/// within a family, over those of the sizes where both were measured.
+struct MeanSpeedUp {
+  std::optional<SpeedUp> speed_up;
+  std::size_t sizes = 0;  ///< that went into it
+};
+
+MeanSpeedUp mean_speed_up(const Record& record, std::string_view family, std::size_t reference,
+                          std::size_t variant, std::span<const std::int64_t> sizes);
+
+/// Sizes recorded for a case, in whatever state, ascending.
+std::vector<std::int64_t> recorded_sizes(const Record& record, std::string_view case_name);
+
+/// The sparse families that the record has a candidate of, in whatever state: a build without a
+/// backend has none of it, and no table shows it.
+std::vector<std::string_view> recorded_families(const Record& record);
+
+/// Returns the cases recorded, in whatever state.
+std::set<std::string> recorded_cases(const Record& record);
+
+/// Says why there is no time; empty when there is one.
+std::string remark(const Candidate& candidate);
+
+}  // namespace desmo::report

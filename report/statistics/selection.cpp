@@ -1,0 +1,108 @@
+#include "report/statistics/selection.h"
+
+#include <algorithm>
+#include <set>
+
+namespace desmo::report {
+
+std::vector<std::string> cases_with_points(const Record& record) {
+  std::set<std::string> names;
+  for (const auto& [key, point] : record.points) names.insert(key.series.case_name);
+  return {names.begin(), names.end()};
+}
+
+std::vector<SeriesKey> all_series(const Record& record) {
+  std::set<SeriesKey> found;
+  for (const auto& [key, point] : record.points) found.insert(key.series);
+  return {found.begin(), found.end()};
+}
+
+std::optional<SeriesKey> main_series(const Record& record, std::string_view case_name) {
+  std::optional<SeriesKey> found;
+  for (const auto& [key, point] : record.points) {
+    const SeriesKey& series = key.series;
+    if (series.case_name != case_name || series.step_seconds != record.settings.step_seconds)
+      continue;
+    if (!found || *found < series) found = series;
+  }
+  return found;
+}
+
+std::vector<std::string> drawn_cases(const Record& record) {
+  std::vector<std::string> names = cases_with_points(record);
+  std::erase_if(names, [&](const std::string& name) { return !main_series(record, name); });
+  return names;
+}
+
+Points points_of(const Record& record, const SeriesKey& series) {
+  Points points;
+  for (const NamedPoint& point : record.points)
+    if (point.first.series == series) points.push_back(&point);
+  return points;
+}
+
+Points of_formulation(const Points& points, std::string_view formulation) {
+  Points found;
+  for (const NamedPoint* point : points)
+    if (point->second.configuration.formulation == formulation) found.push_back(point);
+  return found;
+}
+
+Points solving_every_instant(Points points) {
+  std::erase_if(
+      points, [](const NamedPoint* p) { return !p->second.configuration.solves_every_instant(); });
+  return points;
+}
+
+std::vector<std::string> formulations_of(const Points& points) {
+  std::set<std::string> names;
+  for (const NamedPoint* point : points) names.insert(point->second.configuration.formulation);
+  return {names.begin(), names.end()};
+}
+
+bool is_solved(const NamedPoint& point) { return point.second.status == Point::Status::ok; }
+
+double position_error(const NamedPoint& point) { return point.second.error.position->max; }
+
+StepTime step_time(std::vector<double> samples) {
+  std::ranges::sort(samples);
+  return {samples.front(), samples[std::min<std::size_t>(1, samples.size() - 1)]};
+}
+
+StepTime step_time(const NamedPoint& point) { return step_time(point.second.seconds_per_step); }
+
+SpeedUp step_ratio(const std::vector<double>& reference, const std::vector<double>& variant) {
+  const StepTime a = step_time(reference), b = step_time(variant);
+  return {.value = a.seconds / b.seconds,
+          .low = a.seconds / b.again,
+          .high = a.again / b.seconds,
+          .percent = 100 * (1 - b.seconds / a.seconds),
+          .repetitions = std::min(reference.size(), variant.size()),
+          .spread = std::min(reference.size(), variant.size()) >= min_for_interval};
+}
+
+SpeedUp speed_up(const NamedPoint& reference, const NamedPoint& variant) {
+  return step_ratio(reference.second.seconds_per_step, variant.second.seconds_per_step);
+}
+
+const NamedPoint* cheapest(const Points& points, double max_error,
+                           const std::function<bool(const Configuration&)>& may) {
+  const NamedPoint* best = nullptr;
+  for (const NamedPoint* point : points)
+    if (is_solved(*point) && position_error(*point) <= max_error &&
+        may(point->second.configuration) &&
+        (!best || step_time(*point).seconds < step_time(*best).seconds))
+      best = point;
+  return best;
+}
+
+const NamedPoint* cheapest(const Points& points, double max_error) {
+  return cheapest(points, max_error, [](const Configuration&) { return true; });
+}
+
+const NamedPoint* cheapest_of_paper(const Points& points, double max_error) {
+  return cheapest(points, max_error,
+                  [](const Configuration& c) { return c.has_papers_settings(); });
+}
+
+}  // namespace desmo::report

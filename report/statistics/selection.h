@@ -1,0 +1,71 @@
+// Choosing among the points of a record, and their times.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "report/read/record.h"
+#include "report/statistics/statistics.h"
+
+namespace desmo::report {
+
+/// A point with its name: it refers to the record.
+using NamedPoint = std::pair<const PointKey, Point>;
+using Points = std::vector<const NamedPoint*>;
+
+/// Errors that answers are wanted within: relative, of position, the largest.
+inline constexpr std::array accuracies{1e-3, 1e-6, 1e-9, 1e-12};
+
+std::vector<std::string> cases_with_points(const Record& record);
+
+std::vector<SeriesKey> all_series(const Record& record);
+
+/// The motion that most is known of: of the case's largest size at the record's own step, the one
+/// with most instants. Nothing when there is none at that step.
+std::optional<SeriesKey> main_series(const Record& record, std::string_view case_name);
+
+Points points_of(const Record& record, const SeriesKey& series);
+
+/// Cases with a main series.
+std::vector<std::string> drawn_cases(const Record& record);
+
+/// Those of one formulation, whatever its settings.
+Points of_formulation(const Points& points, std::string_view formulation);
+
+/// Those that interpolate no instant between solved ones.
+Points solving_every_instant(Points points);
+
+/// Formulations, each once.
+std::vector<std::string> formulations_of(const Points& points);
+
+bool is_solved(const NamedPoint& point);
+double position_error(const NamedPoint& point);  ///< the largest; of a solved point
+
+/// The time of a step: the least of the samples, and the second least, which says how far the
+/// least can be had again (the least itself when there is one sample).
+struct StepTime {
+  double seconds = 0, again = 0;
+};
+StepTime step_time(std::vector<double> samples);
+StepTime step_time(const NamedPoint& point);
+
+/// Ratio of the least times; from the reference's least over the variant's second least to the
+/// reverse. Of samples, at least one each, or of points that are solved.
+SpeedUp step_ratio(const std::vector<double>& reference, const std::vector<double>& variant);
+SpeedUp speed_up(const NamedPoint& reference, const NamedPoint& variant);
+
+/// The fastest of the solved points within an error, of those that `may`; null when there is none.
+const NamedPoint* cheapest(const Points& points, double max_error,
+                           const std::function<bool(const Configuration&)>& may);
+const NamedPoint* cheapest(const Points& points, double max_error);
+
+/// The fastest within an error with the paper's guesses_and_updates, wherever it stops; null when
+/// there is none.
+const NamedPoint* cheapest_of_paper(const Points& points, double max_error);
+
+}  // namespace desmo::report

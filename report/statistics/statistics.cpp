@@ -1,0 +1,197 @@
+#include "report/statistics/statistics.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+namespace desmo::report {
+namespace {
+
+// Two-sided 95 % quantiles of Student's t for 1, 2, ... degrees of freedom.
+constexpr std::array student_quantiles{12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306,
+                                       2.262,  2.228, 2.201, 2.179, 2.160, 2.145, 2.131, 2.120,
+                                       2.110,  2.101, 2.093, 2.086, 2.080, 2.074, 2.069, 2.064,
+                                       2.060,  2.056, 2.052, 2.048, 2.045, 2.042};
+
+// Beyond the table its last value serves: 4 % too wide at most.
+double student(std::size_t freedom) {
+  return student_quantiles[std::min(freedom, student_quantiles.size()) - 1];
+}
+
+// How many of n samples may be left out at either end so that the median stays between the others
+// with probability 1 - 0.025: each sample is below it with probability 1/2, so that too many are
+// left out with probability 2 P(Binomial(n, 1/2) <= left out).
+std::size_t left_out_at_either_end(std::size_t n) {
+  constexpr double allowed = 0.025;
+  const double all = static_cast<double>(n);
+  double outside = 0;
+  std::size_t left_out = 0;
+  for (std::size_t i = 0; i < n / 2; ++i) {
+    const double below = static_cast<double>(i);  // so many samples below the median
+    outside += 2 * std::exp(std::lgamma(all + 1) - std::lgamma(below + 1) -
+                            std::lgamma(all - below + 1) - all * std::log(2.0));
+    if (outside > allowed) break;
+    left_out = i;
+  }
+  return left_out;
+}
+
+std::vector<double> logarithms(std::span<const double> values) {
+  std::vector<double> result;
+  for (const double value : values) result.push_back(std::log(value));
+  return result;
+}
+
+double sum(std::span<const double> values) {
+  return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+double average(std::span<const double> values) {
+  return sum(values) / static_cast<double>(values.size());
+}
+
+// Of the 95 % interval of S = Σa / Σb over n pairs: t √(n/(n-1) Σ(a - S b)²) / Σb.
+double half_width_of_ratio(std::span<const double> a, std::span<const double> b) {
+  const std::size_t n = a.size();
+  const double ratio = sum(a) / sum(b), all = static_cast<double>(n);
+  double squares = 0;
+  for (std::size_t i = 0; i < n; ++i) squares += std::pow(a[i] - ratio * b[i], 2);
+  return student(n - 1) * std::sqrt(squares * all / (all - 1)) / sum(b);
+}
+
+struct WindowPoint {
+  double updates, seconds;  // an instant
+};
+
+std::vector<WindowPoint> points(const Windows& s, std::optional<std::size_t> left_out) {
+  std::vector<WindowPoint> points;
+  for (std::size_t k = 0; k < s.updates.size(); ++k) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t r = 0; r < s.samples.size(); ++r)
+      if (r != left_out) least = std::min(least, s.samples[r][k]);
+    points.push_back({s.updates[k] / s.instants[k], least / s.instants[k]});
+  }
+  return points;
+}
+
+// With fewer updates than a point it takes no longer, and with more so in proportion at most.
+double bound(const WindowPoint& point, double updates) {
+  return point.seconds * std::max(1.0, updates / point.updates);
+}
+
+// What two points on either side allow: no more than either, nor than the chord between them.
+double bound(const WindowPoint& left, const WindowPoint& right, double updates) {
+  const double of_one = std::min(bound(left, updates), bound(right, updates));
+  const double width = right.updates - left.updates;
+  if (width <= 0) return of_one;
+  const double share = (updates - left.updates) / width;
+  return std::min(of_one, left.seconds + share * (right.seconds - left.seconds));
+}
+
+}  // namespace
+
+double undisturbed(const Windows& s, std::optional<std::size_t> left_out) {
+  const double instants = std::accumulate(s.instants.begin(), s.instants.end(), 0.0),
+               updates = std::accumulate(s.updates.begin(), s.updates.end(), 0.0) / instants;
+  const std::vector<WindowPoint> all = points(s, left_out);
+  // Of all chords over a place, the lowest there is the envelope's.
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const WindowPoint& left : all)
+    for (const WindowPoint& right : all)
+      if (left.updates <= updates && updates <= right.updates)
+        lowest = std::min(lowest, bound(left, right, updates));
+  return instants * lowest;
+}
+
+double undisturbed_without_best(const Windows& s) {
+  double largest = 0;
+  for (std::size_t r = 0; r < s.samples.size(); ++r) largest = std::max(largest, undisturbed(s, r));
+  return largest;
+}
+
+Summary summarise(std::span<const double> samples, const Windows& windows) {
+  std::vector<double> sorted(samples.begin(), samples.end());
+  std::sort(sorted.begin(), sorted.end());
+  const std::size_t n = sorted.size(), left_out = left_out_at_either_end(n);
+  const double median = (sorted[(n - 1) / 2] + sorted[n / 2]) / 2;
+  Summary s{.value = median,
+            .low = sorted[left_out],
+            .high = sorted[n - 1 - left_out],
+            .median = median,
+            .least = sorted.front(),
+            .largest = sorted.back(),
+            .median_low = sorted[left_out],
+            .median_high = sorted[n - 1 - left_out],
+            .count = n,
+            .windows = windows.least,
+            .without_best = {}};
+  if (windows.least.empty()) return s;
+  s.value = s.low = windows.samples.empty() ? sum(windows.least) : undisturbed(windows);
+  s.high = std::max(s.value, median);
+  if (windows.samples.size() > 1) s.without_best = undisturbed_without_best(windows);
+  return s;
+}
+
+SpeedUp speed_up(const Summary& reference, const Summary& variant) {
+  const bool sampled = reference.without_best && variant.without_best;
+  const bool paired =
+      reference.windows.size() > 1 && reference.windows.size() == variant.windows.size();
+  // S = t_global / t_topological
+  const double ratio = sampled  ? reference.value / variant.value
+                       : paired ? sum(reference.windows) / sum(variant.windows)
+                                : reference.median / variant.median;
+  SpeedUp s{.value = ratio,
+            .low = reference.median_low / variant.median_high,
+            .high = reference.median_high / variant.median_low,
+            .percent = 100 * (1 - 1 / ratio),
+            .repetitions = std::min(reference.count, variant.count),
+            .spread = reference.has_interval() && variant.has_interval()};
+  if (sampled) {
+    s.low = reference.value / *variant.without_best;
+    s.high = *reference.without_best / variant.value;
+    return s;
+  }
+  if (!paired) return s;
+  const double half = half_width_of_ratio(reference.windows, variant.windows);
+  s.low = std::max(0.0, ratio - half);
+  s.high = ratio + half;
+  return s;
+}
+
+SpeedUp mean(std::span<const SpeedUp> sizes) {
+  SpeedUp result{.repetitions = sizes.front().repetitions, .spread = true};
+  const double n = static_cast<double>(sizes.size());
+  for (const SpeedUp& size : sizes) {
+    result.value += size.value / n;
+    result.low += size.low / n;
+    result.high += size.high / n;
+    result.percent += size.percent / n;
+    result.repetitions = std::min(result.repetitions, size.repetitions);
+    result.spread = result.spread && size.spread;
+  }
+  return result;
+}
+
+std::optional<Slope> fit_slope(std::span<const double> sizes, std::span<const double> seconds) {
+  const std::size_t n = sizes.size();
+  if (n < 3) return std::nullopt;
+  const std::vector<double> x = logarithms(sizes), y = logarithms(seconds);
+  const double x_mean = average(x), y_mean = average(y);
+  double xx = 0, xy = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    xx += (x[i] - x_mean) * (x[i] - x_mean);
+    xy += (x[i] - x_mean) * (y[i] - y_mean);
+  }
+  const double slope = xy / xx;
+  double squares = 0;  // of what the line leaves
+  for (std::size_t i = 0; i < n; ++i)
+    squares += std::pow(y[i] - y_mean - slope * (x[i] - x_mean), 2);
+  const double freedom = static_cast<double>(n - 2);
+  const double half = student(n - 2) * std::sqrt(squares / freedom / xx);  // t sqrt(s^2 / S_xx)
+  return Slope{.value = slope, .low = slope - half, .high = slope + half, .points = n};
+}
+
+}  // namespace desmo::report

@@ -1,0 +1,103 @@
+// How numbers are reduced: nothing else in the report computes with samples.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "report/read/timed.h"
+
+namespace desmo::report {
+
+/// The seconds of an analysis that nothing disturbed, from all there were or from all but one.
+///
+/// A window takes so much for each instant and so much for each update, and at times more, never
+/// less: of the points (updates an instant, seconds an instant) of all windows and analyses, the
+/// undisturbed ones lie on a line, which rises, but not faster than in proportion, and the others
+/// above it. So the time is that of the lower convex envelope of these points at the updates of the
+/// whole motion, or less where that is more than a single point allows.
+///
+/// windows: with samples, two or more where one is left out.
+double undisturbed(const Windows& windows, std::optional<std::size_t> left_out = std::nullopt);
+
+/// The largest that leaving out one analysis makes of it: with the best of them gone, what the
+/// others say. windows: with two samples or more.
+double undisturbed_without_best(const Windows& windows);
+
+/// Repetitions below which there is no interval: two may have been disturbed alike.
+inline constexpr std::size_t min_for_interval = 3;
+
+/// The repetitions of one measurement.
+struct Summary {
+  /// The time and its interval. With windows the undisturbed time (see windows.h; the sum of
+  /// their least times where their samples are not known), and from there to the median; without,
+  /// the median, median_low and median_high.
+  double value = 0;
+  double low = 0;
+  double high = 0;
+  double median = 0;  ///< of an even count: the mean of the two in the middle
+  double least = 0;
+  double largest = 0;
+  /// The samples between which the true median lies with a probability of 97.5 % at least, whatever
+  /// the distribution of independent samples: those as far from either end as that allows. With
+  /// fewer than 7 no two samples allow it, and these are the least and the largest.
+  double median_low = 0;
+  double median_high = 0;
+  std::size_t count = 0;
+  std::vector<double> windows;  ///< the least time of each; may be empty
+  /// The undisturbed time without its best repetition, where the samples of windows are known.
+  std::optional<double> without_best;
+  bool has_interval() const { return count >= min_for_interval; }
+  double half_range() const { return (largest - least) / 2; }
+};
+
+/// Summarises one sample or more, with the windows that they consist of, where known.
+Summary summarise(std::span<const double> samples, const Windows& windows = {});
+
+/// Relative half-width of a speed-up's interval beyond which it is called inconclusive. An idle
+/// machine reaches 0.02.
+inline constexpr double max_conclusive_width = 0.05;
+
+/// How many times as fast: S = t_reference / t_variant.
+struct SpeedUp {
+  double value = 0;  ///< ratio of the times
+  /// With samples of windows on both sides: what the ratio becomes without the best repetition of
+  /// either side; narrow where two repetitions or more say the same of both. With the least times
+  /// of windows: the 95 % interval of a ratio of sums over pairs, from how far the windows are
+  /// from having that ratio, by Student's t (W. G. Cochran: Sampling Techniques, 1977, chapter 6).
+  /// Without: the reference's median_low over the variant's median_high, and the reverse. That
+  /// holds the ratio of the true medians with a probability of 95 % at least from 7 repetitions
+  /// each, and of (1 - 2^(1-n))^2 with n < 7.
+  double low = 0;
+  double high = 0;
+  double percent = 0;           ///< improvement 100 (1 - 1/S), from the unrounded S
+  std::size_t repetitions = 0;  ///< the fewer of both sides
+  bool spread = false;          ///< enough of them for an interval: low and high mean something
+
+  double half_width() const { return (high - low) / 2 / value; }  ///< of the interval, relative
+  /// Whether the interval is too wide for the number to be quoted.
+  bool inconclusive() const { return spread && half_width() > max_conclusive_width; }
+};
+
+/// Returns the ratio of undisturbed times, where both have samples of windows or as many least
+/// times; otherwise the ratio of medians.
+SpeedUp speed_up(const Summary& reference, const Summary& variant);
+
+/// Each member the arithmetic mean over the sizes, as in the last row of the paper's table 2; the
+/// percentage too is the mean of the percentages. Of one or more.
+SpeedUp mean(std::span<const SpeedUp> sizes);
+
+/// t = c n^slope, fitted by least squares in log t over log n.
+struct Slope {
+  double value = 0;
+  double low = 0;  ///< 95 % interval of Student's t, n - 2 degrees of freedom
+  double high = 0;
+  std::size_t points = 0;
+};
+
+/// One point per size (the median), so that repetitions of a size, which share its deviation from
+/// the line, are not mistaken for independent evidence. Nothing with fewer than three sizes.
+std::optional<Slope> fit_slope(std::span<const double> sizes, std::span<const double> seconds);
+
+}  // namespace desmo::report

@@ -1,0 +1,46 @@
+#include "report/statistics/variants.h"
+
+#include <algorithm>
+
+namespace desmo::report {
+namespace {
+
+std::string replaced(std::string_view text, std::string_view from, std::string_view to) {
+  std::string result(text);
+  if (const auto at = result.find(from); at != std::string::npos)
+    result.replace(at, from.size(), to);
+  return result;
+}
+
+}  // namespace
+
+std::string family_name(const Variant& variant, std::string_view family) {
+  return replaced(variant.paper_name, "MA27", family);
+}
+
+CandidateKey family_key(const Variant& variant, std::int64_t coordinates, std::string_view family) {
+  return {std::string(variant.case_name), coordinates, replaced(variant.id, "<sparse>", family)};
+}
+
+std::string_view setting(std::string_view id, std::string_view name) {
+  const std::string begin = "/" + std::string(name) + ":";
+  const auto at = id.find(begin);
+  if (at == std::string_view::npos) return {};
+  id.remove_prefix(at + begin.size());
+  return id.substr(0, id.find('/'));
+}
+
+std::string without_setting(std::string id, const std::string& name) {
+  const std::size_t begin = id.find("/" + name + ":");
+  if (begin == id.npos) return id;
+  const std::size_t end = std::min(id.find('/', begin + 1), id.size());
+  return id.erase(begin, end - begin);
+}
+
+bool is_beside_peers(const Record& record, std::string_view id) {
+  return std::ranges::any_of(record.peers, [&](const Peer& peer) {
+    return has_settings(id) && id.substr(id.find('/')) == "/guess:" + peer.guess;
+  });
+}
+
+}  // namespace desmo::report

@@ -1,0 +1,73 @@
+// The paper's seven analyses and the formulations that stand for them: the one table of names.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "report/read/record.h"
+
+namespace desmo::report {
+
+/// MA27, which cannot be redistributed: only a user who has it can record it.
+inline constexpr std::string_view papers_own = "ma27";
+/// What stands in for it, and all, in the order of tables.
+inline constexpr std::array<std::string_view, 3> stand_ins{"cholmod", "umfpack", "klu"};
+inline constexpr std::array<std::string_view, 4> sparse_families{papers_own, "cholmod", "umfpack",
+                                                                 "klu"};
+
+/// The formulation that everything is compared with.
+inline constexpr std::string_view usual_reference = "global_automatic_klu";
+
+/// Guesses of the experiment accuracy, in the order of tables.
+inline constexpr std::array tried_guesses{"previous", "linear",   "quadratic",
+                                          "hermite3", "hermite5", "adams8"};
+
+/// The same reference as global_automatic_klu, without a structure that KLU finds by itself: on
+/// some mechanisms the faster one.
+inline constexpr std::string_view reference_of_one_block = "global_automatic_klu/btf:off";
+
+struct Variant {
+  std::string_view paper_name;  ///< "MA27" in it gives way to the family
+  std::string_view case_name;
+  std::string_view id;  ///< "<sparse>" in it gives way to the family
+};
+
+/// In the order of the columns of the paper's table 1.
+inline constexpr std::array<Variant, 7> variants{
+    {{"FBL-G_MA27", "four_bar", "global_automatic_<sparse>"},
+     {"FBL-TP", "four_bar", "group_symbolic_inlined"},
+     {"TS-G_MA27", "truck_suspension", "global_automatic_<sparse>"},
+     {"TS-TPA_MA27", "truck_suspension", "group_automatic_<sparse>"},
+     {"TS-TPA_LAP", "truck_suspension", "group_automatic_lapack"},
+     {"TS-TPS_MA27", "truck_suspension", "group_symbolic_<sparse>"},
+     {"TS-TPS_LAP", "truck_suspension", "group_symbolic_lapack"}}};
+
+inline constexpr std::size_t truck_global = 2;                        ///< reference of table 2
+inline constexpr std::array<std::size_t, 4> topological{3, 4, 5, 6};  ///< columns of table 2
+
+/// Where the paper says that the four-bar's times begin to show.
+inline constexpr std::int64_t published_four_bar = 1002;
+
+/// Whether an id says that a formulation has other settings than the paper's.
+inline bool has_settings(std::string_view id) { return id.find('/') != std::string_view::npos; }
+
+/// The value of a setting in an id: "adams8" of guess in global_automatic_klu/guess:adams8; empty
+/// where the id does not name it.
+std::string_view setting(std::string_view id, std::string_view name);
+
+/// The id without a setting.
+std::string without_setting(std::string id, const std::string& name);
+
+/// Tells whether a formulation stands next to peers, with no other setting than their guess.
+bool is_beside_peers(const Record& record, std::string_view id);
+
+/// TS-TPA_MA27 and klu: TS-TPA_klu.
+std::string family_name(const Variant& variant, std::string_view family);
+
+/// The candidate that stands for the variant in a family.
+CandidateKey family_key(const Variant& variant, std::int64_t coordinates, std::string_view family);
+
+}  // namespace desmo::report

@@ -1,0 +1,79 @@
+// Numbers and measurements as places of a table.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "report/statistics/measurements.h"
+#include "report/statistics/selection.h"
+#include "report/statistics/statistics.h"
+#include "report/text/document.h"
+
+namespace desmo::report {
+
+/// Adds a reservation about what the entry shows.
+void add_note(Entry& entry, const std::string& note);
+
+/// Shows digits, the only quantity.
+Entry digits_entry(std::string digits);
+
+/// Writes so many significant digits, or the mark of what is missing.
+Entry number_entry(const std::optional<double>& value, int significant);
+
+/// Writes a number of things in full.
+Entry count_entry(std::size_t count);
+
+/// "1.00 reference": what a ratio is over, over itself.
+Entry reference_entry();
+
+/// "0.4210 ±0.0020", quantities {seconds, half_range, repetitions}; "0.4210 (two runs)" where they
+/// are too few for an interval; or the mark.
+Entry seconds_entry(const Measured& measured);
+
+/// "0.1122 (median 0.1185)", quantities {seconds, median, repetitions}, likewise; without the
+/// median where that is the time.
+Entry median_entry(const Measured& measured);
+
+/// Microseconds of an instant, of a whole analysis of the record's motion.
+Entry instant_entry(const Record& record, const Measured& measured, int significant = 4);
+
+/// Adds the errors of position, velocity and acceleration to a row.
+void add_errors(std::vector<Entry>& row, const Candidate& candidate);
+
+/// "1.24 [1.21, 1.27] (19.4 %)", quantities {speed_up, low, high, percent}, with inconclusive_mark
+/// where the interval is too wide; "0.17 [0.16, 0.17]", without percentage, of what is slower; or
+/// the mark.
+Entry speed_up_entry(const MeasuredSpeedUp& measured);
+
+/// "1.24 [1.21, 1.27]", quantities {ratio, low, high}, likewise.
+Entry ratio_entry(const SpeedUp& ratio);
+Entry ratio_entry(const MeasuredSpeedUp& measured);
+
+/// The mean over the paper's sizes, as speed_up_entry; "incomplete 4/5" when some have none.
+Entry mean_speed_up_entry(const Record& record, std::string_view family, std::size_t variant);
+
+/// A speed_up_entry without the improvement: "1.24 [1.21, 1.27]".
+Entry without_percent(Entry entry);
+
+/// Returns the paper's value with inside_mark or outside_mark: whether our interval contains it,
+/// both as printed. Of both entries the first quantity is the value, of ours the second and third
+/// are the interval. Unchanged where one of them is missing or ours is of fewer sizes.
+Entry compared(Entry published, const Entry& ours);
+
+// ---- points of the experiment accuracy ----
+
+/// "12.34 – 12.41", quantities {microseconds, again}; of null the mark.
+Entry step_time_entry(const NamedPoint* point);
+Entry step_time_entry(const std::vector<double>& samples);
+/// "2.31 [2.28, 2.35]", quantities {speed_up, low, high}; of null the mark.
+Entry step_ratio_entry(const NamedPoint* reference, const NamedPoint* variant);
+/// "8.0e-10", quantities {error}; of nothing the mark.
+Entry error_entry(const std::optional<double>& error);
+Entry error_entry(const NamedPoint* point);
+Entry iterations_entry(const NamedPoint* point);  ///< quantities {iterations}
+/// "tolerance 1e-6", "2 iterations", "usual tolerance": where its steps stop.
+Entry stop_entry(const NamedPoint* point);
+
+}  // namespace desmo::report

@@ -1,0 +1,119 @@
+// Tables 1 and 2 of the paper: CPU seconds, and S = t_global / t_topological.
+#include <set>
+
+#include "report/statistics/paper.h"
+#include "report/tables/entries.h"
+#include "report/tables/record_words.h"
+#include "report/tables/tables.h"
+#include "report/text/digits.h"
+#include "report/text/texts.h"
+
+namespace desmo::report {
+namespace {
+
+/// Returns the paper's sizes and those that were recorded of some variants.
+template <class Variants>
+std::set<std::int64_t> sizes_with(const Record& record, std::string_view family,
+                                  const Variants& shown) {
+  std::set<std::int64_t> sizes(published_sizes().begin(), published_sizes().end());
+  for (const auto& [key, candidate] : record.candidates)
+    for (const Variant& variant : shown)
+      if (key == family_key(variant, key.coordinates, family)) sizes.insert(key.coordinates);
+  return sizes;
+}
+
+/// Adds the row of ours, and below it the paper's where it prints anything.
+void add_both(Table& table, std::vector<Entry> ours, std::vector<Entry> paper) {
+  bool published = false;
+  for (std::size_t i = 2; i < paper.size(); ++i)
+    published = published || paper[i].note != missing_mark;
+  table.rows.push_back(std::move(ours));
+  if (published) table.rows.push_back(std::move(paper));
+}
+
+}  // namespace
+
+Entry published_seconds_entry(const std::string& row, const Variant& variant) {
+  const PublishedTable& table = published_cpu_seconds();
+  const std::string digits = table.text(row, variant.paper_name);
+  if (digits.empty()) return note_entry(missing_mark);
+  if (!table.number(row, variant.paper_name)) return note_entry(digits);  // "<<0.015"
+  return digits_entry(digits);
+}
+
+Entry published_speed_up_entry(const std::string& row, const Variant& variant) {
+  const std::string value = published_speed_up().text(row, variant.paper_name);
+  const std::string percent = published_improvement_percent().text(row, variant.paper_name);
+  if (value.empty()) return note_entry(missing_mark);
+  return {value + " (" + percent + " %)", {value, "", "", percent}, {}};
+}
+
+Table cpu_times(const Record& record, std::string_view family) {
+  const Sources source = sources(record);
+  Table table = headed_table(
+      "table1",
+      {{"family", family},
+       {"duration", write_shortest(record.settings.duration_seconds)},
+       {"paper_motion", source.warning.empty() ? "" : " (the " + source.paper + ")"},
+       {"time", time_and_median(record)},
+       {"repetitions", repetitions(record)},
+       {"paper_solver", family == papers_own ? std::string("MA27, too")
+                                             : "MA27 in place of " + std::string(family)}});
+  define_time(table, record);
+  if (!source.warning.empty()) table.notes.push_back(source.warning);
+  for (const Variant& variant : variants)
+    table.columns.push_back({family_name(variant, family), {"seconds", "median", "repetitions"}});
+  std::set<std::int64_t> sizes = sizes_with(record, family, variants);
+  sizes.insert(published_four_bar);
+  for (const std::int64_t size : sizes) {
+    const std::string row = std::to_string(size);
+    std::vector<Entry> ours{row, source.ours}, paper{row, source.paper};
+    for (const Variant& variant : variants) {
+      ours.push_back(median_entry(measured(record, family_key(variant, size, family))));
+      paper.push_back(published_seconds_entry(row, variant));
+    }
+    add_both(table, std::move(ours), std::move(paper));
+  }
+  return table;
+}
+
+Table speed_ups(const Record& record, std::string_view family) {
+  Table table = headed_table(
+      "table2", {{"family", family}, {"reference", family_name(variants[truck_global], family)}});
+  define_time(table, record);
+  if (const Sources source = sources(record); !source.ratio_warning.empty())
+    table.notes.push_back(source.ratio_warning);
+  std::vector<Variant> shown;
+  for (const std::size_t variant : topological) shown.push_back(variants[variant]);
+  for (const Variant& variant : shown)
+    table.columns.push_back({family_name(variant, family), {"speed_up", "low", "high", "percent"}});
+  const auto add = [&](const std::string& name, const auto& ours_of) {
+    std::vector<Entry> ours{name, "ours"}, paper{name, "paper"};
+    for (const std::size_t variant : topological) {
+      ours.push_back(ours_of(variant));
+      paper.push_back(compared(published_speed_up_entry(name, variants[variant]), ours.back()));
+    }
+    add_both(table, std::move(ours), std::move(paper));
+  };
+  for (const std::int64_t size : sizes_with(record, family, shown))
+    add(std::to_string(size), [&](std::size_t variant) {
+      return speed_up_entry(measured_speed_up(record,
+                                              family_key(variants[truck_global], size, family),
+                                              family_key(variants[variant], size, family)));
+    });
+  add("mean", [&](std::size_t variant) { return mean_speed_up_entry(record, family, variant); });
+  return table;
+}
+
+Section paper_tables(const Record& record) {
+  Section section = headed_section("paper");
+  const std::vector<std::string_view> families = recorded_families(record);
+  if (families.empty()) section.paragraphs.push_back(sentence("paper.none"));
+  for (const std::string_view family : families)
+    section.tables.push_back(speed_ups(record, family));
+  for (const std::string_view family : families)
+    section.tables.push_back(cpu_times(record, family));
+  return section;
+}
+
+}  // namespace desmo::report

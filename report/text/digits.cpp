@@ -1,0 +1,46 @@
+#include "report/text/digits.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace desmo::report {
+namespace {
+
+std::string characters(double value, std::chars_format format, int decimals) {
+  std::array<char, 512> buffer;  // the longest double has 309 digits before the point
+  const auto end =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, format, decimals).ptr;
+  return {buffer.data(), end};
+}
+
+}  // namespace
+
+DigitStyle significant_digits(double value, int significant) {
+  if (value == 0) return {false, significant - 1};
+  // The exponent after rounding: 9.9996 shown with four digits is 10.00.
+  const std::string rounded = characters(value, std::chars_format::scientific, significant - 1);
+  const int exponent = std::stoi(rounded.substr(rounded.find('e') + 1));
+  if (exponent < -6 || exponent > 6) return {true, significant - 1};
+  return {false, std::max(0, significant - 1 - exponent)};
+}
+
+DigitStyle ratio_digits(double value) {
+  return value >= 0.1 && value < 100 ? DigitStyle{false, 2} : significant_digits(value, 3);
+}
+
+std::string write_shortest(double value) {
+  std::array<char, 32> buffer;
+  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
+}
+
+std::string write(double value, DigitStyle style) {
+  const auto format = style.scientific ? std::chars_format::scientific : std::chars_format::fixed;
+  std::string result = characters(value, format, style.decimals);
+  const bool zero = result.find_first_of("123456789") >= result.find('e');
+  if (zero && result.front() == '-') result.erase(0, 1);
+  return result;
+}
+
+}  // namespace desmo::report

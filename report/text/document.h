@@ -1,0 +1,69 @@
+// What the report says, before it takes the form of a format: sections of paragraphs and tables.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace desmo::report {
+
+inline constexpr const char* inconclusive_mark = "inconclusive";
+inline constexpr const char* missing_mark = "—";
+inline constexpr const char* failed_mark = "FAILED";
+inline constexpr const char* not_run_mark = "not run";
+inline constexpr const char* inside_mark = "in";  ///< the paper's value, of our interval
+inline constexpr const char* outside_mark = "out";
+
+/// One place in a table. `shown` is composed of `digits` and `note` and nothing else, so that a
+/// reader of the Markdown and a program reading the JSON see the same numbers.
+struct Entry {
+  // A text alone, as rows are mostly written.
+  Entry(std::string text) : shown(std::move(text)) {}            // NOLINT
+  Entry(const char* text) : shown(text) {}                       // NOLINT
+  Entry(std::int64_t number) : shown(std::to_string(number)) {}  // NOLINT
+  Entry(std::string text, std::vector<std::string> numbers, std::string reservation)
+      : shown(std::move(text)), digits(std::move(numbers)), note(std::move(reservation)) {}
+
+  std::string shown;                ///< terminal, Markdown
+  std::vector<std::string> digits;  ///< one per Column::quantities, "" where there is none
+  std::string note;  ///< in place of a number (failed_mark ...) or a reservation about it
+
+  bool has_number() const {
+    for (const std::string& number : digits)
+      if (!number.empty()) return true;
+    return false;
+  }
+};
+
+inline Entry note_entry(std::string note) { return {note, {}, note}; }
+
+struct Column {
+  std::string name;                     ///< unique in its table
+  std::vector<std::string> quantities;  ///< names of what an entry's digits mean; none: text
+};
+
+struct Table {
+  std::string name;   ///< lower case, unique in the document: the name of the CSV file
+  std::string title;  ///< one line
+  std::vector<std::string> notes;
+  std::vector<Column> columns;
+  std::vector<std::vector<Entry>> rows;  ///< one entry per column
+  bool detail = false;  ///< left out on the terminal, which says so; folded on the page
+  bool figure = false;  ///< the data of the figure `name`, which stands above it on the page
+};
+
+struct Section {
+  std::string title;
+  std::vector<std::string> paragraphs;
+  std::vector<Table> tables;
+  std::string chapter = {};  ///< the experiment it belongs to; empty: no heading of its own
+  bool front = false;        ///< what the terminal shows, and the page before all else
+};
+
+struct Document {
+  std::string title;
+  std::vector<Section> sections;
+};
+
+}  // namespace desmo::report

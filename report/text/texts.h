@@ -1,0 +1,37 @@
+// The words of the report, from text/texts.txt: sentences with placeholders, and the heads of
+// tables and sections. No other file composes a sentence.
+#pragma once
+
+#include <concepts>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "report/text/document.h"
+
+namespace desmo::report {
+
+/// A value for the placeholder {name} of a text.
+struct TextValue {
+  TextValue(std::string_view name, std::string_view text) : name(name), text(text) {}
+  TextValue(std::string_view name, std::integral auto number)
+      : name(name), text(std::to_string(number)) {}
+
+  std::string_view name;
+  std::string text;
+};
+
+using TextValues = std::vector<TextValue>;
+
+// All throw std::logic_error when the file has no such text, or a placeholder no value.
+
+/// Returns the sentence "block.word" with its placeholders filled.
+std::string sentence(std::string_view name, const TextValues& values = {});
+
+/// Returns a table without rows: name, title, notes and columns of a block.
+Table headed_table(std::string_view block, const TextValues& values = {});
+
+/// Returns a section without tables: title and paragraphs of a block.
+Section headed_section(std::string_view block, const TextValues& values = {});
+
+}  // namespace desmo::report
