@@ -1,8 +1,7 @@
-#include "report/comparison.h"
-
 #include <algorithm>
 
-#include "report/statistics/compared_times.h"
+#include "report/report.h"
+#include "report/statistics/comparability.h"
 #include "report/statistics/measurements.h"
 #include "report/tables/entries.h"
 #include "report/tables/record_words.h"

@@ -6,12 +6,12 @@
 
 #include "cases/io/new_files.h"
 #include "report/check/command.h"
-#include "report/comparison.h"
 #include "report/figures/figures.h"
 #include "report/formats/formats.h"
 #include "report/read/record_reader.h"
 #include "report/report.h"
 #include "report/statistics/comparability.h"
+#include "report/text/texts.h"
 
 namespace {
 
@@ -94,8 +94,7 @@ ExitCode tables(const TablesCommand& command) {
     return success;
   }
   if (command.folder.empty()) {
-    write_standard_output(front_to_terminal(document) +
-                          "\nEverything else: --all, or --out FOLDER for files and a page.\n");
+    write_standard_output(front_to_terminal(document) + "\n" + sentence("front.rest") + "\n");
     return success;
   }
   std::vector<NewFile> files;
@@ -118,16 +117,16 @@ ExitCode compare(const CompareCommand& command) {
   const bool two_machines = are_of_two_machines(first, second);
   if (complain(
           command.first, command.second,
-          two_machines ? why_not_the_same_work(first, second) : why_incomparable(first, second)))
+          two_machines ? different_work_reason(first, second) : why_incomparable(first, second)))
     return incomparable;
   write_standard_output(on_standard_output(
       two_machines ? make_comparison_of_machines(first, second) : make_comparison(first, second),
       {command.format}));
   if (!two_machines) return success;
-  std::cerr << "desmo_report: no verdict: the records are of two machines, " << first.machine.cpu
-            << " and " << second.machine.cpu
-            << ". Seconds of two machines do not compare, so that their speed-ups stand side by "
-               "side.\n";
+  std::cerr << "desmo_report: "
+            << sentence("machines.no_verdict",
+                        {{"first", first.machine.cpu}, {"second", second.machine.cpu}})
+            << "\n";
   return no_verdict;
 }
 
@@ -137,6 +136,10 @@ int main(int argc, char** argv) {
   CLI::App app{"The paper's tables and figures from records, comparisons and verdicts"};
   app.set_version_flag("--version", "desmo_report " DESMO_VERSION);
   app.require_subcommand(1);
+  const auto add_format = [](CLI::App* command, auto& formats) {
+    command->add_option("--format", formats, "terminal, json, csv, markdown or html")
+        ->check(CLI::IsMember(format_names()));
+  };
   TablesCommand command;
   CLI::App* tables_app = app.add_subcommand(
       "tables", "Tables 1 and 2, figures 5 and 6, time against error, and the rest");
@@ -146,10 +149,7 @@ int main(int argc, char** argv) {
       ->required();
   tables_app->add_option("--out", command.folder,
                          "Write the files of every format, and the figures, into this folder");
-  tables_app
-      ->add_option("--format", command.formats,
-                   "Only these formats: terminal, json, csv, markdown, html")
-      ->check(CLI::IsMember(format_names()));
+  add_format(tables_app, command.formats);
   tables_app->add_option("--table", command.tables, "Only the table of this name; repeatable");
   tables_app->add_flag("--all", command.all, "Print every table, not only what stands in front");
   CompareCommand comparison;
@@ -159,14 +159,12 @@ int main(int argc, char** argv) {
                          "speed-ups side by side (exit code 3)");
   compare_app->add_option("A", comparison.first, "The first record")->required();
   compare_app->add_option("B", comparison.second, "The second record")->required();
-  compare_app->add_option("--format", comparison.format, "terminal, json, csv or markdown")
-      ->check(CLI::IsMember(format_names()));
+  add_format(compare_app, comparison.format);
   CheckCommand check;
   CLI::App* check_app = app.add_subcommand("check", "The verdict of a check of bench/check");
   check_app->add_option("file", check.file, "The results file")->required();
   check_app->add_option("--baseline", check.baseline, "Compare with this results file");
-  check_app->add_option("--format", check.format, "terminal, json, csv or markdown")
-      ->check(CLI::IsMember(format_names()));
+  add_format(check_app, check.format);
   check_app->add_flag("--pending", check.pending, "List what has still to be measured");
   CertificateCommand certificate;
   CLI::App* certificate_app =
@@ -174,8 +172,7 @@ int main(int argc, char** argv) {
   certificate_app->add_option("file", certificate.file, "The trials")->required();
   certificate_app->add_option("--add", certificate.added,
                               "Judge the check of this trial and add a line to the file");
-  certificate_app->add_option("--format", certificate.format, "terminal, json, csv or markdown")
-      ->check(CLI::IsMember(format_names()));
+  add_format(certificate_app, certificate.format);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -1,4 +1,5 @@
-// The whole report of one record, or of some that belong together.
+// The documents of the program: the report of one record, or of some that belong together, and one
+// record compared with another.
 #pragma once
 
 #include <vector>
@@ -13,7 +14,15 @@ namespace desmo::report {
 Document make_report(const Record& record);
 
 /// One page of several records, at least one, each section from the first that has what it needs.
-/// Their times may stand on one page (comparability.h).
+/// Their times may stand on one page (statistics/comparability.h).
 Document make_report(const std::vector<Record>& records);
+
+/// Says how many times as fast the second record is, for everything timed or to be timed in either.
+/// The records are comparable (report/comparability.h).
+Document make_comparison(const Record& first, const Record& second);
+
+/// Shows the speed-ups of two machines side by side, and no seconds: of everything that both have
+/// timed, over the usual reference, each in its own record. The records agree in what was solved.
+Document make_comparison_of_machines(const Record& first, const Record& second);
 
 }  // namespace desmo::report

@@ -13,7 +13,7 @@
 namespace desmo::cli {
 namespace {
 
-constexpr std::size_t longest_line = std::size_t{1} << 20;
+constexpr std::size_t max_line = std::size_t{1} << 20;
 
 bool is_number(std::string_view field, double& value) {
   if (field.starts_with('+')) field.remove_prefix(1);
@@ -78,7 +78,7 @@ bool DriverRows::read_line(std::string& line) {
   line.clear();
   for (int c; (c = std::getc(file_.get())) != EOF && c != '\n';) {
     line += static_cast<char>(c);
-    if (line.size() > longest_line) {
+    if (line.size() > max_line) {
       ++line_;
       fail(0, "the line is longer than 1 MiB; write one row a line");
     }
@@ -145,22 +145,22 @@ bool DriverRows::next(LiveRow& row) {
   do
     if (!read_line(text_)) return false;
   while (trimmed(text_).empty());
-  split(trimmed(text_), cells_);
+  split(trimmed(text_), fields_);
   double value = 0;
-  if (targets_.empty() && !is_number(cells_[0], value)) {
-    read_heading(cells_);
+  if (targets_.empty() && !is_number(fields_[0], value)) {
+    read_heading(fields_);
     return next(row);
   }
-  if (targets_.empty()) read_first(cells_.size());
-  if (cells_.size() != targets_.size())
-    fail(std::min(cells_.size(), targets_.size()),
-         std::to_string(cells_.size()) + " numbers, where " + std::to_string(targets_.size()) +
+  if (targets_.empty()) read_first(fields_.size());
+  if (fields_.size() != targets_.size())
+    fail(std::min(fields_.size(), targets_.size()),
+         std::to_string(fields_.size()) + " numbers, where " + std::to_string(targets_.size()) +
              " are expected");
-  for (std::size_t k = 0; k < cells_.size(); ++k) {
+  for (std::size_t k = 0; k < fields_.size(); ++k) {
     const auto& [order, driver] = targets_[k];
     if (k != time_column_ && (order < 0 || wanted_[driver] < 0)) continue;
-    if (!is_number(cells_[k], value))
-      fail(k, desmo::in_quotes(std::string(cells_[k])) + " is not a number");
+    if (!is_number(fields_[k], value))
+      fail(k, desmo::in_quotes(std::string(fields_[k])) + " is not a number");
     if (k == time_column_)
       row.time = value;
     else

@@ -49,7 +49,7 @@ class DriverRows {
   int level_;
   long line_ = 0;
   std::string text_;
-  std::vector<std::string_view> cells_;
+  std::vector<std::string_view> fields_;
   std::size_t time_column_ = 0;
   std::vector<Target> targets_;  // of each column, once known
   std::vector<double> values_[3];

@@ -56,7 +56,7 @@ Names all_names(const Side& head) {
 
 void require_known(const Names& all, const std::string& name, const std::string& option) {
   if (std::ranges::find(all, name) == all.end())
-    throw std::invalid_argument(option + ": there is no cell '" + name + "'");
+    throw std::invalid_argument(option + ": there is no candidate '" + name + "'");
 }
 
 /// Reads SIDE:CELL:PERCENT into the side that it names.
@@ -79,9 +79,10 @@ std::vector<Side> sides_of(const Options& o) {
   return sides;
 }
 
-std::string name_of(const Json& cell) {
-  return cell["case"].get<std::string>() + "/" + std::to_string(cell["coordinates"].get<int>()) +
-         "/" + cell["id"].get<std::string>();
+std::string name_of(const Json& candidate) {
+  return candidate["case"].get<std::string>() + "/" +
+         std::to_string(candidate["coordinates"].get<int>()) + "/" +
+         candidate["id"].get<std::string>();
 }
 
 /// Returns the record of each side, with every candidate verified.
@@ -97,8 +98,8 @@ Json verified(const std::vector<Side>& sides, const Names& names) {
 /// lacks cannot be compared.
 Names sound(Names sound, const Json& check, const std::vector<Side>& sides) {
   for (const Side& side : sides)
-    for (const Json& cell : check[side.name]["paper"]["cells"])
-      if (cell["status"] != "ok") std::erase(sound, name_of(cell));
+    for (const Json& candidate : check[side.name]["paper"]["cells"])
+      if (candidate["status"] != "ok") std::erase(sound, name_of(candidate));
   return sound;
 }
 
@@ -109,27 +110,27 @@ void append(Json& samples, const std::vector<double>& seconds) {
 /// Adds the samples of a pass: those of the first stand in the records.
 void add_times(Json& check, const std::string& pass, const Times& times) {
   if (pass == "second") {
-    for (const auto& [cell, by_side] : times)
-      for (const auto& [side, seconds] : by_side) append(check["second"][cell][side], seconds);
+    for (const auto& [candidate, by_side] : times)
+      for (const auto& [side, seconds] : by_side) append(check["second"][candidate][side], seconds);
     return;
   }
   for (const auto& [side, seconds] : times.at(control)) append(check[control][side], seconds);
   for (const auto& [side, ignored] : times.at(control))
-    for (Json& cell : check[side]["paper"]["cells"]) {
-      const auto timed = times.find(name_of(cell));
+    for (Json& candidate : check[side]["paper"]["cells"]) {
+      const auto timed = times.find(name_of(candidate));
       if (timed == times.end()) continue;
-      cell["time"]["clock"] = "cpu";
-      append(cell["time"]["seconds"], timed->second.at(side));
+      candidate["time"]["clock"] = "cpu";
+      append(candidate["time"]["seconds"], timed->second.at(side));
     }
 }
 
 /// Marks what is right and was not timed, for whatever reason.
 void mark_untimed(Json& check, const std::vector<Side>& sides) {
   for (const Side& side : sides)
-    for (Json& cell : check[side.name]["paper"]["cells"]) {
-      if (cell["status"] != "ok" || cell.contains("time")) continue;
-      cell["status"] = "not_run";
-      cell["message"] = "verified, not timed";
+    for (Json& candidate : check[side.name]["paper"]["cells"]) {
+      if (candidate["status"] != "ok" || candidate.contains("time")) continue;
+      candidate["status"] = "not_run";
+      candidate["message"] = "verified, not timed";
     }
 }
 
@@ -208,10 +209,11 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.add_option("--head", o.head, "Folder of head's desmo_probe and desmo_steps")->required();
   app.add_option("--base", o.base, "The same of base; without it head is measured alone");
-  CLI::App* all = app.add_subcommand("measure", "Verifies, counts and times every cell");
+  CLI::App* all = app.add_subcommand("measure", "Verifies, counts and times every candidate");
   all->add_option("file", o.file, "Results file to write")->required();
   all->add_option("--seed", o.seed, "Of the order in which things are measured");
-  all->add_option("--slow", o.slow, "SIDE:CELL:PERCENT: make a cell slower, to test the check");
+  all->add_option("--slow", o.slow,
+                  "SIDE:CELL:PERCENT: make a candidate slower, to test the check");
   all->add_option("--cell", o.names, "Measure only these");
   all->add_flag("!--no-time", o.time, "Count instructions only");
   all->add_flag("!--no-work", o.work, "Measure times only");

@@ -47,7 +47,7 @@ void DriverSource::write_all(State& state) const {
   if (row_.z) write(drivers_, state);
 }
 
-void DriverSource::write_only(const std::vector<bool>& read) {
+void DriverSource::set_observed(const std::vector<bool>& read) {
   written_.clear();
   std::ranges::copy_if(drivers_, std::back_inserter(written_), [&](const Driven& d) {
     return read[d.coordinate] || !in_row_[d.coordinate];

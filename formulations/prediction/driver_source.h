@@ -47,7 +47,7 @@ class DriverSource {
 
   /// Sets which drivers drive() writes: those that are read in the state, or nowhere else.
   /// read: of each position in the state.
-  void write_only(const std::vector<bool>& read);
+  void set_observed(const std::vector<bool>& read);
 
  private:
   struct Driven {

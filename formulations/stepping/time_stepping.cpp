@@ -263,7 +263,7 @@ void TimeStepping::want(const Request& request, bool lent) {
   sequence_.bind(observed, places);
   output_ = OutputWriter(places, requested.size());  // of what is left
   for (std::size_t i = 0; i < places.size(); ++i) observed[i] = observed[i] || places[i] >= 0;
-  drivers_.write_only(observed);
+  drivers_.set_observed(observed);
 }
 
 Flow TimeStepping::deliver(int index, double t, const Summary& step, Level level,

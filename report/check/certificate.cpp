@@ -91,14 +91,15 @@ Certificate read_certificate(const std::filesystem::path& file) {
     const bool refuted = t.trials - t.shown > c.misses, enough = t.trials >= c.trials;
     certificate.refuted = certificate.refuted || refuted;
     certificate.holds = certificate.holds && enough && !refuted;
-    const std::string claim = c.misses == 0 ? "every one" : "all but " + std::to_string(c.misses);
-    table.rows.push_back({c.title, c.load, digits_entry(std::to_string(c.trials)),
-                          digits_entry(std::to_string(t.trials)),
-                          digits_entry(std::to_string(t.shown)),
-                          digits_entry(std::to_string(t.inconclusive)),
-                          claim + (refuted  ? ": DOES NOT HOLD"
-                                   : enough ? ": holds"
-                                            : ": trials are missing")});
+    const std::string state = sentence(refuted  ? "certificate.state_refuted"
+                                       : enough ? "certificate.state_holds"
+                                                : "certificate.state_incomplete");
+    std::vector<Entry> row{c.title, c.load};
+    for (const int count : {c.trials, t.trials, t.shown, t.inconclusive})
+      row.push_back(digits_entry(std::to_string(count)));
+    row.push_back(sentence(c.misses == 0 ? "certificate.every_one" : "certificate.all_but",
+                           {{"misses", c.misses}, {"state", state}}));
+    table.rows.push_back(std::move(row));
   }
   Section section{sentence(certificate.holds     ? "certificate.holds"
                            : certificate.refuted ? "certificate.refuted"

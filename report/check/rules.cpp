@@ -23,7 +23,7 @@ Outcome outcome_of_time(const Change& first, const std::optional<Change>& second
   const int seen = direction(first);
   if (seen == 0) return is_undecided(first) ? Outcome::noisy : Outcome::same;
   if (!second) return Outcome::unconfirmed;
-  if (direction(*second) == seen) return seen > 0 ? Outcome::regression : Outcome::gain;
+  if (direction(*second) == seen) return seen > 0 ? Outcome::regression : Outcome::improvement;
   return is_undecided(*second) ? Outcome::noisy : Outcome::refuted;
 }
 
@@ -33,7 +33,7 @@ bool is_unsteady(const Change& control) {
 
 Outcome outcome_of_work(double percent) {
   if (percent >= alarming_percent) return Outcome::regression;
-  if (percent <= -alarming_percent) return Outcome::gain;
+  if (percent <= -alarming_percent) return Outcome::improvement;
   return Outcome::same;
 }
 

@@ -8,7 +8,7 @@
 namespace desmo::report {
 
 /// Time: an alarm when the median change exceeds the first and the lower end of its interval the
-/// second, in two passes in a row. A gain is the same with base and head exchanged.
+/// second, in two passes in a row. An improvement is the same with base and head exchanged.
 inline constexpr double alarming_change = 1.05;
 inline constexpr double certain_change = 1.02;
 /// Wider intervals than this, highest over lowest, tell nothing.
@@ -20,7 +20,7 @@ inline constexpr double alarming_percent = 1.0;
 
 enum class Outcome {
   same,
-  gain,
+  improvement,
   regression,
   unconfirmed,  ///< needs its second pass
   refuted,      ///< the second pass does not say what the first did

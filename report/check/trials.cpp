@@ -64,20 +64,9 @@ Json read_what(const RecordValue& trial) {
 Json trial_line(const Json& what, const CheckOutcome& found) {
   Json line{{"trial", what}, {"verdict", verdict_names[static_cast<std::size_t>(found.verdict)]}};
   add_candidates(line, "slower", found.time.candidates, Outcome::regression);
-  add_candidates(line, "faster", found.time.candidates, Outcome::gain);
+  add_candidates(line, "faster", found.time.candidates, Outcome::improvement);
   add_candidates(line, "more_work", found.work.candidates, Outcome::regression);
   return line;
-}
-
-std::optional<TrialsHead> head_of(const std::filesystem::path& certificate) {
-  if (!std::filesystem::exists(certificate)) return std::nullopt;
-  return read_trials(read_record_text(certificate), certificate.string()).head;
-}
-
-void require_same_machine(const TrialsHead& head, const Record& record) {
-  if (head.cpu != record.machine.cpu || head.compiler != record.build.compiler ||
-      head.flags != record.build.flags)
-    throw MixedRecord("trials of different machines or compilers do not make one certificate");
 }
 
 }  // namespace
@@ -104,8 +93,12 @@ void add_trial(const std::filesystem::path& certificate, const std::filesystem::
   const RecordValue root(document.root());
   const Json what = read_what(root["trial"]);
   const CheckRecord check = read_check(root["check"]);
-  const std::optional<TrialsHead> head = head_of(certificate);
-  if (head) require_same_machine(*head, check.head);
+  std::optional<TrialsHead> head;
+  if (std::filesystem::exists(certificate))
+    head = read_trials(read_record_text(certificate), certificate.string()).head;
+  if (head && (head->cpu != check.head.machine.cpu || head->compiler != check.head.build.compiler ||
+               head->flags != check.head.build.flags))
+    throw MixedRecord("trials of different machines or compilers do not make one certificate");
   std::string text = head ? "" : head_line(check.head).dump() + "\n";
   text += trial_line(what, compare_sides(check)).dump() + "\n";
   std::ofstream out(certificate, std::ios::app);

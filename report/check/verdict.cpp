@@ -89,8 +89,8 @@ std::vector<std::string> summary(const CheckOutcome& j) {
   for (const std::string& name : j.missing) say("missing", {{"candidate", name}});
   say_list("slower", candidates_with(j.time.candidates, Outcome::regression));
   say_list("more_work", candidates_with(j.work.candidates, Outcome::regression));
-  say_list("faster", candidates_with(j.time.candidates, Outcome::gain));
-  say_list("less_work", candidates_with(j.work.candidates, Outcome::gain));
+  say_list("faster", candidates_with(j.time.candidates, Outcome::improvement));
+  say_list("less_work", candidates_with(j.work.candidates, Outcome::improvement));
   say_list("unconfirmed", candidates_with(j.time.candidates, Outcome::unconfirmed));
   say_list("noisy", candidates_with(j.time.candidates, Outcome::noisy));
   say_differences("times_differ", j.differences);

@@ -1,8 +1,8 @@
-#include "report/figures/design.h"
-
 #include <cstddef>
 #include <nlohmann/json.hpp>
 #include <utility>
+
+#include "report/figures/figures.h"
 
 namespace desmo::report {
 

@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "report/figures/design.h"
 #include "report/tables/tables.h"
 #include "report/text/embedded.h"
 

@@ -1,7 +1,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "report/figures/design.h"
+#include "report/figures/figures.h"
 #include "report/statistics/curves.h"
 #include "report/tables/tables.h"
 #include "report/text/digits.h"

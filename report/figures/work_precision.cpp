@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "report/figures/design.h"
+#include "report/figures/figures.h"
 #include "report/statistics/selection.h"
 #include "report/tables/entries.h"
 #include "report/tables/tables.h"
@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr double min_drawn = 1e-18;  // where an error stands that is less, or 0
 constexpr double max_drawn = 10;     // likewise, that is more
-constexpr double room = 0.7;         // decades between the labels of the front
+constexpr double margin = 0.7;       // decades between the labels of the front
 constexpr std::size_t id = 0, family = 1, time = 2, error = 3, iterations = 8, front = 9, why = 10;
 
 double drawn(double value) { return std::clamp(value, min_drawn, max_drawn); }
@@ -41,13 +41,13 @@ Json failed(const std::vector<Entry>& row, int place) {
           {"place", place}};
 }
 
-/// Of the front, whose marks come with the error falling, as many as have room.
+/// Of the front, whose marks come with the error falling, as many as have margin.
 void label(Json& all) {
   double last = 100 * max_drawn;
   for (Json& mark : all)
     if (mark.value("front", false)) {
       const double at = mark["drawn_at"].get<double>();
-      if (std::log10(last / at) < room) continue;
+      if (std::log10(last / at) < margin) continue;
       mark["label"] = mark["iterations"];
       last = at;
     }

@@ -86,8 +86,8 @@ std::vector<std::size_t> column_widths(const Table& table) {
   return widths;
 }
 
-std::string aligned(const std::string& text, std::size_t room, bool right, bool last) {
-  const std::string space(room - std::min(room, characters(text)), ' ');
+std::string aligned(const std::string& text, std::size_t width_left, bool right, bool last) {
+  const std::string space(width_left - std::min(width_left, characters(text)), ' ');
   if (right) return space + text;
   return last ? text : text + space;
 }

@@ -35,10 +35,10 @@ class OneOrigin {
   using Place = std::tuple<std::string, std::int64_t, std::string>;  // case, size, request
 
   static void agree(First& first, const std::optional<std::string>& digest, const std::string& name,
-                    const std::string& complaint) {
+                    const std::string& problem) {
     if (!digest) return;
     if (first.digest.empty()) first = {*digest, name};
-    if (first.digest != *digest) throw MixedRecord(name + ": " + complaint + " than " + first.name);
+    if (first.digest != *digest) throw MixedRecord(name + ": " + problem + " than " + first.name);
   }
 
   std::string cpu_;

@@ -4,7 +4,6 @@
 #include <optional>
 #include <set>
 
-#include "report/statistics/compared_times.h"
 #include "report/text/digits.h"
 
 namespace desmo::report {
@@ -113,7 +112,7 @@ std::vector<Difference> why_incomparable(const Record& first, const Record& seco
   return std::move(all).differences();
 }
 
-std::vector<Difference> why_not_the_same_work(const Record& first, const Record& second) {
+std::vector<Difference> different_work_reason(const Record& first, const Record& second) {
   Comparison all;
   compare_work(all, first, second);
   return std::move(all).differences();

@@ -1,10 +1,11 @@
 // Which records may be compared: the comparability key.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
-#include "report/read/record.h"
+#include "report/statistics/measurements.h"
 
 namespace desmo::report {
 
@@ -21,7 +22,7 @@ struct Difference {
 std::vector<Difference> why_incomparable(const Record& first, const Record& second);
 
 /// Likewise, but for the environment: whether speed-ups of two machines may stand side by side.
-std::vector<Difference> why_not_the_same_work(const Record& first, const Record& second);
+std::vector<Difference> different_work_reason(const Record& first, const Record& second);
 
 /// Tells whether the records are of two CPU models.
 bool are_of_two_machines(const Record& first, const Record& second);
@@ -30,5 +31,19 @@ bool are_of_two_machines(const Record& first, const Record& second);
 /// can: as above, but for the motions and what was timed. Only one of them may have candidates,
 /// only one points, and likewise searches of desmo tune, sizes, instructions and extremes.
 std::vector<Difference> why_apart(const Record& first, const Record& second);
+
+/// Times of one experiment by one clock.
+struct TimedGroup {
+  std::string name;  ///< of its table
+  std::string what;  ///< "CPU seconds", "wall-clock seconds of several threads"
+  std::map<CandidateKey, Timing> timings;
+};
+
+/// Returns every group that a record may have, in the order of tables; empty ones too.
+std::vector<TimedGroup> timed_groups(const Record& record);
+
+/// Returns the key that speed-ups of a key are over: the usual reference of the same case and size,
+/// with the same request; of several threads, the same analysis on one.
+CandidateKey reference_of(const CandidateKey& key);
 
 }  // namespace desmo::report

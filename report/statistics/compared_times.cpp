@@ -1,5 +1,4 @@
-#include "report/statistics/compared_times.h"
-
+#include "report/statistics/comparability.h"
 #include "report/statistics/variants.h"
 #include "report/text/digits.h"
 #include "report/text/document.h"

@@ -6,8 +6,6 @@
 #include <ranges>
 #include <sstream>
 
-#include "report/text/texts.h"
-
 namespace desmo::report {
 
 std::vector<Curve> curves_of(const std::map<CandidateKey, TimedSize>& entries) {
@@ -104,13 +102,6 @@ std::vector<Cache> data_caches(const Machine& machine) {
   }
   std::ranges::stable_sort(caches, {}, &Cache::bytes);
   return caches;
-}
-
-std::string held_by(const std::vector<Cache>& caches, double bytes) {
-  if (caches.empty()) return {};
-  for (const Cache& cache : caches)
-    if (bytes <= cache.bytes) return sentence("growth.in", {{"cache", cache.name}});
-  return sentence("growth.beyond", {{"cache", caches.back().name}});
 }
 
 }  // namespace desmo::report

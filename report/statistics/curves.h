@@ -74,8 +74,4 @@ struct Cache {
 /// does not read so is left out.
 std::vector<Cache> data_caches(const Machine& machine);
 
-/// "in L1", …, "beyond L3": the smallest cache that holds so many bytes; empty when no cache is
-/// known.
-std::string held_by(const std::vector<Cache>& caches, double bytes);
-
 }  // namespace desmo::report

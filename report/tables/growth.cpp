@@ -88,7 +88,6 @@ Table exponents(const std::vector<Curve>& curves) {
 
 Table growth_data(const Record& record) {
   Table table = headed_table("growth", {{"cpu", record.machine.cpu}, {"date", record.date}});
-  const std::vector<Cache> caches = data_caches(record.machine);
   const auto kibibytes = [](std::optional<double> bytes) {
     return number_entry(bytes ? std::optional(*bytes / 1024) : std::nullopt, 4);
   };
@@ -101,12 +100,11 @@ Table growth_data(const Record& record) {
                              kibibytes(entry.bytes), kibibytes(entry.state_bytes),
                              number_entry(entry.iterations_per_step, 3),
                              error_entry(entry.verification->position),
-                             entry.bytes ? held_by(caches, *entry.bytes) : "",
                              sentence("growth.checked", {{"precision", entry.checked_against}})});
     } else {
       row.push_back(note_entry(failed_mark));
       row.resize(9, note_entry(missing_mark));
-      row.insert(row.end(), {"", entry.message});
+      row.push_back(entry.message);
     }
     table.rows.push_back(std::move(row));
   }

@@ -54,11 +54,12 @@ Table cpu_times(const Record& record, std::string_view family) {
       "table1",
       {{"family", family},
        {"duration", write_shortest(record.settings.duration_seconds)},
-       {"paper_motion", source.warning.empty() ? "" : " (the " + source.paper + ")"},
+       {"paper_motion",
+        source.warning.empty() ? "" : sentence("table1.other_motion", {{"paper", source.paper}})},
        {"time", time_and_median(record)},
        {"repetitions", repetitions(record)},
-       {"paper_solver", family == papers_own ? std::string("MA27, too")
-                                             : "MA27 in place of " + std::string(family)}});
+       {"paper_solver", sentence(family == papers_own ? "table1.ma27_too" : "table1.ma27_in_place",
+                                 {{"family", family}})}});
   define_time(table, record);
   if (!source.warning.empty()) table.notes.push_back(source.warning);
   for (const Variant& variant : variants)

@@ -70,7 +70,7 @@ TEST(Check, AGainIsReportedAsOneAndPasses) {
   confirm(check, watched, 0.91);
   const CheckOutcome j = judged(check);
   EXPECT_EQ(j.verdict, Verdict::pass);
-  EXPECT_EQ(outcome_of(j, watched), Outcome::gain);
+  EXPECT_EQ(outcome_of(j, watched), Outcome::improvement);
 }
 
 TEST(Check, FivePercentAreNoAlarmAndALittleMoreIs) {
@@ -117,7 +117,7 @@ TEST(Check, InstructionsAlarmFromOnePercentOn) {
   for (const Row& row :
        {Row{1'000'000, Verdict::pass, Outcome::same}, Row{1'009'000, Verdict::pass, Outcome::same},
         Row{1'010'000, Verdict::regression, Outcome::regression},
-        Row{990'000, Verdict::pass, Outcome::gain}}) {
+        Row{990'000, Verdict::pass, Outcome::improvement}}) {
     Json check = check_sample();
     check["work"]["instructions"][watched]["head"] = row.head;
     const CheckOutcome j = judged(check);

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "report/comparison.h"
 #include "report/read/record_reader.h"
+#include "report/report.h"
 #include "tests/report/sample.h"
 
 namespace desmo::report::comparability_test {
@@ -174,7 +174,7 @@ TEST(Comparison, OfTwoMachinesShowsSpeedUpsAndNoSeconds) {
   const Record b = record_from(json);
   EXPECT_TRUE(are_of_two_machines(a, b));
   EXPECT_FALSE(are_of_two_machines(a, a));
-  EXPECT_TRUE(why_not_the_same_work(a, b).empty());
+  EXPECT_TRUE(different_work_reason(a, b).empty());
   const Table table = table_named(make_comparison_of_machines(a, b), "machines");
   EXPECT_FALSE(table.rows.empty());
   for (const Column& column : table.columns)
@@ -182,7 +182,7 @@ TEST(Comparison, OfTwoMachinesShowsSpeedUpsAndNoSeconds) {
   const std::vector<std::string> row{"truck_suspension", "114", "group_symbolic_klu"};
   EXPECT_EQ(entry_at(table, row, "A").shown, entry_at(table, row, "B").shown);
   set_motion(json, 3);
-  EXPECT_FALSE(why_not_the_same_work(a, record_from(json)).empty());
+  EXPECT_FALSE(different_work_reason(a, record_from(json)).empty());
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <set>
 
-#include "report/figures/design.h"
 #include "report/figures/figures.h"
 #include "report/tables/tables.h"
 #include "tests/report/points_sample.h"

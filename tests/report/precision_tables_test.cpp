@@ -145,7 +145,7 @@ TEST(Guesses, AreComparedAtEqualErrorAndWithThePapersSettings) {
             "guess and Jacobian at equal error: 2.00 [1.96, 2.04].");
 }
 
-// What guesses and factors gain is not mixed up with instants that are not solved.
+// What guesses and factors improvement is not mixed up with instants that are not solved.
 TEST(Guesses, AreOfEveryInstantSolved) {
   Json json = points_record();
   json["accuracy"]["points"].push_back(solved_point(klu + "/stride:2", 5, 1e-12, 1.5));

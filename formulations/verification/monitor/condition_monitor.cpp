@@ -11,7 +11,7 @@ namespace {
 constexpr double min_part = 0.5;
 /// From one look to the next: by what part a share may change, and how far drivers may go, in their
 /// magnitudes and beside the way to the look before.
-constexpr double allowed = 0.5, longest = 2, stretch = 4;
+constexpr double allowed = 0.5, longest = 2, growth_factor = 4;
 /// Of the fastest change so far, what still counts at the next look: it may only have paused.
 constexpr double remembered = 0.5;
 
@@ -84,7 +84,7 @@ void ConditionMonitor::take(ScaledSystem& system) {
   if (way_ > 0) {
     fall_ = fall / way_;
     pace_ = std::max(change / way_, remembered * pace_);
-    next_ = std::min({longest, stretch * way_, allowed / pace_});
+    next_ = std::min({longest, growth_factor * way_, allowed / pace_});
   }
   way_ = 0;
 }
