@@ -71,6 +71,8 @@ TEST(Layering, FoldersIncludeOnlyThoseBeforeThem) {
                                           "formulations/codegen",
                                           "formulations",
                                           "formulations/verification",
+                                          "formulations/verification/assessment",
+                                          "formulations/verification/monitor",
                                           "formulations/runtime",
                                           "bench/kit",
                                           "bench/peers",

@@ -8,9 +8,9 @@
 #include <cmath>
 
 #include "formulations/variants.h"
+#include "formulations/verification/assessment/assessor.h"
 #include "formulations/verification/condition.h"
 #include "formulations/verification/error.h"
-#include "formulations/verification/monitor/assessor.h"
 #include "formulations/verification/reference/reference.h"
 #include "tests/accuracy/scenes.h"
 #include "tests/dead_point.h"

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "formulations/variants.h"
-#include "formulations/verification/monitor/limits.h"
+#include "formulations/verification/assessment/limits.h"
 #include "formulations/verification/monitor/monitored_run.h"
 #include "tests/accuracy/scenes.h"
 #include "tests/dead_point.h"

@@ -5,15 +5,15 @@
 #include <utility>
 #include <vector>
 
+#include "formulations/verification/assessment/assessor.h"
+#include "formulations/verification/assessment/backward_error.h"
+#include "formulations/verification/assessment/expectation.h"
+#include "formulations/verification/assessment/limits.h"
 #include "formulations/verification/condition.h"
-#include "formulations/verification/monitor/assessor.h"
-#include "formulations/verification/monitor/backward_error.h"
 #include "formulations/verification/monitor/branch_signs.h"
 #include "formulations/verification/monitor/condition_monitor.h"
 #include "formulations/verification/monitor/continuity.h"
 #include "formulations/verification/monitor/degradations.h"
-#include "formulations/verification/monitor/expectation.h"
-#include "formulations/verification/monitor/limits.h"
 #include "formulations/verification/monitor/running_scales.h"
 #include "formulations/verification/monitor/sensitivity_monitor.h"
 

@@ -11,7 +11,7 @@
 #include "formulations/base/part.h"
 #include "formulations/model/model.h"
 #include "formulations/scaling/scales.h"
-#include "formulations/verification/monitor/assessment.h"
+#include "formulations/verification/assessment/assessment.h"
 
 namespace desmo {
 

@@ -6,8 +6,8 @@
 
 #include "formulations/base/observer.h"
 #include "formulations/model/model.h"
-#include "formulations/verification/monitor/assessment.h"
-#include "formulations/verification/monitor/scaled_system.h"
+#include "formulations/verification/assessment/assessment.h"
+#include "formulations/verification/assessment/scaled_system.h"
 
 namespace desmo {
 

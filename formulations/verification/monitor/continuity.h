@@ -8,7 +8,7 @@
 #include "formulations/base/observer.h"
 #include "formulations/base/part.h"
 #include "formulations/model/model.h"
-#include "formulations/verification/monitor/assessor.h"
+#include "formulations/verification/assessment/assessor.h"
 
 namespace desmo {
 

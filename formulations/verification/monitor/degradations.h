@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "formulations/verification/monitor/assessment.h"
-#include "formulations/verification/monitor/limits.h"
+#include "formulations/verification/assessment/assessment.h"
+#include "formulations/verification/assessment/limits.h"
 
 namespace desmo {
 

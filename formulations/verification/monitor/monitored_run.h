@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "formulations/formulation.h"
+#include "formulations/verification/assessment/assembly_error.h"
 #include "formulations/verification/monitor/accuracy_monitor.h"
-#include "formulations/verification/monitor/assembly_error.h"
 
 namespace desmo {
 

@@ -6,7 +6,7 @@
 
 #include "formulations/base/observer.h"
 #include "formulations/model/model.h"
-#include "formulations/verification/monitor/scaled_system.h"
+#include "formulations/verification/assessment/scaled_system.h"
 
 namespace desmo {
 

@@ -1,4 +1,4 @@
-#include "bench/cli/explanation.h"
+#include "bench/cli/inspect/explanation.h"
 
 #include <set>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "formulations/scaling/scales.h"
-#include "formulations/verification/monitor/assessment.h"
+#include "formulations/verification/assessment/assessment.h"
 
 namespace desmo {
 

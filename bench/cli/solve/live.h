@@ -5,7 +5,7 @@
 #include <string>
 
 #include "bench/cli/output.h"
-#include "bench/cli/series.h"
+#include "bench/cli/solve/series.h"
 #include "formulations/formulation.h"
 #include "formulations/planning/plan.h"
 

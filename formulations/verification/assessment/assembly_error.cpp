@@ -1,4 +1,4 @@
-#include "formulations/verification/monitor/assembly_error.h"
+#include "formulations/verification/assessment/assembly_error.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include <nlohmann/json.hpp>
 
-#include "bench/cli/inspection.h"
+#include "bench/cli/inspect/inspection.h"
 
 namespace desmo::cli {
 namespace {

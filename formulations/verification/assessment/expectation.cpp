@@ -1,9 +1,9 @@
-#include "formulations/verification/monitor/expectation.h"
+#include "formulations/verification/assessment/expectation.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "formulations/verification/monitor/limits.h"
+#include "formulations/verification/assessment/limits.h"
 
 namespace desmo {
 

@@ -1,4 +1,4 @@
-#include "bench/cli/series.h"
+#include "bench/cli/solve/series.h"
 
 #include <charconv>
 #include <cmath>

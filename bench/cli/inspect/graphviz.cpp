@@ -1,4 +1,4 @@
-#include "bench/cli/graphviz.h"
+#include "bench/cli/inspect/graphviz.h"
 
 #include <spawn.h>
 #include <sys/wait.h>

@@ -8,7 +8,7 @@
 #include "formulations/groupwise/jet.h"
 #include "formulations/model/model.h"
 #include "formulations/scaling/scales.h"
-#include "formulations/verification/monitor/rounded.h"
+#include "formulations/verification/assessment/rounded.h"
 
 namespace desmo {
 

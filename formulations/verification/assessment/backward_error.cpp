@@ -1,4 +1,4 @@
-#include "formulations/verification/monitor/backward_error.h"
+#include "formulations/verification/assessment/backward_error.h"
 
 #include <algorithm>
 #include <cmath>

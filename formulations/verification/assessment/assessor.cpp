@@ -1,9 +1,9 @@
-#include "formulations/verification/monitor/assessor.h"
+#include "formulations/verification/assessment/assessor.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "formulations/verification/monitor/backward_error.h"
+#include "formulations/verification/assessment/backward_error.h"
 
 namespace desmo {
 

@@ -1,9 +1,9 @@
-#include "bench/cli/columns.h"
+#include "bench/cli/solve/columns.h"
 
 #include <algorithm>
 #include <iterator>
 
-#include "bench/cli/inspection.h"
+#include "bench/cli/inspect/inspection.h"
 
 namespace desmo::cli {
 namespace {

@@ -1,11 +1,11 @@
-#include "bench/cli/live.h"
+#include "bench/cli/solve/live.h"
 
 #include <algorithm>
 #include <cstdio>
 
-#include "bench/cli/driver_rows.h"
 #include "bench/cli/errors.h"
-#include "bench/cli/run_notes.h"
+#include "bench/cli/solve/driver_rows.h"
+#include "bench/cli/solve/run_notes.h"
 #include "bench/cli/text.h"
 #include "formulations/verification/monitor/live_run.h"
 

@@ -7,10 +7,10 @@
 #include "formulations/base/observer.h"
 #include "formulations/model/model.h"
 #include "formulations/scaling/scales.h"
-#include "formulations/verification/monitor/assessment.h"
-#include "formulations/verification/monitor/enclosed_motion.h"
-#include "formulations/verification/monitor/inverse_norm.h"
-#include "formulations/verification/monitor/scaled_system.h"
+#include "formulations/verification/assessment/assessment.h"
+#include "formulations/verification/assessment/enclosed_motion.h"
+#include "formulations/verification/assessment/inverse_norm.h"
+#include "formulations/verification/assessment/scaled_system.h"
 
 namespace desmo {
 

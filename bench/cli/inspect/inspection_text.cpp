@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "bench/cli/inspection.h"
+#include "bench/cli/inspect/inspection.h"
 #include "bench/cli/text.h"
 #include "cases/mechanism/names.h"
 

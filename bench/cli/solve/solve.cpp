@@ -10,13 +10,13 @@
 #include <utility>
 
 #include "bench/cli/commands.h"
-#include "bench/cli/delivery.h"
 #include "bench/cli/errors.h"
-#include "bench/cli/explanation.h"
 #include "bench/cli/input.h"
-#include "bench/cli/live.h"
+#include "bench/cli/inspect/explanation.h"
 #include "bench/cli/own_code.h"
-#include "bench/cli/run_notes.h"
+#include "bench/cli/solve/delivery.h"
+#include "bench/cli/solve/live.h"
+#include "bench/cli/solve/run_notes.h"
 #include "cases/mechanism/names.h"
 #include "formulations/id.h"
 #include "formulations/variants.h"

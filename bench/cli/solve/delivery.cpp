@@ -1,9 +1,9 @@
-#include "bench/cli/delivery.h"
+#include "bench/cli/solve/delivery.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "bench/cli/run_notes.h"
+#include "bench/cli/solve/run_notes.h"
 
 namespace desmo::cli {
 namespace {

@@ -1,4 +1,4 @@
-#include "bench/cli/run_notes.h"
+#include "bench/cli/solve/run_notes.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "formulations/verification/monitor/scaled_system.h"
+#include "formulations/verification/assessment/scaled_system.h"
 
 #include <algorithm>
 #include <cmath>

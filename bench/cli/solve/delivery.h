@@ -7,7 +7,7 @@
 
 #include "bench/cli/output.h"
 #include "bench/cli/progress.h"
-#include "bench/cli/series.h"
+#include "bench/cli/solve/series.h"
 #include "formulations/base/observer.h"
 
 namespace desmo::cli {

@@ -1,4 +1,4 @@
-#include "bench/cli/driver_rows.h"
+#include "bench/cli/solve/driver_rows.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -6,8 +6,8 @@
 #include <cstring>
 #include <set>
 
-#include "bench/cli/columns.h"
 #include "bench/cli/errors.h"
+#include "bench/cli/solve/columns.h"
 #include "cases/mechanism/names.h"
 
 namespace desmo::cli {

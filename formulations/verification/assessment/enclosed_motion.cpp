@@ -1,4 +1,4 @@
-#include "formulations/verification/monitor/enclosed_motion.h"
+#include "formulations/verification/assessment/enclosed_motion.h"
 
 #include <algorithm>
 #include <cmath>

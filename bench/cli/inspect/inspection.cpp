@@ -1,4 +1,4 @@
-#include "bench/cli/inspection.h"
+#include "bench/cli/inspect/inspection.h"
 
 #include <algorithm>
 #include <map>

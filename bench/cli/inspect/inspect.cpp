@@ -3,8 +3,8 @@
 
 #include "bench/cli/commands.h"
 #include "bench/cli/errors.h"
-#include "bench/cli/graphviz.h"
-#include "bench/cli/inspection.h"
+#include "bench/cli/inspect/graphviz.h"
+#include "bench/cli/inspect/inspection.h"
 #include "bench/cli/output.h"
 #include "cases/mechanism/names.h"
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bench/cli/columns.h"
+#include "bench/cli/solve/columns.h"
 
 namespace desmo::cli {
 
