@@ -17,7 +17,7 @@ namespace desmo {
 struct DefinedPart;
 struct State;
 
-/// One way of solving the kinematics of a mechanism: an ordered list of parts, and how they go
+/// A way of solving the kinematics of a mechanism: an ordered list of parts, and how they go
 /// through a motion. make_formulation() (variants.h) makes one:
 ///
 ///   const Model model = make_model(scene);
@@ -26,7 +26,7 @@ struct State;
 ///   for (int i = 1; i <= 100; ++i)
 ///     if (formulation->step(0.01 * i).ok()) use(formulation->q(), formulation->qd());
 ///
-/// What threads may share, in all of desmo: what is const. A Model, the tables of variants, cases
+/// Threads may share whatever is const, in all of desmo. A Model, the tables of variants, cases
 /// and the library, Settings and generated code are read only and may be used by formulations on
 /// any number of threads; they outlive these. A Formulation, a LiveRun and an Observer own what
 /// changes, and are used by one thread at a time: a formulation for each thread. The observer of a

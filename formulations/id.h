@@ -25,10 +25,10 @@ struct Configuration {
 ///     /iterations:1… /tolerance:1e-6
 std::string id_with(const Variant& variant, const Settings& settings);
 
-/// What an id says, its suffixes in any order; of settings that it does not name, `base` holds.
-/// Throws std::invalid_argument, naming the suffix and what could stand there, for a formulation,
-/// suffix or value that there is not and for a suffix given twice; and with the reason for what the
-/// formulation does not offer (unsupported_reason).
+/// Returns the meaning of an id, its suffixes in any order. Of settings that it does not name,
+/// `base` holds. Throws std::invalid_argument, naming the suffix and what could stand there, for a
+/// formulation, suffix or value that there is not and for a suffix given twice; and with the reason
+/// for what the formulation does not offer (unsupported_reason).
 Configuration parse_id(std::string_view id, const Settings& base = {});
 
 }  // namespace desmo

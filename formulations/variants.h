@@ -21,7 +21,7 @@ struct Profile;
 struct Backend;
 class KernelTable;
 
-/// One formulation of the suite: a point on the three axes of the design.
+/// A formulation of the suite: a point on the three axes of the design.
 struct Variant {
   std::string id;  ///< <partition>_<equations>_<algebra>
   Partition partition;
@@ -41,10 +41,10 @@ const Variant& find_variant(std::string_view id);
 /// "lapack", "klu", …, "inlined", "explicit".
 std::string_view algebra_name(const Variant& variant);
 
-/// Whether it solves all unknowns at once with dense matrices, at O(n³) a step.
+/// Returns whether it solves all unknowns at once with dense matrices, at O(n³) a step.
 bool is_dense_global(const Variant& variant);
 
-/// Whether its phases can be measured apart (generated elimination has none).
+/// Returns whether its phases can be measured apart (generated elimination has none).
 bool has_phases(const Variant& variant);
 
 /// Why a variant does not offer these settings, in a sentence without a full stop; empty when it
@@ -63,8 +63,8 @@ std::string unavailable_reason(std::string_view id);
 /// other ids.
 std::string why_gone(std::string_view id);
 
-/// What variants are missing because a library that was found, or named, does not serve, and why: a
-/// line each. A library that is simply not there is none.
+/// Returns which variants are missing because a library that was found, or named, does not serve,
+/// and why: a line each. A library that is simply not there is none.
 std::vector<std::string> faulty_libraries();
 
 /// Analyses the mechanism and allocates everything. Parts of types for which there is no generated

@@ -13,8 +13,8 @@ namespace desmo::report {
 /// recorded, and how it was measured. The same record gives the same document.
 Document make_report(const Record& record);
 
-/// One page of several records, at least one, each section from the first that has what it needs.
-/// Their times may stand on one page (statistics/comparability.h).
+/// Returns a page of several records, at least one, each section from the first that has what it
+/// needs. Their times may stand on one page (statistics/comparability.h).
 Document make_report(const std::vector<Record>& records);
 
 /// Says how many times as fast the second record is, for everything timed or to be timed in either.

@@ -24,7 +24,7 @@ class Delivery : public Observer {
   }
   bool any_order() const noexcept override { return true; }
 
-  /// What came last; empty above the level.
+  /// Return the values of the last instant; empty above the level.
   std::span<const double> q() const { return shown(last_.q); }
   std::span<const double> qd() const { return shown(last_.qd); }
   std::span<const double> qdd() const { return shown(last_.qdd); }

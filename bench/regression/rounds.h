@@ -20,7 +20,7 @@ inline constexpr int steps = 105;
 inline constexpr int uncounted_steps = 5;  ///< the first of them (see desmo_steps)
 inline constexpr int iterations = 3;       ///< of Newton–Raphson in every step
 
-/// One of the two trees that are compared.
+/// A side: one of the two trees that are compared.
 struct Side {
   std::string name;    ///< "base" or "head"
   std::string folder;  ///< where its desmo_probe and desmo_steps are

@@ -7,7 +7,7 @@
 
 namespace desmo {
 
-/// One instant of a motion. The spans are valid until the next instant comes; those beyond the
+/// An instant of a motion. The spans are valid until the next instant comes; those beyond the
 /// requested level are empty. They hold all coordinates in their order, or, at an observer that
 /// lends memory, the requested ones, in that memory.
 struct Instant {

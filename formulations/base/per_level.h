@@ -8,7 +8,7 @@ namespace desmo {
 
 inline constexpr std::array levels{Level::position, Level::velocity, Level::acceleration};
 
-/// One value for each level.
+/// A value for each level.
 template <class T>
 struct PerLevel {
   T position{}, velocity{}, acceleration{};

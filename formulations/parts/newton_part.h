@@ -20,7 +20,7 @@ struct SinglePrecisionState {
   explicit SinglePrecisionState(int size) : q(size), qd(size), qdd(size) {}
 };
 
-/// All that a Newton part is made from.
+/// The ingredients of a Newton part.
 struct PartContext {
   const Model& model;
   const PartDefinition& definition;

@@ -13,7 +13,7 @@ namespace desmo {
 /// The driver values of one step that are handed in, laid out as a row for those who read it.
 class LiveDrivers {
  public:
-  /// One number of the row: the driver (position in Model::drivers) and its coordinate in the
+  /// A number of the row: the driver (position in Model::drivers) and its coordinate in the
   /// state.
   struct Place {
     int driver, coordinate;

@@ -14,7 +14,7 @@ namespace desmo {
 struct MotionRow {
   const double *z = nullptr, *zd = nullptr, *zdd = nullptr;
 
-  /// Those from number `first` on.
+  /// Returns the row without its first `first` numbers.
   MotionRow from(std::size_t first) const { return {z + first, zd + first, zdd + first}; }
 };
 

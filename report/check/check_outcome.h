@@ -1,4 +1,4 @@
-// What a check says as a whole.
+// The outcome of a check as a whole.
 #pragma once
 
 #include <array>
@@ -36,14 +36,14 @@ CheckOutcome compare_sides(const CheckRecord& check);
 /// Head against that of a stored baseline, which is a check of one tree, too.
 CheckOutcome compare_sides(const CheckRecord& check, const CheckRecord& baseline);
 
-/// What has still to be measured for the verdict to be final.
+/// A measurement that a final verdict still needs.
 struct Pending {
   std::string pass;  ///< "first" or "second"
   std::string candidate;
 };
 std::vector<Pending> pending(const CheckOutcome& found);
 
-/// What was found, candidate by candidate, and what it was found on.
+/// The findings, candidate by candidate, and their record.
 Document verdict_document(const CheckRecord& check, const CheckOutcome& found);
 
 }  // namespace desmo::report

@@ -1,4 +1,4 @@
-// What the times and the instruction counts of a check mean, candidate by candidate.
+// Meaning of a check's times and instruction counts, candidate by candidate.
 #pragma once
 
 #include <cstdint>

@@ -27,13 +27,15 @@ enum class Outcome {
   noisy,        ///< needs more rounds
 };
 
-/// Of a time, from its changes in the first pass and, where there was one, the second.
+/// Returns the finding of a time, from its changes in the first pass and, where there was one, the
+/// second.
 Outcome outcome_of_time(const Change& first, const std::optional<Change>& second);
 
-/// Whether the machine, and not what was measured, changed so much that no time can be judged.
+/// Returns whether the machine, and not what was measured, changed so much that no time can be
+/// judged.
 bool is_unsteady(const Change& control);
 
-/// Of a change of instructions in percent, rounded to a tenth.
+/// Returns the finding of a change of instructions in percent, rounded to a tenth.
 Outcome outcome_of_work(double percent);
 
 }  // namespace desmo::report

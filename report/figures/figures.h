@@ -1,5 +1,5 @@
-// What the figures share: each fills a design of report/figures/*.template.json with the numbers of
-// a table.
+// Parts that figures share: each fills a design of report/figures/*.template.json with the numbers
+// of a table.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -33,7 +33,7 @@ std::string to_csv(const Table& table);
 /// GitHub's dialect.
 std::string to_markdown(const Document& document);
 
-/// One page, self-contained: no script, no request to a network, figures missing and named. What
+/// A page, self-contained: no script, no request to a network, figures missing and named. What
 /// stands between the comments "<!-- NAME -->" and "<!-- end of NAME -->", NAME a figure or
 /// "scripts", belongs to report/figures/render, which puts the figures there.
 std::string to_html(const Document& document);

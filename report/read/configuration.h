@@ -1,4 +1,4 @@
-// What an id says: a formulation and its settings.
+// The meaning of an id: a formulation and its settings.
 #pragma once
 
 #include <optional>
@@ -15,14 +15,14 @@ struct Configuration {
   std::string iterations, tolerance;  ///< where a step stops; both empty: at the usual tolerance
   std::vector<std::string> others;    ///< any other suffixes, "key:value"
 
-  /// Whether all but where a step stops is as in the paper.
+  /// Returns whether all but where a step stops is as in the paper.
   bool has_papers_settings() const;
-  /// Whether no instant is interpolated between solved ones.
+  /// Returns whether no instant is interpolated between solved ones.
   bool solves_every_instant() const;
   bool operator==(const Configuration&) const = default;
 };
 
-/// Nothing when a suffix is no "/key:value" or its key is given twice.
+/// Returns nothing when a suffix is no "/key:value" or its key is given twice.
 std::optional<Configuration> parse_configuration(std::string_view id);
 
 }  // namespace desmo::report

@@ -1,4 +1,4 @@
-// What a record holds of the experiments accuracy, size, instructions and extremes: plain data.
+// The part of a record about the experiments accuracy, size, instructions and extremes: plain data.
 #pragma once
 
 #include <array>
@@ -42,7 +42,7 @@ struct LevelError {
   double max = 0, rms = 0;
 };
 
-/// Nothing of a level whose error is beyond all measure.
+/// Empty for a level whose error is beyond all measure.
 struct Errors {
   std::optional<LevelError> position, velocity, acceleration;
 };
@@ -53,7 +53,7 @@ struct PointKey {
   auto operator<=>(const PointKey&) const = default;
 };
 
-/// One configuration tried.
+/// A configuration tried.
 struct Point {
   enum class Status { ok, failed, not_applicable };
 
@@ -73,7 +73,7 @@ struct TunedChoice {
   std::vector<double> seconds_per_step;  ///< samples of CPU time, at least one
 };
 
-/// One search of desmo tune, and its control.
+/// A search of desmo tune, and its control.
 struct Promise {
   std::string mechanism;
   std::int64_t coordinates = 0;

@@ -56,7 +56,7 @@ struct Settings {
   std::optional<std::int64_t> windows;  ///< timing windows into which the motion is cut
 };
 
-/// What names a candidate: unique in a record. Ordered by case, size, id.
+/// The name of a candidate: unique in a record. Ordered by case, size, id.
 struct CandidateKey {
   std::string case_name;
   std::int64_t coordinates = 0;
@@ -69,7 +69,7 @@ inline std::string name_of(const CandidateKey& key) {
   return key.case_name + "/" + std::to_string(key.coordinates) + "/" + key.id;
 }
 
-/// So many parts that a library solves, of so many unknowns each.
+/// A number of parts of one size that a library solves.
 struct Solver {
   std::string algebra;
   std::int64_t parts = 0;
@@ -91,13 +91,13 @@ struct Candidate {
 inline constexpr std::array phases{"residual", "jacobian",         "factorisation",
                                    "solve",    "right_hand_sides", "rest"};
 
-/// Where the wall-clock time of a step went in an instrumented run.
+/// Shares of the wall-clock time of a step in an instrumented run.
 struct Profile {
   std::array<double, phases.size()> seconds_per_step{};  ///< the median of several passes
   std::optional<std::array<double, 2>> total_range;      ///< s, of all phases: least, largest pass
 };
 
-/// What names the structure that a partition gives: ordered by case, size, partition.
+/// The name of the structure that a partition gives: ordered by case, size, partition.
 struct StructureKey {
   std::string case_name;
   std::int64_t coordinates = 0;
@@ -105,7 +105,7 @@ struct StructureKey {
   auto operator<=>(const StructureKey&) const = default;
 };
 
-/// So many parts with so many unknowns each.
+/// A number of parts of one size.
 struct PartSizes {
   std::int64_t unknowns = 0;
   std::int64_t count = 0;

@@ -1,4 +1,4 @@
-// From a file to a JSON document of a known schema.
+// Reading of a file as a JSON document of a known schema.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// From the text of a results file to a Record.
+// Reading of a results file's text as a Record.
 #pragma once
 
 #include <filesystem>

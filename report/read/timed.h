@@ -1,4 +1,4 @@
-// What a record says of something timed: whether its answer is right, and its times. Plain data.
+// A timed item of a record: whether its answer is right, and its times. Plain data.
 #pragma once
 
 #include <cstdint>

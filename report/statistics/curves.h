@@ -1,4 +1,4 @@
-// What was measured of one formulation at several sizes.
+// Measurements of one formulation at several sizes.
 #pragma once
 
 #include <cstdint>
@@ -28,13 +28,13 @@ struct Curve {
   bool failed = false;             ///< at some other size
 };
 
-/// Of every case and formulation of `growth` or `crossing`.
+/// Returns the curves of every case and formulation of `growth` or `crossing`.
 std::vector<Curve> curves_of(const std::map<CandidateKey, TimedSize>& entries);
 
-/// Where a coordinate costs least; null without points.
+/// Returns the point where a coordinate costs least; null without points.
 const CurvePoint* cheapest(const Curve& curve);
 
-/// How many times its least a coordinate costs where growth has ended.
+/// The cost of a coordinate over its least, above which growth has ended.
 inline constexpr double dearer = 1.25;
 
 /// The first size beyond the cheapest from which on a coordinate is dearer, at every size; null
@@ -49,12 +49,12 @@ struct BreakEven {
   double low = 0, high = 0;  ///< the neighbours; of the first and the last where there are several
 };
 
-/// What two curves say, over the sizes that both have.
+/// Comparison of two curves, over the sizes that both have.
 struct CurveComparison {
   std::size_t sizes = 0;
   double smallest = 0, largest = 0;  ///< unknowns; where there are sizes
   bool second_faster_at_largest = false;
-  /// Nothing where one is the faster at every size, or the first at the largest.
+  /// Empty where one is the faster at every size, or the first at the largest.
   std::optional<BreakEven> break_even;
 };
 
@@ -70,8 +70,8 @@ struct Cache {
   double bytes = 0;
 };
 
-/// Those that hold data, smallest first: of "L2 Unified 1024 KiB, shared by 1" and the like, what
-/// does not read so is left out.
+/// Returns the caches that hold data, smallest first: of "L2 Unified 1024 KiB, shared by 1" and the
+/// like, what does not read so is left out.
 std::vector<Cache> data_caches(const Machine& machine);
 
 }  // namespace desmo::report

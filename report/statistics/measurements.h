@@ -26,7 +26,7 @@ struct Measured {
 Measured measured(const Record& record, const CandidateKey& key);
 Measured measured(const Candidate& candidate);
 
-/// What a candidate, request or peer says of its time.
+/// The time of a candidate, request or peer, and a remark where there is none.
 struct Timing {
   Measured time;
   std::string remark;  ///< why there is no time; empty when there is one

@@ -14,8 +14,8 @@ class PublishedTable {
  public:
   explicit PublishedTable(std::string_view csv);
 
-  /// What the paper prints for a row ("114" ... "558", "mean") and one of its columns; empty where
-  /// it prints nothing.
+  /// Returns what the paper prints for a row ("114" ... "558", "mean") and one of its columns;
+  /// empty where it prints nothing.
   std::string text(std::string_view row, std::string_view column) const;
   std::optional<double> number(std::string_view row, std::string_view column) const;
 

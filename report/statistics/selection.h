@@ -34,10 +34,10 @@ Points points_of(const Record& record, const SeriesKey& series);
 /// Cases with a main series.
 std::vector<std::string> drawn_cases(const Record& record);
 
-/// Those of one formulation, whatever its settings.
+/// Returns the points of one formulation, whatever its settings.
 Points of_formulation(const Points& points, std::string_view formulation);
 
-/// Those that interpolate no instant between solved ones.
+/// Returns the points that interpolate no instant between solved ones.
 Points solving_every_instant(Points points);
 
 /// Formulations, each once.

@@ -1,4 +1,4 @@
-// How numbers are reduced: nothing else in the report computes with samples.
+// Reduction of samples to numbers: nothing else in the report computes with samples.
 #pragma once
 
 #include <cstddef>
@@ -59,7 +59,7 @@ Summary summarise(std::span<const double> samples, const Windows& windows = {});
 /// machine reaches 0.02.
 inline constexpr double max_conclusive_width = 0.05;
 
-/// How many times as fast: S = t_reference / t_variant.
+/// A speed-up: S = t_reference / t_variant.
 struct SpeedUp {
   double value = 0;  ///< ratio of the times
   /// With samples of windows on both sides: what the ratio becomes without the best repetition of
@@ -76,7 +76,7 @@ struct SpeedUp {
   bool spread = false;          ///< enough of them for an interval: low and high mean something
 
   double half_width() const { return (high - low) / 2 / value; }  ///< of the interval, relative
-  /// Whether the interval is too wide for the number to be quoted.
+  /// Returns whether the interval is too wide for the number to be quoted.
   bool inconclusive() const { return spread && half_width() > max_conclusive_width; }
 };
 
@@ -96,8 +96,8 @@ struct Slope {
   std::size_t points = 0;
 };
 
-/// One point per size (the median), so that repetitions of a size, which share its deviation from
-/// the line, are not mistaken for independent evidence. Nothing with fewer than three sizes.
+/// Takes one point per size (the median), so that repetitions of a size, which share its deviation
+/// from the line, are not mistaken for independent evidence. Nothing with fewer than three sizes.
 std::optional<Slope> fit_slope(std::span<const double> sizes, std::span<const double> seconds);
 
 }  // namespace desmo::report

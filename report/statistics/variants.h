@@ -13,7 +13,7 @@ namespace desmo::report {
 
 /// MA27, which cannot be redistributed: only a user who has it can record it.
 inline constexpr std::string_view papers_own = "ma27";
-/// What stands in for it, and all, in the order of tables.
+/// The stand-ins for MA27; then all sparse families, in the order of tables.
 inline constexpr std::array<std::string_view, 3> stand_ins{"cholmod", "umfpack", "klu"};
 inline constexpr std::array<std::string_view, 4> sparse_families{papers_own, "cholmod", "umfpack",
                                                                  "klu"};
@@ -48,10 +48,10 @@ inline constexpr std::array<Variant, 7> variants{
 inline constexpr std::size_t truck_global = 2;                        ///< reference of table 2
 inline constexpr std::array<std::size_t, 4> topological{3, 4, 5, 6};  ///< columns of table 2
 
-/// Where the paper says that the four-bar's times begin to show.
+/// The size at which the paper says that the four-bar's times begin to show.
 inline constexpr std::int64_t published_four_bar = 1002;
 
-/// Whether an id says that a formulation has other settings than the paper's.
+/// Returns whether an id says that a formulation has other settings than the paper's.
 inline bool has_settings(std::string_view id) { return id.find('/') != std::string_view::npos; }
 
 /// The value of a setting in an id: "adams8" of guess in global_automatic_klu/guess:adams8; empty

@@ -5,14 +5,14 @@
 
 namespace desmo::report {
 
-/// How a number is written: chosen for one value and kept for what stands beside it (its spread).
+/// The form of a number: chosen for one value and kept for what stands beside it (its spread).
 struct DigitStyle {
   bool scientific = false;
   int decimals = 0;
 };
 
-/// So that `value` shows `significant` digits: 7.100, 0.6070, 0.0008123; scientific outside
-/// 1e-6 ... 1e7.
+/// Returns the form in which `value` shows `significant` digits: 7.100, 0.6070, 0.0008123;
+/// scientific outside 1e-6 ... 1e7.
 DigitStyle significant_digits(double value, int significant);
 
 /// Speed-ups: two decimals between 0.1 and 100, three significant digits elsewhere.

@@ -1,4 +1,4 @@
-// What the report says, before it takes the form of a format: sections of paragraphs and tables.
+// The report's content, before it takes the form of a format: sections of paragraphs and tables.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ inline constexpr const char* not_run_mark = "not run";
 inline constexpr const char* inside_mark = "in";  ///< the paper's value, of our interval
 inline constexpr const char* outside_mark = "out";
 
-/// One place in a table. `shown` is composed of `digits` and `note` and nothing else, so that a
+/// A place in a table. `shown` is composed of `digits` and `note` and nothing else, so that a
 /// reader of the Markdown and a program reading the JSON see the same numbers.
 struct Entry {
   // A text alone, as rows are mostly written.

@@ -32,7 +32,7 @@ class DriverRows {
   std::string place() const;
 
  private:
-  /// Where a number of a line goes.
+  /// The target of a number of a line.
   struct Target {
     int level = -1;  // of z, ż, z̈; -1: nowhere
     std::size_t driver = 0;

@@ -14,7 +14,7 @@
 
 namespace desmo::paper {
 
-/// One case at one size with one formulation.
+/// A case at one size with one formulation.
 class CaseCandidate final : public FormulationCandidate {
  public:
   /// Left out, with the reason, where it would be too costly.

@@ -13,7 +13,7 @@
 
 namespace desmo::paper {
 
-/// One case at one size solved by a peer.
+/// A case at one size solved by a peer.
 class PeerCandidate final : public Candidate {
  public:
   PeerCandidate(const Case& definition, int coordinates, const PeerDefinition& peer,

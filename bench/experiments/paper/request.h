@@ -50,7 +50,7 @@ struct PlannedRequest {
 Errors max_differences(Formulation& whole, Formulation& kept, std::span<const AskedComponent> asked,
                        Level level, const TimeGrid& grid);
 
-/// One request with one formulation.
+/// A request with one formulation.
 class RequestCandidate final : public Candidate {
  public:
   RequestCandidate(std::shared_ptr<const PlannedRequest> request, const Variant& variant,

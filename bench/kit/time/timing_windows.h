@@ -22,7 +22,7 @@ class TimingWindows {
 
   /// An analysis begins. What one that did not come to its end has left is dropped.
   void begin();
-  /// What was solved so far was in vain, and is part of the first window.
+  /// Says that all instants so far are void: their time is part of the first window.
   void restart();
   /// An instant has been delivered: every one of the motion, in whatever order, with the updates
   /// that it took (see Summary) where somebody counts. From several threads they come in another
@@ -37,7 +37,7 @@ class TimingWindows {
   const std::vector<std::vector<double>>& samples() const { return samples_; }
   /// Their least; infinite before the first whole analysis.
   std::vector<double> least() const;
-  /// Of the last analysis, in the order of the motion; all zero where nobody counts.
+  /// Returns the updates of the last analysis, in the order of the motion; zeros if uncounted.
   const std::vector<long>& updates() const { return updates_; }
 
  private:

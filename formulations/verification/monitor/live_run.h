@@ -25,7 +25,7 @@ struct LiveOptions {
                                                        ///< most (see AccuracyMonitor)
 };
 
-/// What keeps a row from being tried.
+/// A fault that keeps a row from being tried.
 enum class RowFault {
   none,
   wrong_size,      ///< z, ż or z̈ has not one value for each driver
@@ -99,7 +99,7 @@ class LiveRun {
   std::span<const double> qd() const { return good_.velocity; }
   std::span<const double> qdd() const { return good_.acceleration; }
 
-  /// What stands in the way of a row that could not be solved.
+  /// The obstacle to a row that could not be solved.
   struct Obstacle {
     GroupId group = -1;
     int constraint = -1;
