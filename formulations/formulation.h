@@ -29,8 +29,9 @@ struct State;
 /// Threads may share whatever is const, in all of desmo. A Model, the tables of variants, cases
 /// and the library, Settings and generated code are read only and may be used by formulations on
 /// any number of threads; they outlive these. A Formulation, a LiveRun and an Observer own what
-/// changes, and are used by one thread at a time: a formulation for each thread. The observer of a
-/// formulation with `threads` is called by several, one call at a time.
+/// changes, and are used by one thread at a time: a formulation for each thread. A formulation with
+/// `threads` calls its observer from several, one call at a time, or the observers that
+/// Observer::of_thread() gives, each from its own thread.
 class Formulation {
  public:
   virtual ~Formulation() = default;

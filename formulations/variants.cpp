@@ -67,8 +67,7 @@ std::string unsupported_reason(const Variant& v, const Settings& s) {
     return "the tolerance must be positive, at least one iteration allowed, and the fixed number "
            "of iterations not negative";
   if (s.stride < 1 || s.stride > max_stride)
-    return "every instant is solved, or every so manieth up to the " + std::to_string(max_stride) +
-           "th";
+    return "a stride is 1 (every instant is solved) or up to " + std::to_string(max_stride);
   if (s.threads < 1 || s.threads > max_threads)
     return "a motion is solved on one thread or several, up to " + std::to_string(max_threads);
   for (const int at_once : {s.lanes, s.segments})

@@ -32,12 +32,12 @@ class Equilibration {
   }
 
   /// Returns R Φ_φ S. Valid until the next call and as long as `values` is.
-  const Real* matrix(const Real* values) {
+  [[gnu::always_inline]] const Real* matrix(const Real* values) {
     return entries_.empty() ? values : scaled_matrix(values);
   }
 
   /// Overwrites b with Φ_φ⁻¹ b = S (R Φ_φ S)⁻¹ R b, by a solver that has factors of matrix().
-  void solve(LinearSolver<Real>& solver, Real* b) const {
+  [[gnu::always_inline]] void solve(LinearSolver<Real>& solver, Real* b) const {
     row_.empty() ? solver.solve(b) : solve_scaled(solver, b);
   }
 

@@ -205,11 +205,13 @@ class NewtonSolver {
         break_even_solves_, b_);
   }
 
-  bool factor_at(const Real* q) {
+  // Parts are small and these are called in every iteration: the compiler is told to inline them,
+  // since it decides otherwise as soon as the surroundings change.
+  [[gnu::always_inline]] bool factor_at(const Real* q) {
     equations_->jacobian(q, values_.data());
     return factor();
   }
-  bool factor() {
+  [[gnu::always_inline]] bool factor() {
     factors_are_old_ = false;
     return has_factors_ = linear_solver_->factor(equilibrated_.matrix(values_.data()));
   }
@@ -219,7 +221,7 @@ class NewtonSolver {
     for (const JacobianEntry& e : pattern_.known) b_[e.row] -= *value++ * rate[e.state];
   }
 
-  void scatter(Real* target) const {
+  [[gnu::always_inline]] void scatter(Real* target) const {
     each_unknown([&](int at, int i) { target[at] = b_[i]; });
   }
   void remember_start(const Real* q) {
@@ -231,7 +233,7 @@ class NewtonSolver {
 
   /// Calls with the place of each unknown in the state, and its own.
   template <class Call>
-  void each_unknown(Call call) const {
+  [[gnu::always_inline]] void each_unknown(Call call) const {
     if (ranges_.empty())
       for (int i = 0; i < pattern_.n; ++i) call(pattern_.unknowns[i], i);
     int i = 0;

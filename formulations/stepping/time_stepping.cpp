@@ -115,14 +115,17 @@ Summary TimeStepping::solve_at(double t, Level level) {
 /// Returns the summary of the whole step if sub-steps fail, too.
 Summary TimeStepping::solve_or_sub_step(double t, Level level) {
   const Solved start = now_;
-  const Summary at_once = solve_at(t, level);
-  if (at_once.ok()) [[likely]]
-    return at_once;
-  if (!(start.level || drivers_.is_live()) || start.time == t) return at_once;
+  Summary summary = solve_at(t, level);
+  if (!summary.ok() && (start.level || drivers_.is_live()) && start.time != t) [[unlikely]]
+    summary = sub_step(start.time, t, level, summary);
+  return summary;
+}
 
+/// Goes from the last instant to time t in sub-steps, after a failure to get there at once.
+Summary TimeStepping::sub_step(double from, double t, Level level, const Summary& at_once) {
   start_ = state_.q;
   Summary summary, total = at_once;
-  const bool arrived = go_in_sub_steps(start.time, t, max_sub_steps_, [&](double to) {
+  const bool arrived = go_in_sub_steps(from, t, max_sub_steps_, [&](double to) {
     summary = solve_at(to, to == t ? level : Level::position);
     ++total.sub_steps;
     total.iterations += summary.iterations;

@@ -55,6 +55,7 @@ class TimeStepping final : public Formulation {
   Summary take_steps(const TimeGrid& grid, const Request& request, Observer& observer);
   Summary solve_at(double t, Level level);
   Summary solve_or_sub_step(double t, Level level);
+  Summary sub_step(double from, double t, Level level, const Summary& at_once);
   Summary assemble_alone(double t, Level level);
   void find_culprit_of(const PartSequence::Result& result, Summary& summary);
   Flow deliver(int index, double t, const Summary& step, Level level, Observer& observer);

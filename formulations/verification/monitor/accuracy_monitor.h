@@ -42,7 +42,7 @@ inline constexpr std::array monitor_names{
 struct AccuracyMonitorOptions {
   static constexpr int usual_interval = 2000;
 
-  double tolerance = default_tolerance;  ///< to which positions are solved
+  double tolerance = default_tolerance;  ///< of the formulation's Settings
   std::span<const Level> levels{};       ///< to which each coordinate is solved (Plan::levels)
   int every = usual_interval;            ///< longest interval between assessments, in instants
   bool reuses_pivots = false;            ///< pivots of earlier positions may spoil rates

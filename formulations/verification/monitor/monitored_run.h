@@ -13,7 +13,7 @@ namespace desmo {
 
 /// Outcome of a monitored run.
 enum class Outcome {
-  converged,  ///< every instant is as accurate as its tolerance asks for
+  converged,  ///< every bound is within 100, 100² and 100³ times the tolerance (AccuracyMonitor)
   degraded,   ///< solved, but conditioning keeps some instants from meeting their limits, or a
               ///< singular position or a gap was passed
   failed,     ///< solved only before the instant that the summary names
