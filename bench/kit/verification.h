@@ -23,7 +23,8 @@ struct Errors {
 /// Raises `largest` to |a − b| where that is larger; NaN counts as infinitely wrong.
 void widen(double& largest, double a, double b);
 
-/// Allowed differences from the quadruple-precision reference, in units of the case.
+/// Allowed differences from the quadruple-precision reference, in units of the case: of q, q̇
+/// and q̈ (`instants` means nothing here).
 inline constexpr Errors allowed{0, 1e-9, 1e-8, 1e-7};
 
 /// Differences from a reference, and a digest of what was compared, in units of what is allowed.
@@ -32,7 +33,7 @@ struct Comparison {
   std::string results;
 };
 
-/// Delivers, and keeps what came at the instants of a reference.
+/// A delivery that also copies the results q, q̇, q̈ at the times of a reference.
 class DeliveryAtReference : public Delivery {
  public:
   DeliveryAtReference(std::size_t coordinates, Level level,
@@ -42,7 +43,7 @@ class DeliveryAtReference : public Delivery {
   Flow observe(const Instant& instant) noexcept override;
 
  protected:
-  /// compare(reference, came), of each instant that came.
+  /// Calls compare(reference, results) for each instant of the reference that was delivered.
   template <class Compare>
   void for_each(Compare&& compare) const {
     for (std::size_t r = 0; r < came_.size(); ++r)
@@ -70,8 +71,9 @@ class VerifyingObserver final : public DeliveryAtReference {
 std::string verification_failure(const Errors& errors, std::size_t expected_instants,
                                  double times = 1);
 
-/// Throws std::runtime_error, naming the mechanism, where two quadruple solutions differ by more
-/// than 1e-20 of its scales: then neither is a reference.
+/// Throws std::runtime_error, naming the mechanism, where `floor` exceeds 1e-20: neither solution
+/// is a reference then. floor: the difference of two quadruple-precision solutions at each level,
+/// relative to the mechanism's size, largest speed and largest acceleration.
 void require_agreement(const Model& model, const PerLevel<double>& floor);
 
 /// Returns which parts are not what the formulation's id says; empty: none. Without generated code

@@ -15,8 +15,9 @@ namespace desmo::regression {
 /// std::invalid_argument when this build has no such case or size.
 bench::Problem problem_of(const CandidateName& name, int instants);
 
-/// A candidate built and ready to be run, or stepped through. It is no bench::Candidate: that would
-/// link the reference, whose copies of templates are compiled for size, into what is counted.
+/// A formulation ready to be run, or stepped through, while its instructions are counted. It is no
+/// bench::Candidate: that would link the quadruple reference, whose copies of templates are
+/// compiled for size, into the counted program.
 class SteppedCandidate {
  public:
   /// others: settings that the id does not name. Throws std::invalid_argument when this build has

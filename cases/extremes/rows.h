@@ -5,7 +5,7 @@
 
 #include "cases/extremes/extremes.h"
 
-/// Cases of the rows of the table, one .cpp each.
+/// The rows of the table of extremes (extremes.h), one .cpp each: each makes the cases of its row.
 namespace desmo::extremes {
 
 using Cases = std::vector<ExtremeCase>(Extent extent);
@@ -18,7 +18,7 @@ ExtremeCase case_of(std::string name, std::vector<DyadChain> chains, std::vector
 /// Makes a case of one chain, whose crank turns at a constant rate [rad/s].
 ExtremeCase case_of(std::string name, const DyadChain& chain, double rate, const TimeGrid& grid);
 
-/// Angle of the crank at which chains start, unless a case says otherwise [rad].
+/// Initial angle of the crank of dyad chains, unless a case says otherwise [rad].
 inline constexpr double chain_start = std::numbers::pi / 3;
 
 /// Makes the dyads of the suite's four-bar: crank 2, links and distances 6, all closed exactly at

@@ -64,7 +64,8 @@ class Dense final : public LinearSolver<Real> {
     }
   }
 
-  /// Returns n/6: LU takes n/3 times the operations of a solve, at about twice the speed.
+  /// Returns n/6, at least 3: LU takes n/3 times the operations of a solve, at about twice the
+  /// speed.
   int break_even_solves() const override { return std::max(3, scatter_.n() / 6); }
 
   bool rounds_factors() const override { return rounds; }

@@ -47,7 +47,8 @@ struct Reach {
 
 namespace vec {
 
-/// Equation f × d = 0 of plane directions d and f = r R(θ) e, and its derivatives.
+/// Equation f × d = 0 of plane directions d and f = r R(θ) e, and its derivatives: d is parallel to
+/// direction e turned by θ and scaled by the constant r.
 template <class S>
 struct Parallel {
   std::array<S, 2> f, d;

@@ -25,7 +25,8 @@ class Equations {
   virtual void residual(const Real* state, Real* phi) const = 0;
   /// Writes the entries of Φ_φ that change; constant_jacobian() wrote the others.
   virtual void jacobian(const Real* state, Real* values) const = 0;
-  /// Writes the changing entries of Φ_h that jacobian() has not written.
+  /// Writes the changing entries of Φ_h, the derivatives by known coordinates, except those that
+  /// jacobian() writes along with Φ_φ.
   virtual void known_jacobian(const Real* state, Real* values) const = 0;
   /// Evaluates the quadratic velocity term Φ̇_q q̇ (eq. 4). Overwrites gamma.
   virtual void quadratic(const Real* state, const Real* rate, Real* gamma) const = 0;

@@ -4,14 +4,16 @@
 
 namespace desmo {
 
-/// A part solved by generated code that watches itself: what it refuses is left to a part that
-/// pivots.
+/// A part solved by generated code that monitors its pivots. A step that it refuses is solved by a
+/// pivoting part.
 class GuardedPart : public Part {
  public:
-  /// Returns how many steps were left to it. Assemblies, which start from estimates, do not count.
+  /// Returns the number of steps left to the pivoting part, without assemblies, which start from
+  /// estimates.
   virtual long fallbacks() const = 0;
   long refactorisations() const final { return fallbacks(); }
-  /// Returns how many of them came out on another branch, where branches are kept.
+  /// Returns the number of these steps that ended on another branch than the step before, where the
+  /// part can tell.
   virtual long branch_changes() const { return 0; }
 };
 

@@ -34,9 +34,9 @@ enum class RowFault {
   time_not_later,  ///< the time is that of the last good position, or before it
 };
 
-/// The outcome of one row, in everything but its values.
+/// The outcome of one row of driver values; LiveRun itself has the coordinates that it led to.
 struct LiveSummary : Summary {
-  RowFault fault = RowFault::none;  ///< nothing was tried
+  RowFault fault = RowFault::none;  ///< not none: the row was refused before anything was tried
   Assessment assessment{};          ///< of a row that was solved (MonitoredInstant)
   bool corrected = false;           ///< the values are better than the formulation's
   bool degraded = false;            ///< conditioning lets it be no better than the bounds say
