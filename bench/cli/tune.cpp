@@ -25,7 +25,7 @@ constexpr std::size_t rows_shown = 12;
 struct TuneOptions {
   std::string scene, level = "position";
   double max_error = 0, budget = 0;
-  bool write = false, exhaustive = false, quiet = false;
+  bool write = false, quiet = false;
   OwnCode own_code;
 
   accuracy::Goal goal() const {
@@ -124,8 +124,7 @@ void tune(const TuneOptions& options) {
   say("reference solutions in quadruple precision");
   accuracy::TunedMotion motion = accuracy::make_tuned_motion(plan, input.scene.grid);
   motion.whole.kernels = motion.begin.kernels = kernels;
-  const accuracy::Found found =
-      accuracy::search(motion, goal, {.exhaustive = options.exhaustive, .say = say});
+  const accuracy::Found found = accuracy::search(motion, goal, {.say = say});
   if (!found.choice) refuse(found, motion.whole, options, input);
 
   const std::string id = id_with(*found.choice->variant, found.choice->settings);
@@ -171,8 +170,6 @@ void add_tune(CLI::App& program) {
   command->add_option("--level", options->level, "Which error is meant; position by default")
       ->check(CLI::IsMember({"position", "velocity", "acceleration"}));
   command->add_flag("--write", options->write, "Store the choice in the scene file");
-  command->add_flag("--exhaustive", options->exhaustive,
-                    "Try every formulation with all settings on the whole motion");
   add_options(*command, options->own_code);
   command->add_flag("--quiet", options->quiet, "No progress");
   command->callback([options] { tune(*options); });

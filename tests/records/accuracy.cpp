@@ -7,13 +7,12 @@
 #include <cstdio>
 #include <cstdlib>
 #include <set>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "bench/experiments/accuracy/search.h"
 #include "bench/experiments/accuracy/settings_grid.h"
-#include "bench/experiments/accuracy/tuning_validation.h"
 #include "cases/generators/cases.h"
 #include "cases/io/files.h"
 #include "formulations/modelling/modelling.h"
@@ -177,23 +176,6 @@ TEST(Search, GivesTheMostAccurateWithinABudget) {
   ASSERT_TRUE(found.choice);
   EXPECT_LT(found.error.position.max, 1e-13);
   EXPECT_FALSE(search(motion, {Level::position, 0, 1e-12}, effort).choice);
-}
-
-// The short form of desmo_bench accuracy --validate-tuning.
-TEST(Promises, AreMeasuredBesideTheBestOfEverything) {
-  const Scene scene = library_scene("slider_crank");
-  const TunedMotion motion = begin_and_whole(scene);
-  const std::vector<Tried> all = everything(motion);
-  EXPECT_GT(all.size(), 20 * variants().size());
-  EXPECT_TRUE(std::ranges::is_sorted(all, {}, &Tried::seconds));
-  for (const double allowed : {1e-3, 1e-9}) {
-    const Promise p = promise(motion, problem(scene, seconds, 47), all, allowed);
-    EXPECT_LE(p.promised, allowed / safety);
-    EXPECT_LE(p.choice.error, allowed);
-    EXPECT_LE(p.best.error, allowed);
-    EXPECT_LE(std::ranges::min(p.best.seconds), std::ranges::min(p.choice.seconds));
-  }
-  EXPECT_THROW(promise(motion, motion.whole, all, 1e-25), std::runtime_error);
 }
 
 // A record of the program is one that the report reads, and has what the filter lets through.

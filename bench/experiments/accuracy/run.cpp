@@ -1,5 +1,6 @@
 // desmo_bench accuracy: time against error, for formulations and the settings that trade one for
 // the other.
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <list>
@@ -11,12 +12,8 @@
 
 #include "bench/experiments/accuracy/series.h"
 #include "bench/experiments/accuracy/trial.h"
-#include "bench/experiments/accuracy/tuning_validation.h"
 #include "bench/experiments/experiments.h"
-#include "bench/kit/memory.h"
 #include "bench/kit/process/progress.h"
-#include "bench/kit/record/record.h"
-#include "formulations/algebra/blas.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/verification/condition.h"
 
@@ -31,11 +28,6 @@ constexpr int compared_instants = 21;
 constexpr int usual_repetitions = 5;
 constexpr double sample_seconds = 0.01;
 constexpr double dear_seconds = 0.3;  // a motion that takes longer has two samples only
-
-struct Options : bench::CommonOptions {
-  bool validates_tuning = false;
-  std::vector<std::string> mechanisms;
-};
 
 double rounded(double value) { return bench::rounded(value, 6); }
 
@@ -123,11 +115,11 @@ void measure(const Series& series, const Problem& problem, int repetitions, Json
   for (const Trial& trial : trials) points.push_back(point_json(series, trial));
 }
 
-void measure_all(const Options& options, const std::string& command) {
+void measure_all(const bench::CommonOptions& options, const bench::CommandLine& line) {
   const std::vector<Series> all =
       matching(options.quick ? quick_series() : all_series(), std::regex(options.filter));
   if (all.empty()) throw std::invalid_argument("no configuration matches " + options.filter);
-  bench::Recording recording(options.record, command);
+  bench::Recording recording = begin_record(options, line);
   const int repetitions = options.repetitions > 0 ? options.repetitions : usual_repetitions;
   std::size_t trials = 0;
   for (const Series& series : all) trials += series.configurations.size();
@@ -147,31 +139,14 @@ void measure_all(const Options& options, const std::string& command) {
 }
 
 int run(const bench::CommandLine& line) {
-  Options options;
-  bench::OptionTable table(
-      "desmo_bench accuracy: time against error of formulations and their settings.\n"
-      "desmo_bench accuracy --validate-tuning [--mechanism NAME]...");
-  bench::add_common(table, options,
+  bench::CommonOptions options;
+  CLI::App parser("desmo_bench accuracy: time against error of formulations and their settings.");
+  bench::add_common(parser, options,
                     {.quick = "the smallest sizes only, with the reduced grid",
                      .filtered = "<case>/<coordinates>/<id>",
                      .repetitions = std::to_string(usual_repetitions)});
-  table.add("--validate-tuning", {}, &options.validates_tuning,
-            "Instead: is the error held that desmo tune promises,\n"
-            "and how much slower is its choice than the best?");
-  table.add("--mechanism", "NAME", &options.mechanisms,
-            "Validate with this mechanism only; more than once where wanted");
-  if (!table.read(line)) return 0;
-  if (options.validates_tuning &&
-      (options.quick || options.repetitions > 0 || !options.filter.empty()))
-    throw std::invalid_argument("--validate-tuning goes with --record and --mechanism only");
-  if (!options.validates_tuning && !options.mechanisms.empty())
-    throw std::invalid_argument("--mechanism belongs to --validate-tuning");
-  bench::keep_freed_memory();
-  set_blas_threads(1);  // the clock is the thread's own
-  if (options.validates_tuning)
-    validate_tuning(options.record, line.text, options.mechanisms);
-  else
-    measure_all(options, line.text);
+  if (!read(parser, line)) return 0;
+  measure_all(options, line);
   return 0;
 }
 

@@ -8,6 +8,7 @@
 #include "bench/experiments/paper/extended_ids.h"
 #include "bench/kit/process/callgrind.h"
 #include "cases/generators/cases.h"
+#include "formulations/algebra/backend.h"
 #include "formulations/id.h"
 #include "formulations/variants.h"
 
@@ -27,7 +28,8 @@ constexpr std::array monitored{"global_automatic_klu", "group_symbolic_inlined",
                                "group_symbolic_explicit"};
 
 bool is_counted(const Variant& v) {
-  return v.partition != Partition::block && !is_dense_global(v) && algebra_name(v) != "spqr";
+  return v.partition != Partition::block && !is_dense_global(v) &&
+         !(v.backend && v.backend->is_slow);
 }
 
 /// Leaves out what callgrind cannot count: it knows no registers wider than 256 bits; what threads

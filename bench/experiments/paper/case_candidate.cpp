@@ -5,6 +5,7 @@
 
 #include "bench/experiments/paper/extended_ids.h"
 #include "bench/kit/digests.h"
+#include "formulations/algebra/backend.h"
 #include "formulations/modelling/modelling.h"
 
 namespace desmo::paper {
@@ -33,10 +34,9 @@ std::string too_costly(const Variant& v, int n, const Options& options) {
   if (is_dense_global(v) && n > options.dense_limit)
     return "a dense global solve costs O(n^3) a step" + up_to(options.dense_limit);
   if (n <= options.slow_limit) return {};
-  if (algebra_name(v) == "spqr")
+  if (v.backend && v.backend->is_slow)
     return "orthogonal factorisation serves accuracy, not speed" + up_to(options.slow_limit);
-  if ((algebra_name(v) == "umfpack" || algebra_name(v) == "sparselu") &&
-      v.partition == Partition::block)
+  if (v.backend && v.backend->is_slow_in_blocks && v.partition == Partition::block)
     return "a library's overhead is all there is in blocks this small" + up_to(options.slow_limit);
   return {};
 }

@@ -22,10 +22,7 @@
 #include "bench/experiments/paper/options.h"
 #include "bench/experiments/paper/peer_candidate.h"
 #include "bench/experiments/paper/request.h"
-#include "bench/kit/memory.h"
 #include "bench/kit/process/own_process.h"
-#include "bench/kit/record/record.h"
-#include "formulations/algebra/blas.h"
 #include "formulations/variants.h"
 
 namespace desmo::paper {
@@ -36,11 +33,11 @@ namespace {
 
 /// Returns the number as Google Benchmark reads it: the last one counts. Nothing where the user
 /// leaves it to us.
-std::optional<int> repetitions_of(const std::vector<char*>& arguments) {
+std::optional<int> repetitions_of(const std::vector<std::string>& arguments) {
   constexpr std::string_view flag = "--benchmark_repetitions=";
   std::optional<int> repetitions;
-  for (const std::string_view a : arguments)
-    if (a.starts_with(flag)) repetitions = std::max(1, std::atoi(a.data() + flag.size()));
+  for (const std::string& a : arguments)
+    if (a.starts_with(flag)) repetitions = std::max(1, std::atoi(a.c_str() + flag.size()));
   return repetitions;
 }
 
@@ -117,7 +114,7 @@ std::vector<Series> series_of(const std::vector<Candidate*>& all, bool together)
 }
 
 /// Google Benchmark writes it anew in every process.
-bool has_output_file(const std::vector<char*>& arguments) {
+bool has_output_file(const std::vector<std::string>& arguments) {
   return std::ranges::any_of(arguments, [](std::string_view a) {
     return a.starts_with("--benchmark_out=") && !a.ends_with('=');
   });
@@ -128,31 +125,28 @@ bool is_listing(std::string_view argument) {
 }
 
 int run(const bench::CommandLine& line) {
-  keep_freed_memory();
-  std::vector<char*> arguments = line.arguments;
+  std::vector<std::string> arguments = line.arguments;
   for (const std::string_view a : arguments)
     if (a.starts_with("--benchmark_report_aggregates_only") || a.starts_with("--benchmark_format"))
       throw std::invalid_argument(std::string(a) +
                                   ": not here, every sample is recorded; see --record and "
                                   "--benchmark_out");
   const Options options = take_options(arguments);
-  if (options.help) std::cout << usage();
 
   // Defaults first, so that the user's flags win. An iteration is a whole analysis, and a
   // repetition is one iteration: the least time is met by the first.
-  std::string interleave = "--benchmark_enable_random_interleaving=true";
-  std::string min_time = "--benchmark_min_time=1e-6";
-  std::string help = "--help";
-  arguments.insert(arguments.begin(), {line.program, interleave.data(), min_time.data()});
-  if (options.help) arguments.push_back(help.data());
+  arguments.insert(arguments.begin(), {line.program, "--benchmark_enable_random_interleaving=true",
+                                       "--benchmark_min_time=1e-6"});
+  if (options.help) arguments.push_back("--help");
   // Before Google Benchmark takes its flags away.
   const std::optional<int> asked_repetitions = repetitions_of(arguments);
   const bool listing = std::ranges::any_of(arguments, is_listing),
              together = has_output_file(arguments);
-  int count = static_cast<int>(arguments.size());
-  benchmark::Initialize(&count, arguments.data());
-  if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 64;
-  set_blas_threads(1);  // the clock is the thread's own
+  std::vector<char*> pointers;
+  for (std::string& argument : arguments) pointers.push_back(argument.data());
+  int count = static_cast<int>(pointers.size());
+  benchmark::Initialize(&count, pointers.data());
+  if (benchmark::ReportUnrecognizedArguments(count, pointers.data())) return 64;
   for (const std::string& note : faulty_libraries()) std::cerr << "desmo_bench: " << note << '\n';
 
   AllCandidates candidates;
@@ -166,7 +160,7 @@ int run(const bench::CommandLine& line) {
   if (listing) return 0;
   if (chosen.empty()) return 64;  // Google Benchmark has said that nothing matches
   std::optional<Recording> recording;
-  if (!options.record.empty()) recording.emplace(options.record, line.text);
+  if (!options.record.empty()) recording.emplace(options.record, line.text, line.experiment);
 
   Json all_lists;
   bool failed = false;

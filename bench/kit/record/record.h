@@ -20,20 +20,21 @@ inline constexpr const char* schema_version = "2.0.0";
 class Recording {
  public:
   /// Notes date and load, and takes the file (see NewFile). command: program name and arguments.
+  /// experiment: the name of the section that is written.
   /// Throws std::runtime_error, naming the path, and std::invalid_argument for an empty one.
-  Recording(const std::string& path, const std::string& command);
+  Recording(const std::string& path, const std::string& command, const std::string& experiment);
 
   /// Notes the load and writes lists to the file, once. Throws std::runtime_error, naming the path.
   ///
   /// grid: for the settings, the usual one where there are several.
-  /// lists: an object of arrays, whose names say to which experiment each belongs.
+  /// lists: an object of arrays; empty ones are left out.
   /// windows: timing windows into which motions were cut, where they were.
   void write(const TimeGrid& grid, const nlohmann::ordered_json& lists,
              std::optional<int> windows = {});
 
  private:
   NewFile file_;
-  std::string date_, command_;
+  std::string date_, command_, experiment_;
   std::vector<double> load_before_;
 };
 
