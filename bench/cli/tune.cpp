@@ -9,10 +9,11 @@
 #include "bench/cli/commands.h"
 #include "bench/cli/errors.h"
 #include "bench/cli/input.h"
-#include "bench/cli/output.h"
+#include "bench/cli/interruption.h"
 #include "bench/cli/own_code.h"
 #include "bench/cli/text.h"
 #include "bench/experiments/accuracy/search.h"
+#include "cases/io/new_files.h"
 #include "cases/io/scene_text.h"
 #include "cases/io/text_file.h"
 #include "formulations/verification/condition.h"
@@ -92,7 +93,7 @@ double floor_of(const accuracy::Problem& problem, Level level) {
 
 void write_scene(const std::string& path, const std::string& id) {
   const std::string text = with_formulation(read_text(path), id);
-  Output output(path);
+  OutputFile output(path, remove_when_interrupted);
   output.write(text);
   output.finish();
 }

@@ -150,13 +150,19 @@ class FormulationCandidate : public Candidate {
   long bytes = 0;
 
  protected:
-  /// Leaves the problem, of so many coordinates, for later (see solve()).
+  /// Leaves the problem, of a case with so many coordinates, for later (see solve()). asked: is
+  /// delivered.
   FormulationCandidate(const TimeGrid& instants, std::string_view case_name, int coordinates,
-                       const Configuration& configuration, Clock by);
+                       const Configuration& configuration, Clock by, Request asked = {});
   void solve(const Problem& problem) { problem_ = &problem; }
 
   const Problem& problem() const { return *problem_; }
-  Request request() const { return {problem_->level(), {}}; }
+
+  /// Solves the whole motion and compares it with a reference, where state is unverified.
+  void verify_against(const std::function<std::span<const ReferenceInstant>()>& reference);
+  /// Returns what compares what is delivered with the reference; by default, of all coordinates.
+  virtual std::unique_ptr<ComparingObserver> comparing(
+      std::span<const ReferenceInstant> reference) const;
 
   /// Makes the formulation, and nothing else of it.
   void build();
@@ -167,11 +173,14 @@ class FormulationCandidate : public Candidate {
   void make() override;
   void discard() override { formulation_.reset(); }
 
+  const Request asked_;
   std::unique_ptr<Formulation> formulation_;
 
  private:
   FormulationCandidate(const Problem& problem, std::string_view id, const Configuration& c);
-  void verify_against(const std::function<std::span<const ReferenceInstant>()>& reference);
+  std::size_t delivered() const {
+    return asked_.coordinates.empty() ? coordinates : asked_.coordinates.size();
+  }
 
   const Problem* problem_ = nullptr;
   const std::string case_name_, id_;

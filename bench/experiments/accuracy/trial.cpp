@@ -52,7 +52,7 @@ void Trial::compare() {
     ErrorMeasure errors(plan.model, reference.instants, reference.scales, plan.outputs);
     ViolationMeasure violations(plan.model, reference.scales, times);
     Both both(errors, violations);
-    const Summary summary = formulation_->run(grid, request(), both);
+    const Summary summary = formulation_->run(grid, asked_, both);
     error = errors.error();
     violation = violations.violation();
     iterations_per_step = static_cast<double>(summary.iterations) /

@@ -10,6 +10,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <regex>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -41,26 +42,16 @@ std::optional<int> repetitions_of(const std::vector<std::string>& arguments) {
   return repetitions;
 }
 
-/// Returns the candidates that the filter selects. Google Benchmark offers no question for that
-/// before registration, so they are registered once for the question and anew for the measurement.
+/// Returns the candidates that Google Benchmark's filter selects: one that begins with "-" selects
+/// all others.
 std::vector<Candidate*> selected(const std::vector<Candidate*>& all) {
-  struct Names final : benchmark::BenchmarkReporter {
-    std::set<std::string> found;
-    bool ReportContext(const Context&) override { return true; }
-    void ReportRuns(const std::vector<Run>& runs) override {
-      for (const Run& run : runs) found.insert(run.run_name.function_name);
-    }
-  } names;
-  for (const Candidate* candidate : all)
-    benchmark::RegisterBenchmark(candidate->name().c_str(), [](benchmark::State& state) {
-      for (auto _ : state) {
-      }
-    });
+  std::string filter = benchmark::GetBenchmarkFilter();
+  const bool others = filter.starts_with('-');
+  if (others) filter.erase(0, 1);
+  const std::regex expression(filter == "all" ? "" : filter);
   std::vector<Candidate*> result;
-  benchmark::RunSpecifiedBenchmarks(&names);
-  benchmark::ClearRegisteredBenchmarks();
   for (Candidate* candidate : all)
-    if (names.found.contains(candidate->name())) result.push_back(candidate);
+    if (std::regex_search(candidate->name(), expression) != others) result.push_back(candidate);
   return result;
 }
 
@@ -157,8 +148,11 @@ int run(const bench::CommandLine& line) {
   const std::vector<Candidate*> all = candidates.in_order();
   require_one_grid(all);
   const std::vector<Candidate*> chosen = selected(all);
-  if (listing) return 0;
-  if (chosen.empty()) return 64;  // Google Benchmark has said that nothing matches
+  if (chosen.empty()) throw std::invalid_argument("no benchmark matches the filter");
+  if (listing) {
+    for (const Candidate* candidate : chosen) std::cout << candidate->name() << '\n';
+    return 0;
+  }
   std::optional<Recording> recording;
   if (!options.record.empty()) recording.emplace(options.record, line.text, line.experiment);
 

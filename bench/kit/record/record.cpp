@@ -49,6 +49,7 @@ void Recording::write(const TimeGrid& grid, const Json& lists, std::optional<int
   for (const auto& [name, list] : lists.items())
     if (!list.empty()) section[name] = list;
   file_.write(record_layout(head(environment), {{experiment_, section}}));
+  file_.finish();
 }
 
 Json record_head(const std::string& command, const TimeGrid& grid) {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "bench/kit/record/new_file.h"
 #include "bench/kit/time/timing_windows.h"
 #include "bench/kit/verification.h"
+#include "cases/io/new_files.h"
 #include "cases/mechanism/motion.h"
 
 namespace desmo::bench {
@@ -19,12 +19,12 @@ inline constexpr const char* schema_version = "2.0.0";
 /// and written once all is.
 class Recording {
  public:
-  /// Notes date and load, and takes the file (see NewFile). command: program name and arguments.
+  /// Notes date and load, and takes the file (see OutputFile). command: program name and arguments.
   /// experiment: the name of the section that is written.
-  /// Throws std::runtime_error, naming the path, and std::invalid_argument for an empty one.
+  /// Throws OutputError, and std::invalid_argument for an empty path.
   Recording(const std::string& path, const std::string& command, const std::string& experiment);
 
-  /// Notes the load and writes lists to the file, once. Throws std::runtime_error, naming the path.
+  /// Notes the load and writes lists to the file, once. Throws OutputError.
   ///
   /// grid: for the settings, the usual one where there are several.
   /// lists: an object of arrays; empty ones are left out.
@@ -33,7 +33,7 @@ class Recording {
              std::optional<int> windows = {});
 
  private:
-  NewFile file_;
+  OutputFile file_;
   std::string date_, command_, experiment_;
   std::vector<double> load_before_;
 };

@@ -15,7 +15,7 @@ std::vector<std::string> Damper::delivered(const std::string& prefix, const std:
           prefix + "n" + rod, prefix + "n" + tube, prefix + "s" + rod};
 }
 
-void Damper::solve(const Pose& axle, Delivery& out) const {
+void Damper::solve(const Pose& axle, AnswerWriter& out) const {
   const Moving<Vec> a = axle.at(a_);
   const auto [s, d] = polar(-1 * (a - t_));  // T − A = s d
   const Moving<Vec> u = unit(cross(d, axle.x)), n = cross(d, u);

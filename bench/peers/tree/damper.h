@@ -21,7 +21,7 @@ class Damper {
   static std::vector<std::string> delivered(const std::string& prefix, const std::string& rod,
                                             const std::string& tube);
 
-  void solve(const Pose& axle, Delivery& out) const;
+  void solve(const Pose& axle, AnswerWriter& out) const;
 
  private:
   Vec a_;  // A on the axle, from S in its frame

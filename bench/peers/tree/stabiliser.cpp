@@ -26,7 +26,7 @@ std::vector<std::string> Stabiliser::delivered(const std::string& prefix, const 
           prefix + "u" + link,  prefix + "n" + link,  prefix + "phi" + lever};
 }
 
-void Stabiliser::solve(const Pose& axle, Delivery& out) const {
+void Stabiliser::solve(const Pose& axle, AnswerWriter& out) const {
   const Moving<Vec> a = axle.at(a_);
   // D·e = k, that is −X cos φ + Z sin φ = k with X = D·x2, Z = D·z2.
   const Vec from_g = a.q - g_;

@@ -24,7 +24,7 @@ class Stabiliser {
                                             const std::string& link);
 
   /// Throws std::runtime_error, naming the lever, when its link does not reach it.
-  void solve(const Pose& axle, Delivery& out) const;
+  void solve(const Pose& axle, AnswerWriter& out) const;
 
  private:
   std::string name_;     // of the lever

@@ -98,7 +98,7 @@ class Truck final : public TreePeer {
  private:
   void solve(double t) {
     time_ = t;
-    Delivery out = delivery();
+    AnswerWriter out = writer();
     out.put(Moving<Vec>{Vec::UnitY(), Vec::Zero(), Vec::Zero()});  // y1
     int iterations = 0;
     const MotionRow heights = motions_(t);
