@@ -14,7 +14,8 @@
 
 namespace desmo::bench {
 
-/// Largest absolute differences over all coordinates and compared instants.
+/// Largest differences over all coordinates and compared instants, absolute: in m and rad, unlike
+/// the relative errors of formulations/verification.
 struct Errors {
   int instants = 0;
   double position = 0, velocity = 0, acceleration = 0;

@@ -71,19 +71,20 @@ enum class Rates {
   direct,
 };
 
-/// Steps through the positions of a tree.
+/// Solves a tree at one instant after the other. Its coordinates, those of the joints, stay inside.
 class Solver {
  public:
   virtual ~Solver() = default;
 
-  /// Solves at time t from the estimates, whatever was solved before. Throws std::exception, as
-  /// step() does, when Simbody cannot.
+  /// Solves positions, velocities and accelerations at time t [s], starting from Body::estimate,
+  /// whatever was solved before. Throws std::exception when Simbody cannot.
   virtual void assemble(double t) = 0;
-  /// Solves at time t, starting from q + q̇ h + q̈ h²/2 of the last instant.
+  /// Solves like assemble(), but starts from q + q̇ h + q̈ h²/2 of the instant solved last.
   virtual void step(double t) = 0;
-  /// Components of what is followed, its first and its second derivatives at the last instant.
+  /// Returns the instant solved last: the components of Tree::followed in its order [m, 1], their
+  /// first and their second derivatives. Valid, and overwritten, until the next is solved.
   virtual const std::array<std::vector<double>, 3>& values() const = 0;
-  /// Returns the iterations of projectQ, since the last assembly and with it.
+  /// Returns the iterations of projectQ since the last assembly, with its own.
   virtual long iterations() const = 0;
   /// "8 bodies, 12 mobilities, 2 of them prescribed, 10 loop-constraint equations"
   virtual std::string setup() const = 0;

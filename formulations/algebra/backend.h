@@ -25,9 +25,6 @@ struct Backend {
   Absence (*absence)() = nullptr;  ///< null: it is linked, so always present
   /// Makes a solver in single precision; null for sparse libraries.
   std::unique_ptr<LinearSolver<float>> (*make_single_solver)(const Pattern&) = nullptr;
-  /// Serves accuracy, not speed, with any system, or with small ones: bench/ leaves it out where it
-  /// would take too long.
-  bool is_slow = false, is_slow_in_blocks = false;
 };
 
 /// Makes a solver of a class whose constructor takes only the pattern.

@@ -32,7 +32,7 @@ bool is_in_table_2(const Variant& v) {
   if (v.partition == Partition::block) return false;
   if (!v.backend) return !v.explicit_order;
   if (v.backend->dense) return v.partition == Partition::group && algebra_name(v) == "lapack";
-  return !v.backend->is_slow &&
+  return slow_reason(v).empty() &&
          !(v.partition == Partition::global && v.evaluation == Evaluation::symbolic);
 }
 

@@ -8,7 +8,6 @@
 #include "bench/experiments/paper/extended_ids.h"
 #include "bench/kit/process/callgrind.h"
 #include "cases/generators/cases.h"
-#include "formulations/algebra/backend.h"
 #include "formulations/id.h"
 #include "formulations/variants.h"
 
@@ -28,8 +27,7 @@ constexpr std::array monitored{"global_automatic_klu", "group_symbolic_inlined",
                                "group_symbolic_explicit"};
 
 bool is_counted(const Variant& v) {
-  return v.partition != Partition::block && !is_dense_global(v) &&
-         !(v.backend && v.backend->is_slow);
+  return v.partition != Partition::block && !is_dense_global(v) && slow_reason(v).empty();
 }
 
 /// Leaves out what callgrind cannot count: it knows no registers wider than 256 bits; what threads

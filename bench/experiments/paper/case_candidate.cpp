@@ -5,7 +5,6 @@
 
 #include "bench/experiments/paper/extended_ids.h"
 #include "bench/kit/digests.h"
-#include "formulations/algebra/backend.h"
 #include "formulations/modelling/modelling.h"
 
 namespace desmo::paper {
@@ -33,11 +32,8 @@ std::string too_costly(const Variant& v, int n, const Options& options) {
   };
   if (is_dense_global(v) && n > options.dense_limit)
     return "a dense global solve costs O(n^3) a step" + up_to(options.dense_limit);
-  if (n <= options.slow_limit) return {};
-  if (v.backend && v.backend->is_slow)
-    return "orthogonal factorisation serves accuracy, not speed" + up_to(options.slow_limit);
-  if (v.backend && v.backend->is_slow_in_blocks && v.partition == Partition::block)
-    return "a library's overhead is all there is in blocks this small" + up_to(options.slow_limit);
+  if (n > options.slow_limit && !slow_reason(v).empty())
+    return std::string(slow_reason(v)) + up_to(options.slow_limit);
   return {};
 }
 
