@@ -3,12 +3,12 @@
 #include <set>
 
 #include "bench/cli/text.h"
+#include "bench/kit/problem.h"
 
 namespace desmo::cli {
 namespace {
 
 constexpr std::size_t names_shown = 8;
-constexpr const char* level_names[] = {"position", "velocity", "acceleration"};
 
 std::string fraction(int kept, int all, const std::string& noun) {
   return std::to_string(kept) + " of " + count(all, noun);
@@ -17,7 +17,7 @@ std::string fraction(int kept, int all, const std::string& noun) {
 std::string group_text(const Plan::GroupUse& use) {
   std::string text = use.name + ": keeps " + fraction(use.kept_unknowns, use.unknowns, "unknown") +
                      " in " + fraction(use.kept_blocks, use.blocks, "block") + ", to " +
-                     level_names[static_cast<int>(use.level)];
+                     bench::level_names[use.level];
   if (!use.serves.empty()) text += "; serves " + use.serves;
   text += "; kept: " + enumerate(use.kept, names_shown);
   if (!use.dropped.empty()) text += "; dropped: " + enumerate(use.dropped, names_shown);

@@ -56,21 +56,12 @@ Json motion_json(const Series& series) {
           {"instants", series.instants}};
 }
 
-/// Returns the largest condition number over the instants of the reference.
-double condition(const Problem& problem) {
-  ConditionNumber number(problem.plan.model);
-  double max = 0;
-  for (const ReferenceInstant& instant : problem.reference.instants)
-    max = std::max(max, number(instant.q));
-  return max;
-}
-
 /// Returns an entry of `floors` in the record: what is known of a problem apart from its trials.
 Json floor_json(const Series& series, const Problem& problem) {
   Json j = motion_json(series);
   j["compared"] = problem.reference.instants.size();
   j["reference"] = per_level(problem.reference.floor);
-  const double k = condition(problem);
+  const double k = max_condition(problem);
   if (!std::isfinite(k)) return j;  // singular somewhere: nothing can be predicted
   j["condition"] = k;
   j["limit"] = {{"double", per_level(accuracy_limit(k, std::ldexp(1, -53)))},

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "formulations/verification/condition.h"
 #include "formulations/verification/violation.h"
 
 namespace desmo::accuracy {
@@ -35,6 +36,14 @@ std::vector<double> some_times(const Reference& reference) {
 }
 
 }  // namespace
+
+double max_condition(const Problem& problem) {
+  ConditionNumber number(problem.plan.model);
+  double max = 0;
+  for (const ReferenceInstant& instant : problem.reference.instants)
+    max = std::max(max, number(instant.q));
+  return max;
+}
 
 Trial::Trial(const Problem& problem, const Configuration& configuration)
     : FormulationCandidate(problem, configuration) {

@@ -88,17 +88,12 @@ std::vector<std::unique_ptr<CaseCandidate>> make_case_candidates(const Options& 
       for (const Variant& v : variants())
         if (runs_at_extra_sizes(v))
           candidates.push_back(std::make_unique<CaseCandidate>(c, n, v, options));
-    const auto add_new = [&](std::unique_ptr<CaseCandidate> candidate) {
-      if (std::ranges::find(candidates, candidate->name(), &CaseCandidate::name) ==
-          candidates.end())
-        candidates.push_back(std::move(candidate));
-    };
     const auto add = [&](int n, std::string_view id) {
       const auto [variant, settings] = parse_id(id);
-      add_new(std::make_unique<CaseCandidate>(c, n, *variant, options, settings));
+      candidates.push_back(std::make_unique<CaseCandidate>(c, n, *variant, options, settings));
       if (settings.threads > 1)
-        add_new(std::make_unique<CaseCandidate>(c, n, *variant, options, on_one_thread(settings),
-                                                Clock::wall));
+        candidates.push_back(std::make_unique<CaseCandidate>(c, n, *variant, options,
+                                                             on_one_thread(settings), Clock::wall));
     };
     for (const std::string_view id : extended_ids) add(c.sizes.back(), id);
     add(c.sizes.back(), reference_of_one_block);
