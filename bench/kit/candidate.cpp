@@ -180,10 +180,4 @@ double FormulationCandidate::min_seconds() const {
   return seconds.empty() ? std::numeric_limits<double>::infinity() : std::ranges::min(seconds);
 }
 
-std::vector<std::pair<std::string, double>> FormulationCandidate::counters() const {
-  return {{"coordinates", coordinates},
-          {"iterations/step", iterations_per_step},
-          {"residual", residual}};
-}
-
 }  // namespace desmo::bench

@@ -51,12 +51,6 @@ class Candidate {
   /// a processor to somebody else, the least of some. Needs State::verified.
   double time_afresh();
 
-  /// Returns a number that grows with the time of an analysis, before anything is known of it.
-  virtual double expected_work() const = 0;
-
-  /// Returns what the console shows next to the time.
-  virtual std::vector<std::pair<std::string, double>> counters() const = 0;
-
   /// Returns "/clock:wall" for one thread by the wall clock, which several are compared with; else
   /// nothing.
   std::string clock_suffix() const {
@@ -135,8 +129,6 @@ class FormulationCandidate : public Candidate {
   void verify();
   void verify(ReferenceCache& references) override;
   Summary analyse() override;
-  double expected_work() const override { return coordinates; }
-  std::vector<std::pair<std::string, double>> counters() const override;
 
   /// Takes a sample of a step's CPU time by a formulation made anew on a fresh heap (see
   /// step_seconds). Nothing unless it is verified.

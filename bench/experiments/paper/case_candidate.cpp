@@ -72,12 +72,6 @@ void CaseCandidate::profile() {
   phases = measure_phases(variant(), settings(), problem().plan.model, first);
 }
 
-std::vector<std::pair<std::string, double>> CaseCandidate::counters() const {
-  auto all = FormulationCandidate::counters();
-  all.insert(all.begin() + 1, {"groups", groups});
-  return all;
-}
-
 std::vector<std::unique_ptr<CaseCandidate>> make_case_candidates(const Options& options) {
   std::vector<std::unique_ptr<CaseCandidate>> candidates;
   for (const Case& c : cases()) {

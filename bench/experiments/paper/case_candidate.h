@@ -25,7 +25,6 @@ class CaseCandidate final : public FormulationCandidate {
   /// Compares with the quadruple-precision reference.
   void verify(ReferenceCache& references) override;
   void profile() override;
-  std::vector<std::pair<std::string, double>> counters() const override;
 
   const Case& definition;
   int groups = 0, degrees_of_freedom = 0;

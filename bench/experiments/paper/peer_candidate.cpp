@@ -105,10 +105,6 @@ Summary PeerCandidate::analyse() {
   return summary;
 }
 
-std::vector<std::pair<std::string, double>> PeerCandidate::counters() const {
-  return {{"coordinates", coordinates}, {"iterations/step", iterations_per_step}};
-}
-
 std::vector<std::unique_ptr<PeerCandidate>> make_peer_candidates(const Options& options) {
   std::vector<std::unique_ptr<PeerCandidate>> candidates;
   for_every_size([&](const Case& c, int n) {

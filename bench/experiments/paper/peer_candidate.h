@@ -24,8 +24,6 @@ class PeerCandidate final : public Candidate {
   /// Compares with the quadruple-precision reference, in the coordinates that the peer finds.
   void verify(ReferenceCache& references) override;
   Summary analyse() override;
-  double expected_work() const override { return 10.0 * coordinates; }
-  std::vector<std::pair<std::string, double>> counters() const override;
 
   const Case& definition;
   const int coordinates;

@@ -184,13 +184,6 @@ std::string RequestCandidate::compare_with_whole() {
   return difference <= allowed_request_difference ? "" : difference_message(difference);
 }
 
-std::vector<std::pair<std::string, double>> RequestCandidate::counters() const {
-  return {{"unknowns", request_->unknowns},
-          {"of", request_->all_unknowns},
-          {"iterations/step", iterations_per_step},
-          {"residual", residual}};
-}
-
 std::vector<std::unique_ptr<RequestCandidate>> make_request_candidates(const Options& options) {
   std::vector<std::unique_ptr<RequestCandidate>> candidates;
   for (const RequestScene& source : request_scenes()) {

@@ -60,7 +60,6 @@ class RequestCandidate final : public FormulationCandidate {
   /// Compares with the whole mechanism, both converged as far as double precision goes, which shows
   /// that nothing needed was left out; and, as it is timed, with the quadruple-precision reference.
   void verify(ReferenceCache& references) override;
-  std::vector<std::pair<std::string, double>> counters() const override;
 
   const PlannedRequest& request() const { return *request_; }
 
