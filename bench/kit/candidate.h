@@ -135,6 +135,11 @@ class FormulationCandidate : public Candidate {
   void sample_afresh(double duration);
   /// Returns the least of the samples; infinite when there is none.
   double min_seconds() const;
+  /// Tells whether it has two samples and its motion takes longer than that, in seconds: no more
+  /// are worth it.
+  bool is_sampled(double dear_seconds) const {
+    return seconds.size() >= 2 && min_seconds() * grid.instants > dear_seconds;
+  }
 
   const int coordinates;
   /// Bytes that the formulation keeps on the heap, with what libraries keep for it: no step touches

@@ -1,7 +1,8 @@
 #include "bench/cli/inspect/explanation.h"
 
-#include <set>
+#include <algorithm>
 
+#include "bench/cli/inspect/inspection.h"
 #include "bench/cli/text.h"
 #include "bench/kit/problem.h"
 
@@ -25,12 +26,9 @@ std::string group_text(const Plan::GroupUse& use) {
 }
 
 std::vector<std::string> drivers_not_needed(const Plan& plan, const Model& whole) {
-  std::set<std::string> kept;
-  for (const Driver& d : plan.model.drivers) kept.insert(plan.model.entities[d.coordinate].name);
-  std::vector<std::string> names;
-  for (const Driver& d : whole.drivers)
-    if (!kept.contains(whole.entities[d.coordinate].name))
-      names.push_back(whole.entities[d.coordinate].name);
+  const std::vector<std::string> kept = driver_names(plan.model);
+  std::vector<std::string> names = driver_names(whole);
+  std::erase_if(names, [&](const std::string& name) { return std::ranges::count(kept, name) > 0; });
   return names;
 }
 

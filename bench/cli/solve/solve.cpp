@@ -17,7 +17,6 @@
 #include "bench/cli/own_code.h"
 #include "bench/cli/solve/live.h"
 #include "bench/cli/solve/run_notes.h"
-#include "bench/cli/solve/series_writer.h"
 #include "cases/mechanism/names.h"
 #include "formulations/id.h"
 #include "formulations/variants.h"

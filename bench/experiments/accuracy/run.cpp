@@ -85,10 +85,6 @@ Json point_json(const Series& series, const Trial& trial) {
   return j;
 }
 
-bool is_sampled(const Trial& trial) {
-  return trial.seconds.size() >= 2 && trial.min_seconds() * trial.grid.instants > dear_seconds;
-}
-
 /// Compares every configuration, then times them in turn, so that whatever slows the machine down
 /// for a while meets them all.
 void measure(const Series& series, const Problem& problem, int repetitions, Json& points,
@@ -100,7 +96,7 @@ void measure(const Series& series, const Problem& problem, int repetitions, Json
   }
   for (int round = 0; round < repetitions; ++round)
     for (Trial& trial : trials) {
-      if (!is_sampled(trial)) trial.time(sample_seconds);
+      if (!trial.is_sampled(dear_seconds)) trial.time(sample_seconds);
       progress.done();
     }
   for (const Trial& trial : trials) points.push_back(point_json(series, trial));

@@ -55,26 +55,6 @@ std::vector<Candidate*> selected(const std::vector<Candidate*>& all) {
   return result;
 }
 
-/// All candidates, each name once: a formulation that was asked for may also be measured against a
-/// peer.
-class AllCandidates {
- public:
-  template <class Kind>
-  void add(std::vector<std::unique_ptr<Kind>> some) {
-    for (auto& candidate : some)
-      if (names_.insert(candidate->name()).second) owned_.push_back(std::move(candidate));
-  }
-  std::vector<Candidate*> in_order() const {
-    std::vector<Candidate*> all;
-    for (const auto& candidate : owned_) all.push_back(candidate.get());
-    return all;
-  }
-
- private:
-  std::set<std::string> names_;
-  std::vector<std::unique_ptr<Candidate>> owned_;
-};
-
 /// Throws std::invalid_argument where time grids differ: a record has one.
 void require_one_grid(const std::vector<Candidate*>& all) {
   const TimeGrid& first = all.front()->grid;
@@ -140,12 +120,21 @@ int run(const bench::CommandLine& line) {
   if (benchmark::ReportUnrecognizedArguments(count, pointers.data())) return 64;
   for (const std::string& note : faulty_libraries()) std::cerr << "desmo_bench: " << note << '\n';
 
-  AllCandidates candidates;
-  candidates.add(make_case_candidates(options));
-  candidates.add(make_request_candidates(options));
-  candidates.add(make_candidates_for_peers(options));
-  candidates.add(make_peer_candidates(options));
-  const std::vector<Candidate*> all = candidates.in_order();
+  // Each name once: a formulation that was asked for may also be measured against a peer.
+  std::vector<std::unique_ptr<Candidate>> owned;
+  std::vector<Candidate*> all;
+  std::set<std::string> names;
+  const auto add = [&](auto candidates) {
+    for (auto& candidate : candidates)
+      if (names.insert(candidate->name()).second) {
+        all.push_back(candidate.get());
+        owned.push_back(std::move(candidate));
+      }
+  };
+  add(make_case_candidates(options));
+  add(make_request_candidates(options));
+  add(make_candidates_for_peers(options));
+  add(make_peer_candidates(options));
   require_one_grid(all);
   const std::vector<Candidate*> chosen = selected(all);
   if (chosen.empty()) throw std::invalid_argument("no benchmark matches the filter");

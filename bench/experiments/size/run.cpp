@@ -26,11 +26,6 @@ constexpr int usual_repetitions = 5;
 constexpr double min_seconds = 0.02;  // of a sample
 constexpr double dear_seconds = 1;    // a motion that takes longer has two samples only
 
-bool is_sampled(const FormulationCandidate& candidate) {
-  const std::vector<double>& samples = candidate.seconds;
-  return samples.size() >= 2 && samples.front() * candidate.grid.instants > dear_seconds;
-}
-
 double work_of(const Series& series) {
   return series.size * static_cast<double>(series.ids.size());
 }
@@ -69,7 +64,7 @@ bool measure(const Series& series, int repetitions, Json& list) {
     candidates.emplace_back(problem, id, Settings{.tolerance = problem.tolerance}).verify();
   for (int round = 0; round < repetitions; ++round)
     for (FormulationCandidate& candidate : candidates)
-      if (!is_sampled(candidate)) candidate.sample_afresh(min_seconds);
+      if (!candidate.is_sampled(dear_seconds)) candidate.sample_afresh(min_seconds);
   bool right = true;
   for (const FormulationCandidate& candidate : candidates) {
     list.push_back(entry_json(series, problem, candidate));
