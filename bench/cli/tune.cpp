@@ -1,5 +1,4 @@
 // desmo tune: the cheapest settings that are accurate enough for a scene, on this machine.
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <map>

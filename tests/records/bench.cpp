@@ -74,6 +74,10 @@ TEST(Bench, HasEveryExperimentByItsName) {
     for (const char* common : {"--record FILE", "--quick", "--filter REGEX"})
       EXPECT_NE(options.find(common), std::string::npos) << name << ' ' << common;
     EXPECT_EQ(run_bench(name + std::string(" --no_such_flag")), 64) << name;
+    const std::string brief = name + std::string(" --quick --record /dev/null ") +
+                              (name == std::string("extremes") ? "--row 14" : "");
+    for (const char* filter : {" --filter no_such_formulation", " --filter '('"})
+      EXPECT_EQ(run_bench(brief + filter), 64) << name << filter;
   }
   EXPECT_EQ(run_bench("precision --quick"), 64);
   EXPECT_NE(said("precision").find("no experiment 'precision'; there are paper, accuracy"),

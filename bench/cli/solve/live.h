@@ -1,7 +1,6 @@
 // desmo solve --drivers: a scene whose drivers come row by row.
 #pragma once
 
-#include <memory>
 #include <string>
 
 #include "bench/cli/solve/series.h"

@@ -1,7 +1,6 @@
 // desmo_bench accuracy: time against error, for formulations and the settings that trade one for
 // the other.
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cmath>
 #include <list>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,6 @@
 #include "bench/kit/record/record.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
