@@ -12,7 +12,6 @@
 #include "bench/cli/commands.h"
 #include "bench/cli/errors.h"
 #include "bench/cli/input.h"
-#include "bench/cli/inspect/explanation.h"
 #include "bench/cli/interruption.h"
 #include "bench/cli/own_code.h"
 #include "bench/cli/solve/live.h"

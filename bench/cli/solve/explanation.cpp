@@ -1,8 +1,7 @@
-#include "bench/cli/inspect/explanation.h"
-
 #include <algorithm>
 
 #include "bench/cli/inspect/inspection.h"
+#include "bench/cli/solve/run_notes.h"
 #include "bench/cli/text.h"
 #include "bench/kit/problem.h"
 
