@@ -114,10 +114,15 @@ int run(const bench::CommandLine& line) {
                   "Only where this regular expression is found in the name of the case")
       ->type_name("REGEX");
   std::map<std::string, unsigned> monitors;
-  for (const auto& [monitor, name] : monitor_names)
+  std::string names;
+  for (const auto& [monitor, name] : monitor_names) {
     monitors.emplace(name, static_cast<unsigned>(monitor));
-  parser.add_option("--without", options.without, "Leave a monitor out, to see what it finds")
-      ->transform(CLI::CheckedTransformer(monitors));
+    names += (names.empty() ? ": " : ", ") + std::string(name);
+  }
+  parser
+      .add_option("--without", options.without, "Leave a monitor out, to see what it finds" + names)
+      ->type_name("MONITOR")
+      ->transform(CLI::CheckedTransformer(monitors).description(""));
   if (!read(parser, line)) return 0;
   return measure(options, line) ? 0 : 1;
 }
