@@ -64,7 +64,7 @@ Json result_json(const Result& r) {
 
 struct Options : bench::CommonOptions {
   std::string cases;
-  std::vector<unsigned> without;
+  unsigned without = 0;  // monitors
   std::vector<int> rows;
 };
 
@@ -81,8 +81,8 @@ bool measure(const Options& options, const bench::CommandLine& line) {
   const std::vector<const Extreme*> rows = chosen_rows(options.rows);
   Selection selection{.extent = options.quick ? Extent::brief : Extent::full,
                       .formulations = std::regex(options.filter),
-                      .cases = std::regex(options.cases)};
-  for (const unsigned monitor : options.without) selection.without |= monitor;
+                      .cases = std::regex(options.cases),
+                      .without = options.without};
   bench::Recording recording = begin_record(options, line);
   Json lists = {{"rows", Json::array()}, {"results", Json::array()}};
   std::size_t defects = 0;
@@ -114,15 +114,16 @@ int run(const bench::CommandLine& line) {
                   "Only where this regular expression is found in the name of the case")
       ->type_name("REGEX");
   std::map<std::string, unsigned> monitors;
-  std::string names;
-  for (const auto& [monitor, name] : monitor_names) {
+  for (const auto& [monitor, name] : monitor_names)
     monitors.emplace(name, static_cast<unsigned>(monitor));
-    names += (names.empty() ? ": " : ", ") + std::string(name);
-  }
   parser
-      .add_option("--without", options.without, "Leave a monitor out, to see what it finds" + names)
-      ->type_name("MONITOR")
-      ->transform(CLI::CheckedTransformer(monitors).description(""));
+      .add_option_function<std::vector<std::string>>(
+          "--without",
+          [&](const std::vector<std::string>& names) {
+            for (const std::string& name : names) options.without |= monitors.at(name);
+          },
+          "Leave a monitor out, to see what it finds")
+      ->check(CLI::IsMember(monitors));
   if (!read(parser, line)) return 0;
   return measure(options, line) ? 0 : 1;
 }
