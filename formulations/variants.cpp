@@ -60,6 +60,14 @@ bool is_dense_global(const Variant& v) {
   return v.partition == Partition::global && v.backend && v.backend->dense;
 }
 
+std::string_view slow_reason(const Variant& v) {
+  const std::string_view algebra = algebra_name(v);
+  if (algebra == "spqr") return "orthogonal factorisation serves accuracy, not speed";
+  if (v.partition == Partition::block && (algebra == "umfpack" || algebra == "sparselu"))
+    return "a library's overhead is all there is in blocks this small";
+  return {};
+}
+
 bool has_phases(const Variant& v) { return v.backend != nullptr; }
 
 std::string unsupported_reason(const Variant& v, const Settings& s) {

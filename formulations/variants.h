@@ -44,6 +44,10 @@ std::string_view algebra_name(const Variant& variant);
 /// Returns whether it solves all unknowns at once with dense matrices, at O(n³) a step.
 bool is_dense_global(const Variant& variant);
 
+/// Returns why a variant is too slow to be timed with many coordinates, though not dense: what it
+/// serves instead. Empty: it is not.
+std::string_view slow_reason(const Variant& variant);
+
 /// Returns whether its phases can be measured apart (generated elimination has none).
 bool has_phases(const Variant& variant);
 

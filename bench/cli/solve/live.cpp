@@ -56,7 +56,7 @@ std::string reason_of(const LiveSummary& s, const LiveRun& run, const Plan& plan
 }  // namespace
 
 void solve_live(const LiveRequest& request, Formulation& formulation, const SeriesHeading& heading,
-                const SeriesFormat& format, Output& output) {
+                const SeriesFormat& format, OutputFile& output) {
   const Plan& plan = request.plan;
   LiveOptions options{.level = plan.level(), .tolerance = request.tolerance, .levels = plan.levels};
   if (request.strict) options.every = 1;

@@ -1,14 +1,14 @@
-#include "bench/cli/inspect/explanation.h"
+#include <algorithm>
 
-#include <set>
-
+#include "bench/cli/inspect/inspection.h"
+#include "bench/cli/solve/run_notes.h"
 #include "bench/cli/text.h"
+#include "bench/kit/problem.h"
 
 namespace desmo::cli {
 namespace {
 
 constexpr std::size_t names_shown = 8;
-constexpr const char* level_names[] = {"position", "velocity", "acceleration"};
 
 std::string fraction(int kept, int all, const std::string& noun) {
   return std::to_string(kept) + " of " + count(all, noun);
@@ -17,7 +17,7 @@ std::string fraction(int kept, int all, const std::string& noun) {
 std::string group_text(const Plan::GroupUse& use) {
   std::string text = use.name + ": keeps " + fraction(use.kept_unknowns, use.unknowns, "unknown") +
                      " in " + fraction(use.kept_blocks, use.blocks, "block") + ", to " +
-                     level_names[static_cast<int>(use.level)];
+                     bench::level_names[use.level];
   if (!use.serves.empty()) text += "; serves " + use.serves;
   text += "; kept: " + enumerate(use.kept, names_shown);
   if (!use.dropped.empty()) text += "; dropped: " + enumerate(use.dropped, names_shown);
@@ -25,12 +25,9 @@ std::string group_text(const Plan::GroupUse& use) {
 }
 
 std::vector<std::string> drivers_not_needed(const Plan& plan, const Model& whole) {
-  std::set<std::string> kept;
-  for (const Driver& d : plan.model.drivers) kept.insert(plan.model.entities[d.coordinate].name);
-  std::vector<std::string> names;
-  for (const Driver& d : whole.drivers)
-    if (!kept.contains(whole.entities[d.coordinate].name))
-      names.push_back(whole.entities[d.coordinate].name);
+  const std::vector<std::string> kept = driver_names(plan.model);
+  std::vector<std::string> names = driver_names(whole);
+  std::erase_if(names, [&](const std::string& name) { return std::ranges::count(kept, name) > 0; });
   return names;
 }
 

@@ -1,4 +1,4 @@
-#include "bench/peers/tree/stabiliser.h"
+#include "bench/peers/tree/suspension.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -26,7 +26,7 @@ std::vector<std::string> Stabiliser::delivered(const std::string& prefix, const 
           prefix + "u" + link,  prefix + "n" + link,  prefix + "phi" + lever};
 }
 
-void Stabiliser::solve(const Pose& axle, Delivery& out) const {
+void Stabiliser::solve(const Pose& axle, AnswerWriter& out) const {
   const Moving<Vec> a = axle.at(a_);
   // D·e = k, that is −X cos φ + Z sin φ = k with X = D·x2, Z = D·z2.
   const Vec from_g = a.q - g_;
@@ -58,6 +58,29 @@ void Stabiliser::solve(const Pose& axle, Delivery& out) const {
   out.put(u);
   out.put((1 / link_) * cross(link, u));
   out.put(Moving<double>{std::atan2(sine, cosine), rate, second_rate});
+}
+
+Damper::Damper(const Mechanism& d, const std::string& prefix, const std::string& rod,
+               const std::string& tube)
+    : a_(nominal(d, prefix + "A" + rod) - nominal(d, prefix + "S")),
+      t_(nominal(d, prefix + "T" + tube)) {}
+
+std::vector<std::string> Damper::delivered(const std::string& prefix, const std::string& rod,
+                                           const std::string& tube) {
+  return {prefix + "A" + rod, prefix + "d" + rod,  prefix + "u" + rod,
+          prefix + "n" + rod, prefix + "n" + tube, prefix + "s" + rod};
+}
+
+void Damper::solve(const Pose& axle, AnswerWriter& out) const {
+  const Moving<Vec> a = axle.at(a_);
+  const auto [s, d] = polar(-1 * (a - t_));  // T − A = s d
+  const Moving<Vec> u = unit(cross(d, axle.x)), n = cross(d, u);
+  out.put(a);
+  out.put(d);
+  out.put(u);
+  out.put(n);
+  out.put(-1 * n);
+  out.put(s);
 }
 
 }  // namespace desmo::tree
