@@ -97,9 +97,7 @@ ExitCode tables(const TablesCommand& command) {
     write_standard_output(front_to_terminal(document) + "\n" + sentence("front.rest") + "\n");
     return success;
   }
-  std::vector<NewFile> files;
-  for (const Record& record : records)
-    std::ranges::move(figures(record), std::back_inserter(files));
+  std::vector<NewFile> files = figures(document);
   for (const std::string& format : chosen.empty() ? format_names() : chosen)
     std::ranges::move(render(document, format), std::back_inserter(files));
   write_files(command.folder, files);
@@ -137,7 +135,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", "desmo_report " DESMO_VERSION);
   app.require_subcommand(1);
   const auto add_format = [](CLI::App* command, auto& formats) {
-    command->add_option("--format", formats, "terminal, json, csv, markdown or html")
+    command->add_option("--format", formats, "terminal, csv, markdown or html")
         ->check(CLI::IsMember(format_names()));
   };
   TablesCommand command;

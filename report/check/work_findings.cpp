@@ -11,10 +11,6 @@ std::string product(const std::string& version) {
   return version.substr(0, version.find(' ', version.find(' ') + 1));
 }
 
-std::string linking(const Build& build) {
-  return build.link ? build.link->type + " " + build.link->flags : "not recorded";
-}
-
 std::vector<Difference> differences(const CheckRecord& now, const Record& then,
                                     const Work& then_work) {
   std::vector<Difference> all;
@@ -26,7 +22,8 @@ std::vector<Difference> differences(const CheckRecord& now, const Record& then,
   require_same("compiler", then.build.compiler, head.build.compiler);
   require_same("build type", then.build.type, head.build.type);
   require_same("flags", then.build.flags, head.build.flags);
-  require_same("linking", linking(then.build), linking(head.build));
+  require_same("linking", then.build.link.value_or("not recorded"),
+               head.build.link.value_or("not recorded"));
   for (const auto& [name, version] : head.libraries)
     if (const auto other = then.libraries.find(name); other != then.libraries.end())
       require_same(name, product(other->second), product(version));

@@ -1,19 +1,11 @@
-
+// The head of a record: what was measured on, built and set.
 #include <cmath>
-#include <string>
 
 #include "report/read/readers.h"
 #include "report/text/digits.h"
 
 namespace desmo::report {
 namespace {
-
-std::vector<double> read_numbers(const std::optional<RecordValue>& node) {
-  std::vector<double> result;
-  if (node)
-    for (const RecordValue& element : node->elements()) result.push_back(element.not_negative());
-  return result;
-}
 
 std::optional<Allowed> read_allowed(const RecordValue& settings) {
   const auto node = settings.find("allowed");
@@ -28,25 +20,21 @@ Machine read_machine(const RecordValue& node) {
   Machine machine{.cpu = node["cpu"].text(),
                   .cores = node["cores"].integer(1),
                   .caches = {},
-                  .kernel = node["kernel"].text(),
                   .governor = node["governor"].text(),
-                  .turbo = node.find_text("turbo"),
-                  .load_before = read_numbers(node.find("load_before")),
-                  .load_after = read_numbers(node.find("load_after"))};
+                  .load_before = std::nullopt};
   for (const RecordValue& cache : node["caches"].elements()) machine.caches.push_back(cache.text());
+  if (const auto loads = node.find("load_before"))
+    for (const RecordValue& load : loads->elements())
+      if (const double value = load.not_negative(); !machine.load_before)
+        machine.load_before = value;
   return machine;
 }
 
 Build read_build(const RecordValue& node) {
-  Build build{.type = node["type"].text(),
-              .compiler = node["compiler"].text(),
-              .flags = node["flags"].text(),
-              .link = std::nullopt,
-              .binary = node.find_text("binary")};
+  Build build{node["type"].text(), node["compiler"].text(), node["flags"].text(), std::nullopt};
   if (const auto link = node.find("link")) {
-    build.link = Link{(*link)["type"].text(), (*link)["flags"].text(), {}};
-    for (const RecordValue& library : (*link)["libraries"].elements())
-      build.link->libraries.push_back(library.text());
+    const std::string flags = (*link)["flags"].text();
+    build.link = (*link)["type"].text() + (flags.empty() ? "" : " " + flags);
   }
   return build;
 }
@@ -77,13 +65,13 @@ Record read_environment(const RecordValue& node) {
   record.date = node["date"].utc();
   record.commit = node["commit"].text();
   record.dirty = node["dirty"].boolean();
-  record.command = node["command"].text();
   record.machine = read_machine(node["machine"]);
   record.build = read_build(node["build"]);
   for (const auto& [name, version] : node["libraries"].members())
     record.libraries.emplace(name, version.text());
   record.blas = {blas["core"].text(), blas["threads"].integer(1)};
   record.settings = read_settings(node["settings"]);
+  record.provenance = node.leaves();
   return record;
 }
 

@@ -57,18 +57,13 @@ void require_one_origin(const Record& record) {
     one.take(key_of(peer), {}, peer.solved.status, peer.solved.origin);
 }
 
-/// Each experiment has the section of its name.
-constexpr std::array<std::pair<const char*, void (*)(Record&, const RecordValue&)>, 5> experiments{
-    {{"paper", read_paper},
-     {"accuracy", read_accuracy},
-     {"size", read_sizes},
-     {"instructions", read_instructions},
-     {"extremes", read_extremes}}};
-
-bool is_empty(const Record& record) {
-  return !has_paper(record) && record.points.empty() && record.tuning.empty() &&
-         !has_sizes(record) && record.instructions.empty() && record.extremes.empty();
-}
+/// The objects of a record, and what reads them.
+constexpr std::pair<const char*, void (*)(Record&, const RecordValue&)> readers[] = {
+    {"paper", read_paper},
+    {"accuracy", read_accuracy},
+    {"size", read_sizes},
+    {"instructions", read_instructions},
+    {"extremes", read_extremes}};
 
 }  // namespace
 
@@ -76,12 +71,13 @@ Record read_record(const RecordValue& root) {
   check_schema(root, "desmo-results");
   Record record = read_environment(root["record"]);
   record.version = root["schema_version"].text();
-  for (const auto& [name, read] : experiments)
-    if (const auto section = root.find(name)) read(record, *section);
-  if (is_empty(record))
-    root.complain(
-        "nothing was measured: \"paper\", \"accuracy\", \"size\", \"instructions\" and "
-        "\"extremes\" are missing or empty");
+  std::string names;
+  for (const auto& [name, read] : readers) {
+    names += (names.empty() ? "\"" : ", \"") + std::string(name) + "\"";
+    if (const auto measured = root.find(name)) read(record, *measured);
+  }
+  if (std::ranges::none_of(experiments, [&](const Experiment& e) { return e.is_in(record); }))
+    root.complain("nothing was measured: all of " + names + " are missing or empty");
   require_one_origin(record);
   return record;
 }

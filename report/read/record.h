@@ -19,25 +19,15 @@ struct Machine {
   std::string cpu;
   std::int64_t cores = 0;
   std::vector<std::string> caches;
-  std::string kernel;
   std::string governor;
-  std::optional<std::string> turbo;  ///< "on", "off", "unknown"
-  std::vector<double> load_before;
-  std::vector<double> load_after;
-};
-
-struct Link {
-  std::string type;  ///< "dynamic", "static"
-  std::string flags;
-  std::vector<std::string> libraries;  ///< shared objects loaded
+  std::optional<double> load_before;  ///< of the last minute
 };
 
 struct Build {
   std::string type;
   std::string compiler;
   std::string flags;
-  std::optional<Link> link;
-  std::optional<std::string> binary;  ///< SHA-256 of the program, or "unknown"
+  std::optional<std::string> link;  ///< "dynamic", and its flags
 };
 
 struct Blas {
@@ -149,12 +139,12 @@ struct Record {
   std::string date;  ///< UTC, ISO 8601
   std::string commit;
   bool dirty = false;
-  std::string command;
   Machine machine;
   Build build;
   std::map<std::string, std::string> libraries;
   Blas blas;
   Settings settings;
+  std::vector<std::pair<std::string, std::string>> provenance;  ///< all of the head, as text
   // paper; what the wall clock measured stands apart, so that no table mixes the two clocks
   std::map<CandidateKey, Candidate> candidates;  ///< CPU clock
   std::map<CandidateKey, Candidate> wall_candidates;
@@ -183,9 +173,19 @@ inline bool has_paper(const Record& record) {
          !record.wall_candidates.empty() || !record.wall_requests.empty();
 }
 
-/// Tells whether it has the experiment on size.
-inline bool has_sizes(const Record& record) {
-  return !record.growth.empty() || !record.break_even.empty();
-}
+/// Something that a record may have measured, of which a page shows one record's.
+struct Experiment {
+  const char* name;
+  bool (*is_in)(const Record&);
+};
+
+/// The experiments, in the order of pages.
+inline constexpr Experiment experiments[] = {
+    {"paper", has_paper},
+    {"accuracy", [](const Record& r) { return !r.points.empty(); }},
+    {"tuning", [](const Record& r) { return !r.tuning.empty(); }},
+    {"size", [](const Record& r) { return !r.growth.empty() || !r.break_even.empty(); }},
+    {"instructions", [](const Record& r) { return !r.instructions.empty(); }},
+    {"extremes", [](const Record& r) { return !r.extremes.empty(); }}};
 
 }  // namespace desmo::report

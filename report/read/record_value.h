@@ -39,6 +39,9 @@ class RecordValue {
   double positive() const;                ///< likewise
   double sample() const;  ///< a measured time, 1e-9 s ... 1e9 s: no clock gives another
 
+  /// Returns every text, number and boolean inside by its path, "machine cpu"; a list in one text.
+  std::vector<std::pair<std::string, std::string>> leaves() const;
+
   /// Returns which of some words the text is, by position.
   std::size_t one_of(std::initializer_list<std::string_view> words) const;
 

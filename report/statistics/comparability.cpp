@@ -29,17 +29,12 @@ class Comparison {
   std::set<std::string> named_;
 };
 
-std::optional<std::string> linking_of(const Build& build) {
-  if (!build.link) return std::nullopt;
-  return build.link->type + (build.link->flags.empty() ? "" : " " + build.link->flags);
-}
-
 void compare_environment(Comparison& all, const Record& a, const Record& b) {
   all.require_same("CPU model", a.machine.cpu, b.machine.cpu);
   all.require_same("compiler", a.build.compiler, b.build.compiler);
   all.require_same("build type", a.build.type, b.build.type);
   all.require_same("flags", a.build.flags, b.build.flags);
-  all.require_same("linking", linking_of(a.build), linking_of(b.build));
+  all.require_same("linking", a.build.link, b.build.link);
   all.require_same("BLAS core", a.blas.core, b.blas.core);
   all.require_same("BLAS threads", std::to_string(a.blas.threads), std::to_string(b.blas.threads));
 }
@@ -122,15 +117,9 @@ std::vector<Difference> why_apart(const Record& first, const Record& second) {
   Comparison all;
   compare_environment(all, first, second);
   compare_settings(all, first.settings, second.settings);
-  const auto only_one = [&](const char* what, bool in_first, bool in_second) {
-    if (in_first && in_second) all.differ(std::string("one record with ") + what, "one", "another");
-  };
-  only_one("cells", has_paper(first), has_paper(second));
-  only_one("points", !first.points.empty(), !second.points.empty());
-  only_one("tuning", !first.tuning.empty(), !second.tuning.empty());
-  only_one("sizes", has_sizes(first), has_sizes(second));
-  only_one("instructions", !first.instructions.empty(), !second.instructions.empty());
-  only_one("extremes", !first.extremes.empty(), !second.extremes.empty());
+  for (const Experiment& experiment : experiments)
+    if (experiment.is_in(first) && experiment.is_in(second))
+      all.differ("one record with " + std::string(experiment.name), "one", "another");
   return std::move(all).differences();
 }
 

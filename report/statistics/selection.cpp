@@ -60,6 +60,16 @@ std::vector<std::string> formulations_of(const Points& points) {
   return {names.begin(), names.end()};
 }
 
+std::vector<std::string> guesses_of(const Points& points) {
+  const std::string paper = Configuration().guess;
+  std::set<std::string> others;
+  for (const NamedPoint* point : points) others.insert(point->second.configuration.guess);
+  std::vector<std::string> names{paper};
+  others.erase(paper);
+  names.insert(names.end(), others.begin(), others.end());
+  return names;
+}
+
 bool is_solved(const NamedPoint& point) { return point.second.status == Point::Status::ok; }
 
 double position_error(const NamedPoint& point) { return point.second.error.position->max; }

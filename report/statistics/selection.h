@@ -43,6 +43,9 @@ Points solving_every_instant(Points points);
 /// Formulations, each once.
 std::vector<std::string> formulations_of(const Points& points);
 
+/// Guesses, each once: the paper's first.
+std::vector<std::string> guesses_of(const Points& points);
+
 bool is_solved(const NamedPoint& point);
 double position_error(const NamedPoint& point);  ///< the largest; of a solved point
 

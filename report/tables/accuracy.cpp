@@ -32,21 +32,15 @@ double max_floor(const Record& record) {
 std::vector<Section> accuracy_sections(const Record& record) {
   Section figures = headed_section("speed_for_accuracy",
                                    {{"floor", error_entry(max_floor(record)).shown}}),
-          costs = headed_section("costs"), precision = headed_section("precision"),
-          varied = headed_section("table2_varied");
-  costs.tables = {accuracy_costs(record), accuracy_errors(record)};
-  for (const std::string& name : drawn_cases(record)) {
+          costs = headed_section("costs"), reuse = headed_section("guesses"),
+          precision = headed_section("precision"), varied = headed_section("table2_varied");
+  costs.tables = {accuracy_costs(record)};
+  for (const std::string& name : drawn_cases(record))
     figures.tables.push_back(work_precision(record, name));
-    costs.tables.push_back(cheapest_by_formulation(record, name));
-  }
+  reuse.tables = {guesses(record)};
   precision.tables = {scalars(record)};
   varied.tables = {sensitivity(record)};
-  return {accuracy_front(record), figures, costs, guesses(record), precision, varied};
-}
-
-std::string kind_of_failure(std::string_view message) {
-  if (message.empty()) return sentence("common.no_reason");
-  return std::string(message.substr(0, message.find(" at t = ")));
+  return {accuracy_front(record), figures, costs, reuse, precision, varied};
 }
 
 }  // namespace desmo::report

@@ -60,6 +60,7 @@ void add_scalars(Table& table, const Record& record, const SeriesKey& series, co
     const Points solved = points_with(points, [](const auto* p) { return is_solved(*p); });
     const NamedPoint* best = best_error(solved);
     const std::string count = std::to_string(solved.size()), all = std::to_string(points.size());
+    const std::string& message = points.front()->second.message;
     std::vector<Entry> row{series.case_name,
                            own.front()->second.configuration.formulation,
                            scalar,
@@ -69,7 +70,7 @@ void add_scalars(Table& table, const Record& record, const SeriesKey& series, co
                            predicted_entry(record.floors.at(series), scalar)};
     for (const double error : asked)
       row.push_back(step_ratio_entry(cheapest(in_double, error), cheapest(points, error)));
-    row.push_back(best ? std::string() : kind_of_failure(points.front()->second.message));
+    row.push_back(best ? std::string() : message.substr(0, message.find(" at t = ")));
     table.rows.push_back(std::move(row));
   }
 }

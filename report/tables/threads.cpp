@@ -45,14 +45,14 @@ Entry over_one_thread(const std::vector<WallTimed>& all, const WallTimed& severa
 
 }  // namespace
 
-std::vector<Table> threads(const Record& record) {
+Section threads(const Record& record) {
+  Section section = headed_section("threads_section");
   std::map<std::string, std::vector<WallTimed>> cases;
   for (const auto& [key, candidate] : record.wall_candidates)
     cases[key.case_name].push_back(timed_by_wall(key, "everything", candidate));
   for (const Request& request : record.wall_requests)
     cases[request.key.case_name].push_back(
         timed_by_wall(request.key, request.title, request.solved));
-  std::vector<Table> tables;
   for (auto& [name, all] : cases) {
     std::ranges::stable_sort(
         all, {}, [](const WallTimed& one) { return std::pair(one.place(), one.threads); });
@@ -62,9 +62,9 @@ std::vector<Table> threads(const Record& record) {
                             count_entry(static_cast<std::size_t>(one.threads)),
                             seconds_entry(one.time), instant_entry(record, one.time),
                             over_one_thread(all, one), one.remark});
-    tables.push_back(std::move(table));
+    section.tables.push_back(std::move(table));
   }
-  return tables;
+  return section;
 }
 
 }  // namespace desmo::report

@@ -14,25 +14,12 @@
 namespace desmo::report {
 namespace {
 
-std::string cut(std::string_view formulation) {
-  if (formulation.starts_with("global_")) return "global";
-  if (formulation.starts_with("group_")) return "groups";
-  if (formulation.starts_with("block_")) return "blocks";
-  return "other";
-}
-
-std::string algebra(std::string_view formulation) {
-  const std::string_view name = formulation.substr(formulation.rfind('_') + 1);
-  if (name == "lapack" || name == "eigen") return "dense";
-  if (name == "inlined" || name == "explicit") return "generated";
-  return "sparse";
-}
-
-/// "groups, sparse": of <partition>_<equations>_<algebra>; "interpolated", whatever it is, where
+/// "group, sparse": of <partition>_<equations>_<algebra>; "interpolated", whatever it is, where
 /// not every instant is solved.
 std::string family_of(const Configuration& configuration) {
   if (!configuration.solves_every_instant()) return "interpolated";
-  return cut(configuration.formulation) + ", " + algebra(configuration.formulation);
+  const std::string& id = configuration.formulation;
+  return partition_of(id) + ", " + algebra_kind(id);
 }
 
 double seconds_of(const NamedPoint* point) {
@@ -108,6 +95,13 @@ Table work_precision(const Record& record, const std::string& case_name) {
     if (in_front) least = position_error(*point);
     table.rows.push_back(point_row(*point, in_front));
   }
+  const Floor& floor = record.floors.at(series);
+  const auto add_line = [&](const char* name, double at) {
+    table.lines.emplace_back(sentence(name, {{"error", error_entry(at).shown}}), at);
+  };
+  add_line("work_precision.floor", floor.reference.position);
+  if (floor.in_double) add_line("work_precision.in_double", floor.in_double->position);
+  if (floor.in_float) add_line("work_precision.in_float", floor.in_float->position);
   return table;
 }
 
