@@ -18,7 +18,6 @@ std::vector<Section> paper_sections(const Record& record) {
     if (!section.tables.empty()) sections.push_back(std::move(section));
   };
   add(threads(record));
-  if (!record.structure.empty()) add(partitions(record));
   add(requests(record));
   if (!record.peers.empty()) add(peers(record));
   add(every_formulation(record));

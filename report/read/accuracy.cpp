@@ -18,8 +18,7 @@ PerLevel read_levels(const RecordValue& node) {
 }
 
 Floor read_floor(const RecordValue& node) {
-  Floor floor{.compared = node["compared"].integer(2),
-              .reference = read_levels(node["reference"]),
+  Floor floor{.reference = read_levels(node["reference"]),
               .condition = std::nullopt,
               .in_double = std::nullopt,
               .in_float = std::nullopt};
@@ -83,31 +82,27 @@ TunedChoice read_tuned_choice(const RecordValue& node) {
 Promise read_promise(const RecordValue& node) {
   return {.mechanism = node["mechanism"].name(),
           .coordinates = node["coordinates"].integer(1),
-          .step_seconds = node["step_seconds"].positive(),
-          .instants = node["instants"].integer(2),
           .allowed = node["allowed"].positive(),
           .promised = node["promised"].not_negative(),
-          .compared = node["compared"].integer(2),
-          .tried = node["tried"].integer(1),
           .choice = read_tuned_choice(node["choice"]),
           .best = read_tuned_choice(node["best"])};
 }
 
 }  // namespace
 
-void read_accuracy(Record& record, const RecordValue& section) {
-  read_each(section, "floors", [&](const RecordValue& node) {
+void read_accuracy(Record& record, const RecordValue& experiment) {
+  read_each(experiment, "floors", [&](const RecordValue& node) {
     const SeriesKey key = read_series(node);
     add_once(record.floors, node, key, read_floor(node), "the floor of " + described(key));
   });
-  read_each(section, "points", [&](const RecordValue& node) {
+  read_each(experiment, "points", [&](const RecordValue& node) {
     const PointKey key{read_series(node), node["id"].text()};
     if (!record.floors.contains(key.series))
       node.complain("\"floors\" has nothing of " + described(key.series));
     add_once(record.points, node, key, read_point(node), key.id + " of " + described(key.series));
   });
   std::set<std::pair<std::string, double>> seen;
-  read_each(section, "tuning", [&](const RecordValue& node) {
+  read_each(experiment, "tuning", [&](const RecordValue& node) {
     record.tuning.push_back(read_promise(node));
     const Promise& promise = record.tuning.back();
     if (!seen.emplace(promise.mechanism, promise.allowed).second)

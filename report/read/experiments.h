@@ -31,7 +31,6 @@ struct PerLevel {
 
 /// Errors below which nothing is to be expected in a series. Relative, as errors are.
 struct Floor {
-  std::int64_t compared = 0;        ///< instants of the reference
   PerLevel reference;               ///< how far its two solutions differ
   std::optional<double> condition;  ///< κ, the largest; nothing where a position is singular
   std::optional<PerLevel> in_double, in_float;  ///< errors that κ lets be expected; with κ
@@ -77,12 +76,8 @@ struct TunedChoice {
 struct Promise {
   std::string mechanism;
   std::int64_t coordinates = 0;
-  double step_seconds = 0;
-  std::int64_t instants = 0;  ///< of the whole motion
   double allowed = 0;         ///< error that was asked for
   double promised = 0;        ///< that the search says its choice has
-  std::int64_t compared = 0;  ///< instants of the control
-  std::int64_t tried = 0;     ///< configurations that `best` is the best of
   TunedChoice choice, best;
 };
 
@@ -135,11 +130,9 @@ struct ExtremeResult {
   std::int64_t row = 0;
   std::string case_name;
   std::string id;       ///< a formulation, with settings
-  std::string outcome;  ///< "converged", "degraded", "failed", "refused", "not_applicable"
   Verdict verdict = Verdict::as_expected;
   std::string reason;                                ///< when not as expected
   std::optional<std::array<ExtremeError, 3>> worst;  ///< position, velocity, acceleration
-  std::int64_t instants = 0, iterations = 0;         ///< 0: not tried
 };
 
 }  // namespace desmo::report

@@ -116,35 +116,13 @@ Peer read_peer(const RecordValue& node, const Settings& settings) {
           .solved = read_candidate(node, settings, "a peer")};
 }
 
-std::array<double, 2> read_range(const RecordValue& node) {
-  const std::vector<RecordValue> ends = node.elements();
-  if (ends.size() != 2) node.complain("two numbers were expected, smallest and largest");
-  const std::array range{ends[0].not_negative(), ends[1].not_negative()};
-  if (range[0] > range[1]) node.complain("the smallest exceeds the largest");
-  return range;
-}
-
 Profile read_profile(const RecordValue& node) {
   Profile profile;
   const RecordValue time = node["time_per_step"], split = time["phases"];
   require_clock(time, Clock::wall, "a profile");
   for (std::size_t i = 0; i < phases.size(); ++i)
-    profile.seconds_per_step[i] = split[phases[i]].not_negative();
-  if (const auto range = time.find("total_range")) profile.total_range = read_range(*range);
+    profile[i] = split[phases[i]].not_negative();
   return profile;
-}
-
-Structure read_structure(const RecordValue& node) {
-  Structure structure;
-  const RecordValue parts = node["parts"];
-  for (const RecordValue& part : parts.elements()) {
-    const PartSizes sizes{part["unknowns"].integer(1), part["count"].integer(1)};
-    if (!structure.parts.empty() && structure.parts.back().unknowns <= sizes.unknowns)
-      part["unknowns"].complain("the parts do not stand largest first, each size once");
-    structure.parts.push_back(sizes);
-  }
-  if (structure.parts.empty()) parts.complain("a structure needs at least one part");
-  return structure;
 }
 
 }  // namespace
@@ -153,34 +131,28 @@ CandidateKey read_key(const RecordValue& node) {
   return {node["case"].name(), node["coordinates"].integer(1), node["id"].text()};
 }
 
-void read_paper(Record& record, const RecordValue& section) {
+void read_paper(Record& record, const RecordValue& experiment) {
   const Settings& settings = record.settings;
-  read_each(section, "cells", [&](const RecordValue& node) {
+  read_each(experiment, "cells", [&](const RecordValue& node) {
     const CandidateKey key = read_key(node);
     add_once(is_by_wall(key.id) ? record.wall_candidates : record.candidates, node, key,
              read_candidate(node, settings, key.id), name_of(key));
   });
   std::set<std::pair<CandidateKey, std::string>> seen;
-  read_each(section, "requests", [&](const RecordValue& node) {
+  read_each(experiment, "requests", [&](const RecordValue& node) {
     Request request = read_request(node, settings);
     if (!seen.emplace(request.key, request.name).second)
       node.complain("the request " + request.name + " of " + request.key.id + " is given twice");
     (is_by_wall(request.key.id) ? record.wall_requests : record.requests)
         .push_back(std::move(request));
   });
-  read_each(section, "peers", [&](const RecordValue& node) {
+  read_each(experiment, "peers", [&](const RecordValue& node) {
     record.peers.push_back(read_peer(node, settings));
     const CandidateKey key = key_of(record.peers.back());
     if (std::ranges::count(record.peers, key, key_of) > 1)
       node.complain(name_of(key) + " is given twice");
   });
-  read_each(section, "structure", [&](const RecordValue& node) {
-    const StructureKey key{node["case"].name(), node["coordinates"].integer(1),
-                           node["partition"].name()};
-    add_once(record.structure, node, key, read_structure(node),
-             "the structure of " + name_of({key.case_name, key.coordinates, key.partition}));
-  });
-  read_each(section, "profiles", [&](const RecordValue& node) {
+  read_each(experiment, "profiles", [&](const RecordValue& node) {
     const CandidateKey key = read_key(node);
     add_once(record.profiles, node, key, read_profile(node), name_of(key));
   });

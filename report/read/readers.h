@@ -12,22 +12,22 @@
 
 namespace desmo::report {
 
-/// Reads a section of a record: the experiment of that name.
-void read_paper(Record& record, const RecordValue& section);
-void read_accuracy(Record& record, const RecordValue& section);
-void read_sizes(Record& record, const RecordValue& section);
-void read_instructions(Record& record, const RecordValue& section);
-void read_extremes(Record& record, const RecordValue& section);
+/// Reads a experiment of a record: the experiment of that name.
+void read_paper(Record& record, const RecordValue& experiment);
+void read_accuracy(Record& record, const RecordValue& experiment);
+void read_sizes(Record& record, const RecordValue& experiment);
+void read_instructions(Record& record, const RecordValue& experiment);
+void read_extremes(Record& record, const RecordValue& experiment);
 
-/// Reads all of `record` but version and sections.
+/// Reads all of `record` but version and experiments.
 Record read_environment(const RecordValue& node);
 
-// ---- what several sections have ----
+// ---- what several experiments have ----
 
 /// Calls `read` with each element of a list that may be missing.
 template <class Read>
-void read_each(const RecordValue& section, std::string_view list, const Read& read) {
-  if (const auto found = section.find(list))
+void read_each(const RecordValue& experiment, std::string_view list, const Read& read) {
+  if (const auto found = experiment.find(list))
     for (const RecordValue& node : found->elements()) read(node);
 }
 

@@ -81,30 +81,8 @@ struct Candidate {
 inline constexpr std::array phases{"residual", "jacobian",         "factorisation",
                                    "solve",    "right_hand_sides", "rest"};
 
-/// Shares of the wall-clock time of a step in an instrumented run.
-struct Profile {
-  std::array<double, phases.size()> seconds_per_step{};  ///< the median of several passes
-  std::optional<std::array<double, 2>> total_range;      ///< s, of all phases: least, largest pass
-};
-
-/// The name of the structure that a partition gives: ordered by case, size, partition.
-struct StructureKey {
-  std::string case_name;
-  std::int64_t coordinates = 0;
-  std::string partition;  ///< as in the ids: "global", "group", "block"
-  auto operator<=>(const StructureKey&) const = default;
-};
-
-/// A number of parts of one size.
-struct PartSizes {
-  std::int64_t unknowns = 0;
-  std::int64_t count = 0;
-};
-
-/// The parts into which a partition cuts the unknowns; constant ones are left out.
-struct Structure {
-  std::vector<PartSizes> parts;  ///< each number of unknowns once, largest first; never empty
-};
+/// Wall-clock time of each phase of a step in an instrumented run [s], the median of several passes.
+using Profile = std::array<double, phases.size()>;
 
 /// A formulation that solves only what is asked.
 struct Request {
@@ -149,7 +127,6 @@ struct Record {
   std::map<CandidateKey, Candidate> candidates;  ///< CPU clock
   std::map<CandidateKey, Candidate> wall_candidates;
   std::map<CandidateKey, Profile> profiles;
-  std::map<StructureKey, Structure> structure;
   std::vector<Request> requests;  ///< CPU clock; in the record's order
   std::vector<Request> wall_requests;
   std::vector<Peer> peers;  ///< CPU clock; in the record's order

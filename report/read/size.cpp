@@ -45,17 +45,17 @@ TimedSize read_entry(const RecordValue& node, const Settings& settings) {
 
 }  // namespace
 
-void read_sizes(Record& record, const RecordValue& section) {
+void read_sizes(Record& record, const RecordValue& experiment) {
   for (const auto& [list, entries] :
        {std::pair{"growth", &record.growth}, {"break_even", &record.break_even}})
-    read_each(section, list, [&, &entries = entries](const RecordValue& node) {
+    read_each(experiment, list, [&, &entries = entries](const RecordValue& node) {
       const CandidateKey key = read_key(node);
       add_once(*entries, node, key, read_entry(node, record.settings), name_of(key));
     });
 }
 
-void read_instructions(Record& record, const RecordValue& section) {
-  for (const RecordValue& node : section["counts"].elements()) {
+void read_instructions(Record& record, const RecordValue& experiment) {
+  for (const RecordValue& node : experiment["counts"].elements()) {
     const CandidateKey key = read_key(node);
     add_once(
         record.instructions, node, key,

@@ -49,8 +49,8 @@ inline bool has_settings(std::string_view id) { return id.find('/') != std::stri
 /// Returns the id of the formulation, without settings.
 inline std::string_view without_settings(std::string_view id) { return id.substr(0, id.find('/')); }
 
-/// Returns whether a formulation is global_automatic_..., whatever its algebra and settings.
-inline bool is_reference(std::string_view id) { return id.starts_with("global_automatic_"); }
+/// Returns whether a formulation is global_automatic_<sparse>, whatever its settings.
+bool is_reference(std::string_view id);
 
 /// Returns the partition of an id of a formulation: "global".
 std::string partition_of(std::string_view id);

@@ -32,15 +32,13 @@ double max_floor(const Record& record) {
 std::vector<Section> accuracy_sections(const Record& record) {
   Section figures = headed_section("speed_for_accuracy",
                                    {{"floor", error_entry(max_floor(record)).shown}}),
-          costs = headed_section("costs"), reuse = headed_section("guesses"),
-          precision = headed_section("precision"), varied = headed_section("table2_varied");
+          costs = headed_section("costs"), reuse = headed_section("guesses"), varied = headed_section("table2_varied");
   costs.tables = {accuracy_costs(record)};
   for (const std::string& name : drawn_cases(record))
     figures.tables.push_back(work_precision(record, name));
   reuse.tables = {guesses(record)};
-  precision.tables = {scalars(record)};
   varied.tables = {sensitivity(record)};
-  return {accuracy_front(record), figures, costs, reuse, precision, varied};
+  return {accuracy_front(record), figures, costs, reuse, varied};
 }
 
 }  // namespace desmo::report

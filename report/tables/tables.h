@@ -61,9 +61,6 @@ Table figure_of_speed_ups(const Record& record);
 /// Shows what several threads gain over one, by the wall clock: a table for each case.
 Section threads(const Record& record);
 
-/// Shows how each partition cuts the unknowns, and what the equations know beyond the bodies.
-Section partitions(const Record& record);
-
 /// Shows what it costs to solve only what is asked: a table for each case and size.
 Section requests(const Record& record);
 
@@ -94,9 +91,6 @@ Table accuracy_costs(const Record& record);
 
 /// Shows guesses × Jacobian updates of global_automatic_klu at an error of 1e-9.
 Table guesses(const Record& record);
-
-/// Shows what float and mixed precision reach and what they cost, beside double.
-Table scalars(const Record& record);
 
 /// Shows table 2 with other steps, tolerances and guesses.
 Table sensitivity(const Record& record);

@@ -26,16 +26,16 @@ double seconds_of(const NamedPoint* point) {
   return is_solved(*point) ? step_time(*point).seconds : std::numeric_limits<double>::infinity();
 }
 
-/// Of points by time, what is drawn: of each formulation the settings that no others of its own
-/// beat in both time and error, and the paper's; and all that failed.
+/// Of points by time, what is drawn: of each formulation and scalar the settings that no others of
+/// its own beat in both time and error, and the paper's; and all that failed.
 Points drawn(Points points) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  std::map<std::pair<std::string, bool>, double> least;  // by formulation, solving all instants
+  std::map<std::tuple<std::string, std::string, bool>, double> least;
   std::erase_if(points, [&](const NamedPoint* p) {
     if (!is_solved(*p)) return false;
     const Configuration& c = p->second.configuration;
     double& error =
-        least.try_emplace({c.formulation, c.solves_every_instant()}, infinity).first->second;
+        least.try_emplace({c.formulation, c.scalar, c.solves_every_instant()}, infinity).first->second;
     if (!(position_error(*p) < error)) return p->first.id != c.formulation;
     error = position_error(*p);
     return false;
