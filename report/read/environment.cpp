@@ -7,27 +7,18 @@
 namespace desmo::report {
 namespace {
 
-std::optional<Allowed> read_allowed(const RecordValue& settings) {
-  const auto node = settings.find("allowed");
-  if (!node) return std::nullopt;
-  Allowed allowed{(*node)["position"].positive(), (*node)["velocity"].positive(),
-                  (*node)["acceleration"].positive(), std::nullopt};
-  if (const auto request = node->find("request")) allowed.request = request->positive();
-  return allowed;
+Allowed read_allowed(const RecordValue& node) {
+  return {read_levels(node, &RecordValue::positive), node.maybe("request", &RecordValue::positive)};
 }
 
 Machine read_machine(const RecordValue& node) {
-  Machine machine{.cpu = node["cpu"].text(),
-                  .cores = node["cores"].integer(1),
-                  .caches = {},
-                  .governor = node["governor"].text(),
-                  .load_before = std::nullopt};
-  for (const RecordValue& cache : node["caches"].elements()) machine.caches.push_back(cache.text());
-  if (const auto loads = node.find("load_before"))
-    for (const RecordValue& load : loads->elements())
-      if (const double value = load.not_negative(); !machine.load_before)
-        machine.load_before = value;
-  return machine;
+  const auto loads = node.maybe(
+      "load_before", [](const RecordValue& list) { return list.list(&RecordValue::not_negative); });
+  return {.cpu = node["cpu"].text(),
+          .cores = node["cores"].integer(1),
+          .caches = node["caches"].list(&RecordValue::text),
+          .governor = node["governor"].text(),
+          .load_before = loads && !loads->empty() ? loads->front() : 0};
 }
 
 Build read_build(const RecordValue& node) {
@@ -46,9 +37,9 @@ Settings read_settings(const RecordValue& node) {
                     .step_seconds = node["step_seconds"].positive(),
                     .duration_seconds = node["duration_seconds"].positive(),
                     .instants = node["instants"].integer(1),
-                    .allowed = read_allowed(node),
-                    .windows = std::nullopt};
-  if (const auto windows = node.find("windows")) settings.windows = windows->integer(2);
+                    .allowed = node.maybe("allowed", read_allowed),
+                    .windows = node.maybe(
+                        "windows", [](const RecordValue& windows) { return windows.integer(2); })};
   const double steps = settings.duration_seconds / settings.step_seconds;
   if (std::abs(steps - static_cast<double>(settings.instants - 1)) > 0.01)
     node["instants"].complain(std::to_string(settings.instants) + " instants do not make " +

@@ -24,11 +24,6 @@ struct SeriesKey {
   auto operator<=>(const SeriesKey&) const = default;
 };
 
-/// A number for each level.
-struct PerLevel {
-  double position = 0, velocity = 0, acceleration = 0;
-};
-
 /// Errors below which nothing is to be expected in a series. Relative, as errors are.
 struct Floor {
   PerLevel reference;               ///< how far its two solutions differ
@@ -36,14 +31,9 @@ struct Floor {
   std::optional<PerLevel> in_double, in_float;  ///< errors that κ lets be expected; with κ
 };
 
-/// Over the outputs and instants compared.
-struct LevelError {
-  double max = 0, rms = 0;
-};
-
-/// Empty for a level whose error is beyond all measure.
+/// The largest errors of a motion. Empty for a level whose error is beyond all measure.
 struct Errors {
-  std::optional<LevelError> position, velocity, acceleration;
+  std::optional<double> position, velocity, acceleration;
 };
 
 struct PointKey {
@@ -76,8 +66,8 @@ struct TunedChoice {
 struct Promise {
   std::string mechanism;
   std::int64_t coordinates = 0;
-  double allowed = 0;         ///< error that was asked for
-  double promised = 0;        ///< that the search says its choice has
+  double allowed = 0;   ///< error that was asked for
+  double promised = 0;  ///< that the search says its choice has
   TunedChoice choice, best;
 };
 
@@ -90,7 +80,7 @@ struct TimedSize {
   std::int64_t unknowns = 0;
   double tolerance = 0;
   std::string checked_against;  ///< "quadruple", "double": the reference's precision; when ok
-  std::optional<Verification> verification;  ///< always when ok
+  std::optional<PerLevel> verification;  ///< always when ok
   double iterations_per_step = 0;
   double state_bytes = 0;                ///< q, q', q''
   std::optional<double> bytes;           ///< that the formulation keeps in memory
@@ -114,9 +104,9 @@ struct ExtremeRow {
   std::string extreme, expected;  ///< what is extreme, and what every formulation should do
 };
 
-/// The worst error of a level, with the floor that conditioning sets and what was allowed.
+/// The worst error of a level, with the floor that conditioning sets.
 struct ExtremeError {
-  double error = 0, floor = 0, allowed = 0;
+  double error = 0, floor = 0;
 };
 
 /// A case of a row in one formulation.
@@ -129,7 +119,7 @@ struct ExtremeResult {
   };
   std::int64_t row = 0;
   std::string case_name;
-  std::string id;       ///< a formulation, with settings
+  std::string id;  ///< a formulation, with settings
   Verdict verdict = Verdict::as_expected;
   std::string reason;                                ///< when not as expected
   std::optional<std::array<ExtremeError, 3>> worst;  ///< position, velocity, acceleration

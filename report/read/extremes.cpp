@@ -9,8 +9,7 @@ namespace desmo::report {
 namespace {
 
 ExtremeError read_extreme_error(const RecordValue& node) {
-  return {node["error"].not_negative(), node["floor"].not_negative(),
-          node["allowed"].not_negative()};
+  return {node["error"].not_negative(), node["floor"].not_negative()};
 }
 
 ExtremeResult read_result(const RecordValue& node) {
@@ -19,9 +18,8 @@ ExtremeResult read_result(const RecordValue& node) {
                   .id = node["id"].text(),
                   .verdict = static_cast<ExtremeResult::Verdict>(node["verdict"].one_of(
                       {"as_expected", "missed", "defect", "not_applicable"})),
-                  .reason = {},
+                  .reason = node.maybe("reason", &RecordValue::text).value_or(""),
                   .worst = {}};
-  if (const auto reason = node.find("reason")) r.reason = reason->text();
   if (r.reason.empty() && r.verdict != ExtremeResult::Verdict::as_expected)
     node.complain("what is not as expected needs a reason");
   if (const auto worst = node.find("worst"))

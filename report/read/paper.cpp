@@ -1,4 +1,4 @@
-// The paper's experiment: candidates, requests and peers; structure and profiles.
+// The paper's experiment: candidates, requests, peers and profiles.
 #include <algorithm>
 #include <set>
 #include <string_view>
@@ -10,28 +10,18 @@ namespace desmo::report {
 namespace {
 
 // Of the CPU clock, like everything that is done once.
-std::optional<double> read_setup(const RecordValue& node) {
-  const auto time = node.find("setup_time");
-  if (!time) return std::nullopt;
-  require_clock(*time, Clock::cpu, "a set-up");
-  const RecordValue seconds = (*time)["seconds"];
-  const std::vector<RecordValue> samples = seconds.elements();
-  if (samples.size() != 1) seconds.complain("one sample was expected");
-  return samples.front().not_negative();
+double read_setup(const RecordValue& time) {
+  require_clock(time, Clock::cpu, "a set-up");
+  const std::vector<double> samples = time["seconds"].list(&RecordValue::not_negative);
+  if (samples.size() != 1) time["seconds"].complain("one sample was expected");
+  return samples.front();
 }
 
-std::vector<Solver> read_solvers(const RecordValue& node) {
-  std::vector<Solver> solvers;
-  if (const auto list = node.find("solvers"))
-    for (const RecordValue& solver : list->elements()) {
-      const RecordValue unknowns = solver["unknowns"];
-      const std::vector<RecordValue> range = unknowns.elements();
-      if (range.size() != 2) unknowns.complain("the least and the most were expected");
-      solvers.push_back({solver["algebra"].text(),
-                         solver["parts"].integer(1),
-                         {range[0].integer(1), range[1].integer(1)}});
-    }
-  return solvers;
+Solver read_solver(const RecordValue& node) {
+  const RecordValue unknowns = node["unknowns"];
+  const auto range = unknowns.list([](const RecordValue& end) { return end.integer(1); });
+  if (range.size() != 2) unknowns.complain("the least and the most were expected");
+  return {node["algebra"].text(), node["parts"].integer(1), {range[0], range[1]}};
 }
 
 void turn_into_failure(Candidate& candidate, std::string reason) {
@@ -45,12 +35,14 @@ void turn_into_failure(Candidate& candidate, std::string reason) {
 Candidate read_solved(const RecordValue& node, const Settings& settings, std::string_view id) {
   Candidate candidate{
       .status = read_status(node["status"]),
-      .message = node.find_text("message").value_or(""),
-      .origin = {node.find_text("machine"), node.find_digest("model"), node.find_digest("results")},
+      .message = node.maybe("message", &RecordValue::text).value_or(""),
+      .origin = {node.maybe("machine", &RecordValue::text),
+                 node.maybe("model", &RecordValue::digest),
+                 node.maybe("results", &RecordValue::digest)},
       .time = {},
       .verification = std::nullopt,
       .setup_seconds = std::nullopt,
-      .iterations_per_step = node.find_number("iterations_per_step"),
+      .iterations_per_step = node.maybe("iterations_per_step", &RecordValue::not_negative),
       .solvers = {}};
   if (candidate.status == Status::ok) candidate.time = read_time(node["time"], settings, id);
   return candidate;
@@ -58,25 +50,26 @@ Candidate read_solved(const RecordValue& node, const Settings& settings, std::st
 
 Candidate read_candidate(const RecordValue& node, const Settings& settings, std::string_view id) {
   Candidate candidate = read_solved(node, settings, id);
-  candidate.setup_seconds = read_setup(node);
-  candidate.solvers = read_solvers(node);
+  candidate.setup_seconds = node.maybe("setup_time", read_setup);
+  if (const auto solvers = node.find("solvers")) candidate.solvers = solvers->list(read_solver);
   if (const auto checked = node.find("verification"))
-    candidate.verification = read_verification(*checked);
+    candidate.verification = read_levels(*checked, &RecordValue::not_negative);
   if (candidate.status != Status::ok) return candidate;
   if (!candidate.verification) node.complain("an \"ok\" cell needs \"verification\"");
   if (settings.allowed)
-    turn_into_failure(candidate, excess(*candidate.verification, *settings.allowed));
+    turn_into_failure(candidate, excess(*candidate.verification, settings.allowed->levels));
   return candidate;
 }
 
 // Only the levels asked were compared.
 std::string request_excess(const RecordValue& verification, double difference,
                            const Allowed& allowed) {
-  Verification found{.instants = verification["instants"].integer(1),
-                     .position = verification["position"].not_negative()};
-  found.velocity = verification.find_number("velocity").value_or(0);
-  found.acceleration = verification.find_number("acceleration").value_or(0);
-  std::string reason = excess(found, allowed);
+  const auto level = [&](const char* name) {
+    return verification.maybe(name, &RecordValue::not_negative).value_or(0);
+  };
+  const PerLevel found{verification["position"].not_negative(), level("velocity"),
+                       level("acceleration")};
+  std::string reason = excess(found, allowed.levels);
   if (reason.empty() && allowed.request)
     reason = excess("the answer beside the whole mechanism's", difference, *allowed.request);
   return reason;
@@ -93,7 +86,7 @@ Request read_request(const RecordValue& node, const Settings& settings) {
                   .unknowns = node["unknowns"].integer(1),
                   .all_unknowns = node["all_unknowns"].integer(1),
                   .solved = read_solved(node, settings, key.id),
-                  .difference = node.find_number("difference")};
+                  .difference = node.maybe("difference", &RecordValue::not_negative)};
   if (request.unknowns > request.all_unknowns)
     node["unknowns"].complain("more unknowns than the whole mechanism has");
   if (request.solved.status != Status::ok) return request;
@@ -120,8 +113,7 @@ Profile read_profile(const RecordValue& node) {
   Profile profile;
   const RecordValue time = node["time_per_step"], split = time["phases"];
   require_clock(time, Clock::wall, "a profile");
-  for (std::size_t i = 0; i < phases.size(); ++i)
-    profile[i] = split[phases[i]].not_negative();
+  for (std::size_t i = 0; i < phases.size(); ++i) profile[i] = split[phases[i]].not_negative();
   return profile;
 }
 

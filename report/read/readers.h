@@ -12,7 +12,7 @@
 
 namespace desmo::report {
 
-/// Reads a experiment of a record: the experiment of that name.
+/// Reads the object of a record: the experiment of that name.
 void read_paper(Record& record, const RecordValue& experiment);
 void read_accuracy(Record& record, const RecordValue& experiment);
 void read_sizes(Record& record, const RecordValue& experiment);
@@ -45,12 +45,13 @@ CandidateKey read_key(const RecordValue& node);
 /// Reads "ok", "failed" or "not_run".
 Status read_status(const RecordValue& node);
 
-Verification read_verification(const RecordValue& node);
+/// Reads the numbers of a position, velocity and acceleration.
+PerLevel read_levels(const RecordValue& node, double (RecordValue::*read)() const);
 
 /// Says what exceeds its limit: "velocity differs by 2e-06, 1e-08 is allowed"; empty when nothing
 /// does.
 std::string excess(const std::string& what, double difference, double limit);
-std::string excess(const Verification& found, const Allowed& allowed);
+std::string excess(const PerLevel& found, const PerLevel& allowed);
 
 /// Throws InputError when the clock of a time is another; `what` is measured by it.
 void require_clock(const RecordValue& time, Clock clock, std::string_view what);

@@ -20,7 +20,7 @@ struct Machine {
   std::int64_t cores = 0;
   std::vector<std::string> caches;
   std::string governor;
-  std::optional<double> load_before;  ///< of the last minute
+  double load_before = 0;  ///< of the last minute; 0 where it is not known
 };
 
 struct Build {
@@ -70,8 +70,9 @@ struct Candidate {
   Status status = Status::not_run;
   std::string message;  ///< why it failed or was not run
   Origin origin;
-  Time time;                                 ///< of the whole analysis; has samples when ok only
-  std::optional<Verification> verification;  ///< always when ok
+  Time time;  ///< of the whole analysis; has samples when ok only
+  std::optional<PerLevel>
+      verification;  ///< largest absolute differences from the reference;  ///< always when ok
   std::optional<double> setup_seconds;
   std::optional<double> iterations_per_step;
   std::vector<Solver> solvers;  ///< where they were chosen by measurement
@@ -81,7 +82,8 @@ struct Candidate {
 inline constexpr std::array phases{"residual", "jacobian",         "factorisation",
                                    "solve",    "right_hand_sides", "rest"};
 
-/// Wall-clock time of each phase of a step in an instrumented run [s], the median of several passes.
+/// Wall-clock time of each phase of a step in an instrumented run [s], the median of several
+/// passes.
 using Profile = std::array<double, phases.size()>;
 
 /// A formulation that solves only what is asked.

@@ -55,9 +55,9 @@ void check_schema(const RecordValue& root, const std::string& name) {
   if (text == schema_version) return;
   const bool newer = std::atoi(text.c_str()) >= std::atoi(schema_version);
   try {
-    version.complain(
-        "schema version " + text + ", and only " + schema_version + " is read; " +
-        (newer ? "a newer desmo_report may read it" : "measure it anew (bench/run, bench/check --renew-baseline)"));
+    version.complain("schema version " + text + ", and only " + schema_version + " is read; " +
+                     (newer ? "a newer desmo_report may read it"
+                            : "measure it anew (bench/run, bench/check --renew-baseline)"));
   } catch (const InputError& error) {
     throw UnsupportedVersion(error.what());
   }

@@ -37,21 +37,6 @@ std::vector<RecordValue> RecordValue::elements() const {
   return result;
 }
 
-std::optional<std::string> RecordValue::find_text(std::string_view key) const {
-  const auto member = find(key);
-  return member ? std::optional(member->text()) : std::nullopt;
-}
-
-std::optional<std::string> RecordValue::find_digest(std::string_view key) const {
-  const auto member = find(key);
-  return member ? std::optional(member->digest()) : std::nullopt;
-}
-
-std::optional<double> RecordValue::find_number(std::string_view key) const {
-  const auto member = find(key);
-  return member ? std::optional(member->not_negative()) : std::nullopt;
-}
-
 std::string RecordValue::text() const {
   std::string text(value_.text());
   for (char& c : text)

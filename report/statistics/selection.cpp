@@ -72,7 +72,7 @@ std::vector<std::string> guesses_of(const Points& points) {
 
 bool is_solved(const NamedPoint& point) { return point.second.status == Point::Status::ok; }
 
-double position_error(const NamedPoint& point) { return point.second.error.position->max; }
+double position_error(const NamedPoint& point) { return *point.second.error.position; }
 
 StepTime step_time(std::vector<double> samples) {
   std::ranges::sort(samples);

@@ -24,8 +24,8 @@ CandidateKey family_key(const Variant& variant, std::int64_t coordinates, std::s
 
 bool is_reference(std::string_view id) {
   const std::string_view begin = "global_automatic_";
-  return id.starts_with(begin) && std::ranges::count(sparse_families,
-                                                     without_settings(id).substr(begin.size())) > 0;
+  return id.starts_with(begin) &&
+         std::ranges::count(sparse_families, without_settings(id).substr(begin.size())) > 0;
 }
 
 std::string partition_of(std::string_view id) { return std::string(id.substr(0, id.find('_'))); }

@@ -10,7 +10,7 @@ namespace desmo::report {
 namespace {
 
 bool is_unsteady(const Machine& machine) {
-  const bool busy = machine.load_before.value_or(0) > 0.5 * static_cast<double>(machine.cores);
+  const bool busy = machine.load_before > 0.5 * static_cast<double>(machine.cores);
   return busy || machine.governor.empty() || machine.governor == "unknown";
 }
 

@@ -32,7 +32,8 @@ double max_floor(const Record& record) {
 std::vector<Section> accuracy_sections(const Record& record) {
   Section figures = headed_section("speed_for_accuracy",
                                    {{"floor", error_entry(max_floor(record)).shown}}),
-          costs = headed_section("costs"), reuse = headed_section("guesses"), varied = headed_section("table2_varied");
+          costs = headed_section("costs"), reuse = headed_section("guesses"),
+          varied = headed_section("table2_varied");
   costs.tables = {accuracy_costs(record)};
   for (const std::string& name : drawn_cases(record))
     figures.tables.push_back(work_precision(record, name));

@@ -74,8 +74,8 @@ Entry instant_entry(const Record& record, const Measured& measured, int signific
 
 void add_errors(std::vector<Entry>& row, const Candidate& candidate) {
   const auto& checked = candidate.verification;
-  for (double Verification::*level :
-       {&Verification::position, &Verification::velocity, &Verification::acceleration})
+  for (double PerLevel::*level :
+       {&PerLevel::position, &PerLevel::velocity, &PerLevel::acceleration})
     row.push_back(number_entry(checked ? std::optional((*checked).*level) : std::nullopt, 2));
 }
 

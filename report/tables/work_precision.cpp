@@ -34,18 +34,13 @@ Points drawn(Points points) {
   std::erase_if(points, [&](const NamedPoint* p) {
     if (!is_solved(*p)) return false;
     const Configuration& c = p->second.configuration;
-    double& error =
-        least.try_emplace({c.formulation, c.scalar, c.solves_every_instant()}, infinity).first->second;
+    double& error = least.try_emplace({c.formulation, c.scalar, c.solves_every_instant()}, infinity)
+                        .first->second;
     if (!(position_error(*p) < error)) return p->first.id != c.formulation;
     error = position_error(*p);
     return false;
   });
   return points;
-}
-
-Entry maximum_entry(const std::optional<LevelError>& error,
-                    double LevelError::*value = &LevelError::max) {
-  return error_entry(error ? std::optional((*error).*value) : std::nullopt);
 }
 
 std::vector<Entry> point_row(const NamedPoint& point, bool in_front) {
@@ -54,11 +49,10 @@ std::vector<Entry> point_row(const NamedPoint& point, bool in_front) {
   return {point.first.id,
           family_of(p.configuration),
           solved ? step_time_entry(&point) : note_entry(failed_mark),
-          maximum_entry(p.error.position),
-          maximum_entry(p.error.position, &LevelError::rms),
-          maximum_entry(p.error.velocity),
-          maximum_entry(p.error.acceleration),
-          maximum_entry(p.violation.position),
+          error_entry(p.error.position),
+          error_entry(p.error.velocity),
+          error_entry(p.error.acceleration),
+          error_entry(p.violation.position),
           solved ? iterations_entry(&point) : note_entry(missing_mark),
           in_front ? "front" : "",
           p.message};
