@@ -8,7 +8,7 @@
 #include "report/check/command.h"
 #include "report/figures/figures.h"
 #include "report/formats/formats.h"
-#include "report/read/record_reader.h"
+#include "report/read/record_file.h"
 #include "report/report.h"
 #include "report/statistics/comparability.h"
 #include "report/text/texts.h"
@@ -117,9 +117,7 @@ ExitCode compare(const CompareCommand& command) {
           command.first, command.second,
           two_machines ? different_work_reason(first, second) : why_incomparable(first, second)))
     return incomparable;
-  write_standard_output(on_standard_output(
-      two_machines ? make_comparison_of_machines(first, second) : make_comparison(first, second),
-      {command.format}));
+  write_standard_output(on_standard_output(make_comparison(first, second), {command.format}));
   if (!two_machines) return success;
   std::cerr << "desmo_report: "
             << sentence("machines.no_verdict",

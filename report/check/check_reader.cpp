@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "report/check/check_record.h"
-#include "report/read/record_reader.h"
+#include "report/read/record_file.h"
 
 namespace desmo::report {
 namespace {

@@ -44,9 +44,9 @@ int reporting_errors(const Work& work) {
 int run(const CheckCommand& command) {
   return reporting_errors([&] {
     const CheckRecord check = read_check(command.file);
-    const CheckOutcome found = command.baseline.empty()
-                                   ? compare_sides(check)
-                                   : compare_sides(check, read_check(command.baseline));
+    std::optional<CheckRecord> baseline;
+    if (!command.baseline.empty()) baseline = read_check(command.baseline);
+    const CheckOutcome found = compare_sides(check, baseline ? &*baseline : nullptr);
     if (command.pending) {
       std::string lines;
       for (const Pending& p : pending(found)) lines += p.pass + " " + p.candidate + "\n";

@@ -1,5 +1,4 @@
 #include <cmath>
-#include <functional>
 
 #include "report/check/findings.h"
 
@@ -34,40 +33,22 @@ std::vector<Difference> differences(const CheckRecord& now, const Record& then,
   return all;
 }
 
-using FindBefore = std::function<std::optional<std::int64_t>(const std::string& candidate)>;
-
-std::vector<WorkFinding> compare(const Work& work, const FindBefore& before) {
-  std::vector<WorkFinding> findings;
-  for (const auto& [candidate, counts] : work.instructions) {
-    const auto base = before(candidate);
-    if (!base) continue;
-    const double exact = 100 * (static_cast<double>(*counts.head) / static_cast<double>(*base) - 1);
-    const double percent = std::round(10 * exact) / 10;
-    findings.push_back({candidate, *base, *counts.head, percent, outcome_of_work(percent)});
-  }
-  return findings;
-}
-
 }  // namespace
 
-WorkFindings find_works(const CheckRecord& check) {
-  if (!check.work || !check.base) return {};
-  WorkFindings found{differences(check, *check.base, *check.work), {}};
-  if (found.differences.empty())
-    found.candidates = compare(*check.work, [&](const std::string& candidate) {
-      return check.work->instructions.at(candidate).base;
-    });
-  return found;
-}
-
-WorkFindings find_works(const CheckRecord& check, const CheckRecord& baseline) {
-  if (!check.work || !baseline.work) return {};
-  WorkFindings found{differences(check, baseline.head, *baseline.work), {}};
-  if (found.differences.empty())
-    found.candidates = compare(*check.work, [&](const std::string& candidate) {
-      const auto before = baseline.work->instructions.find(candidate);
-      return before == baseline.work->instructions.end() ? std::nullopt : before->second.head;
-    });
+WorkFindings find_works(const CheckRecord& check, const CheckRecord* baseline) {
+  if (!check.work || !(baseline ? baseline->work.has_value() : check.base.has_value())) return {};
+  const Work& then = baseline ? *baseline->work : *check.work;
+  WorkFindings found{differences(check, baseline ? baseline->head : *check.base, then), {}};
+  if (!found.differences.empty()) return found;
+  for (const auto& [candidate, counts] : check.work->instructions) {
+    const auto before = then.instructions.find(candidate);
+    if (before == then.instructions.end()) continue;
+    const std::int64_t head = *counts.head,
+                       base = baseline ? *before->second.head : *before->second.base;
+    const double exact = 100 * (static_cast<double>(head) / static_cast<double>(base) - 1);
+    const double percent = std::round(10 * exact) / 10;
+    found.candidates.push_back({candidate, base, head, percent, outcome_of_work(percent)});
+  }
   return found;
 }
 

@@ -5,18 +5,6 @@
 
 namespace desmo::report {
 
-std::vector<std::string> cases_with_points(const Record& record) {
-  std::set<std::string> names;
-  for (const auto& [key, point] : record.points) names.insert(key.series.case_name);
-  return {names.begin(), names.end()};
-}
-
-std::vector<SeriesKey> all_series(const Record& record) {
-  std::set<SeriesKey> found;
-  for (const auto& [key, point] : record.points) found.insert(key.series);
-  return {found.begin(), found.end()};
-}
-
 std::optional<SeriesKey> main_series(const Record& record, std::string_view case_name) {
   std::optional<SeriesKey> found;
   for (const auto& [key, point] : record.points) {
@@ -29,9 +17,10 @@ std::optional<SeriesKey> main_series(const Record& record, std::string_view case
 }
 
 std::vector<std::string> drawn_cases(const Record& record) {
-  std::vector<std::string> names = cases_with_points(record);
-  std::erase_if(names, [&](const std::string& name) { return !main_series(record, name); });
-  return names;
+  std::set<std::string> names;
+  for (const auto& [key, point] : record.points)
+    if (key.series.step_seconds == record.settings.step_seconds) names.insert(key.series.case_name);
+  return {names.begin(), names.end()};
 }
 
 Points points_of(const Record& record, const SeriesKey& series) {
@@ -52,12 +41,6 @@ Points solving_every_instant(Points points) {
   std::erase_if(
       points, [](const NamedPoint* p) { return !p->second.configuration.solves_every_instant(); });
   return points;
-}
-
-std::vector<std::string> formulations_of(const Points& points) {
-  std::set<std::string> names;
-  for (const NamedPoint* point : points) names.insert(point->second.configuration.formulation);
-  return {names.begin(), names.end()};
 }
 
 std::vector<std::string> guesses_of(const Points& points) {

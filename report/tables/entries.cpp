@@ -20,19 +20,6 @@ std::optional<double> number(const std::string& digits) {
 
 std::string runs(std::size_t repetitions) { return repetitions == 1 ? "one run" : "two runs"; }
 
-/// Shows a time with what says how far it varies: a quantity, and how that is shown.
-template <class Variation>
-Entry time_entry(const Measured& measured, const Variation& variation) {
-  if (!measured.seconds) return note_entry(measured.mark);
-  const Summary& seconds = *measured.seconds;
-  const DigitStyle style = significant_digits(seconds.value, 4);
-  const std::string value = write(seconds.value, style), count = std::to_string(seconds.count);
-  if (!seconds.has_interval())
-    return {value + " (" + runs(seconds.count) + ")", {value, "", count}, runs(seconds.count)};
-  const auto& [quantity, shown] = variation(seconds, value, style);
-  return {value + shown, {value, quantity, count}, {}};
-}
-
 }  // namespace
 
 void add_note(Entry& entry, const std::string& note) {
@@ -40,20 +27,26 @@ void add_note(Entry& entry, const std::string& note) {
   entry.note += (entry.note.empty() ? "" : ", ") + note;
 }
 
-Entry seconds_entry(const Measured& measured) {
-  return time_entry(measured, [](const Summary& seconds, const std::string&, DigitStyle style) {
-    const std::string half = write(seconds.half_range(), style);
-    return std::pair(half, " ±" + half);
-  });
-}
-
-Entry median_entry(const Measured& measured) {
-  return time_entry(measured,
-                    [](const Summary& seconds, const std::string& value, DigitStyle style) {
-                      const std::string median = write(seconds.median, style);
-                      if (median == value) return std::pair(std::string(), std::string());
-                      return std::pair(median, " (median " + median + ")");
-                    });
+Entry seconds_entry(const Measured& measured, Spread spread) {
+  if (!measured.seconds) return note_entry(measured.mark);
+  const Summary& s = *measured.seconds;
+  const DigitStyle style = significant_digits(s.value, 4);
+  const std::string value = write(s.value, style), count = std::to_string(s.count);
+  const bool is_range = spread == Spread::range;
+  if (s.count < (is_range ? 2 : min_for_interval)) {
+    const std::string note = runs(s.count);
+    return {value + " (" + note + ")",
+            is_range ? std::vector<std::string>{value, "", "", count}
+                     : std::vector<std::string>{value, "", count},
+            note};
+  }
+  const std::string half = write(s.half_range(), style), median = write(s.median, style),
+                    least = write(s.least, style), largest = write(s.largest, style);
+  if (is_range)
+    return {value + " (" + least + " – " + largest + ")", {value, least, largest, count}, {}};
+  if (spread == Spread::half_range) return {value + " ±" + half, {value, half, count}, {}};
+  if (median == value) return {value, {value, "", count}, {}};
+  return {value + " (median " + median + ")", {value, median, count}, {}};
 }
 
 Entry digits_entry(std::string digits) { return {digits, {digits}, {}}; }
@@ -178,12 +171,29 @@ Entry stop_entry(const NamedPoint* point) {
   if (!point) return sentence("costs.no_stop");
   const auto& [iterations, tolerance] =
       std::pair(point->second.configuration.iterations, point->second.configuration.tolerance);
-  if (iterations.empty() && tolerance.empty()) return sentence("costs.usual_stop");
-  const std::string count = sentence(iterations == "1" ? "costs.one_iteration" : "costs.iterations",
-                                     {{"count", iterations}}),
-                    limit = sentence("costs.tolerance", {{"tolerance", tolerance}});
-  if (tolerance.empty()) return count;
-  return iterations.empty() ? limit : count + ", " + limit;
+  std::string text;
+  if (!iterations.empty()) text = sentence("costs.iterations", {{"count", iterations}});
+  if (!tolerance.empty())
+    text += (text.empty() ? "" : ", ") + sentence("costs.tolerance", {{"tolerance", tolerance}});
+  return text.empty() ? sentence("costs.usual_stop") : text;
+}
+
+Table excerpt(const Table& table, Table head,
+              const std::function<bool(const std::vector<Entry>&)>& keep) {
+  constexpr std::size_t max_rows = 14;
+  std::vector<std::size_t> places;
+  for (Column& column : head.columns) {
+    const auto found = std::ranges::find(table.columns, column.name, &Column::name);
+    places.push_back(static_cast<std::size_t>(found - table.columns.begin()));
+    column.quantities = found->quantities;
+  }
+  for (const auto& row : table.rows) {
+    if (head.rows.size() == max_rows) break;
+    if (!keep(row)) continue;
+    auto& kept = head.rows.emplace_back();
+    for (const std::size_t place : places) kept.push_back(row[place]);
+  }
+  return head;
 }
 
 }  // namespace desmo::report

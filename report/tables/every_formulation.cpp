@@ -28,17 +28,6 @@ std::vector<CandidateKey> ordered_keys(const Record& record, const std::string& 
   return keys;
 }
 
-Entry range_entry(const Measured& time) {
-  if (!time.seconds) return note_entry(time.mark);
-  const DigitStyle style = significant_digits(time.seconds->value, 4);
-  const std::string value = write(time.seconds->value, style),
-                    least = write(time.seconds->least, style),
-                    largest = write(time.seconds->largest, style),
-                    count = std::to_string(time.seconds->count);
-  if (time.seconds->count < 2) return {value + " (one run)", {value, "", "", count}, "one run"};
-  return {value + " (" + least + " – " + largest + ")", {value, least, largest, count}, {}};
-}
-
 /// A ratio without its interval.
 Entry plain_ratio(const Record& record, const std::optional<CandidateKey>& reference,
                   const CandidateKey& key) {
@@ -79,7 +68,7 @@ Table every_formulation(const Record& record, const std::string& case_name,
     const Candidate& candidate = record.candidates.at(key);
     const Measured time = measured(candidate);
     std::vector<Entry> row{key.id,
-                           range_entry(time),
+                           seconds_entry(time, Spread::range),
                            instant_entry(record, time),
                            plain_ratio(record, reference, key),
                            plain_ratio(record, reference_like(record, key), key),

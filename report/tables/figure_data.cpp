@@ -56,7 +56,8 @@ Table figure_of_times(const Record& record) {
   for (const std::string_view family : recorded_families(record))
     add_panel(table, std::string(family) + (same ? "" : " (" + source.ours + ")"),
               [&](std::int64_t size, const Variant& variant) {
-                return median_entry(measured(record, family_key(variant, size, family)));
+                return seconds_entry(measured(record, family_key(variant, size, family)),
+                                     Spread::median);
               });
   return table;
 }

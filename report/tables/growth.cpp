@@ -1,6 +1,5 @@
 // How the time of a step grows with the number of coordinates, and where caches end it.
 #include "report/tables/entries.h"
-#include "report/tables/excerpt.h"
 #include "report/tables/tables.h"
 #include "report/text/digits.h"
 

@@ -70,7 +70,8 @@ Table cpu_times(const Record& record, std::string_view family) {
     const std::string row = std::to_string(size);
     std::vector<Entry> ours{row, source.ours}, paper{row, source.paper};
     for (const Variant& variant : variants) {
-      ours.push_back(median_entry(measured(record, family_key(variant, size, family))));
+      ours.push_back(
+          seconds_entry(measured(record, family_key(variant, size, family)), Spread::median));
       paper.push_back(published_seconds_entry(row, variant));
     }
     add_both(table, std::move(ours), std::move(paper));

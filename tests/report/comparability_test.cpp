@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "report/read/record_reader.h"
+#include "report/read/record_file.h"
 #include "report/report.h"
 #include "tests/report/sample.h"
 

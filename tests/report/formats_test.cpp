@@ -8,7 +8,7 @@
 #include <set>
 #include <sstream>
 
-#include "report/read/record_reader.h"
+#include "report/read/record_file.h"
 #include "report/report.h"
 #include "tests/report/sample.h"
 

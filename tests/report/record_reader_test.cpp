@@ -1,5 +1,3 @@
-#include "report/read/record_reader.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <numeric>
 #include <vector>
 
+#include "report/read/record_file.h"
 #include "tests/report/contains.h"
 #include "tests/report/sample.h"
 

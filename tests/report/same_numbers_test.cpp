@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "report/formats/formats.h"
-#include "report/read/record_reader.h"
+#include "report/read/record_file.h"
 #include "report/report.h"
 #include "tests/report/points_sample.h"
 #include "tests/report/reading.h"
