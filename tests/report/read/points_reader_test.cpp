@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include "tests/report/contains.h"
 #include "tests/report/points_sample.h"
 
 namespace desmo::report::points_reader_test {

@@ -99,37 +99,6 @@ TEST(Statistics, TheIntervalOfASpeedUpHoldsItInNineteenOfTwentyRuns) {
   EXPECT_NEAR(held / double{runs}, 0.95, 0.015);
 }
 
-// Counted: of all 2^n ways in which n samples can lie below and above the true median, those in
-// which it lies between the two samples.
-double certainty(std::size_t n, std::size_t left_out) {
-  std::size_t inside = 0;
-  for (std::size_t below = 0; below < std::size_t{1} << n; ++below) {
-    const auto count = static_cast<std::size_t>(std::popcount(below));
-    inside += count > left_out && n - count > left_out;
-  }
-  return static_cast<double>(inside) / static_cast<double>(std::size_t{1} << n);
-}
-
-TEST(Statistics, TheIntervalOfAMedianIsTheNarrowestThatIsCertainEnough) {
-  for (std::size_t n = 1; n <= 20; ++n) {
-    std::vector<double> samples(n);
-    std::iota(samples.begin(), samples.end(), 0.0);
-    const Summary s = summarise(samples);
-    const auto left_out = static_cast<std::size_t>(s.median_low);
-    EXPECT_EQ(s.median_high, static_cast<double>(n - 1 - left_out)) << n;
-    EXPECT_EQ(certainty(n, left_out) >= 0.975, n >= 7) << n;
-    EXPECT_LT(certainty(n, left_out + 1), 0.975) << n;
-  }
-}
-
-TEST(Statistics, TheIntervalOfAMedianNarrowsWithManySamples) {
-  std::vector<double> samples(10'001);
-  std::iota(samples.begin(), samples.end(), 0.0);
-  const Summary s = summarise(samples);  // about 2.24 standard deviations of sqrt(n)/2
-  EXPECT_NEAR(s.median - s.median_low, 112, 2);
-  EXPECT_NEAR(s.median_high - s.median, 112, 2);
-}
-
 TEST(Statistics, ATooWideIntervalIsInconclusive) {
   SpeedUp ratio{.value = 2, .low = 1.92, .high = 2.08, .percent = 50, .spread = true};
   EXPECT_NEAR(ratio.half_width(), 0.04, 1e-12);

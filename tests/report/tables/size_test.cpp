@@ -99,21 +99,9 @@ TEST(Growth, IsLinearUntilCachesEndIt) {
   const std::vector<std::string> row{"four_bar", in_order};
   EXPECT_EQ(entry_at(exponents, row, "slope").digits.back(), "4");  // 100 000 are not judged
   EXPECT_EQ(entry_at(exponents, row, "ns/coordinate, least").digits.front(), "10.0");
-  EXPECT_EQ(entry_at(exponents, row, "dearer from, KiB").shown, "10000, 976.6");
   EXPECT_EQ(entry_at(exponents, row, "times the least").shown, "2.00");
   EXPECT_NE(entry_at(exponents, {"four_bar", klu}, "slope").note.find("not linear, a size FAILED"),
             std::string::npos);
-}
-
-TEST(Growth, WithoutMemoryOrCachesHasItsSlopes) {
-  Json json = sizes_record();
-  json["record"]["machine"]["caches"] = Json::array();
-  for (Json& entry : json["size"]["growth"]) entry.erase("bytes");
-  const Section section = growth(record_from(json));
-  EXPECT_EQ(
-      entry_at(table_of(section, "growth_exponents"), {"four_bar", in_order}, "dearer from, KiB")
-          .shown,
-      "10000");
 }
 
 TEST(BreakEven, IsInterpolatedBetweenItsNeighbours) {
@@ -146,39 +134,13 @@ TEST(BreakEven, OfCurvesThatCrossMoreThanOnceIsAllOfThese) {
   EXPECT_EQ(r.break_even->high, 100);
 }
 
-TEST(SizesFigure, DrawsWhatItsTableSays) {
-  const Record record = record_from(sizes_record());
-  const auto files = figures(record);
-  ASSERT_EQ(files.size(), 1u);
-  EXPECT_EQ(files[0].file_name, "growth.vl.json");
-  const Json spec = Json::parse(files[0].content);
-  const Table table = growth_data(record);
-  std::size_t marks = 0, caches = 0;
-  for (const Json& value : spec["data"]["values"]) {
-    if (value.contains("cache")) {
-      ++caches;
-      continue;
-    }
-    ++marks;
-    const std::vector<std::string> row{value["panel"], value["id"], value["coordinates"].dump()};
-    EXPECT_EQ(value["shown"], entry_at(table, row, "µs/step").shown);
-    EXPECT_EQ(value["nanoseconds"].get<double>(),
-              std::stod(entry_at(table, row, "ns/coordinate").digits[0]));
-    EXPECT_EQ(value["kibibytes"].get<double>(),
-              std::stod(entry_at(table, row, "memory KiB").digits[0]));
-  }
-  EXPECT_EQ(marks, 9u);  // what failed is in the table only
-  EXPECT_EQ(caches, 2u);
-  EXPECT_EQ(spec["params"][0]["value"], Json({klu, in_order}));
-}
-
 TEST(Sizes, StandOnOnePageWithPoints) {
   Json sizes = sizes_record(), counts = instructions_record();
   for (Json* json : {&sizes, &counts})
     (*json)["record"] = Json::parse(read_text(data_file("origins.json")))["record"];
   const Record a = record_from(sizes), b = record_from(counts);
   EXPECT_TRUE(why_apart(a, b).empty());
-  EXPECT_EQ(why_apart(a, a).front().what, "one record with sizes");
+  EXPECT_EQ(why_apart(a, a).front().what, "one record with size");
   EXPECT_EQ(why_apart(b, b).front().what, "one record with instructions");
   const Document page = make_report(std::vector{a, b});
   EXPECT_EQ(page.title, "desmo: Size");

@@ -5,7 +5,6 @@
 
 #include "report/report.h"
 #include "report/tables/tables.h"
-#include "tests/report/contains.h"
 #include "tests/report/sample.h"
 
 namespace desmo::report::answer_test {
@@ -100,7 +99,7 @@ TEST(Answer, CountsWhatFailed) {
 
 TEST(Best, ComparesLikeForLike) {
   const Record record = record_from(record_with_settings());
-  const auto scalar = best_generated(record, Batch::none);
+  const auto scalar = best_generated(record, "");
   ASSERT_TRUE(scalar && scalar->like_for_like.speed_up && scalar->papers_settings.speed_up);
   EXPECT_EQ(scalar->key.id, "group_symbolic_explicit/guess:adams8/tolerance:1e-10");
   EXPECT_EQ(scalar->like_for_like.speed_up->value, 8);  // not over another guess or tolerance
@@ -118,7 +117,7 @@ TEST(Best, LeavesOutWhatWasNotMeasured) {
   const Table table = best_formulations(record_from(complete_record()));
   for (const auto& row : table.rows)
     EXPECT_TRUE(row.front().shown.ends_with("paper's settings")) << row.front().shown;
-  EXPECT_FALSE(best_generated(record_from(complete_record()), Batch::lanes));
+  EXPECT_FALSE(best_generated(record_from(complete_record()), "lanes"));
 }
 
 bool limits(const Json& json, const std::string& part) {

@@ -5,7 +5,7 @@
 
 #include "report/check/check_outcome.h"
 #include "report/check/check_record.h"
-#include "tests/report/check_sample.h"
+#include "tests/report/check/check_sample.h"
 
 namespace desmo::report::check_test {
 namespace {
@@ -202,7 +202,7 @@ TEST(Check, ACellOfTheBaselineThatHeadHasNotIsInvalid) {
   Json now = one_tree_sample();
   now["head"]["paper"]["cells"].erase(0);
   const CheckRecord check = check_from(now);
-  const CheckOutcome j = compare_sides(check, baseline);
+  const CheckOutcome j = compare_sides(check, &baseline);
   EXPECT_EQ(j.verdict, Verdict::invalid);
   EXPECT_EQ(j.missing.size(), 1u);
   EXPECT_EQ(verdict_document(check, j).sections[0].paragraphs[0],
@@ -215,9 +215,9 @@ TEST(Check, AgainstABaselineRatiosWithinARunAreCompared) {
   for (Json& candidate : now["head"]["paper"]["cells"])  // a slower day
     for (Json& seconds : candidate["time"]["seconds"]) seconds = seconds.get<double>() * 1.2;
   for (Json& seconds : now["control"]["head"]) seconds = seconds.get<double>() * 1.2;
-  EXPECT_EQ(compare_sides(check_from(now), baseline).verdict, Verdict::pass);
+  EXPECT_EQ(compare_sides(check_from(now), &baseline).verdict, Verdict::pass);
   slow_down(now, watched, 1.10);
-  const CheckOutcome j = compare_sides(check_from(now), baseline);
+  const CheckOutcome j = compare_sides(check_from(now), &baseline);
   EXPECT_EQ(outcome_of(j, watched), Outcome::unconfirmed);
   EXPECT_EQ(pending_lines(j),
             (std::vector<std::string>{std::string("second ") + watched,
@@ -226,7 +226,7 @@ TEST(Check, AgainstABaselineRatiosWithinARunAreCompared) {
     now["second"][candidate["case"].get<std::string>() + "/114/" +
                   candidate["id"].get<std::string>()] = {{"head", candidate["time"]["seconds"]}};
   now["second"]["control"] = now["control"];
-  EXPECT_EQ(compare_sides(check_from(now), baseline).verdict, Verdict::regression);
+  EXPECT_EQ(compare_sides(check_from(now), &baseline).verdict, Verdict::regression);
 }
 
 TEST(Check, OnAnotherProcessorOnlyInstructionsAreComparedWithABaseline) {
@@ -236,13 +236,13 @@ TEST(Check, OnAnotherProcessorOnlyInstructionsAreComparedWithABaseline) {
   now["head"]["record"]["blas"]["core"] = "other";
   now["head"]["record"]["libraries"]["lapack"] = "OpenBLAS 0.3.21 for another core";
   for (Json& candidate : now["head"]["paper"]["cells"]) candidate["machine"] = "other";
-  EXPECT_EQ(compare_sides(check_from(now), baseline).verdict, Verdict::incomparable);
+  EXPECT_EQ(compare_sides(check_from(now), &baseline).verdict, Verdict::incomparable);
   now["work"]["instructions"][watched]["head"] = 1'020'000;
-  const CheckOutcome j = compare_sides(check_from(now), baseline);
+  const CheckOutcome j = compare_sides(check_from(now), &baseline);
   EXPECT_EQ(j.verdict, Verdict::regression);
   EXPECT_TRUE(j.time.candidates.empty());
   now["work"]["tool"] = "valgrind-9";
-  EXPECT_EQ(compare_sides(check_from(now), baseline).verdict, Verdict::incomparable);
+  EXPECT_EQ(compare_sides(check_from(now), &baseline).verdict, Verdict::incomparable);
 }
 
 TEST(CheckReader, RefusesWhatIsNotAWholeCheck) {

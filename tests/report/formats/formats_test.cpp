@@ -37,16 +37,6 @@ TEST(Csv, QuotesAndMarks) {
             "v,7.100,,time: old\n");
 }
 
-TEST(JsonFormat, IsValidAndKeepsDigits) {
-  const std::string text = to_json(awkward());
-  const Json json = Json::parse(text);
-  const Json& rows = json["sections"][0]["tables"][0]["rows"];
-  EXPECT_EQ(rows[0]["id"], "x_y|<z>, \"q\" --quick");
-  EXPECT_EQ(rows[0]["time"], Json::parse(R"({"seconds": -1.5, "spread": 0.1})"));
-  EXPECT_EQ(rows[1]["time"], Json::parse(R"({"seconds": null, "spread": null, "note": "FAILED"})"));
-  EXPECT_NE(text.find("\"seconds\": 7.100"), std::string::npos);
-}
-
 TEST(Markdown, Escapes) {
   const std::string text = to_markdown(awkward());
   EXPECT_NE(text.find("| x\\_y\\|&lt;z&gt;, \"q\" --quick | -1.50 ±0.10 |"), std::string::npos)
@@ -116,57 +106,6 @@ TEST(Terminal, NamesTheTablesItLeavesOut) {
   const std::string text = to_terminal(document);
   EXPECT_EQ(text.find("FAILED"), std::string::npos);
   EXPECT_NE(text.find("In the other formats only: awkward."), std::string::npos);
-}
-
-std::vector<std::string> csv_numbers(const Document& document) {
-  std::vector<std::string> numbers;
-  for (const Section& section : document.sections)
-    for (const Table& table : section.tables)
-      for (const auto& row : table.rows)
-        for (const Entry& entry : row)
-          for (const std::string& digits : entry.digits) numbers.push_back(digits);
-  return numbers;
-}
-
-// Independent of how a format is written: all digits of every entry stand in each of them, in
-// order, and the JSON's numbers equal those of the CSV.
-void expect_identical_numbers(const Document& document) {
-  for (const Section& section : document.sections)
-    for (const Table& table : section.tables)
-      for (const auto& row : table.rows)
-        for (const Entry& entry : row) {
-          std::size_t at = 0;
-          for (const std::string& digits : entry.digits) {
-            if (digits.empty()) continue;
-            const std::size_t found = entry.shown.find(digits, at);
-            // The count of repetitions is the one number that people read in the caption.
-            if (found == std::string::npos) {
-              EXPECT_TRUE(digits == "3" || digits == "5") << table.name << ": " << entry.shown;
-              continue;
-            }
-            at = found + digits.size();
-          }
-        }
-
-  const Json json = Json::parse(to_json(document));
-  std::vector<double> in_json;
-  for (const Json& section : json["sections"])
-    for (const Json& table : section["tables"])
-      for (const Json& row : table["rows"])
-        for (const auto& [column, place] : row.items())
-          if (place.is_object())
-            for (const auto& [quantity, value] : place.items())
-              if (value.is_number()) in_json.push_back(value.get<double>());
-  std::vector<double> in_document;
-  for (const std::string& digits : csv_numbers(document))
-    if (!digits.empty()) in_document.push_back(std::stod(digits));
-  EXPECT_GT(in_json.size(), 200u);
-  EXPECT_EQ(in_json, in_document);
-}
-
-TEST(Formats, HoldIdenticalNumbers) {
-  expect_identical_numbers(complete_document());
-  expect_identical_numbers(make_report(record_from(structured_record())));
 }
 
 TEST(Formats, CsvFieldsMatchTheHeader) {

@@ -2,16 +2,15 @@
 
 #include "report/report.h"
 #include "report/tables/tables.h"
-#include "tests/report/contains.h"
 #include "tests/report/points_sample.h"
 
-namespace desmo::report::precision_tables_test {
+namespace desmo::report::accuracy_test {
 namespace {
 
 using Digits = std::vector<std::string>;
 
 const std::string klu = "global_automatic_klu", lapack = "group_symbolic_lapack";
-const std::string over_itself = "times as fast as with the paper's knobs",
+const std::string over_itself = "times as fast as with the paper's settings",
                   over_global = "as global_automatic_klu with them";
 
 std::vector<std::vector<std::string>> shown(const Table& table) {
@@ -41,18 +40,6 @@ TEST(AccuracyCosts, NamesTheCheapestWithinEachError) {
             "1.67");  // 40 µs over 24
 }
 
-TEST(AccuracyErrors, SayWhatTheCheapestGivesUp) {
-  const Table table = accuracy_errors(record_from(points_record()));
-  const std::vector<std::string> row{"truck_suspension", "225", "1e-09"};
-  EXPECT_EQ(entry_at(table, row, "error q").shown, "8.0e-10");
-  EXPECT_EQ(entry_at(table, row, "error q'").shown, "1.6e-09");
-  EXPECT_EQ(entry_at(table, row, "error q''").shown, "3.2e-09");
-  EXPECT_EQ(entry_at(table, row, "violation").shown, "8.0e-11");
-  EXPECT_EQ(entry_at(table, row, "iterations/step").shown, "1.03");
-  EXPECT_EQ(entry_at(table, row, "paper's knobs").shown, "tolerance 1e-8");
-  EXPECT_EQ(entry_at(table, row, klu).shown, "tolerance 1e-8");
-}
-
 // A rival in the paper's tables is held to the same error, and to its own guesses_and_updates.
 TEST(AccuracyCosts, ComparesWithTheSameFormulationAtTheSameError) {
   Json json = points_record();
@@ -63,8 +50,6 @@ TEST(AccuracyCosts, ComparesWithTheSameFormulationAtTheSameError) {
   EXPECT_EQ(entry_at(table, row, "cheapest").shown, "group_automatic_klu/guess:hermite5");
   EXPECT_EQ(entry_at(table, row, over_itself).digits[0], "3.30");  // 33 over 10
   EXPECT_EQ(entry_at(table, row, over_global).digits[0], "3.00");  // 30 over 10
-  EXPECT_EQ(entry_at(accuracy_errors(record_from(json)), row, "paper's knobs").shown,
-            "tolerance 1e-6");
 }
 
 // Solving every instant stands beside the cheapest of all, where that interpolates some.
@@ -81,7 +66,6 @@ TEST(AccuracyCosts, ShowWhatInterpolationGainsInARowOfItsOwn) {
   second.push_back(klu + "/stride:8");
   EXPECT_EQ(entry_at(table, second, "µs/step").digits[0], "5.000");
   EXPECT_EQ(entry_at(table, second, over_global).digits[0], "6.00");  // 30 over 5
-  EXPECT_EQ(entry_at(accuracy_errors(record), second, "error q").shown, "1.0e-07");
 }
 
 TEST(AccuracyCosts, SaysWhereNothingHoldsTheError) {
@@ -106,29 +90,12 @@ TEST(AccuracyCosts, OfOneSampleHaveNoInterval) {
   EXPECT_EQ(entry_at(table, row, over_itself).shown, "2.00 one run");
 }
 
-TEST(CheapestByFormulation, QuotesRatiosOnlyWhereEverySettingWasTried) {
-  const Table table = cheapest_by_formulation(record_from(points_record()), "truck_suspension");
-  EXPECT_EQ(table.rows.size(), 3u);
-  EXPECT_EQ(entry_at(table, {klu}, "configurations").shown, "9");
-  EXPECT_EQ(entry_at(table, {klu}, "1e-12").digits[0], "24.00");
-  EXPECT_EQ(entry_at(table, {klu}, "times as fast, 1e-09").shown, "1.00 reference");
-  EXPECT_EQ(entry_at(table, {lapack}, "0.001").digits[0], "50.00");
-  EXPECT_EQ(entry_at(table, {lapack}, "times as fast, 1e-09").shown, "fewer settings");
-  Json json = points_record();
-  for (const char* more : {"/guess:linear", "/guess:quadratic"})
-    json["accuracy"]["points"].push_back(solved_point(lapack + more, 200, 1e-14));
-  EXPECT_EQ(entry_at(cheapest_by_formulation(record_from(json), "truck_suspension"), {lapack},
-                     "times as fast, 1e-09")
-                .digits[0],
-            "0.20");  // 16 over 80
-}
-
 TEST(Guesses, AreComparedAtEqualErrorAndWithThePapersSettings) {
   const Record record = record_from(points_record());
-  const Table table = guesses(record).tables.front();
+  const Table table = guesses(record);
   EXPECT_EQ(table.rows.size(), 3u * (2 + 1)) << "of each guess tried, and of no other";
   const std::vector<std::string> reused{"truck_suspension", "225", "hermite5", "step"};
-  EXPECT_EQ(entry_at(table, reused, "stop").shown, "1 iteration");
+  EXPECT_EQ(entry_at(table, reused, "stop").shown, "iterations: 1");
   EXPECT_EQ(entry_at(table, reused, "times the paper's settings").shown, "2.50 [2.45, 2.55]");
   EXPECT_EQ(entry_at(table, reused, "at equal error").digits[0], "2.00");
   const std::vector<std::string> paper{"truck_suspension", "225", "previous", "newton"};
@@ -136,13 +103,6 @@ TEST(Guesses, AreComparedAtEqualErrorAndWithThePapersSettings) {
   EXPECT_EQ(entry_at(table, paper, "at equal error").shown, "1.00 reference");
   EXPECT_EQ(entry_at(table, {"truck_suspension", "225", "hermite5", "chord"}, "stop").shown,
             "nothing that holds it");
-  const std::vector<std::string> lines = guesses(record).paragraphs;
-  ASSERT_EQ(lines.size(), 2u);
-  EXPECT_EQ(lines[1],
-            "truck_suspension, 225 coordinates: "
-            "global_automatic_klu/guess:hermite5/jacobian:step/iterations:1, with an error of "
-            "8.0e-10, is times as fast as the paper's settings: 2.50 [2.45, 2.55]; as the paper's "
-            "guess and Jacobian at equal error: 2.00 [1.96, 2.04].");
 }
 
 // What guesses and factors improvement is not mixed up with instants that are not solved.
@@ -152,34 +112,7 @@ TEST(Guesses, AreOfEveryInstantSolved) {
   json["accuracy"]["points"].push_back(
       solved_point(klu + "/guess:hermite5/jacobian:step/stride:2/tolerance:1e-10", 4, 1e-12, 0.5));
   const Record record = record_from(json), before = record_from(points_record());
-  EXPECT_EQ(guesses(record).paragraphs, guesses(before).paragraphs);
-  EXPECT_EQ(shown(guesses(record).tables.front()), shown(guesses(before).tables.front()));
-}
-
-TEST(Scalars, StandBesideDoubleAndWhatIsPredicted) {
-  const Table table = scalars(record_from(points_record()));
-  const std::vector<std::string> single{"truck_suspension", lapack, "float"},
-      mixed{"truck_suspension", lapack, "mixed"}, usual{"truck_suspension", lapack, "double"};
-  EXPECT_EQ(entry_at(table, single, "solved").shown, "1 of 2");
-  EXPECT_EQ(entry_at(table, single, "least error").shown, "3.0e-06");
-  EXPECT_EQ(entry_at(table, single, "predicted").shown, "6.0e-05");
-  EXPECT_EQ(entry_at(table, single, "times as fast, 0.001").digits[0], "1.20");  // 60 over 50
-  EXPECT_EQ(entry_at(table, single, "times as fast, 1e-06").shown, missing_mark);
-  EXPECT_EQ(entry_at(table, mixed, "predicted").shown, "1.1e-13");
-  EXPECT_EQ(entry_at(table, mixed, "times as fast, 1e-09").digits[0], "1.11");  // 100 over 90
-  EXPECT_EQ(entry_at(table, usual, "times as fast, 1e-09").shown, "1.00 reference");
-  EXPECT_EQ(table.rows.size(), 3u);
-}
-
-TEST(Scalars, ThatAllFailedSaySo) {
-  Json json = points_record();
-  Json& point = point_of(json, klu + "/scalar:float");
-  point["status"] = "failed";
-  point["message"] = "no convergence at t = 0 s";
-  const Table table = scalars(record_from(json));
-  const std::vector<std::string> row{"truck_suspension", klu, "float"};
-  EXPECT_EQ(entry_at(table, row, "solved").shown, "0 of 1");
-  EXPECT_EQ(entry_at(table, row, "remark").shown, "no convergence");
+  EXPECT_EQ(shown(guesses(record)), shown(guesses(before)));
 }
 
 TEST(Sensitivity, VariesOneThingAtATime) {
@@ -227,4 +160,4 @@ TEST(PrecisionReport, StandsAloneOrBesideTheExperiment) {
 }
 
 }  // namespace
-}  // namespace desmo::report::precision_tables_test
+}  // namespace desmo::report::accuracy_test

@@ -1,4 +1,4 @@
-#include "tests/report/reading.h"
+#include "tests/report/formats/reading.h"
 
 #include <charconv>
 #include <sstream>

@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "report/check/trials.h"
-#include "tests/report/check_sample.h"
+#include "tests/report/check/check_sample.h"
 
 namespace desmo::report::certificate_test {
 namespace {

@@ -126,25 +126,5 @@ TEST(Requests, AreCheckedWhenRead) {
       << complaint(json);
 }
 
-TEST(Structure, IsCheckedWhenRead) {
-  const auto with = [](const char* pointer, Json value) {
-    Json json = structured_record();
-    json[Json::json_pointer(pointer)] = std::move(value);
-    return complaint(json);
-  };
-  EXPECT_NE(with("/paper/structure/1/parts", Json::array())
-                .find("/paper/structure/1/parts: a structure needs"),
-            std::string::npos);
-  EXPECT_NE(with("/paper/structure/1/parts/1/unknowns", 39)
-                .find("/paper/structure/1/parts/1/unknowns: the parts do not stand largest first"),
-            std::string::npos);
-  EXPECT_NE(with("/paper/structure/0/parts/0/count", 0)
-                .find("/paper/structure/0/parts/0/count: must be a whole number"),
-            std::string::npos);
-  Json json = structured_record();
-  json["paper"]["structure"].push_back(json["paper"]["structure"][0]);
-  EXPECT_NE(complaint(json).find("truck_suspension/114/global is given twice"), std::string::npos);
-}
-
 }  // namespace
 }  // namespace desmo::report::requests_test

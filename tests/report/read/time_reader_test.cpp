@@ -7,7 +7,6 @@
 
 #include "report/read/record_file.h"
 #include "report/statistics/statistics.h"
-#include "tests/report/contains.h"
 #include "tests/report/sample.h"
 
 namespace desmo::report::time_reader_test {

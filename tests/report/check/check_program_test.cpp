@@ -1,7 +1,7 @@
 // desmo_report check as bench/check runs it: exit codes and messages.
 #include <fstream>
 
-#include "tests/report/check_sample.h"
+#include "tests/report/check/check_sample.h"
 #include "tests/report/program.h"
 
 namespace desmo::report::check_program_test {

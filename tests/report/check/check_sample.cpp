@@ -1,4 +1,4 @@
-#include "tests/report/check_sample.h"
+#include "tests/report/check/check_sample.h"
 
 #include <gtest/gtest.h>
 

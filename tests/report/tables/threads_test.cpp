@@ -7,7 +7,7 @@
 #include "report/tables/tables.h"
 #include "tests/report/sample.h"
 
-namespace desmo::report::beyond_test {
+namespace desmo::report::threads_test {
 namespace {
 
 Json timed(Json like, const std::string& id, double seconds) {
@@ -37,28 +37,6 @@ Json beyond_record() {
   return json;
 }
 
-Table table_of(const Json& json) {
-  return table_named(make_report(record_from(json)), "beyond_truck_suspension");
-}
-
-TEST(Beyond, HoldsSettingsBesideTheReferenceThatDeliversTheSame) {
-  const Table table = table_of(beyond_record());
-  const auto shown = [&](const char* delivered, const char* id, const char* column) {
-    return entry_at(table, {delivered, id}, column).shown;
-  };
-  const char *paper = "times the paper's settings", *alike = "times like for like";
-  EXPECT_EQ(shown("everything", "global_automatic_klu", paper), "1.00 reference");
-  EXPECT_EQ(shown("everything", "global_automatic_klu", alike), "1.00 reference");
-  EXPECT_EQ(shown("everything", "global_automatic_klu/guess:hermite5", alike), "1.00 reference");
-  EXPECT_EQ(shown("everything", "group_symbolic_explicit", paper), "8.00 [8.00, 8.00]");
-  EXPECT_EQ(shown("everything", "group_symbolic_explicit", alike), "8.00 [8.00, 8.00]");
-  EXPECT_EQ(shown("everything", hermite_lanes, paper), "16.00 [16.00, 16.00]");
-  EXPECT_EQ(shown("everything", hermite_lanes, alike), "8.00 [8.00, 8.00]");
-  EXPECT_EQ(shown("some of it", hermite_lanes, paper), "30.00 [30.00, 30.00]");
-  EXPECT_EQ(shown("some of it", hermite_lanes, alike), "—");  // no reference with this guess
-  EXPECT_EQ(table.rows.size(), 6u);
-}
-
 /// The same on two threads, and, to be compared with, on one by the same clock.
 Json threads_record() {
   Json json = beyond_record();
@@ -80,7 +58,6 @@ TEST(Threads, StandInATableOfTheWallClockAlone) {
   EXPECT_EQ(entry_at(table, two, "wall s").digits[0], "0.03000");
   EXPECT_EQ(entry_at(table, two, "times one thread").shown, "2.00 [2.00, 2.00]");
   EXPECT_EQ(table.rows.size(), 2u);
-  EXPECT_EQ(table_named(document, "beyond_truck_suspension").rows.size(), 6u);
   for (const Section& section : document.sections)
     for (const Table& other : section.tables)
       for (const auto& row : other.rows)
@@ -101,26 +78,5 @@ TEST(Threads, HaveNoRatioOverCpuTime) {
                std::logic_error);
 }
 
-TEST(Beyond, IsNotThereWithoutSettings) {
-  EXPECT_TRUE(beyond(record_from(structured_record())).tables.empty());
-}
-
-TEST(Beyond, LeavesOutWhatStandsBesidePeers) {
-  Json json = structured_record();
-  const Json candidate = candidate_of(json, "truck_suspension", 114, "global_automatic_klu");
-  json["paper"]["cells"].push_back(timed(candidate, "global_automatic_klu/guess:quadratic", 0.4));
-  EXPECT_EQ(beyond(record_from(json)).tables.size(), 1u);
-  json["paper"]["peers"] = {{{"case", "truck_suspension"},
-                             {"coordinates", 114},
-                             {"peer", "other"},
-                             {"library", "Other"},
-                             {"library_version", "1"},
-                             {"method", "its own"},
-                             {"guess", "quadratic"},
-                             {"status", "not_run"},
-                             {"message", "too slow"}}};
-  EXPECT_TRUE(beyond(record_from(json)).tables.empty());
-}
-
 }  // namespace
-}  // namespace desmo::report::beyond_test
+}  // namespace desmo::report::threads_test
