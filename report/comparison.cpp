@@ -47,13 +47,14 @@ Table seconds_of_both(const TimedGroup& a, const TimedGroup& b, const Record& fi
                                             {"only_a", only_in(a.timings, b.timings)},
                                             {"only_b", only_in(b.timings, a.timings)}});
   define_time(table, first);
-  add_rows(
-      table, a.timings, b.timings, [](const CandidateKey&, const Timing& one, const Timing& other) {
-        std::string remark = one.remark.empty() ? "" : "A: " + one.remark;
-        if (!other.remark.empty()) remark += (remark.empty() ? "B: " : "; B: ") + other.remark;
-        return std::vector<Entry>{seconds_entry(one.time), seconds_entry(other.time),
-                                  speed_up_entry(measured_speed_up(one.time, other.time)), remark};
-      });
+  add_rows(table, a.timings, b.timings,
+           [](const CandidateKey&, const Timing& one, const Timing& other) {
+             std::string remark = one.remark.empty() ? "" : "A: " + one.remark;
+             if (!other.remark.empty()) remark += (remark.empty() ? "B: " : "; B: ") + other.remark;
+             return std::vector<Entry>{seconds_entry(one.time), seconds_entry(other.time),
+                                       ratio_entry(measured_speed_up(one.time, other.time), true),
+                                       remark};
+           });
   return table;
 }
 

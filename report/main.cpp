@@ -8,6 +8,7 @@
 #include "report/check/command.h"
 #include "report/figures/figures.h"
 #include "report/formats/formats.h"
+#include "report/read/record.h"
 #include "report/read/record_file.h"
 #include "report/report.h"
 #include "report/statistics/comparability.h"
@@ -57,16 +58,6 @@ Document with_tables(Document document, const std::vector<std::string>& names) {
   return document;
 }
 
-std::string on_standard_output(const Document& document, const std::vector<std::string>& formats) {
-  std::string text;
-  for (const std::string& format : formats)
-    for (const NewFile& file : render(document, format)) {
-      if (format == "csv") text += (text.empty() ? "# " : "\n# ") + file.file_name + "\n";
-      text += file.content;
-    }
-  return text;
-}
-
 // Says why two records cannot be put beside each other; nothing when they can.
 bool complain(const std::string& first, const std::string& second,
               const std::vector<Difference>& differences) {
@@ -89,8 +80,8 @@ ExitCode tables(const TablesCommand& command) {
   if (!command.tables.empty()) document = with_tables(std::move(document), command.tables);
   const auto& chosen = command.formats;
   if (command.folder.empty() && (command.all || !chosen.empty() || !command.tables.empty())) {
-    write_standard_output(on_standard_output(
-        document, chosen.empty() ? std::vector<std::string>{"terminal"} : chosen));
+    write_standard_output(
+        printed(document, chosen.empty() ? std::vector<std::string>{"terminal"} : chosen));
     return success;
   }
   if (command.folder.empty()) {
@@ -117,7 +108,7 @@ ExitCode compare(const CompareCommand& command) {
           command.first, command.second,
           two_machines ? different_work_reason(first, second) : why_incomparable(first, second)))
     return incomparable;
-  write_standard_output(on_standard_output(make_comparison(first, second), {command.format}));
+  write_standard_output(printed(make_comparison(first, second), {command.format}));
   if (!two_machines) return success;
   std::cerr << "desmo_report: "
             << sentence("machines.no_verdict",

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "report/read/record.h"
 #include "report/read/record_file.h"
 
 namespace desmo::report {

@@ -48,4 +48,14 @@ std::vector<NewFile> render(const Document& document, const std::string& format)
   return files;
 }
 
+std::string printed(const Document& document, const std::vector<std::string>& formats) {
+  std::string text;
+  for (const std::string& format : formats)
+    for (const NewFile& file : render(document, format)) {
+      if (format == "csv") text += (text.empty() ? "# " : "\n# ") + file.file_name + "\n";
+      text += file.content;
+    }
+  return text;
+}
+
 }  // namespace desmo::report

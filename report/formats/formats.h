@@ -47,4 +47,8 @@ const std::vector<std::string>& format_names();
 /// The files of one format: one, or for csv one per table. The format is one of format_names().
 std::vector<NewFile> render(const Document& document, const std::string& format);
 
+/// Returns a document in some formats, one after the other; a table of csv below a line with its
+/// file's name.
+std::string printed(const Document& document, const std::vector<std::string>& formats);
+
 }  // namespace desmo::report

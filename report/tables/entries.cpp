@@ -72,53 +72,34 @@ void add_errors(std::vector<Entry>& row, const Candidate& candidate) {
     row.push_back(number_entry(checked ? std::optional((*checked).*level) : std::nullopt, 2));
 }
 
-Entry speed_up_entry(const MeasuredSpeedUp& measured) {
-  if (!measured.speed_up) return note_entry(measured.mark);
-  Entry entry = ratio_entry(*measured.speed_up);
-  if (measured.speed_up->percent < 0) {  // slower: the ratio says it
-    entry.digits.emplace_back();
-    return entry;
-  }
-  const std::string percent = write_fixed(measured.speed_up->percent, 1);
-  entry.shown.insert(entry.shown.size() - (entry.note.empty() ? 0 : entry.note.size() + 1),
-                     " (" + percent + " %)");
-  entry.digits.push_back(percent);
-  return entry;
-}
-
-Entry without_percent(Entry entry) {
-  if (!entry.has_number()) return entry;
-  const std::string tail = " (" + entry.digits.back() + " %)";
-  if (const std::size_t begin = entry.shown.find(tail); begin != entry.shown.npos)
-    entry.shown.erase(begin, tail.size());
-  entry.digits.pop_back();
-  return entry;
-}
-
-Entry ratio_entry(const SpeedUp& ratio) {
+Entry ratio_entry(const SpeedUp& ratio, bool with_percent) {
   const DigitStyle style = ratio_digits(ratio.value);
-  const std::string value = write(ratio.value, style);
-  if (!ratio.spread) {
-    Entry entry{value, {value, "", ""}, {}};
-    add_note(entry, runs(ratio.repetitions));
-    return entry;
+  const std::string value = write(ratio.value, style), low = write(ratio.low, style),
+                    high = write(ratio.high, style), percent = write_fixed(ratio.percent, 1);
+  Entry entry{value, {value, "", ""}, {}};
+  if (ratio.spread) entry = {value + " [" + low + ", " + high + "]", {value, low, high}, {}};
+  if (with_percent) {
+    const bool slower = ratio.percent < 0;  // the ratio says it
+    entry.digits.push_back(slower ? "" : percent);
+    if (!slower) entry.shown += " (" + percent + " %)";
   }
-  const std::string low = write(ratio.low, style), high = write(ratio.high, style);
-  Entry entry{value + " [" + low + ", " + high + "]", {value, low, high}, {}};
+  if (!ratio.spread) add_note(entry, runs(ratio.repetitions));
   if (ratio.inconclusive()) add_note(entry, inconclusive_mark);
   return entry;
 }
 
-Entry ratio_entry(const MeasuredSpeedUp& measured) {
-  return measured.speed_up ? ratio_entry(*measured.speed_up) : note_entry(measured.mark);
+Entry ratio_entry(const MeasuredSpeedUp& measured, bool with_percent) {
+  return measured.speed_up ? ratio_entry(*measured.speed_up, with_percent)
+                           : note_entry(measured.mark);
 }
 
 // With fewer sizes than the paper's it cannot stand beside the paper's, and says so.
-Entry mean_speed_up_entry(const Record& record, std::string_view family, std::size_t variant) {
+Entry mean_speed_up_entry(const Record& record, std::string_view family, std::size_t variant,
+                          bool with_percent) {
   const std::vector<std::int64_t>& sizes = published_sizes();
   const MeanSpeedUp mean = mean_speed_up(record, family, truck_global, variant, sizes);
   if (!mean.speed_up) return note_entry(missing_mark);
-  Entry entry = speed_up_entry({mean.speed_up, {}});
+  Entry entry = ratio_entry(*mean.speed_up, with_percent);
   if (mean.sizes == sizes.size()) return entry;
   add_note(entry, "incomplete " + std::to_string(mean.sizes) + "/" + std::to_string(sizes.size()));
   return entry;

@@ -44,20 +44,15 @@ Entry instant_entry(const Record& record, const Measured& measured, int signific
 /// Adds the errors of position, velocity and acceleration to a row.
 void add_errors(std::vector<Entry>& row, const Candidate& candidate);
 
-/// "1.24 [1.21, 1.27] (19.4 %)", quantities {speed_up, low, high, percent}, with inconclusive_mark
-/// where the interval is too wide; "0.17 [0.16, 0.17]", without percentage, of what is slower; or
-/// the mark.
-Entry speed_up_entry(const MeasuredSpeedUp& measured);
+/// "1.24 [1.21, 1.27]", quantities {ratio, low, high}, with inconclusive_mark where the interval is
+/// too wide; or the mark. with_percent: "1.24 [1.21, 1.27] (19.4 %)", and a quantity more; without
+/// the percentage for what is slower.
+Entry ratio_entry(const SpeedUp& ratio, bool with_percent = false);
+Entry ratio_entry(const MeasuredSpeedUp& measured, bool with_percent = false);
 
-/// "1.24 [1.21, 1.27]", quantities {ratio, low, high}, likewise.
-Entry ratio_entry(const SpeedUp& ratio);
-Entry ratio_entry(const MeasuredSpeedUp& measured);
-
-/// The mean over the paper's sizes, as speed_up_entry; "incomplete 4/5" when some have none.
-Entry mean_speed_up_entry(const Record& record, std::string_view family, std::size_t variant);
-
-/// A speed_up_entry without the improvement: "1.24 [1.21, 1.27]".
-Entry without_percent(Entry entry);
+/// The mean over the paper's sizes, likewise; "incomplete 4/5" when some have none.
+Entry mean_speed_up_entry(const Record& record, std::string_view family, std::size_t variant,
+                          bool with_percent = false);
 
 /// Returns the paper's value with inside_mark or outside_mark: whether our interval contains it,
 /// both as printed. Of both entries the first quantity is the value, of ours the second and third

@@ -28,7 +28,7 @@ std::vector<Entry> row_of(const Record& record, const Request& like, const Reque
           like.key.id,
           unknowns_entry(request ? request->unknowns : like.all_unknowns, like.all_unknowns),
           seconds_entry(time),
-          request        ? speed_up_entry(measured_speed_up(all, time))
+          request        ? ratio_entry(measured_speed_up(all, time), true)
           : time.seconds ? reference_entry()
                          : note_entry(time.mark),
           number_entry(time.seconds ? solved->iterations_per_step : std::nullopt, 3),

@@ -50,7 +50,8 @@ Table speed_ups(const Record& record, std::string_view family);
 /// Returns what the paper prints of a variant in a row of its table 1 or 2 ("114" ... "mean"), with
 /// the quantities of ours: {seconds, median, repetitions}, {speed_up, low, high, percent}.
 Entry published_seconds_entry(const std::string& row, const Variant& variant);
-Entry published_speed_up_entry(const std::string& row, const Variant& variant);
+Entry published_speed_up_entry(const std::string& row, const Variant& variant,
+                               bool with_percent = true);
 
 /// Returns the data of figure 5, CPU time over coordinates: a row for each sparse solver and size.
 Table figure_of_times(const Record& record);

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "report/formats/formats.h"
+#include "report/read/record.h"
 #include "report/read/record_file.h"
 #include "report/report.h"
 #include "report/tables/record_words.h"

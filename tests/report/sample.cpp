@@ -6,6 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "report/read/record.h"
 #include "report/read/record_file.h"
 
 namespace desmo::report {

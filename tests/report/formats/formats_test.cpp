@@ -8,6 +8,7 @@
 #include <set>
 #include <sstream>
 
+#include "report/read/record.h"
 #include "report/read/record_file.h"
 #include "report/report.h"
 #include "tests/report/sample.h"

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "report/formats/formats.h"
+#include "report/read/record.h"
 #include "report/read/record_file.h"
 #include "report/report.h"
 #include "tests/report/formats/reading.h"

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <vector>
 
+#include "report/read/record.h"
 #include "report/read/record_file.h"
 #include "tests/report/sample.h"
 

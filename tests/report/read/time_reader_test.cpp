@@ -5,6 +5,7 @@
 #include <numeric>
 #include <vector>
 
+#include "report/read/record.h"
 #include "report/read/record_file.h"
 #include "report/statistics/statistics.h"
 #include "tests/report/sample.h"

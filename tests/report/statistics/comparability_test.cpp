@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "report/read/record.h"
 #include "report/read/record_file.h"
 #include "report/report.h"
 #include "tests/report/sample.h"
@@ -175,7 +176,7 @@ TEST(Comparison, OfTwoMachinesShowsSpeedUpsAndNoSeconds) {
   EXPECT_TRUE(are_of_two_machines(a, b));
   EXPECT_FALSE(are_of_two_machines(a, a));
   EXPECT_TRUE(different_work_reason(a, b).empty());
-  const Table table = table_named(make_comparison_of_machines(a, b), "machines");
+  const Table table = table_named(make_comparison(a, b), "machines");
   EXPECT_FALSE(table.rows.empty());
   for (const Column& column : table.columns)
     EXPECT_EQ(std::ranges::count(column.quantities, "seconds"), 0) << column.name;
