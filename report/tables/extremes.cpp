@@ -72,14 +72,14 @@ struct Sorted {
       all.push_back(&r);
       rows[r.row].push_back(&r);
       cases[{r.row, r.case_name}].push_back(&r);
-      cells[{formulation, r.row}].push_back(&r);
+      by_both[{formulation, r.row}].push_back(&r);
     }
   }
   Results all;
   std::vector<std::string> formulations;  ///< in the record's order
   std::map<std::int64_t, Results> rows;
   std::map<std::pair<std::int64_t, std::string>, Results> cases;
-  std::map<std::pair<std::string, std::int64_t>, Results> cells;
+  std::map<std::pair<std::string, std::int64_t>, Results> by_both;
 };
 
 std::string name_of(const ExtremeRow& row) { return std::to_string(row.number) + " " + row.name; }
@@ -107,7 +107,7 @@ std::vector<Section> extremes_sections(const Record& record) {
   for (const std::string& name : sorted.formulations) {
     matrix.rows.push_back({name});
     for (const ExtremeRow& row : record.extreme_rows)
-      matrix.rows.back().push_back(results_entry(sorted.cells[{name, row.number}]));
+      matrix.rows.back().push_back(results_entry(sorted.by_both[{name, row.number}]));
   }
   for (const auto& [place, results] : sorted.cases) {
     cases.rows.push_back({place.first, place.second});
