@@ -97,8 +97,12 @@ class Formulation {
 
   const Model& model() const { return model_; }
 
-  /// On ‖Φ‖₂ of the whole mechanism: as asked for, or what rounding leaves if that is more, as in
-  /// long chains and far from the origin (Magnitudes::rounding).
+  /// Returns the settings that the formulation was made with.
+  const Settings& settings() const { return settings_; }
+
+  /// Returns the bound on ‖Φ‖₂ of the whole mechanism that instants meet: the one of the settings,
+  /// or what rounding leaves if that is more, as in long chains and far from the origin
+  /// (Magnitudes::rounding).
   double tolerance() const { return tolerance_; }
 
   /// Returns how often, in all parts, pivots that were to be kept had gone bad
@@ -111,10 +115,12 @@ class Formulation {
   std::span<const double> qdd() const;
 
  protected:
-  Formulation(const Model& model, double tolerance) : model_(model), tolerance_(tolerance) {}
+  Formulation(const Model& model, const Settings& settings, double tolerance)
+      : model_(model), settings_(settings), tolerance_(tolerance) {}
 
  private:
   const Model& model_;
+  const Settings settings_;
   double tolerance_;
 };
 

@@ -107,8 +107,8 @@ void solve(const SolveOptions& options) {
   if (!options.drivers.empty()) {
     if (const std::string reason = unsupported_live_reason(*formulation); !reason.empty())
       throw Error(usage_error, "--drivers with " + heading.formulation + ": " + reason);
-    solve_live({input.source, options.drivers, whole, plan, settings.tolerance, options.strict,
-                options.past_failures, options.quiet},
+    solve_live({input.source, options.drivers, whole, plan, options.strict, options.past_failures,
+                options.quiet},
                *formulation, heading, *format, output);
     output.finish();
     return;
