@@ -34,8 +34,8 @@ struct Variant {
 /// documents iterate this table.
 std::span<const Variant> variants();
 
-/// Returns the variant of that id. Throws std::invalid_argument with the reason when it is
-/// unavailable_reason or no longer exists, and otherwise with a list of the ids when there is none.
+/// Returns the variant of that id. Throws std::invalid_argument: with the reason where the variant
+/// cannot be had on this machine (unavailable_reason), else with a list of all ids.
 const Variant& find_variant(std::string_view id);
 
 /// "lapack", "klu", …, "inlined", "explicit".
@@ -58,10 +58,6 @@ std::string unavailable_reason(const Settings& settings);
 /// Why the variant of that id, which this build has, cannot be had on this machine; empty when it
 /// can, and when there is no such variant.
 std::string unavailable_reason(std::string_view id);
-
-/// Says what became of an id that earlier versions had, and what to use instead; empty for all
-/// other ids.
-std::string why_gone(std::string_view id);
 
 /// Returns which variants are missing because a library that was found, or named, does not serve,
 /// and why: a line each. A library that is simply not there is none.

@@ -25,6 +25,7 @@ struct Backend {
   Absence (*absence)() = nullptr;  ///< null: it is linked, so always present
   /// Makes a solver in single precision; null for sparse libraries.
   std::unique_ptr<LinearSolver<float>> (*make_single_solver)(const Pattern&) = nullptr;
+  bool allocates = false;  ///< takes memory from the heap in every factorisation
 };
 
 /// Makes a solver of a class whose constructor takes only the pattern.

@@ -46,10 +46,15 @@ class SparseLu final : public LinearSolver<double> {
 }  // namespace
 
 extern const Backend sparselu_backend;
-const Backend sparselu_backend{"sparselu", false, &make_sparse_solver<SparseLu>, [] {
-                                 return std::to_string(EIGEN_WORLD_VERSION) + "." +
-                                        std::to_string(EIGEN_MAJOR_VERSION) + "." +
-                                        std::to_string(EIGEN_MINOR_VERSION);
-                               }};
+const Backend sparselu_backend{.name = "sparselu",
+                               .dense = false,
+                               .make_solver = &make_sparse_solver<SparseLu>,
+                               .version =
+                                   [] {
+                                     return std::to_string(EIGEN_WORLD_VERSION) + "." +
+                                            std::to_string(EIGEN_MAJOR_VERSION) + "." +
+                                            std::to_string(EIGEN_MINOR_VERSION);
+                                   },
+                               .allocates = true};
 
 }  // namespace desmo

@@ -77,10 +77,15 @@ class Spqr final : public LinearSolver<double> {
 }  // namespace
 
 extern const Backend spqr_backend;
-const Backend spqr_backend{"spqr", false, &make_sparse_solver<Spqr>, [] {
-                             return std::to_string(SPQR_MAIN_VERSION) + "." +
-                                    std::to_string(SPQR_SUB_VERSION) + "." +
-                                    std::to_string(SPQR_SUBSUB_VERSION);
-                           }};
+const Backend spqr_backend{.name = "spqr",
+                           .dense = false,
+                           .make_solver = &make_sparse_solver<Spqr>,
+                           .version =
+                               [] {
+                                 return std::to_string(SPQR_MAIN_VERSION) + "." +
+                                        std::to_string(SPQR_SUB_VERSION) + "." +
+                                        std::to_string(SPQR_SUBSUB_VERSION);
+                               },
+                           .allocates = true};
 
 }  // namespace desmo

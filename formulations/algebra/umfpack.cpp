@@ -65,10 +65,15 @@ class Umfpack final : public LinearSolver<double> {
 }  // namespace
 
 extern const Backend umfpack_backend;
-const Backend umfpack_backend{"umfpack", false, &make_sparse_solver<Umfpack>, [] {
-                                return std::to_string(UMFPACK_MAIN_VERSION) + "." +
-                                       std::to_string(UMFPACK_SUB_VERSION) + "." +
-                                       std::to_string(UMFPACK_SUBSUB_VERSION);
-                              }};
+const Backend umfpack_backend{.name = "umfpack",
+                              .dense = false,
+                              .make_solver = &make_sparse_solver<Umfpack>,
+                              .version =
+                                  [] {
+                                    return std::to_string(UMFPACK_MAIN_VERSION) + "." +
+                                           std::to_string(UMFPACK_SUB_VERSION) + "." +
+                                           std::to_string(UMFPACK_SUBSUB_VERSION);
+                                  },
+                              .allocates = true};
 
 }  // namespace desmo

@@ -53,9 +53,8 @@ Configuration choose_formulation(const SolveOptions& options, const Input& input
     throw InputError(input.source + ": /formulation: " + what);
   };
   const std::string variant = id.substr(0, id.find('/'));
-  for (const std::string& reason : {unavailable_reason(variant), why_gone(variant)})
-    if (!reason.empty())
-      refuse("formulation " + desmo::in_quotes(variant) + ": " + printable(reason, 500));
+  if (const std::string reason = unavailable_reason(variant); !reason.empty())
+    refuse("formulation " + desmo::in_quotes(variant) + ": " + printable(reason, 500));
   std::vector<std::string_view> ids;
   for (const Variant& v : variants()) ids.push_back(v.id);
   if (std::ranges::find(ids, variant) == ids.end())

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 #include <utility>
+
+#include "cases/mechanism/disjoint_sets.h"
 
 namespace desmo {
 
@@ -88,18 +89,14 @@ class Carried {
 
 /// For each body the first of those that it moves with.
 std::vector<int> merge_fixed(const Mechanism& d) {
-  std::vector<int> first(d.bodies.size());
-  std::iota(first.begin(), first.end(), 0);
-  const auto root = [&](int b) {
-    while (first[b] != b) b = first[b] = first[first[b]];
-    return b;
-  };
+  DisjointSets rigid(d.bodies.size());
   for (const Mechanism::Joint& j : d.joints) {
     if (j.type != Mechanism::JointType::fixed) continue;
-    const auto [a, b] = std::minmax({root(j.bodies[0]), root(j.bodies[1])});
-    first[b] = a;
+    const auto [first, later] = std::minmax({rigid.find(j.bodies[0]), rigid.find(j.bodies[1])});
+    rigid.unite(later, first);
   }
-  for (int b = 0; b < static_cast<int>(first.size()); ++b) first[b] = root(b);
+  std::vector<int> first;
+  for (int b = 0; b < static_cast<int>(d.bodies.size()); ++b) first.push_back(rigid.find(b));
   return first;
 }
 

@@ -42,7 +42,7 @@ std::string undetermined_spin(const Mechanism& d, const RigidBodies& rigid, int 
   std::vector<int> centres;
   for (const Mechanism::Joint& j : d.joints) {
     if (!concerns(rigid, j, body)) continue;
-    if (j.type != Mechanism::JointType::spherical) return {};
+    if (j.points.size() != 1 || !j.vectors.empty()) return {};  // not about a point alone
     if (std::ranges::find(centres, j.points[0]) == centres.end()) centres.push_back(j.points[0]);
   }
   return centres.size() == 2 ? line_of(d, centres[0], centres[1]) : std::string();
