@@ -28,6 +28,11 @@ struct Backend {
   bool allocates = false;  ///< takes memory from the heap in every factorisation
 };
 
+/// Returns a version as text: "5.10.1".
+inline std::string version_text(int major, int minor, int patch) {
+  return std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(patch);
+}
+
 /// Makes a solver of a class whose constructor takes only the pattern.
 template <class Solver>
 std::unique_ptr<LinearSolver<double>> make_sparse_solver(const Pattern& pattern,
