@@ -69,7 +69,7 @@ class Writer {
   }
 
   Json direction(const Direction& d) const {
-    if (d.is_segment()) return Json::array({point(d.from), point(d.to)});
+    if (d.is_line()) return Json::array({point(d.from), point(d.to)});
     return d_.vectors[d.vector].name;
   }
 

@@ -11,10 +11,10 @@ namespace desmo {
 
 namespace nominal {
 
-Vec direction(const Mechanism& d, const RigidBody& body, const Mechanism::Direction& segment) {
-  Vec v = direction(d, segment);
+Vec direction(const Mechanism& d, const RigidBody& body, const Mechanism::Direction& line) {
+  Vec v = direction(d, line);
   for (const auto& [a, b, length] : body.lengths)
-    if (segment.is_segment() && std::minmax({segment.from, segment.to}) == std::minmax({a, b})) {
+    if (line.is_line() && std::minmax({line.from, line.to}) == std::minmax({a, b})) {
       const double scale = length / norm(v);
       for (double& x : v) x *= scale;
     }
@@ -56,13 +56,13 @@ Basis choose_basis(const Mechanism& d, const RigidBody& body) {
           extend(orthonormal, d.vectors[v].direction, min_sine))
         basis.directions.push_back({v});
     for (const int p : body.points) {
-      const Mechanism::Direction segment{-1, basis.origin, p};
+      const Mechanism::Direction line{-1, basis.origin, p};
       if (orthonormal.size() < enough && !basis.has_point(p) &&
-          extend(orthonormal, nominal::direction(d, segment), min_sine))
-        basis.directions.push_back(segment);
+          extend(orthonormal, nominal::direction(d, line), min_sine))
+        basis.directions.push_back(line);
     }
   }
-  std::ranges::stable_partition(basis.directions, [](const auto& x) { return !x.is_segment(); });
+  std::ranges::stable_partition(basis.directions, [](const auto& x) { return !x.is_line(); });
   return basis;
 }
 
@@ -117,13 +117,13 @@ void require_nominal_lengths(const Mechanism& d, const RigidBody& body) {
 
 bool Basis::has_point(int point) const {
   return point == origin || std::ranges::any_of(directions, [&](const auto& d) {
-           return d.is_segment() && d.to == point;
+           return d.is_line() && d.to == point;
          });
 }
 
 bool Basis::has_vector(int vector) const {
   return std::ranges::any_of(directions,
-                             [&](const auto& d) { return !d.is_segment() && d.vector == vector; });
+                             [&](const auto& d) { return !d.is_line() && d.vector == vector; });
 }
 
 bool follows_from_points(const Mechanism& d, const RigidBody& body, int vector) {

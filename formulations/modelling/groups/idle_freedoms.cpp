@@ -16,9 +16,9 @@ std::string axis(const Mechanism& d, const Basis& basis) {
   const std::string& origin = d.points[basis.origin].name;
   if (basis.directions.empty()) return in_quotes(origin);
   const Mechanism::Direction& along = basis.directions.front();
-  return along.is_segment() ? line_of(d, along.from, along.to)
-                            : "the line through " + in_quotes(origin) + " along " +
-                                  in_quotes(d.vectors[along.vector].name);
+  return along.is_line() ? line_of(d, along.from, along.to)
+                         : "the line through " + in_quotes(origin) + " along " +
+                               in_quotes(d.vectors[along.vector].name);
 }
 
 bool concerns(const RigidBodies& rigid, const Mechanism::Joint& j, int body) {

@@ -34,7 +34,7 @@ std::vector<int> bodies_related(const RigidBodies& rigid, const Mechanism::Coord
   };
   const auto add_direction = [&](const Mechanism::Direction& direction) {
     if (!direction.is_given()) return;
-    if (!direction.is_segment()) return add(rigid.of_vector[direction.vector]);
+    if (!direction.is_line()) return add(rigid.of_vector[direction.vector]);
     const std::vector<int>&a = rigid.of_point[direction.from], &b = rigid.of_point[direction.to];
     std::vector<int> both;
     std::ranges::set_intersection(a, b, std::back_inserter(both));
