@@ -123,7 +123,7 @@ Table best_formulations(const Record& record) {
   add_row(table, record, "generated elimination, best settings",
           generated_with(record, start, Batch::none));
   add_row(table, record, "the same, in lanes", generated_with(record, start, Batch::lanes));
-  add_row(table, record, "the same, in segments, without lanes",
+  add_row(table, record, "the same, in segments instead of batches",
           generated_with(record, start, Batch::segments));
   return table;
 }
