@@ -28,6 +28,13 @@ bool all(const M& mask) {
   else
     return all_of(mask);
 }
+template <class M>
+bool any(const M& mask) {
+  if constexpr (std::is_same_v<M, bool>)
+    return mask;
+  else
+    return any_of(mask);
+}
 
 /// Number of values in an anchor: an angle, its sine and its cosine.
 inline constexpr int anchor_size = 3;
@@ -104,5 +111,8 @@ struct ExplicitKernel {
                                   const ExplicitBinding<double>* parts, int count);
   std::array<Solve*, 3> solve;  ///< indexed by Level
 };
+
+/// Returns the explicit kernel that desmo was built with for a fingerprint, or null.
+const ExplicitKernel* find_explicit_kernel(std::string_view fingerprint);
 
 }  // namespace desmo

@@ -178,8 +178,7 @@ TEST(Explicit, IsRightWhereItsCodeRefuses) {
   const Model m = four_bar_model(1);
   const std::vector<PartDefinition> parts = make_partition(m, Partition::group);
   const BoundKernel bound = bind_kernel(m, parts[1]).value();
-  ExplicitKernel refusing =
-      *KernelTable::built_in().find_explicit_kernel(bound.kernel->fingerprint);
+  ExplicitKernel refusing = *find_explicit_kernel(bound.kernel->fingerprint);
   refusing.solve[2] = [](double*, double*, double*, const ExplicitBinding<double>*, int) {
     return ExplicitRunResult{};
   };

@@ -46,7 +46,7 @@ class Chains : public testing::Test {
       }
       const BoundKernel bound = bind_kernel(m_, parts[i]).value();
       if (!Refusing::sound) {
-        Refusing::sound = KernelTable::built_in().find_explicit_kernel(bound.kernel->fingerprint);
+        Refusing::sound = find_explicit_kernel(bound.kernel->fingerprint);
         kernel_ = *Refusing::sound;
         kernel_.solve[2] = &Refusing::solve;
       }
