@@ -9,6 +9,7 @@
 #include <tuple>
 #include <vector>
 
+#include "formulations/algebra/backend.h"
 #include "formulations/variants.h"
 
 namespace desmo {
