@@ -83,7 +83,7 @@ Table best_formulations(const Record& record) {
   add_row(table, record, "generated elimination, best settings",
           generated_like(record, best->id, ""));
   add_row(table, record, "the same, in lanes", generated_like(record, best->id, "lanes"));
-  add_row(table, record, "the same, in segments, without lanes",
+  add_row(table, record, "the same, in segments instead of batches",
           generated_like(record, best->id, "segments"));
   return table;
 }

@@ -14,7 +14,6 @@ struct LiveRequest {
   std::string source, drivers;  ///< of the scene, for messages; of the rows: a file or -
   const Model& whole;           ///< the model of the scene
   const Plan& plan;             ///< what of it is solved
-  double tolerance;
   bool strict, past_failures, quiet;
 };
 

@@ -52,9 +52,8 @@ Configuration choose_formulation(const SolveOptions& options, const Input& input
     throw InputError(input.source + ": /formulation: " + what);
   };
   const std::string variant = id.substr(0, id.find('/'));
-  for (const std::string& reason : {unavailable_reason(variant), why_gone(variant)})
-    if (!reason.empty())
-      refuse("formulation " + desmo::in_quotes(variant) + ": " + printable(reason, 500));
+  if (const std::string reason = unavailable_reason(variant); !reason.empty())
+    refuse("formulation " + desmo::in_quotes(variant) + ": " + printable(reason, 500));
   std::vector<std::string_view> ids;
   for (const Variant& v : variants()) ids.push_back(v.id);
   if (std::ranges::find(ids, variant) == ids.end())
@@ -106,8 +105,8 @@ void solve(const SolveOptions& options) {
   if (!options.drivers.empty()) {
     if (const std::string reason = unsupported_live_reason(*formulation); !reason.empty())
       throw Error(usage_error, "--drivers with " + heading.formulation + ": " + reason);
-    solve_live({input.source, options.drivers, whole, plan, settings.tolerance, options.strict,
-                options.past_failures, options.quiet},
+    solve_live({input.source, options.drivers, whole, plan, options.strict, options.past_failures,
+                options.quiet},
                *formulation, heading, *format, output);
     output.finish();
     return;
