@@ -9,6 +9,17 @@ namespace {
 // A row with more characters has its intervals below the numbers.
 constexpr std::size_t max_row_width = 122;
 
+// Replaces each {name} of a page's frame, once.
+std::string filled(std::string_view frame,
+                   const std::vector<std::pair<std::string, std::string>>& values) {
+  std::string page(frame);
+  for (const auto& [name, text] : values) {
+    const std::size_t at = page.find("{" + name + "}");
+    page.replace(at, name.size() + 2, text);
+  }
+  return page;
+}
+
 std::string html_text(std::string_view text) {
   return escaped(text, {{'<', "&lt;"}, {'>', "&gt;"}, {'&', "&amp;"}, {'"', "&quot;"}});
 }
@@ -170,19 +181,24 @@ std::string sections_html(const Document& document) {
 }  // namespace
 
 std::string to_html(const Document& document) {
-  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src "
-         "data:; "
-         "style-src 'unsafe-inline'; script-src 'unsafe-inline' 'unsafe-eval'\">\n"
-         "<link rel=\"icon\" href=\"data:,\">\n" +
-         element("title", html_text(document.title)) + "\n<style>\n" +
-         std::string(embedded_file("page.css")) +
-         "</style>\n</head>\n<body>\n<a class=\"skip\" href=\"#content\">Skip to the content</a>\n"
-         "<header>" +
-         element("h1", html_text(document.title)) + "</header>\n<main id=\"content\">\n" +
-         sections_html(document) +
-         "</main>\n<!-- scripts -->\n<!-- end of scripts -->\n</body>\n</html>\n";
+  return filled(
+      embedded_file("page.template.html"),
+      {{"title", html_text(document.title)},
+       {"title", html_text(document.title)},
+       {"style", std::string(embedded_file("page.css"))},
+       {"home", document.home.empty() ? "" : "<a href=\"" + document.home + "\">All records</a>"},
+       {"sections", sections_html(document)}});
+}
+
+std::string to_index(const std::vector<IndexRow>& rows) {
+  std::string text;
+  for (const IndexRow& row : rows)
+    text += "<tr data-machine=\"" + html_text(row.machine) + "\" data-date=\"" +
+            html_text(row.date) + "\"><th scope=\"row\"><a href=\"" + html_text(row.address) +
+            "\">" + html_text(row.title) + "</a></th>" + element("td", html_text(row.machine)) +
+            element("td", html_text(row.date)) + "</tr>\n";
+  return filled(embedded_file("index.template.html"),
+                {{"style", std::string(embedded_file("page.css"))}, {"rows", text}});
 }
 
 }  // namespace desmo::report
