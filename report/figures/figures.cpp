@@ -104,9 +104,11 @@ NewFile figure(const Table& table) {
   keep_measured(spec, data, shown);
   if (meta.contains("legend")) shown = values_of(data, meta["legend"]);
   if (!shown.is_null()) spec["params"][0]["value"] = std::move(shown);
-  for (Json& datum : data)
-    for (const auto& [key, value] : Json(datum).items())
+  for (Json& datum : data) {
+    const Json all = datum;
+    for (const auto& [key, value] : all.items())
       if (design.find(key) == design.npos) datum.erase(key);
+  }
   spec["datasets"]["lines"] = Json::array();
   for (const auto& [what, at] : table.lines)
     spec["datasets"]["lines"].push_back({{"what", what}, {"at", at}});
