@@ -93,7 +93,8 @@ NewFile figure(const Table& table) {
   Json spec = Json::parse(embedded_file("common.template.json"));
   spec.update(Json::parse(design), true);
   spec["title"]["text"] = table.title;
-  spec["title"]["subtitle"] = table.notes;
+  spec["title"]["subtitle"] =
+      table.caption.empty() ? table.notes : std::vector<std::string>{table.caption};
   const Json meta = spec.value("usermeta", Json::object());
   Json data = data_of(table, meta.value("fold", ""));
   if (meta.contains("number") && std::ranges::none_of(data, [&](const Json& datum) {

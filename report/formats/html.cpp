@@ -112,24 +112,28 @@ std::string folded(const std::string& summary, const std::string& content) {
   return "<details>\n" + element("summary", html_text(summary)) + "\n" + content + "</details>\n";
 }
 
+std::string with_notes(const Table& table) {
+  return table_html(table) +
+         (table.notes.empty() ? "" : element("p class=\"notes\"", notes_html(table)) + "\n");
+}
+
 std::string figure_html(const Table& table) {
   const std::string& name = table.name;
+  const bool own = !table.caption.empty();  // then the notes stand below the data
   return "<figure id=\"" + name + "\">\n<figcaption>" +
          element("strong id=\"" + name + "-title\"", html_text(table.title)) + " " +
-         notes_html(table) + "</figcaption>\n<!-- " + name +
+         (own ? html_text(table.caption) : notes_html(table)) + "</figcaption>\n<!-- " + name +
          " -->\n<p class=\"missing\">Missing figure: " + name +
          ". report/figures/render draws it and needs Node.js; its numbers are in the table.</p>\n"
          "<!-- end of " +
-         name + " -->\n" + folded("The figure’s data as a table", table_html(table)) +
+         name + " -->\n" +
+         folded("The figure’s data as a table", own ? with_notes(table) : table_html(table)) +
          "</figure>\n";
 }
 
 std::string block_html(const Table& table) {
   if (!table.figure.empty()) return figure_html(table);
-  const std::string text =
-      table_html(table) +
-      (table.notes.empty() ? "" : element("p class=\"notes\"", notes_html(table)) + "\n");
-  return table.detail ? folded(table.title, text) : text;
+  return table.detail ? folded(table.title, with_notes(table)) : with_notes(table);
 }
 
 // Paragraphs alone are a list: limitations, failures.
