@@ -173,9 +173,9 @@ TEST_F(Program, WithoutNodeTheMissingFiguresAreNamed) {
   ASSERT_EQ(tables("complete.json", "--out " + out.string()), 0);
   const std::string render = "PATH=/nowhere /bin/sh " + std::string(DESMO_REPORT_RENDER) + " ";
   EXPECT_EQ(shell(render + out.string() + " " + (folder_ / "work").string()), 0);
-  EXPECT_EQ(out_,
-            "missing figure: figure5.svg (Node.js is not installed)\n"
-            "missing figure: figure6.svg (Node.js is not installed)\n");
+  EXPECT_TRUE(
+      out_.starts_with("missing figure: figure5.svg (Node.js is not installed)\n"
+                       "missing figure: figure6.svg (Node.js is not installed)\n"));
   for (const char* name : {"figure5", "figure6"})
     EXPECT_NE(files_in(out)["report.html"].find(std::string("Missing figure: ") + name),
               std::string::npos);
