@@ -35,14 +35,12 @@ std::vector<NamedRecord> read_records(const fs::path& folder) {
 
 /// The pages so far, and the rows of the index.
 struct Site {
-  void add(const std::string& folder, Document document, IndexRow row) {
+  void add(const IndexRow& row, Document document) {
     document.home = "../index.html";
     std::vector<NewFile> files = figures(document);
     files.push_back({"report.html", to_html(document)});
-    row.address = folder + "/report.html";
-    if (row.title.empty()) row.title = document.title;
-    rows.push_back(std::move(row));
-    pages.push_back({folder, std::move(files)});
+    rows.push_back(row);
+    pages.push_back({row.name, std::move(files)});
   }
 
   std::vector<SitePage> pages;
@@ -58,26 +56,21 @@ std::size_t rows_in(const Document& document) {
 
 /// Adds for every experiment of two machines the comparison that has most in common.
 void add_machines(Site& site, const std::vector<NamedRecord>& records) {
-  std::map<std::string, std::pair<Document, IndexRow>> best;  // by machines and experiment
-  for (const auto& [first_name, a] : records)
-    for (const auto& [second_name, b] : records) {
+  std::map<std::string, std::pair<IndexRow, Document>> best;  // by machines and experiment
+  for (const auto& [first, a] : records)
+    for (const auto& [second, b] : records) {
       if (a.machine.cpu >= b.machine.cpu || !different_work_reason(a, b).empty()) continue;
-      Document document = make_comparison(a, b);
+      const Document document = make_comparison(a, b);
       for (const Experiment& experiment : experiments) {
         if (!experiment.is_in(a) || !experiment.is_in(b)) continue;
-        auto& [most, row] = best[a.machine.cpu + b.machine.cpu + experiment.name];
-        if (rows_in(document) <= rows_in(most)) continue;
-        most = document;
-        row = {
-            {}, {}, a.machine.cpu + "; " + b.machine.cpu, std::max(a.date, b.date).substr(0, 10)};
-        row.address = first_name + "-and-" + second_name;
+        auto& page = best[a.machine.cpu + b.machine.cpu + experiment.name];
+        if (rows_in(document) > rows_in(page.second))
+          page = {{first + "-and-" + second, a.machine.cpu + "; " + b.machine.cpu,
+                   std::max(a.date, b.date).substr(0, 10)},
+                  document};
       }
     }
-  for (auto& [key, page] : best) {
-    const std::string folder = page.second.address;
-    if (std::ranges::count(site.pages, folder, &SitePage::folder) == 0)
-      site.add(folder, std::move(page.first), page.second);
-  }
+  for (const auto& [key, page] : best) site.add(page.first, page.second);
 }
 
 }  // namespace
@@ -86,13 +79,13 @@ std::vector<SitePage> make_site(const fs::path& results) {
   Site site;
   const std::vector<NamedRecord> records = read_records(results / "records");
   for (const auto& [name, record] : records)
-    site.add(name, make_report(record), {{}, {}, record.machine.cpu, record.date.substr(0, 10)});
+    site.add({name, record.machine.cpu, record.date.substr(0, 10)}, make_report(record));
   add_machines(site, records);
   if (const fs::path file = results / "history.json"; fs::exists(file)) {
     const History history = read_history(file);
-    const std::string date = history.points.empty() ? "" : history.points.back().date.substr(0, 10);
-    site.add("history", {sentence("site.history"), {history_section(history)}},
-             {{}, {}, sentence("site.every_machine"), date});
+    site.add(
+        {"history", "", history.points.empty() ? "" : history.points.back().date.substr(0, 10)},
+        {sentence("history_section.document"), {history_section(history)}});
   }
   site.pages.push_back({"", {{"index.html", to_index(site.rows)}}});
   return std::move(site.pages);

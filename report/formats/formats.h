@@ -32,9 +32,9 @@ std::string to_markdown(const Document& document);
 /// "scripts", belongs to report/figures/render, which puts the figures there.
 std::string to_html(const Document& document);
 
-/// A page of a site.
+/// A page of a site, NAME/report.html. Several machines are apart by "; ".
 struct IndexRow {
-  std::string title, address, machine, date;
+  std::string name, machine, date;
 };
 
 /// Writes the page of a site's index, self-contained, with a selector of machine and date.

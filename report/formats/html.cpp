@@ -196,11 +196,10 @@ std::string to_html(const Document& document) {
 
 std::string to_index(const std::vector<IndexRow>& rows) {
   std::string text;
-  for (const IndexRow& row : rows)
-    text += "<tr data-machine=\"" + html_text(row.machine) + "\" data-date=\"" +
-            html_text(row.date) + "\"><th scope=\"row\"><a href=\"" + html_text(row.address) +
-            "\">" + html_text(row.title) + "</a></th>" + element("td", html_text(row.machine)) +
-            element("td", html_text(row.date)) + "</tr>\n";
+  for (const auto& [name, machine, date] : rows)
+    text += "<tr><th scope=\"row\"><a href=\"" + html_text(name) + "/report.html\">" +
+            html_text(name) + "</a></th>" + element("td", html_text(machine)) +
+            element("td class=\"n\"", html_text(date)) + "</tr>\n";
   return filled(embedded_file("index.template.html"),
                 {{"style", std::string(embedded_file("page.css"))}, {"rows", text}});
 }
