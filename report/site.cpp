@@ -70,7 +70,9 @@ void add_machines(Site& site, const std::vector<NamedRecord>& records) {
                   document};
       }
     }
-  for (const auto& [key, page] : best) site.add(page.first, page.second);
+  for (const auto& [key, page] : best)
+    if (!std::ranges::count(site.pages, page.first.name, &SitePage::folder))
+      site.add(page.first, page.second);
 }
 
 }  // namespace
