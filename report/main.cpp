@@ -11,7 +11,9 @@
 #include "report/read/record.h"
 #include "report/read/record_file.h"
 #include "report/report.h"
+#include "report/site.h"
 #include "report/statistics/comparability.h"
+#include "report/tables/tables.h"
 #include "report/text/texts.h"
 
 namespace {
@@ -34,6 +36,7 @@ struct TablesCommand {
   std::string folder;  // empty: standard output only
   std::vector<std::string> formats;
   std::vector<std::string> tables;  // empty: all
+  std::string history;              // file; empty: none
   bool all = false;
 };
 
@@ -77,6 +80,10 @@ ExitCode tables(const TablesCommand& command) {
     records.push_back(std::move(record));
   }
   Document document = make_report(records);
+  if (!command.history.empty()) {
+    document.sections.push_back(history_section(read_history(command.history)));
+    document.sections.back().chapter = document.sections.back().title;
+  }
   if (!command.tables.empty()) document = with_tables(std::move(document), command.tables);
   const auto& chosen = command.formats;
   if (command.folder.empty() && (command.all || !chosen.empty() || !command.tables.empty())) {
@@ -117,6 +124,16 @@ ExitCode compare(const CompareCommand& command) {
   return no_verdict;
 }
 
+struct SiteCommand {
+  std::string results, folder;
+};
+
+ExitCode site(const SiteCommand& command) {
+  for (const SitePage& page : make_site(command.results))
+    write_files(std::filesystem::path(command.folder) / page.folder, page.files);
+  return success;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -138,6 +155,7 @@ int main(int argc, char** argv) {
                          "Write the files of every format, and the figures, into this folder");
   add_format(tables_app, command.formats);
   tables_app->add_option("--table", command.tables, "Only the table of this name; repeatable");
+  tables_app->add_option("--history", command.history, "Also this file of bench/check --history");
   tables_app->add_flag("--all", command.all, "Print every table, not only what stands in front");
   CompareCommand comparison;
   CLI::App* compare_app =
@@ -147,6 +165,11 @@ int main(int argc, char** argv) {
   compare_app->add_option("A", comparison.first, "The first record")->required();
   compare_app->add_option("B", comparison.second, "The second record")->required();
   add_format(compare_app, comparison.format);
+  SiteCommand filed;
+  CLI::App* site_app = app.add_subcommand("site", "A static site of all filed records");
+  site_app->add_option("results", filed.results, "The folder with records/ and history.json")
+      ->required();
+  site_app->add_option("--out", filed.folder, "Write the site into this folder")->required();
   CheckCommand check;
   CLI::App* check_app = app.add_subcommand("check", "The verdict of a check of bench/check");
   check_app->add_option("file", check.file, "The results file")->required();
@@ -172,6 +195,7 @@ int main(int argc, char** argv) {
   try {
     if (check_app->parsed()) return run(check);
     if (certificate_app->parsed()) return run(certificate);
+    if (site_app->parsed()) return site(filed);
     return compare_app->parsed() ? compare(comparison) : tables(command);
   } catch (const UsageError& error) {
     return failed(error, usage_error);

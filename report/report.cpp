@@ -13,14 +13,15 @@ namespace {
 std::vector<Section> paper_sections(const Record& record) {
   Section times = headed_section("times");
   times.tables = {figure_of_times(record)};
-  std::vector<Section> sections{answer(record), paper_tables(record), std::move(times)};
+  std::vector<Section> sections{answer(record), paper_tables(record)};
   const auto add = [&sections](Section section) {
     if (!section.tables.empty()) sections.push_back(std::move(section));
   };
+  add(every_formulation(record));
+  add(std::move(times));
   add(threads(record));
   add(requests(record));
   if (!record.peers.empty()) add(peers(record));
-  add(every_formulation(record));
   if (!record.profiles.empty()) add({sentence("time_split.section"), {}, {time_split(record)}});
   return sections;
 }

@@ -73,12 +73,15 @@ void keep_measured(Json& scale, const std::string& channel, std::set<std::string
   scale["range"] = std::move(range);
 }
 
-/// Does so in all scales below a node of a specification; returns the names that are left.
+/// Does so in all scales below a node of a specification; returns the names that are left. A scale
+/// of what the design computes stays as it is.
 void keep_measured(Json& node, const Json& data, Json& shown) {
   for (auto& [channel, child] : node.items()) {
-    if (child.is_object() && child.contains("field") && child.contains("scale") &&
-        child["scale"].contains("range") && child["scale"].contains("domain")) {
-      keep_measured(child["scale"], channel, values_of(data, child["field"]));
+    if (child.is_object() && child.contains("field") &&
+        child.value("scale", Json::object()).contains("range") &&
+        child["scale"].contains("domain")) {
+      if (const auto measured = values_of(data, child["field"]); !measured.empty())
+        keep_measured(child["scale"], channel, measured);
       shown = child["scale"]["domain"];
     }
     if (child.is_structured()) keep_measured(child, data, shown);
@@ -86,19 +89,27 @@ void keep_measured(Json& node, const Json& data, Json& shown) {
 }
 
 NewFile figure(const Table& table) {
+  const std::string_view design = embedded_file(table.figure + ".template.json");
   Json spec = Json::parse(embedded_file("common.template.json"));
-  spec.update(Json::parse(embedded_file(table.figure + ".template.json")), true);
+  spec.update(Json::parse(design), true);
   spec["title"]["text"] = table.title;
-  spec["title"]["subtitle"] = table.notes;
-  Json data = data_of(table, spec.value("/usermeta/fold"_json_pointer, ""));
-  if (const Json number = spec.value("/usermeta/number"_json_pointer, Json());
-      !number.is_null() && std::ranges::none_of(data, [&](const Json& datum) {
-        return datum[number.get<std::string>()].is_null();
+  spec["title"]["subtitle"] =
+      table.caption.empty() ? table.notes : std::vector<std::string>{table.caption};
+  const Json meta = spec.value("usermeta", Json::object());
+  Json data = data_of(table, meta.value("fold", ""));
+  if (meta.contains("number") && std::ranges::none_of(data, [&](const Json& datum) {
+        return datum[meta["number"].get<std::string>()].is_null();
       }))
     spec["vconcat"].erase(1);
   Json shown;
   keep_measured(spec, data, shown);
+  if (meta.contains("legend")) shown = values_of(data, meta["legend"]);
   if (!shown.is_null()) spec["params"][0]["value"] = std::move(shown);
+  for (Json& datum : data) {
+    const Json all = datum;
+    for (const auto& [key, value] : all.items())
+      if (design.find(key) == design.npos) datum.erase(key);
+  }
   spec["datasets"]["lines"] = Json::array();
   for (const auto& [what, at] : table.lines)
     spec["datasets"]["lines"].push_back({{"what", what}, {"at", at}});

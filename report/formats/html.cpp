@@ -9,6 +9,17 @@ namespace {
 // A row with more characters has its intervals below the numbers.
 constexpr std::size_t max_row_width = 122;
 
+// Replaces each {name} of a page's frame, once.
+std::string filled(std::string_view frame,
+                   const std::vector<std::pair<std::string, std::string>>& values) {
+  std::string page(frame);
+  for (const auto& [name, text] : values) {
+    const std::size_t at = page.find("{" + name + "}");
+    page.replace(at, name.size() + 2, text);
+  }
+  return page;
+}
+
 std::string html_text(std::string_view text) {
   return escaped(text, {{'<', "&lt;"}, {'>', "&gt;"}, {'&', "&amp;"}, {'"', "&quot;"}});
 }
@@ -101,24 +112,28 @@ std::string folded(const std::string& summary, const std::string& content) {
   return "<details>\n" + element("summary", html_text(summary)) + "\n" + content + "</details>\n";
 }
 
+std::string with_notes(const Table& table) {
+  return table_html(table) +
+         (table.notes.empty() ? "" : element("p class=\"notes\"", notes_html(table)) + "\n");
+}
+
 std::string figure_html(const Table& table) {
   const std::string& name = table.name;
+  const bool own = !table.caption.empty();  // then the notes stand below the data
   return "<figure id=\"" + name + "\">\n<figcaption>" +
          element("strong id=\"" + name + "-title\"", html_text(table.title)) + " " +
-         notes_html(table) + "</figcaption>\n<!-- " + name +
+         (own ? html_text(table.caption) : notes_html(table)) + "</figcaption>\n<!-- " + name +
          " -->\n<p class=\"missing\">Missing figure: " + name +
          ". report/figures/render draws it and needs Node.js; its numbers are in the table.</p>\n"
          "<!-- end of " +
-         name + " -->\n" + folded("The figure’s data as a table", table_html(table)) +
+         name + " -->\n" +
+         folded("The figure’s data as a table", own ? with_notes(table) : table_html(table)) +
          "</figure>\n";
 }
 
 std::string block_html(const Table& table) {
   if (!table.figure.empty()) return figure_html(table);
-  const std::string text =
-      table_html(table) +
-      (table.notes.empty() ? "" : element("p class=\"notes\"", notes_html(table)) + "\n");
-  return table.detail ? folded(table.title, text) : text;
+  return table.detail ? folded(table.title, with_notes(table)) : with_notes(table);
 }
 
 // Paragraphs alone are a list: limitations, failures.
@@ -170,19 +185,23 @@ std::string sections_html(const Document& document) {
 }  // namespace
 
 std::string to_html(const Document& document) {
-  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src "
-         "data:; "
-         "style-src 'unsafe-inline'; script-src 'unsafe-inline' 'unsafe-eval'\">\n"
-         "<link rel=\"icon\" href=\"data:,\">\n" +
-         element("title", html_text(document.title)) + "\n<style>\n" +
-         std::string(embedded_file("page.css")) +
-         "</style>\n</head>\n<body>\n<a class=\"skip\" href=\"#content\">Skip to the content</a>\n"
-         "<header>" +
-         element("h1", html_text(document.title)) + "</header>\n<main id=\"content\">\n" +
-         sections_html(document) +
-         "</main>\n<!-- scripts -->\n<!-- end of scripts -->\n</body>\n</html>\n";
+  return filled(
+      embedded_file("page.template.html"),
+      {{"title", html_text(document.title)},
+       {"title", html_text(document.title)},
+       {"style", std::string(embedded_file("page.css"))},
+       {"home", document.home.empty() ? "" : "<a href=\"" + document.home + "\">All records</a>"},
+       {"sections", sections_html(document)}});
+}
+
+std::string to_index(const std::vector<IndexRow>& rows) {
+  std::string text;
+  for (const auto& [name, machine, date] : rows)
+    text += "<tr><th scope=\"row\"><a href=\"" + html_text(name) + "/report.html\">" +
+            html_text(name) + "</a></th>" + element("td", html_text(machine)) +
+            element("td class=\"n\"", html_text(date)) + "</tr>\n";
+  return filled(embedded_file("index.template.html"),
+                {{"style", std::string(embedded_file("page.css"))}, {"rows", text}});
 }
 
 }  // namespace desmo::report

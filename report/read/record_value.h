@@ -44,6 +44,7 @@ class RecordValue {
   std::string name() const;    ///< letters, digits, "_" and "-" only: it becomes part of file names
   std::string digest() const;  ///< SHA-256: 64 hexadecimal digits in lower case
   std::string utc() const;     ///< a date that there is, and a time: 2026-11-21T17:48:47Z
+  bool is_number() const { return value_.is_number(); }
   bool boolean() const { return value_.boolean(); }
   std::int64_t integer(int least) const;  ///< in least ... 1e9
   double not_negative() const;            ///< and at most 1e100, so that sums stay finite

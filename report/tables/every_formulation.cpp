@@ -90,7 +90,9 @@ Section every_formulation(const Record& record) {
     const bool published = std::ranges::count(sizes, published_sizes().back()) > 0;
     for (const std::int64_t size : sizes) {
       section.tables.push_back(every_formulation(record, name, size));
-      section.tables.back().detail = size != (published ? published_sizes() : sizes).back();
+      if (size == (published ? published_sizes() : sizes).back()) continue;
+      section.tables.back().detail = true;
+      section.tables.back().figure.clear();
     }
   }
   return section;

@@ -115,8 +115,10 @@ std::vector<Section> extremes_sections(const Record& record) {
     cases.rows.back().push_back(example(results));
   }
   front.tables = {excerpt(rows, headed_table("extremes_in_short"))};
-  section.tables = {std::move(matrix), std::move(rows), std::move(cases)};
-  return {front, section};
+  section.tables = {std::move(rows), std::move(cases)};
+  Section formulations = headed_section("extremes_formulations");
+  formulations.tables = {std::move(matrix)};
+  return {front, section, formulations};
 }
 
 }  // namespace desmo::report

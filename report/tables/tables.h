@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "report/read/history.h"
 #include "report/read/record.h"
 #include "report/statistics/curves.h"
 #include "report/statistics/measurements.h"
@@ -120,7 +121,10 @@ std::vector<Section> instructions_sections(const Record& record);
 /// Shows which formulation does what where most go wrong, the front first. The record has extremes.
 std::vector<Section> extremes_sections(const Record& record);
 
-// ---- about the record ----
+// ---- about other commits, and about the record ----
+
+/// Draws the history of instructions a step, and lists the commits in which a candidate moved.
+Section history_section(const History& history);
 
 /// Shows when, on what and how it was measured.
 Table provenance(const Record& record);

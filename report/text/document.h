@@ -52,6 +52,7 @@ struct Table {
   bool detail = false;  ///< left out on the terminal, which says so; folded on the page
   std::string figure =
       {};  ///< the design drawn from it, as the figure `name`, above it on the page
+  std::string caption = {};                                ///< of the figure; empty: the notes
   std::vector<std::pair<std::string, double>> lines = {};  ///< of the figure: names and values
 };
 
@@ -66,6 +67,7 @@ struct Section {
 struct Document {
   std::string title;
   std::vector<Section> sections;
+  std::string home = {};  ///< address of the site's index; empty: the page stands alone
 };
 
 }  // namespace desmo::report

@@ -79,9 +79,10 @@ Table headed_table(std::string_view block, const TextValues& values) {
     if (word == "name") table.name = filled(text, values);
     if (word == "title") table.title = filled(text, values);
     if (word == "note") table.notes.push_back(filled(text, values));
+    if (word == "caption") table.caption = filled(text, values);
     if (word == "column") table.columns.push_back(parse_column(filled(text, values)));
     if (word == "detail") table.detail = true;
-    if (word == "figure") table.figure = block;
+    if (word == "figure") table.figure = text.empty() ? std::string(block) : text;
   }
   return table;
 }

@@ -14,7 +14,7 @@ const flags = [
 const patience = 120000;  // ms; a busy machine must not decide
 
 const marks = figure => [...figure.querySelectorAll(
-    '.drawing .role-mark :is([aria-roledescription="point"], [aria-roledescription="bar"])')];
+    '.drawing .role-mark :is([aria-roledescription="point"], [aria-roledescription="bar"], [aria-roledescription="rect mark"])')];
 
 // What the hover shows, mark by mark; events are sent to each, as some lie under others.
 function hovered(marks) {

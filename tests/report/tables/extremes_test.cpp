@@ -49,7 +49,7 @@ Json extremes_record() {
 }
 
 TEST(Extremes, AreATableOfFormulationsAndRows) {
-  const Table table = extremes_sections(record_from(extremes_record())).at(1).tables.at(0);
+  const Table table = extremes_sections(record_from(extremes_record())).at(2).tables.at(0);
   EXPECT_EQ(table.rows.size(), 2u);
   EXPECT_EQ(entry_at(table, {"klu"}, "2 dead points").shown, "DEFECT 1 of 2, 4e+03");
   EXPECT_EQ(entry_at(table, {"klu"}, "3 singular").shown, "n/a");
@@ -72,7 +72,7 @@ TEST(Extremes, CountDefectsInASentence) {
 TEST(Extremes, NameTheReasonOfTheWorst) {
   const Record record = record_from(extremes_record());
   const Section section = extremes_sections(record).at(1);
-  const Table &cases = section.tables.at(2), &rows = section.tables.at(1);
+  const Table &cases = section.tables.at(1), &rows = section.tables.at(0);
   EXPECT_EQ(entry_at(cases, {"2", "b"}, "example").shown, "klu/tolerance:1e-13: so it is");
   EXPECT_EQ(entry_at(cases, {"2", "a"}, "example").shown, "");
   EXPECT_EQ(entry_at(cases, {"2", "b"}, "missed").shown, "1");

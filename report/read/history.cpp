@@ -1,0 +1,31 @@
+#include "report/read/history.h"
+
+#include "report/read/record_file.h"
+
+namespace desmo::report {
+
+History read_history(const std::filesystem::path& file) {
+  return read_document(read_record_text(file), file.string(), [](const RecordValue& root) {
+    if (root["schema"].integer(0) != 1) root["schema"].complain("only schema 1 is read");
+    History history{root["cells"].list(&RecordValue::text), {}};
+    history.points = root["points"].list([&](const RecordValue& node) {
+      const RecordValue counts = node["instructions"];
+      HistoryPoint point{node["commit"].text(),
+                         node["date"].text(),
+                         node["subject"].text(),
+                         node["compiler"].text(),
+                         {}};
+      for (const RecordValue& count : counts.elements())
+        point.instructions.push_back(
+            count.is_number()
+                ? std::optional<std::int64_t>(static_cast<std::int64_t>(count.positive()))
+                : std::nullopt);
+      if (point.instructions.size() != history.candidates.size())
+        counts.complain("as many as cells were expected");
+      return point;
+    });
+    return history;
+  });
+}
+
+}  // namespace desmo::report

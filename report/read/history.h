@@ -1,0 +1,27 @@
+// results/history.json: instructions a step of some candidates, commit by commit. Plain data.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace desmo::report {
+
+struct HistoryPoint {
+  std::string commit, date, subject, compiler;
+  std::vector<std::optional<std::int64_t>>
+      instructions;  ///< a candidate each; nothing: not there yet
+};
+
+struct History {
+  std::vector<std::string> candidates;
+  std::vector<HistoryPoint> points;  ///< oldest first
+};
+
+/// Reads {"schema": 1, "cells", "points": [{"commit", "date", "subject", "compiler",
+/// "instructions"}]}. Throws InputError, naming file and place, and UnreadableRecord.
+History read_history(const std::filesystem::path& file);
+
+}  // namespace desmo::report
