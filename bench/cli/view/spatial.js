@@ -1,0 +1,1 @@
+import {start} from './main.js'; start(() => { throw new Error('none'); }, '');
