@@ -89,6 +89,7 @@ class PlanarPicture {
         this.stage.classList.remove('grabbed');
       });
     this.stage.addEventListener('wheel', event => {
+      if (!event.ctrlKey && document.activeElement !== this.stage) return;  // the reader scrolls
       event.preventDefault();
       this.zoom(Math.exp(-event.deltaY / 600), [event.offsetX, event.offsetY]);
     }, {passive: false});

@@ -31,12 +31,12 @@ function rows(data, columns, x) {
   return result;
 }
 
-function axis(orient, scale, title) {
+function axis(orient, scale, title, log) {
   return {
     orient, scale, title, grid: true, gridColor: soft, domainColor: 'currentColor', tickColor: soft,
     labelColor: 'currentColor', titleColor: 'currentColor', titleFontWeight: 'normal', labelFontSize: 11,
     titleFontSize: 12, tickCount: orient === 'bottom' ? 6 : 4, labelOverlap: true,
-    format: orient === 'left' ? '~g' : '~g', ...(orient === 'left' ? {minExtent: 44, titlePadding: 4} : {}),
+    ...(log ? {format: '~g'} : {}), ...(orient === 'left' ? {minExtent: 44, titlePadding: 4} : {}),
   };
 }
 
@@ -82,7 +82,7 @@ function specification(data, columns, {x, x_title, y_title, log, over_time, widt
       name: 'y', type: log ? 'log' : 'linear', domain: {fields: values}, range: 'height', nice: true, zero: !!zero,
       ...(log ? {domainMin: lowest < Infinity ? lowest : 1e-16} : {}),
     }],
-    axes: [axis('bottom', 'x', x_title), axis('left', 'y', y_title)],
+    axes: [axis('bottom', 'x', x_title), axis('left', 'y', y_title, log)],
     marks: [...(over_time ? [shade] : []), {type: 'group', clip: true, encode: {update: {
       width: {signal: 'width'}, height: {signal: 'height'}}}, marks: columns.map((_, j) => line(j)), interactive: false}],
   };

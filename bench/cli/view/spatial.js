@@ -1,1 +1,396 @@
-import {start} from './main.js'; start(() => { throw new Error('none'); }, '');
+// The picture of a spatial mechanism, in WebGL. Lengths are over the mechanism's size and about its
+// middle. Equal shapes are instances of one mesh, so that a frame is a few calls.
+import {
+  AmbientLight, BoxGeometry, BufferAttribute, BufferGeometry, CanvasTexture, Color, CylinderGeometry,
+  DirectionalLight, DoubleSide, GridHelper, Group, InstancedMesh, Line, LineBasicMaterial, Matrix4, Mesh,
+  MeshBasicMaterial, MeshLambertMaterial, PerspectiveCamera, PlaneGeometry, Quaternion, Scene, SphereGeometry,
+  Vector3, WebGLRenderer, RepeatWrapping, ConeGeometry,
+} from 'three';
+import {OrbitControls} from 'three/examples/jsm/controls/OrbitControls.js';
+import {at} from './data.js';
+import {marked, shapes} from './geometry.js';
+import {start} from './main.js';
+
+const link = 0.007, ball = 0.013;  // radii, of the mechanism's size
+const up = new Vector3(0, 1, 0);   // of a cylinder
+const [a, b, way, scale] = [new Vector3(), new Vector3(), new Vector3(), new Vector3()];
+const turn = new Quaternion(), matrix = new Matrix4();
+
+// Many of one shape, each placed anew in every frame.
+class Instances {
+  constructor(scene, geometry, count, material = new MeshLambertMaterial()) {
+    this.mesh = new InstancedMesh(geometry, material, Math.max(1, count));
+    this.mesh.count = count;
+    this.mesh.frustumCulled = false;
+    scene.add(this.mesh);
+  }
+  colour(k, colour) { this.mesh.setColorAt(k, colour); }
+  // A cylinder from one point to another.
+  between(k, from, to, radius) {
+    way.subVectors(to, from);
+    const length = way.length();
+    this.along(k, scale.addVectors(from, to).multiplyScalar(0.5), way, length, radius);
+  }
+  // A shape about a point, its y axis along a direction.
+  along(k, middle, direction, length, radius) {
+    a.copy(middle);
+    turn.setFromUnitVectors(up, b.copy(direction).normalize());
+    matrix.compose(a, turn, scale.set(radius, length, radius));
+    this.mesh.setMatrixAt(k, matrix);
+  }
+  hide(k) { this.mesh.setMatrixAt(k, matrix.makeScale(0, 0, 0)); }
+  done() { this.mesh.instanceMatrix.needsUpdate = true; }
+}
+
+// Stripes for what belongs to the ground.
+function hatching() {
+  const canvas = document.createElement('canvas');
+  canvas.width = canvas.height = 32;
+  const c = canvas.getContext('2d');
+  c.strokeStyle = '#888';
+  c.lineWidth = 5;
+  for (const x of [-32, 0, 32]) {
+    c.beginPath();
+    c.moveTo(x - 4, 36), c.lineTo(x + 36, -4);
+    c.stroke();
+  }
+  const texture = new CanvasTexture(canvas);
+  texture.wrapS = texture.wrapT = RepeatWrapping;
+  texture.repeat.set(3, 3);
+  return texture;
+}
+
+class SpatialPicture {
+  constructor(stage, data) {
+    Object.assign(this, {stage, data, instant: 0, scene: new Scene(), moving: [], traced: new Map(), arrows: {}});
+    shapes(data);
+    this.#frameOf();
+    this.renderer = new WebGLRenderer({antialias: true, alpha: true, preserveDrawingBuffer: true});
+    stage.append(this.renderer.domElement);
+    this.camera = new PerspectiveCamera(30, 1, 0.01, 50);
+    this.camera.up.set(0, 0, 1);
+    this.controls = new OrbitControls(this.camera, stage);
+    this.controls.addEventListener('change', () => this.render());
+    this.scene.add(new AmbientLight(0xffffff, 1.6));
+    const light = new DirectionalLight(0xffffff, 2);
+    light.position.set(1, -2, 4);
+    this.scene.add(light);
+    this.#build();
+    this.fit();
+    this.#steer();
+    this.#colours();
+    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.#colours());
+    for (const type of ['beforeprint', 'afterprint']) window.addEventListener(type, () => this.#colours());
+    new ResizeObserver(() => this.#resize()).observe(stage);
+  }
+
+  // ---- what is where ----
+
+  #frameOf() {
+    const {data} = this;
+    this.low = [Infinity, Infinity, Infinity];
+    this.high = [-Infinity, -Infinity, -Infinity];
+    for (const point of data.points)
+      for (let i = 0; i < data.shown; i += Math.max(1, data.shown >> 7))
+        at(data, point, i).forEach((x, axis) => {
+          this.low[axis] = Math.min(this.low[axis], x);
+          this.high[axis] = Math.max(this.high[axis], x);
+        });
+    this.middle = this.low.map((x, axis) => (x + this.high[axis]) / 2);
+  }
+
+  #world(p, i, to) {
+    const x = at(this.data, this.data.points[p], i), {middle, data: {size}} = this;
+    return to.set((x[0] - middle[0]) / size, (x[1] - middle[1]) / size, (x[2] - middle[2]) / size);
+  }
+  #direction(v, i, to) { return to.fromArray(at(this.data, this.data.vectors[v], i)); }
+
+  screen(p) {
+    const x = this.placed[p].clone().project(this.camera);
+    return [(x.x + 1) / 2 * this.stage.clientWidth, (1 - x.y) / 2 * this.stage.clientHeight];
+  }
+  // Returns the position of a point as the picture has it.
+  position(p) {
+    this.dots.mesh.getMatrixAt(p, matrix);
+    a.setFromMatrixPosition(matrix);
+    return a.toArray().map((x, axis) => this.middle[axis] + x * this.data.size);
+  }
+
+  // ---- what there is ----
+
+  #build() {
+    const {data, scene} = this;
+    const cylinder = new CylinderGeometry(1, 1, 1, 14);
+    this.placed = data.points.map(() => new Vector3());
+    const edges = data.bodies.flatMap(body => body.edges.map(ends => ({body, ends})));
+    const rails = data.joints.filter(j => j.rail);
+    this.links = new Instances(scene, cylinder, edges.length + 2 * rails.length);
+    edges.forEach(({body, ends: [p, q]}, k) => {
+      this.links.group ??= [];
+      this.links.group[k] = body.group;
+      this.moving.push(() => this.links.between(k, this.placed[p], this.placed[q], body.plate.length > 0 ? 0.7 * link : link));
+    });
+    rails.forEach((joint, k) => this.#addRail(joint, edges.length + 2 * k));
+    this.dots = new Instances(scene, new SphereGeometry(1, 14, 10), data.points.length);
+    data.points.forEach((point, p) => {
+      const spherical = point.joints.some(j => j.type === 'spherical');
+      const radius = spherical ? ball : point.joints.length > 0 ? 0.8 * ball : 0.75 * link;
+      matrix.makeScale(radius, radius, radius);
+      this.moving.push(() => {
+        matrix.makeScale(radius, radius, radius).setPosition(this.placed[p]);
+        this.dots.mesh.setMatrixAt(p, matrix);
+      });
+    });
+    this.#addAxes(cylinder);
+    this.#addPlates();
+    this.#addGround();
+    this.#addDrivers();
+  }
+
+  // A rod along the axis of a sliding joint, and a sleeve about it.
+  #addRail(joint, k) {
+    const {origin, axis, slider, reach} = joint.rail, {data} = this;
+    const grounded = joint.bodies.includes(0);
+    const [first, last] = joint.bodies;
+    this.links.group ??= [];
+    this.links.group[k] = data.bodies[grounded ? 0 : last].group;
+    this.links.group[k + 1] = data.bodies[first === 0 ? last : first].group;
+    const d = new Vector3(), from = new Vector3(), to = new Vector3();
+    this.moving.push(i => {
+      this.#direction(axis, i, d);
+      const o = this.placed[origin], s = this.placed[slider];
+      if (grounded) {
+        const still = first === 0 ? o : s, moves = first === 0 ? s : o, sign = first === 0 ? 1 : -1;
+        from.copy(still).addScaledVector(d, sign * reach[0] / data.size);
+        to.copy(still).addScaledVector(d, sign * reach[1] / data.size);
+        this.links.between(k, from, to, 0.6 * link);
+        from.copy(moves).addScaledVector(d, -0.03);
+        to.copy(moves).addScaledVector(d, 0.03);
+        this.links.between(k + 1, from, to, 2 * link);
+        return;
+      }
+      this.links.between(k, o, s, 0.6 * link);
+      const most = Math.max(Math.abs(reach[0]), Math.abs(reach[1])) / data.size - 0.06;
+      from.subVectors(s, o).normalize().multiplyScalar(0.55 * most).add(o);
+      this.links.between(k + 1, o, from, 1.5 * link);
+    });
+  }
+
+  // The axes of joints that turn: short cylinders across.
+  #addAxes(cylinder) {
+    const {data} = this;
+    const list = data.joints.filter(j => j.type !== 'spherical' && j.type !== 'fixed' && !j.rail)
+        .flatMap(j => j.vectors.map(v => ({p: j.points[0], v, long: j.type === 'universal' ? 0.045 : 0.06,
+                                           thin: j.type === 'universal' ? 0.5 : 1.1})));
+    this.axes = new Instances(this.scene, cylinder, list.length);
+    const d = new Vector3();
+    list.forEach(({p, v, long, thin}, k) => {
+      this.moving.push(i => this.axes.along(k, this.placed[p], this.#direction(v, i, d), long, thin * link));
+    });
+  }
+
+  // Plates of bodies, all in one mesh.
+  #addPlates() {
+    const {data} = this;
+    const triangles = data.bodies.flatMap(body => body.plate.slice(2).map(
+        (_, k) => ({body, corners: [body.plate[0], body.plate[k + 1], body.plate[k + 2]]})));
+    if (triangles.length === 0) return;
+    const places = new Float32Array(9 * triangles.length);
+    this.plates = {triangles, colours: new Float32Array(9 * triangles.length)};
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', new BufferAttribute(places, 3));
+    geometry.setAttribute('color', new BufferAttribute(this.plates.colours, 3));
+    const mesh = new Mesh(geometry, new MeshBasicMaterial(
+        {vertexColors: true, transparent: true, opacity: 0.22, side: DoubleSide, depthWrite: false}));
+    mesh.frustumCulled = false;
+    this.plates.geometry = geometry;
+    this.scene.add(mesh);
+    this.moving.push(() => {
+      triangles.forEach(({corners}, k) =>
+          corners.forEach((p, j) => this.placed[p].toArray(places, 9 * k + 3 * j)));
+      geometry.attributes.position.needsUpdate = true;
+    });
+  }
+
+  // Hatched pads below what is joined to the ground, and a grid at the lowest point.
+  #addGround() {
+    const {data} = this;
+    const grounded = new Set(data.joints.filter(j => j.bodies.includes(0)).map(
+        j => j.points[j.rail && j.bodies[1] === 0 ? 1 : 0]));
+    const material = new MeshBasicMaterial({map: hatching(), transparent: true, side: DoubleSide});
+    this.pads = new Instances(this.scene, new PlaneGeometry(0.07, 0.07), grounded.size, material);
+    [...grounded].forEach((p, k) => this.moving.push(() => {
+      matrix.makeTranslation(this.placed[p].x, this.placed[p].y, this.placed[p].z - 1.1 * ball);
+      this.pads.mesh.setMatrixAt(k, matrix);
+    }));
+    const grid = new GridHelper(1.6, 16, 0x888888, 0x888888);
+    grid.rotation.x = Math.PI / 2;
+    grid.position.z = (this.low[2] - this.middle[2]) / data.size - 0.04;
+    grid.material.transparent = true;
+    grid.material.opacity = 0.25;
+    this.scene.add(grid);
+  }
+
+  // Arrows: along what is measured, or about the vertex of an angle.
+  #addDrivers() {
+    const {data} = this;
+    this.drivers = new Instances(this.scene, new ConeGeometry(1, 1, 12), 2 * data.drivers.length);
+    const d = new Vector3(), tip = new Vector3();
+    data.drivers.forEach((driver, k) => {
+      const [p, other] = marked(data, driver);
+      const place = (which, at_point, direction, sign) => {
+        tip.copy(at_point).addScaledVector(direction, sign * 0.045);
+        this.drivers.along(2 * k + which, tip, b.clone().copy(direction).multiplyScalar(sign), 0.035, 0.013);
+      };
+      this.moving.push(i => {
+        if (p === undefined) return this.drivers.hide(2 * k), this.drivers.hide(2 * k + 1);
+        d.set(driver.axis === 0 ? 1 : 0, driver.axis === 1 ? 1 : 0, driver.axis === 2 ? 1 : 0);
+        const turning = data.points[p].joints.find(j => j.type === 'revolute' || j.type === 'cylindrical');
+        if (driver.type === 'angle' && turning?.vectors.length) this.#direction(turning.vectors[0], i, d);
+        else if (other !== undefined) d.subVectors(this.placed[other], this.placed[p]).normalize();
+        place(0, this.placed[p], d, 1);
+        place(1, other !== undefined && driver.type !== 'angle' ? this.placed[other] : this.placed[p], d, -1);
+      });
+    });
+  }
+
+  // ---- what is chosen ----
+
+  trace(p, colour) {
+    this.traced.get(p)?.removeFromParent();
+    this.traced.delete(p);
+    if (!colour) return;
+    const group = new Group();
+    let run = [];
+    const finish = () => {
+      if (run.length > 1) {
+        const geometry = new BufferGeometry().setFromPoints(run);
+        group.add(new Line(geometry, new LineBasicMaterial({color: this.#css(colour)})));
+      }
+      run = [];
+    };
+    for (let i = 0; i < this.data.shown; ++i) {
+      if (this.data.holes.has(i)) finish();
+      run.push(this.#world(p, i, new Vector3()));
+    }
+    finish();
+    this.traced.set(p, group);
+    this.scene.add(group);
+    this.render();
+  }
+
+  showArrows(kind, shown) {
+    for (const part of this.arrows[kind] ?? []) part.mesh.removeFromParent();
+    delete this.arrows[kind];
+    const colour = this.#css(kind === 'velocity' ? 'var(--speed)' : 'var(--pull)');
+    if (shown) {
+      const {length} = this.data.points;
+      this.arrows[kind] = [new CylinderGeometry(1, 1, 1, 8), new ConeGeometry(1, 1, 10)].map(
+          geometry => new Instances(this.scene, geometry, length, new MeshBasicMaterial({color: colour})));
+    }
+    this.show(this.instant);
+  }
+
+  #drawArrows(i) {
+    const {data} = this;
+    const end = new Vector3(), d = new Vector3();
+    for (const [kind, [shafts, heads]] of Object.entries(this.arrows)) {
+      data.points.forEach((point, p) => {
+        d.fromArray(at(data, point, i, kind)).multiplyScalar(0.16 / data.longest(kind));
+        if (d.length() < 2e-3) return shafts.hide(p), heads.hide(p);
+        end.addVectors(this.placed[p], d);
+        shafts.between(p, this.placed[p], end, 0.35 * link);
+        heads.along(p, end, d, Math.min(0.025, d.length()), 0.9 * link);
+      });
+      shafts.done(), heads.done();
+    }
+  }
+
+  mark(points, stuck) {
+    this.opened?.mesh.removeFromParent();
+    this.opened = null;
+    this.stage.classList.toggle('stuck', stuck);
+    if (points.length === 0) return this.render();
+    this.opened = new Instances(this.scene, new SphereGeometry(2.2 * ball, 16, 12), points.length,
+                                new MeshBasicMaterial({color: this.#css('var(--alarm)'), transparent: true, opacity: 0.5}));
+    points.forEach((p, k) => this.opened.mesh.setMatrixAt(k, matrix.makeTranslation(this.placed[p])));
+    this.render();
+  }
+
+  #css(colour) {
+    const name = colour.match(/var\((.*)\)/)?.[1];
+    return new Color(name ? getComputedStyle(document.documentElement).getPropertyValue(name).trim() : colour);
+  }
+
+  #colours() {
+    const {data} = this;
+    const of = g => this.#css(g < 0 ? 'var(--soft)' : data.colour(g));
+    const ink = this.#css('var(--ink)'), driver = this.#css('var(--driver)');
+    this.links.group?.forEach((g, k) => this.links.colour(k, of(g)));
+    data.points.forEach((_, p) => this.dots.colour(p, ink));
+    for (let k = 0; k < this.axes.mesh.count; ++k) this.axes.colour(k, ink);
+    for (let k = 0; k < this.drivers.mesh.count; ++k) this.drivers.colour(k, driver);
+    this.plates?.triangles.forEach(({body}, k) => {
+      for (let j = 0; j < 3; ++j) of(body.group).toArray(this.plates.colours, 9 * k + 3 * j);
+    });
+    if (this.plates) this.plates.geometry.attributes.color.needsUpdate = true;
+    for (const {mesh} of [this.links, this.dots, this.axes, this.drivers])
+      if (mesh.instanceColor) mesh.instanceColor.needsUpdate = true;
+    this.render();
+  }
+
+  // ---- how it is seen ----
+
+  fit() {
+    const distance = 1.15 / Math.tan(Math.PI / 180 * 30);
+    const narrow = Math.max(1, 1.1 * this.stage.clientHeight / this.stage.clientWidth);
+    this.controls.target.set(0, 0, 0);
+    this.camera.position.set(0.62, -1, 0.5).normalize().multiplyScalar(distance * narrow);
+    this.controls.update();
+    this.#resize();
+  }
+
+  zoom(by) {
+    this.camera.position.sub(this.controls.target).divideScalar(by).add(this.controls.target);
+    this.controls.update();
+  }
+
+  #resize() {
+    const {clientWidth: width, clientHeight: height} = this.stage;
+    this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
+    this.renderer.setSize(width, height, false);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    this.render();
+  }
+
+  // Arrow keys turn the camera while the picture has the focus.
+  #steer() {
+    this.stage.dataset.turns = 'true';
+    const angles = {ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1]};
+    this.stage.addEventListener('keydown', event => {
+      const angle = angles[event.key];
+      if (!angle || event.shiftKey) return;
+      event.preventDefault();
+      const x = this.camera.position.clone().sub(this.controls.target), r = x.length();
+      const turned = Math.atan2(x.y, x.x) + angle[0];
+      const raised = Math.min(3.1, Math.max(0.04, Math.acos(x.z / r) + angle[1]));
+      this.camera.position.set(Math.cos(turned) * Math.sin(raised), Math.sin(turned) * Math.sin(raised), Math.cos(raised))
+          .multiplyScalar(r).add(this.controls.target);
+      this.controls.update();
+    });
+  }
+
+  render() { this.renderer.render(this.scene, this.camera); }
+
+  show(i) {
+    this.instant = i;
+    this.placed.forEach((x, p) => this.#world(p, i, x));
+    for (const move of this.moving) move(i);
+    for (const part of [this.links, this.dots, this.axes, this.pads, this.drivers]) part.done();
+    this.#drawArrows(i);
+    this.render();
+  }
+}
+
+start((stage, data) => new SpatialPicture(stage, data), 'the camera turns, with the arrow keys too once the picture has the focus');
