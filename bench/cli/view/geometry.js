@@ -86,13 +86,15 @@ function reach(data, origin, axis, point) {
 }
 
 // Adds to each body its edges and plate, to each point what joins there and who carries it, and to
-// sliding joints their rails.
+// sliding joints their rails. Of measured distances those remain that no link shows.
 export function shapes(data) {
   for (const point of data.points) Object.assign(point, {joints: [], bodies: []});
   data.bodies.forEach((body, b) => {
     Object.assign(body, b === 0 ? {edges: [], plate: []} : shape(data, body));
     for (const p of body.points) data.points[p].bodies.push(body);
   });
+  data.measures = data.measures.filter(
+      ends => !data.bodies.some((body, b) => b > 0 && ends.every(p => body.points.includes(p))));
   for (const joint of data.joints) {
     for (const p of joint.points) data.points[p].joints.push(joint);
     const [first, last] = joint.points;

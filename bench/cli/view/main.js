@@ -172,11 +172,12 @@ function writeWords(data, turning) {
   get('turning').textContent = turning;
 }
 
-function writeScript(data, player) {
+function writeAbout(data, player) {
   const {frames, total, longest} = player.script;
+  const script = frames > 20 ? ` Script a frame: ${(total / frames).toFixed(1)} ms, at most ${longest.toFixed(1)} ms.` : '';
   get('about').textContent = `Solved by ${data.formulation}; ${data.accuracy}. The picture shows solved positions only, ` +
       `to 1e-5 of the mechanism's size; plots have seven digits. Condition and bounds are estimates, which between ` +
-      `assessed instants are expectations with a margin. Script a frame: ${(total / frames).toFixed(1)} ms, at most ${longest.toFixed(1)} ms.`;
+      `assessed instants are expectations with a margin.${script}`;
 }
 
 // Says what is wrong at a time, and marks in the picture what does not close.
@@ -224,8 +225,8 @@ export function start(make, turning) {
     if (data.failed.length > 0) player.go(data.failed[0].from);
     else player.draw();
     await plots.draw();
-    writeScript(data, player);
-    setInterval(() => player.playing && writeScript(data, player), 1000);
+    writeAbout(data, player);
+    setInterval(() => player.playing && writeAbout(data, player), 1000);
     Object.assign(window.desmo, {
       instants: data.shown,
       time: k => data.times[k],

@@ -220,8 +220,9 @@ class Writer {
       if (d.is_segment()) return {{"from", d.from}, {"to", d.to}};
       return nullptr;
     };
-    Json drivers = Json::array();
+    Json drivers = Json::array(), measures = Json::array();
     for (const Mechanism::Coordinate& c : mechanism().coordinates) {
+      if (c.type == Mechanism::CoordinateType::distance) measures.push_back({c.of.from, c.of.to});
       if (!c.driven) continue;
       drivers.push_back({{"name", c.name},
                          {"type", text_of(c.type)},
@@ -234,6 +235,7 @@ class Writer {
                          {"column", plotted(m_.find(c.name), Level::position)}});
     }
     json_["drivers"] = drivers;
+    json_["measures"] = measures;
   }
 
   void write_flags() {

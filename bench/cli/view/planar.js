@@ -100,6 +100,10 @@ class PlanarPicture {
   #build() {
     shapes(this.data);
     this.data.bodies.forEach((body, b) => b > 0 && this.#addBody(body));
+    for (const [a, b] of this.data.measures) {
+      const line = add(this.layers.rails, 'line', {class: 'guide'});
+      this.moving.push(i => this.#line(line, this.#world(a, i), this.#world(b, i)));
+    }
     for (const joint of this.data.joints) this.#addJoint(joint);
     for (const driver of this.data.drivers) this.#addDriver(driver);
     this.points = this.data.points.map((point, p) => {

@@ -207,12 +207,14 @@ export class Plots {
     this.plain = data.plotted.filter(c => data.columns[c].level === 0);
     this.driven = data.drivers.map(d => d.column);
     const free = this.plain.filter(c => !this.driven.includes(c));
-    const units = c => data.columns[c].unit;
-    const first = (free.length > 0 ? free : this.plain);
+    const unit = c => data.columns[c].unit;
+    const relative = free.filter(c => !/\.[xyz]$/.test(data.columns[c].name));
+    const first = [relative, free, this.plain].find(list => list.length > 0) ?? [];
     this.chosen = new Set(data.requested ? first.slice(0, 6)
-        : first.filter(c => units(c) === units(first[0])).slice(0, most_chosen));
+        : first.filter(c => unit(c) === unit(first[0])).slice(0, most_chosen));
     this.levels = new Set([0]);
-    this.axes = {x: this.driven[0], y: first[0]};
+    const moves = c => new Set(data.columns[c].values).size > 1;
+    this.axes = {x: this.driven.find(moves) ?? this.driven[0], y: first[0]};
   }
 
   #addChoices() {
@@ -268,7 +270,7 @@ export class Plots {
       const name = c => `${data.columns[c].name} [${data.columns[c].unit}]`;
       list.push([[this.axes.y], {
         x: data.columns[this.axes.x].values, title: 'output against driver', x_title: name(this.axes.x),
-        y_title: name(this.axes.y), over_time: false,
+        y_title: `[${data.columns[this.axes.y].unit}]`, over_time: false,
         controls: [selection('output', this.plain, data, this.axes.y, change('y')),
                    selection('driver', this.driven, data, this.axes.x, change('x'))],
       }]);

@@ -11,9 +11,9 @@ import {at} from './data.js';
 import {marked, shapes} from './geometry.js';
 import {start} from './main.js';
 
-const link = 0.007, ball = 0.013;  // radii, of the mechanism's size
+const thin = 0.007, round = 0.013;  // radii of links and joints, of the mechanism's size
 const up = new Vector3(0, 1, 0);   // of a cylinder
-const [a, b, way, scale] = [new Vector3(), new Vector3(), new Vector3(), new Vector3()];
+const [a, b, way, middle, scale] = Array.from({length: 5}, () => new Vector3());
 const turn = new Quaternion(), matrix = new Matrix4();
 
 // Many of one shape, each placed anew in every frame.
@@ -28,8 +28,7 @@ class Instances {
   // A cylinder from one point to another.
   between(k, from, to, radius) {
     way.subVectors(to, from);
-    const length = way.length();
-    this.along(k, scale.addVectors(from, to).multiplyScalar(0.5), way, length, radius);
+    this.along(k, middle.addVectors(from, to).multiplyScalar(0.5), way, way.length(), radius);
   }
   // A shape about a point, its y axis along a direction.
   along(k, middle, direction, length, radius) {
@@ -65,7 +64,9 @@ class SpatialPicture {
     Object.assign(this, {stage, data, instant: 0, scene: new Scene(), moving: [], traced: new Map(), arrows: {}});
     shapes(data);
     this.#frameOf();
+    this.unit = this.#unit();
     this.renderer = new WebGLRenderer({antialias: true, alpha: true, preserveDrawingBuffer: true});
+    this.renderer.debug.checkShaderErrors = false;  // to ask would wait
     stage.append(this.renderer.domElement);
     this.camera = new PerspectiveCamera(30, 1, 0.01, 50);
     this.camera.up.set(0, 0, 1);
@@ -99,6 +100,16 @@ class SpatialPicture {
     this.middle = this.low.map((x, axis) => (x + this.high[axis]) / 2);
   }
 
+  // Returns the size of joints and links: smaller where bodies are small in a large mechanism.
+  #unit() {
+    const {data} = this;
+    const long = ([p, q]) => Math.hypot(...at(data, data.points[p], 0).map(
+        (x, axis) => x - at(data, data.points[q], 0)[axis])) / data.size;
+    const lengths = data.bodies.filter(body => body.edges.length > 0)
+        .map(body => Math.max(...body.edges.map(long))).sort((x, y) => x - y);
+    return Math.min(1, Math.max(0.3, 5 * (lengths[lengths.length >> 1] ?? 1)));
+  }
+
   #world(p, i, to) {
     const x = at(this.data, this.data.points[p], i), {middle, data: {size}} = this;
     return to.set((x[0] - middle[0]) / size, (x[1] - middle[1]) / size, (x[2] - middle[2]) / size);
@@ -120,17 +131,23 @@ class SpatialPicture {
 
   #build() {
     const {data, scene} = this;
+    const link = thin * this.unit, ball = round * this.unit;
     const cylinder = new CylinderGeometry(1, 1, 1, 14);
     this.placed = data.points.map(() => new Vector3());
     const edges = data.bodies.flatMap(body => body.edges.map(ends => ({body, ends})));
     const rails = data.joints.filter(j => j.rail);
-    this.links = new Instances(scene, cylinder, edges.length + 2 * rails.length);
+    this.links = new Instances(scene, cylinder, edges.length + 2 * rails.length + data.measures.length);
+    this.links.group = [];
     edges.forEach(({body, ends: [p, q]}, k) => {
-      this.links.group ??= [];
       this.links.group[k] = body.group;
       this.moving.push(() => this.links.between(k, this.placed[p], this.placed[q], body.plate.length > 0 ? 0.7 * link : link));
     });
     rails.forEach((joint, k) => this.#addRail(joint, edges.length + 2 * k));
+    data.measures.forEach(([p, q], k) => {
+      const place = edges.length + 2 * rails.length + k;
+      this.links.group[place] = -1;
+      this.moving.push(() => this.links.between(place, this.placed[p], this.placed[q], 0.25 * link));
+    });
     this.dots = new Instances(scene, new SphereGeometry(1, 14, 10), data.points.length);
     data.points.forEach((point, p) => {
       const spherical = point.joints.some(j => j.type === 'spherical');
@@ -149,10 +166,10 @@ class SpatialPicture {
 
   // A rod along the axis of a sliding joint, and a sleeve about it.
   #addRail(joint, k) {
-    const {origin, axis, slider, reach} = joint.rail, {data} = this;
+    const {origin, axis, slider, reach} = joint.rail, {data, unit} = this;
+    const link = thin * unit;
     const grounded = joint.bodies.includes(0);
     const [first, last] = joint.bodies;
-    this.links.group ??= [];
     this.links.group[k] = data.bodies[grounded ? 0 : last].group;
     this.links.group[k + 1] = data.bodies[first === 0 ? last : first].group;
     const d = new Vector3(), from = new Vector3(), to = new Vector3();
@@ -164,8 +181,8 @@ class SpatialPicture {
         from.copy(still).addScaledVector(d, sign * reach[0] / data.size);
         to.copy(still).addScaledVector(d, sign * reach[1] / data.size);
         this.links.between(k, from, to, 0.6 * link);
-        from.copy(moves).addScaledVector(d, -0.03);
-        to.copy(moves).addScaledVector(d, 0.03);
+        from.copy(moves).addScaledVector(d, -0.03 * unit);
+        to.copy(moves).addScaledVector(d, 0.03 * unit);
         this.links.between(k + 1, from, to, 2 * link);
         return;
       }
@@ -178,14 +195,14 @@ class SpatialPicture {
 
   // The axes of joints that turn: short cylinders across.
   #addAxes(cylinder) {
-    const {data} = this;
-    const list = data.joints.filter(j => j.type !== 'spherical' && j.type !== 'fixed' && !j.rail)
-        .flatMap(j => j.vectors.map(v => ({p: j.points[0], v, long: j.type === 'universal' ? 0.045 : 0.06,
-                                           thin: j.type === 'universal' ? 0.5 : 1.1})));
+    const {data, unit} = this;
+    const sizes = {universal: [0.045, 0.5], revolute: [0.06, 1.1]};
+    const list = data.joints.filter(j => sizes[j.type] && !j.rail).flatMap(j => j.vectors.map(
+        v => ({p: j.points[0], v, long: sizes[j.type][0] * unit, radius: sizes[j.type][1] * thin * unit})));
     this.axes = new Instances(this.scene, cylinder, list.length);
     const d = new Vector3();
-    list.forEach(({p, v, long, thin}, k) => {
-      this.moving.push(i => this.axes.along(k, this.placed[p], this.#direction(v, i, d), long, thin * link));
+    list.forEach(({p, v, long, radius}, k) => {
+      this.moving.push(i => this.axes.along(k, this.placed[p], this.#direction(v, i, d), long, radius));
     });
   }
 
@@ -214,13 +231,13 @@ class SpatialPicture {
 
   // Hatched pads below what is joined to the ground, and a grid at the lowest point.
   #addGround() {
-    const {data} = this;
+    const {data, unit} = this;
     const grounded = new Set(data.joints.filter(j => j.bodies.includes(0)).map(
         j => j.points[j.rail && j.bodies[1] === 0 ? 1 : 0]));
     const material = new MeshBasicMaterial({map: hatching(), transparent: true, side: DoubleSide});
-    this.pads = new Instances(this.scene, new PlaneGeometry(0.07, 0.07), grounded.size, material);
+    this.pads = new Instances(this.scene, new PlaneGeometry(0.07 * unit, 0.07 * unit), grounded.size, material);
     [...grounded].forEach((p, k) => this.moving.push(() => {
-      matrix.makeTranslation(this.placed[p].x, this.placed[p].y, this.placed[p].z - 1.1 * ball);
+      matrix.makeTranslation(this.placed[p].x, this.placed[p].y, this.placed[p].z - 1.1 * round * unit);
       this.pads.mesh.setMatrixAt(k, matrix);
     }));
     const grid = new GridHelper(1.6, 16, 0x888888, 0x888888);
@@ -233,14 +250,14 @@ class SpatialPicture {
 
   // Arrows: along what is measured, or about the vertex of an angle.
   #addDrivers() {
-    const {data} = this;
+    const {data, unit} = this;
     this.drivers = new Instances(this.scene, new ConeGeometry(1, 1, 12), 2 * data.drivers.length);
     const d = new Vector3(), tip = new Vector3();
     data.drivers.forEach((driver, k) => {
       const [p, other] = marked(data, driver);
       const place = (which, at_point, direction, sign) => {
-        tip.copy(at_point).addScaledVector(direction, sign * 0.045);
-        this.drivers.along(2 * k + which, tip, b.clone().copy(direction).multiplyScalar(sign), 0.035, 0.013);
+        tip.copy(at_point).addScaledVector(direction, sign * 0.045 * unit);
+        this.drivers.along(2 * k + which, tip, way.copy(direction).multiplyScalar(sign), 0.035 * unit, 0.013 * unit);
       };
       this.moving.push(i => {
         if (p === undefined) return this.drivers.hide(2 * k), this.drivers.hide(2 * k + 1);
@@ -296,11 +313,11 @@ class SpatialPicture {
     const end = new Vector3(), d = new Vector3();
     for (const [kind, [shafts, heads]] of Object.entries(this.arrows)) {
       data.points.forEach((point, p) => {
-        d.fromArray(at(data, point, i, kind)).multiplyScalar(0.16 / data.longest(kind));
+        d.fromArray(at(data, point, i, kind)).multiplyScalar(0.2 * this.unit / data.longest(kind));
         if (d.length() < 2e-3) return shafts.hide(p), heads.hide(p);
         end.addVectors(this.placed[p], d);
-        shafts.between(p, this.placed[p], end, 0.35 * link);
-        heads.along(p, end, d, Math.min(0.025, d.length()), 0.9 * link);
+        shafts.between(p, this.placed[p], end, 0.35 * thin * this.unit);
+        heads.along(p, end, d, Math.min(0.025 * this.unit, d.length()), thin * this.unit);
       });
       shafts.done(), heads.done();
     }
@@ -311,7 +328,7 @@ class SpatialPicture {
     this.opened = null;
     this.stage.classList.toggle('stuck', stuck);
     if (points.length === 0) return this.render();
-    this.opened = new Instances(this.scene, new SphereGeometry(2.2 * ball, 16, 12), points.length,
+    this.opened = new Instances(this.scene, new SphereGeometry(2.2 * round * this.unit, 16, 12), points.length,
                                 new MeshBasicMaterial({color: this.#css('var(--alarm)'), transparent: true, opacity: 0.5}));
     points.forEach((p, k) => this.opened.mesh.setMatrixAt(k, matrix.makeTranslation(this.placed[p])));
     this.render();
@@ -326,7 +343,7 @@ class SpatialPicture {
     const {data} = this;
     const of = g => this.#css(g < 0 ? 'var(--soft)' : data.colour(g));
     const ink = this.#css('var(--ink)'), driver = this.#css('var(--driver)');
-    this.links.group?.forEach((g, k) => this.links.colour(k, of(g)));
+    this.links.group.forEach((g, k) => this.links.colour(k, of(g)));
     data.points.forEach((_, p) => this.dots.colour(p, ink));
     for (let k = 0; k < this.axes.mesh.count; ++k) this.axes.colour(k, ink);
     for (let k = 0; k < this.drivers.mesh.count; ++k) this.drivers.colour(k, driver);
@@ -342,10 +359,18 @@ class SpatialPicture {
   // ---- how it is seen ----
 
   fit() {
-    const distance = 1.15 / Math.tan(Math.PI / 180 * 30);
-    const narrow = Math.max(1, 1.1 * this.stage.clientHeight / this.stage.clientWidth);
+    const view = new Vector3(0.62, -1, 0.5).normalize();
+    const right = new Vector3(1, 0.62, 0).normalize(), above = right.clone().cross(view).negate();
+    const tall = Math.tan(Math.PI / 12), wide = tall * this.stage.clientWidth / this.stage.clientHeight;
+    let distance = 0.1;
+    for (let corner = 0; corner < 8; ++corner) {
+      const x = a.fromArray([0, 1, 2].map(
+          axis => ((corner >> axis & 1 ? this.high : this.low)[axis] - this.middle[axis]) / this.data.size));
+      const far = Math.max(Math.abs(x.dot(right)) / wide, Math.abs(x.dot(above)) / tall);
+      distance = Math.max(distance, 1.08 * far + x.dot(view) + 0.03);
+    }
     this.controls.target.set(0, 0, 0);
-    this.camera.position.set(0.62, -1, 0.5).normalize().multiplyScalar(distance * narrow);
+    this.camera.position.copy(view).multiplyScalar(distance);
     this.controls.update();
     this.#resize();
   }
@@ -381,7 +406,16 @@ class SpatialPicture {
     });
   }
 
-  render() { this.renderer.render(this.scene, this.camera); }
+  // Renders before the next frame is shown, once.
+  render() {
+    this.due ??= requestAnimationFrame(() => this.#renderNow());
+  }
+
+  #renderNow() {
+    cancelAnimationFrame(this.due);
+    this.due = undefined;
+    this.renderer.render(this.scene, this.camera);
+  }
 
   show(i) {
     this.instant = i;
@@ -389,7 +423,7 @@ class SpatialPicture {
     for (const move of this.moving) move(i);
     for (const part of [this.links, this.dots, this.axes, this.pads, this.drivers]) part.done();
     this.#drawArrows(i);
-    this.render();
+    this.#renderNow();
   }
 }
 
