@@ -5,6 +5,7 @@
 //   desmo.instants     how many there are; desmo.time(k) and desmo.index(k) of each
 //   desmo.show(k)      goes to one
 //   desmo.positions()  of each point, as the picture has it now
+//   desmo.places()     of each point, in pixels of the picture
 //   desmo.values(k)    of each line, as the plots have it
 //   desmo.script()     frames drawn, and milliseconds of script they took
 import {at, read} from './data.js';
@@ -233,6 +234,7 @@ export function start(make, turning) {
       index: k => data.index[k],
       show: k => player.show(k),
       positions: () => Object.fromEntries(data.points.map((point, p) => [point.name, picture.position(p)])),
+      places: () => Object.fromEntries(data.points.map((point, p) => [point.name, picture.screen(p)])),
       values: k => plots.values(k),
       script: () => ({...player.script}),
     });

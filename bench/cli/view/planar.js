@@ -151,13 +151,16 @@ class PlanarPicture {
     this.moving.push(i => place(mark, ...this.#px(this.#world(p, i))));
   }
 
-  // A rail along the axis, hatched on the ground, and a block that slides on it.
+  // A rail along the axis and a block that slides on it: hatched on the ground, in the colour of a
+  // body that carries it; or, where neither body has another point, a rod in a sleeve.
   #addSlider(joint, grounded) {
     const {origin, axis, slider, reach} = joint.rail;
-    const fixed = joint.bodies[0] === 0;
+    if (!grounded && joint.type === 'prismatic') return this.#addSleeve(joint);
     const sliding = joint.bodies[1] === 0 ? origin : slider, still = sliding === slider ? origin : slider;
     const sign = still === origin ? 1 : -1;
-    const rail = add(this.layers.rails, 'path', {class: grounded ? 'rail' : 'guide'});
+    const carrier = this.data.bodies[joint.bodies[0]];
+    const rail = add(this.layers.rails, 'path', grounded ? {class: 'rail'}
+        : {class: 'link', stroke: this.data.colour(carrier.group), 'stroke-width': 3});
     const block = add(this.layers.joints, 'rect',
                       {class: 'joint', x: -13, y: -8, width: 26, height: 16, rx: 2});
     const hinge = joint.type === 'revolute_on_slider'
@@ -178,6 +181,20 @@ class PlanarPicture {
       const here = this.#px(this.#world(sliding, i));
       place(block, ...here, angle);
       if (hinge) place(hinge, ...here);
+    });
+  }
+
+  #addSleeve(joint) {
+    const {origin, slider, reach} = joint.rail;
+    const [outer, inner] = joint.bodies.map(b => this.data.colour(this.data.bodies[b].group));
+    const rod = add(this.layers.bodies, 'line', {class: 'link', stroke: inner, 'stroke-width': 4});
+    const sleeve = add(this.layers.bodies, 'line', {class: 'sleeve', stroke: outer});
+    const most = Math.max(...reach.map(Math.abs)) - 0.06 * this.data.size;
+    this.moving.push(i => {
+      const o = this.#world(origin, i), s = this.#world(slider, i);
+      const long = Math.hypot(s[0] - o[0], s[1] - o[1]) || 1;
+      this.#line(rod, o, s);
+      this.#line(sleeve, o, o.map((x, k) => x + (s[k] - x) * 0.55 * most / long));
     });
   }
 
@@ -202,7 +219,8 @@ class PlanarPicture {
       if (other !== undefined) to = this.#px(this.#world(other, i));
       else from = driver.axis === 0 ? [x - 34, y] : [x, y + 34];
       line.setAttribute('d', `M${from.join(' ')}L${to.join(' ')}`);
-      place(head, ...to, Math.atan2(to[1] - from[1], to[0] - from[0]) * degrees);
+      const on = axis => from[axis] + (other === undefined ? 1 : 0.75) * (to[axis] - from[axis]);
+      place(head, on(0), on(1), Math.atan2(to[1] - from[1], to[0] - from[0]) * degrees);
     });
   }
 

@@ -9,7 +9,7 @@ import {View} from 'vega-view';
 
 Object.assign(transforms, basic, axes, encode);
 
-const palette = ['#0072b2', '#d55e00', '#009e73', '#b5569a', '#2f9bd8', '#b07d00', '#8069b8', '#7a7a32'];
+const palette = Array.from({length: 8}, (_, j) => `var(--g${j})`);
 const shades = {
   degraded: ['#e0a800', 0.28], failed: ['#c0392b', 0.22], crossing: ['#7b52ab', 0.4], branch: ['#0a7f8c', 0.4],
 };
