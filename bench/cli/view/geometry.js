@@ -109,7 +109,7 @@ export function shapes(data) {
 export function describe(data, p) {
   const point = data.points[p];
   const lines = [`point ${point.name}`, point.bodies.map(b => b.name).join(', ')];
-  for (const joint of point.joints) lines.push(`${joint.type} ${joint.name}`);
+  for (const {type, name} of point.joints) lines.push(name.startsWith(type) ? name : `${type} ${name}`);
   return lines.join('\n');
 }
 

@@ -7,7 +7,7 @@
 //   desmo.positions()  of each point, as the picture has it now
 //   desmo.places()     of each point, in pixels of the picture
 //   desmo.values(k)    of each line, as the plots have it
-//   desmo.script()     frames drawn, and milliseconds of script they took
+//   desmo.script()     of the last frames drawn: their number, and ms of script, median and longest
 import {at, read} from './data.js';
 import {describe} from './geometry.js';
 import {Player} from './player.js';
@@ -174,11 +174,12 @@ function writeWords(data, turning) {
 }
 
 function writeAbout(data, player) {
-  const {frames, total, longest} = player.script;
-  const script = frames > 20 ? ` Script a frame: ${(total / frames).toFixed(1)} ms, at most ${longest.toFixed(1)} ms.` : '';
+  const {frames, median, longest} = player.script;
+  const script = frames > 30
+      ? ` Script a frame: ${median.toFixed(1)} ms in the median of the last ${frames}, at most ${longest.toFixed(1)} ms.` : '';
   get('about').textContent = `Solved by ${data.formulation}; ${data.accuracy}. The picture shows solved positions only, ` +
-      `to 1e-5 of the mechanism's size; plots have seven digits. Condition and bounds are estimates, which between ` +
-      `assessed instants are expectations with a margin.${script}`;
+      `to 1e-5 of the mechanism's size; plots have seven digits. Condition and bounds are estimates; between assessed ` +
+      `instants they are expectations with a margin.${script}`;
 }
 
 // Says what is wrong at a time, and marks in the picture what does not close.
@@ -236,7 +237,7 @@ export function start(make, turning) {
       positions: () => Object.fromEntries(data.points.map((point, p) => [point.name, picture.position(p)])),
       places: () => Object.fromEntries(data.points.map((point, p) => [point.name, picture.screen(p)])),
       values: k => plots.values(k),
-      script: () => ({...player.script}),
+      script: () => player.script,
     });
     document.documentElement.dataset.state = 'ready';
   });

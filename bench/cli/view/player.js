@@ -9,7 +9,7 @@ export class Player {
   #shown = [];
   #playing = false;
   #last = 0;
-  #script = {frames: 0, total: 0, longest: 0};
+  #script = [];  // ms of each frame, of the last ones
 
   constructor(data) {
     this.#data = data;
@@ -27,7 +27,11 @@ export class Player {
   }
 
   get playing() { return this.#playing; }
-  get script() { return this.#script; }
+  // Returns how long the last frames took [ms]: their number, median and maximum.
+  get script() {
+    const sorted = this.#script.toSorted((a, b) => a - b);
+    return {frames: sorted.length, median: sorted[sorted.length >> 1], longest: sorted.at(-1)};
+  }
 
   // Calls a function with (instant, time, moved) whenever something else is to be shown.
   onShow(show) { this.#shown.push(show); }
@@ -64,11 +68,8 @@ export class Player {
     get('slider').value = this.time;
     get('now').textContent = `t = ${Number(this.time.toPrecision(6))} s`;
     for (const show of this.#shown) show(this.instant, this.time);
-    const taken = performance.now() - begin;
-    const s = this.#script;
-    ++s.frames;
-    s.total += taken;
-    if (s.frames > 5) s.longest = Math.max(s.longest, taken);
+    this.#script.push(performance.now() - begin);
+    if (this.#script.length > 300) this.#script.shift();
   }
 
   toggle(play = !this.#playing) {

@@ -49,6 +49,7 @@ function variety() {
 async function play(page, result) {
   await page.evaluate(() => desmo.show(0));
   const before = await page.evaluate(() => desmo.positions());
+  await page.locator('#slider').focus();
   await page.keyboard.press('Space');
   await page.waitForFunction(before => JSON.stringify(desmo.positions()) !== JSON.stringify(before), before);
   result.label_when_playing = await page.locator('#play').getAttribute('aria-label');
@@ -96,6 +97,8 @@ async function look(browser, file) {
   page.on('pageerror', error => result.errors.push(error.message));
   await open(page, address);
   result.flags = await flags_of(page);
+  const paper = (await page.pdf({preferCSSPageSize: true})).toString('latin1');
+  result.sheets = (paper.match(/\/Type\s*\/Page\b/g) ?? []).length;
   result.variety = await page.evaluate(variety);
   result.legend = await page.locator('#legend li').count();
   result.numbers = await numbers(page);
@@ -107,8 +110,6 @@ async function look(browser, file) {
     result.overflow[width] = await page.evaluate(
         () => document.documentElement.scrollWidth - document.documentElement.clientWidth);
   }
-  const paper = (await page.pdf({preferCSSPageSize: true})).toString('latin1');
-  result.sheets = (paper.match(/\/Type\s*\/Page\b/g) ?? []).length;
   result.script = await page.evaluate(() => desmo.script());
   await page.close();
   return result;
