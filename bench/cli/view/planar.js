@@ -55,6 +55,7 @@ class PlanarPicture {
           high[axis] = Math.max(high[axis], x);
         });
     const {clientWidth: width, clientHeight: height} = this.stage;
+    this.svg.setAttribute('viewBox', `0 0 ${width} ${height}`);
     const margin = 46;
     this.scale = Math.min((width - 2 * margin) / (high[0] - low[0] || 1e-9 * this.data.size),
                           (height - 2 * margin) / (high[1] - low[1] || 1e-9 * this.data.size),

@@ -291,6 +291,7 @@ export class Plots {
     for (const panel of this.panels) panel.view?.finalize();
     this.panels = this.#described().map(
         ([columns, options]) => new Panel(this.data, columns, options, this.player, this.hint));
+    this.place.classList.toggle('many', this.panels.length > 6);
     this.place.replaceChildren(...this.panels.map(panel => panel.figure));
     for (const panel of this.panels) await panel.draw();
   }

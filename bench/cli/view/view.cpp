@@ -17,8 +17,9 @@ namespace desmo::cli {
 namespace {
 
 constexpr const char* formulation_id = "block_symbolic_inlined";
-constexpr std::size_t max_page = 2'000'000;  // bytes
-constexpr std::size_t max_instants = 8192, max_numbers = 40'000'000;
+constexpr std::size_t max_page = 2'000'000;                           // bytes
+constexpr std::size_t max_instants = 8192, max_numbers = 40'000'000;  // kept in memory
+constexpr int max_coordinates = 10'000;                               // drawn in every frame
 
 struct ViewOptions {
   std::string scene, output;
@@ -48,15 +49,18 @@ std::string fill(std::string_view page, const PageData& data) {
   return result.append(page);
 }
 
+[[noreturn]] void refuse_size(const std::string& source, const Model& model) {
+  throw InputError(source + ": a page cannot show a mechanism of " +
+                   std::to_string(model.coordinates()) + " coordinates; view a smaller one");
+}
+
 /// Returns a page that is small enough: of every instant, or else of fewer.
 std::string page_of(std::string_view page, const ShownMotion& motion, const std::string& source) {
   for (int every = 1;; every *= 2) {
     std::string result = fill(page, page_data(motion, every));
     if (result.size() <= max_page) return result;
     if (motion.recording.instants().size() / static_cast<std::size_t>(every) < 16)
-      throw InputError(source + ": a page of 2 MB cannot show a mechanism of " +
-                       std::to_string(motion.model.coordinates()) +
-                       " coordinates; view a smaller one");
+      refuse_size(source, motion.model);
   }
 }
 
@@ -67,6 +71,7 @@ void view(const ViewOptions& options) {
   if (output.is_standard_output() && ::isatty(STDOUT_FILENO) == 1)
     throw Error(usage_error, "a page is nothing for a terminal; give --output FILE.html");
   const Model model = model_mechanism(input).model;
+  if (model.coordinates() > max_coordinates) refuse_size(input.source, model);
   const TimeGrid& grid = input.scene.grid;
   const auto formulation =
       make_formulation(find_variant(formulation_id), model, {.tolerance = input.scene.tolerance});
