@@ -168,7 +168,7 @@ function writeWords(data, turning) {
     data.scene, `${data.coordinates} coordinates`, data.drivers.length === 1 ? `driver ${data.drivers[0].name}`
         : `drivers ${data.drivers.slice(0, 6).map(d => d.name).join(', ')}${data.drivers.length > 6 ? ', …' : ''}`,
     `${time.solved} of ${time.instants} instants solved`,
-    ...(data.shown < time.solved ? [`every ${time.stride}th of them is on this page`] : []),
+    ...(data.shown < time.solved ? [`1 in ${time.stride} of them is on this page`] : []),
   ].filter(Boolean).join(' · ');
   get('turning').textContent = turning;
 }

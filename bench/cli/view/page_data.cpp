@@ -35,12 +35,14 @@ class Writer {
   Writer(const ShownMotion& motion, int every)
       : scene_(motion.scene), m_(motion.model), all_(motion) {
     const auto& instants = motion.recording.instants();
-    for (std::size_t i = 0; i < instants.size(); ++i)
-      if (i % static_cast<std::size_t>(every) == 0 || i + 1 == instants.size())
-        shown_.push_back(&instants[i]);
+    stride_ = motion.recording.stride() * every;
+    for (std::size_t i = 0; i < instants.size(); ++i) {
+      const bool before_gap = i + 1 == instants.size() ||
+                              instants[i + 1].index > instants[i].index + motion.recording.stride();
+      if (i % static_cast<std::size_t>(every) == 0 || before_gap) shown_.push_back(&instants[i]);
+    }
     find_groups();
     find_size();
-    stride_ = motion.recording.stride() * every;
   }
 
   PageData operator()() {

@@ -23,9 +23,10 @@ struct PageData {
   std::string numbers;  ///< PackedColumns::text()
 };
 
-/// Writes every `every`th of the recorded instants, and the last. Positions are as exact as 1e-5 of
-/// the mechanism's size, rates as 1/4000 of the largest; what is plotted is in single precision.
-/// The scene's request is plotted, or else relative coordinates and points, as many as fit.
+/// Writes every `every`th of the recorded instants, and the last ones before gaps and the end.
+/// Positions are as exact as 1e-5 of the mechanism's size, rates as 1/4000 of the largest; what is
+/// plotted is in single precision. The scene's request is plotted, or else relative coordinates and
+/// points, as many as fit.
 PageData page_data(const ShownMotion& motion, int every);
 
 }  // namespace desmo::cli
