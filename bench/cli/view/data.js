@@ -1,8 +1,9 @@
 // The data of the page: what C++ wrote as JSON, and columns of numbers as packing.h packs them.
+import {add_transmission, interpret} from './mechanism.js';
 
 async function bytesOf(text) {
   const packed = Uint8Array.from(atob(text.trim()), letter => letter.charCodeAt(0));
-  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'));
+  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('deflate'));
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
@@ -40,13 +41,15 @@ function column(next, length, {step, origin}) {
 }
 
 // Returns what there is to show: the JSON, with `values` of each column, `index` and `times` of the
-// instants.
+// instants, and the mechanism.
 export async function read() {
   const data = JSON.parse(document.getElementById('data').textContent);
   const next = reader(await bytesOf(document.getElementById('numbers').textContent));
   for (const one of data.columns) one.values = column(next, data.shown, one);
   data.index = data.columns[0].values;
   data.times = data.index.map(i => data.time.start + i * data.time.interval);
+  interpret(data);
+  add_transmission(data, at);
   return data;
 }
 

@@ -115,7 +115,7 @@ export function describe(data, p) {
 
 // Returns where an angle is measured: vertex, radius and the ends [rad]; plane only.
 export function arc(data, driver, i) {
-  const toward = d => d === null ? [1, 0] : 'vector' in d ? at(data, data.vectors[d.vector], i)
+  const toward = d => d === null ? [1, 0] : d.vector !== undefined ? at(data, data.vectors[d.vector], i)
       : minus(at(data, data.points[d.to], i), at(data, data.points[d.from], i));
   const of = toward(driver.of), from = toward(driver.from);
   const sign = driver.opposite ? -1 : 1;
@@ -126,9 +126,9 @@ export function arc(data, driver, i) {
 }
 
 // Returns the point at which a driver is marked, and the other end of what it measures.
-export function marked(data, driver) {
-  if (driver.point >= 0) return [driver.point];
-  if (driver.of && 'from' in driver.of) return [driver.of.from, driver.of.to];
-  const joint = data.joints.find(j => driver.of && j.vectors.includes(driver.of.vector));
+export function marked(data, {point, of}) {
+  if (point !== undefined) return [point];
+  if (of.from !== undefined) return [of.from, of.to];
+  const joint = data.joints.find(j => j.vectors.includes(of.vector));
   return joint ? [joint.points[0]] : [];
 }

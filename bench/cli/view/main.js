@@ -27,7 +27,8 @@ function prepare(data) {
   const gap = 1.5 * data.time.stride;
   data.holes = new Set();
   data.index.forEach((i, k) => k > 0 && i - data.index[k - 1] > gap && data.holes.add(k));
-  data.longest = kind => data.largest[kind === 'velocity' ? 0 : 1];
+  data.longest = kind => data.largest[kind];
+  data.estimate = data.time.solved === 0;
   data.failed = data.flags.filter(f => f.kind === 'failed');
   data.point_named = name => data.points.findIndex(p => p.name === name);
 }
@@ -203,7 +204,7 @@ function watch(data, picture, player) {
 function points_of(data, name) {
   const p = data.point_named(name);
   if (p >= 0) return [p];
-  const joint = data.joints.find(j => j.vectors.some(v => data.vectors[v]?.name === name));
+  const joint = data.joints.find(j => j.vectors.some(v => data.vectors[v].name === name));
   return joint ? joint.points : [];
 }
 

@@ -1,8 +1,10 @@
 // Columns of numbers in little space, for a page that decodes them itself.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace desmo::cli {
 
@@ -17,14 +19,13 @@ class PackedColumns {
   /// Appends numbers rounded to single precision.
   void add_floats(std::span<const double> values);
 
-  /// Returns all bytes, compressed by gzip and as base64. Equal columns give equal texts.
+  /// Returns all bytes, deflated (zlib) and as base64. Equal columns give equal texts.
   std::string text() const;
 
  private:
-  void begin_column() { last_ = difference_ = 0; }
   void add(std::uint32_t number);
 
-  std::string bytes_;
+  std::vector<unsigned char> bytes_;
   std::uint32_t last_ = 0, difference_ = 0;
 };
 
