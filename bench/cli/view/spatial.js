@@ -1,63 +1,17 @@
 // The picture of a spatial mechanism, in WebGL. Lengths are over the mechanism's size and about its
 // middle. Equal shapes are instances of one mesh, so that a frame is a few calls.
 import {
-  AmbientLight, BoxGeometry, BufferAttribute, BufferGeometry, CanvasTexture, Color, CylinderGeometry,
-  DirectionalLight, DoubleSide, GridHelper, Group, InstancedMesh, Line, LineBasicMaterial, Matrix4, Mesh,
-  MeshBasicMaterial, MeshLambertMaterial, PerspectiveCamera, PlaneGeometry, Quaternion, Scene, SphereGeometry,
-  Vector3, WebGLRenderer, RepeatWrapping, ConeGeometry,
+  AmbientLight, BufferGeometry, Color, ConeGeometry, CylinderGeometry, DirectionalLight, Group, Line,
+  LineBasicMaterial, Matrix4, MeshBasicMaterial, PerspectiveCamera, Scene, SphereGeometry, Vector3, WebGLRenderer,
 } from 'three';
 import {OrbitControls} from 'three/examples/jsm/controls/OrbitControls.js';
 import {at} from './data.js';
-import {marked, shapes} from './geometry.js';
+import {shapes} from './geometry.js';
+import {Instances, round, thin} from './instances.js';
 import {start} from './main.js';
+import {addAxes, addDrivers, addGround, addPlates, addRail} from './spatial_parts.js';
 
-const thin = 0.007, round = 0.013;  // radii of links and joints, of the mechanism's size
-const up = new Vector3(0, 1, 0);   // of a cylinder
-const [a, b, way, middle, scale] = Array.from({length: 5}, () => new Vector3());
-const turn = new Quaternion(), matrix = new Matrix4();
-
-// Many of one shape, each placed anew in every frame.
-class Instances {
-  constructor(scene, geometry, count, material = new MeshLambertMaterial()) {
-    this.mesh = new InstancedMesh(geometry, material, Math.max(1, count));
-    this.mesh.count = count;
-    this.mesh.frustumCulled = false;
-    scene.add(this.mesh);
-  }
-  colour(k, colour) { this.mesh.setColorAt(k, colour); }
-  // A cylinder from one point to another.
-  between(k, from, to, radius) {
-    way.subVectors(to, from);
-    this.along(k, middle.addVectors(from, to).multiplyScalar(0.5), way, way.length(), radius);
-  }
-  // A shape about a point, its y axis along a direction.
-  along(k, middle, direction, length, radius) {
-    a.copy(middle);
-    turn.setFromUnitVectors(up, b.copy(direction).normalize());
-    matrix.compose(a, turn, scale.set(radius, length, radius));
-    this.mesh.setMatrixAt(k, matrix);
-  }
-  hide(k) { this.mesh.setMatrixAt(k, matrix.makeScale(0, 0, 0)); }
-  done() { this.mesh.instanceMatrix.needsUpdate = true; }
-}
-
-// Stripes for what belongs to the ground.
-function hatching() {
-  const canvas = document.createElement('canvas');
-  canvas.width = canvas.height = 32;
-  const c = canvas.getContext('2d');
-  c.strokeStyle = '#888';
-  c.lineWidth = 5;
-  for (const x of [-32, 0, 32]) {
-    c.beginPath();
-    c.moveTo(x - 4, 36), c.lineTo(x + 36, -4);
-    c.stroke();
-  }
-  const texture = new CanvasTexture(canvas);
-  texture.wrapS = texture.wrapT = RepeatWrapping;
-  texture.repeat.set(3, 3);
-  return texture;
-}
+const a = new Vector3(), matrix = new Matrix4();
 
 class SpatialPicture {
   constructor(stage, data) {
@@ -72,6 +26,7 @@ class SpatialPicture {
     this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera, stage);
     this.controls.addEventListener('change', () => this.render());
+    this.controls.addEventListener('start', () => { this.steered = true; });
     this.scene.add(new AmbientLight(0xffffff, 1.6));
     const light = new DirectionalLight(0xffffff, 2);
     light.position.set(1, -2, 4);
@@ -114,7 +69,7 @@ class SpatialPicture {
     const x = at(this.data, this.data.points[p], i), {middle, data: {size}} = this;
     return to.set((x[0] - middle[0]) / size, (x[1] - middle[1]) / size, (x[2] - middle[2]) / size);
   }
-  #direction(v, i, to) { return to.fromArray(at(this.data, this.data.vectors[v], i)); }
+  direction(v, i, to) { return to.fromArray(at(this.data, this.data.vectors[v], i)); }
 
   screen(p) {
     const x = this.placed[p].clone().project(this.camera);
@@ -142,7 +97,7 @@ class SpatialPicture {
       this.links.group[k] = body.group;
       this.moving.push(() => this.links.between(k, this.placed[p], this.placed[q], body.plate.length > 0 ? 0.7 * link : link));
     });
-    rails.forEach((joint, k) => this.#addRail(joint, edges.length + 2 * k));
+    rails.forEach((joint, k) => addRail(this, joint, edges.length + 2 * k));
     data.measures.forEach(([p, q], k) => {
       const place = edges.length + 2 * rails.length + k;
       this.links.group[place] = -1;
@@ -158,117 +113,10 @@ class SpatialPicture {
         this.dots.mesh.setMatrixAt(p, matrix);
       });
     });
-    this.#addAxes(cylinder);
-    this.#addPlates();
-    this.#addGround();
-    this.#addDrivers();
-  }
-
-  // A rod along the axis of a sliding joint, and a sleeve about it.
-  #addRail(joint, k) {
-    const {origin, axis, slider, reach} = joint.rail, {data, unit} = this;
-    const link = thin * unit;
-    const grounded = joint.bodies.includes(0);
-    const [first, last] = joint.bodies;
-    this.links.group[k] = data.bodies[grounded ? 0 : last].group;
-    this.links.group[k + 1] = data.bodies[first === 0 ? last : first].group;
-    const d = new Vector3(), from = new Vector3(), to = new Vector3();
-    this.moving.push(i => {
-      this.#direction(axis, i, d);
-      const o = this.placed[origin], s = this.placed[slider];
-      if (grounded) {
-        const still = first === 0 ? o : s, moves = first === 0 ? s : o, sign = first === 0 ? 1 : -1;
-        from.copy(still).addScaledVector(d, sign * reach[0] / data.size);
-        to.copy(still).addScaledVector(d, sign * reach[1] / data.size);
-        this.links.between(k, from, to, 0.6 * link);
-        from.copy(moves).addScaledVector(d, -0.03 * unit);
-        to.copy(moves).addScaledVector(d, 0.03 * unit);
-        this.links.between(k + 1, from, to, 2 * link);
-        return;
-      }
-      this.links.between(k, o, s, 0.6 * link);
-      const most = Math.max(Math.abs(reach[0]), Math.abs(reach[1])) / data.size - 0.06;
-      from.subVectors(s, o).normalize().multiplyScalar(0.55 * most).add(o);
-      this.links.between(k + 1, o, from, 1.5 * link);
-    });
-  }
-
-  // The axes of joints that turn: short cylinders across.
-  #addAxes(cylinder) {
-    const {data, unit} = this;
-    const sizes = {universal: [0.045, 0.5], revolute: [0.06, 1.1]};
-    const list = data.joints.filter(j => sizes[j.type] && !j.rail).flatMap(j => j.vectors.map(
-        v => ({p: j.points[0], v, long: sizes[j.type][0] * unit, radius: sizes[j.type][1] * thin * unit})));
-    this.axes = new Instances(this.scene, cylinder, list.length);
-    const d = new Vector3();
-    list.forEach(({p, v, long, radius}, k) => {
-      this.moving.push(i => this.axes.along(k, this.placed[p], this.#direction(v, i, d), long, radius));
-    });
-  }
-
-  // Plates of bodies, all in one mesh.
-  #addPlates() {
-    const {data} = this;
-    const triangles = data.bodies.flatMap(body => body.plate.slice(2).map(
-        (_, k) => ({body, corners: [body.plate[0], body.plate[k + 1], body.plate[k + 2]]})));
-    if (triangles.length === 0) return;
-    const places = new Float32Array(9 * triangles.length);
-    this.plates = {triangles, colours: new Float32Array(9 * triangles.length)};
-    const geometry = new BufferGeometry();
-    geometry.setAttribute('position', new BufferAttribute(places, 3));
-    geometry.setAttribute('color', new BufferAttribute(this.plates.colours, 3));
-    const mesh = new Mesh(geometry, new MeshBasicMaterial(
-        {vertexColors: true, transparent: true, opacity: 0.22, side: DoubleSide, depthWrite: false}));
-    mesh.frustumCulled = false;
-    this.plates.geometry = geometry;
-    this.scene.add(mesh);
-    this.moving.push(() => {
-      triangles.forEach(({corners}, k) =>
-          corners.forEach((p, j) => this.placed[p].toArray(places, 9 * k + 3 * j)));
-      geometry.attributes.position.needsUpdate = true;
-    });
-  }
-
-  // Hatched pads below what is joined to the ground, and a grid at the lowest point.
-  #addGround() {
-    const {data, unit} = this;
-    const grounded = new Set(data.joints.filter(j => j.bodies.includes(0)).map(
-        j => j.points[j.rail && j.bodies[1] === 0 ? 1 : 0]));
-    const material = new MeshBasicMaterial({map: hatching(), transparent: true, side: DoubleSide});
-    this.pads = new Instances(this.scene, new PlaneGeometry(0.07 * unit, 0.07 * unit), grounded.size, material);
-    [...grounded].forEach((p, k) => this.moving.push(() => {
-      matrix.makeTranslation(this.placed[p].x, this.placed[p].y, this.placed[p].z - 1.1 * round * unit);
-      this.pads.mesh.setMatrixAt(k, matrix);
-    }));
-    const grid = new GridHelper(1.6, 16, 0x888888, 0x888888);
-    grid.rotation.x = Math.PI / 2;
-    grid.position.z = (this.low[2] - this.middle[2]) / data.size - 0.04;
-    grid.material.transparent = true;
-    grid.material.opacity = 0.25;
-    this.scene.add(grid);
-  }
-
-  // Arrows: along what is measured, or about the vertex of an angle.
-  #addDrivers() {
-    const {data, unit} = this;
-    this.drivers = new Instances(this.scene, new ConeGeometry(1, 1, 12), 2 * data.drivers.length);
-    const d = new Vector3(), tip = new Vector3();
-    data.drivers.forEach((driver, k) => {
-      const [p, other] = marked(data, driver);
-      const place = (which, at_point, direction, sign) => {
-        tip.copy(at_point).addScaledVector(direction, sign * 0.045 * unit);
-        this.drivers.along(2 * k + which, tip, way.copy(direction).multiplyScalar(sign), 0.035 * unit, 0.013 * unit);
-      };
-      this.moving.push(i => {
-        if (p === undefined) return this.drivers.hide(2 * k), this.drivers.hide(2 * k + 1);
-        d.set(driver.axis === 0 ? 1 : 0, driver.axis === 1 ? 1 : 0, driver.axis === 2 ? 1 : 0);
-        const turning = data.points[p].joints.find(j => j.type === 'revolute' || j.type === 'cylindrical');
-        if (driver.type === 'angle' && turning?.vectors.length) this.#direction(turning.vectors[0], i, d);
-        else if (other !== undefined) d.subVectors(this.placed[other], this.placed[p]).normalize();
-        place(0, this.placed[p], d, 1);
-        place(1, other !== undefined && driver.type !== 'angle' ? this.placed[other] : this.placed[p], d, -1);
-      });
-    });
+    addAxes(this, cylinder);
+    addPlates(this);
+    addGround(this);
+    addDrivers(this);
   }
 
   // ---- what is chosen ----
@@ -358,7 +206,13 @@ class SpatialPicture {
 
   // ---- how it is seen ----
 
+  // Shows everything, and goes on doing so until the reader turns or zooms.
   fit() {
+    this.steered = false;
+    this.#resize();
+  }
+
+  #aim() {
     const view = new Vector3(0.62, -1, 0.5).normalize();
     const right = new Vector3(1, 0.62, 0).normalize(), above = right.clone().cross(view).negate();
     const tall = Math.tan(Math.PI / 12), wide = tall * this.stage.clientWidth / this.stage.clientHeight;
@@ -372,16 +226,17 @@ class SpatialPicture {
     this.controls.target.set(0, 0, 0);
     this.camera.position.copy(view).multiplyScalar(distance);
     this.controls.update();
-    this.#resize();
   }
 
   zoom(by) {
+    this.steered = true;
     this.camera.position.sub(this.controls.target).divideScalar(by).add(this.controls.target);
     this.controls.update();
   }
 
   #resize() {
     const {clientWidth: width, clientHeight: height} = this.stage;
+    if (!this.steered) this.#aim();
     this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
@@ -397,6 +252,7 @@ class SpatialPicture {
       const angle = angles[event.key];
       if (!angle || event.shiftKey) return;
       event.preventDefault();
+      this.steered = true;
       const x = this.camera.position.clone().sub(this.controls.target), r = x.length();
       const turned = Math.atan2(x.y, x.x) + angle[0];
       const raised = Math.min(3.1, Math.max(0.04, Math.acos(x.z / r) + angle[1]));
