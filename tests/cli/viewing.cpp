@@ -88,6 +88,28 @@ TEST_F(View, ShowsHowFarAMechanismGetsThatLocks) {
   EXPECT_LT(data["shown"], 101);
 }
 
+TEST_F(View, FlagsWhatIsDegraded) {
+  write("scene.json", slider_crank(30, R"(,
+    "time": {"end": 0.10241638234, "step": 0.10241638234})"));  // nearly where it locks
+  ASSERT_EQ(desmo("view scene.json"), 0) << err_;
+  const Json flags = Json::parse(data_of(out_, "data"))["flags"];
+  ASSERT_EQ(flags.size(), 1u);
+  EXPECT_EQ(flags[0]["kind"], "degraded");
+  EXPECT_EQ(flags[0]["from"], 0.10241638234);
+  EXPECT_NE(flags[0]["text"].get<std::string>().find("so near a singular position"),
+            std::string::npos);
+}
+
+TEST_F(View, ShowsTheEstimateWhereNothingCanBeAssembled) {
+  write("scene.json", slider_crank(30, R"(, "time": {"start": 0.25, "end": 0.3, "step": 0.01})"));
+  ASSERT_EQ(desmo("view scene.json -o out/page.html"), 1);
+  EXPECT_TRUE(says("the page shows the initial estimate")) << err_;
+  const Json data = Json::parse(data_of(text_of(out("page.html")), "data"));
+  EXPECT_EQ(data["time"]["solved"], 0);
+  EXPECT_EQ(data["shown"], 1);
+  EXPECT_EQ(data["flags"][0]["kind"], "failed");
+}
+
 TEST_F(View, ThinsOutWhatIsTooLongAndSaysSo) {
   write("scene.json", slider_crank(150, R"(, "time": {"end": 100, "step": 0.005})"));
   ASSERT_EQ(desmo("view scene.json"), 0) << err_;

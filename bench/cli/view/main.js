@@ -149,7 +149,7 @@ function writeFlags(data, player) {
   for (const flag of data.flags) {
     const item = document.createElement('li'), button = document.createElement('button');
     button.type = 'button';
-    const when = flag.from === flag.to ? `t = ${number(flag.from)} s`
+    const when = number(flag.from) === number(flag.to) ? `t = ${number(flag.from)} s`
         : `t = ${number(flag.from)} … ${number(flag.to)} s`;
     button.textContent = `${flag.kind}, ${when}: ${flag.text}`;
     button.addEventListener('click', () => {

@@ -86,6 +86,7 @@ export class Plots {
 
   #described() {
     const {data} = this;
+    if (data.estimate) return [];  // nothing was solved
     const x = data.times, over_time = true, x_title = 't [s]';
     const list = [];
     const by_unit = new Map();
@@ -117,10 +118,8 @@ export class Plots {
         x, x_title, over_time, zero: true, y_title: '[°]',
         title: `transmission angle, coupler to follower${data.transmission.length > 8 ? ` (8 of ${data.transmission.length} loops)` : ''}`,
       }]);
-    if (!data.estimate) {
-      list.push([[data.condition], {x, x_title, over_time, log: true, title: '', y_title: 'condition'}]);
-      list.push([data.bounds, {x, x_title, over_time, log: true, title: '', y_title: 'relative'}]);
-    }
+    list.push([[data.condition], {x, x_title, over_time, log: true, title: '', y_title: 'condition'}]);
+    list.push([data.bounds, {x, x_title, over_time, log: true, title: '', y_title: 'relative'}]);
     return list;
   }
 

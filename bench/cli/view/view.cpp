@@ -90,8 +90,10 @@ void view(const ViewOptions& options) {
   const auto& flags = recording.flags();
   const auto failed = std::ranges::find(flags, Flag::Kind::failed, &Flag::kind);
   if (failed != flags.end())
-    throw Error(not_solved, input.source + ": " + failed->text +
-                                "\ndesmo: the page shows the last position before it");
+    throw Error(not_solved,
+                input.source + ": " + failed->text +
+                    (recording.solved() > 0 ? "\ndesmo: the page shows the last position before it"
+                                            : "\ndesmo: the page shows the initial estimate"));
 }
 
 }  // namespace
