@@ -28,6 +28,7 @@ MonitoredSummary Recording::run(Formulation& formulation, double tolerance) {
     state.resize(3 * state.size());
     instants_.push_back({0, std::move(state), 0, {}});
   }
+  forgive(summary);
   flag_failures(summary);
   std::ranges::stable_sort(flags_, {}, &Flag::from);
   return summary;
@@ -106,6 +107,15 @@ void Recording::flag(const MonitoredInstant& monitored) {
                                        Level::acceleration, model_)});
   }
   last_degraded_ = instant.index;
+}
+
+/// Removes flags of instants that are not degraded compared with the whole motion: its rates have
+/// grown.
+void Recording::forgive(const MonitoredSummary& summary) {
+  const double first = summary.first_degraded ? summary.first_degraded->time : INFINITY;
+  std::erase_if(flags_, [&](const Flag& flag) {
+    return flag.kind == Flag::Kind::degraded && flag.to < first;
+  });
 }
 
 void Recording::flag_failures(const MonitoredSummary& summary) {

@@ -49,6 +49,7 @@ class Recording final : public Observer {
   void keep(RecordedInstant instant);
   void thin();
   void flag(const MonitoredInstant& instant);
+  void forgive(const MonitoredSummary& summary);
   void flag_failures(const MonitoredSummary& summary);
 
   const Model& model_;
