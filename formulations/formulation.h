@@ -17,8 +17,8 @@ namespace desmo {
 struct DefinedPart;
 struct State;
 
-/// A way of solving the kinematics of a mechanism: an ordered list of parts, and how they go
-/// through a motion. make_formulation() (variants.h) makes one:
+/// A way of solving the kinematics of a mechanism: an ordered list of parts, and the order in which
+/// they solve the instants of a motion. make_formulation() (variants.h) makes one:
 ///
 ///   const Model model = make_model(scene);
 ///   const auto formulation = make_formulation(find_variant("group_symbolic_explicit"), model);
@@ -26,95 +26,107 @@ struct State;
 ///   for (int i = 1; i <= 100; ++i)
 ///     if (formulation->step(0.01 * i).ok()) use(formulation->q(), formulation->qd());
 ///
-/// Threads may share whatever is const, in all of desmo. A Model, the tables of variants, cases
-/// and the library, Settings and generated code are read only and may be used by formulations on
-/// any number of threads; they outlive these. A Formulation, a LiveRun and an Observer own what
-/// changes, and are used by one thread at a time: a formulation for each thread. A formulation with
-/// `threads` calls its observer from several, one call at a time, or the observers that
-/// Observer::of_thread() gives, each from its own thread.
+/// Rule of threads, in all of desmo:
+/// - Threads may share whatever is const: a Model, Settings, generated code and all tables, such as
+///   variants(). These outlive the formulations that use them.
+/// - One thread at a time uses a Formulation, a LiveRun or an Observer: each thread makes its own.
+/// - A formulation with Settings::threads above 1 calls its observer from several threads, one call
+///   at a time, or the observers that Observer::of_thread() gives, each from its own thread.
+/// - One thing is of the whole process: the threads that OpenBLAS may use inside `lapack`. Set its
+///   variable OPENBLAS_NUM_THREADS to 1 where several threads solve.
 class Formulation {
  public:
   virtual ~Formulation() = default;
   Formulation(const Formulation&) = delete;
   Formulation& operator=(const Formulation&) = delete;
 
-  /// Assembles the mechanism at time t [s] from the model's estimate, whatever was solved before.
+  /// Assembles the mechanism at time t [s] from the model's estimate; forgets what was solved
+  /// before. level: the highest that is solved.
   virtual Summary assemble(double t, Level level = Level::acceleration) = 0;
 
-  /// Solves at time t [s], starting from the prediction or, where that fails, by sub-steps;
-  /// assembles where nothing was solved before. After a failure positions are as they were, for a
-  /// later step to go on from there; rates are unspecified. The predictor does without what it
-  /// needs and was not solved in the instants before.
+  /// Solves the instant at time t [s], from the prediction or, where that fails, in sub-steps.
+  /// Assembles where nothing was solved before. After a failure positions are those before the
+  /// call, so that a later step can go on from there; rates are unspecified. Where earlier instants
+  /// were solved to lower levels than Settings::guess needs, a simpler guess replaces it.
   virtual Summary step(double t, Level level = Level::acceleration) = 0;
 
-  /// Returns whether drivers may be handed in step by step: not where the settings ask for a motion
-  /// known in advance (segments, threads, stride).
+  /// Returns whether drivers may be handed in step by step. Settings that need a motion known in
+  /// advance (segments, threads, stride) do not allow it.
   virtual bool is_live() const { return false; }
-  /// Like step(), with values handed in for the drivers instead of their motions; assembles at the
-  /// row where nothing was solved before. Sub-steps go straight from the last positions to the row,
-  /// max_sub_steps tries in all. Takes nothing from the heap, which step() may on failure: of a
-  /// failure it names the group alone, where there is one. See LiveRun, which looks at rows and
-  /// results.
+  /// Solves an instant like step(t), with driver values from a row instead of the motions. Takes at
+  /// most max_sub_steps sub-steps, in which drivers move linearly from their last positions to the
+  /// row. Takes nothing from the heap; so a failure names the group at most, and no constraint.
+  /// The row is not checked: LiveRun checks rows and assesses results.
   virtual Summary step(const LiveRow&, Level, int max_sub_steps) {
     static_cast<void>(max_sub_steps);
     return {.status = Status::not_converged};
   }
-  /// Goes back to positions solved before, at time t [s], from which live steps go on; rates are
-  /// unknown. q: coordinates() values or more; empty: the next step assembles.
+  /// Returns to positions q that were solved before, at time t [s]; the next live step starts
+  /// there. Rates become unknown. q: Model::coordinates() values or more; empty: the next step
+  /// assembles.
   virtual void return_to(std::span<const double>, double t) { static_cast<void>(t); }
 
-  /// Runs through a motion: assembles at the first instant of the grid, solves the others as the
-  /// settings say, and hands each to the observer. Stops at the first failure, all instants before
-  /// it handed on, or where the observer stops it; segments solved at once then leave the
-  /// formulation at the first instant. Throws std::invalid_argument for a request that names a
-  /// coordinate twice or one that does not exist.
+  /// Runs through the motion that the model's drivers have: assembles at the first instant of the
+  /// grid, solves the others as the settings say, and hands each to the observer. Stops at the
+  /// first failure, after it handed on all earlier instants, or where the observer says so. A
+  /// stopped run with segments or threads leaves the formulation at the first instant, any other at
+  /// the last one handed on. Throws std::invalid_argument for a request that names a coordinate
+  /// twice or one that does not exist.
   virtual Summary run(const TimeGrid& grid, const Request& request, Observer& observer) = 0;
 
-  /// Goes to the position of a motion at time t [s] without its instants before, by continuation:
-  /// from q (state_size() values of positions, solved at another instant) the drivers go straight.
-  /// A step goes on from there. Returns false where that cannot be done.
+  /// Goes to time t [s] of the motion without solving the instants before, by continuation: drivers
+  /// move linearly from the positions q to where they are at t. q: Model::state_size() values,
+  /// solved at another instant. A step or run_on() goes on from there. Returns false where the
+  /// position cannot be reached.
   virtual bool start_at(std::span<const double> q, double t) = 0;
 
-  /// Like run(), but starts at the position that start_at() reached. Returns nothing when an
-  /// instant could not be solved, or not at once; what the observer was given is then void.
+  /// Runs like run(), but starts at the position that start_at() reached. Returns nothing where an
+  /// instant could not be solved or segments do not meet; all that the observer was given is then
+  /// void.
   virtual std::optional<Summary> run_on(const TimeGrid& grid, const Request& request,
                                         Observer& observer) = 0;
 
-  /// Leaves out the levels of parts that nobody asks for: a part is solved to the highest level of
-  /// its unknowns. needed: one for each coordinate; what a part needs must be asked for at the
-  /// part's own level or a higher one. Values of levels left out are unspecified. Where instants
-  /// are interpolated nothing is left out, for that takes all levels.
+  /// Solves each part only to the highest level that is needed of its unknowns. needed: the level
+  /// of each coordinate, as Plan::levels has them: a coordinate that a part reads must have the
+  /// part's level or a higher one. Values above these levels are unspecified. A stride solves all
+  /// levels, since it interpolates with them.
   virtual void solve_only(std::span<const Level> needed) = 0;
 
-  /// Returns how often a motion that was to be solved at once was solved step by step after all.
+  /// Returns how often a motion that was to be solved in segments was solved step by step instead.
   virtual long run_by_steps() const { return 0; }
 
   virtual const std::vector<DefinedPart>& parts() const = 0;
 
-  /// The instant solved last: q, q̇, q̈ of the coordinates, then of the fixed entities. While a run
-  /// goes on that is asked for some coordinates, the others are unspecified.
+  /// Returns the instant solved last: q, q̇, q̈ of the coordinates, then of the fixed entities.
+  /// During a run whose request names coordinates, all others are unspecified.
   virtual const State& state() const = 0;
 
   const Model& model() const { return model_; }
 
-  /// On ‖Φ‖₂ of the whole mechanism: as asked for, or what rounding leaves if that is more, as in
-  /// long chains and far from the origin (Magnitudes::rounding).
+  /// Returns the settings that the formulation was made with.
+  const Settings& settings() const { return settings_; }
+
+  /// Returns the bound on ‖Φ‖₂ of the whole mechanism that instants meet: the one of the settings,
+  /// or what rounding leaves if that is more, as in long chains and far from the origin
+  /// (Magnitudes::rounding).
   double tolerance() const { return tolerance_; }
 
-  /// Returns how often, in all parts, pivots that were to be kept had gone bad
-  /// (Part::refactorisations).
+  /// Returns how often, in all parts, an order of pivots that was to be kept had gone bad and was
+  /// chosen anew.
   long refactorisations() const;
 
-  /// The instant solved last, in coordinate order (coordinates() values).
+  /// Return the instant solved last, in coordinate order (Model::coordinates() values).
   std::span<const double> q() const;
   std::span<const double> qd() const;
   std::span<const double> qdd() const;
 
  protected:
-  Formulation(const Model& model, double tolerance) : model_(model), tolerance_(tolerance) {}
+  Formulation(const Model& model, const Settings& settings, double tolerance)
+      : model_(model), settings_(settings), tolerance_(tolerance) {}
 
  private:
   const Model& model_;
+  const Settings settings_;
   double tolerance_;
 };
 

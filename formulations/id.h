@@ -17,18 +17,18 @@ struct Configuration {
   Settings settings;
 };
 
-/// The id of a variant with these settings: those that are not the paper's follow as suffixes, in
-/// this order:
+/// Returns the id of a variant with these settings. Settings that are not the paper's follow as
+/// suffixes, in this order:
 ///   <partition>_<equations>_<algebra>
 ///     /guess:linear|quadratic|hermite3|hermite5|adams8  /jacobian:step|chord
 ///     /factorisation:per_level /scalar:float|mixed  /lanes:4  /segments:4  /stride:2…64
 ///     /iterations:1… /tolerance:1e-6
 std::string id_with(const Variant& variant, const Settings& settings);
 
-/// Returns the meaning of an id, its suffixes in any order. Of settings that it does not name,
-/// `base` holds. Throws std::invalid_argument, naming the suffix and what could stand there, for a
-/// formulation, suffix or value that there is not and for a suffix given twice; and with the reason
-/// for what the formulation does not offer (unsupported_reason).
+/// Returns the variant and the settings that an id names, its suffixes in any order. base: settings
+/// that the id does not name. Throws std::invalid_argument, naming the suffix and what could stand
+/// there, for an unknown formulation, suffix or value and for a suffix given twice; and with the
+/// reason for settings that the formulation does not offer (unsupported_reason).
 Configuration parse_id(std::string_view id, const Settings& base = {});
 
 }  // namespace desmo

@@ -14,7 +14,6 @@
 #include "formulations/parts/explicit_part.h"
 #include "formulations/parts/inlined_part.h"
 #include "formulations/parts/newton_part.h"
-#include "formulations/parts/own_unit_part.h"
 #include "formulations/scaling/magnitudes.h"
 #include "formulations/stepping/dense_output.h"
 #include "formulations/stepping/time_stepping.h"
@@ -78,18 +77,11 @@ void make_inlined(Draft& d) {
 }
 
 void make_explicit(const Common& common, Draft& d) {
-  const PartDefinition& definition = d.part.definition;
   const ExplicitKernel* kernel = common.table.find_explicit_kernel(d.bound->kernel->fingerprint);
   d.part.as_named = kernel != nullptr;
   if (!kernel) return;
-  std::unique_ptr<Part> fallback = std::move(d.part.solver);
-  if (const auto unit =
-          OwnUnitPart::find_unit(common.m, definition, common.magnitudes.of_unknowns(definition)))
-    d.part.solver = std::make_unique<OwnUnitPart>(common.m, definition, *unit, *kernel, *d.bound,
-                                                  d.weights, d.settings, std::move(fallback));
-  else
-    d.part.solver = std::make_unique<ExplicitPart>(*kernel, *d.bound, d.weights, d.settings,
-                                                   std::move(fallback));
+  d.part.solver = std::make_unique<ExplicitPart>(*kernel, *d.bound, d.weights, d.settings,
+                                                 std::move(d.part.solver));
 }
 
 /// One kind of part after the other: what is at work in every step then stands together in memory,

@@ -44,9 +44,8 @@ std::span<const Variant> variants() {
 const Variant& find_variant(std::string_view id) {
   const auto it = std::ranges::find(variants(), id, &Variant::id);
   if (it != variants().end()) return *it;
-  for (const std::string& reason : {unavailable_reason(id), why_gone(id)})
-    if (!reason.empty())
-      throw std::invalid_argument("formulation '" + std::string(id) + "': " + reason);
+  if (const std::string reason = unavailable_reason(id); !reason.empty())
+    throw std::invalid_argument("formulation '" + std::string(id) + "': " + reason);
   std::string known;
   for (const Variant& v : variants()) known += "\n  " + v.id;
   throw std::invalid_argument("unknown formulation '" + std::string(id) + "'; there are:" + known);
@@ -58,6 +57,14 @@ std::string_view algebra_name(const Variant& v) {
 
 bool is_dense_global(const Variant& v) {
   return v.partition == Partition::global && v.backend && v.backend->dense;
+}
+
+std::string_view slow_reason(const Variant& v) {
+  const std::string_view algebra = algebra_name(v);
+  if (algebra == "spqr") return "orthogonal factorisation serves accuracy, not speed";
+  if (v.partition == Partition::block && (algebra == "umfpack" || algebra == "sparselu"))
+    return "a library's overhead is all there is in blocks this small";
+  return {};
 }
 
 bool has_phases(const Variant& v) { return v.backend != nullptr; }
@@ -112,16 +119,6 @@ std::string unavailable_reason(std::string_view id) {
     for (const Variant& v : make_variants({&b, 1}))
       if (v.backend && v.id == id) return b->absence().reason;
   return {};
-}
-
-std::string why_gone(std::string_view id) {
-  constexpr std::string_view algebra = "mixed";
-  if (!id.ends_with(algebra)) return {};
-  const std::string klu = std::string(id.substr(0, id.size() - algebra.size())) + "klu";
-  if (std::ranges::find(variants(), klu, &Variant::id) == variants().end()) return {};
-  return "algebra 'mixed' no longer exists: it chose a library for each part, nearly always klu; "
-         "use '" +
-         klu + "'";
 }
 
 std::vector<std::string> faulty_libraries() {

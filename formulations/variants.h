@@ -21,7 +21,8 @@ struct Profile;
 struct Backend;
 class KernelTable;
 
-/// A formulation of the suite: a point on the three axes of the design.
+/// A formulation of the suite: a partition of the unknowns, a way to evaluate the equations, and an
+/// algebra that solves the linear systems.
 struct Variant {
   std::string id;  ///< <partition>_<equations>_<algebra>
   Partition partition;
@@ -30,55 +31,56 @@ struct Variant {
   bool explicit_order = false;  ///< unknowns in closed form one after the other, as far as may be
 };
 
-/// Every variant of this build that this machine has the libraries for. Tests, benchmarks and
-/// documents iterate this table.
+/// Returns every variant of this build whose library is present on this machine. Tests, benchmarks
+/// and documents iterate this table.
 std::span<const Variant> variants();
 
-/// Returns the variant of that id. Throws std::invalid_argument with the reason when it is
-/// unavailable_reason or no longer exists, and otherwise with a list of the ids when there is none.
+/// Returns the variant of that id. Throws std::invalid_argument: with the reason where the variant
+/// cannot be had on this machine (unavailable_reason), else with a list of all ids.
 const Variant& find_variant(std::string_view id);
 
-/// "lapack", "klu", …, "inlined", "explicit".
+/// Returns "lapack", "klu", …, "inlined" or "explicit".
 std::string_view algebra_name(const Variant& variant);
 
-/// Returns whether it solves all unknowns at once with dense matrices, at O(n³) a step.
+/// Returns whether a variant solves all unknowns at once with dense matrices, at O(n³) a step.
 bool is_dense_global(const Variant& variant);
 
-/// Returns whether its phases can be measured apart (generated elimination has none).
+/// Returns why a variant is too slow to be timed with many coordinates, though not dense: what it
+/// serves instead. Empty: it is not.
+std::string_view slow_reason(const Variant& variant);
+
+/// Returns whether the phases of a variant's steps can be measured (see Phase). Generated
+/// eliminations have none.
 bool has_phases(const Variant& variant);
 
-/// Why a variant does not offer these settings, in a sentence without a full stop; empty when it
-/// does. What it names is not applicable: it is refused, never silently replaced.
+/// Returns why a variant does not offer these settings, in a sentence without a full stop; empty
+/// when it does. Settings that are not offered are refused, never silently replaced.
 std::string unsupported_reason(const Variant& variant, const Settings& settings);
 
-/// Why settings that a variant offers cannot be had on this machine, as unsupported_reason says it;
-/// empty when they can.
+/// Returns why this machine cannot run these settings, which a variant offers; empty when it can.
 std::string unavailable_reason(const Settings& settings);
 
-/// Why the variant of that id, which this build has, cannot be had on this machine; empty when it
+/// Returns why this machine cannot run the variant of that id: its library is absent. Empty when it
 /// can, and when there is no such variant.
 std::string unavailable_reason(std::string_view id);
 
-/// Says what became of an id that earlier versions had, and what to use instead; empty for all
-/// other ids.
-std::string why_gone(std::string_view id);
-
-/// Returns which variants are missing because a library that was found, or named, does not serve,
-/// and why: a line each. A library that is simply not there is none.
+/// Returns a line for each library that was found, or named by the user, and cannot be used: the
+/// variants that are missing, and why. Libraries that are not installed are not listed.
 std::vector<std::string> faulty_libraries();
 
-/// Analyses the mechanism and allocates everything. Parts of types for which there is no generated
-/// code are evaluated automatically and are not `as_named`. `profile`, when given, receives the
-/// time of its phases on the caller's thread; `table`, when given, has generated code beside what
-/// desmo was built with; both must outlive the formulation. Throws std::invalid_argument, naming
-/// the place, for a mechanism that it cannot solve, and with the reason for settings that it does
-/// not offer (unsupported_reason, unavailable_reason).
+/// Makes a formulation: analyses the model and allocates everything. Parts without generated code
+/// are evaluated automatically, and are not DefinedPart::as_named.
+/// - model: outlives the formulation
+/// - profile: receives the time of each phase on the caller's thread; null: none is measured
+/// - table: generated code in addition to what desmo was built with; null: none
+/// Throws std::invalid_argument, naming the place, for a model that it cannot solve, and with the
+/// reason for settings that it does not offer (unsupported_reason, unavailable_reason).
 std::unique_ptr<Formulation> make_formulation(const Variant& variant, const Model& model,
                                               const Settings& settings = {},
                                               Profile* profile = nullptr,
                                               const KernelTable* table = nullptr);
 
-/// Libraries of the linear algebra in this build and their versions, by backend name.
+/// Returns the libraries of linear algebra that are present, by backend name, and their versions.
 std::vector<std::pair<std::string, std::string>> library_versions();
 
 }  // namespace desmo

@@ -21,106 +21,90 @@ std::vector<std::string> origins(const Record& first, const Record& second) {
 }
 
 /// Counts what one has and the other has not.
-std::int64_t only_in(const TimedGroup& group, const TimedGroup& other) {
-  return std::ranges::count_if(
-      group.timings, [&](const auto& entry) { return !other.timings.contains(entry.first); });
+template <class Map>
+std::int64_t only_in(const Map& one, const Map& other) {
+  return std::ranges::count_if(one, [&](const auto& e) { return !other.contains(e.first); });
 }
 
-Timing timing_of(const std::map<CandidateKey, Timing>& all, const CandidateKey& key) {
-  const auto found = all.find(key);
-  if (found != all.end()) return found->second;
-  return {{std::nullopt, missing_mark}, {}, {}};
-}
-
-std::string remarks(const Timing& a, const Timing& b) {
-  std::string text = a.remark.empty() ? "" : "A: " + a.remark;
-  if (!b.remark.empty()) text += (text.empty() ? "B: " : "; B: ") + b.remark;
-  return text;
-}
-
-std::vector<Entry> names_of(const CandidateKey& key) {
-  return {key.case_name, key.coordinates, key.id};
+/// Adds a row for each key that both have, and of which `entries_of` gives something.
+template <class Map, class EntriesOf>
+void add_rows(Table& table, const Map& a, const Map& b, const EntriesOf& entries_of) {
+  for (const auto& [key, one] : a) {
+    const auto other = b.find(key);
+    if (other == b.end()) continue;
+    const std::vector<Entry> entries = entries_of(key, one, other->second);
+    if (entries.empty()) continue;
+    std::vector<Entry> row{key.case_name, key.coordinates, key.id};
+    row.insert(row.end(), entries.begin(), entries.end());
+    table.rows.push_back(std::move(row));
+  }
 }
 
 Table seconds_of_both(const TimedGroup& a, const TimedGroup& b, const Record& first) {
   Table table = headed_table("comparison", {{"name", a.name},
                                             {"what", a.what},
                                             {"time", time_word(first)},
-                                            {"only_a", only_in(a, b)},
-                                            {"only_b", only_in(b, a)}});
+                                            {"only_a", only_in(a.timings, b.timings)},
+                                            {"only_b", only_in(b.timings, a.timings)}});
   define_time(table, first);
-  for (const auto& [key, one] : a.timings) {
-    const auto found = b.timings.find(key);
-    if (found == b.timings.end()) continue;
-    const Timing& other = found->second;
-    std::vector<Entry> row = names_of(key);
-    row.insert(row.end(),
-               {seconds_entry(one.time), seconds_entry(other.time),
-                speed_up_entry(measured_speed_up(one.time, other.time)), remarks(one, other)});
-    table.rows.push_back(std::move(row));
-  }
+  add_rows(table, a.timings, b.timings,
+           [](const CandidateKey&, const Timing& one, const Timing& other) {
+             std::string remark = one.remark.empty() ? "" : "A: " + one.remark;
+             if (!other.remark.empty()) remark += (remark.empty() ? "B: " : "; B: ") + other.remark;
+             return std::vector<Entry>{seconds_entry(one.time), seconds_entry(other.time),
+                                       ratio_entry(measured_speed_up(one.time, other.time), true),
+                                       remark};
+           });
   return table;
 }
 
 /// What may be shown of a key in a record: nothing of a reference, which is 1 everywhere.
-std::optional<SpeedUp> speed_up_of(const TimedGroup& group, const CandidateKey& key) {
-  const CandidateKey reference = reference_of(key);
-  if (reference == key) return std::nullopt;
-  return measured_speed_up(timing_of(group.timings, reference).time,
-                           timing_of(group.timings, key).time)
-      .speed_up;
+std::optional<SpeedUp> speed_up_of(const TimedGroup& group, const CandidateKey& key,
+                                   const Timing& timing) {
+  const auto reference = group.timings.find(reference_of(key));
+  if (reference == group.timings.end() || reference->first == key) return std::nullopt;
+  return measured_speed_up(reference->second.time, timing.time).speed_up;
 }
 
 Table speed_ups_of_both(const TimedGroup& a, const TimedGroup& b) {
   Table table = headed_table(
       "machines",
       {{"name", a.name.substr(std::string_view("comparison").size())}, {"what", a.what}});
-  for (const auto& [key, timing] : a.timings) {
-    const std::optional<SpeedUp> one = speed_up_of(a, key), other = speed_up_of(b, key);
-    if (!one || !other) continue;
-    std::vector<Entry> row = names_of(key);
-    row.insert(row.end(), {ratio_entry(*one), ratio_entry(*other)});
-    table.rows.push_back(std::move(row));
-  }
+  add_rows(table, a.timings, b.timings,
+           [&](const CandidateKey& key, const Timing& one, const Timing& other) {
+             const auto first = speed_up_of(a, key, one), second = speed_up_of(b, key, other);
+             return first && second ? std::vector{ratio_entry(*first), ratio_entry(*second)}
+                                    : std::vector<Entry>();
+           });
   return table;
 }
 
 Table counts_of_both(const Record& first, const Record& second) {
   Table table = headed_table("comparison_instructions");
-  for (const auto& [key, count] : first.instructions) {
-    const auto other = second.instructions.find(key);
-    if (other == second.instructions.end()) continue;
-    const auto a = static_cast<double>(count.instructions),
-               b = static_cast<double>(other->second.instructions);
-    std::vector<Entry> row = names_of(key);
-    row.insert(row.end(), {count_entry(static_cast<std::size_t>(count.instructions)),
-                           count_entry(static_cast<std::size_t>(other->second.instructions)),
-                           number_entry(a / b, 3)});
-    table.rows.push_back(std::move(row));
-  }
+  add_rows(table, first.instructions, second.instructions,
+           [](const CandidateKey&, const StepCount& a, const StepCount& b) {
+             const double ratio =
+                 static_cast<double>(a.instructions) / static_cast<double>(b.instructions);
+             return std::vector{digits_entry(std::to_string(a.instructions)),
+                                digits_entry(std::to_string(b.instructions)),
+                                number_entry(ratio, 3)};
+           });
   return table;
-}
-
-void add(Section& section, Table table) {
-  if (!table.rows.empty()) section.tables.push_back(std::move(table));
 }
 
 }  // namespace
 
 Document make_comparison(const Record& first, const Record& second) {
-  Section section{sentence("comparison.section"), origins(first, second), {}};
+  const bool machines = are_of_two_machines(first, second);
+  const std::string words = machines ? "machines." : "comparison.";
+  Section section{sentence(words + "section"), origins(first, second), {}};
   const std::vector<TimedGroup> a = timed_groups(first), b = timed_groups(second);
-  for (std::size_t i = 0; i < a.size(); ++i) add(section, seconds_of_both(a[i], b[i], first));
-  add(section, counts_of_both(first, second));
-  return {.title = sentence("comparison.document"), .sections = {std::move(section)}};
-}
-
-Document make_comparison_of_machines(const Record& first, const Record& second) {
-  Section section{sentence("machines.section"), origins(first, second), {}};
-  const std::vector<TimedGroup> a = timed_groups(first), b = timed_groups(second);
-  for (std::size_t i = 0; i < a.size(); ++i) add(section, speed_ups_of_both(a[i], b[i]));
-  add(section, counts_of_both(first, second));
-  return {.title = sentence("machines.document"), .sections = {std::move(section)}};
+  for (std::size_t i = 0; i < a.size(); ++i)
+    section.tables.push_back(machines ? speed_ups_of_both(a[i], b[i])
+                                      : seconds_of_both(a[i], b[i], first));
+  section.tables.push_back(counts_of_both(first, second));
+  std::erase_if(section.tables, [](const Table& table) { return table.rows.empty(); });
+  return {.title = sentence(words + "document"), .sections = {std::move(section)}};
 }
 
 }  // namespace desmo::report

@@ -8,7 +8,8 @@
 #include "report/check/command.h"
 #include "report/figures/figures.h"
 #include "report/formats/formats.h"
-#include "report/read/record_reader.h"
+#include "report/read/record.h"
+#include "report/read/record_file.h"
 #include "report/report.h"
 #include "report/statistics/comparability.h"
 #include "report/text/texts.h"
@@ -57,16 +58,6 @@ Document with_tables(Document document, const std::vector<std::string>& names) {
   return document;
 }
 
-std::string on_standard_output(const Document& document, const std::vector<std::string>& formats) {
-  std::string text;
-  for (const std::string& format : formats)
-    for (const NewFile& file : render(document, format)) {
-      if (format == "csv") text += (text.empty() ? "# " : "\n# ") + file.file_name + "\n";
-      text += file.content;
-    }
-  return text;
-}
-
 // Says why two records cannot be put beside each other; nothing when they can.
 bool complain(const std::string& first, const std::string& second,
               const std::vector<Difference>& differences) {
@@ -89,17 +80,15 @@ ExitCode tables(const TablesCommand& command) {
   if (!command.tables.empty()) document = with_tables(std::move(document), command.tables);
   const auto& chosen = command.formats;
   if (command.folder.empty() && (command.all || !chosen.empty() || !command.tables.empty())) {
-    write_standard_output(on_standard_output(
-        document, chosen.empty() ? std::vector<std::string>{"terminal"} : chosen));
+    write_standard_output(
+        printed(document, chosen.empty() ? std::vector<std::string>{"terminal"} : chosen));
     return success;
   }
   if (command.folder.empty()) {
     write_standard_output(front_to_terminal(document) + "\n" + sentence("front.rest") + "\n");
     return success;
   }
-  std::vector<NewFile> files;
-  for (const Record& record : records)
-    std::ranges::move(figures(record), std::back_inserter(files));
+  std::vector<NewFile> files = figures(document);
   for (const std::string& format : chosen.empty() ? format_names() : chosen)
     std::ranges::move(render(document, format), std::back_inserter(files));
   write_files(command.folder, files);
@@ -119,9 +108,7 @@ ExitCode compare(const CompareCommand& command) {
           command.first, command.second,
           two_machines ? different_work_reason(first, second) : why_incomparable(first, second)))
     return incomparable;
-  write_standard_output(on_standard_output(
-      two_machines ? make_comparison_of_machines(first, second) : make_comparison(first, second),
-      {command.format}));
+  write_standard_output(printed(make_comparison(first, second), {command.format}));
   if (!two_machines) return success;
   std::cerr << "desmo_report: "
             << sentence("machines.no_verdict",
@@ -137,7 +124,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", "desmo_report " DESMO_VERSION);
   app.require_subcommand(1);
   const auto add_format = [](CLI::App* command, auto& formats) {
-    command->add_option("--format", formats, "terminal, json, csv, markdown or html")
+    command->add_option("--format", formats, "terminal, csv, markdown or html")
         ->check(CLI::IsMember(format_names()));
   };
   TablesCommand command;

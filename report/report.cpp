@@ -17,8 +17,7 @@ std::vector<Section> paper_sections(const Record& record) {
   const auto add = [&sections](Section section) {
     if (!section.tables.empty()) sections.push_back(std::move(section));
   };
-  add(beyond(record));
-  if (!record.structure.empty()) add(partitions(record));
+  add(threads(record));
   add(requests(record));
   if (!record.peers.empty()) add(peers(record));
   add(every_formulation(record));
@@ -30,31 +29,22 @@ std::vector<Section> paper_sections(const Record& record) {
 void move_figure_to_front(std::vector<Section>& sections) {
   if (sections.size() < 2) return;
   std::vector<Table>&tables = sections[1].tables, &front = sections.front().tables;
-  const auto figure = std::find_if(tables.rbegin(), tables.rend(), std::mem_fn(&Table::figure));
+  const auto figure = std::find_if(tables.rbegin(), tables.rend(),
+                                   [](const Table& table) { return !table.figure.empty(); });
   if (figure == tables.rend()) return;
   front.insert(front.begin(), std::move(*figure));
   tables.erase(std::next(figure).base());
 }
 
-/// What a record may have, and the sections it then gives, those in front first.
-struct Experiment {
-  const char* title;
-  bool (*is_in)(const Record&);
-  std::vector<Section> (*sections)(const Record&);
-};
-
-const std::vector<Experiment>& reported_experiments() {
-  static const std::vector<Experiment> all{
-      {"The paper's experiment", has_paper, paper_sections},
-      {"Accuracy", [](const Record& r) { return !r.points.empty(); }, accuracy_sections},
-      {"Accuracy of desmo tune", [](const Record& r) { return !r.tuning.empty(); },
-       tuning_sections},
-      {"Size", has_sizes, size_sections},
-      {"Instructions", [](const Record& r) { return !r.instructions.empty(); },
-       instructions_sections},
-      {"Extremes", [](const Record& r) { return !r.extremes.empty(); }, extremes_sections}};
-  return all;
-}
+/// Returns the sections of an experiment, the one in front first. Its name and title are those of
+/// the block "experiments" in text/texts.txt.
+constexpr std::pair<std::string_view, std::vector<Section> (*)(const Record&)> sections_of[] = {
+    {"paper", paper_sections},
+    {"accuracy", accuracy_sections},
+    {"tuning", tuning_sections},
+    {"size", size_sections},
+    {"instructions", instructions_sections},
+    {"extremes", extremes_sections}};
 
 /// A table of each; the names of the later ones are numbered.
 Section measured_how(const std::vector<Record>& records) {
@@ -83,15 +73,17 @@ Section joint_limitations(const std::vector<Record>& records) {
 
 Document make_report(const std::vector<Record>& records) {
   Document document{.title = {}, .sections = {}};
-  for (const Experiment& experiment : reported_experiments()) {
-    const auto record = std::ranges::find_if(records, experiment.is_in);
+  for (const auto& [name, sections_of_record] : sections_of) {
+    const auto experiment = std::ranges::find(experiments, name, &Experiment::name);
+    const auto record = std::ranges::find_if(records, experiment->is_in);
     if (record == records.end()) continue;
-    if (document.title.empty()) document.title = "desmo: " + std::string(experiment.title);
-    std::vector<Section> sections = experiment.sections(*record);
+    const std::string title = sentence("experiments." + std::string(name));
+    if (document.title.empty()) document.title = "desmo: " + title;
+    std::vector<Section> sections = sections_of_record(*record);
     move_figure_to_front(sections);
     sections.front().front = true;
     for (Section& section : sections) {
-      section.chapter = experiment.title;
+      section.chapter = title;
       document.sections.push_back(std::move(section));
     }
   }

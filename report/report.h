@@ -17,12 +17,10 @@ Document make_report(const Record& record);
 /// needs. Their times may stand on one page (statistics/comparability.h).
 Document make_report(const std::vector<Record>& records);
 
-/// Says how many times as fast the second record is, for everything timed or to be timed in either.
-/// The records are comparable (report/comparability.h).
+/// Says how many times as fast the second record is, for all that both have timed. Of two machines
+/// no seconds are shown: their speed-ups stand side by side, each over the usual reference in its
+/// own record. The records are comparable, or agree in what was solved
+/// (statistics/comparability.h).
 Document make_comparison(const Record& first, const Record& second);
-
-/// Shows the speed-ups of two machines side by side, and no seconds: of everything that both have
-/// timed, over the usual reference, each in its own record. The records agree in what was solved.
-Document make_comparison_of_machines(const Record& first, const Record& second);
 
 }  // namespace desmo::report

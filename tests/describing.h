@@ -84,8 +84,8 @@ class Sketch : public MechanismBuilder {
   }
 };
 
-/// Returns the segment from one point to another.
-inline Mechanism::Direction segment(int from, int to) { return {-1, from, to}; }
+/// Returns the line from one point to another.
+inline Mechanism::Direction line(int from, int to) { return {-1, from, to}; }
 
 /// A model solved at given instants. The constructor expects every step to succeed.
 class Solved {

@@ -9,6 +9,7 @@
 #include <tuple>
 #include <vector>
 
+#include "formulations/algebra/backend.h"
 #include "formulations/variants.h"
 
 namespace desmo {
@@ -26,8 +27,7 @@ inline std::vector<Variant> tested_variants() {
   std::set<std::tuple<Partition, Evaluation, std::string_view>> kinds;
   for (const Variant& v : all) {
     const std::string_view algebra = algebra_name(v);
-    const bool dense = algebra == "lapack" || algebra == "eigen";
-    const std::string_view kind = !v.backend ? algebra : dense ? "dense" : "sparse";
+    const std::string_view kind = !v.backend ? algebra : v.backend->dense ? "dense" : "sparse";
     const bool names_a_library = v.id.starts_with("global_automatic_");
     if (kinds.emplace(v.partition, v.evaluation, kind).second || names_a_library)
       chosen.push_back(v);

@@ -9,10 +9,10 @@
 
 namespace desmo {
 
-/// Returns a peer of this build; throws std::invalid_argument when there is none.
+/// Returns a peer; throws std::invalid_argument when there is none.
 inline const PeerDefinition& find_peer(std::string_view name) {
-  for (const PeerDefinition* peer : peers())
-    if (peer->name == name) return *peer;
+  for (const PeerDefinition& peer : peers())
+    if (peer.name == name) return peer;
   throw std::invalid_argument("no peer " + std::string(name));
 }
 

@@ -1,7 +1,10 @@
 #include "bench/cli/errors.h"
 
+#include <cerrno>
 #include <cstdio>
 #include <new>
+
+#include "cases/io/new_files.h"
 
 namespace desmo::cli {
 namespace {
@@ -16,8 +19,9 @@ int complain(const char* message, int code) {
 int report_current_exception() noexcept {
   try {
     throw;
-  } catch (const OutputClosed&) {
-    return output_closed;
+  } catch (const OutputError& error) {
+    // Where the reader of a pipe is gone, nobody waits for a message.
+    return error.code() == EPIPE ? output_closed : complain(error.what(), unwritable_output);
   } catch (const Error& error) {
     return complain(error.what(), error.code());
   } catch (const InputError& error) {

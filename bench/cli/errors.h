@@ -31,9 +31,6 @@ class Error : public std::runtime_error {
   ExitCode code_;
 };
 
-/// Signals that the reader of a pipe is gone. It deserves no message.
-struct OutputClosed {};
-
 /// Reports the exception being handled on standard error. Returns the exit code; throws nothing.
 int report_current_exception() noexcept;
 

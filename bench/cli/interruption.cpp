@@ -37,12 +37,11 @@ void handle_signals() {
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
-RemovedWhenInterrupted::RemovedWhenInterrupted(const std::string& path) {
+void remove_when_interrupted(const std::string& path) {
+  is_to_be_removed = false;
   if (path.size() >= sizeof path_to_remove) return;  // the system makes no file of such a name
   std::memcpy(path_to_remove, path.c_str(), path.size() + 1);
   is_to_be_removed = true;
 }
-
-RemovedWhenInterrupted::~RemovedWhenInterrupted() { is_to_be_removed = false; }
 
 }  // namespace desmo::cli

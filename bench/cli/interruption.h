@@ -10,13 +10,7 @@ namespace desmo::cli {
 /// Writes to a closed pipe or beyond a size limit report errors themselves.
 void handle_signals();
 
-/// A file that an interruption removes while this object lives. Only one may exist at a time.
-class RemovedWhenInterrupted {
- public:
-  explicit RemovedWhenInterrupted(const std::string& path);
-  RemovedWhenInterrupted(const RemovedWhenInterrupted&) = delete;
-  RemovedWhenInterrupted& operator=(const RemovedWhenInterrupted&) = delete;
-  ~RemovedWhenInterrupted();
-};
+/// Lets an interruption remove the file of that name, in place of the one named before.
+void remove_when_interrupted(const std::string& path);
 
 }  // namespace desmo::cli

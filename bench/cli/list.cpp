@@ -5,9 +5,9 @@
 
 #include "bench/cli/commands.h"
 #include "bench/cli/input.h"
-#include "bench/cli/output.h"
 #include "bench/cli/text.h"
 #include "cases/generators/cases.h"
+#include "cases/io/new_files.h"
 #include "cases/mechanism/names.h"
 #include "formulations/variants.h"
 

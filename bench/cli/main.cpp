@@ -8,7 +8,7 @@
 #include "bench/cli/commands.h"
 #include "bench/cli/errors.h"
 #include "bench/cli/interruption.h"
-#include "bench/cli/output.h"
+#include "cases/io/new_files.h"
 #include "cases/mechanism/names.h"
 
 namespace {
@@ -52,7 +52,7 @@ void run(int argc, char** argv) {
   } catch (const CLI::Success& wanted) {  // --help, --version
     std::ostringstream text, unused;
     program.exit(wanted, text, unused);
-    cli::write_standard_output(text.str());
+    write_standard_output(text.str());
   } catch (const CLI::ParseError& error) {
     throw cli::Error(cli::usage_error,
                      printable(error.what(), 300) + "; 'desmo --help' shows what there is");

@@ -9,6 +9,31 @@
 #include "cases/mechanism/names.h"
 
 namespace desmo::cli {
+namespace {
+
+/// Returns a note on the code generated for a formulation and the time it took, or on why there is
+/// none. It is empty when the program's own code sufficed.
+std::string note_on(const load::OwnKernels& own) {
+  std::string note;
+  if (own.parts_too_large > 0)
+    note = "note: " + count(own.parts_too_large, "part") + " too large to generate code for\n";
+  if (own.types.empty())
+    return note + (own.problem.empty() ? "" : "note: " + printable(own.problem, 600) + "\n");
+  std::vector<std::string> types;
+  for (const load::TypeUse& t : own.types)
+    types.push_back(printable(t.group) + " (" + count(t.unknowns, "unknown") +
+                    (t.parts > 1 ? ", " + count(t.parts, "part") : "") + ")");
+  const std::string of = " for " + enumerate(types, 8) + ": ";
+  if (!own.problem.empty()) return note + "note: no code" + of + printable(own.problem, 600) + "\n";
+  char compiling[40] = "", time[40];
+  if (own.compiled) std::snprintf(compiling, sizeof compiling, " in %.2f s", own.seconds_compiling);
+  std::snprintf(time, sizeof time, " (%.2f s in all)\n", own.seconds);
+  return note + "note: code" + of +
+         (own.compiled ? "compiled by " + own.compiler : "from " + printable(own.folder, 300)) +
+         compiling + time;
+}
+
+}  // namespace
 
 void add_options(CLI::App& command, OwnCode& wanted) {
   command.add_flag("--no-compile", wanted.none,
@@ -29,26 +54,6 @@ void add_own_code(KernelTable& table, const Configuration& formulation, const Mo
       load::add_own_kernels(table, *formulation.variant, formulation.settings, model, grid,
                             std::chrono::ceil<std::chrono::milliseconds>(limit));
   if (!quiet) std::fputs(note_on(own).c_str(), stderr);
-}
-
-std::string note_on(const load::OwnKernels& own) {
-  std::string note;
-  if (own.parts_too_large > 0)
-    note = "note: " + count(own.parts_too_large, "part") + " too large to generate code for\n";
-  if (own.types.empty())
-    return note + (own.problem.empty() ? "" : "note: " + printable(own.problem, 600) + "\n");
-  std::vector<std::string> types;
-  for (const load::TypeUse& t : own.types)
-    types.push_back(printable(t.group) + " (" + count(t.unknowns, "unknown") +
-                    (t.parts > 1 ? ", " + count(t.parts, "part") : "") + ")");
-  const std::string of = " for " + enumerate(types, 8) + ": ";
-  if (!own.problem.empty()) return note + "note: no code" + of + printable(own.problem, 600) + "\n";
-  char compiling[40] = "", time[40];
-  if (own.compiled) std::snprintf(compiling, sizeof compiling, " in %.2f s", own.seconds_compiling);
-  std::snprintf(time, sizeof time, " (%.2f s in all)\n", own.seconds);
-  return note + "note: code" + of +
-         (own.compiled ? "compiled by " + own.compiler : "from " + printable(own.folder, 300)) +
-         compiling + time;
 }
 
 }  // namespace desmo::cli

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <string>
 
 #include "formulations/equations/kernel_table.h"
 #include "formulations/id.h"
@@ -23,9 +22,5 @@ void add_options(CLI::App& command, OwnCode& wanted);
 /// table. Unless quiet, reports the result on standard error.
 void add_own_code(KernelTable& table, const Configuration& formulation, const Model& model,
                   const TimeGrid& grid, const OwnCode& wanted, bool quiet);
-
-/// Returns a note on the code generated for a formulation and the time it took, or on why there is
-/// none. It is empty when the program's own code sufficed.
-std::string note_on(const load::OwnKernels& own);
 
 }  // namespace desmo::cli

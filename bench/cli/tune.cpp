@@ -1,5 +1,4 @@
 // desmo tune: the cheapest settings that are accurate enough for a scene, on this machine.
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -9,10 +8,11 @@
 #include "bench/cli/commands.h"
 #include "bench/cli/errors.h"
 #include "bench/cli/input.h"
-#include "bench/cli/output.h"
+#include "bench/cli/interruption.h"
 #include "bench/cli/own_code.h"
 #include "bench/cli/text.h"
 #include "bench/experiments/accuracy/search.h"
+#include "cases/io/new_files.h"
 #include "cases/io/scene_text.h"
 #include "cases/io/text_file.h"
 #include "formulations/verification/condition.h"
@@ -23,17 +23,13 @@ namespace {
 constexpr std::size_t rows_shown = 12;
 
 struct TuneOptions {
-  std::string scene, level = "position";
+  std::string scene;
+  Level level = Level::position;
   double max_error = 0, budget = 0;
-  bool write = false, exhaustive = false, quiet = false;
+  bool write = false, quiet = false;
   OwnCode own_code;
 
-  accuracy::Goal goal() const {
-    return {level == "position"   ? Level::position
-            : level == "velocity" ? Level::velocity
-                                  : Level::acceleration,
-            max_error, budget};
-  }
+  accuracy::Goal goal() const { return {level, max_error, budget}; }
 };
 
 std::string number(const char* format, double value) {
@@ -59,15 +55,6 @@ std::string evidence(const accuracy::Found& found) {
          "; those than which no faster one was as accurate:\n" + table(rows, "rr");
 }
 
-/// What conditioning lets double precision reach, as a prediction of its order.
-double floor_of(const accuracy::Problem& problem, Level level) {
-  ConditionNumber number(problem.plan.model);
-  double largest = 0;
-  for (const ReferenceInstant& i : problem.reference.instants)
-    largest = std::max(largest, number(i.q));
-  return accuracy_limit(largest, std::ldexp(1, -53))[level];
-}
-
 [[noreturn]] void refuse(const accuracy::Found& found, const accuracy::Problem& whole,
                          const TuneOptions& options, const Input& input) {
   const accuracy::Tried* nearest = nullptr;
@@ -79,20 +66,21 @@ double floor_of(const accuracy::Problem& problem, Level level) {
   if (budget)
     text += "nothing takes at most " + microseconds(options.budget) + " a step here";
   else
-    text += "nothing holds a relative " + options.level + " error of " +
-            number("%.2g", options.max_error);
+    text += "nothing holds a relative " + std::string(bench::level_names[options.level]) +
+            " error of " + number("%.2g", options.max_error);
   if (nearest)
     text += "; the " + std::string(budget ? "fastest" : "most accurate") + " is " + nearest->id +
             " with " + number("%.2g", nearest->error) + " in " + microseconds(nearest->seconds);
   if (!budget)
     text += "; conditioning sets a floor of the order of " +
-            number("%.1g", floor_of(whole, options.goal().level));
+            number("%.1g", accuracy_limit(accuracy::max_condition(whole),
+                                          std::ldexp(1, -53))[options.level]);
   throw Error(not_solved, text + "; ask for " + (budget ? "more time" : "a larger error"));
 }
 
 void write_scene(const std::string& path, const std::string& id) {
   const std::string text = with_formulation(read_text(path), id);
-  Output output(path);
+  OutputFile output(path, remove_when_interrupted);
   output.write(text);
   output.finish();
 }
@@ -116,7 +104,8 @@ void tune(const TuneOptions& options) {
   const Plan plan = make_plan(whole_model, asked_by(input.scene, whole_model));
   const accuracy::Goal goal = options.goal();
   if (plan.level() < goal.level)
-    throw Error(usage_error, "--level " + options.level + ": the scene does not ask for any");
+    throw Error(usage_error, "--level " + std::string(bench::level_names[options.level]) +
+                                 ": the scene does not ask for any");
   const auto say = [&](const std::string& what) {
     if (!options.quiet) std::fprintf(stderr, "tune: %s\n", what.c_str());
   };
@@ -124,8 +113,7 @@ void tune(const TuneOptions& options) {
   say("reference solutions in quadruple precision");
   accuracy::TunedMotion motion = accuracy::make_tuned_motion(plan, input.scene.grid);
   motion.whole.kernels = motion.begin.kernels = kernels;
-  const accuracy::Found found =
-      accuracy::search(motion, goal, {.exhaustive = options.exhaustive, .say = say});
+  const accuracy::Found found = accuracy::search(motion, goal, {.say = say});
   if (!found.choice) refuse(found, motion.whole, options, input);
 
   const std::string id = id_with(*found.choice->variant, found.choice->settings);
@@ -168,11 +156,15 @@ void add_tune(CLI::App& program) {
           std::map<std::string, double>{{"s", 1}, {"ms", 1e-3}, {"us", 1e-6}, {"ns", 1e-9}},
           CLI::AsNumberWithUnit::UNIT_REQUIRED, "TIME"))
       ->check(CLI::PositiveNumber);
-  command->add_option("--level", options->level, "Which error is meant; position by default")
-      ->check(CLI::IsMember({"position", "velocity", "acceleration"}));
+  std::map<std::string, Level> by_name;
+  for (const Level level : levels) by_name.emplace(bench::level_names[level], level);
+  command
+      ->add_option_function<std::string>(
+          "--level",
+          [options, by_name](const std::string& name) { options->level = by_name.at(name); },
+          "Which error is meant; position by default")
+      ->check(CLI::IsMember(by_name));
   command->add_flag("--write", options->write, "Store the choice in the scene file");
-  command->add_flag("--exhaustive", options->exhaustive,
-                    "Try every formulation with all settings on the whole motion");
   add_options(*command, options->own_code);
   command->add_flag("--quiet", options->quiet, "No progress");
   command->callback([options] { tune(*options); });

@@ -11,20 +11,23 @@
 #include <string_view>
 
 #include "bench/experiments/experiments.h"
+#include "bench/kit/memory.h"
 #include "bench/kit/record/environment.h"
+#include "formulations/algebra/blas.h"
 
 namespace {
 
 using namespace desmo::bench;
 
-/// All experiments, the paper's first.
+struct Experiment {
+  std::string_view name, help;
+  int (*run)(const CommandLine&);
+};
+
 constexpr Experiment all_experiments[] = {
-    {"paper", "CPU time of every case, size and formulation: the paper's Tables 1 and 2",
-     run_paper},
-    {"accuracy", "Time against error of formulations and their settings", run_accuracy},
-    {"size", "How time grows with the size of a mechanism", run_size},
-    {"instructions", "Instructions a step, counted by callgrind", run_instructions},
-    {"extremes", "Every formulation where most go wrong", run_extremes},
+#define DESMO_EXPERIMENT(name, help) {#name, help, run_##name},
+    DESMO_EXPERIMENTS(DESMO_EXPERIMENT)
+#undef DESMO_EXPERIMENT
 };
 
 enum ExitCode { success = 0, usage_error = 64, not_written = 74 };
@@ -62,8 +65,12 @@ int run(int argc, char** argv) {
   const bool has_name = argc > 1 && !first.starts_with('-');
   if (first == "--help" || first == "-h") print_experiments();
   const Experiment& experiment = has_name ? named(first) : all_experiments[0];
-  return experiment.run(
-      {command_line(argc, argv), argv[0], {argv + (has_name ? 2 : 1), argv + argc}});
+  keep_freed_memory();
+  desmo::set_blas_threads(1);  // the clock is the thread's own
+  return experiment.run({std::string(experiment.name),
+                         command_line(argc, argv),
+                         argv[0],
+                         {argv + (has_name ? 2 : 1), argv + argc}});
 }
 
 }  // namespace

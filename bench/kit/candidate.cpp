@@ -65,20 +65,22 @@ FormulationCandidate::FormulationCandidate(const Problem& problem, std::string_v
                                            const Configuration& c)
     : Candidate(problem.grid, c.settings.threads),
       coordinates(problem.plan.model.coordinates()),
+      asked_{problem.level(), {}},
       problem_(&problem),
       case_name_(problem.plan.model.name),
       id_(id),
       configuration_(c),
-      delivery_(coordinates, Level::acceleration, windows) {}
+      delivery_(delivered(), asked_.level, windows) {}
 
 FormulationCandidate::FormulationCandidate(const TimeGrid& instants, std::string_view case_name,
-                                           int n, const Configuration& c, Clock by)
+                                           int n, const Configuration& c, Clock by, Request asked)
     : Candidate(instants, c.settings.threads, by),
       coordinates(n),
+      asked_(std::move(asked)),
       case_name_(case_name),
       id_(id_with(*c.variant, c.settings)),
       configuration_(c),
-      delivery_(n, Level::acceleration, windows) {}
+      delivery_(delivered(), asked_.level, windows) {}
 
 std::string FormulationCandidate::name() const {
   return case_name_ + "/" + std::to_string(coordinates) + "/" + id();
@@ -114,12 +116,13 @@ void FormulationCandidate::verify_against(
       return fail(missing);
 
     const std::span<const ReferenceInstant> right = reference();
-    VerifyingObserver observer(right);
+    const auto observer = comparing(right);
     const double start = now(clock);
-    const Summary summary = formulation_->run(grid, request(), observer);
+    const Summary summary = formulation_->run(grid, asked_, *observer);
     analysis_seconds = now(clock) - start;
-    errors = observer.errors();
-    results = observer.results();
+    const Comparison found = observer->compare();
+    errors = found.errors;
+    results = found.results;
     conclude(summary, problem().plan.model, right.size(),
              std::max(1.0, problem().tolerance / Settings{}.tolerance));
   } catch (const std::exception& e) {
@@ -127,16 +130,21 @@ void FormulationCandidate::verify_against(
   }
 }
 
+std::unique_ptr<ComparingObserver> FormulationCandidate::comparing(
+    std::span<const ReferenceInstant> reference) const {
+  return std::make_unique<VerifyingObserver>(reference);
+}
+
 void FormulationCandidate::make() {
   build();
-  formulation_->assemble(grid.time(0));
-  Delivery elsewhere(coordinates);
-  wake_threads([&] { formulation_->run(grid, request(), elsewhere); });
+  formulation_->assemble(grid.time(0), asked_.level);
+  Delivery elsewhere(delivered(), asked_.level);
+  wake_threads([&] { formulation_->run(grid, asked_, elsewhere); });
 }
 
 Summary FormulationCandidate::analyse() {
   windows.begin();
-  const Summary summary = formulation_->run(grid, request(), delivery_);
+  const Summary summary = formulation_->run(grid, asked_, delivery_);
   if (!summary.ok()) fail(describe(summary, problem().plan.model));
   return summary;
 }
@@ -155,12 +163,12 @@ void FormulationCandidate::sample_afresh(double duration) {
 }
 
 double FormulationCandidate::step_seconds(double duration) {
-  Delivery delivery(coordinates);
+  Delivery delivery(delivered(), asked_.level);
   const double start = cpu_now();
   double spent = 0;
   long instants = 0;
   do {
-    const Summary summary = formulation_->run(grid, request(), delivery);
+    const Summary summary = formulation_->run(grid, asked_, delivery);
     if (!summary.ok()) throw std::runtime_error(describe(summary, problem().plan.model));
     instants += summary.instants;
     spent = cpu_now() - start;
@@ -170,12 +178,6 @@ double FormulationCandidate::step_seconds(double duration) {
 
 double FormulationCandidate::min_seconds() const {
   return seconds.empty() ? std::numeric_limits<double>::infinity() : std::ranges::min(seconds);
-}
-
-std::vector<std::pair<std::string, double>> FormulationCandidate::counters() const {
-  return {{"coordinates", coordinates},
-          {"iterations/step", iterations_per_step},
-          {"residual", residual}};
 }
 
 }  // namespace desmo::bench

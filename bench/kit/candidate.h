@@ -51,12 +51,6 @@ class Candidate {
   /// a processor to somebody else, the least of some. Needs State::verified.
   double time_afresh();
 
-  /// Returns a number that grows with the time of an analysis, before anything is known of it.
-  virtual double expected_work() const = 0;
-
-  /// Returns what the console shows next to the time.
-  virtual std::vector<std::pair<std::string, double>> counters() const = 0;
-
   /// Returns "/clock:wall" for one thread by the wall clock, which several are compared with; else
   /// nothing.
   std::string clock_suffix() const {
@@ -135,14 +129,17 @@ class FormulationCandidate : public Candidate {
   void verify();
   void verify(ReferenceCache& references) override;
   Summary analyse() override;
-  double expected_work() const override { return coordinates; }
-  std::vector<std::pair<std::string, double>> counters() const override;
 
   /// Takes a sample of a step's CPU time by a formulation made anew on a fresh heap (see
   /// step_seconds). Nothing unless it is verified.
   void sample_afresh(double duration);
   /// Returns the least of the samples; infinite when there is none.
   double min_seconds() const;
+  /// Tells whether it has two samples and its motion takes longer than that, in seconds: no more
+  /// are worth it.
+  bool is_sampled(double dear_seconds) const {
+    return seconds.size() >= 2 && min_seconds() * grid.instants > dear_seconds;
+  }
 
   const int coordinates;
   /// Bytes that the formulation keeps on the heap, with what libraries keep for it: no step touches
@@ -150,13 +147,19 @@ class FormulationCandidate : public Candidate {
   long bytes = 0;
 
  protected:
-  /// Leaves the problem, of so many coordinates, for later (see solve()).
+  /// Leaves the problem, of a case with so many coordinates, for later (see solve()). asked: is
+  /// delivered.
   FormulationCandidate(const TimeGrid& instants, std::string_view case_name, int coordinates,
-                       const Configuration& configuration, Clock by);
+                       const Configuration& configuration, Clock by, Request asked = {});
   void solve(const Problem& problem) { problem_ = &problem; }
 
   const Problem& problem() const { return *problem_; }
-  Request request() const { return {problem_->level(), {}}; }
+
+  /// Solves the whole motion and compares it with a reference, where state is unverified.
+  void verify_against(const std::function<std::span<const ReferenceInstant>()>& reference);
+  /// Returns what compares what is delivered with the reference; by default, of all coordinates.
+  virtual std::unique_ptr<ComparingObserver> comparing(
+      std::span<const ReferenceInstant> reference) const;
 
   /// Makes the formulation, and nothing else of it.
   void build();
@@ -167,11 +170,14 @@ class FormulationCandidate : public Candidate {
   void make() override;
   void discard() override { formulation_.reset(); }
 
+  const Request asked_;
   std::unique_ptr<Formulation> formulation_;
 
  private:
   FormulationCandidate(const Problem& problem, std::string_view id, const Configuration& c);
-  void verify_against(const std::function<std::span<const ReferenceInstant>()>& reference);
+  std::size_t delivered() const {
+    return asked_.coordinates.empty() ? coordinates : asked_.coordinates.size();
+  }
 
   const Problem* problem_ = nullptr;
   const std::string case_name_, id_;

@@ -29,7 +29,7 @@ void widen(double& largest, double a, double b) {
   if (!(d <= largest)) largest = std::isnan(d) ? INFINITY : d;
 }
 
-Flow DeliveryAtReference::observe(const Instant& i) noexcept {
+Flow ComparingObserver::observe(const Instant& i) noexcept {
   const auto r = std::ranges::lower_bound(reference_, i.time, {}, &ReferenceInstant::time);
   if (r != reference_.end() && r->time == i.time) {
     const auto copy = [](std::span<const double> v) { return std::vector(v.begin(), v.end()); };
@@ -39,8 +39,8 @@ Flow DeliveryAtReference::observe(const Instant& i) noexcept {
 }
 
 VerifyingObserver::VerifyingObserver(std::span<const ReferenceInstant> reference)
-    : DeliveryAtReference(reference.empty() ? 0 : reference.front().q.size(), Level::acceleration,
-                          reference) {}
+    : ComparingObserver(reference.empty() ? 0 : reference.front().q.size(), Level::acceleration,
+                        reference) {}
 
 Comparison VerifyingObserver::compare() const {
   Errors errors;

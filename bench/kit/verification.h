@@ -14,7 +14,8 @@
 
 namespace desmo::bench {
 
-/// Largest absolute differences over all coordinates and compared instants.
+/// Largest differences over all coordinates and compared instants, absolute: in m and rad, unlike
+/// the relative errors of formulations/verification.
 struct Errors {
   int instants = 0;
   double position = 0, velocity = 0, acceleration = 0;
@@ -33,14 +34,15 @@ struct Comparison {
   std::string results;
 };
 
-/// A delivery that also copies the results q, q̇, q̈ at the times of a reference.
-class DeliveryAtReference : public Delivery {
+/// A delivery that also copies the results q, q̇, q̈ at the times of a reference, to compare them.
+class ComparingObserver : public Delivery {
  public:
-  DeliveryAtReference(std::size_t coordinates, Level level,
-                      std::span<const ReferenceInstant> reference)
+  ComparingObserver(std::size_t coordinates, Level level,
+                    std::span<const ReferenceInstant> reference)
       : Delivery(coordinates, level), reference_(reference), came_(reference.size()) {}
 
   Flow observe(const Instant& instant) noexcept override;
+  virtual Comparison compare() const = 0;
 
  protected:
   /// Calls compare(reference, results) for each instant of the reference that was delivered.
@@ -56,14 +58,10 @@ class DeliveryAtReference : public Delivery {
 };
 
 /// Compares a whole mechanism with a reference.
-class VerifyingObserver final : public DeliveryAtReference {
+class VerifyingObserver final : public ComparingObserver {
  public:
   explicit VerifyingObserver(std::span<const ReferenceInstant> reference);
-  Errors errors() const { return compare().errors; }
-  std::string results() const { return compare().results; }
-
- private:
-  Comparison compare() const;
+  Comparison compare() const override;
 };
 
 /// Returns the verification failure, in words; empty when errors are within so many times what is

@@ -14,8 +14,6 @@
 namespace desmo {
 
 /// The kinematics of a mechanism solved by another library, or by code written for it by hand.
-/// Plain on purpose: what a library's headers need of the compiler, and what they clash with, stays
-/// in the file that includes them.
 class Peer {
  public:
   /// Coordinates of the mechanism that the peer finds, each once, and their values: the peer's own
@@ -53,7 +51,7 @@ class Peer {
   long iterations_ = 0;
 };
 
-/// A peer of this build.
+/// A peer by its name.
 struct PeerDefinition {
   std::string_view name;
   std::string_view library;  ///< what it is made of, for people
@@ -66,8 +64,7 @@ struct PeerDefinition {
   Guess guess = Guess::quadratic;
 };
 
-/// Returns the peers of this build: those written by hand and, configured with DESMO_PEERS,
-/// libraries.
-std::span<const PeerDefinition* const> peers();
+/// Returns the table of peers.
+std::span<const PeerDefinition> peers();
 
 }  // namespace desmo

@@ -1,6 +1,7 @@
 // Models that an expert would write by hand for each of the two cases, in relative coordinates.
 
 #include <Eigen/Core>
+#include <array>
 #include <stdexcept>
 #include <string>
 
@@ -31,9 +32,12 @@ constexpr std::string_view library = "by hand with Eigen",
 
 }  // namespace
 
-extern const PeerDefinition tree_peer, tree_adams8_peer;
-const PeerDefinition tree_peer{"tree", library, &version, method, &make<Guess::quadratic>};
-const PeerDefinition tree_adams8_peer{"tree_adams8",        library,      &version, method,
-                                      &make<Guess::adams8>, Guess::adams8};
+std::span<const PeerDefinition> peers() {
+  static const std::array table{
+      PeerDefinition{"tree", library, &version, method, &make<Guess::quadratic>},
+      PeerDefinition{"tree_adams8", library, &version, method, &make<Guess::adams8>,
+                     Guess::adams8}};
+  return table;
+}
 
 }  // namespace desmo

@@ -16,10 +16,10 @@
 
 #include "bench/kit/options.h"
 #include "bench/kit/process/callgrind.h"
-#include "bench/kit/record/new_file.h"
 #include "bench/kit/record/record.h"
 #include "bench/regression/candidate_name.h"
 #include "bench/regression/rounds.h"
+#include "cases/io/new_files.h"
 
 namespace desmo::regression {
 
@@ -173,7 +173,9 @@ Json load(const std::string& path) {
 }
 
 void save(const Json& check, const std::string& path) {
-  bench::NewFile(path).write(check.dump() + '\n');
+  OutputFile output(path);
+  output.write(check.dump() + '\n');
+  output.finish();
 }
 
 void measure(const Options& o) {

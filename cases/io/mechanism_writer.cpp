@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "cases/io/files.h"
+#include "cases/mechanism/joint_forms.h"
 #include "cases/mechanism/names.h"
 
 namespace desmo {
@@ -59,7 +61,7 @@ class Writer {
   Json write(const Mechanism::Joint& joint) const {
     Json j = Json::object();
     if (is_name(joint.name)) j["name"] = joint.name;  // one made of long names may be too long
-    j["type"] = joint_types[static_cast<int>(joint.type)];
+    j["type"] = std::ranges::find(joint_forms(), joint.type, &JointForm::type)->name;
     j["bodies"] = {d_.bodies[joint.bodies[0]].name, d_.bodies[joint.bodies[1]].name};
     for (const int p : joint.points) j["points"].push_back(point(p));
     for (const int v : joint.vectors) j["vectors"].push_back(d_.vectors[v].name);
@@ -67,7 +69,7 @@ class Writer {
   }
 
   Json direction(const Direction& d) const {
-    if (d.is_segment()) return Json::array({point(d.from), point(d.to)});
+    if (d.is_line()) return Json::array({point(d.from), point(d.to)});
     return d_.vectors[d.vector].name;
   }
 
@@ -95,10 +97,6 @@ class Writer {
     if (c.estimate) j["estimate"] = *c.estimate;
     return j;
   }
-
-  static constexpr const char* joint_types[] = {"revolute",    "prismatic", "revolute_on_slider",
-                                                "cylindrical", "universal", "spherical",
-                                                "fixed"};
 
   const Mechanism& d_;
 };

@@ -16,7 +16,8 @@ class NameTable {
  public:
   explicit NameTable(std::string kind) : kind_(std::move(kind)) {}
 
-  /// Adds a name at the next position. A name that already exists keeps its position.
+  /// Adds a name at the next position. It must be new: documents have no key twice, and a valid
+  /// mechanism no name.
   void add(std::string_view name);
 
   std::optional<int> position(std::string_view name) const;

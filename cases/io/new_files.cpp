@@ -1,90 +1,136 @@
 #include "cases/io/new_files.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
+#include <list>
+#include <random>
+
+#include "cases/mechanism/names.h"
 
 namespace desmo {
+
+namespace fs = std::filesystem;
+
 namespace {
 
-[[noreturn]] void fail(const std::string& what, int error) {
-  throw OutputError(what + ": " + std::strerror(error));
+/// Returns a name in the same folder, so that it can be renamed, that nobody else uses.
+std::string name_beside(const std::string& target) {
+  std::random_device random;
+  const fs::path path(target);
+  return (path.parent_path() /
+          ("." + path.filename().string() + "." + std::to_string(random()) + ".unfinished"))
+      .string();
 }
 
-void write_all(int file, std::string_view text, const std::string& name) {
-  std::size_t done = 0;
-  while (done < text.size()) {
-    const ssize_t written = ::write(file, text.data() + done, text.size() - done);
-    if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) fail(name + " cannot be written", written < 0 ? errno : ENOSPC);
-    done += static_cast<std::size_t>(written);
-  }
+/// Lets a new name survive a loss of power. Not every file system can do that.
+void sync_folder(const std::string& target) {
+  const fs::path folder = fs::path(target).parent_path();
+  const int file = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return;
+  ::fsync(file);
+  ::close(file);
 }
-
-// The files that exist under a temporary name; removed unless all were put in place.
-class Temporaries {
- public:
-  explicit Temporaries(std::filesystem::path folder) : folder_(std::move(folder)) {}
-  Temporaries(const Temporaries&) = delete;
-  Temporaries& operator=(const Temporaries&) = delete;
-  ~Temporaries() {
-    std::error_code ignored;
-    for (const auto& name : names_) std::filesystem::remove(temporary(name), ignored);
-  }
-
-  void add(const NewFile& added) {
-    const std::string name = (folder_ / added.file_name).string();
-    const int file =
-        ::open(temporary(added.file_name).c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-    if (file < 0) fail(name + " cannot be written", errno);
-    names_.push_back(added.file_name);
-    try {
-      write_all(file, added.content, name);
-    } catch (...) {
-      ::close(file);
-      throw;
-    }
-    // A full disk may be noticed only here.
-    const bool kept = ::fsync(file) == 0;
-    const int sync_error = errno;
-    const bool closed = ::close(file) == 0;
-    if (!kept || !closed) fail(name + " cannot be written", kept ? errno : sync_error);
-  }
-
-  void put_in_place() {
-    for (const auto& name : names_) {
-      std::error_code error;
-      std::filesystem::rename(temporary(name), folder_ / name, error);
-      if (error)
-        throw OutputError((folder_ / name).string() + " cannot be replaced: " + error.message());
-    }
-    names_.clear();
-  }
-
- private:
-  std::filesystem::path temporary(const std::string& name) const {
-    return folder_ / ("." + name + ".part");
-  }
-
-  std::filesystem::path folder_;
-  std::vector<std::string> names_;
-};
 
 }  // namespace
 
-void write_files(const std::filesystem::path& folder, const std::vector<NewFile>& files) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw OutputError(folder.string() + " cannot be created: " + error.message());
-  Temporaries temporaries(folder);
-  for (const NewFile& file : files) temporaries.add(file);
-  temporaries.put_in_place();
+OutputFile::OutputFile(const std::string& path, void (*begun)(const std::string&))
+    : path_(path == "-" ? "" : path) {
+  if (path_.empty()) {
+    file_ = STDOUT_FILENO;
+    return;
+  }
+  try {
+    open(begun);
+  } catch (...) {
+    if (file_ >= 0) ::close(file_);
+    if (!unfinished_.empty()) ::unlink(unfinished_.c_str());
+    throw;
+  }
 }
 
-void write_standard_output(std::string_view text) {
-  write_all(STDOUT_FILENO, text, "standard output");
+void OutputFile::open(void (*begun)(const std::string&)) {
+  std::error_code ignored;
+  target_ = fs::is_symlink(path_, ignored) ? fs::weakly_canonical(path_, ignored).string() : path_;
+  if (target_.empty()) fail(ELOOP);
+  if (fs::is_directory(target_, ignored) || target_.ends_with('/')) fail(EISDIR);
+  struct stat status = {};
+  const bool exists = ::stat(target_.c_str(), &status) == 0;
+  if (exists && !S_ISREG(status.st_mode)) {
+    file_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
+    if (file_ < 0) fail(errno);
+    return;
+  }
+  // Renaming would replace even a file that is protected.
+  if (exists && ::access(target_.c_str(), W_OK) != 0) fail(errno);
+  const std::string unfinished = name_beside(target_);
+  if (begun) begun(unfinished);
+  file_ = ::open(unfinished.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (file_ < 0) fail(errno);
+  unfinished_ = unfinished;
+  if (exists && ::fchmod(file_, status.st_mode & 07777) != 0) fail(errno);
 }
+
+OutputFile::~OutputFile() {
+  if (file_ >= 0 && !is_standard_output()) ::close(file_);
+  if (!unfinished_.empty()) ::unlink(unfinished_.c_str());
+}
+
+void OutputFile::write(std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t written = ::write(file_, text.data(), text.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) fail(written < 0 ? errno : ENOSPC);
+    text.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+void OutputFile::finish() {
+  if (is_standard_output()) return;
+  close();
+  rename();
+}
+
+void OutputFile::close() {
+  // A full disk may be noticed only here.
+  if (!unfinished_.empty() && ::fsync(file_) != 0) fail(errno);
+  const int file = file_;
+  file_ = -1;
+  if (::close(file) != 0) fail(errno);
+}
+
+void OutputFile::rename() {
+  if (unfinished_.empty()) return;
+  if (::rename(unfinished_.c_str(), target_.c_str()) != 0) fail(errno);
+  unfinished_.clear();
+  sync_folder(target_);
+}
+
+void OutputFile::fail(int error) const {
+  throw OutputError((is_standard_output() ? "standard output" : printable(path_, 300) + ":") +
+                        " cannot be written (" + std::strerror(error) + "); " +
+                        (error == ENOSPC || error == EFBIG || error == EDQUOT
+                             ? "make room on the disk"
+                             : "check the folder and its permissions"),
+                    error);
+}
+
+void write_files(const fs::path& folder, const std::vector<NewFile>& files) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw OutputError(folder.string() + " cannot be created: " + error.message());
+  std::list<OutputFile> written;
+  for (const NewFile& file : files) {
+    OutputFile& output = written.emplace_back((folder / file.file_name).string());
+    output.write(file.content);
+    output.close();
+  }
+  for (OutputFile& output : written) output.rename();
+}
+
+void write_standard_output(std::string_view text) { OutputFile("").write(text); }
 
 }  // namespace desmo

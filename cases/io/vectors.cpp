@@ -53,7 +53,7 @@ class VectorReader {
     if (normal) return read_normal(i, *normal);
     vectors_[i].along = names_.points.find_pair(*along);
     const auto [from, to] = *vectors_[i].along;
-    vectors_[i].direction = segment(*along, from, to);
+    vectors_[i].direction = line(*along, from, to);
   }
 
   void read_normal(int i, const JsonValue& value) {
@@ -65,14 +65,14 @@ class VectorReader {
     normals_.push_back({i, value, {read_direction(of[0], names_), read_direction(of[1], names_)}});
   }
 
-  Vec segment(const JsonValue& place, int from, int to) const {
+  Vec line(const JsonValue& place, int from, int to) const {
     if (const auto unit = direction(points_[from].position, points_[to].position)) return *unit;
     place.complain("the points " + in_quotes(points_[from].name) + " and " +
                    in_quotes(points_[to].name) + " coincide; give them different positions");
   }
 
   Vec resolve(const JsonValue& place, const Direction& d) const {
-    return d.is_segment() ? segment(place, d.from, d.to) : vectors_[d.vector].direction;
+    return d.is_line() ? line(place, d.from, d.to) : vectors_[d.vector].direction;
   }
 
   // In the order of what depends on what, which is of any depth: not by recursion.
@@ -84,7 +84,7 @@ class VectorReader {
     std::vector<int> ready;
     for (int n = 0; n < static_cast<int>(normals_.size()); ++n) {
       for (const Direction& d : normals_[n].of)
-        if (!d.is_segment() && defined_by[d.vector] != known) {
+        if (!d.is_line() && defined_by[d.vector] != known) {
           waiting[defined_by[d.vector]].push_back(n);
           ++normals_[n].open;
         }
@@ -115,7 +115,7 @@ class VectorReader {
   [[noreturn]] void complain_of_cycle(const std::vector<int>& defined_by) const {
     const auto waits_for = [&](int n) {
       for (const Direction& d : normals_[n].of)
-        if (!d.is_segment() && defined_by[d.vector] >= 0 && normals_[defined_by[d.vector]].open > 0)
+        if (!d.is_line() && defined_by[d.vector] >= 0 && normals_[defined_by[d.vector]].open > 0)
           return defined_by[d.vector];
       return n;
     };

@@ -8,8 +8,9 @@
 
 namespace desmo {
 
-/// Builder of a mechanism, step by step. Points, vectors and bodies are referred to by the returned
-/// position.
+/// Builder of a mechanism, step by step. Functions that add a point, a vector or a body return its
+/// position in the mechanism's list, by which later calls refer to it. Nothing is checked before
+/// validate() or make_model(). Lengths are in metres (or the free unit), angles in radians.
 ///
 ///   MechanismBuilder builder("crank", 2);
 ///   const int a = builder.point("A", {0, 0}), b = builder.point("B", {0.05, 0});
@@ -23,13 +24,14 @@ namespace desmo {
 ///   const Mechanism mechanism = builder.take();
 class MechanismBuilder {
  public:
+  /// Begins with the ground alone. dimension: 2 or 3.
   explicit MechanismBuilder(std::string name, int dimension) {
     d_.name = std::move(name);
     d_.dimension = dimension;
     d_.bodies.push_back({"ground", {}, {}, {}});
   }
 
-  static constexpr int ground = 0;
+  static constexpr int ground = 0;  ///< position of the ground among the bodies
 
   int point(std::string name, const Mechanism::Vec& position) {
     d_.points.push_back({std::move(name), position});
@@ -39,6 +41,7 @@ class MechanismBuilder {
     d_.vectors.push_back({std::move(name), direction, {}});
     return static_cast<int>(d_.vectors.size()) - 1;
   }
+  /// Adds a vector that always points from one point to another of a body that carries it.
   int vector_along(std::string name, const Mechanism::Vec& direction, int from, int to) {
     const int v = vector(std::move(name), direction);
     d_.vectors[v].along = {from, to};
@@ -48,16 +51,18 @@ class MechanismBuilder {
     d_.bodies.push_back({std::move(name), std::move(points), std::move(vectors), {}});
     return static_cast<int>(d_.bodies.size()) - 1;
   }
-  /// Adds a body with two points, whose nominal positions are only estimates, and returns it.
+  /// Adds a body with two points at that distance, whose nominal positions are only estimates.
   int link(std::string name, int a, int b, double length) {
     d_.bodies.push_back({std::move(name), {a, b}, {}, length});
     return static_cast<int>(d_.bodies.size()) - 1;
   }
+  /// Lists further points and vectors that a body carries.
   void carry(int body, const std::vector<int>& points, const std::vector<int>& vectors = {}) {
     auto& [name, own_points, own_vectors, length] = d_.bodies[body];
     own_points.insert(own_points.end(), points.begin(), points.end());
     own_vectors.insert(own_vectors.end(), vectors.begin(), vectors.end());
   }
+  /// Adds a joint between bodies a and b with the points and vectors that JointType names.
   void joint(Mechanism::JointType type, int a, int b, std::vector<int> points,
              std::vector<int> vectors = {}) {
     d_.joints.push_back({d_.bodies[a].name + "-" + d_.bodies[b].name,
@@ -66,6 +71,7 @@ class MechanismBuilder {
                          std::move(points),
                          std::move(vectors)});
   }
+  /// Adds a relative coordinate, to be completed through the reference, which the next call voids.
   Mechanism::Coordinate& coordinate(std::string name, Mechanism::CoordinateType type) {
     Mechanism::Coordinate& c = d_.coordinates.emplace_back();
     c.name = std::move(name);
@@ -73,8 +79,10 @@ class MechanismBuilder {
     return c;
   }
 
+  /// Returns the mechanism; the builder is then empty.
   Mechanism take() { return std::move(d_); }
 
+  /// Sets Mechanism::length_unit: "m" (the default) or "1".
   void set_length_unit(std::string unit) { d_.length_unit = std::move(unit); }
 
  private:

@@ -24,7 +24,7 @@ void check_names(const Mechanism& mechanism);
 /// Checks numbers and indices of points, vectors and bodies, and what they imply.
 void check_entities(const Mechanism& mechanism);
 
-/// Checks that a vector along a segment has two points of a body that carries the vector.
+/// Checks that a vector along a line has two points of a body that carries the vector.
 void check_vectors_along(const Mechanism& mechanism, const Carriers& points,
                          const Carriers& vectors);
 

@@ -11,8 +11,8 @@ namespace {
 using Part = MechanismError::Part;
 
 bool is_same_line(const Mechanism::Direction& a, const Mechanism::Direction& b) {
-  if (!a.is_given() || a.is_segment() != b.is_segment()) return false;
-  if (!a.is_segment()) return a.vector == b.vector;
+  if (!a.is_given() || a.is_line() != b.is_line()) return false;
+  if (!a.is_line()) return a.vector == b.vector;
   return std::minmax(a.from, a.to) == std::minmax(b.from, b.to);
 }
 
@@ -29,9 +29,9 @@ class CoordinateCheck {
       case angle:
         return check_angle();
       case distance:
-        return check_segment(c_.of);
+        return check_line(c_.of);
       case along:
-        check_segment(c_.of);
+        check_line(c_.of);
         return check_vector(c_.vector);
       case component:
         check_point(c_.point);
@@ -61,20 +61,20 @@ class CoordinateCheck {
                " is carried by no body; list it in one");
   }
 
-  void check_segment(const Mechanism::Direction& segment) const {
-    check_point(segment.from);
-    check_point(segment.to);
-    if (segment.from == segment.to)
-      complain("its two points are both " + in_quotes(d_.points[segment.from].name) +
+  void check_line(const Mechanism::Direction& line) const {
+    check_point(line.from);
+    check_point(line.to);
+    if (line.from == line.to)
+      complain("its two points are both " + in_quotes(d_.points[line.from].name) +
                "; name two different ones");
   }
 
   Mechanism::Vec check_direction(const Mechanism::Direction& of) const {
-    if (!of.is_segment()) {
+    if (!of.is_line()) {
       check_vector(of.vector);
       return d_.vectors[of.vector].direction;
     }
-    check_segment(of);
+    check_line(of);
     const Mechanism::Point &from = d_.points[of.from], &to = d_.points[of.to];
     const auto unit = direction(from.position, to.position);
     if (!unit)
@@ -100,7 +100,7 @@ class CoordinateCheck {
     }
     if (!c_.from.is_given() || !c_.towards.is_given())
       complain("an angle in space needs the directions where it is 0 and π/2; give both");
-    if (c_.from.is_segment() || c_.towards.is_segment())
+    if (c_.from.is_line() || c_.towards.is_line())
       complain("the directions where it is 0 and π/2 must be vectors in space; declare vectors");
     const Mechanism::Vec u = check_direction(c_.from), v = check_direction(c_.towards);
     if (std::abs(u[0] * v[0] + u[1] * v[1] + u[2] * v[2]) > 1e-6)

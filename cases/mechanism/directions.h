@@ -1,4 +1,4 @@
-// Nominal directions of vectors and of segments.
+// Nominal directions of vectors and of lines.
 #pragma once
 
 #include <optional>

@@ -8,22 +8,22 @@ namespace desmo {
 std::span<const JointForm> joint_forms() {
   using enum Mechanism::JointType;
   static constexpr std::array table{
-      JointForm{revolute, 2, "revolute", 1, 0, 0, 0, "one point, of both bodies"},
-      JointForm{prismatic, 2, "prismatic", 0, 2, 1, 0,
+      JointForm{revolute, 2, "revolute", 1, 0, 0, 0, 2, "one point, of both bodies"},
+      JointForm{prismatic, 2, "prismatic", 0, 2, 1, 0, 2,
                 "one vector, of both bodies, and a point of each"},
-      JointForm{revolute_on_slider, 2, "revolute_on_slider", 0, 2, 0, 1,
+      JointForm{revolute_on_slider, 2, "revolute_on_slider", 0, 2, 0, 1, 1,
                 "a vector and a point of the first body, and a point of the second"},
-      JointForm{fixed, 2, "fixed", 0, 0, 0, 0, "no points or vectors"},
-      JointForm{revolute, 3, "revolute", 1, 0, 1, 0,
+      JointForm{fixed, 2, "fixed", 0, 0, 0, 0, 3, "no points or vectors"},
+      JointForm{revolute, 3, "revolute", 1, 0, 1, 0, 5,
                 "one point and one vector, the axis, of both bodies"},
-      JointForm{prismatic, 3, "prismatic", 0, 2, 2, 0,
+      JointForm{prismatic, 3, "prismatic", 0, 2, 2, 0, 5,
                 "two vectors of both bodies, first the axis, and a point of each"},
-      JointForm{cylindrical, 3, "cylindrical", 0, 2, 1, 0,
+      JointForm{cylindrical, 3, "cylindrical", 0, 2, 1, 0, 4,
                 "one vector, the axis, of both bodies, and a point of each"},
-      JointForm{universal, 3, "universal", 1, 0, 0, 2,
+      JointForm{universal, 3, "universal", 1, 0, 0, 2, 4,
                 "one point of both bodies, and a vector of each"},
-      JointForm{spherical, 3, "spherical", 1, 0, 0, 0, "one point, of both bodies"},
-      JointForm{fixed, 3, "fixed", 0, 0, 0, 0, "no points or vectors"},
+      JointForm{spherical, 3, "spherical", 1, 0, 0, 0, 3, "one point, of both bodies"},
+      JointForm{fixed, 3, "fixed", 0, 0, 0, 0, 6, "no points or vectors"},
   };
   return table;
 }

@@ -7,14 +7,16 @@
 
 namespace desmo {
 
-/// Form of a joint type in the plane or in space: the points and vectors that it joins. Each list
-/// of a joint holds either entities that both bodies carry (common) or entities of one body each
-/// (own), the first body's before the second's.
+/// Form of a joint type in the plane or in space: its name in files, the points and vectors that it
+/// joins, and the freedoms that it removes. Each list of a joint holds either entities that both
+/// bodies carry (common) or entities of one body each (own), the first body's before the second's.
+/// A joint with own points slides: they lie on a line along its first vector.
 struct JointForm {
   Mechanism::JointType type;
   int dimension;
   std::string_view name;
   int common_points, own_points, common_vectors, own_vectors;
+  int freedoms_removed;
   std::string_view takes;  ///< description for messages
 
   int points() const { return common_points + own_points; }

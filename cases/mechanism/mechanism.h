@@ -58,11 +58,11 @@ struct Mechanism {
     std::vector<int> points, vectors;  ///< those of the first body before those of the second
   };
 
-  /// A direction: a vector, or the segment between two points.
+  /// A direction: a vector, or the line between two points.
   struct Direction {
     int vector = -1;
     int from = -1, to = -1;
-    bool is_segment() const { return from >= 0; }
+    bool is_line() const { return from >= 0; }
     bool is_given() const { return vector >= 0 || from >= 0; }
   };
 
@@ -77,13 +77,13 @@ struct Mechanism {
   struct Coordinate {
     std::string name;
     CoordinateType type;
-    Direction of;           ///< angle: the direction that turns; distance, along: the segment
-    Direction from;         ///< angle: direction of 0; not given (plane only): the x axis
-    bool opposite = false;  ///< angle: 0 is at −from instead
-    Direction towards;      ///< angle in space: direction of π/2
-    int vector = -1;        ///< along
-    int point = -1;         ///< component
-    int axis = 0;           ///< component: 0, 1, 2 for x, y, z
+    Direction of;                    ///< angle: the direction that turns; distance, along: the line
+    Direction from;                  ///< angle: direction of 0; not given (plane only): the x axis
+    bool opposite = false;           ///< angle: 0 is at −from instead
+    Direction towards;               ///< angle in space: direction of π/2
+    int vector = -1;                 ///< along
+    int point = -1;                  ///< component
+    int axis = 0;                    ///< component: 0, 1, 2 for x, y, z
     std::optional<double> estimate;  ///< initial; default: measured in the nominal position
     bool driven = false;
   };
@@ -111,7 +111,7 @@ struct Mechanism {
 /// - an `along` vector has its points on a body that carries it
 /// - coordinates refer to different entities, carried by bodies; an angle in space has `from` and
 ///   `towards` at a right angle
-/// - no segment used as a direction has zero length, nor do all points of a body without vectors
+/// - no line used as a direction has zero length, nor do all points of a body without vectors
 ///   coincide
 /// - a given length is positive and its body has exactly two points
 void validate(const Mechanism& mechanism);

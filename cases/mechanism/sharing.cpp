@@ -1,6 +1,5 @@
-#include <numeric>
-
 #include "cases/mechanism/checks.h"
+#include "cases/mechanism/disjoint_sets.h"
 #include "cases/mechanism/joint_forms.h"
 #include "cases/mechanism/names.h"
 
@@ -9,25 +8,9 @@ namespace {
 
 using Part = MechanismError::Part;
 
-class Partition {
- public:
-  explicit Partition(std::size_t size) : parent_(size) {
-    std::iota(parent_.begin(), parent_.end(), 0);
-  }
-
-  int find(int x) {
-    while (parent_[x] != x) x = parent_[x] = parent_[parent_[x]];
-    return x;
-  }
-  void unite(int x, int y) { parent_[find(x)] = find(y); }
-
- private:
-  std::vector<int> parent_;
-};
-
 // Bodies that move as one.
-Partition fixed_bodies(const Mechanism& d) {
-  Partition fixed(d.bodies.size());
+DisjointSets fixed_bodies(const Mechanism& d) {
+  DisjointSets fixed(d.bodies.size());
   for (const Mechanism::Joint& joint : d.joints)
     if (joint.type == Mechanism::JointType::fixed) fixed.unite(joint.bodies[0], joint.bodies[1]);
   return fixed;
@@ -35,9 +18,10 @@ Partition fixed_bodies(const Mechanism& d) {
 
 // The parts of an entity's carriers that joints connect must be one part.
 void check(const Mechanism& d, Part part, const Carriers& carriers,
-           std::vector<int> Mechanism::Joint::*joined, int JointForm::*common, Partition& fixed) {
+           std::vector<int> Mechanism::Joint::*joined, int JointForm::*common,
+           DisjointSets& fixed) {
   const auto pairs = carriers.pairs();
-  Partition shared(pairs.size());
+  DisjointSets shared(pairs.size());
   for (const Mechanism::Joint& joint : d.joints) {
     const JointForm& form = *find_joint_form(joint.type, d.dimension);
     for (int k = 0; k < form.*common; ++k) {
@@ -65,7 +49,7 @@ void check(const Mechanism& d, Part part, const Carriers& carriers,
 }  // namespace
 
 void check_sharing(const Mechanism& d, const Carriers& points, const Carriers& vectors) {
-  Partition fixed = fixed_bodies(d);
+  DisjointSets fixed = fixed_bodies(d);
   check(d, Part::point, points, &Mechanism::Joint::points, &JointForm::common_points, fixed);
   check(d, Part::vector, vectors, &Mechanism::Joint::vectors, &JointForm::common_vectors, fixed);
 }

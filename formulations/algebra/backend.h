@@ -25,7 +25,13 @@ struct Backend {
   Absence (*absence)() = nullptr;  ///< null: it is linked, so always present
   /// Makes a solver in single precision; null for sparse libraries.
   std::unique_ptr<LinearSolver<float>> (*make_single_solver)(const Pattern&) = nullptr;
+  bool allocates = false;  ///< takes memory from the heap in every factorisation
 };
+
+/// Returns a version as text: "5.10.1".
+inline std::string version_text(int major, int minor, int patch) {
+  return std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(patch);
+}
 
 /// Makes a solver of a class whose constructor takes only the pattern.
 template <class Solver>

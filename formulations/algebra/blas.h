@@ -11,7 +11,8 @@ struct BlasEnvironment {
 };
 BlasEnvironment blas_environment();
 
-/// Sets the number of OpenBLAS threads for the whole process.
+/// Sets the number of OpenBLAS threads for the whole process (see the rule of threads in
+/// formulation.h).
 void set_blas_threads(int threads);
 
 }  // namespace desmo

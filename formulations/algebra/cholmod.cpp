@@ -102,8 +102,6 @@ class Cholmod final : public LinearSolver<double> {
     normal_.solution(values_, static_cast<const double*>(x_->x), b);
   }
 
-  int break_even_solves() const override { return sparse_break_even_solves; }
-
  private:
   NormalEquations normal_;
   cholmod_common common_;
@@ -116,12 +114,9 @@ class Cholmod final : public LinearSolver<double> {
 }  // namespace
 
 extern const Backend cholmod_backend;
-const Backend cholmod_backend{"cholmod", false, &make_sparse_solver<Cholmod>,
-                              [] {
-                                return std::to_string(CHOLMOD_MAIN_VERSION) + "." +
-                                       std::to_string(CHOLMOD_SUB_VERSION) + "." +
-                                       std::to_string(CHOLMOD_SUBSUB_VERSION);
-                              },
-                              true};
+const Backend cholmod_backend{
+    "cholmod", false, &make_sparse_solver<Cholmod>,
+    [] { return version_text(CHOLMOD_MAIN_VERSION, CHOLMOD_SUB_VERSION, CHOLMOD_SUBSUB_VERSION); },
+    true};
 
 }  // namespace desmo

@@ -42,15 +42,12 @@ class EigenLu {
 }  // namespace
 
 extern const Backend eigen_backend;
-const Backend eigen_backend{.name = "eigen",
-                            .dense = true,
-                            .make_solver = &make_dense_solver<EigenLu>,
-                            .version =
-                                [] {
-                                  return std::to_string(EIGEN_WORLD_VERSION) + "." +
-                                         std::to_string(EIGEN_MAJOR_VERSION) + "." +
-                                         std::to_string(EIGEN_MINOR_VERSION);
-                                },
-                            .make_single_solver = &make_single_dense_solver<EigenLu>};
+const Backend eigen_backend{
+    .name = "eigen",
+    .dense = true,
+    .make_solver = &make_dense_solver<EigenLu>,
+    .version =
+        [] { return version_text(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION); },
+    .make_single_solver = &make_single_dense_solver<EigenLu>};
 
 }  // namespace desmo

@@ -12,9 +12,6 @@ const Backend klu_backend{
        const PartSettings& settings) -> std::unique_ptr<LinearSolver<double>> {
       return std::make_unique<KluFactors>(pattern, settings.btf);
     },
-    [] {
-      return std::to_string(KLU_MAIN_VERSION) + "." + std::to_string(KLU_SUB_VERSION) + "." +
-             std::to_string(KLU_SUBSUB_VERSION);
-    }};
+    [] { return version_text(KLU_MAIN_VERSION, KLU_SUB_VERSION, KLU_SUBSUB_VERSION); }};
 
 }  // namespace desmo

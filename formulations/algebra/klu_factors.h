@@ -56,8 +56,6 @@ class KluFactors final : public LinearSolver<double> {
 
   void forget_pivots() override { klu_free_numeric(&numeric_, &common_); }
 
-  int break_even_solves() const override { return sparse_break_even_solves; }
-
   /// Returns how often a pivot order was chosen, the first time included.
   long pivot_choices() const override { return pivot_choices_; }
 

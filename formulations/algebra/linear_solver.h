@@ -22,8 +22,9 @@ class LinearSolver {
   virtual void solve(Real* b) = 0;
 
   /// Returns the number of solve() calls, with a residual each, that cost as much as a new Jacobian
-  /// and its factors.
-  virtual int break_even_solves() const = 0;
+  /// and its factors. The default is that of sparse factorisations, where the Jacobian is a good
+  /// part of the cost.
+  virtual int break_even_solves() const { return 3; }
 
   /// Returns whether the factors have fewer digits than Real.
   virtual bool rounds_factors() const { return false; }
@@ -37,8 +38,5 @@ class LinearSolver {
   /// Returns how often factor() chose a pivot order, where it may reuse one.
   virtual long pivot_choices() const { return 0; }
 };
-
-/// break_even_solves() of sparse factorisations; their new Jacobian is a good part of the cost.
-inline constexpr int sparse_break_even_solves = 3;
 
 }  // namespace desmo

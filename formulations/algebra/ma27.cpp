@@ -52,8 +52,6 @@ class Ma27 final : public LinearSolver<double> {
     a_.normal.solution(values_, right_.data(), b);
   }
 
-  int break_even_solves() const override { return sparse_break_even_solves; }
-
  private:
   void factor_once() {
     std::ranges::copy(a_.normal.values(), reals_.begin());

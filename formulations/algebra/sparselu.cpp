@@ -33,8 +33,6 @@ class SparseLu final : public LinearSolver<double> {
     right = x_;
   }
 
-  int break_even_solves() const override { return sparse_break_even_solves; }
-
  private:
   using Matrix = Eigen::SparseMatrix<double>;
 
@@ -46,10 +44,12 @@ class SparseLu final : public LinearSolver<double> {
 }  // namespace
 
 extern const Backend sparselu_backend;
-const Backend sparselu_backend{"sparselu", false, &make_sparse_solver<SparseLu>, [] {
-                                 return std::to_string(EIGEN_WORLD_VERSION) + "." +
-                                        std::to_string(EIGEN_MAJOR_VERSION) + "." +
-                                        std::to_string(EIGEN_MINOR_VERSION);
-                               }};
+const Backend sparselu_backend{
+    .name = "sparselu",
+    .dense = false,
+    .make_solver = &make_sparse_solver<SparseLu>,
+    .version =
+        [] { return version_text(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION); },
+    .allocates = true};
 
 }  // namespace desmo

@@ -64,8 +64,6 @@ class Spqr final : public LinearSolver<double> {
     cholmod_l_free_dense(&x, &common_);
   }
 
-  int break_even_solves() const override { return sparse_break_even_solves; }
-
  private:
   int n_;
   std::vector<SuiteSparse_long> start_, row_;
@@ -77,10 +75,12 @@ class Spqr final : public LinearSolver<double> {
 }  // namespace
 
 extern const Backend spqr_backend;
-const Backend spqr_backend{"spqr", false, &make_sparse_solver<Spqr>, [] {
-                             return std::to_string(SPQR_MAIN_VERSION) + "." +
-                                    std::to_string(SPQR_SUB_VERSION) + "." +
-                                    std::to_string(SPQR_SUBSUB_VERSION);
-                           }};
+const Backend spqr_backend{
+    .name = "spqr",
+    .dense = false,
+    .make_solver = &make_sparse_solver<Spqr>,
+    .version =
+        [] { return version_text(SPQR_MAIN_VERSION, SPQR_SUB_VERSION, SPQR_SUBSUB_VERSION); },
+    .allocates = true};
 
 }  // namespace desmo

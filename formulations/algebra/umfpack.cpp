@@ -49,8 +49,6 @@ class Umfpack final : public LinearSolver<double> {
                       control_, nullptr, index_work_.data(), work_.data());
   }
 
-  int break_even_solves() const override { return sparse_break_even_solves; }
-
  private:
   int n_;
   std::vector<int> start_, row_;
@@ -65,10 +63,14 @@ class Umfpack final : public LinearSolver<double> {
 }  // namespace
 
 extern const Backend umfpack_backend;
-const Backend umfpack_backend{"umfpack", false, &make_sparse_solver<Umfpack>, [] {
-                                return std::to_string(UMFPACK_MAIN_VERSION) + "." +
-                                       std::to_string(UMFPACK_SUB_VERSION) + "." +
-                                       std::to_string(UMFPACK_SUBSUB_VERSION);
-                              }};
+const Backend umfpack_backend{.name = "umfpack",
+                              .dense = false,
+                              .make_solver = &make_sparse_solver<Umfpack>,
+                              .version =
+                                  [] {
+                                    return version_text(UMFPACK_MAIN_VERSION, UMFPACK_SUB_VERSION,
+                                                        UMFPACK_SUBSUB_VERSION);
+                                  },
+                              .allocates = true};
 
 }  // namespace desmo

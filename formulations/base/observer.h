@@ -7,16 +7,16 @@
 
 namespace desmo {
 
-/// An instant of a motion. The spans are valid until the next instant comes; those beyond the
-/// requested level are empty. They hold all coordinates in their order, or, at an observer that
-/// lends memory, the requested ones, in that memory.
+/// An instant of a motion. The spans are valid until the next instant comes; those above the
+/// requested level are empty. They hold all coordinates in their order or, if the observer lends
+/// memory, the requested ones, in that memory.
 struct Instant {
   int index;
   double time;  ///< [s]
   std::span<const double> q, qd, qdd;
-  long updates = 0;           ///< that it took: see Summary
+  long updates = 0;           ///< work that it took, as Summary::updates
   double residual = 0;        ///< ‖Φ‖₂ where it was accepted, as in Summary
-  bool interpolated = false;  ///< between those solved (see Settings::stride)
+  bool interpolated = false;  ///< not solved itself (see Settings::stride)
   OutputView output{};        ///< the lent memory, which the observer may lend again
 };
 
@@ -42,25 +42,25 @@ class Observer {
   /// Returns for how many instants the observer lends memory at a time. 0: it lends none, and
   /// instants come in memory of the solver.
   virtual int lent_at_once() const noexcept { return 0; }
-  /// Lends memory for instants to come, asked of an observer whose lent_at_once() is not 0. Every
-  /// instant then comes in memory that was lent for it, which is the solver's until that moment.
-  /// Memory of a run that restarts or ends early does not come back.
+  /// Lends memory for instants to come; called if lent_at_once() is not 0. instants: their indices.
+  /// outputs: to be filled, one for each. The solver owns this memory until it hands over the
+  /// instant. It does not hand back memory of a run that restarts or ends early.
   virtual void lend(std::span<const int> instants, std::span<OutputView> outputs) noexcept {
     static_cast<void>(instants), static_cast<void>(outputs);
   }
 
-  /// Returns whether instants may come in any order. A solver of several at once hands these over
-  /// as they are solved where memory is lent for them, and keeps all of them otherwise.
+  /// Returns whether instants may come in any order. Segments then arrive as they are solved, if
+  /// memory is lent; otherwise the solver keeps the whole motion and hands it over at the end.
   virtual bool any_order() const noexcept { return false; }
-  /// Returns the observer that a thread (0, 1, …) uses on its own, without a lock, at an observer
-  /// that takes any order; several threads ask at once. Null: all share this one, one call at a
-  /// time. restart() is told to this one alone.
+  /// Returns the observer that a thread (0, 1, …) calls without a lock; used if any_order().
+  /// Several threads may call this at once. Null: all threads call this observer, one call at a
+  /// time. restart() is always called on this observer.
   virtual Observer* of_thread(int thread) noexcept {
     static_cast<void>(thread);
     return nullptr;
   }
-  /// Tells that all instants so far are void: the run begins again at the first, for segments that
-  /// were solved at once do not meet. Asked of an observer that takes any order.
+  /// Tells that all instants so far are void, since segments did not meet: the run begins again at
+  /// the first instant. Called only if any_order().
   virtual void restart() noexcept {}
 };
 

@@ -9,15 +9,15 @@
 
 namespace desmo {
 
-/// A request: what a run is asked for.
+/// A request: what a run is to deliver.
 struct Request {
-  Level level = Level::acceleration;
+  Level level = Level::acceleration;  ///< highest level
   /// Coordinates to deliver, each once; empty means all. All others are unspecified.
   std::span<const int> coordinates{};
 };
 
-/// Memory that an observer lends for one instant: the requested coordinates, packed in the order of
-/// the request. Null: this level is not wanted. Nothing is written above the requested level.
+/// Memory that an observer lends for one instant: arrays of the requested coordinates, in the order
+/// of the request. Null: the level is not wanted. Nothing is written above the requested level.
 struct OutputView {
   double *q = nullptr, *qd = nullptr, *qdd = nullptr;
 };

@@ -44,11 +44,11 @@ inline constexpr int max_threads = 64;
 /// the paper's. Not every formulation offers every combination (see unsupported_reason in
 /// formulations/variants.h).
 struct Settings {
-  /// Bound on ‖Φ‖₂ of the whole model, each equation divided by its natural magnitude (see
-  /// formulations/scaling/magnitudes.h): relative, whatever the units are. The default asks of the
-  /// paper's two cases what 1e-10 in metres and their squares does.
+  /// Limit of ‖Φ‖₂ of the whole model, each equation divided by its natural magnitude (see
+  /// formulations/scaling/magnitudes.h): a relative error of position to first order, whatever the
+  /// units are.
   double tolerance = default_tolerance;
-  int max_iterations = 25;  ///< of Newton–Raphson, a step
+  int max_iterations = 25;  ///< limit of Newton–Raphson iterations in a step
   Guess guess = Guess::previous;
   /// 0: iterate until the tolerance is met. Otherwise exactly this number of iterations a step,
   /// whatever ‖Φ‖₂ is, so that a step's work does not depend on rounding; an assembly repeats them
@@ -58,19 +58,18 @@ struct Settings {
   Factorisation factorisation = Factorisation::shared;
   BlockTriangularForm btf = BlockTriangularForm::on;  ///< of KLU alone
   Scalar scalar = Scalar::double_precision;
-  /// Equal subsystems, or parts of one type, that are solved at once in a batch, on wide registers,
-  /// by variants that have code for it: up to 4 or, where the processor has AVX-512, 8. 1: no
-  /// batches.
+  /// Number of equal subsystems, or parts of one type, that a batch solves at once on wide
+  /// registers: 4 or, where the processor has AVX-512, 8. 1: no batches. For `explicit` alone.
   int lanes = 1;
-  /// Segments of a motion known in advance that are solved at once on wide registers, by variants
-  /// that have code for it: 4 or 8, as lanes. 1: it is solved step by step.
+  /// Number of segments of a motion known in advance that are solved at once on wide registers, one
+  /// in each lane: 4 or 8. 1: it is solved step by step. For `explicit` alone, without `lanes`.
   int segments = 1;
-  /// Segments of a motion known in advance that are solved on as many threads at once, 1 …
-  /// max_threads; fewer where there is little to do. 1: all is done on the caller's thread.
+  /// Number of threads, 1 … max_threads, each of which solves a segment of a motion known in
+  /// advance; short motions use fewer. 1: all is done on the caller's thread.
   int threads = 1;
-  /// Solves every stride-th instant of a motion known in advance, and the last one, and
-  /// interpolates the others (see formulations/stepping/dense_output.h), 2 … max_stride. 1: solves
-  /// all, as it does when instants are asked for one at a time.
+  /// Distance of the instants of a run that are solved, 1 … max_stride: every stride-th and the
+  /// last; the others are interpolated (see formulations/stepping/dense_output.h). 1: all are
+  /// solved. step() and assemble() always solve.
   int stride = 1;
 };
 
@@ -78,8 +77,8 @@ struct Settings {
 struct PartSettings : Settings {
   PartSettings(const Settings& settings) : Settings(settings) {}
 
-  /// The tolerance is not one that was asked for but what rounding leaves: once below it, Newton's
-  /// method makes one correction more, which takes it as far as rounding lets it.
+  /// Whether the tolerance is the rounding floor of the part, since the requested one is below it.
+  /// Newton's method then makes one more correction once it has met the tolerance.
   bool at_rounding = false;
 };
 

@@ -13,29 +13,29 @@ enum class Status {
   not_finite,     ///< Φ is not a finite number
 };
 
-/// The outcome of a step, or of a whole run:
+/// Outcome of a step or of a whole run:
 ///
 ///   const Summary summary = formulation->step(0.01);
 ///   if (!summary.ok()) std::puts(describe(summary, model).c_str());
 struct Summary {
   Status status = Status::converged;
-  long instants = 0;    ///< solved, or interpolated between those solved
-  long iterations = 0;  ///< Newton iterations, the largest of any part, summed over instants
-  /// Unknowns that Newton's method moved: of each part its number times its iterations, summed. The
-  /// work of a motion grows with it.
+  long instants = 0;    ///< number of instants solved or interpolated
+  long iterations = 0;  ///< Newton iterations of the slowest part, summed over instants
+  /// Updates of single unknowns by Newton's method: unknowns times iterations, summed over parts
+  /// and instants. A measure of work.
   long updates = 0;
-  long sub_steps = 0;  ///< tried where a step could not be solved at once
-  /// Largest ‖Φ‖₂ of the whole mechanism accepted, or that which failed: relative, as the
-  /// tolerance.
+  long sub_steps = 0;  ///< sub-steps tried, where a step could not be solved at once
+  /// Largest accepted ‖Φ‖₂ of the whole mechanism or, on failure, the one that failed; relative,
+  /// like the tolerance.
   double residual = 0;
-  GroupId group = -1;    ///< on failure, the group that could not be solved (see find_culprit)
-  int constraint = -1;   ///< on failure, the constraint most concerned
-  double time = 0;       ///< of the last instant tried, s
+  GroupId group = -1;    ///< on failure, the group that could not be solved; -1: unknown
+  int constraint = -1;   ///< on failure, the constraint most concerned; -1: unknown
+  double time = 0;       ///< time of the last instant tried [s]
   bool stopped = false;  ///< the observer ended the run
   bool ok() const { return status == Status::converged; }
 
-  /// Adds what the next instant took. After a failure status, group, constraint and residual are
-  /// those of the failure.
+  /// Adds the summary of the next instant. If that failed, takes over its status, group, constraint
+  /// and residual.
   void add(const Summary& instant);
 };
 

@@ -35,27 +35,21 @@ BatchPart::BatchPart(std::vector<SubsystemKernels> kernels, std::vector<Subsyste
   }
 }
 
-void BatchPart::Result::add(const PartResult& one) {
-  all.residual2 += one.residual2;
-  all.iterations = std::max(all.iterations, one.iterations);
-  if (all.status == Status::converged) all.status = one.status;
-}
-
 PartResult BatchPart::solve(State& s, std::span<const double> last, Level level) {
-  Result result;
-  for (Batch& batch : batches_) solve(batch, s, last, level, result);
-  if (left_over_) solve_alone(*left_over_, s, last, level, result);
-  return result.all;
+  PartResult all;
+  for (Batch& batch : batches_) solve(batch, s, last, level, all);
+  if (left_over_) solve_alone(*left_over_, s, last, level, all);
+  return all;
 }
 
 void BatchPart::solve(Batch& batch, State& s, std::span<const double> last, Level level,
-                      Result& result) {
+                      PartResult& all) {
   const Batch::Step& step = batch.solve(s);
   double residual2 = 0;
   for (std::size_t l = 0; l < batch.subsystems().size(); ++l)
     if (step.accepted >> l & 1) residual2 += step.residual2[l];
-  result.all.residual2 += residual2;
-  result.all.iterations = std::max(result.all.iterations, step.iterations);
+  all.residual2 += residual2;
+  all.iterations = std::max(all.iterations, step.iterations);
   if (step.accepted == batch.all()) [[likely]]
     return batch.write_observed(s, level);
 
@@ -69,18 +63,21 @@ void BatchPart::solve(Batch& batch, State& s, std::span<const double> last, Leve
     if (step.accepted >> l & 1)
       batch.store(l, s);
     else
-      solve_alone(batch.subsystems()[l], s, last_, level, result);
+      solve_alone(batch.subsystems()[l], s, last_, level, all);
   }
   batch.take(s);
 }
 
 /// Up to the first part that cannot be solved: the next may need it.
 void BatchPart::solve_alone(Subsystem& subsystem, State& s, std::span<const double> last,
-                            Level level, Result& result) {
+                            Level level, PartResult& all) {
   for (const auto& member : subsystem) {
     const PartResult r = member->solve(s, last, level);
-    result.add(r);
-    if (r.status != Status::converged) return;
+    all.residual2 += r.residual2;
+    all.iterations = std::max(all.iterations, r.iterations);
+    if (r.status == Status::converged) continue;
+    if (all.status == Status::converged) all.status = r.status;
+    return;
   }
 }
 

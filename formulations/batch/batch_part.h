@@ -35,14 +35,10 @@ class BatchPart final : public GuardedPart {
   long branch_changes() const override;
 
  private:
-  /// The outcome of several subsystems or parts.
-  struct Result {
-    PartResult all;
-    void add(const PartResult& one);
-  };
-  void solve(Batch& batch, State& state, std::span<const double> last, Level level, Result& result);
+  void solve(Batch& batch, State& state, std::span<const double> last, Level level,
+             PartResult& all);
   static void solve_alone(Subsystem& subsystem, State& state, std::span<const double> last,
-                          Level level, Result& result);
+                          Level level, PartResult& all);
 
   std::vector<Subsystem> subsystems_;
   std::vector<Batch> batches_;

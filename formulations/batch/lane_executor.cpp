@@ -93,25 +93,10 @@ std::optional<Summary> LaneExecutor::run(const TimeGrid& grid, const Request& re
   return total;
 }
 
-/// Each lane at the position from which the first instant of its segment is solved.
+/// Continues in each lane to the position from which the first instant of its segment is solved, in
+/// all at once, as in a motion that takes a unit of time. Returns false where one needs shorter
+/// steps.
 bool LaneExecutor::enter(const TimeGrid& grid, int length, const State& first) {
-  if (enter_together(grid, length, first)) return true;
-  for (int l = 0; l < lanes_; ++l) {
-    for (const DefinedPart& part : parts_[l]) part.solver->forget();
-    alone_ = first;
-    const auto solve = [&](State& state, std::span<const double> last) {
-      return solve_alone(l, state, last);
-    };
-    if (!continue_drivers_to(model_, grid.time(l * length), alone_, solve)) return false;
-    pack(l, alone_);
-  }
-  take_branches();
-  return are_assembled();
-}
-
-/// Continues to all segments at once, as in a motion that takes a unit of time. False where one
-/// needs shorter steps.
-bool LaneExecutor::enter_together(const TimeGrid& grid, int length, const State& first) {
   for (int l = 0; l < lanes_; ++l) {
     for (const DefinedPart& part : parts_[l]) part.solver->forget();
     alone_ = first;

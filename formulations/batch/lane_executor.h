@@ -50,7 +50,6 @@ class LaneExecutor final : public SegmentExecutor {
 
   Stage make_stage(std::size_t part, const KernelTable& table) const;
   bool enter(const TimeGrid& grid, int length, const State& first);
-  bool enter_together(const TimeGrid& grid, int length, const State& first);
   bool solve_alone(int lane, State& state, std::span<const double> last);
   bool are_assembled() const;
   void pack(int lane, const State& from);

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <utility>
 
+#include "cases/mechanism/disjoint_sets.h"
 #include "formulations/batch/batch_part.h"
 #include "formulations/parts/explicit_part.h"
 #include "formulations/structure/partition.h"
@@ -84,23 +84,18 @@ class BatchMaker {
 
   /// Moving parts that are connected by what they need of each other.
   std::vector<Positions> subsystems() const {
-    Positions linked(parts_.size()), owner(model_.state_size(), -1);
-    std::iota(linked.begin(), linked.end(), 0);
-    const auto subsystem_of = [&](int i) {
-      while (linked[i] != i) i = linked[i] = linked[linked[i]];
-      return i;
-    };
+    DisjointSets linked(parts_.size());
+    Positions owner(model_.state_size(), -1);
     for (int i = 0; i < size(); ++i) {
       const PartDefinition& part = parts_[i].definition;
       if (part.constant) continue;
       for (const int state : states_read(model_, part))
-        if (const int needed = owner[state]; needed >= 0)
-          linked[subsystem_of(needed)] = subsystem_of(i);
+        if (const int needed = owner[state]; needed >= 0) linked.unite(needed, i);
       for (const int unknown : part.unknowns) owner[unknown] = i;
     }
     std::map<int, Positions> subsystems;
     for (int i = 0; i < size(); ++i)
-      if (!parts_[i].definition.constant) subsystems[subsystem_of(i)].push_back(i);
+      if (!parts_[i].definition.constant) subsystems[linked.find(i)].push_back(i);
     std::vector<Positions> result;
     for (auto& [number, subsystem] : subsystems) result.push_back(std::move(subsystem));
     return result;

@@ -76,7 +76,7 @@ bool segments_meet(const Model& m, std::span<const double> ended, std::span<cons
 }
 
 Segmented::Segmented(std::unique_ptr<TimeStepping> steps, std::unique_ptr<SegmentExecutor> executor)
-    : Formulation(steps->model(), steps->tolerance()),
+    : Formulation(steps->model(), steps->settings(), steps->tolerance()),
       steps_(std::move(steps)),
       executor_(std::move(executor)) {}
 

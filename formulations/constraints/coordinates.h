@@ -49,7 +49,7 @@ struct Distance {
 
   template <class S>
   static void residual(const S* const* x, const S*, S* phi) {
-    const auto s = vec::segment<D>(x[0], x[1]);
+    const auto s = vec::difference<D>(x[0], x[1]);
     phi[0] = vec::dot<D>(s.data(), s.data()) - x[2][0] * x[2][0];
   }
   template <class S, class Entry>
@@ -63,12 +63,12 @@ struct Distance {
   }
   template <class S>
   static void quadratic(const S* const*, const S* const* v, const S*, S* gamma) {
-    const auto s = vec::segment<D>(v[0], v[1]);
+    const auto s = vec::difference<D>(v[0], v[1]);
     gamma[0] = S(2) * (vec::dot<D>(s.data(), s.data()) - v[2][0] * v[2][0]);
   }
 };
 
-/// Angle θ of a plane segment from the x axis: b − a − L (cos θ, sin θ) = 0, two equations.
+/// Angle θ of a plane line from the x axis: b − a − L (cos θ, sin θ) = 0, two equations.
 /// Operands a, b, θ; c = {L}.
 struct PlanarAngle {
   static constexpr std::string_view name = "planar_angle";
@@ -171,17 +171,16 @@ void quadratic_of_turn(const std::array<S, 2>& f, const std::array<S, 2>& g, con
 
 /// Angle θ of a plane direction d from a direction e, counter-clockwise: d − r R(θ) e = 0, two
 /// equations. R(θ) turns by θ, and r is the constant ratio ‖d‖/‖e‖. Operands d, e, θ; c = {r}. A
-/// direction is one vector or, with OfSegment (d) and FromSegment (e), the two points of a segment,
-/// start first. All operands must differ: segments with a common start use PlanarTurnAtPoint.
-template <bool OfSegment, bool FromSegment>
+/// direction is one vector or, with OfLine (d) and FromLine (e), the two points of a line,
+/// start first. All operands must differ: lines with a common start use PlanarTurnAtPoint.
+template <bool OfLine, bool FromLine>
 struct PlanarTurn {
   static constexpr std::string_view name =
-      OfSegment
-          ? (FromSegment ? "planar_turn_segment_from_segment" : "planar_turn_segment_from_vector")
-          : (FromSegment ? "planar_turn_vector_from_segment" : "planar_turn_vector_from_vector");
+      OfLine ? (FromLine ? "planar_turn_segment_from_segment" : "planar_turn_segment_from_vector")
+             : (FromLine ? "planar_turn_vector_from_segment" : "planar_turn_vector_from_vector");
   /// Index of the first operand of e, and of θ.
-  static constexpr int e = vec::direction_operands<OfSegment>;
-  static constexpr int theta = e + vec::direction_operands<FromSegment>;
+  static constexpr int e = vec::direction_operands<OfLine>;
+  static constexpr int theta = e + vec::direction_operands<FromLine>;
   static constexpr std::array<int, theta + 1> operand_sizes = [] {
     std::array<int, theta + 1> sizes{};
     sizes.fill(2);
@@ -189,25 +188,25 @@ struct PlanarTurn {
     return sizes;
   }();
   static constexpr int constants = 1, rows = 2;
-  static constexpr int entries = 2 * ((OfSegment ? 2 : 1) + (FromSegment ? 4 : 2) + 1);
+  static constexpr int entries = 2 * ((OfLine ? 2 : 1) + (FromLine ? 4 : 2) + 1);
   static constexpr bool linear = false;
 
   template <class S>
   static void residual(const S* const* x, const S* c, S* phi) {
     const vec::Turn<S> turn(c[0], x[theta][0]);
-    const auto d = vec::direction<2, OfSegment>(x);
-    const auto f = turn(vec::direction<2, FromSegment>(x + e));
+    const auto d = vec::direction<2, OfLine>(x);
+    const auto f = turn(vec::direction<2, FromLine>(x + e));
     for (int i = 0; i < 2; ++i) phi[i] = d[i] - f[i];
   }
   template <class S, class Entry>
   static void jacobian(const S* const* x, const S* c, Entry&& entry) {
     const vec::Turn<S> turn(c[0], x[theta][0]);
-    const auto f = turn(vec::direction<2, FromSegment>(x + e));
+    const auto f = turn(vec::direction<2, FromLine>(x + e));
     for (int i = 0; i < 2; ++i) {
       const int other = 1 - i;
-      if constexpr (OfSegment) entry(i, 0, i, S(-1));
+      if constexpr (OfLine) entry(i, 0, i, S(-1));
       entry(i, e - 1, i, S(1));
-      if constexpr (FromSegment) {
+      if constexpr (FromLine) {
         entry(i, e, i, turn.cosine);
         entry(i, e, other, turn.across(i));
       }
@@ -220,12 +219,12 @@ struct PlanarTurn {
   template <class S>
   static void quadratic(const S* const* x, const S* const* v, const S* c, S* gamma) {
     const vec::Turn<S> turn(c[0], x[theta][0]);
-    vec::quadratic_of_turn(turn(vec::direction<2, FromSegment>(x + e)),
-                           turn(vec::direction<2, FromSegment>(v + e)), v[theta][0], gamma);
+    vec::quadratic_of_turn(turn(vec::direction<2, FromLine>(x + e)),
+                           turn(vec::direction<2, FromLine>(v + e)), v[theta][0], gamma);
   }
 };
 
-/// Angle θ between two segments from one point o, to b and to a: (b − o) − r R(θ) (a − o) = 0, two
+/// Angle θ between two lines from one point o, to b and to a: (b − o) − r R(θ) (a − o) = 0, two
 /// equations. Operands o, b, a, θ; c = {r}, the constant ratio ‖b − o‖/‖a − o‖.
 struct PlanarTurnAtPoint {
   static constexpr std::string_view name = "planar_turn_at_point";
@@ -236,14 +235,14 @@ struct PlanarTurnAtPoint {
   template <class S>
   static void residual(const S* const* x, const S* c, S* phi) {
     const vec::Turn<S> turn(c[0], x[3][0]);
-    const auto d = vec::segment<2>(x[0], x[1]);
-    const auto f = turn(vec::segment<2>(x[0], x[2]));
+    const auto d = vec::difference<2>(x[0], x[1]);
+    const auto f = turn(vec::difference<2>(x[0], x[2]));
     for (int i = 0; i < 2; ++i) phi[i] = d[i] - f[i];
   }
   template <class S, class Entry>
   static void jacobian(const S* const* x, const S* c, Entry&& entry) {
     const vec::Turn<S> turn(c[0], x[3][0]);
-    const auto f = turn(vec::segment<2>(x[0], x[2]));
+    const auto f = turn(vec::difference<2>(x[0], x[2]));
     for (int i = 0; i < 2; ++i) {
       const int other = 1 - i;
       entry(i, 0, i, turn.cosine - S(1));
@@ -258,22 +257,22 @@ struct PlanarTurnAtPoint {
   template <class S>
   static void quadratic(const S* const* x, const S* const* v, const S* c, S* gamma) {
     const vec::Turn<S> turn(c[0], x[3][0]);
-    vec::quadratic_of_turn(turn(vec::segment<2>(x[0], x[2])), turn(vec::segment<2>(v[0], v[2])),
-                           v[3][0], gamma);
+    vec::quadratic_of_turn(turn(vec::difference<2>(x[0], x[2])),
+                           turn(vec::difference<2>(v[0], v[2])), v[3][0], gamma);
   }
 };
 
 /// Angle φ of a direction w in the plane of x and z, from Sign·x towards z:
-/// cos φ z·w − Sign sin φ x·w = 0. Operands x, z, then w, a vector or (Segment) the points a, b
+/// cos φ z·w − Sign sin φ x·w = 0. Operands x, z, then w, a vector or (Line) the points a, b
 /// with w = b − a, then φ. It holds modulo π; the initial estimate picks the branch.
-template <int Sign, bool Segment>
+template <int Sign, bool Line>
 struct FrameAngle {
   static_assert(Sign == 1 || Sign == -1);
   static constexpr std::string_view name =
-      Sign < 0 ? (Segment ? "frame_angle" : "frame_angle_of_vector")
-               : (Segment ? "frame_angle_from_x" : "frame_angle_from_x_of_vector");
+      Sign < 0 ? (Line ? "frame_angle" : "frame_angle_of_vector")
+               : (Line ? "frame_angle_from_x" : "frame_angle_from_x_of_vector");
   /// Index of operand φ.
-  static constexpr int angle = 2 + vec::direction_operands<Segment>;
+  static constexpr int angle = 2 + vec::direction_operands<Line>;
   static constexpr std::array<int, angle + 1> operand_sizes = [] {
     std::array<int, angle + 1> sizes{};
     sizes.fill(3);
@@ -287,7 +286,7 @@ struct FrameAngle {
   static void residual(const S* const* q, const S*, S* phi) {
     using std::cos;
     using std::sin;
-    const auto w = vec::direction<3, Segment>(q + 2);
+    const auto w = vec::direction<3, Line>(q + 2);
     phi[0] = cos(q[angle][0]) * vec::dot<3>(q[1], w.data()) +
              opposite(sin(q[angle][0])) * vec::dot<3>(q[0], w.data());
   }
@@ -296,12 +295,12 @@ struct FrameAngle {
     using std::cos;
     using std::sin;
     const S cosine = cos(q[angle][0]), sine = sin(q[angle][0]);
-    const auto w = vec::direction<3, Segment>(q + 2);
+    const auto w = vec::direction<3, Line>(q + 2);
     for (int i = 0; i < 3; ++i) {
       const S along = cosine * q[1][i] + opposite(sine) * q[0][i];
       entry(0, 0, i, opposite(sine) * w[i]);
       entry(0, 1, i, cosine * w[i]);
-      if constexpr (Segment) entry(0, 2, i, -along);
+      if constexpr (Line) entry(0, 2, i, -along);
       entry(0, angle - 1, i, along);
     }
     entry(0, angle, 0,
@@ -312,8 +311,8 @@ struct FrameAngle {
     using std::cos;
     using std::sin;
     const S cosine = cos(q[angle][0]), sine = sin(q[angle][0]), rate = v[angle][0];
-    const auto w = vec::direction<3, Segment>(q + 2);
-    const auto w_rate = vec::direction<3, Segment>(v + 2);
+    const auto w = vec::direction<3, Line>(q + 2);
+    const auto w_rate = vec::direction<3, Line>(v + 2);
     // P = z·w and R = x·w, so that Φ = cos φ P − Sign sin φ R.
     const S p = vec::dot<3>(q[1], w.data()),
             p_rate = vec::dot<3>(v[1], w.data()) + vec::dot<3>(q[1], w_rate.data());

@@ -48,12 +48,12 @@ struct Offset {
 
   template <class S>
   static void residual(const S* const* x, const S* c, S* phi) {
-    const auto s = vec::segment<2>(x[1], x[2]);
+    const auto s = vec::difference<2>(x[1], x[2]);
     phi[0] = vec::cross(x[0], s.data()) - c[0];
   }
   template <class S, class Entry>
   static void jacobian(const S* const* x, const S*, Entry&& entry) {
-    const auto s = vec::segment<2>(x[1], x[2]);
+    const auto s = vec::difference<2>(x[1], x[2]);
     entry(0, 0, 0, s[1]);
     entry(0, 0, 1, -s[0]);
     entry(0, 1, 0, x[0][1]);
@@ -63,7 +63,7 @@ struct Offset {
   }
   template <class S>
   static void quadratic(const S* const*, const S* const* v, const S*, S* gamma) {
-    const auto s = vec::segment<2>(v[1], v[2]);
+    const auto s = vec::difference<2>(v[1], v[2]);
     gamma[0] = S(2) * vec::cross(v[0], s.data());
   }
 };

@@ -20,7 +20,7 @@ struct Length {
 
   template <class S>
   static void residual(const S* const* x, const S* c, S* phi) {
-    const auto s = vec::segment<D>(x[0], x[1]);
+    const auto s = vec::difference<D>(x[0], x[1]);
     phi[0] = vec::dot<D>(s.data(), s.data()) - c[0];
   }
   template <class S, class Entry>
@@ -33,7 +33,7 @@ struct Length {
   }
   template <class S>
   static void quadratic(const S* const*, const S* const* v, const S*, S* gamma) {
-    const auto s = vec::segment<D>(v[0], v[1]);
+    const auto s = vec::difference<D>(v[0], v[1]);
     gamma[0] = S(2) * vec::dot<D>(s.data(), s.data());
   }
 };
@@ -95,7 +95,7 @@ struct Projection {
 
   template <class S>
   static void residual(const S* const* x, const S* c, S* phi) {
-    const auto s = vec::segment<D>(x[1], x[2]);
+    const auto s = vec::difference<D>(x[1], x[2]);
     phi[0] = vec::dot<D>(x[0], s.data()) - c[0];
   }
   template <class S, class Entry>
@@ -108,7 +108,7 @@ struct Projection {
   }
   template <class S>
   static void quadratic(const S* const*, const S* const* v, const S*, S* gamma) {
-    const auto s = vec::segment<D>(v[1], v[2]);
+    const auto s = vec::difference<D>(v[1], v[2]);
     gamma[0] = S(2) * vec::dot<D>(v[0], s.data());
   }
 };
@@ -193,27 +193,27 @@ struct Combination {
 /// quarter turn counter-clockwise, J (x, y) = (−y, x); c = {c₁, c₂}.
 ///   Point:      p − a − c₁ d − c₂ J d = 0
 ///   not Point:  p − c₁ d − c₂ J d = 0
-/// Operands p, then the origin a (of a point), then d: a vector x; or, with Segment, the points a
-/// and b, d = b − a. The segment of a point starts at its origin, which is listed once: p, a, b.
-template <bool Point, bool Segment>
+/// Operands p, then the origin a (of a point), then d: a vector x; or, with Line, the points a
+/// and b, d = b − a. The line of a point starts at its origin, which is listed once: p, a, b.
+template <bool Point, bool Line>
 struct PlanarRelation {
   static constexpr std::string_view name =
-      Point ? (Segment ? "planar_point_by_segment" : "planar_point_by_vector")
-            : (Segment ? "planar_vector_by_segment" : "planar_vector_by_vector");
-  /// Operand that is the vector, or the start of the segment.
-  static constexpr int first = Point && !Segment ? 2 : 1;
-  static constexpr std::array<int, first + vec::direction_operands<Segment>> operand_sizes = [] {
-    std::array<int, first + vec::direction_operands<Segment>> sizes{};
+      Point ? (Line ? "planar_point_by_segment" : "planar_point_by_vector")
+            : (Line ? "planar_vector_by_segment" : "planar_vector_by_vector");
+  /// Operand that is the vector, or the start of the line.
+  static constexpr int first = Point && !Line ? 2 : 1;
+  static constexpr std::array<int, first + vec::direction_operands<Line>> operand_sizes = [] {
+    std::array<int, first + vec::direction_operands<Line>> sizes{};
     sizes.fill(2);
     return sizes;
   }();
   static constexpr int constants = 2, rows = 2;
-  static constexpr int entries = Segment ? 10 : Point ? 8 : 6;
+  static constexpr int entries = Line ? 10 : Point ? 8 : 6;
   static constexpr bool linear = true;
 
   template <class S>
   static void residual(const S* const* x, const S* c, S* phi) {
-    const auto d = vec::direction<2, Segment>(x + first);
+    const auto d = vec::direction<2, Line>(x + first);
     phi[0] = x[0][0] - c[0] * d[0] + c[1] * d[1];
     phi[1] = x[0][1] - c[0] * d[1] - c[1] * d[0];
     if constexpr (Point)
@@ -225,8 +225,8 @@ struct PlanarRelation {
       const int other = 1 - i;
       const S across = i == 0 ? c[1] : -c[1];  // −c₂ J
       entry(i, 0, i, S(1));
-      if constexpr (Point && !Segment) entry(i, 1, i, S(-1));
-      if constexpr (Segment) {
+      if constexpr (Point && !Line) entry(i, 1, i, S(-1));
+      if constexpr (Line) {
         entry(i, first, i, Point ? c[0] - S(1) : c[0]);
         entry(i, first, other, -across);
       }

@@ -26,7 +26,7 @@ struct Reach {
 
   template <class S>
   static void residual(const S* const* x, const S*, S* phi) {
-    const auto d = vec::segment<D>(x[0], x[1]);
+    const auto d = vec::difference<D>(x[0], x[1]);
     phi[0] = vec::dot<D>(x[2], d.data()) - x[3][0];
   }
   template <class S, class Entry>
@@ -40,7 +40,7 @@ struct Reach {
   }
   template <class S>
   static void quadratic(const S* const*, const S* const* v, const S*, S* gamma) {
-    const auto d = vec::segment<D>(v[0], v[1]);
+    const auto d = vec::difference<D>(v[0], v[1]);
     gamma[0] = S(2) * vec::dot<D>(v[2], d.data());
   }
 };
@@ -74,11 +74,11 @@ struct Parallel {
 }  // namespace vec
 
 /// Angle θ of a plane direction d from the x axis: (cos θ, sin θ) × d = 0. Operands d, θ. The
-/// direction is a vector or, with Segment, the points a, b with d = b − a. It holds modulo π.
-template <bool Segment>
+/// direction is a vector or, with Line, the points a, b with d = b − a. It holds modulo π.
+template <bool Line>
 struct PlanarBearing {
-  static constexpr std::string_view name = Segment ? "planar_bearing" : "planar_bearing_of_vector";
-  static constexpr int theta = vec::direction_operands<Segment>;
+  static constexpr std::string_view name = Line ? "planar_bearing" : "planar_bearing_of_vector";
+  static constexpr int theta = vec::direction_operands<Line>;
   static constexpr std::array<int, theta + 1> operand_sizes = [] {
     std::array<int, theta + 1> sizes{};
     sizes.fill(2);
@@ -96,14 +96,14 @@ struct PlanarBearing {
   static void jacobian(const S* const* x, const S*, Entry&& entry) {
     const vec::Parallel<S> p = parallel(x);
     for (int i = 0; i < 2; ++i) {
-      if constexpr (Segment) entry(0, 0, i, -p.of_d(i));
+      if constexpr (Line) entry(0, 0, i, -p.of_d(i));
       entry(0, theta - 1, i, p.of_d(i));
     }
     entry(0, theta, 0, p.of_theta());
   }
   template <class S>
   static void quadratic(const S* const* x, const S* const* v, const S*, S* gamma) {
-    gamma[0] = parallel(x).quadratic({S(0), S(0)}, vec::direction<2, Segment>(v), v[theta][0]);
+    gamma[0] = parallel(x).quadratic({S(0), S(0)}, vec::direction<2, Line>(v), v[theta][0]);
   }
 
  private:
@@ -111,20 +111,20 @@ struct PlanarBearing {
   static vec::Parallel<S> parallel(const S* const* x) {
     using std::cos;
     using std::sin;
-    return {{cos(x[theta][0]), sin(x[theta][0])}, vec::direction<2, Segment>(x)};
+    return {{cos(x[theta][0]), sin(x[theta][0])}, vec::direction<2, Line>(x)};
   }
 };
 
 /// Angle θ of a plane direction d from a direction e, counter-clockwise: r R(θ) e × d = 0.
 /// Operands, r and R(θ) as in PlanarTurn; c = {r}. It holds modulo π.
-template <bool OfSegment, bool FromSegment>
+template <bool OfLine, bool FromLine>
 struct PlanarBearingFrom {
   static constexpr std::string_view name =
-      OfSegment ? (FromSegment ? "planar_bearing_segment_from_segment"
-                               : "planar_bearing_segment_from_vector")
-                : (FromSegment ? "planar_bearing_vector_from_segment"
-                               : "planar_bearing_vector_from_vector");
-  using Turn = PlanarTurn<OfSegment, FromSegment>;
+      OfLine
+          ? (FromLine ? "planar_bearing_segment_from_segment"
+                      : "planar_bearing_segment_from_vector")
+          : (FromLine ? "planar_bearing_vector_from_segment" : "planar_bearing_vector_from_vector");
+  using Turn = PlanarTurn<OfLine, FromLine>;
   static constexpr int e = Turn::e, theta = Turn::theta;
   static constexpr auto operand_sizes = Turn::operand_sizes;
   static constexpr int constants = 1, rows = 1, entries = 2 * theta + 1;
@@ -139,9 +139,9 @@ struct PlanarBearingFrom {
     const vec::Turn<S> turn(c[0], x[theta][0]);
     const vec::Parallel<S> p = parallel(x, turn);
     for (int i = 0; i < 2; ++i) {
-      if constexpr (OfSegment) entry(0, 0, i, -p.of_d(i));
+      if constexpr (OfLine) entry(0, 0, i, -p.of_d(i));
       entry(0, e - 1, i, p.of_d(i));
-      if constexpr (FromSegment) entry(0, e, i, -p.of_e(turn, i));
+      if constexpr (FromLine) entry(0, e, i, -p.of_e(turn, i));
       entry(0, theta - 1, i, p.of_e(turn, i));
     }
     entry(0, theta, 0, p.of_theta());
@@ -149,18 +149,18 @@ struct PlanarBearingFrom {
   template <class S>
   static void quadratic(const S* const* x, const S* const* v, const S* c, S* gamma) {
     const vec::Turn<S> turn(c[0], x[theta][0]);
-    gamma[0] = parallel(x, turn).quadratic(turn(vec::direction<2, FromSegment>(v + e)),
-                                           vec::direction<2, OfSegment>(v), v[theta][0]);
+    gamma[0] = parallel(x, turn).quadratic(turn(vec::direction<2, FromLine>(v + e)),
+                                           vec::direction<2, OfLine>(v), v[theta][0]);
   }
 
  private:
   template <class S>
   static vec::Parallel<S> parallel(const S* const* x, const vec::Turn<S>& turn) {
-    return {turn(vec::direction<2, FromSegment>(x + e)), vec::direction<2, OfSegment>(x)};
+    return {turn(vec::direction<2, FromLine>(x + e)), vec::direction<2, OfLine>(x)};
   }
 };
 
-/// Angle θ between two segments from one point o, to b and to a: r R(θ) (a − o) × (b − o) = 0.
+/// Angle θ between two lines from one point o, to b and to a: r R(θ) (a − o) × (b − o) = 0.
 /// Operands o, b, a, θ; c = {r}, as in PlanarTurnAtPoint. It holds modulo π.
 struct PlanarBearingAtPoint {
   static constexpr std::string_view name = "planar_bearing_at_point";
@@ -187,14 +187,14 @@ struct PlanarBearingAtPoint {
   template <class S>
   static void quadratic(const S* const* x, const S* const* v, const S* c, S* gamma) {
     const vec::Turn<S> turn(c[0], x[3][0]);
-    gamma[0] = parallel(x, turn).quadratic(turn(vec::segment<2>(v[0], v[2])),
-                                           vec::segment<2>(v[0], v[1]), v[3][0]);
+    gamma[0] = parallel(x, turn).quadratic(turn(vec::difference<2>(v[0], v[2])),
+                                           vec::difference<2>(v[0], v[1]), v[3][0]);
   }
 
  private:
   template <class S>
   static vec::Parallel<S> parallel(const S* const* x, const vec::Turn<S>& turn) {
-    return {turn(vec::segment<2>(x[0], x[2])), vec::segment<2>(x[0], x[1])};
+    return {turn(vec::difference<2>(x[0], x[2])), vec::difference<2>(x[0], x[1])};
   }
 };
 
@@ -216,9 +216,9 @@ template <>
 struct ScalarDefinition<PlanarDirection> {
   using type = PlanarBearing<false>;
 };
-template <bool OfSegment, bool FromSegment>
-struct ScalarDefinition<PlanarTurn<OfSegment, FromSegment>> {
-  using type = PlanarBearingFrom<OfSegment, FromSegment>;
+template <bool OfLine, bool FromLine>
+struct ScalarDefinition<PlanarTurn<OfLine, FromLine>> {
+  using type = PlanarBearingFrom<OfLine, FromLine>;
 };
 template <>
 struct ScalarDefinition<PlanarTurnAtPoint> {

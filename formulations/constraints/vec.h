@@ -21,17 +21,17 @@ S cross(const S* u, const S* v) {
 
 /// Returns b − a.
 template <int D, class S>
-std::array<S, D> segment(const S* a, const S* b) {
+std::array<S, D> difference(const S* a, const S* b) {
   std::array<S, D> s;
   for (int i = 0; i < D; ++i) s[i] = b[i] - a[i];
   return s;
 }
 
-/// Returns a direction: the segment from operand 0 to operand 1, or the vector operand 0.
-template <int D, bool Segment, class S>
+/// Returns a direction: the line from operand 0 to operand 1, or the vector operand 0.
+template <int D, bool Line, class S>
 std::array<S, D> direction(const S* const* x) {
-  if constexpr (Segment) {
-    return segment<D>(x[0], x[1]);
+  if constexpr (Line) {
+    return difference<D>(x[0], x[1]);
   } else {
     std::array<S, D> d;
     for (int i = 0; i < D; ++i) d[i] = x[0][i];
@@ -40,7 +40,7 @@ std::array<S, D> direction(const S* const* x) {
 }
 
 /// Number of operands of a direction.
-template <bool Segment>
-inline constexpr int direction_operands = Segment ? 2 : 1;
+template <bool Line>
+inline constexpr int direction_operands = Line ? 2 : 1;
 
 }  // namespace desmo::vec

@@ -34,12 +34,12 @@ struct ModellingResult {
 };
 
 /// Models a mechanism: finds rigid bodies, structural groups, coordinates and independent
-/// equations. motions: one per driven coordinate, in the mechanism's order. Throws
-/// std::invalid_argument, naming the place, for an invalid mechanism (see validate) or one that its
-/// drivers do not determine.
+/// equations; says what it left out. motions: one per driven coordinate, in the mechanism's order.
+/// Throws std::invalid_argument, naming the place, for an invalid mechanism (see validate) or one
+/// that its drivers do not determine.
 ModellingResult model_mechanism(const Mechanism& mechanism, const std::vector<Motion>& motions);
 
-/// Models the whole mechanism of a scene, independent of what the scene requests.
+/// Returns the model alone of a scene's whole mechanism, independent of what the scene requests.
 ///
 ///   const Model model = make_model(library_scene("slider_crank"));
 ///   const int x = model.entities[model.find("C")].first;  // of C in q

@@ -119,7 +119,9 @@ void DenseOutput::keep(const Instant& solved) {
 }
 
 Interpolated::Interpolated(std::unique_ptr<Formulation> inner, int stride)
-    : Formulation(inner->model(), inner->tolerance()), inner_(std::move(inner)), stride_(stride) {}
+    : Formulation(inner->model(), inner->settings(), inner->tolerance()),
+      inner_(std::move(inner)),
+      stride_(stride) {}
 
 Summary Interpolated::run(const TimeGrid& grid, const Request& request, Observer& observer) {
   const TimeGrid solved = grid.every(stride_);

@@ -61,24 +61,24 @@ void PartSequence::make_chains() {
   }
 }
 
-PartSequence::Result PartSequence::solve(std::span<const Stage> stages, State& state,
-                                         std::span<const double> last, Level level) {
+// ---- The loop over structural groups of the paper's Fig. 2a ----
+
+/// Solves one part after the other; Fig. 2b is what a part does (NewtonSolver). A chain goes as far
+/// as it can in one call, and leaves the part where it stops to that part itself.
+PartSequence::Result PartSequence::solve_in_order(std::span<const Stage> stages, State& state,
+                                                  std::span<const double> last, Level level) {
   Result result;
   for (std::size_t i = 0; i < stages.size();) {
     if (PartChain* const chain = stages[i].chain) {
       const Stage& first = stages[i];
       const PartChain::Result r = chain->solve(state, first.member, std::min(level, first.level));
-      result.residual2 += r.residual2;
-      result.iterations = std::max<long>(result.iterations, r.iterations);
-      result.updates += r.all * first.unknowns;
+      result.add(r.residual2, r.iterations, r.all * first.unknowns);
       i += r.solved;
       if (first.member + r.solved == chain->size()) continue;
     }
     const Stage& stage = stages[i++];
     const PartResult r = stage.solver->solve(state, last, std::min(level, stage.level));
-    result.residual2 += r.residual2;
-    result.iterations = std::max<long>(result.iterations, r.iterations);
-    result.updates += static_cast<long>(r.iterations) * stage.unknowns;
+    result.add(r.residual2, r.iterations, static_cast<long>(r.iterations) * stage.unknowns);
     if (r.status != Status::converged) {
       result.status = r.status;
       result.failed = stage.part;

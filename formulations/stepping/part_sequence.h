@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <span>
 #include <vector>
@@ -13,7 +14,8 @@
 namespace desmo {
 
 /// The parts of a formulation in the order of solution: the constant ones, then the structural
-/// groups or whatever else the unknowns were cut into.
+/// groups or whatever else the unknowns were cut into. solve_moving() is the loop over groups of
+/// the paper's Fig. 2a, inside the loop over instants (TimeStepping).
 class PartSequence {
  public:
   /// The outcome of all parts in one step.
@@ -23,6 +25,13 @@ class PartSequence {
     long updates = 0;      ///< see Summary
     double residual2 = 0;  ///< ‖Φ‖₂² of all
     int failed = -1;       ///< position of the part that could not be solved
+
+    /// Adds what a part, or several of a chain, took.
+    void add(double part_residual2, long part_iterations, long part_updates) {
+      residual2 += part_residual2;
+      iterations = std::max(iterations, part_iterations);
+      updates += part_updates;
+    }
   };
 
   /// The model outlives the sequence.
@@ -36,10 +45,10 @@ class PartSequence {
   /// Solves the constant parts, or the moving ones, one after the other up to `level`; see
   /// Part::solve. Ends with the first part that cannot be solved.
   Result solve_constant(State& state, std::span<const double> last, Level level) const {
-    return solve(constant_, state, last, level);
+    return solve_in_order(constant_, state, last, level);
   }
   Result solve_moving(State& state, std::span<const double> last, Level level) const {
-    return solve(moving_, state, last, level);
+    return solve_in_order(moving_, state, last, level);
   }
   /// Solves positions of the moving parts, each by itself. Returns whether all could be solved.
   bool solve_positions(State& state, std::span<const double> last) const;
@@ -79,8 +88,8 @@ class PartSequence {
     std::size_t first_driver;  // in the row
   };
 
-  static Result solve(std::span<const Stage> stages, State& state, std::span<const double> last,
-                      Level level);
+  static Result solve_in_order(std::span<const Stage> stages, State& state,
+                               std::span<const double> last, Level level);
   void make_stages();
   void make_chains();
 

@@ -37,8 +37,7 @@ void clear_rates(State& state) {
 }  // namespace
 
 TimeStepping::TimeStepping(const Model& m, std::vector<DefinedPart> parts, const Settings& settings)
-    : Formulation(m, std::max(settings.tolerance, sum_of_tolerances(parts))),
-      settings_(settings),
+    : Formulation(m, settings, std::max(settings.tolerance, sum_of_tolerances(parts))),
       sequence_(m, std::move(parts)),
       drivers_(m) {
   for (State* s : {&state_, &before_})
@@ -48,7 +47,7 @@ TimeStepping::TimeStepping(const Model& m, std::vector<DefinedPart> parts, const
 }
 
 void TimeStepping::prepare() {
-  predict_ = StatePredictor(settings_.guess, parts());
+  predict_ = StatePredictor(settings().guess, parts());
   drivers_ = DriverSource(model(), sequence_.drivers());
   wanted_.reset();
 }
@@ -154,7 +153,7 @@ void TimeStepping::find_culprit_of(const PartSequence::Result& result, Summary& 
     return;
   }
   for (const int i : failed.unknowns) state_.q[i] = before_.q[i];
-  const Culprit culprit = find_culprit(model(), failed.groups, state_.q, settings_);
+  const Culprit culprit = find_culprit(model(), failed.groups, state_.q, settings());
   summary.group = culprit.group;
   summary.constraint = culprit.constraint;
 }
@@ -210,8 +209,8 @@ Summary TimeStepping::assemble_alone(double t, Level level) {
   before_ = state_;  // what is solved once is in both
   summary = solve_at(t, level);
   // The estimate may be far off: a fixed number of iterations is for steps.
-  for (int i = 0; i < settings_.max_iterations && summary.ok() && settings_.fixed_iterations > 0 &&
-                  summary.residual >= tolerance();
+  for (int i = 0; i < settings().max_iterations && summary.ok() &&
+                  settings().fixed_iterations > 0 && summary.residual >= tolerance();
        ++i) {
     const Summary before = summary;
     now_ = then_ = {};

@@ -60,7 +60,6 @@ class TimeStepping final : public Formulation {
   void find_culprit_of(const PartSequence::Result& result, Summary& summary);
   Flow deliver(int index, double t, const Summary& step, Level level, Observer& observer);
 
-  const Settings settings_;
   PartSequence sequence_;
   DriverSource drivers_;
   StatePredictor predict_;

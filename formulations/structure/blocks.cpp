@@ -21,7 +21,7 @@ int column_of(const std::vector<int>& unknowns, int coordinate) {
 CSparseMatrix incidence_matrix(const Model& m, const PartDefinition& part) {
   const int n = static_cast<int>(part.unknowns.size());
   const int equations = static_cast<int>(part.equations.size());
-  const CSparseMatrix triplets(cs_di_spalloc(equations, n, 4 * n, 1, 1));
+  CSparseMatrix triplets(cs_di_spalloc(equations, n, 4 * n, 1, 1));
   for (int i = 0; i < equations;) {
     const int c = part.equations[i].constraint;
     int end = i;
@@ -35,16 +35,14 @@ CSparseMatrix incidence_matrix(const Model& m, const PartDefinition& part) {
     });
     i = end;
   }
-  return CSparseMatrix(cs_di_compress(triplets.get()));
+  return triplets;
 }
 
 }  // namespace
 
 std::vector<PartDefinition> irreducible_blocks(const Model& m, const PartDefinition& part) {
   const int n = static_cast<int>(part.unknowns.size());
-  const CSparseMatrix matrix = incidence_matrix(m, part);
-  const CSparseForm form(cs_di_dmperm(matrix.get(), 0));
-  if (!form) throw std::bad_alloc();
+  const CSparseForm form = decompose(incidence_matrix(m, part));
   if (static_cast<int>(part.equations.size()) != n || form->rr[4] != form->rr[3] ||
       form->cc[1] != 0) {
     const std::string where = m.name + ", group '" + m.groups[part.groups.front()].name + "': ";

@@ -54,24 +54,13 @@ bool has_times(const Record& record) {
 
 }  // namespace
 
-CheckOutcome compare_sides(const CheckRecord& check) {
+CheckOutcome compare_sides(const CheckRecord& check, const CheckRecord* baseline) {
   CheckOutcome j;
-  exclude(j, check, check.base ? *check.base : check.head);
-  if (check.base && has_times(check.head)) {
-    j.differences = why_incomparable(*check.base, check.head);
-    if (j.differences.empty()) j.time = find_times(check);
-  }
-  j.work = find_works(check);
-  j.verdict = overall(j);
-  return j;
-}
-
-CheckOutcome compare_sides(const CheckRecord& check, const CheckRecord& baseline) {
-  CheckOutcome j;
-  exclude(j, check, baseline.head);
-  if (has_times(check.head)) {
-    j.differences = why_incomparable(baseline.head, check.head);
-    if (j.differences.empty()) j.time = find_times(check, baseline);
+  const Record& then = baseline ? baseline->head : check.base ? *check.base : check.head;
+  exclude(j, check, then);
+  if (&then != &check.head && has_times(check.head)) {
+    j.differences = why_incomparable(then, check.head);
+    if (j.differences.empty()) j.time = baseline ? find_times(check, *baseline) : find_times(check);
   }
   j.work = find_works(check, baseline);
   j.verdict = overall(j);

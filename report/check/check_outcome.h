@@ -30,11 +30,9 @@ struct CheckOutcome {
   WorkFindings work;
 };
 
-/// Base against head. A check of head alone is Verdict::incomparable.
-CheckOutcome compare_sides(const CheckRecord& check);
-
-/// Head against that of a stored baseline, which is a check of one tree, too.
-CheckOutcome compare_sides(const CheckRecord& check, const CheckRecord& baseline);
+/// Compares head with base, or with head of a stored baseline, which is a check of one tree, too. A
+/// check of head alone without a baseline is Verdict::incomparable.
+CheckOutcome compare_sides(const CheckRecord& check, const CheckRecord* baseline = nullptr);
 
 /// A measurement that a final verdict still needs.
 struct Pending {

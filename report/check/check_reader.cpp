@@ -1,14 +1,13 @@
 #include <algorithm>
 
 #include "report/check/check_record.h"
-#include "report/read/record_reader.h"
+#include "report/read/record_file.h"
 
 namespace desmo::report {
 namespace {
 
 std::vector<double> read_samples(const RecordValue& node) {
-  std::vector<double> samples;
-  for (const RecordValue& sample : node.elements()) samples.push_back(sample.sample());
+  std::vector<double> samples = node.list(&RecordValue::sample);
   if (samples.empty()) node.complain("at least one round is needed");
   return samples;
 }
@@ -101,7 +100,7 @@ CheckRecord read_check(const RecordValue& root) {
     root["second"].complain("the control is missing");
   if (const auto work = root.find("work")) check.work = read_work(*work, two_sides);
   check_complete(check, root);
-  if (const auto slowed = root["settings"].find_text("slowed")) check.slowed = *slowed;
+  check.slowed = root["settings"].maybe("slowed", &RecordValue::text).value_or("");
   return check;
 }
 

@@ -9,7 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "report/read/record_reader.h"
+#include "report/read/record.h"
+#include "report/read/record_file.h"
 
 namespace desmo::report {
 

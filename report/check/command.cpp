@@ -13,12 +13,6 @@ constexpr int usage_error = 64;
 
 int code(Verdict verdict) { return static_cast<int>(verdict); }
 
-std::string printed(const Document& document, const std::string& format) {
-  std::string text;
-  for (const NewFile& file : render(document, format)) text += file.content;
-  return text;
-}
-
 /// Runs a command. Returns its exit code, or that of a file that cannot be used, with a message.
 template <class Work>
 int reporting_errors(const Work& work) {
@@ -44,16 +38,16 @@ int reporting_errors(const Work& work) {
 int run(const CheckCommand& command) {
   return reporting_errors([&] {
     const CheckRecord check = read_check(command.file);
-    const CheckOutcome found = command.baseline.empty()
-                                   ? compare_sides(check)
-                                   : compare_sides(check, read_check(command.baseline));
+    std::optional<CheckRecord> baseline;
+    if (!command.baseline.empty()) baseline = read_check(command.baseline);
+    const CheckOutcome found = compare_sides(check, baseline ? &*baseline : nullptr);
     if (command.pending) {
       std::string lines;
       for (const Pending& p : pending(found)) lines += p.pass + " " + p.candidate + "\n";
       write_standard_output(lines);
       return code(Verdict::pass);
     }
-    write_standard_output(printed(verdict_document(check, found), command.format));
+    write_standard_output(printed(verdict_document(check, found), {command.format}));
     return code(found.verdict);
   });
 }
@@ -65,7 +59,7 @@ int run(const CertificateCommand& command) {
       return code(Verdict::pass);
     }
     const Certificate certificate = read_certificate(command.file);
-    write_standard_output(printed(certificate.document, command.format));
+    write_standard_output(printed(certificate.document, {command.format}));
     if (certificate.holds) return code(Verdict::pass);
     return code(certificate.refuted ? Verdict::regression : Verdict::inconclusive);
   });

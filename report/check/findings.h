@@ -7,10 +7,41 @@
 #include <vector>
 
 #include "report/check/check_record.h"
-#include "report/check/rules.h"
+#include "report/check/median_change.h"
 #include "report/statistics/comparability.h"
 
 namespace desmo::report {
+
+/// Time: an alarm when the median change exceeds the first and the lower end of its interval the
+/// second, in two passes in a row. An improvement is the same with base and head exchanged.
+inline constexpr double alarming_change = 1.05;
+inline constexpr double certain_change = 1.02;
+/// Wider intervals than this, highest over lowest, tell nothing.
+inline constexpr double max_interval = 1.05;
+/// The control's time may not change by more, nor its interval be wider than the above.
+inline constexpr double steady_control = 1.02;
+/// Work: an alarm from this change on, in percent rounded to the tenth that is shown.
+inline constexpr double alarming_percent = 1.0;
+
+enum class Outcome {
+  same,
+  improvement,
+  regression,
+  unconfirmed,  ///< needs its second pass
+  refuted,      ///< the second pass does not say what the first did
+  noisy,        ///< needs more rounds
+};
+
+/// Returns the finding of a time, from its changes in the first pass and, where there was one, the
+/// second.
+Outcome outcome_of_time(const Change& first, const std::optional<Change>& second);
+
+/// Returns whether the machine, and not what was measured, changed so much that no time can be
+/// judged.
+bool is_unsteady(const Change& control);
+
+/// Returns the finding of a change of instructions in percent, rounded to a tenth.
+Outcome outcome_of_work(double percent);
 
 struct TimeFinding {
   std::string candidate;
@@ -46,11 +77,8 @@ struct WorkFindings {
   std::vector<WorkFinding> candidates;  ///< those that both sides have counted
 };
 
-/// Base against head, both of the same check.
-WorkFindings find_works(const CheckRecord& check);
-
-/// Head against that of a stored baseline. Counts depend on compiler, flags, libraries and tool,
-/// but not on the processor: callgrind shows every program the same one.
-WorkFindings find_works(const CheckRecord& check, const CheckRecord& baseline);
+/// Compares head with base, or with a stored baseline. Counts depend on compiler, flags, libraries
+/// and tool, but not on the processor: callgrind shows every program the same one.
+WorkFindings find_works(const CheckRecord& check, const CheckRecord* baseline = nullptr);
 
 }  // namespace desmo::report

@@ -4,16 +4,12 @@
 #include <cmath>
 #include <utility>
 
+#include "report/statistics/statistics.h"
+
 namespace desmo::report {
 namespace {
 
 constexpr double tail = 0.005;  // on either side of the 99 % interval
-
-double median(std::span<const double> values) {
-  std::vector<double> sorted(values.begin(), values.end());
-  std::ranges::sort(sorted);
-  return (sorted[(sorted.size() - 1) / 2] + sorted[sorted.size() / 2]) / 2;
-}
 
 /// P(at least `least` of n draws), each with probability p.
 double binomial_tail(std::size_t n, std::size_t least, double p) {
@@ -79,7 +75,7 @@ Change median_change(std::span<const double> logarithms) {
   Weighted weighted;
   for (std::size_t i = 0; i < d.value.size(); ++i)
     weighted.emplace_back(d.value[i], d.probability[i]);
-  return change(median(logarithms), std::move(weighted), logarithms.size());
+  return change(summarise(logarithms).median, std::move(weighted), logarithms.size());
 }
 
 Change median_change(std::span<const double> now, std::span<const double> then) {
@@ -88,7 +84,8 @@ Change median_change(std::span<const double> now, std::span<const double> then) 
   for (std::size_t i = 0; i < a.value.size(); ++i)
     for (std::size_t j = 0; j < b.value.size(); ++j)
       weighted.emplace_back(a.value[i] - b.value[j], a.probability[i] * b.probability[j]);
-  return change(median(now) - median(then), std::move(weighted), std::min(now.size(), then.size()));
+  return change(summarise(now).median - summarise(then).median, std::move(weighted),
+                std::min(now.size(), then.size()));
 }
 
 }  // namespace desmo::report

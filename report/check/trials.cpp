@@ -15,10 +15,8 @@ using Json = nlohmann::ordered_json;
 constexpr const char* schema = "desmo-certificate";
 
 std::vector<std::string> read_candidates(const RecordValue& line, const char* key) {
-  std::vector<std::string> candidates;
-  if (const auto list = line.find(key))
-    for (const RecordValue& candidate : list->elements()) candidates.push_back(candidate.text());
-  return candidates;
+  const auto list = line.find(key);
+  return list ? list->list(&RecordValue::text) : std::vector<std::string>();
 }
 
 TrialsHead read_head(const RecordValue& line) {

@@ -31,8 +31,7 @@ std::string outcome_word(Outcome outcome) {
 }
 
 Entry milliseconds(double seconds) {
-  if (seconds <= 0) return note_entry(missing_mark);
-  return number_entry(1e3 * seconds, 4);
+  return number_entry(seconds > 0 ? std::optional(1e3 * seconds) : std::nullopt, 4);
 }
 
 Table time_table(const TimeFindings& time) {
@@ -64,35 +63,32 @@ Table work_table(const WorkFindings& work, const Work& counted) {
   return table;
 }
 
-template <class Findings>
-std::string candidates_with(const Findings& findings, Outcome outcome) {
-  std::string list;
-  for (const auto& f : findings)
-    if (f.outcome == outcome) list += (list.empty() ? "" : ", ") + f.candidate;
-  return list;
-}
-
 std::vector<std::string> summary(const CheckOutcome& j) {
   std::vector<std::string> lines;
   const auto say = [&](const char* name, const TextValues& values = {}) {
     lines.push_back(sentence(std::string("verdict.") + name, values));
   };
-  const auto say_list = [&](const char* name, const std::string& list) {
+  const auto say_candidates = [&](const char* name, const auto& findings, Outcome outcome) {
+    std::string list;
+    for (const auto& f : findings)
+      if (f.outcome == outcome) list += (list.empty() ? "" : ", ") + f.candidate;
     if (!list.empty()) say(name, {{"candidates", list}});
   };
   const auto say_differences = [&](const char* name, const std::vector<Difference>& differences) {
     for (const Difference& d : differences)
       say(name, {{"what", d.what}, {"first", d.first}, {"second", d.second}});
   };
+  const auto& times = j.time.candidates;
+  const auto& works = j.work.candidates;
   for (const Excluded& e : j.invalid)
     say("wrong", {{"candidate", e.candidate}, {"reason", e.reason}});
   for (const std::string& name : j.missing) say("missing", {{"candidate", name}});
-  say_list("slower", candidates_with(j.time.candidates, Outcome::regression));
-  say_list("more_work", candidates_with(j.work.candidates, Outcome::regression));
-  say_list("faster", candidates_with(j.time.candidates, Outcome::improvement));
-  say_list("less_work", candidates_with(j.work.candidates, Outcome::improvement));
-  say_list("unconfirmed", candidates_with(j.time.candidates, Outcome::unconfirmed));
-  say_list("noisy", candidates_with(j.time.candidates, Outcome::noisy));
+  say_candidates("slower", times, Outcome::regression);
+  say_candidates("more_work", works, Outcome::regression);
+  say_candidates("faster", times, Outcome::improvement);
+  say_candidates("less_work", works, Outcome::improvement);
+  say_candidates("unconfirmed", times, Outcome::unconfirmed);
+  say_candidates("noisy", times, Outcome::noisy);
   say_differences("times_differ", j.differences);
   say_differences("counts_differ", j.work.differences);
   if (j.verdict == Verdict::incomparable && j.differences.empty() && j.work.differences.empty())

@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "report/tables/tables.h"
 #include "report/text/embedded.h"
 
 namespace desmo::report {
@@ -12,75 +11,108 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// A place of the table: its numbers, none other than those printed, and the text for the hover.
-Json datum(const Column& column, const Entry& entry) {
-  Json json;
+/// Adds the numbers of an entry, none other than those printed; of a missing one null.
+void add_numbers(Json& datum, const Column& column, const Entry& entry, bool is_folded) {
   for (std::size_t i = 0; i < column.quantities.size(); ++i) {
     const bool known = i < entry.digits.size() && !entry.digits[i].empty();
-    if (known || i == 0) json[column.quantities[i]] = known ? Json::parse(entry.digits[i]) : Json();
+    if (!known && i > 0) continue;
+    const std::string& quantity = column.quantities[i];
+    datum[is_folded ? quantity
+          : i == 0  ? column.name
+                    : column.name + " " + quantity] = known ? Json::parse(entry.digits[i]) : Json();
   }
-  json["shown"] = entry.shown;
-  if (!entry.note.empty()) json["note"] = entry.note;
-  return json;
+  const std::string of = is_folded ? "" : column.name + " ";
+  datum[of + "shown"] = entry.shown;
+  if (!entry.note.empty()) datum[of + "note"] = entry.note;
 }
 
-Json time_points(const Table& table) {
-  Json points = Json::array();
-  for (std::size_t i = 2; i < table.columns.size(); ++i)
-    for (const auto& row : table.rows) {
-      points.push_back({{"panel", row[0].shown},
-                        {"analysis", table.columns[i].name},
-                        {"coordinates", Json::parse(row[1].shown)}});
-      points.back().update(datum(table.columns[i], row[i]));
+Json data_of(const Table& table, const std::string& fold) {
+  Json data = Json::array();
+  for (const auto& row : table.rows) {
+    Json datum;
+    for (std::size_t i = 0; i < row.size(); ++i)
+      if (table.columns[i].quantities.empty()) datum[table.columns[i].name] = row[i].shown;
+    const Json texts = datum;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      if (table.columns[i].quantities.empty()) continue;
+      if (!fold.empty()) datum = texts;
+      add_numbers(datum, table.columns[i], row[i], !fold.empty());
+      if (fold.empty()) continue;
+      datum[fold] = table.columns[i].name;
+      data.push_back(datum);
     }
-  return points;
+    if (fold.empty()) data.push_back(std::move(datum));
+  }
+  return data;
 }
 
-Json speed_up_bars(const Table& table) {
-  Json bars = Json::array();
-  for (const auto& row : table.rows)
-    for (std::size_t i = 1; i < row.size(); ++i) {
-      const bool incomplete = row[i].note.find("incomplete") != std::string::npos;
-      bars.push_back({{"solver", table.columns[i].name}, {"variant", row[0].shown}});
-      bars.back().update(datum(table.columns[i], row[i]));
-      bars.back()["label"] =
-          row[i].has_number() ? row[i].digits[0] + (incomplete ? "*" : "") : "n/a";
+std::set<std::string> values_of(const Json& data, const Json& field) {
+  std::set<std::string> values;
+  for (const Json& datum : data)
+    if (const auto value = datum.find(field.get<std::string>());
+        value != datum.end() && value->is_string())
+      values.insert(value->get<std::string>());
+  return values;
+}
+
+/// Leaves in a scale the names of a domain that were measured, each with its place of the range.
+void keep_measured(Json& scale, const std::string& channel, std::set<std::string> measured) {
+  Json names = Json::array(), range = Json::array();
+  for (std::size_t i = 0; i < scale["domain"].size(); ++i)
+    if (measured.erase(scale["domain"][i].get<std::string>())) {
+      names.push_back(scale["domain"][i]);
+      range.push_back(scale["range"][i]);
     }
-  return bars;
+  for (const std::string& name : measured) {
+    names.push_back(name);
+    range.push_back(channel == "color"   ? Json("#888888")
+                    : channel == "shape" ? Json("cross")
+                                         : scale["range"].back());
+  }
+  scale["domain"] = std::move(names);
+  scale["range"] = std::move(range);
 }
 
-// The order of the panels; the design knows those of equal motions only.
-Json design_of_times(const Table& table) {
-  Json spec = Json::parse(embedded::figure5);
-  Json order = Json::array();
-  for (const auto& row : table.rows)
-    if (order.empty() || order.back() != row[0].shown) order.push_back(row[0].shown);
-  spec["facet"]["sort"] = std::move(order);
-  return spec;
+/// Does so in all scales below a node of a specification; returns the names that are left.
+void keep_measured(Json& node, const Json& data, Json& shown) {
+  for (auto& [channel, child] : node.items()) {
+    if (child.is_object() && child.contains("field") && child.contains("scale") &&
+        child["scale"].contains("range") && child["scale"].contains("domain")) {
+      keep_measured(child["scale"], channel, values_of(data, child["field"]));
+      shown = child["scale"]["domain"];
+    }
+    if (child.is_structured()) keep_measured(child, data, shown);
+  }
 }
 
-/// Leaves in the legend only the families recorded.
-Json design_of_speed_ups(const Table& table) {
-  Json spec = Json::parse(embedded::figure6);
-  std::set<std::string> solvers;
-  for (std::size_t i = 1; i < table.columns.size(); ++i) solvers.insert(table.columns[i].name);
-  keep_measured(spec, {&spec["layer"][0]["encoding"]}, solvers);
-  spec["encoding"]["xOffset"]["sort"] = spec["params"][0]["value"];
-  return spec;
+NewFile figure(const Table& table) {
+  Json spec = Json::parse(embedded_file("common.template.json"));
+  spec.update(Json::parse(embedded_file(table.figure + ".template.json")), true);
+  spec["title"]["text"] = table.title;
+  spec["title"]["subtitle"] = table.notes;
+  Json data = data_of(table, spec.value("/usermeta/fold"_json_pointer, ""));
+  if (const Json number = spec.value("/usermeta/number"_json_pointer, Json());
+      !number.is_null() && std::ranges::none_of(data, [&](const Json& datum) {
+        return datum[number.get<std::string>()].is_null();
+      }))
+    spec["vconcat"].erase(1);
+  Json shown;
+  keep_measured(spec, data, shown);
+  if (!shown.is_null()) spec["params"][0]["value"] = std::move(shown);
+  spec["datasets"]["lines"] = Json::array();
+  for (const auto& [what, at] : table.lines)
+    spec["datasets"]["lines"].push_back({{"what", what}, {"at", at}});
+  spec["data"]["values"] = std::move(data);
+  return {table.name + ".vl.json", spec.dump(1) + "\n"};
 }
 
 }  // namespace
 
-std::vector<NewFile> figures(const Record& record) {
+std::vector<NewFile> figures(const Document& document) {
   std::vector<NewFile> files;
-  if (has_paper(record)) {
-    const Table times = figure_of_times(record), speed_ups = figure_of_speed_ups(record);
-    files = {filled_figure(times, design_of_times(times), time_points(times)),
-             filled_figure(speed_ups, design_of_speed_ups(speed_ups), speed_up_bars(speed_ups))};
-  }
-  for (const std::string& name : drawn_cases(record))
-    files.push_back(work_precision_figure(record, name));
-  if (!record.growth.empty()) files.push_back(growth_figure(record));
+  for (const Section& section : document.sections)
+    for (const Table& table : section.tables)
+      if (!table.figure.empty()) files.push_back(figure(table));
   return files;
 }
 

@@ -6,7 +6,7 @@
 namespace desmo::report {
 
 const std::vector<std::string>& format_names() {
-  static const std::vector<std::string> names{"terminal", "json", "csv", "markdown", "html"};
+  static const std::vector<std::string> names{"terminal", "csv", "markdown", "html"};
   return names;
 }
 
@@ -39,7 +39,6 @@ std::size_t row_width(const Table& table) {
 
 std::vector<NewFile> render(const Document& document, const std::string& format) {
   if (format == "terminal") return {{"tables.txt", to_terminal(document)}};
-  if (format == "json") return {{"tables.json", to_json(document)}};
   if (format == "markdown") return {{"tables.md", to_markdown(document)}};
   if (format == "html") return {{"report.html", to_html(document)}};
   if (format != "csv") throw std::invalid_argument("no such format: " + format);
@@ -47,6 +46,16 @@ std::vector<NewFile> render(const Document& document, const std::string& format)
   for (const Section& section : document.sections)
     for (const Table& table : section.tables) files.push_back({table.name + ".csv", to_csv(table)});
   return files;
+}
+
+std::string printed(const Document& document, const std::vector<std::string>& formats) {
+  std::string text;
+  for (const std::string& format : formats)
+    for (const NewFile& file : render(document, format)) {
+      if (format == "csv") text += (text.empty() ? "# " : "\n# ") + file.file_name + "\n";
+      text += file.content;
+    }
+  return text;
 }
 
 }  // namespace desmo::report

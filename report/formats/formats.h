@@ -19,12 +19,6 @@ std::string to_terminal(const Document& document);
 /// for one experiment.
 std::string front_to_terminal(const Document& document);
 
-/// {"schema": "desmo-tables", "version", "title", "sections": [{"title", "paragraphs", "tables":
-/// [{"name", "title", "notes", "columns", "rows"}]}]}. A row is an object by column; a place is a
-/// string (text column) or an object with the column's quantities, null where there is no number,
-/// and "note" where there is one.
-std::string to_json(const Document& document);
-
 /// RFC 4180 with "\n". A column with quantities becomes one field per quantity, named
 /// "<column> <quantity>"; where there is no number the first of them holds the note (FAILED, —).
 /// Reservations about numbers are in the last field, "notes".
@@ -47,10 +41,14 @@ std::size_t characters(const std::string& text);
 /// Characters of a row in which every entry is its column's longest: how wide a table gets.
 std::size_t row_width(const Table& table);
 
-/// "terminal", "json", "csv", "markdown", "html".
+/// "terminal", "csv", "markdown", "html".
 const std::vector<std::string>& format_names();
 
 /// The files of one format: one, or for csv one per table. The format is one of format_names().
 std::vector<NewFile> render(const Document& document, const std::string& format);
+
+/// Returns a document in some formats, one after the other; a table of csv below a line with its
+/// file's name.
+std::string printed(const Document& document, const std::vector<std::string>& formats);
 
 }  // namespace desmo::report

@@ -91,7 +91,7 @@ std::string notes_html(const Table& table) {
 std::string table_html(const Table& table) {
   const std::string caption = table.name + "-caption";
   return "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-labelledby=\"" + caption +
-         "\">\n<table id=\"" + table.name + (table.figure ? "-data" : "") + "\"" +
+         "\">\n<table id=\"" + table.name + (table.figure.empty() ? "" : "-data") + "\"" +
          (row_width(table) > max_row_width ? " class=\"wide\"" : "") + ">\n" +
          element("caption id=\"" + caption + "\"", element("span", html_text(table.title))) + "\n" +
          header_html(table) + rows_html(table) + "</table>\n</div>\n";
@@ -114,7 +114,7 @@ std::string figure_html(const Table& table) {
 }
 
 std::string block_html(const Table& table) {
-  if (table.figure) return figure_html(table);
+  if (!table.figure.empty()) return figure_html(table);
   const std::string text =
       table_html(table) +
       (table.notes.empty() ? "" : element("p class=\"notes\"", notes_html(table)) + "\n");
@@ -177,7 +177,7 @@ std::string to_html(const Document& document) {
          "style-src 'unsafe-inline'; script-src 'unsafe-inline' 'unsafe-eval'\">\n"
          "<link rel=\"icon\" href=\"data:,\">\n" +
          element("title", html_text(document.title)) + "\n<style>\n" +
-         std::string(embedded::page_style) +
+         std::string(embedded_file("page.css")) +
          "</style>\n</head>\n<body>\n<a class=\"skip\" href=\"#content\">Skip to the content</a>\n"
          "<header>" +
          element("h1", html_text(document.title)) + "</header>\n<main id=\"content\">\n" +

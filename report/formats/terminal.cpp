@@ -8,23 +8,6 @@ namespace {
 
 constexpr std::size_t line_width = 100;
 
-// Lines of at most line_width characters, each after `indent`.
-std::string wrapped(const std::string& text, const std::string& indent) {
-  std::string result, line = indent;
-  std::size_t at = 0;
-  while (at < text.size()) {
-    const std::size_t space = std::min(text.find(' ', at), text.size());
-    const std::string word = text.substr(at, space - at);
-    if (line.size() > indent.size() && characters(line) + 1 + characters(word) > line_width) {
-      result += line + "\n";
-      line = indent;
-    }
-    line += (line.size() > indent.size() ? " " : "") + word;
-    at = space + 1;
-  }
-  return result + line + "\n";
-}
-
 // What stays on one line: words, and parts of an id up to "/"; an interval is a word.
 std::vector<std::string> pieces(const std::string& text) {
   std::vector<std::string> result{""};
@@ -38,7 +21,7 @@ std::vector<std::string> pieces(const std::string& text) {
 }
 
 std::string without_last_space(std::string text) {
-  if (text.ends_with(' ')) text.pop_back();
+  text.resize(text.find_last_not_of(' ') + 1);
   return text;
 }
 
@@ -62,6 +45,14 @@ std::vector<std::string> lines_of(const std::string& text, std::size_t width) {
   }
   lines.back() = without_last_space(lines.back());
   return lines;
+}
+
+// A text in lines of at most line_width characters, each after `indent`.
+std::string wrapped(const std::string& text, const std::string& indent) {
+  std::string result;
+  for (const std::string& line : lines_of(text, line_width - indent.size()))
+    result += indent + line + "\n";
+  return result;
 }
 
 // Of each column, so that a row fits into a line; wider where its pieces are.
@@ -92,11 +83,6 @@ std::string aligned(const std::string& text, std::size_t width_left, bool right,
   return last ? text : text + space;
 }
 
-std::string without_spaces_at_the_end(std::string text) {
-  text.resize(text.find_last_not_of(' ') + 1);
-  return text;
-}
-
 std::string terminal_table(const Table& table) {
   const std::vector<std::size_t> widths = column_widths(table);
   const auto row_of = [&](auto text_of) {
@@ -112,7 +98,7 @@ std::string terminal_table(const Table& table) {
       for (std::size_t i = 0; i < widths.size(); ++i)
         text += "  " + aligned(line < entries[i].size() ? entries[i][line] : "", widths[i],
                                !table.columns[i].quantities.empty(), i + 1 == widths.size());
-      result += without_spaces_at_the_end(std::move(text)) + "\n";
+      result += without_last_space(std::move(text)) + "\n";
     }
     return result;
   };

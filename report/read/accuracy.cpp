@@ -12,36 +12,21 @@ SeriesKey read_series(const RecordValue& node) {
           node["instants"].integer(2)};
 }
 
-PerLevel read_levels(const RecordValue& node) {
-  return {node["position"].not_negative(), node["velocity"].not_negative(),
-          node["acceleration"].not_negative()};
-}
-
 Floor read_floor(const RecordValue& node) {
-  Floor floor{.compared = node["compared"].integer(2),
-              .reference = read_levels(node["reference"]),
-              .condition = std::nullopt,
+  Floor floor{.reference = read_levels(node["reference"], &RecordValue::not_negative),
+              .condition = node.maybe("condition", &RecordValue::positive),
               .in_double = std::nullopt,
               .in_float = std::nullopt};
-  const auto condition = node.find("condition");
-  if (!condition) return floor;
-  floor.condition = condition->positive();
-  floor.in_double = read_levels(node["limit"]["double"]);
-  floor.in_float = read_levels(node["limit"]["float"]);
+  if (!floor.condition) return floor;
+  floor.in_double = read_levels(node["limit"]["double"], &RecordValue::not_negative);
+  floor.in_float = read_levels(node["limit"]["float"], &RecordValue::not_negative);
   return floor;
 }
 
-std::optional<LevelError> read_error(const RecordValue& errors, const char* level) {
-  const auto node = errors.find(level);
-  if (!node) return std::nullopt;
-  const LevelError error{(*node)["max"].not_negative(), (*node)["rms"].not_negative()};
-  if (error.rms > error.max * (1 + 1e-12)) (*node)["rms"].complain("it exceeds the largest");
-  return error;
-}
-
 Errors read_errors(const RecordValue& node) {
-  return {read_error(node, "position"), read_error(node, "velocity"),
-          read_error(node, "acceleration")};
+  const auto max = [](const RecordValue& error) { return error["max"].not_negative(); };
+  return {node.maybe("position", max), node.maybe("velocity", max),
+          node.maybe("acceleration", max)};
 }
 
 Configuration read_configuration(const RecordValue& node) {
@@ -54,7 +39,7 @@ Point read_point(const RecordValue& node) {
   Point point{.configuration = read_configuration(node["id"]),
               .status = static_cast<Point::Status>(
                   node["status"].one_of({"ok", "failed", "not_applicable"})),
-              .message = node.find_text("message").value_or(""),
+              .message = node.maybe("message", &RecordValue::text).value_or(""),
               .error = {},
               .violation = {},
               .iterations_per_step = 0,
@@ -83,31 +68,27 @@ TunedChoice read_tuned_choice(const RecordValue& node) {
 Promise read_promise(const RecordValue& node) {
   return {.mechanism = node["mechanism"].name(),
           .coordinates = node["coordinates"].integer(1),
-          .step_seconds = node["step_seconds"].positive(),
-          .instants = node["instants"].integer(2),
           .allowed = node["allowed"].positive(),
           .promised = node["promised"].not_negative(),
-          .compared = node["compared"].integer(2),
-          .tried = node["tried"].integer(1),
           .choice = read_tuned_choice(node["choice"]),
           .best = read_tuned_choice(node["best"])};
 }
 
 }  // namespace
 
-void read_accuracy(Record& record, const RecordValue& section) {
-  read_each(section, "floors", [&](const RecordValue& node) {
+void read_accuracy(Record& record, const RecordValue& experiment) {
+  read_each(experiment, "floors", [&](const RecordValue& node) {
     const SeriesKey key = read_series(node);
     add_once(record.floors, node, key, read_floor(node), "the floor of " + described(key));
   });
-  read_each(section, "points", [&](const RecordValue& node) {
+  read_each(experiment, "points", [&](const RecordValue& node) {
     const PointKey key{read_series(node), node["id"].text()};
     if (!record.floors.contains(key.series))
       node.complain("\"floors\" has nothing of " + described(key.series));
     add_once(record.points, node, key, read_point(node), key.id + " of " + described(key.series));
   });
   std::set<std::pair<std::string, double>> seen;
-  read_each(section, "tuning", [&](const RecordValue& node) {
+  read_each(experiment, "tuning", [&](const RecordValue& node) {
     record.tuning.push_back(read_promise(node));
     const Promise& promise = record.tuning.back();
     if (!seen.emplace(promise.mechanism, promise.allowed).second)

@@ -24,27 +24,16 @@ struct SeriesKey {
   auto operator<=>(const SeriesKey&) const = default;
 };
 
-/// A number for each level.
-struct PerLevel {
-  double position = 0, velocity = 0, acceleration = 0;
-};
-
 /// Errors below which nothing is to be expected in a series. Relative, as errors are.
 struct Floor {
-  std::int64_t compared = 0;        ///< instants of the reference
   PerLevel reference;               ///< how far its two solutions differ
   std::optional<double> condition;  ///< κ, the largest; nothing where a position is singular
   std::optional<PerLevel> in_double, in_float;  ///< errors that κ lets be expected; with κ
 };
 
-/// Over the outputs and instants compared.
-struct LevelError {
-  double max = 0, rms = 0;
-};
-
-/// Empty for a level whose error is beyond all measure.
+/// The largest errors of a motion. Empty for a level whose error is beyond all measure.
 struct Errors {
-  std::optional<LevelError> position, velocity, acceleration;
+  std::optional<double> position, velocity, acceleration;
 };
 
 struct PointKey {
@@ -77,12 +66,8 @@ struct TunedChoice {
 struct Promise {
   std::string mechanism;
   std::int64_t coordinates = 0;
-  double step_seconds = 0;
-  std::int64_t instants = 0;  ///< of the whole motion
-  double allowed = 0;         ///< error that was asked for
-  double promised = 0;        ///< that the search says its choice has
-  std::int64_t compared = 0;  ///< instants of the control
-  std::int64_t tried = 0;     ///< configurations that `best` is the best of
+  double allowed = 0;   ///< error that was asked for
+  double promised = 0;  ///< that the search says its choice has
   TunedChoice choice, best;
 };
 
@@ -95,7 +80,7 @@ struct TimedSize {
   std::int64_t unknowns = 0;
   double tolerance = 0;
   std::string checked_against;  ///< "quadruple", "double": the reference's precision; when ok
-  std::optional<Verification> verification;  ///< always when ok
+  std::optional<PerLevel> verification;  ///< always when ok
   double iterations_per_step = 0;
   double state_bytes = 0;                ///< q, q', q''
   std::optional<double> bytes;           ///< that the formulation keeps in memory
@@ -119,9 +104,9 @@ struct ExtremeRow {
   std::string extreme, expected;  ///< what is extreme, and what every formulation should do
 };
 
-/// The worst error of a level, with the floor that conditioning sets and what was allowed.
+/// The worst error of a level, with the floor that conditioning sets.
 struct ExtremeError {
-  double error = 0, floor = 0, allowed = 0;
+  double error = 0, floor = 0;
 };
 
 /// A case of a row in one formulation.
@@ -134,12 +119,10 @@ struct ExtremeResult {
   };
   std::int64_t row = 0;
   std::string case_name;
-  std::string id;       ///< a formulation, with settings
-  std::string outcome;  ///< "converged", "degraded", "failed", "refused", "not_applicable"
+  std::string id;  ///< a formulation, with settings
   Verdict verdict = Verdict::as_expected;
   std::string reason;                                ///< when not as expected
   std::optional<std::array<ExtremeError, 3>> worst;  ///< position, velocity, acceleration
-  std::int64_t instants = 0, iterations = 0;         ///< 0: not tried
 };
 
 }  // namespace desmo::report

@@ -1,4 +1,4 @@
-// The paper's experiment: candidates, requests and peers; structure and profiles.
+// The paper's experiment: candidates, requests, peers and profiles.
 #include <algorithm>
 #include <set>
 #include <string_view>
@@ -10,28 +10,18 @@ namespace desmo::report {
 namespace {
 
 // Of the CPU clock, like everything that is done once.
-std::optional<double> read_setup(const RecordValue& node) {
-  const auto time = node.find("setup_time");
-  if (!time) return std::nullopt;
-  require_clock(*time, Clock::cpu, "a set-up");
-  const RecordValue seconds = (*time)["seconds"];
-  const std::vector<RecordValue> samples = seconds.elements();
-  if (samples.size() != 1) seconds.complain("one sample was expected");
-  return samples.front().not_negative();
+double read_setup(const RecordValue& time) {
+  require_clock(time, Clock::cpu, "a set-up");
+  const std::vector<double> samples = time["seconds"].list(&RecordValue::not_negative);
+  if (samples.size() != 1) time["seconds"].complain("one sample was expected");
+  return samples.front();
 }
 
-std::vector<Solver> read_solvers(const RecordValue& node) {
-  std::vector<Solver> solvers;
-  if (const auto list = node.find("solvers"))
-    for (const RecordValue& solver : list->elements()) {
-      const RecordValue unknowns = solver["unknowns"];
-      const std::vector<RecordValue> range = unknowns.elements();
-      if (range.size() != 2) unknowns.complain("the least and the most were expected");
-      solvers.push_back({solver["algebra"].text(),
-                         solver["parts"].integer(1),
-                         {range[0].integer(1), range[1].integer(1)}});
-    }
-  return solvers;
+Solver read_solver(const RecordValue& node) {
+  const RecordValue unknowns = node["unknowns"];
+  const auto range = unknowns.list([](const RecordValue& end) { return end.integer(1); });
+  if (range.size() != 2) unknowns.complain("the least and the most were expected");
+  return {node["algebra"].text(), node["parts"].integer(1), {range[0], range[1]}};
 }
 
 void turn_into_failure(Candidate& candidate, std::string reason) {
@@ -45,12 +35,14 @@ void turn_into_failure(Candidate& candidate, std::string reason) {
 Candidate read_solved(const RecordValue& node, const Settings& settings, std::string_view id) {
   Candidate candidate{
       .status = read_status(node["status"]),
-      .message = node.find_text("message").value_or(""),
-      .origin = {node.find_text("machine"), node.find_digest("model"), node.find_digest("results")},
+      .message = node.maybe("message", &RecordValue::text).value_or(""),
+      .origin = {node.maybe("machine", &RecordValue::text),
+                 node.maybe("model", &RecordValue::digest),
+                 node.maybe("results", &RecordValue::digest)},
       .time = {},
       .verification = std::nullopt,
       .setup_seconds = std::nullopt,
-      .iterations_per_step = node.find_number("iterations_per_step"),
+      .iterations_per_step = node.maybe("iterations_per_step", &RecordValue::not_negative),
       .solvers = {}};
   if (candidate.status == Status::ok) candidate.time = read_time(node["time"], settings, id);
   return candidate;
@@ -58,25 +50,26 @@ Candidate read_solved(const RecordValue& node, const Settings& settings, std::st
 
 Candidate read_candidate(const RecordValue& node, const Settings& settings, std::string_view id) {
   Candidate candidate = read_solved(node, settings, id);
-  candidate.setup_seconds = read_setup(node);
-  candidate.solvers = read_solvers(node);
+  candidate.setup_seconds = node.maybe("setup_time", read_setup);
+  if (const auto solvers = node.find("solvers")) candidate.solvers = solvers->list(read_solver);
   if (const auto checked = node.find("verification"))
-    candidate.verification = read_verification(*checked);
+    candidate.verification = read_levels(*checked, &RecordValue::not_negative);
   if (candidate.status != Status::ok) return candidate;
   if (!candidate.verification) node.complain("an \"ok\" cell needs \"verification\"");
   if (settings.allowed)
-    turn_into_failure(candidate, excess(*candidate.verification, *settings.allowed));
+    turn_into_failure(candidate, excess(*candidate.verification, settings.allowed->levels));
   return candidate;
 }
 
 // Only the levels asked were compared.
 std::string request_excess(const RecordValue& verification, double difference,
                            const Allowed& allowed) {
-  Verification found{.instants = verification["instants"].integer(1),
-                     .position = verification["position"].not_negative()};
-  found.velocity = verification.find_number("velocity").value_or(0);
-  found.acceleration = verification.find_number("acceleration").value_or(0);
-  std::string reason = excess(found, allowed);
+  const auto level = [&](const char* name) {
+    return verification.maybe(name, &RecordValue::not_negative).value_or(0);
+  };
+  const PerLevel found{verification["position"].not_negative(), level("velocity"),
+                       level("acceleration")};
+  std::string reason = excess(found, allowed.levels);
   if (reason.empty() && allowed.request)
     reason = excess("the answer beside the whole mechanism's", difference, *allowed.request);
   return reason;
@@ -93,7 +86,7 @@ Request read_request(const RecordValue& node, const Settings& settings) {
                   .unknowns = node["unknowns"].integer(1),
                   .all_unknowns = node["all_unknowns"].integer(1),
                   .solved = read_solved(node, settings, key.id),
-                  .difference = node.find_number("difference")};
+                  .difference = node.maybe("difference", &RecordValue::not_negative)};
   if (request.unknowns > request.all_unknowns)
     node["unknowns"].complain("more unknowns than the whole mechanism has");
   if (request.solved.status != Status::ok) return request;
@@ -116,35 +109,12 @@ Peer read_peer(const RecordValue& node, const Settings& settings) {
           .solved = read_candidate(node, settings, "a peer")};
 }
 
-std::array<double, 2> read_range(const RecordValue& node) {
-  const std::vector<RecordValue> ends = node.elements();
-  if (ends.size() != 2) node.complain("two numbers were expected, smallest and largest");
-  const std::array range{ends[0].not_negative(), ends[1].not_negative()};
-  if (range[0] > range[1]) node.complain("the smallest exceeds the largest");
-  return range;
-}
-
 Profile read_profile(const RecordValue& node) {
   Profile profile;
   const RecordValue time = node["time_per_step"], split = time["phases"];
   require_clock(time, Clock::wall, "a profile");
-  for (std::size_t i = 0; i < phases.size(); ++i)
-    profile.seconds_per_step[i] = split[phases[i]].not_negative();
-  if (const auto range = time.find("total_range")) profile.total_range = read_range(*range);
+  for (std::size_t i = 0; i < phases.size(); ++i) profile[i] = split[phases[i]].not_negative();
   return profile;
-}
-
-Structure read_structure(const RecordValue& node) {
-  Structure structure;
-  const RecordValue parts = node["parts"];
-  for (const RecordValue& part : parts.elements()) {
-    const PartSizes sizes{part["unknowns"].integer(1), part["count"].integer(1)};
-    if (!structure.parts.empty() && structure.parts.back().unknowns <= sizes.unknowns)
-      part["unknowns"].complain("the parts do not stand largest first, each size once");
-    structure.parts.push_back(sizes);
-  }
-  if (structure.parts.empty()) parts.complain("a structure needs at least one part");
-  return structure;
 }
 
 }  // namespace
@@ -153,34 +123,28 @@ CandidateKey read_key(const RecordValue& node) {
   return {node["case"].name(), node["coordinates"].integer(1), node["id"].text()};
 }
 
-void read_paper(Record& record, const RecordValue& section) {
+void read_paper(Record& record, const RecordValue& experiment) {
   const Settings& settings = record.settings;
-  read_each(section, "cells", [&](const RecordValue& node) {
+  read_each(experiment, "cells", [&](const RecordValue& node) {
     const CandidateKey key = read_key(node);
     add_once(is_by_wall(key.id) ? record.wall_candidates : record.candidates, node, key,
              read_candidate(node, settings, key.id), name_of(key));
   });
   std::set<std::pair<CandidateKey, std::string>> seen;
-  read_each(section, "requests", [&](const RecordValue& node) {
+  read_each(experiment, "requests", [&](const RecordValue& node) {
     Request request = read_request(node, settings);
     if (!seen.emplace(request.key, request.name).second)
       node.complain("the request " + request.name + " of " + request.key.id + " is given twice");
     (is_by_wall(request.key.id) ? record.wall_requests : record.requests)
         .push_back(std::move(request));
   });
-  read_each(section, "peers", [&](const RecordValue& node) {
+  read_each(experiment, "peers", [&](const RecordValue& node) {
     record.peers.push_back(read_peer(node, settings));
     const CandidateKey key = key_of(record.peers.back());
     if (std::ranges::count(record.peers, key, key_of) > 1)
       node.complain(name_of(key) + " is given twice");
   });
-  read_each(section, "structure", [&](const RecordValue& node) {
-    const StructureKey key{node["case"].name(), node["coordinates"].integer(1),
-                           node["partition"].name()};
-    add_once(record.structure, node, key, read_structure(node),
-             "the structure of " + name_of({key.case_name, key.coordinates, key.partition}));
-  });
-  read_each(section, "profiles", [&](const RecordValue& node) {
+  read_each(experiment, "profiles", [&](const RecordValue& node) {
     const CandidateKey key = read_key(node);
     add_once(record.profiles, node, key, read_profile(node), name_of(key));
   });

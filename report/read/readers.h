@@ -12,22 +12,22 @@
 
 namespace desmo::report {
 
-/// Reads a section of a record: the experiment of that name.
-void read_paper(Record& record, const RecordValue& section);
-void read_accuracy(Record& record, const RecordValue& section);
-void read_sizes(Record& record, const RecordValue& section);
-void read_instructions(Record& record, const RecordValue& section);
-void read_extremes(Record& record, const RecordValue& section);
+/// Reads the object of a record: the experiment of that name.
+void read_paper(Record& record, const RecordValue& experiment);
+void read_accuracy(Record& record, const RecordValue& experiment);
+void read_sizes(Record& record, const RecordValue& experiment);
+void read_instructions(Record& record, const RecordValue& experiment);
+void read_extremes(Record& record, const RecordValue& experiment);
 
-/// Reads all of `record` but version and sections.
+/// Reads all of `record` but version and experiments.
 Record read_environment(const RecordValue& node);
 
-// ---- what several sections have ----
+// ---- what several experiments have ----
 
 /// Calls `read` with each element of a list that may be missing.
 template <class Read>
-void read_each(const RecordValue& section, std::string_view list, const Read& read) {
-  if (const auto found = section.find(list))
+void read_each(const RecordValue& experiment, std::string_view list, const Read& read) {
+  if (const auto found = experiment.find(list))
     for (const RecordValue& node : found->elements()) read(node);
 }
 
@@ -45,12 +45,13 @@ CandidateKey read_key(const RecordValue& node);
 /// Reads "ok", "failed" or "not_run".
 Status read_status(const RecordValue& node);
 
-Verification read_verification(const RecordValue& node);
+/// Reads the numbers of a position, velocity and acceleration.
+PerLevel read_levels(const RecordValue& node, double (RecordValue::*read)() const);
 
 /// Says what exceeds its limit: "velocity differs by 2e-06, 1e-08 is allowed"; empty when nothing
 /// does.
 std::string excess(const std::string& what, double difference, double limit);
-std::string excess(const Verification& found, const Allowed& allowed);
+std::string excess(const PerLevel& found, const PerLevel& allowed);
 
 /// Throws InputError when the clock of a time is another; `what` is measured by it.
 void require_clock(const RecordValue& time, Clock clock, std::string_view what);

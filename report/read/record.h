@@ -4,9 +4,11 @@
 #include <array>
 #include <compare>
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -15,29 +17,21 @@
 
 namespace desmo::report {
 
+class RecordValue;
+
 struct Machine {
   std::string cpu;
   std::int64_t cores = 0;
   std::vector<std::string> caches;
-  std::string kernel;
   std::string governor;
-  std::optional<std::string> turbo;  ///< "on", "off", "unknown"
-  std::vector<double> load_before;
-  std::vector<double> load_after;
-};
-
-struct Link {
-  std::string type;  ///< "dynamic", "static"
-  std::string flags;
-  std::vector<std::string> libraries;  ///< shared objects loaded
+  double load_before = 0;  ///< of the last minute; 0 where it is not known
 };
 
 struct Build {
   std::string type;
   std::string compiler;
   std::string flags;
-  std::optional<Link> link;
-  std::optional<std::string> binary;  ///< SHA-256 of the program, or "unknown"
+  std::optional<std::string> link;  ///< "dynamic", and its flags
 };
 
 struct Blas {
@@ -80,8 +74,9 @@ struct Candidate {
   Status status = Status::not_run;
   std::string message;  ///< why it failed or was not run
   Origin origin;
-  Time time;                                 ///< of the whole analysis; has samples when ok only
-  std::optional<Verification> verification;  ///< always when ok
+  Time time;  ///< of the whole analysis; has samples when ok only
+  std::optional<PerLevel>
+      verification;  ///< largest absolute differences from the reference;  ///< always when ok
   std::optional<double> setup_seconds;
   std::optional<double> iterations_per_step;
   std::vector<Solver> solvers;  ///< where they were chosen by measurement
@@ -91,30 +86,9 @@ struct Candidate {
 inline constexpr std::array phases{"residual", "jacobian",         "factorisation",
                                    "solve",    "right_hand_sides", "rest"};
 
-/// Shares of the wall-clock time of a step in an instrumented run.
-struct Profile {
-  std::array<double, phases.size()> seconds_per_step{};  ///< the median of several passes
-  std::optional<std::array<double, 2>> total_range;      ///< s, of all phases: least, largest pass
-};
-
-/// The name of the structure that a partition gives: ordered by case, size, partition.
-struct StructureKey {
-  std::string case_name;
-  std::int64_t coordinates = 0;
-  std::string partition;  ///< as in the ids: "global", "group", "block"
-  auto operator<=>(const StructureKey&) const = default;
-};
-
-/// A number of parts of one size.
-struct PartSizes {
-  std::int64_t unknowns = 0;
-  std::int64_t count = 0;
-};
-
-/// The parts into which a partition cuts the unknowns; constant ones are left out.
-struct Structure {
-  std::vector<PartSizes> parts;  ///< each number of unknowns once, largest first; never empty
-};
+/// Wall-clock time of each phase of a step in an instrumented run [s], the median of several
+/// passes.
+using Profile = std::array<double, phases.size()>;
 
 /// A formulation that solves only what is asked.
 struct Request {
@@ -149,17 +123,16 @@ struct Record {
   std::string date;  ///< UTC, ISO 8601
   std::string commit;
   bool dirty = false;
-  std::string command;
   Machine machine;
   Build build;
   std::map<std::string, std::string> libraries;
   Blas blas;
   Settings settings;
+  std::vector<std::pair<std::string, std::string>> provenance;  ///< all of the head, as text
   // paper; what the wall clock measured stands apart, so that no table mixes the two clocks
   std::map<CandidateKey, Candidate> candidates;  ///< CPU clock
   std::map<CandidateKey, Candidate> wall_candidates;
   std::map<CandidateKey, Profile> profiles;
-  std::map<StructureKey, Structure> structure;
   std::vector<Request> requests;  ///< CPU clock; in the record's order
   std::vector<Request> wall_requests;
   std::vector<Peer> peers;  ///< CPU clock; in the record's order
@@ -183,9 +156,33 @@ inline bool has_paper(const Record& record) {
          !record.wall_candidates.empty() || !record.wall_requests.empty();
 }
 
-/// Tells whether it has the experiment on size.
-inline bool has_sizes(const Record& record) {
-  return !record.growth.empty() || !record.break_even.empty();
-}
+/// Something that a record may have measured, of which a page shows one record's.
+struct Experiment {
+  const char* name;
+  bool (*is_in)(const Record&);
+};
+
+/// The experiments, in the order of pages.
+inline constexpr Experiment experiments[] = {
+    {"paper", has_paper},
+    {"accuracy", [](const Record& r) { return !r.points.empty(); }},
+    {"tuning", [](const Record& r) { return !r.tuning.empty(); }},
+    {"size", [](const Record& r) { return !r.growth.empty() || !r.break_even.empty(); }},
+    {"instructions", [](const Record& r) { return !r.instructions.empty(); }},
+    {"extremes", [](const Record& r) { return !r.extremes.empty(); }}};
+
+/// Checks everything the report relies on: the schema's name and major version, required keys,
+/// types, times above zero, the verification of every "ok" candidate and request, as many samples
+/// as it says, nothing given twice, one machine, one model for each case and size with one set of
+/// results. An "ok" candidate or request that exceeds `record.settings.allowed` becomes a failed
+/// one that says so and has no time. Unknown keys are ignored, so that a record with a newer minor
+/// version is read. Throws InputError, or MixedRecord.
+Record parse_record(std::string_view text, const std::string& file = "record");
+
+/// Likewise, of what has been parsed already, alone or inside another document.
+Record read_record(const RecordValue& root);
+
+/// Reads at most max_file bytes and parses them. Throws as parse_record.
+Record read_record(const std::filesystem::path& file);
 
 }  // namespace desmo::report

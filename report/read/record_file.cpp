@@ -34,22 +34,6 @@ std::string decompressed(std::string& bytes, const std::string& file) {
   return text;
 }
 
-/// A key of records before 2.0.0, which named no experiment, and what makes such a record anew.
-constexpr std::array<std::pair<const char*, const char*>, 7> remedies{
-    {{"head", "bench/check --renew-baseline"},
-     {"precision", "bench/run accuracy"},
-     {"promises", "bench/run accuracy"},
-     {"growth", "bench/run size"},
-     {"crossing", "bench/run size"},
-     {"instructions", "bench/run instructions"},
-     {"extremes", "bench/run extremes"}}};
-
-std::string remedy_of(const RecordValue& root) {
-  for (const auto& [key, command] : remedies)
-    if (root.find(key)) return command;
-  return "bench/run";
-}
-
 }  // namespace
 
 std::string read_record_text(const std::filesystem::path& file) {
@@ -71,9 +55,9 @@ void check_schema(const RecordValue& root, const std::string& name) {
   if (text == schema_version) return;
   const bool newer = std::atoi(text.c_str()) >= std::atoi(schema_version);
   try {
-    version.complain(
-        "schema version " + text + ", and only " + schema_version + " is read; " +
-        (newer ? "a newer desmo_report may read it" : "measure it anew with " + remedy_of(root)));
+    version.complain("schema version " + text + ", and only " + schema_version + " is read; " +
+                     (newer ? "a newer desmo_report may read it"
+                            : "measure it anew (bench/run, bench/check --renew-baseline)"));
   } catch (const InputError& error) {
     throw UnsupportedVersion(error.what());
   }

@@ -1,7 +1,8 @@
 #include "report/read/record_value.h"
 
 #include <algorithm>
-#include <chrono>
+
+#include "report/text/digits.h"
 
 namespace desmo::report {
 namespace {
@@ -36,21 +37,6 @@ std::vector<RecordValue> RecordValue::elements() const {
   return result;
 }
 
-std::optional<std::string> RecordValue::find_text(std::string_view key) const {
-  const auto member = find(key);
-  return member ? std::optional(member->text()) : std::nullopt;
-}
-
-std::optional<std::string> RecordValue::find_digest(std::string_view key) const {
-  const auto member = find(key);
-  return member ? std::optional(member->digest()) : std::nullopt;
-}
-
-std::optional<double> RecordValue::find_number(std::string_view key) const {
-  const auto member = find(key);
-  return member ? std::optional(member->not_negative()) : std::nullopt;
-}
-
 std::string RecordValue::text() const {
   std::string text(value_.text());
   for (char& c : text)
@@ -79,12 +65,7 @@ std::string RecordValue::utc() const {
   const bool formed = std::ranges::equal(text, form, [](char c, char place) {
     return place == '0' ? '0' <= c && c <= '9' : c == place;
   });
-  const auto number = [&](std::size_t first, std::size_t digits) {
-    return std::stoi(text.substr(first, digits));
-  };
-  using namespace std::chrono;
-  if (!formed || !year_month_day(year(number(0, 4)), month(number(5, 2)), day(number(8, 2))).ok() ||
-      number(11, 2) > 23 || number(14, 2) > 59 || number(17, 2) > 60)  // a leap second
+  if (!formed || text.substr(5, 2) > "12" || text.substr(8, 2) > "31" || text.substr(11, 2) > "23")
     complain(in_quotes(text) + " is not a date and time, UTC, as 2026-11-21T17:48:47Z");
   return text;
 }
@@ -109,6 +90,23 @@ double RecordValue::sample() const {
   const double value = positive();
   if (value < min_sample || value > max_sample) complain("is not a time that a clock can give");
   return value;
+}
+
+std::vector<std::pair<std::string, std::string>> RecordValue::leaves() const {
+  if (value_.is_string()) return {{"", text()}};
+  if (value_.is_number()) return {{"", write_shortest(value_.number())}};
+  std::vector<std::pair<std::string, std::string>> all;
+  if (value_.is_array()) {
+    std::string list;
+    for (const RecordValue& element : elements())
+      for (const auto& [name, text] : element.leaves()) list += (list.empty() ? "" : ", ") + text;
+    return {{"", list}};
+  }
+  if (!value_.is_object()) return {{"", boolean() ? "yes" : "no"}};
+  for (const auto& [key, member] : members())
+    for (const auto& [name, text] : member.leaves())
+      all.emplace_back(key + (name.empty() ? "" : " " + name), text);
+  return all;
 }
 
 std::size_t RecordValue::one_of(std::initializer_list<std::string_view> words) const {

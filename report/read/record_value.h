@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <initializer_list>
 #include <optional>
 #include <string>
@@ -24,10 +25,20 @@ class RecordValue {
   std::vector<std::pair<std::string, RecordValue>> members() const;  ///< of an object
   std::vector<RecordValue> elements() const;                         ///< of an array
 
-  /// Optional members of an object, as text(), digest() and not_negative().
-  std::optional<std::string> find_text(std::string_view key) const;
-  std::optional<std::string> find_digest(std::string_view key) const;
-  std::optional<double> find_number(std::string_view key) const;
+  /// Reads an optional member by one of the functions below, or by a function of this type.
+  template <class Read>
+  auto maybe(std::string_view key, const Read& read) const {
+    const std::optional<RecordValue> member = find(key);
+    return member ? std::optional(std::invoke(read, *member)) : std::nullopt;
+  }
+
+  /// Reads every element of an array, likewise.
+  template <class Read>
+  auto list(const Read& read) const {
+    std::vector<std::decay_t<std::invoke_result_t<Read, RecordValue>>> all;
+    for (const RecordValue& element : elements()) all.push_back(std::invoke(read, element));
+    return all;
+  }
 
   std::string text() const;    ///< control characters, which a terminal would obey, become spaces
   std::string name() const;    ///< letters, digits, "_" and "-" only: it becomes part of file names
@@ -38,6 +49,9 @@ class RecordValue {
   double not_negative() const;            ///< and at most 1e100, so that sums stay finite
   double positive() const;                ///< likewise
   double sample() const;  ///< a measured time, 1e-9 s ... 1e9 s: no clock gives another
+
+  /// Returns every text, number and boolean inside by its path, "machine cpu"; a list in one text.
+  std::vector<std::pair<std::string, std::string>> leaves() const;
 
   /// Returns which of some words the text is, by position.
   std::size_t one_of(std::initializer_list<std::string_view> words) const;

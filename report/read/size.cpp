@@ -15,15 +15,15 @@ TimedSize failed(TimedSize entry, std::string why) {
 }
 
 /// It grows as the tolerance does beyond the record's.
-Allowed allowed_of(const TimedSize& entry, const Settings& settings) {
+PerLevel allowed_of(const TimedSize& entry, const Settings& settings) {
   const double times = std::max(1.0, entry.tolerance / settings.tolerance);
-  return {times * settings.allowed->position, times * settings.allowed->velocity,
-          times * settings.allowed->acceleration, std::nullopt};
+  const PerLevel& allowed = settings.allowed->levels;
+  return {times * allowed.position, times * allowed.velocity, times * allowed.acceleration};
 }
 
 TimedSize read_entry(const RecordValue& node, const Settings& settings) {
   TimedSize entry{.status = read_status(node["status"]),
-                  .message = node.find_text("message").value_or(""),
+                  .message = node.maybe("message", &RecordValue::text).value_or(""),
                   .unknowns = node["unknowns"].integer(1),
                   .tolerance = node["tolerance"].positive(),
                   .checked_against = {},
@@ -33,10 +33,10 @@ TimedSize read_entry(const RecordValue& node, const Settings& settings) {
   if (entry.status == Status::not_run) node["status"].complain("everything here is run");
   if (entry.status != Status::ok) return entry;
   entry.checked_against = node["checked_against"].text();
-  entry.verification = read_verification(node["verification"]);
+  entry.verification = read_levels(node["verification"], &RecordValue::not_negative);
   entry.iterations_per_step = node["iterations_per_step"].not_negative();
   entry.state_bytes = node["state_bytes"].positive();
-  if (const auto bytes = node.find("bytes")) entry.bytes = bytes->positive();
+  entry.bytes = node.maybe("bytes", &RecordValue::positive);
   entry.seconds_per_step = read_cpu_seconds(node["time_per_step"]);
   if (!settings.allowed) return entry;
   std::string reason = excess(*entry.verification, allowed_of(entry, settings));
@@ -45,17 +45,17 @@ TimedSize read_entry(const RecordValue& node, const Settings& settings) {
 
 }  // namespace
 
-void read_sizes(Record& record, const RecordValue& section) {
+void read_sizes(Record& record, const RecordValue& experiment) {
   for (const auto& [list, entries] :
        {std::pair{"growth", &record.growth}, {"break_even", &record.break_even}})
-    read_each(section, list, [&, &entries = entries](const RecordValue& node) {
+    read_each(experiment, list, [&, &entries = entries](const RecordValue& node) {
       const CandidateKey key = read_key(node);
       add_once(*entries, node, key, read_entry(node, record.settings), name_of(key));
     });
 }
 
-void read_instructions(Record& record, const RecordValue& section) {
-  for (const RecordValue& node : section["counts"].elements()) {
+void read_instructions(Record& record, const RecordValue& experiment) {
+  for (const RecordValue& node : experiment["counts"].elements()) {
     const CandidateKey key = read_key(node);
     add_once(
         record.instructions, node, key,

@@ -11,24 +11,19 @@
 namespace desmo::report {
 namespace {
 
-std::vector<double> read_samples(const RecordValue& list) {
-  std::vector<double> seconds;
-  for (const RecordValue& sample : list.elements()) seconds.push_back(sample.sample());
-  if (seconds.empty()) list.complain("at least one sample was expected");
+std::vector<double> read_samples(const RecordValue& node) {
+  std::vector<double> seconds = node.list(&RecordValue::sample);
+  if (seconds.empty()) node.complain("at least one sample was expected");
   return seconds;
 }
 
 template <class Read>
-std::vector<double> read_each_window(const RecordValue& list, std::size_t count, const Read& read) {
-  std::vector<double> values;
-  for (const RecordValue& window : list.elements()) values.push_back(read(window));
+std::vector<double> read_windows(const RecordValue& node, std::size_t count, const Read& read) {
+  std::vector<double> values = node.list(read);
   if (values.size() != count)
-    list.complain(std::to_string(values.size()) + " windows of " + std::to_string(count));
+    node.complain(std::to_string(values.size()) + " windows of " + std::to_string(count));
   return values;
 }
-
-double window_seconds(const RecordValue& node) { return node.sample(); }
-double window_updates(const RecordValue& node) { return static_cast<double>(node.integer(0)); }
 
 // Equal by instants, the rest shared out as desmo_bench does.
 std::vector<double> instants_of_windows(std::int64_t instants, std::size_t count) {
@@ -62,14 +57,16 @@ Windows read_windows(const RecordValue& node, const Settings& settings) {
   Windows windows;
   const auto samples = node.find("samples");
   if (!samples) {
-    windows.least = read_each_window(node["least"], count, window_seconds);
+    windows.least = read_windows(node["least"], count, &RecordValue::sample);
     return windows;
   }
-  for (const RecordValue& sample : samples->elements())
-    windows.samples.push_back(read_each_window(sample, count, window_seconds));
+  windows.samples = samples->list(
+      [&](const RecordValue& sample) { return read_windows(sample, count, &RecordValue::sample); });
   if (windows.samples.empty()) samples->complain("there is none");
   windows.least = least_of(windows.samples, count);
-  windows.updates = read_each_window(node["updates"], count, window_updates);
+  windows.updates = read_windows(node["updates"], count, [](const RecordValue& updates) {
+    return static_cast<double>(updates.integer(0));
+  });
   windows.instants = instants_of_windows(settings.instants, count);
   return windows;
 }
@@ -115,9 +112,8 @@ Status read_status(const RecordValue& node) {
   return static_cast<Status>(node.one_of({"ok", "failed", "not_run"}));
 }
 
-Verification read_verification(const RecordValue& node) {
-  return {node["instants"].integer(1), node["position"].not_negative(),
-          node["velocity"].not_negative(), node["acceleration"].not_negative()};
+PerLevel read_levels(const RecordValue& node, double (RecordValue::*read)() const) {
+  return {(node["position"].*read)(), (node["velocity"].*read)(), (node["acceleration"].*read)()};
 }
 
 std::string excess(const std::string& what, double difference, double limit) {
@@ -127,7 +123,7 @@ std::string excess(const std::string& what, double difference, double limit) {
                                                {"limit", write_shortest(limit)}});
 }
 
-std::string excess(const Verification& found, const Allowed& allowed) {
+std::string excess(const PerLevel& found, const PerLevel& allowed) {
   std::string text;
   for (const std::string& one : {excess("position", found.position, allowed.position),
                                  excess("velocity", found.velocity, allowed.velocity),

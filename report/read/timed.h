@@ -38,19 +38,14 @@ inline bool is_by_wall(std::string_view id) {
 
 enum class Status { ok, failed, not_run };
 
-/// Largest absolute differences from the quadruple-precision reference.
-struct Verification {
-  std::int64_t instants = 0;
-  double position = 0;
-  double velocity = 0;
-  double acceleration = 0;
+/// A number for each level.
+struct PerLevel {
+  double position = 0, velocity = 0, acceleration = 0;
 };
 
 /// Largest differences from the reference that a verification may find.
 struct Allowed {
-  double position = 0;
-  double velocity = 0;
-  double acceleration = 0;
+  PerLevel levels;
   std::optional<double> request;  ///< of a request from the whole mechanism
 };
 

@@ -2,62 +2,53 @@
 
 #include <algorithm>
 #include <optional>
-#include <set>
 
 #include "report/text/digits.h"
 
 namespace desmo::report {
 namespace {
 
-class Comparison {
- public:
+/// What differs, each once for all candidates of a case and size.
+struct Comparison {
   void require_same(const std::string& what, const std::optional<std::string>& first,
                     const std::optional<std::string>& second) {
     if (!first || !second || *first != *second)
       differ(what, first.value_or("not recorded"), second.value_or("not recorded"));
   }
 
-  void differ(const std::string& what, const std::string& first, const std::string& second) {
-    if (named_.insert(what).second)  // once for all candidates of a case and size
-      differences_.push_back({what, first, second});
+  void require_same(const std::string& what, double first, double second) {
+    require_same(what, write_shortest(first), write_shortest(second));
   }
 
-  std::vector<Difference> differences() && { return std::move(differences_); }
+  void differ(const std::string& what, const std::string& first, const std::string& second) {
+    if (!std::ranges::count(differences, what, &Difference::what))
+      differences.push_back({what, first, second});
+  }
 
- private:
-  std::vector<Difference> differences_;
-  std::set<std::string> named_;
+  std::vector<Difference> differences;
 };
-
-std::optional<std::string> linking_of(const Build& build) {
-  if (!build.link) return std::nullopt;
-  return build.link->type + (build.link->flags.empty() ? "" : " " + build.link->flags);
-}
 
 void compare_environment(Comparison& all, const Record& a, const Record& b) {
   all.require_same("CPU model", a.machine.cpu, b.machine.cpu);
   all.require_same("compiler", a.build.compiler, b.build.compiler);
   all.require_same("build type", a.build.type, b.build.type);
   all.require_same("flags", a.build.flags, b.build.flags);
-  all.require_same("linking", linking_of(a.build), linking_of(b.build));
+  all.require_same("linking", a.build.link, b.build.link);
   all.require_same("BLAS core", a.blas.core, b.blas.core);
-  all.require_same("BLAS threads", std::to_string(a.blas.threads), std::to_string(b.blas.threads));
-}
-
-void require_same_number(Comparison& all, const char* what, double first, double second) {
-  all.require_same(what, write_shortest(first), write_shortest(second));
+  all.require_same("BLAS threads", static_cast<double>(a.blas.threads),
+                   static_cast<double>(b.blas.threads));
 }
 
 void compare_settings(Comparison& all, const Settings& a, const Settings& b) {
-  require_same_number(all, "tolerance", a.tolerance, b.tolerance);
-  require_same_number(all, "iterations at most", static_cast<double>(a.max_iterations),
-                      static_cast<double>(b.max_iterations));
+  all.require_same("tolerance", a.tolerance, b.tolerance);
+  all.require_same("iterations at most", static_cast<double>(a.max_iterations),
+                   static_cast<double>(b.max_iterations));
   all.require_same("first guess", a.guess, b.guess);
 }
 
 void compare_motions(Comparison& all, const Settings& a, const Settings& b) {
-  require_same_number(all, "step", a.step_seconds, b.step_seconds);
-  require_same_number(all, "duration", a.duration_seconds, b.duration_seconds);
+  all.require_same("step", a.step_seconds, b.step_seconds);
+  all.require_same("duration", a.duration_seconds, b.duration_seconds);
 }
 
 // Of what has no time in one of them, there is nothing to compare. Peers find other coordinates, of
@@ -109,29 +100,23 @@ std::vector<Difference> why_incomparable(const Record& first, const Record& seco
   Comparison all;
   compare_environment(all, first, second);
   compare_work(all, first, second);
-  return std::move(all).differences();
+  return all.differences;
 }
 
 std::vector<Difference> different_work_reason(const Record& first, const Record& second) {
   Comparison all;
   compare_work(all, first, second);
-  return std::move(all).differences();
+  return all.differences;
 }
 
 std::vector<Difference> why_apart(const Record& first, const Record& second) {
   Comparison all;
   compare_environment(all, first, second);
   compare_settings(all, first.settings, second.settings);
-  const auto only_one = [&](const char* what, bool in_first, bool in_second) {
-    if (in_first && in_second) all.differ(std::string("one record with ") + what, "one", "another");
-  };
-  only_one("cells", has_paper(first), has_paper(second));
-  only_one("points", !first.points.empty(), !second.points.empty());
-  only_one("tuning", !first.tuning.empty(), !second.tuning.empty());
-  only_one("sizes", has_sizes(first), has_sizes(second));
-  only_one("instructions", !first.instructions.empty(), !second.instructions.empty());
-  only_one("extremes", !first.extremes.empty(), !second.extremes.empty());
-  return std::move(all).differences();
+  for (const Experiment& experiment : experiments)
+    if (experiment.is_in(first) && experiment.is_in(second))
+      all.differ("one record with " + std::string(experiment.name), "one", "another");
+  return all.differences;
 }
 
 }  // namespace desmo::report

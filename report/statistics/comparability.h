@@ -28,8 +28,7 @@ std::vector<Difference> different_work_reason(const Record& first, const Record&
 bool are_of_two_machines(const Record& first, const Record& second);
 
 /// Why times of the two records cannot stand on one page, one beside the other; empty when they
-/// can: as above, but for the motions and what was timed. Only one of them may have candidates,
-/// only one points, and likewise searches of desmo tune, sizes, instructions and extremes.
+/// can: as above, but for the motions and what was timed. Only one of them may have an experiment.
 std::vector<Difference> why_apart(const Record& first, const Record& second);
 
 /// Times of one experiment by one clock.

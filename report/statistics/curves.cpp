@@ -30,15 +30,6 @@ const CurvePoint* cheapest(const Curve& curve) {
   return least == curve.points.end() ? nullptr : &*least;
 }
 
-const CurvePoint* end_of_growth(const Curve& curve) {
-  const CurvePoint *const least = cheapest(curve), *end = nullptr;
-  for (const CurvePoint& point : curve.points | std::views::reverse) {
-    if (&point <= least || point.nanoseconds() <= dearer * least->nanoseconds()) break;
-    end = &point;
-  }
-  return end;
-}
-
 namespace {
 
 /// A size that both have: its unknowns n, and by what the first is slower, d = log(t₁/t₂).

@@ -34,13 +34,6 @@ std::vector<Curve> curves_of(const std::map<CandidateKey, TimedSize>& entries);
 /// Returns the point where a coordinate costs least; null without points.
 const CurvePoint* cheapest(const Curve& curve);
 
-/// The cost of a coordinate over its least, above which growth has ended.
-inline constexpr double dearer = 1.25;
-
-/// The first size beyond the cheapest from which on a coordinate is dearer, at every size; null
-/// where there is none.
-const CurvePoint* end_of_growth(const Curve& curve);
-
 // ---- break-even ----
 
 /// Unknowns from which on the second of two formulations is the faster.

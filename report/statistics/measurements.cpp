@@ -66,6 +66,30 @@ MeanSpeedUp mean_speed_up(const Record& record, std::string_view family, std::si
   return {mean(found), found.size()};
 }
 
+std::optional<CandidateKey> fastest(const Record& record, const std::string& case_name,
+                                    std::int64_t coordinates,
+                                    const std::function<bool(std::string_view id)>& holds) {
+  std::optional<CandidateKey> found;
+  double least = 0;
+  for (const auto& [key, candidate] : record.candidates) {
+    if (key.case_name != case_name || key.coordinates != coordinates || !holds(key.id) ||
+        is_beside_peers(record, key.id))
+      continue;
+    const Measured time = measured(candidate);
+    if (!time.seconds || (found && time.seconds->value >= least)) continue;
+    found = key;
+    least = time.seconds->value;
+  }
+  return found;
+}
+
+std::optional<CandidateKey> reference_like(const Record& record, const CandidateKey& key) {
+  return fastest(record, key.case_name, key.coordinates, [&](std::string_view id) {
+    return is_reference(id) && setting(id, "guess") == setting(key.id, "guess") &&
+           setting(id, "tolerance") == setting(key.id, "tolerance");
+  });
+}
+
 std::vector<std::int64_t> recorded_sizes(const Record& record, std::string_view case_name) {
   std::set<std::int64_t> sizes;
   for (const auto& [key, candidate] : record.candidates)
@@ -77,8 +101,7 @@ std::vector<std::string_view> recorded_families(const Record& record) {
   std::vector<std::string_view> families;
   for (const std::string_view family : sparse_families)
     if (std::any_of(record.candidates.begin(), record.candidates.end(), [&](const auto& candidate) {
-          const std::string& id = candidate.first.id;  // group_symbolic_klu/lanes:8
-          return id.substr(0, id.find('/')).ends_with("_" + std::string(family));
+          return without_settings(candidate.first.id).ends_with("_" + std::string(family));
         }))
       families.push_back(family);
   return families;

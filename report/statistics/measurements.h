@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -58,6 +59,15 @@ struct MeanSpeedUp {
 
 MeanSpeedUp mean_speed_up(const Record& record, std::string_view family, std::size_t reference,
                           std::size_t variant, std::span<const std::int64_t> sizes);
+
+/// Finds the fastest candidate of a case and size that something holds of; what stands next to
+/// peers has no part in it.
+std::optional<CandidateKey> fastest(const Record& record, const std::string& case_name,
+                                    std::int64_t coordinates,
+                                    const std::function<bool(std::string_view id)>& holds);
+
+/// Finds the fastest reference (is_reference) with the guess and the tolerance of a candidate.
+std::optional<CandidateKey> reference_like(const Record& record, const CandidateKey& key);
 
 /// Sizes recorded for a case, in whatever state, ascending.
 std::vector<std::int64_t> recorded_sizes(const Record& record, std::string_view case_name);

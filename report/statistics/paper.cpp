@@ -1,27 +1,29 @@
 #include "report/statistics/paper.h"
 
 #include <charconv>
+#include <sstream>
 
 #include "report/text/embedded.h"
 
 namespace desmo::report {
 namespace {
 
-std::vector<std::string> split(std::string_view text, char separator) {
-  std::vector<std::string> parts;
-  while (true) {
-    const auto at = text.find(separator);
-    parts.emplace_back(text.substr(0, at));
-    if (at == std::string_view::npos) return parts;
-    text.remove_prefix(at + 1);
-  }
+std::optional<double> number_of(const std::string& digits) {
+  double value = 0;
+  const char* const end = digits.data() + digits.size();
+  const auto [at, error] = std::from_chars(digits.data(), end, value);
+  return error == std::errc{} && at == end ? std::optional(value) : std::nullopt;
 }
 
 }  // namespace
 
 PublishedTable::PublishedTable(std::string_view csv) {
-  for (const std::string& line : split(csv, '\n'))
-    if (!line.empty()) lines_.push_back(split(line, ','));
+  std::istringstream lines{std::string(csv)};
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream fields(line);
+    lines_.emplace_back();
+    for (std::string field; std::getline(fields, field, ',');) lines_.back().push_back(field);
+  }
 }
 
 std::string PublishedTable::text(std::string_view row, std::string_view column) const {
@@ -34,36 +36,28 @@ std::string PublishedTable::text(std::string_view row, std::string_view column) 
 
 std::vector<std::int64_t> PublishedTable::sizes() const {
   std::vector<std::int64_t> result;
-  for (std::size_t i = 1; i < lines_.size(); ++i) {
-    const std::string& row = lines_[i].front();
-    std::int64_t size = 0;
-    if (std::from_chars(row.data(), row.data() + row.size(), size).ec == std::errc{})
-      result.push_back(size);
-  }
+  for (const auto& line : lines_)
+    if (const auto size = number_of(line.front()))
+      result.push_back(static_cast<std::int64_t>(*size));
   return result;
 }
 
 std::optional<double> PublishedTable::number(std::string_view row, std::string_view column) const {
-  const std::string digits = text(row, column);
-  double value = 0;
-  const char* const end = digits.data() + digits.size();
-  const auto [at, error] = std::from_chars(digits.data(), end, value);
-  if (error != std::errc{} || at != end) return std::nullopt;
-  return value;
+  return number_of(text(row, column));
 }
 
 const PublishedTable& published_cpu_seconds() {
-  static const PublishedTable table(embedded::table1_cpu_seconds);
+  static const PublishedTable table(embedded_file("table1_cpu_seconds.csv"));
   return table;
 }
 
 const PublishedTable& published_speed_up() {
-  static const PublishedTable table(embedded::table2_speedup);
+  static const PublishedTable table(embedded_file("table2_speedup.csv"));
   return table;
 }
 
 const PublishedTable& published_improvement_percent() {
-  static const PublishedTable table(embedded::table2_improvement_percent);
+  static const PublishedTable table(embedded_file("table2_improvement_percent.csv"));
   return table;
 }
 

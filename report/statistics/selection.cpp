@@ -5,18 +5,6 @@
 
 namespace desmo::report {
 
-std::vector<std::string> cases_with_points(const Record& record) {
-  std::set<std::string> names;
-  for (const auto& [key, point] : record.points) names.insert(key.series.case_name);
-  return {names.begin(), names.end()};
-}
-
-std::vector<SeriesKey> all_series(const Record& record) {
-  std::set<SeriesKey> found;
-  for (const auto& [key, point] : record.points) found.insert(key.series);
-  return {found.begin(), found.end()};
-}
-
 std::optional<SeriesKey> main_series(const Record& record, std::string_view case_name) {
   std::optional<SeriesKey> found;
   for (const auto& [key, point] : record.points) {
@@ -29,9 +17,10 @@ std::optional<SeriesKey> main_series(const Record& record, std::string_view case
 }
 
 std::vector<std::string> drawn_cases(const Record& record) {
-  std::vector<std::string> names = cases_with_points(record);
-  std::erase_if(names, [&](const std::string& name) { return !main_series(record, name); });
-  return names;
+  std::set<std::string> names;
+  for (const auto& [key, point] : record.points)
+    if (key.series.step_seconds == record.settings.step_seconds) names.insert(key.series.case_name);
+  return {names.begin(), names.end()};
 }
 
 Points points_of(const Record& record, const SeriesKey& series) {
@@ -54,15 +43,19 @@ Points solving_every_instant(Points points) {
   return points;
 }
 
-std::vector<std::string> formulations_of(const Points& points) {
-  std::set<std::string> names;
-  for (const NamedPoint* point : points) names.insert(point->second.configuration.formulation);
-  return {names.begin(), names.end()};
+std::vector<std::string> guesses_of(const Points& points) {
+  const std::string paper = Configuration().guess;
+  std::set<std::string> others;
+  for (const NamedPoint* point : points) others.insert(point->second.configuration.guess);
+  std::vector<std::string> names{paper};
+  others.erase(paper);
+  names.insert(names.end(), others.begin(), others.end());
+  return names;
 }
 
 bool is_solved(const NamedPoint& point) { return point.second.status == Point::Status::ok; }
 
-double position_error(const NamedPoint& point) { return point.second.error.position->max; }
+double position_error(const NamedPoint& point) { return *point.second.error.position; }
 
 StepTime step_time(std::vector<double> samples) {
   std::ranges::sort(samples);

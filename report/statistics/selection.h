@@ -21,10 +21,6 @@ using Points = std::vector<const NamedPoint*>;
 /// Errors that answers are wanted within: relative, of position, the largest.
 inline constexpr std::array accuracies{1e-3, 1e-6, 1e-9, 1e-12};
 
-std::vector<std::string> cases_with_points(const Record& record);
-
-std::vector<SeriesKey> all_series(const Record& record);
-
 /// The motion that most is known of: of the case's largest size at the record's own step, the one
 /// with most instants. Nothing when there is none at that step.
 std::optional<SeriesKey> main_series(const Record& record, std::string_view case_name);
@@ -40,8 +36,8 @@ Points of_formulation(const Points& points, std::string_view formulation);
 /// Returns the points that interpolate no instant between solved ones.
 Points solving_every_instant(Points points);
 
-/// Formulations, each once.
-std::vector<std::string> formulations_of(const Points& points);
+/// Guesses, each once: the paper's first.
+std::vector<std::string> guesses_of(const Points& points);
 
 bool is_solved(const NamedPoint& point);
 double position_error(const NamedPoint& point);  ///< the largest; of a solved point

@@ -21,24 +21,6 @@ double student(std::size_t freedom) {
   return student_quantiles[std::min(freedom, student_quantiles.size()) - 1];
 }
 
-// How many of n samples may be left out at either end so that the median stays between the others
-// with probability 1 - 0.025: each sample is below it with probability 1/2, so that too many are
-// left out with probability 2 P(Binomial(n, 1/2) <= left out).
-std::size_t left_out_at_either_end(std::size_t n) {
-  constexpr double allowed = 0.025;
-  const double all = static_cast<double>(n);
-  double outside = 0;
-  std::size_t left_out = 0;
-  for (std::size_t i = 0; i < n / 2; ++i) {
-    const double below = static_cast<double>(i);  // so many samples below the median
-    outside += 2 * std::exp(std::lgamma(all + 1) - std::lgamma(below + 1) -
-                            std::lgamma(all - below + 1) - all * std::log(2.0));
-    if (outside > allowed) break;
-    left_out = i;
-  }
-  return left_out;
-}
-
 std::vector<double> logarithms(std::span<const double> values) {
   std::vector<double> result;
   for (const double value : values) result.push_back(std::log(value));
@@ -115,16 +97,14 @@ double undisturbed_without_best(const Windows& s) {
 Summary summarise(std::span<const double> samples, const Windows& windows) {
   std::vector<double> sorted(samples.begin(), samples.end());
   std::sort(sorted.begin(), sorted.end());
-  const std::size_t n = sorted.size(), left_out = left_out_at_either_end(n);
+  const std::size_t n = sorted.size();
   const double median = (sorted[(n - 1) / 2] + sorted[n / 2]) / 2;
   Summary s{.value = median,
-            .low = sorted[left_out],
-            .high = sorted[n - 1 - left_out],
+            .low = sorted.front(),
+            .high = sorted.back(),
             .median = median,
             .least = sorted.front(),
             .largest = sorted.back(),
-            .median_low = sorted[left_out],
-            .median_high = sorted[n - 1 - left_out],
             .count = n,
             .windows = windows.least,
             .without_best = {}};
@@ -144,8 +124,8 @@ SpeedUp speed_up(const Summary& reference, const Summary& variant) {
                        : paired ? sum(reference.windows) / sum(variant.windows)
                                 : reference.median / variant.median;
   SpeedUp s{.value = ratio,
-            .low = reference.median_low / variant.median_high,
-            .high = reference.median_high / variant.median_low,
+            .low = reference.least / variant.largest,
+            .high = reference.largest / variant.least,
             .percent = 100 * (1 - 1 / ratio),
             .repetitions = std::min(reference.count, variant.count),
             .spread = reference.has_interval() && variant.has_interval()};

@@ -32,18 +32,13 @@ inline constexpr std::size_t min_for_interval = 3;
 struct Summary {
   /// The time and its interval. With windows the undisturbed time (see windows.h; the sum of
   /// their least times where their samples are not known), and from there to the median; without,
-  /// the median, median_low and median_high.
+  /// the median, between the least and the largest.
   double value = 0;
   double low = 0;
   double high = 0;
   double median = 0;  ///< of an even count: the mean of the two in the middle
   double least = 0;
   double largest = 0;
-  /// The samples between which the true median lies with a probability of 97.5 % at least, whatever
-  /// the distribution of independent samples: those as far from either end as that allows. With
-  /// fewer than 7 no two samples allow it, and these are the least and the largest.
-  double median_low = 0;
-  double median_high = 0;
   std::size_t count = 0;
   std::vector<double> windows;  ///< the least time of each; may be empty
   /// The undisturbed time without its best repetition, where the samples of windows are known.
@@ -66,9 +61,7 @@ struct SpeedUp {
   /// either side; narrow where two repetitions or more say the same of both. With the least times
   /// of windows: the 95 % interval of a ratio of sums over pairs, from how far the windows are
   /// from having that ratio, by Student's t (W. G. Cochran: Sampling Techniques, 1977, chapter 6).
-  /// Without: the reference's median_low over the variant's median_high, and the reverse. That
-  /// holds the ratio of the true medians with a probability of 95 % at least from 7 repetitions
-  /// each, and of (1 - 2^(1-n))^2 with n < 7.
+  /// Without: the reference's least over the variant's largest, and the reverse.
   double low = 0;
   double high = 0;
   double percent = 0;           ///< improvement 100 (1 - 1/S), from the unrounded S

@@ -22,6 +22,20 @@ CandidateKey family_key(const Variant& variant, std::int64_t coordinates, std::s
   return {std::string(variant.case_name), coordinates, replaced(variant.id, "<sparse>", family)};
 }
 
+bool is_reference(std::string_view id) {
+  const std::string_view begin = "global_automatic_";
+  return id.starts_with(begin) &&
+         std::ranges::count(sparse_families, without_settings(id).substr(begin.size())) > 0;
+}
+
+std::string partition_of(std::string_view id) { return std::string(id.substr(0, id.find('_'))); }
+
+std::string algebra_kind(std::string_view id) {
+  const std::string_view base = without_settings(id), name = base.substr(base.rfind('_') + 1);
+  if (name == "lapack" || name == "eigen") return "dense";
+  return name == "inlined" || name == "explicit" ? "generated" : "sparse";
+}
+
 std::string_view setting(std::string_view id, std::string_view name) {
   const std::string begin = "/" + std::string(name) + ":";
   const auto at = id.find(begin);

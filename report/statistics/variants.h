@@ -13,21 +13,13 @@ namespace desmo::report {
 
 /// MA27, which cannot be redistributed: only a user who has it can record it.
 inline constexpr std::string_view papers_own = "ma27";
-/// The stand-ins for MA27; then all sparse families, in the order of tables.
-inline constexpr std::array<std::string_view, 3> stand_ins{"cholmod", "umfpack", "klu"};
+/// Sparse solvers that stand in the paper's columns of MA27, in the order of tables: the one list
+/// of solvers in report/.
 inline constexpr std::array<std::string_view, 4> sparse_families{papers_own, "cholmod", "umfpack",
                                                                  "klu"};
 
 /// The formulation that everything is compared with.
 inline constexpr std::string_view usual_reference = "global_automatic_klu";
-
-/// Guesses of the experiment accuracy, in the order of tables.
-inline constexpr std::array tried_guesses{"previous", "linear",   "quadratic",
-                                          "hermite3", "hermite5", "adams8"};
-
-/// The same reference as global_automatic_klu, without a structure that KLU finds by itself: on
-/// some mechanisms the faster one.
-inline constexpr std::string_view reference_of_one_block = "global_automatic_klu/btf:off";
 
 struct Variant {
   std::string_view paper_name;  ///< "MA27" in it gives way to the family
@@ -53,6 +45,18 @@ inline constexpr std::int64_t published_four_bar = 1002;
 
 /// Returns whether an id says that a formulation has other settings than the paper's.
 inline bool has_settings(std::string_view id) { return id.find('/') != std::string_view::npos; }
+
+/// Returns the id of the formulation, without settings.
+inline std::string_view without_settings(std::string_view id) { return id.substr(0, id.find('/')); }
+
+/// Returns whether a formulation is global_automatic_<sparse>, whatever its settings.
+bool is_reference(std::string_view id);
+
+/// Returns the partition of an id of a formulation: "global".
+std::string partition_of(std::string_view id);
+
+/// Returns how a formulation solves linear systems: "sparse" or "dense", or "generated" code.
+std::string algebra_kind(std::string_view id);
 
 /// The value of a setting in an id: "adams8" of guess in global_automatic_klu/guess:adams8; empty
 /// where the id does not name it.

@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "report/tables/entries.h"
-#include "report/tables/excerpt.h"
 #include "report/tables/tables.h"
 
 namespace desmo::report {
@@ -32,21 +31,14 @@ double max_floor(const Record& record) {
 std::vector<Section> accuracy_sections(const Record& record) {
   Section figures = headed_section("speed_for_accuracy",
                                    {{"floor", error_entry(max_floor(record)).shown}}),
-          costs = headed_section("costs"), precision = headed_section("precision"),
+          costs = headed_section("costs"), reuse = headed_section("guesses"),
           varied = headed_section("table2_varied");
-  costs.tables = {accuracy_costs(record), accuracy_errors(record)};
-  for (const std::string& name : drawn_cases(record)) {
+  costs.tables = {accuracy_costs(record)};
+  for (const std::string& name : drawn_cases(record))
     figures.tables.push_back(work_precision(record, name));
-    costs.tables.push_back(cheapest_by_formulation(record, name));
-  }
-  precision.tables = {scalars(record)};
+  reuse.tables = {guesses(record)};
   varied.tables = {sensitivity(record)};
-  return {accuracy_front(record), figures, costs, guesses(record), precision, varied};
-}
-
-std::string kind_of_failure(std::string_view message) {
-  if (message.empty()) return sentence("common.no_reason");
-  return std::string(message.substr(0, message.find(" at t = ")));
+  return {accuracy_front(record), figures, costs, reuse, varied};
 }
 
 }  // namespace desmo::report

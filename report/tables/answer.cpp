@@ -45,7 +45,7 @@ std::string list(const std::vector<Mean>& means) {
 bool shows_the_finding(const Record& record) {
   const std::vector<Mean> means = complete_means(record);
   const auto value = [](const Mean& mean) { return mean.speed_up.value; };
-  const std::optional<Best> best = best_generated(record, Batch::none);
+  const std::optional<Best> best = best_generated(record, "");
   return !means.empty() && best && best->like_for_like.speed_up &&
          best->like_for_like.speed_up->value > 1 &&
          value(*std::ranges::max_element(means, {}, value)) >=
@@ -53,9 +53,9 @@ bool shows_the_finding(const Record& record) {
 }
 
 std::string what_gains(const Record& record) {
-  const std::optional<Best> scalar = best_generated(record, Batch::none),
-                            lanes = best_generated(record, Batch::lanes),
-                            segments = best_generated(record, Batch::segments);
+  const std::optional<Best> scalar = best_generated(record, ""),
+                            lanes = best_generated(record, "lanes"),
+                            segments = best_generated(record, "segments");
   const auto times = [](const std::optional<Best>& best, MeasuredSpeedUp Best::*ratio) {
     return best && (*best.*ratio).speed_up ? two_digits((*best.*ratio).speed_up->value)
                                            : missing_mark;

@@ -11,29 +11,10 @@ namespace {
 
 constexpr std::string_view truck_case = variants[truck_global].case_name;
 
-using Holds = std::function<bool(std::string_view id)>;
-
-/// The first guess and the tolerance that an id names; both empty: the paper's.
-struct Start {
-  std::string guess, tolerance;
-  bool operator==(const Start&) const = default;
-};
-
-Start start_of(std::string_view id) {
-  return {std::string(setting(id, "guess")), std::string(setting(id, "tolerance"))};
-}
-
-Batch batch_of(std::string_view id) {
-  return !setting(id, "lanes").empty()      ? Batch::lanes
-         : !setting(id, "segments").empty() ? Batch::segments
-                                            : Batch::none;
-}
-
-/// Whether it is global_automatic_<sparse>, whatever its settings.
-bool is_reference(std::string_view id) {
-  return std::ranges::any_of(sparse_families, [&](std::string_view family) {
-    return id.substr(0, id.find('/')) == "global_automatic_" + std::string(family);
-  });
+std::string_view side_by_side_of(std::string_view id) {
+  return !setting(id, "lanes").empty()      ? "lanes"
+         : !setting(id, "segments").empty() ? "segments"
+                                            : "";
 }
 
 /// The truck's largest size at which something has settings, or the largest of all; 0: none.
@@ -46,35 +27,21 @@ std::int64_t size_compared(const Record& record) {
   return size > 0 || sizes.empty() ? size : sizes.back();
 }
 
-/// The fastest of those that something holds of.
-std::optional<CandidateKey> fastest(const Record& record, const Holds& holds) {
-  const std::int64_t size = size_compared(record);
-  std::optional<CandidateKey> found;
-  double least = 0;
-  for (const auto& [key, candidate] : record.candidates) {
-    if (key.case_name != truck_case || key.coordinates != size || !holds(key.id) ||
-        is_beside_peers(record, key.id))
-      continue;
-    const Measured time = measured(record, key);
-    if (!time.seconds || (found && time.seconds->value >= least)) continue;
-    found = key;
-    least = time.seconds->value;
-  }
-  return found;
-}
-
-std::optional<CandidateKey> reference_with(const Record& record, const Start& start) {
-  return fastest(record,
-                 [&](std::string_view id) { return is_reference(id) && start_of(id) == start; });
+std::optional<CandidateKey> papers_reference(const Record& record) {
+  return reference_like(record, {std::string(truck_case), size_compared(record), {}});
 }
 
 std::optional<CandidateKey> best_reference(const Record& record) {
-  return fastest(record, is_reference);
+  return fastest(record, std::string(truck_case), size_compared(record), is_reference);
 }
 
-std::optional<CandidateKey> generated_with(const Record& record, const Start& start, Batch batch) {
-  return fastest(record, [&](std::string_view id) {
-    return !id.starts_with("global_") && start_of(id) == start && batch_of(id) == batch;
+/// Finds the fastest by groups or blocks with the guess and the tolerance of an id.
+std::optional<CandidateKey> generated_like(const Record& record, std::string_view like,
+                                           std::string_view side_by_side) {
+  return fastest(record, std::string(truck_case), size_compared(record), [&](std::string_view id) {
+    return !id.starts_with("global_") && setting(id, "guess") == setting(like, "guess") &&
+           setting(id, "tolerance") == setting(like, "tolerance") &&
+           side_by_side_of(id) == side_by_side;
   });
 }
 
@@ -84,47 +51,40 @@ MeasuredSpeedUp over(const Record& record, const std::optional<CandidateKey>& re
   return measured_speed_up(record, *reference, key);
 }
 
-Best compared_with_references(const Record& record, const CandidateKey& key) {
-  return {key, over(record, reference_with(record, start_of(key.id)), key),
-          over(record, reference_with(record, {}), key)};
-}
-
 void add_row(Table& table, const Record& record, const std::string& what,
              const std::optional<CandidateKey>& key) {
   if (!key) return;
-  const Best best = compared_with_references(record, *key);
-  const auto ratio = [&](const MeasuredSpeedUp& times, const Start& start) {
-    return key == reference_with(record, start) ? reference_entry() : ratio_entry(times);
+  const auto over_entry = [&](const std::optional<CandidateKey>& reference) {
+    return key == reference ? reference_entry() : ratio_entry(over(record, reference, *key));
   };
   table.rows.push_back({what, key->id, instant_entry(record, measured(record, *key), 3),
-                        ratio(best.like_for_like, start_of(key->id)),
-                        ratio(best.papers_settings, {})});
+                        over_entry(reference_like(record, *key)),
+                        over_entry(papers_reference(record))});
 }
 
 }  // namespace
 
-std::optional<Best> best_generated(const Record& record, Batch batch) {
+std::optional<Best> best_generated(const Record& record, std::string_view side_by_side) {
   const std::optional<CandidateKey> reference = best_reference(record);
   if (!reference) return std::nullopt;
-  const auto key = generated_with(record, start_of(reference->id), batch);
-  return key ? std::optional(compared_with_references(record, *key)) : std::nullopt;
+  const auto key = generated_like(record, reference->id, side_by_side);
+  if (!key) return std::nullopt;
+  return Best{*key, over(record, reference_like(record, *key), *key),
+              over(record, papers_reference(record), *key)};
 }
 
 Table best_formulations(const Record& record) {
   Table table = headed_table("best", {{"coordinates", size_compared(record)}});
-  const std::optional<CandidateKey> paper = reference_with(record, {}),
-                                    best = best_reference(record);
+  const std::optional<CandidateKey> paper = papers_reference(record), best = best_reference(record);
   add_row(table, record, "global, paper's settings", paper);
-  add_row(table, record, "generated elimination, paper's settings",
-          generated_with(record, {}, Batch::none));
+  add_row(table, record, "generated elimination, paper's settings", generated_like(record, "", ""));
   if (!best || best == paper) return table;
-  const Start start = start_of(best->id);
   add_row(table, record, "global, best settings", best);
   add_row(table, record, "generated elimination, best settings",
-          generated_with(record, start, Batch::none));
-  add_row(table, record, "the same, in lanes", generated_with(record, start, Batch::lanes));
-  add_row(table, record, "the same, in segments, without lanes",
-          generated_with(record, start, Batch::segments));
+          generated_like(record, best->id, ""));
+  add_row(table, record, "the same, in lanes", generated_like(record, best->id, "lanes"));
+  add_row(table, record, "the same, in segments instead of batches",
+          generated_like(record, best->id, "segments"));
   return table;
 }
 

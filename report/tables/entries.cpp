@@ -20,19 +20,6 @@ std::optional<double> number(const std::string& digits) {
 
 std::string runs(std::size_t repetitions) { return repetitions == 1 ? "one run" : "two runs"; }
 
-/// Shows a time with what says how far it varies: a quantity, and how that is shown.
-template <class Variation>
-Entry time_entry(const Measured& measured, const Variation& variation) {
-  if (!measured.seconds) return note_entry(measured.mark);
-  const Summary& seconds = *measured.seconds;
-  const DigitStyle style = significant_digits(seconds.value, 4);
-  const std::string value = write(seconds.value, style), count = std::to_string(seconds.count);
-  if (!seconds.has_interval())
-    return {value + " (" + runs(seconds.count) + ")", {value, "", count}, runs(seconds.count)};
-  const auto& [quantity, shown] = variation(seconds, value, style);
-  return {value + shown, {value, quantity, count}, {}};
-}
-
 }  // namespace
 
 void add_note(Entry& entry, const std::string& note) {
@@ -40,20 +27,26 @@ void add_note(Entry& entry, const std::string& note) {
   entry.note += (entry.note.empty() ? "" : ", ") + note;
 }
 
-Entry seconds_entry(const Measured& measured) {
-  return time_entry(measured, [](const Summary& seconds, const std::string&, DigitStyle style) {
-    const std::string half = write(seconds.half_range(), style);
-    return std::pair(half, " ±" + half);
-  });
-}
-
-Entry median_entry(const Measured& measured) {
-  return time_entry(measured,
-                    [](const Summary& seconds, const std::string& value, DigitStyle style) {
-                      const std::string median = write(seconds.median, style);
-                      if (median == value) return std::pair(std::string(), std::string());
-                      return std::pair(median, " (median " + median + ")");
-                    });
+Entry seconds_entry(const Measured& measured, Spread spread) {
+  if (!measured.seconds) return note_entry(measured.mark);
+  const Summary& s = *measured.seconds;
+  const DigitStyle style = significant_digits(s.value, 4);
+  const std::string value = write(s.value, style), count = std::to_string(s.count);
+  const bool is_range = spread == Spread::range;
+  if (s.count < (is_range ? 2 : min_for_interval)) {
+    const std::string note = runs(s.count);
+    return {value + " (" + note + ")",
+            is_range ? std::vector<std::string>{value, "", "", count}
+                     : std::vector<std::string>{value, "", count},
+            note};
+  }
+  const std::string half = write(s.half_range(), style), median = write(s.median, style),
+                    least = write(s.least, style), largest = write(s.largest, style);
+  if (is_range)
+    return {value + " (" + least + " – " + largest + ")", {value, least, largest, count}, {}};
+  if (spread == Spread::half_range) return {value + " ±" + half, {value, half, count}, {}};
+  if (median == value) return {value, {value, "", count}, {}};
+  return {value + " (median " + median + ")", {value, median, count}, {}};
 }
 
 Entry digits_entry(std::string digits) { return {digits, {digits}, {}}; }
@@ -74,58 +67,39 @@ Entry instant_entry(const Record& record, const Measured& measured, int signific
 
 void add_errors(std::vector<Entry>& row, const Candidate& candidate) {
   const auto& checked = candidate.verification;
-  for (double Verification::*level :
-       {&Verification::position, &Verification::velocity, &Verification::acceleration})
+  for (double PerLevel::*level :
+       {&PerLevel::position, &PerLevel::velocity, &PerLevel::acceleration})
     row.push_back(number_entry(checked ? std::optional((*checked).*level) : std::nullopt, 2));
 }
 
-Entry speed_up_entry(const MeasuredSpeedUp& measured) {
-  if (!measured.speed_up) return note_entry(measured.mark);
-  Entry entry = ratio_entry(*measured.speed_up);
-  if (measured.speed_up->percent < 0) {  // slower: the ratio says it
-    entry.digits.emplace_back();
-    return entry;
-  }
-  const std::string percent = write_fixed(measured.speed_up->percent, 1);
-  entry.shown.insert(entry.shown.size() - (entry.note.empty() ? 0 : entry.note.size() + 1),
-                     " (" + percent + " %)");
-  entry.digits.push_back(percent);
-  return entry;
-}
-
-Entry without_percent(Entry entry) {
-  if (!entry.has_number()) return entry;
-  const std::string tail = " (" + entry.digits.back() + " %)";
-  if (const std::size_t begin = entry.shown.find(tail); begin != entry.shown.npos)
-    entry.shown.erase(begin, tail.size());
-  entry.digits.pop_back();
-  return entry;
-}
-
-Entry ratio_entry(const SpeedUp& ratio) {
+Entry ratio_entry(const SpeedUp& ratio, bool with_percent) {
   const DigitStyle style = ratio_digits(ratio.value);
-  const std::string value = write(ratio.value, style);
-  if (!ratio.spread) {
-    Entry entry{value, {value, "", ""}, {}};
-    add_note(entry, runs(ratio.repetitions));
-    return entry;
+  const std::string value = write(ratio.value, style), low = write(ratio.low, style),
+                    high = write(ratio.high, style), percent = write_fixed(ratio.percent, 1);
+  Entry entry{value, {value, "", ""}, {}};
+  if (ratio.spread) entry = {value + " [" + low + ", " + high + "]", {value, low, high}, {}};
+  if (with_percent) {
+    const bool slower = ratio.percent < 0;  // the ratio says it
+    entry.digits.push_back(slower ? "" : percent);
+    if (!slower) entry.shown += " (" + percent + " %)";
   }
-  const std::string low = write(ratio.low, style), high = write(ratio.high, style);
-  Entry entry{value + " [" + low + ", " + high + "]", {value, low, high}, {}};
+  if (!ratio.spread) add_note(entry, runs(ratio.repetitions));
   if (ratio.inconclusive()) add_note(entry, inconclusive_mark);
   return entry;
 }
 
-Entry ratio_entry(const MeasuredSpeedUp& measured) {
-  return measured.speed_up ? ratio_entry(*measured.speed_up) : note_entry(measured.mark);
+Entry ratio_entry(const MeasuredSpeedUp& measured, bool with_percent) {
+  return measured.speed_up ? ratio_entry(*measured.speed_up, with_percent)
+                           : note_entry(measured.mark);
 }
 
 // With fewer sizes than the paper's it cannot stand beside the paper's, and says so.
-Entry mean_speed_up_entry(const Record& record, std::string_view family, std::size_t variant) {
+Entry mean_speed_up_entry(const Record& record, std::string_view family, std::size_t variant,
+                          bool with_percent) {
   const std::vector<std::int64_t>& sizes = published_sizes();
   const MeanSpeedUp mean = mean_speed_up(record, family, truck_global, variant, sizes);
   if (!mean.speed_up) return note_entry(missing_mark);
-  Entry entry = speed_up_entry({mean.speed_up, {}});
+  Entry entry = ratio_entry(*mean.speed_up, with_percent);
   if (mean.sizes == sizes.size()) return entry;
   add_note(entry, "incomplete " + std::to_string(mean.sizes) + "/" + std::to_string(sizes.size()));
   return entry;
@@ -178,12 +152,29 @@ Entry stop_entry(const NamedPoint* point) {
   if (!point) return sentence("costs.no_stop");
   const auto& [iterations, tolerance] =
       std::pair(point->second.configuration.iterations, point->second.configuration.tolerance);
-  if (iterations.empty() && tolerance.empty()) return sentence("costs.usual_stop");
-  const std::string count = sentence(iterations == "1" ? "costs.one_iteration" : "costs.iterations",
-                                     {{"count", iterations}}),
-                    limit = sentence("costs.tolerance", {{"tolerance", tolerance}});
-  if (tolerance.empty()) return count;
-  return iterations.empty() ? limit : count + ", " + limit;
+  std::string text;
+  if (!iterations.empty()) text = sentence("costs.iterations", {{"count", iterations}});
+  if (!tolerance.empty())
+    text += (text.empty() ? "" : ", ") + sentence("costs.tolerance", {{"tolerance", tolerance}});
+  return text.empty() ? sentence("costs.usual_stop") : text;
+}
+
+Table excerpt(const Table& table, Table head,
+              const std::function<bool(const std::vector<Entry>&)>& keep) {
+  constexpr std::size_t max_rows = 14;
+  std::vector<std::size_t> places;
+  for (Column& column : head.columns) {
+    const auto found = std::ranges::find(table.columns, column.name, &Column::name);
+    places.push_back(static_cast<std::size_t>(found - table.columns.begin()));
+    column.quantities = found->quantities;
+  }
+  for (const auto& row : table.rows) {
+    if (head.rows.size() == max_rows) break;
+    if (!keep(row)) continue;
+    auto& kept = head.rows.emplace_back();
+    for (const std::size_t place : places) kept.push_back(row[place]);
+  }
+  return head;
 }
 
 }  // namespace desmo::report

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -28,13 +29,14 @@ Entry count_entry(std::size_t count);
 /// "1.00 reference": what a ratio is over, over itself.
 Entry reference_entry();
 
-/// "0.4210 ±0.0020", quantities {seconds, half_range, repetitions}; "0.4210 (two runs)" where they
-/// are too few for an interval; or the mark.
-Entry seconds_entry(const Measured& measured);
+/// What stands with a time: half the range of its samples, their range, or their median where that
+/// is another time.
+enum class Spread { half_range, range, median };
 
-/// "0.1122 (median 0.1185)", quantities {seconds, median, repetitions}, likewise; without the
-/// median where that is the time.
-Entry median_entry(const Measured& measured);
+/// "0.4210 ±0.0020", quantities {seconds, half_range, repetitions}; "0.1122 (0.1102 – 0.1185)",
+/// {seconds, least, largest, repetitions}; "0.1122 (median 0.1185)", {seconds, median,
+/// repetitions}; "0.4210 (two runs)" where they are too few; or the mark.
+Entry seconds_entry(const Measured& measured, Spread spread = Spread::half_range);
 
 /// Microseconds of an instant, of a whole analysis of the record's motion.
 Entry instant_entry(const Record& record, const Measured& measured, int significant = 4);
@@ -42,20 +44,15 @@ Entry instant_entry(const Record& record, const Measured& measured, int signific
 /// Adds the errors of position, velocity and acceleration to a row.
 void add_errors(std::vector<Entry>& row, const Candidate& candidate);
 
-/// "1.24 [1.21, 1.27] (19.4 %)", quantities {speed_up, low, high, percent}, with inconclusive_mark
-/// where the interval is too wide; "0.17 [0.16, 0.17]", without percentage, of what is slower; or
-/// the mark.
-Entry speed_up_entry(const MeasuredSpeedUp& measured);
+/// "1.24 [1.21, 1.27]", quantities {ratio, low, high}, with inconclusive_mark where the interval is
+/// too wide; or the mark. with_percent: "1.24 [1.21, 1.27] (19.4 %)", and a quantity more; without
+/// the percentage for what is slower.
+Entry ratio_entry(const SpeedUp& ratio, bool with_percent = false);
+Entry ratio_entry(const MeasuredSpeedUp& measured, bool with_percent = false);
 
-/// "1.24 [1.21, 1.27]", quantities {ratio, low, high}, likewise.
-Entry ratio_entry(const SpeedUp& ratio);
-Entry ratio_entry(const MeasuredSpeedUp& measured);
-
-/// The mean over the paper's sizes, as speed_up_entry; "incomplete 4/5" when some have none.
-Entry mean_speed_up_entry(const Record& record, std::string_view family, std::size_t variant);
-
-/// A speed_up_entry without the improvement: "1.24 [1.21, 1.27]".
-Entry without_percent(Entry entry);
+/// The mean over the paper's sizes, likewise; "incomplete 4/5" when some have none.
+Entry mean_speed_up_entry(const Record& record, std::string_view family, std::size_t variant,
+                          bool with_percent = false);
 
 /// Returns the paper's value with inside_mark or outside_mark: whether our interval contains it,
 /// both as printed. Of both entries the first quantity is the value, of ours the second and third
@@ -75,5 +72,17 @@ Entry error_entry(const NamedPoint* point);
 Entry iterations_entry(const NamedPoint* point);  ///< quantities {iterations}
 /// "tolerance 1e-6", "2 iterations", "usual tolerance": where its steps stop.
 Entry stop_entry(const NamedPoint* point);
+
+// ---- the few rows of a table that stand in front of an experiment ----
+
+/// Returns the first 14 rows to be kept of a table, in the columns that a block of the texts names.
+Table excerpt(
+    const Table& table, Table head,
+    const std::function<bool(const std::vector<Entry>&)>& keep = [](const auto&) { return true; });
+
+/// Tells whether a row is of the case that stands last: the truck, where both cases were measured.
+inline bool is_of_last_case(const Table& table, const std::vector<Entry>& row) {
+  return row.front().shown == table.rows.back().front().shown;
+}
 
 }  // namespace desmo::report

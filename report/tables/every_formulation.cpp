@@ -28,24 +28,6 @@ std::vector<CandidateKey> ordered_keys(const Record& record, const std::string& 
   return keys;
 }
 
-bool is_global_reference(const std::string& id) {
-  return id == reference_of_one_block ||
-         std::ranges::any_of(sparse_families, [&](std::string_view family) {
-           return id == "global_automatic_" + std::string(family);
-         });
-}
-
-Entry range_entry(const Measured& time) {
-  if (!time.seconds) return note_entry(time.mark);
-  const DigitStyle style = significant_digits(time.seconds->value, 4);
-  const std::string value = write(time.seconds->value, style),
-                    least = write(time.seconds->least, style),
-                    largest = write(time.seconds->largest, style),
-                    count = std::to_string(time.seconds->count);
-  if (time.seconds->count < 2) return {value + " (one run)", {value, "", "", count}, "one run"};
-  return {value + " (" + least + " – " + largest + ")", {value, least, largest, count}, {}};
-}
-
 /// A ratio without its interval.
 Entry plain_ratio(const Record& record, const std::optional<CandidateKey>& reference,
                   const CandidateKey& key) {
@@ -78,14 +60,18 @@ Table every_formulation(const Record& record, const std::string& case_name,
                                                    {"repetitions", repetitions(record)}});
   define_time(table, record);
   const std::vector<CandidateKey> keys = ordered_keys(record, case_name, coordinates);
-  std::optional<CandidateKey> reference;
-  for (const CandidateKey& key : keys)
-    if (!reference && is_global_reference(key.id) && measured(record, key).seconds) reference = key;
+  // KLU's block triangular form is no setting of the paper's: on some mechanisms it costs time.
+  const auto reference = fastest(record, case_name, coordinates, [](std::string_view id) {
+    return is_reference(id) && !has_settings(without_setting(std::string(id), "btf"));
+  });
   for (const CandidateKey& key : keys) {
     const Candidate& candidate = record.candidates.at(key);
     const Measured time = measured(candidate);
-    std::vector<Entry> row{key.id, range_entry(time), instant_entry(record, time),
+    std::vector<Entry> row{key.id,
+                           seconds_entry(time, Spread::range),
+                           instant_entry(record, time),
                            plain_ratio(record, reference, key),
+                           plain_ratio(record, reference_like(record, key), key),
                            number_entry(candidate.iterations_per_step, 3)};
     add_errors(row, candidate);
     row.push_back(number_entry(candidate.setup_seconds, 2));

@@ -4,8 +4,8 @@
 #include <optional>
 #include <utility>
 
+#include "report/statistics/variants.h"
 #include "report/tables/entries.h"
-#include "report/tables/excerpt.h"
 #include "report/tables/tables.h"
 #include "report/text/digits.h"
 
@@ -14,18 +14,6 @@ namespace {
 
 using Verdict = ExtremeResult::Verdict;
 using Results = std::vector<const ExtremeResult*>;
-
-constexpr const char* defect_mark = "DEFECT";
-constexpr const char* not_applicable_mark = "n/a";
-
-/// Results that something holds of.
-template <class Holds>
-Results results_of(const Record& record, Holds&& holds) {
-  Results found;
-  for (const ExtremeResult& r : record.extremes)
-    if (holds(r)) found.push_back(&r);
-  return found;
-}
 
 std::size_t count(const Results& results, Verdict verdict) {
   return static_cast<std::size_t>(
@@ -42,22 +30,12 @@ std::optional<double> worst_over_floor(const Results& results) {
   return worst;
 }
 
-std::string formulation_of(const ExtremeResult& r) { return r.id.substr(0, r.id.find('/')); }
-
-/// In the record's order.
-std::vector<std::string> formulations(const Record& record) {
-  std::vector<std::string> names;
-  for (const ExtremeResult& r : record.extremes)
-    if (!std::ranges::count(names, formulation_of(r))) names.push_back(formulation_of(r));
-  return names;
-}
-
 Entry results_entry(const Results& results) {
   const std::size_t tried = results.size() - count(results, Verdict::not_applicable);
-  if (tried == 0) return note_entry(not_applicable_mark);
+  if (tried == 0) return note_entry("n/a");
   const std::size_t defects = count(results, Verdict::defect),
                     missed = count(results, Verdict::missed);
-  const std::string note = defects ? defect_mark : missed ? "missed" : "ok";
+  const std::string note = defects ? "DEFECT" : missed ? "missed" : "ok";
   Entry e{note, {"", "", ""}, note};
   if (const std::size_t bad = defects ? defects : missed) {
     e.digits[0] = std::to_string(bad);
@@ -85,51 +63,32 @@ std::string example(const Results& results) {
   return {};
 }
 
-Table extremes_by_formulation(const Record& record) {
-  Table table = headed_table("extremes");
-  for (const ExtremeRow& row : record.extreme_rows)
-    table.columns.push_back(
-        {std::to_string(row.number) + " " + row.name, {"cases", "of", "error_over_floor"}});
-  for (const std::string& name : formulations(record)) {
-    std::vector<Entry>& entries = table.rows.emplace_back();
-    entries.push_back(name);
-    for (const ExtremeRow& row : record.extreme_rows)
-      entries.push_back(results_entry(results_of(record, [&](const ExtremeResult& r) {
-        return r.row == row.number && formulation_of(r) == name;
-      })));
+/// The results of a record, apart by what they are of.
+struct Sorted {
+  explicit Sorted(const Record& record) {
+    for (const ExtremeResult& r : record.extremes) {
+      const std::string formulation(without_settings(r.id));
+      if (!std::ranges::count(formulations, formulation)) formulations.push_back(formulation);
+      all.push_back(&r);
+      rows[r.row].push_back(&r);
+      cases[{r.row, r.case_name}].push_back(&r);
+      by_both[{formulation, r.row}].push_back(&r);
+    }
   }
-  return table;
-}
-
-Table extreme_rows(const Record& record) {
-  Table table = headed_table("extreme_rows");
-  for (const ExtremeRow& row : record.extreme_rows) {
-    std::vector<Entry>& entries = table.rows.emplace_back();
-    entries = {std::to_string(row.number) + " " + row.name, row.extreme, row.expected};
-    add_verdicts(entries,
-                 results_of(record, [&](const ExtremeResult& r) { return r.row == row.number; }));
-  }
-  return table;
-}
-
-/// Shows how many formulations do as expected in every case, and the first that does not.
-Table extreme_cases(const Record& record) {
-  Table table = headed_table("extreme_cases");
+  Results all;
+  std::vector<std::string> formulations;  ///< in the record's order
+  std::map<std::int64_t, Results> rows;
   std::map<std::pair<std::int64_t, std::string>, Results> cases;
-  for (const ExtremeResult& r : record.extremes) cases[{r.row, r.case_name}].push_back(&r);
-  for (const auto& [place, results] : cases) {
-    std::vector<Entry>& entries = table.rows.emplace_back();
-    entries = {place.first, place.second};
-    add_verdicts(entries, results);
-    entries.push_back(example(results));
-  }
-  return table;
-}
+  std::map<std::pair<std::string, std::int64_t>, Results> by_both;
+};
+
+std::string name_of(const ExtremeRow& row) { return std::to_string(row.number) + " " + row.name; }
 
 }  // namespace
 
 std::vector<Section> extremes_sections(const Record& record) {
-  const Results all = results_of(record, [](const ExtremeResult&) { return true; });
+  Sorted sorted(record);
+  const Results& all = sorted.all;
   const std::size_t defects = count(all, Verdict::defect);
   Section front = headed_section("extremes_front"), section = headed_section("extremes_section");
   section.paragraphs = {
@@ -138,8 +97,25 @@ std::vector<Section> extremes_sections(const Record& record) {
                 {"tried", all.size() - count(all, Verdict::not_applicable)},
                 {"expected", count(all, Verdict::as_expected)},
                 {"missed", count(all, Verdict::missed)}})};
-  section.tables = {extremes_by_formulation(record), extreme_rows(record), extreme_cases(record)};
-  front.tables = {excerpt(section.tables[1], headed_table("extremes_in_short"))};
+  Table matrix = headed_table("extremes"), rows = headed_table("extreme_rows"),
+        cases = headed_table("extreme_cases");
+  for (const ExtremeRow& row : record.extreme_rows) {
+    matrix.columns.push_back({name_of(row), {"cases", "of", "error_over_floor"}});
+    rows.rows.push_back({name_of(row), row.extreme, row.expected});
+    add_verdicts(rows.rows.back(), sorted.rows[row.number]);
+  }
+  for (const std::string& name : sorted.formulations) {
+    matrix.rows.push_back({name});
+    for (const ExtremeRow& row : record.extreme_rows)
+      matrix.rows.back().push_back(results_entry(sorted.by_both[{name, row.number}]));
+  }
+  for (const auto& [place, results] : sorted.cases) {
+    cases.rows.push_back({place.first, place.second});
+    add_verdicts(cases.rows.back(), results);
+    cases.rows.back().push_back(example(results));
+  }
+  front.tables = {excerpt(rows, headed_table("extremes_in_short"))};
+  section.tables = {std::move(matrix), std::move(rows), std::move(cases)};
   return {front, section};
 }
 

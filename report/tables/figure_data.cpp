@@ -56,7 +56,8 @@ Table figure_of_times(const Record& record) {
   for (const std::string_view family : recorded_families(record))
     add_panel(table, std::string(family) + (same ? "" : " (" + source.ours + ")"),
               [&](std::int64_t size, const Variant& variant) {
-                return median_entry(measured(record, family_key(variant, size, family)));
+                return seconds_entry(measured(record, family_key(variant, size, family)),
+                                     Spread::median);
               });
   return table;
 }
@@ -71,9 +72,9 @@ Table figure_of_speed_ups(const Record& record) {
     table.columns.push_back({std::string(family), quantities});
   for (const std::size_t variant : topological) {
     std::vector<Entry> row{legend(variants[variant]),
-                           without_percent(published_speed_up_entry("mean", variants[variant]))};
+                           published_speed_up_entry("mean", variants[variant], false)};
     for (const std::string_view family : recorded_families(record))
-      row.push_back(without_percent(mean_speed_up_entry(record, family, variant)));
+      row.push_back(mean_speed_up_entry(record, family, variant));
     table.rows.push_back(std::move(row));
   }
   return table;

@@ -1,6 +1,5 @@
 // How the time of a step grows with the number of coordinates, and where caches end it.
 #include "report/tables/entries.h"
-#include "report/tables/excerpt.h"
 #include "report/tables/tables.h"
 #include "report/text/digits.h"
 
@@ -52,31 +51,13 @@ Entry cost_entry(const CurvePoint& point) {
   return {cost + " at " + size, {cost, size}, {}};
 }
 
-/// "22203, 17620", in KiB.
-Entry end_entry(const CurvePoint* end) {
-  if (!end) return note_entry(sentence("growth_exponents.nowhere"));
-  const std::string size = std::to_string(end->coordinates);
-  if (!end->entry->bytes) return digits_entry(size);
-  const std::string memory = write_significant(*end->entry->bytes / 1024, 4);
-  return {size + ", " + memory, {size, memory}, {}};
-}
-
-/// "3.00 – 2.73", of the smallest and the largest size.
-Entry iterations_of_ends(const Curve& curve) {
-  const std::string first = write_fixed(curve.points.front().entry->iterations_per_step, 2),
-                    last = write_fixed(curve.points.back().entry->iterations_per_step, 2);
-  return {first + " – " + last, {first, last}, {}};
-}
-
 Table exponents(const std::vector<Curve>& curves) {
   Table table = headed_table("growth_exponents");
   for (const Curve& curve : curves) {
     std::vector<Entry> row{curve.case_name, curve.id, slope_entry(curve)};
     if (const CurvePoint* const least = cheapest(curve)) {
       row.push_back(cost_entry(*least));
-      row.push_back(end_entry(end_of_growth(curve)));
       row.push_back(number_entry(curve.points.back().nanoseconds() / least->nanoseconds(), 3));
-      row.push_back(iterations_of_ends(curve));
     }
     row.resize(table.columns.size(), note_entry(missing_mark));
     table.rows.push_back(std::move(row));
@@ -91,6 +72,9 @@ Table growth_data(const Record& record) {
   const auto kibibytes = [](std::optional<double> bytes) {
     return number_entry(bytes ? std::optional(*bytes / 1024) : std::nullopt, 4);
   };
+  for (const Cache& cache : data_caches(record.machine))
+    table.lines.emplace_back(cache.name + " " + write_shortest(cache.bytes / 1024) + " KiB",
+                             cache.bytes / 1024);
   for (const auto& [key, entry] : record.growth) {
     std::vector<Entry> row{key.case_name, key.id, key.coordinates};
     if (entry.status == Status::ok) {

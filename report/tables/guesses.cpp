@@ -36,46 +36,29 @@ struct Usual {
 
 void add_case(Table& table, const SeriesKey& series, const Points& points) {
   const Usual usual(points);
-  const auto add = [&](const char* guess, const std::string& update, const NamedPoint* best) {
+  const auto add = [&](const std::string& guess, const std::string& update,
+                       const NamedPoint* best) {
     table.rows.push_back({series.case_name, series.coordinates, guess, update, stop_entry(best),
                           error_entry(best), iterations_entry(best), step_time_entry(best),
                           step_ratio_entry(usual.paper, best),
                           step_ratio_entry(usual.stopped, best)});
   };
-  for (const char* guess : tried_guesses) {
-    const auto is_tried = [&](const NamedPoint* p) {
-      return p->second.configuration.guess == guess;
-    };
-    if (std::ranges::none_of(points, is_tried)) continue;  // a record may be older than a guess
+  for (const std::string& guess : guesses_of(points))
     for (const char* update : updates) add(guess, update, usual.best(guess, update));
-  }
   if (const NamedPoint* per_level = usual.best("previous", "newton", "per_level"))
     add("previous", sentence("guesses_and_updates.per_level"), per_level);
 }
 
 }  // namespace
 
-Section guesses(const Record& record) {
-  Section section = headed_section("guesses");
+Table guesses(const Record& record) {
   Table table = headed_table("guesses_and_updates",
                              {{"tolerance", write_shortest(record.settings.tolerance)}});
   for (const std::string& name : drawn_cases(record)) {
     const SeriesKey series = *main_series(record, name);
-    const Points points = points_of(record, series);
-    add_case(table, series, points);
-    const Usual usual(points);
-    const NamedPoint* best = cheapest(usual.points, accuracy);
-    if (best && usual.paper && usual.stopped)
-      section.paragraphs.push_back(
-          sentence("guesses.gain", {{"case", name},
-                                    {"coordinates", series.coordinates},
-                                    {"id", best->first.id},
-                                    {"over_paper", step_ratio_entry(usual.paper, best).shown},
-                                    {"over_stopped", step_ratio_entry(usual.stopped, best).shown},
-                                    {"error", error_entry(best).shown}}));
+    add_case(table, series, points_of(record, series));
   }
-  section.tables.push_back(std::move(table));
-  return section;
+  return table;
 }
 
 }  // namespace desmo::report

@@ -3,7 +3,6 @@
 #include <map>
 
 #include "report/tables/entries.h"
-#include "report/tables/excerpt.h"
 #include "report/tables/tables.h"
 #include "report/text/digits.h"
 

@@ -41,10 +41,11 @@ Entry published_seconds_entry(const std::string& row, const Variant& variant) {
   return digits_entry(digits);
 }
 
-Entry published_speed_up_entry(const std::string& row, const Variant& variant) {
+Entry published_speed_up_entry(const std::string& row, const Variant& variant, bool with_percent) {
   const std::string value = published_speed_up().text(row, variant.paper_name);
   const std::string percent = published_improvement_percent().text(row, variant.paper_name);
   if (value.empty()) return note_entry(missing_mark);
+  if (!with_percent) return {value, {value, "", ""}, {}};
   return {value + " (" + percent + " %)", {value, "", "", percent}, {}};
 }
 
@@ -70,7 +71,8 @@ Table cpu_times(const Record& record, std::string_view family) {
     const std::string row = std::to_string(size);
     std::vector<Entry> ours{row, source.ours}, paper{row, source.paper};
     for (const Variant& variant : variants) {
-      ours.push_back(median_entry(measured(record, family_key(variant, size, family))));
+      ours.push_back(
+          seconds_entry(measured(record, family_key(variant, size, family)), Spread::median));
       paper.push_back(published_seconds_entry(row, variant));
     }
     add_both(table, std::move(ours), std::move(paper));
@@ -98,11 +100,12 @@ Table speed_ups(const Record& record, std::string_view family) {
   };
   for (const std::int64_t size : sizes_with(record, family, shown))
     add(std::to_string(size), [&](std::size_t variant) {
-      return speed_up_entry(measured_speed_up(record,
-                                              family_key(variants[truck_global], size, family),
-                                              family_key(variants[variant], size, family)));
+      return ratio_entry(measured_speed_up(record, family_key(variants[truck_global], size, family),
+                                           family_key(variants[variant], size, family)),
+                         true);
     });
-  add("mean", [&](std::size_t variant) { return mean_speed_up_entry(record, family, variant); });
+  add("mean",
+      [&](std::size_t variant) { return mean_speed_up_entry(record, family, variant, true); });
   return table;
 }
 

@@ -16,33 +16,24 @@ Entry unknowns_entry(std::int64_t solved, std::int64_t all) {
   return {some + " of " + whole, {some, whole}, {}};
 }
 
-std::vector<Entry> request_row(const Record& record, const Request& request) {
-  const Measured time = measured(request.solved);
-  return {request.title,
-          request.level,
-          request.key.id,
-          unknowns_entry(request.unknowns, request.all_unknowns),
+/// The row of a request; of null, of what solves everything with the formulation of a key.
+std::vector<Entry> row_of(const Record& record, const Request& like, const Request* request) {
+  const auto whole = record.candidates.find(like.key);
+  const Candidate* solved = request                            ? &request->solved
+                            : whole != record.candidates.end() ? &whole->second
+                                                               : nullptr;
+  const Measured all = measured(record, like.key), time = request ? measured(*solved) : all;
+  return {request ? request->title : "everything",
+          request ? request->level : "acceleration",
+          like.key.id,
+          unknowns_entry(request ? request->unknowns : like.all_unknowns, like.all_unknowns),
           seconds_entry(time),
-          speed_up_entry(measured_speed_up(measured(record, request.key), time)),
-          number_entry(time.seconds ? request.solved.iterations_per_step : std::nullopt, 3),
-          number_entry(request.difference, 2),
-          remark(request.solved)};
-}
-
-/// The row of what solves everything with the formulation of a request.
-std::vector<Entry> everything_row(const Record& record, const Request& request) {
-  const Measured time = measured(record, request.key);
-  const auto whole = record.candidates.find(request.key);
-  const bool found = whole != record.candidates.end();
-  return {"everything",
-          "acceleration",
-          request.key.id,
-          unknowns_entry(request.all_unknowns, request.all_unknowns),
-          seconds_entry(time),
-          time.seconds ? reference_entry() : note_entry(time.mark),
-          number_entry(time.seconds ? whole->second.iterations_per_step : std::nullopt, 3),
-          note_entry(missing_mark),
-          found ? remark(whole->second) : ""};
+          request        ? ratio_entry(measured_speed_up(all, time), true)
+          : time.seconds ? reference_entry()
+                         : note_entry(time.mark),
+          number_entry(time.seconds ? solved->iterations_per_step : std::nullopt, 3),
+          number_entry(request ? request->difference : std::nullopt, 2),
+          solved ? remark(*solved) : ""};
 }
 
 }  // namespace
@@ -64,8 +55,8 @@ Section requests(const Record& record) {
     std::set<std::string> ids;
     for (const Request* request : asked)
       if (ids.insert(request->key.id).second)
-        table.rows.push_back(everything_row(record, *request));
-    for (const Request* request : asked) table.rows.push_back(request_row(record, *request));
+        table.rows.push_back(row_of(record, *request, nullptr));
+    for (const Request* request : asked) table.rows.push_back(row_of(record, *request, request));
     section.tables.push_back(std::move(table));
   }
   return section;

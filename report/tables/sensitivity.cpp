@@ -31,14 +31,15 @@ struct Variation {
 std::vector<Variation> variations(const Record& record) {
   const double usual_step = record.settings.step_seconds;
   std::set<double> steps;
-  std::set<std::string> guesses;
+  Points points;
   std::map<double, std::string> tolerances{{record.settings.tolerance, ""}};
-  for (const auto& [key, point] : record.points) {
+  for (const NamedPoint& entry : record.points) {
+    const auto& [key, point] = entry;
     const Configuration& c = point.configuration;
     if (c.has_papers_settings() && c.iterations.empty() && !c.tolerance.empty())
       tolerances.emplace(std::strtod(c.tolerance.c_str(), nullptr), c.tolerance);
     steps.insert(key.series.step_seconds);
-    guesses.insert(c.guess);
+    points.push_back(&entry);
   }
   std::vector<Variation> all;
   for (const double step : steps)
@@ -48,11 +49,10 @@ std::vector<Variation> variations(const Record& record) {
       all.push_back({"tolerance", write_shortest(t->first), usual_step, {}});
       all.back().settings.tolerance = t->second;
     }
-  for (const char* guess : tried_guesses)
-    if (guesses.contains(guess)) {
-      all.push_back({"guess", guess, usual_step, {}});
-      all.back().settings.guess = guess;
-    }
+  for (const std::string& guess : guesses_of(points)) {
+    all.push_back({"guess", guess, usual_step, {}});
+    all.back().settings.guess = guess;
+  }
   return all;
 }
 

@@ -20,9 +20,6 @@ namespace desmo::report {
 /// formulations. Puts no number into a sentence where fewer than three repetitions were measured.
 Section answer(const Record& record);
 
-/// The things that a formulation solves side by side.
-enum class Batch { none, lanes, segments };
-
 /// A formulation at the truck's largest size, and how many times as fast it is as the fastest
 /// global_automatic_<sparse> with the same guess and tolerance, and with the paper's settings.
 struct Best {
@@ -32,8 +29,8 @@ struct Best {
 };
 
 /// Finds the fastest formulation by groups or blocks with the guess and the tolerance of the
-/// fastest global reference.
-std::optional<Best> best_generated(const Record& record, Batch batch);
+/// fastest global reference. side_by_side: "lanes", "segments", or "" for neither.
+std::optional<Best> best_generated(const Record& record, std::string_view side_by_side);
 
 /// Lists the references and the best formulations with the paper's settings and with the best.
 Table best_formulations(const Record& record);
@@ -53,7 +50,8 @@ Table speed_ups(const Record& record, std::string_view family);
 /// Returns what the paper prints of a variant in a row of its table 1 or 2 ("114" ... "mean"), with
 /// the quantities of ours: {seconds, median, repetitions}, {speed_up, low, high, percent}.
 Entry published_seconds_entry(const std::string& row, const Variant& variant);
-Entry published_speed_up_entry(const std::string& row, const Variant& variant);
+Entry published_speed_up_entry(const std::string& row, const Variant& variant,
+                               bool with_percent = true);
 
 /// Returns the data of figure 5, CPU time over coordinates: a row for each sparse solver and size.
 Table figure_of_times(const Record& record);
@@ -61,15 +59,8 @@ Table figure_of_times(const Record& record);
 /// Returns the data of figure 6, mean speed-up over the global formulation: a row for each variant.
 Table figure_of_speed_ups(const Record& record);
 
-/// Shows what settings and generated code gain over the paper's: a table for each case that was
-/// solved with settings, and those of threads(). Without tables when there is none.
-Section beyond(const Record& record);
-
 /// Shows what several threads gain over one, by the wall clock: a table for each case.
-std::vector<Table> threads(const Record& record);
-
-/// Shows how each partition cuts the unknowns, and what the equations know beyond the bodies.
-Section partitions(const Record& record);
+Section threads(const Record& record);
 
 /// Shows what it costs to solve only what is asked: a table for each case and size.
 Section requests(const Record& record);
@@ -96,29 +87,17 @@ std::vector<Section> accuracy_sections(const Record& record);
 /// solved or failed, fastest first.
 Table work_precision(const Record& record, const std::string& case_name);
 
-/// Shows the cheapest configuration for each of the accuracies, what it gains, and what it gives
-/// up.
+/// Shows the cheapest configuration for each of the accuracies, and what it gains.
 Table accuracy_costs(const Record& record);
-Table accuracy_errors(const Record& record);
 
-/// Shows the least time of every formulation for each of the accuracies, every instant solved.
-Table cheapest_by_formulation(const Record& record, const std::string& case_name);
-
-/// Shows guesses × Jacobian updates of global_automatic_klu at an error of 1e-9, with a sentence on
-/// what they gain.
-Section guesses(const Record& record);
-
-/// Shows what float and mixed precision reach and what they cost, beside double.
-Table scalars(const Record& record);
+/// Shows guesses × Jacobian updates of global_automatic_klu at an error of 1e-9.
+Table guesses(const Record& record);
 
 /// Shows table 2 with other steps, tolerances and guesses.
 Table sensitivity(const Record& record);
 
 /// Shows what the choices of desmo tune are worth, the front first. The record has tuning.
 std::vector<Section> tuning_sections(const Record& record);
-
-/// Returns what a message says of a failure before place and time: "singular Jacobian".
-std::string kind_of_failure(std::string_view message);
 
 // ---- size, instructions, extremes ----
 

@@ -1,7 +1,9 @@
 // What several threads gain: the wall clock's times, and ratios of them over one thread's.
-#include <algorithm>
+#include <map>
 #include <tuple>
 
+#include "report/statistics/comparability.h"
+#include "report/statistics/variants.h"
 #include "report/tables/entries.h"
 #include "report/tables/tables.h"
 #include "report/text/texts.h"
@@ -9,62 +11,43 @@
 namespace desmo::report {
 namespace {
 
-/// Something timed by the wall clock.
-struct WallTimed {
-  std::int64_t coordinates;
-  std::string delivered, analysis;  ///< which analysis: the id without threads and clock
-  std::int64_t threads;
-  Measured time;
-  std::string remark;
-
-  auto place() const {
-    return std::tuple(coordinates, delivered != "everything", delivered, analysis);
-  }
-};
+/// What stands in a row, in the order of rows: the analysis is the id without threads and clock.
+using Place = std::tuple<std::int64_t, std::string, std::string, std::int64_t>;
 
 /// Where a failure recorded no number of threads, the id names it.
-WallTimed timed_by_wall(const CandidateKey& key, const std::string& delivered,
-                        const Candidate& candidate) {
-  const std::string_view count = setting(key.id, "threads");
-  return {key.coordinates,
-          delivered,
-          without_setting(without_setting(key.id, "threads"), "clock"),
-          count.empty() ? 1 : std::stoll(std::string(count)),
-          measured(candidate),
-          remark(candidate)};
-}
-
-Entry over_one_thread(const std::vector<WallTimed>& all, const WallTimed& several) {
-  const auto one = std::ranges::find_if(all, [&](const WallTimed& other) {
-    return other.threads == 1 && other.place() == several.place();
-  });
-  if (one == all.end()) return note_entry(sentence("threads.alone"));
-  if (&*one == &several) return reference_entry();
-  return ratio_entry(measured_speed_up(one->time, several.time));
+Place place_of(const CandidateKey& key) {
+  const std::string_view threads = setting(key.id, "threads"), request = setting(key.id, "request");
+  std::string analysis = key.id;
+  for (const char* name : {"threads", "clock", "request"})
+    analysis = without_setting(analysis, name);
+  return {key.coordinates, std::string(request.empty() ? "everything" : request), analysis,
+          threads.empty() ? 1 : std::stoll(std::string(threads))};
 }
 
 }  // namespace
 
-std::vector<Table> threads(const Record& record) {
-  std::map<std::string, std::vector<WallTimed>> cases;
-  for (const auto& [key, candidate] : record.wall_candidates)
-    cases[key.case_name].push_back(timed_by_wall(key, "everything", candidate));
-  for (const Request& request : record.wall_requests)
-    cases[request.key.case_name].push_back(
-        timed_by_wall(request.key, request.title, request.solved));
-  std::vector<Table> tables;
-  for (auto& [name, all] : cases) {
-    std::ranges::stable_sort(
-        all, {}, [](const WallTimed& one) { return std::pair(one.place(), one.threads); });
+Section threads(const Record& record) {
+  Section section = headed_section("threads_section");
+  const std::map<CandidateKey, Timing> all = timings(record, Clock::wall);
+  std::map<std::string, std::map<Place, CandidateKey>> cases;
+  for (const auto& [key, timing] : all) cases[key.case_name][place_of(key)] = key;
+  for (const auto& [name, places] : cases) {
     Table table = headed_table("threads", {{"case", name}});
-    for (const WallTimed& one : all)
-      table.rows.push_back({one.coordinates, one.delivered, one.analysis,
-                            count_entry(static_cast<std::size_t>(one.threads)),
-                            seconds_entry(one.time), instant_entry(record, one.time),
-                            over_one_thread(all, one), one.remark});
-    tables.push_back(std::move(table));
+    for (const auto& [place, key] : places) {
+      const auto& [coordinates, delivered, analysis, threads] = place;
+      const Timing& timing = all.at(key);
+      const auto one = all.find(reference_of(key));
+      table.rows.push_back({coordinates, delivered, analysis, digits_entry(std::to_string(threads)),
+                            seconds_entry(timing.time), instant_entry(record, timing.time),
+                            one == all.end() ? note_entry(sentence("threads.alone"))
+                            : one->first == key
+                                ? reference_entry()
+                                : ratio_entry(measured_speed_up(one->second.time, timing.time)),
+                            timing.remark});
+    }
+    section.tables.push_back(std::move(table));
   }
-  return tables;
+  return section;
 }
 
 }  // namespace desmo::report

@@ -13,16 +13,6 @@ Entry phase_entry(double seconds, double total) {
   return {microseconds + " (" + percent + " %)", {microseconds, percent}, {}};
 }
 
-/// Shows half the range of the total, as next to the times of table 1.
-Entry total_entry(const Profile& profile, double total) {
-  const DigitStyle style = significant_digits(total * 1e6, 4);
-  const std::string microseconds = write(total * 1e6, style);
-  if (!profile.total_range) return {microseconds, {microseconds, ""}, {}};
-  const auto [least, largest] = *profile.total_range;
-  const std::string half = write((largest - least) / 2 * 1e6, style);
-  return {microseconds + " ±" + half, {microseconds, half}, {}};
-}
-
 }  // namespace
 
 Table time_split(const Record& record) {
@@ -31,10 +21,10 @@ Table time_split(const Record& record) {
   for (const auto& [key, profile] : record.profiles) {
     const bool failed = measured(record, key).mark == failed_mark;
     double total = 0;
-    for (const double seconds : profile.seconds_per_step) total += seconds;
+    for (const double seconds : profile) total += seconds;
     std::vector<Entry> row{key.case_name, key.coordinates, key.id,
-                           failed ? note_entry(failed_mark) : total_entry(profile, total)};
-    for (const double seconds : profile.seconds_per_step)
+                           failed ? note_entry(failed_mark) : number_entry(1e6 * total, 4)};
+    for (const double seconds : profile)
       row.push_back(failed ? note_entry(failed_mark) : phase_entry(seconds, total));
     table.rows.push_back(std::move(row));
   }

@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "report/tables/entries.h"
-#include "report/tables/excerpt.h"
 #include "report/tables/tables.h"
 #include "report/text/digits.h"
 

@@ -14,51 +14,33 @@
 namespace desmo::report {
 namespace {
 
-std::string cut(std::string_view formulation) {
-  if (formulation.starts_with("global_")) return "global";
-  if (formulation.starts_with("group_")) return "groups";
-  if (formulation.starts_with("block_")) return "blocks";
-  return "other";
-}
-
-std::string algebra(std::string_view formulation) {
-  const std::string_view name = formulation.substr(formulation.rfind('_') + 1);
-  if (name == "lapack" || name == "eigen") return "dense";
-  if (name == "inlined" || name == "explicit") return "generated";
-  return "sparse";
-}
-
-/// "groups, sparse": of <partition>_<equations>_<algebra>; "interpolated", whatever it is, where
+/// "group, sparse": of <partition>_<equations>_<algebra>; "interpolated", whatever it is, where
 /// not every instant is solved.
 std::string family_of(const Configuration& configuration) {
   if (!configuration.solves_every_instant()) return "interpolated";
-  return cut(configuration.formulation) + ", " + algebra(configuration.formulation);
+  const std::string& id = configuration.formulation;
+  return partition_of(id) + ", " + algebra_kind(id);
 }
 
 double seconds_of(const NamedPoint* point) {
   return is_solved(*point) ? step_time(*point).seconds : std::numeric_limits<double>::infinity();
 }
 
-/// Of points by time, what is drawn: of each formulation the settings that no others of its own
-/// beat in both time and error, and the paper's; and all that failed.
+/// Of points by time, what is drawn: of each formulation and scalar the settings that no others of
+/// its own beat in both time and error, and the paper's; and all that failed.
 Points drawn(Points points) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  std::map<std::pair<std::string, bool>, double> least;  // by formulation, solving all instants
+  std::map<std::tuple<std::string, std::string, bool>, double> least;
   std::erase_if(points, [&](const NamedPoint* p) {
     if (!is_solved(*p)) return false;
     const Configuration& c = p->second.configuration;
-    double& error =
-        least.try_emplace({c.formulation, c.solves_every_instant()}, infinity).first->second;
+    double& error = least.try_emplace({c.formulation, c.scalar, c.solves_every_instant()}, infinity)
+                        .first->second;
     if (!(position_error(*p) < error)) return p->first.id != c.formulation;
     error = position_error(*p);
     return false;
   });
   return points;
-}
-
-Entry maximum_entry(const std::optional<LevelError>& error,
-                    double LevelError::*value = &LevelError::max) {
-  return error_entry(error ? std::optional((*error).*value) : std::nullopt);
 }
 
 std::vector<Entry> point_row(const NamedPoint& point, bool in_front) {
@@ -67,11 +49,10 @@ std::vector<Entry> point_row(const NamedPoint& point, bool in_front) {
   return {point.first.id,
           family_of(p.configuration),
           solved ? step_time_entry(&point) : note_entry(failed_mark),
-          maximum_entry(p.error.position),
-          maximum_entry(p.error.position, &LevelError::rms),
-          maximum_entry(p.error.velocity),
-          maximum_entry(p.error.acceleration),
-          maximum_entry(p.violation.position),
+          error_entry(p.error.position),
+          error_entry(p.error.velocity),
+          error_entry(p.error.acceleration),
+          error_entry(p.violation.position),
           solved ? iterations_entry(&point) : note_entry(missing_mark),
           in_front ? "front" : "",
           p.message};
@@ -108,6 +89,13 @@ Table work_precision(const Record& record, const std::string& case_name) {
     if (in_front) least = position_error(*point);
     table.rows.push_back(point_row(*point, in_front));
   }
+  const Floor& floor = record.floors.at(series);
+  const auto add_line = [&](const char* name, double at) {
+    table.lines.emplace_back(sentence(name, {{"error", error_entry(at).shown}}), at);
+  };
+  add_line("work_precision.floor", floor.reference.position);
+  if (floor.in_double) add_line("work_precision.in_double", floor.in_double->position);
+  if (floor.in_float) add_line("work_precision.in_float", floor.in_float->position);
   return table;
 }
 

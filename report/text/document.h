@@ -50,7 +50,9 @@ struct Table {
   std::vector<Column> columns;
   std::vector<std::vector<Entry>> rows;  ///< one entry per column
   bool detail = false;  ///< left out on the terminal, which says so; folded on the page
-  bool figure = false;  ///< the data of the figure `name`, which stands above it on the page
+  std::string figure =
+      {};  ///< the design drawn from it, as the figure `name`, above it on the page
+  std::vector<std::pair<std::string, double>> lines = {};  ///< of the figure: names and values
 };
 
 struct Section {

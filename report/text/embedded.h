@@ -3,16 +3,10 @@
 
 #include <string_view>
 
-namespace desmo::report::embedded {
+namespace desmo::report {
 
-extern const std::string_view table1_cpu_seconds;          ///< results/paper/table1_cpu_seconds.csv
-extern const std::string_view table2_speedup;              ///< results/paper/table2_speedup.csv
-extern const std::string_view table2_improvement_percent;  ///< .../table2_improvement_percent.csv
-extern const std::string_view figure5;                     ///< report/figures/figure5.template.json
-extern const std::string_view figure6;                     ///< report/figures/figure6.template.json
-extern const std::string_view growth;                      ///< .../growth.template.json
-extern const std::string_view work_precision;              ///< .../work_precision.template.json
-extern const std::string_view texts;                       ///< report/text/texts.txt
-extern const std::string_view page_style;                  ///< report/formats/page.css
+/// Returns the text of a file by its name without folder: "texts.txt", "table2_speedup.csv". Throws
+/// std::logic_error for a name that report/CMakeLists.txt does not list.
+std::string_view embedded_file(std::string_view name);
 
-}  // namespace desmo::report::embedded
+}  // namespace desmo::report

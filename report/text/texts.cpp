@@ -34,7 +34,7 @@ TextBlocks parse_texts(std::string_view file) {
 }
 
 const TextLines& block_named(std::string_view name) {
-  static const TextBlocks blocks = parse_texts(embedded::texts);
+  static const TextBlocks blocks = parse_texts(embedded_file("texts.txt"));
   const auto found = blocks.find(name);
   if (found == blocks.end()) throw std::logic_error("no texts of " + std::string(name));
   return found->second;
@@ -81,7 +81,7 @@ Table headed_table(std::string_view block, const TextValues& values) {
     if (word == "note") table.notes.push_back(filled(text, values));
     if (word == "column") table.columns.push_back(parse_column(filled(text, values)));
     if (word == "detail") table.detail = true;
-    if (word == "figure") table.figure = true;
+    if (word == "figure") table.figure = block;
   }
   return table;
 }

@@ -44,7 +44,7 @@ TEST_F(Requests, AreVerifiedBeforeTheyAreTimed) {
     candidate->verify(references);
     if (candidate
             ->is_not_run()) {  // this build has not the code, or this processor not the registers
-      EXPECT_TRUE(candidate->message == unavailable_reason(candidate->settings) ||
+      EXPECT_TRUE(candidate->message == unavailable_reason(candidate->settings()) ||
                   candidate->message.find("no generated code") != std::string::npos)
           << candidate->name() << ": " << candidate->message;
       continue;

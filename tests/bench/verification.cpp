@@ -33,20 +33,20 @@ TEST_F(Verification, AcceptsWhatAgrees) {
   observe(0, 0, {1, 2});
   observe(1, 0.5, {7, 7});  // the reference has nothing to say here
   observe(2, 1, {1, 2 + 1e-10});
-  EXPECT_EQ(verification_failure(observer.errors(), 2), "");
-  EXPECT_NEAR(observer.errors().position, 1e-10, 1e-15);
+  EXPECT_EQ(verification_failure(observer.compare().errors, 2), "");
+  EXPECT_NEAR(observer.compare().errors.position, 1e-10, 1e-15);
 }
 
 TEST_F(Verification, RefusesWhatDiffers) {
   observe(0, 0, {1, 2});
   observe(1, 1, {1, 2 + 1e-8});
-  EXPECT_NE(verification_failure(observer.errors(), 2), "");
+  EXPECT_NE(verification_failure(observer.compare().errors, 2), "");
 }
 
 TEST_F(Verification, RefusesWhatIsNotANumber) {
   observe(0, 0, {1, NAN});
   observe(1, 1, {1, 2});
-  EXPECT_NE(verification_failure(observer.errors(), 2), "");
+  EXPECT_NE(verification_failure(observer.compare().errors, 2), "");
 }
 
 /// Two under way at once, as when several instants are solved together; the later may come first.
@@ -62,16 +62,16 @@ TEST_F(Verification, ComparesInstantsInAnyOrder) {
     }
   };
   come({2, 2 + 1e-10}, {0, 1});
-  EXPECT_EQ(verification_failure(observer.errors(), 2), "");
-  EXPECT_NEAR(observer.errors().position, 1e-10, 1e-15);
+  EXPECT_EQ(verification_failure(observer.compare().errors, 2), "");
+  EXPECT_NEAR(observer.compare().errors.position, 1e-10, 1e-15);
   come({2, 2.5}, {1, 0});  // once more: what comes later holds
-  EXPECT_EQ(observer.errors().instants, 2);
-  EXPECT_NEAR(observer.errors().position, 0.5, 1e-15);
+  EXPECT_EQ(observer.compare().errors.instants, 2);
+  EXPECT_NEAR(observer.compare().errors.position, 0.5, 1e-15);
 }
 
 TEST_F(Verification, RefusesInstantsThatWereNeverSeen) {
   observe(0, 0, {1, 2});
-  EXPECT_NE(verification_failure(observer.errors(), 2), "");
+  EXPECT_NE(verification_failure(observer.compare().errors, 2), "");
 }
 
 }  // namespace

@@ -139,15 +139,6 @@ TEST_F(Cli, SolvesAGeneratorToOneToleranceHoweverItIsNamed) {
   }
 }
 
-TEST_F(Cli, SaysWhatBecameOfTheAlgebraMixed) {
-  EXPECT_EQ(desmo("solve slider_crank --formulation group_automatic_mixed/guess:hermite5"), 64);
-  EXPECT_TRUE(says("algebra 'mixed' no longer exists")) << err_;
-  EXPECT_TRUE(says("use 'group_automatic_klu'")) << err_;
-  EXPECT_TRUE(out_.empty());
-  EXPECT_EQ(desmo("solve slider_crank --formulation group_other_mixed"), 64);
-  EXPECT_TRUE(says("unknown formulation 'group_other_mixed'")) << err_;
-}
-
 TEST_F(Cli, DeliversOnlyWhatIsAskedFor) {
   const auto solve = [&](const std::string& request) {
     write("scene.json",

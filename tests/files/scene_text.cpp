@@ -21,7 +21,7 @@ TEST(SceneText, GetsAFormulationBehindItsOtherMembers) {
 TEST(SceneText, ChangesNothingButTheFormulation) {
   const std::string odd =
       "{ \"name\" : \"a \\\"formulation\\\": {\", \"formulation\"\n:\t\"old\" ,"
-      "\"list\":[ {\"formulation\": \"inner\"}, \"]\" ], \"last\": -1.5e3\n}\n";
+      "\"motion\":{ \"formulation\": {}, \"a\": [\"formulation\"] }, \"last\": -1.5e3\n}\n";
   EXPECT_EQ(with_formulation(odd, id), replaced(odd, "\n:\t\"old\"", "\n:\t\"" + id + "\""));
   const std::string without = replaced(odd, "\"formulation\"\n:\t\"old\" ,", "");
   EXPECT_EQ(with_formulation(without, id),

@@ -108,15 +108,15 @@ void define_otherwise(Tree& root, Random& random) {
   const std::vector<std::string> points = names_under(*mechanism, "points");
   const std::vector<std::string> names = names_under(*mechanism, "vectors");
   if (points.empty()) return;
-  const auto segment = [&] {
+  const auto line = [&] {
     return list({string_tree(random.pick(points)), string_tree(random.pick(points))});
   };
   const auto direction = [&] {
-    return random.one_in(2) ? string_tree(random.pick(names)) : segment();
+    return random.one_in(2) ? string_tree(random.pick(names)) : line();
   };
   Tree definition = object();
   if (random.one_in(2))
-    put(definition["along"], segment());
+    put(definition["along"], line());
   else
     put(definition["normal"], list({direction(), direction()}));
   put(random.pick(vectors->children), std::move(definition));

@@ -1,15 +1,21 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <string_view>
+#include <vector>
 
+#include "cases/mechanism/joint_forms.h"
 #include "tests/fuzz/mutations.h"
 
 namespace desmo::fuzz {
 namespace {
 
-constexpr std::array<std::string_view, 7> joint_types = {
-    "revolute",  "prismatic", "revolute_on_slider", "cylindrical", "universal",
-    "spherical", "fixed"};
+/// Names of all types of joint; those that exist in the plane and in space stand twice.
+const std::vector<std::string_view> joint_types = [] {
+  std::vector<std::string_view> names;
+  for (const JointForm& form : joint_forms()) names.push_back(form.name);
+  return names;
+}();
 
 /// A mechanism and the names of what is in it, as far as it still has them.
 struct Parts {

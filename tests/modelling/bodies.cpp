@@ -42,7 +42,7 @@ Mechanism welded_coupler(Coupler split) {
   d.revolute(crank, at_crank, B);
   d.revolute(at_rocker, rocker, C);
   d.revolute(Sketch::ground, rocker, D);
-  d.angle("theta", segment(A, B)).driven = true;
+  d.angle("theta", line(A, B)).driven = true;
   return d.take();
 }
 
@@ -77,7 +77,7 @@ TEST(FixedJoint, BodyFixedToTheGroundIsGround) {
   d.revolute(crank, coupler, B);
   d.revolute(coupler, rocker, C);
   d.revolute(foot, rocker, D);
-  d.angle("theta", segment(A, B)).driven = true;
+  d.angle("theta", line(A, B)).driven = true;
   const std::vector<double> times = instants(1);
   const Solved actual(d.take(), turning, times);
   const Solved expected(driven(four_bar_sketch().take(), {"theta"}), turning, times);
@@ -96,7 +96,7 @@ TEST(FixedJoint, GivenLengthIsThatOfItsOwnLinkOnly) {
   const int plate = d.body("plate", {O, P}), link = d.link("link", A, B, 1);
   d.weld(plate, link);
   d.revolute(Sketch::ground, plate, O);
-  d.angle("theta", segment(O, P)).driven = true;
+  d.angle("theta", line(O, P)).driven = true;
   const std::vector<double> times = instants(1);
   const Solved s(d.take(), {Polynomial{{0, 1}}}, times);
   for (int k = 0; k < s.instants() && !HasFailure(); ++k) {
@@ -120,7 +120,7 @@ TEST(Length, IsKeptByALinkThatCarriesAVectorToo) {
     d.revolute(crank, coupler, B);
     d.revolute(coupler, rocker, C);
     d.revolute(Sketch::ground, rocker, D);
-    d.angle("theta", segment(A, B)).driven = true;
+    d.angle("theta", line(A, B)).driven = true;
     const std::vector<double> times = instants(1);
     const Solved s(d.take(), turning, times);
     for (int k = 0; k < s.instants() && !HasFailure(); ++k)
@@ -132,7 +132,7 @@ TEST(Length, IsKeptByALinkThatCarriesAVectorToo) {
 // ---- derived points and vectors ----
 
 TEST(Derived, CouplerPointsAndVectorsFollowRigidly) {
-  // The same body built on a segment and on a vector; Q is on the line of the segment, B2 where B
+  // The same body built on a line and on a vector; Q is on that line, B2 where B
   // is.
   for (const bool on_vector : {false, true}) {
     Sketch d("coupler curve", 2);
@@ -150,7 +150,7 @@ TEST(Derived, CouplerPointsAndVectorsFollowRigidly) {
     d.revolute(crank, coupler, B);
     d.revolute(coupler, rocker, C);
     d.revolute(Sketch::ground, rocker, D);
-    d.angle("theta", segment(A, B)).driven = true;
+    d.angle("theta", line(A, B)).driven = true;
     const Mechanism described = d.take();
     const Solved s(described, turning, instants(2));
     expect_rigid_bodies(described, s, 1e-11);
@@ -236,7 +236,7 @@ TEST(Derived, PointOfTwoBodiesBeyondTheBasisOfBoth) {
       d.revolute(hanging, last, F);
       d.revolute(Sketch::ground, last, E);
     }
-    d.angle("theta", segment(A, B)).driven = true;
+    d.angle("theta", line(A, B)).driven = true;
     const Mechanism described = d.take();
     try {
       const Solved s(described, turning, instants(1));
@@ -262,7 +262,7 @@ TEST(Derived, DriverOfAPointThatALaterGroupBuildsOn) {
     d.revolute(coupler, rocker, C);
     d.revolute(Sketch::ground, rocker, D);
     if (by_angle)
-      d.angle("drive", segment(A, B)).driven = true;
+      d.angle("drive", line(A, B)).driven = true;
     else
       d.component("drive", B, 0).driven = true;
     const Mechanism described = d.take();
@@ -279,7 +279,7 @@ TEST(Derived, DriverOfAPointThatALaterGroupBuildsOn) {
 
 TEST(Derived, SliderOnAVectorAlongAnotherBodysSegment) {
   // The guide's vector follows from the guide's points. The block that shares it has not both of
-  // them: it still turns with the guide, and its own length is not that of the guide's segment.
+  // them: it still turns with the guide, and its own length is not that of the guide's line.
   enum class Guide { vector, along, along_with_a_link };
   for (const Guide kind : {Guide::vector, Guide::along, Guide::along_with_a_link}) {
     Sketch d("swinging block", 2);
@@ -298,7 +298,7 @@ TEST(Derived, SliderOnAVectorAlongAnotherBodysSegment) {
     d.revolute(crank, guide, B);
     d.joint(JointType::prismatic, guide, block, {B, O}, {u});
     d.revolute(Sketch::ground, block, O);
-    d.angle("theta", segment(A, B)).driven = true;
+    d.angle("theta", line(A, B)).driven = true;
     const std::string what = "kind " + std::to_string(static_cast<int>(kind));
     Mechanism described = d.take();
     if (kind == Guide::along_with_a_link) described.bodies[block].length = 2;

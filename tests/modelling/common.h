@@ -97,7 +97,7 @@ inline Mechanism parallelogram(const std::vector<double>& pivots, double angle =
   }
   const int coupler = d.body("coupler", ends);
   for (std::size_t i = 0; i < pivots.size(); ++i) d.revolute(cranks[i], coupler, ends[i]);
-  d.angle("theta", segment(feet[0], ends[0])).driven = true;
+  d.angle("theta", line(feet[0], ends[0])).driven = true;
   return d.take();
 }
 
@@ -114,8 +114,8 @@ inline Sketch four_bar_sketch(std::optional<double> coupler_length = {}) {
   d.revolute(crank, coupler, B);
   d.revolute(coupler, rocker, C);
   d.revolute(Sketch::ground, rocker, D);
-  d.angle("theta", segment(A, B));
-  d.angle("psi", segment(D, C));
+  d.angle("theta", line(A, B));
+  d.angle("psi", line(D, C));
   return d;
 }
 

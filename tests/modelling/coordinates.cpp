@@ -33,29 +33,18 @@ TEST(Coordinates, PlanarOnesMeasureGeometry) {
   const int S = d.point("S", {8, 0, 0}), slider_rod = d.body("slider rod", {R, S});
   d.revolute(rocker, slider_rod, R);
   d.joint(JointType::revolute_on_slider, Sketch::ground, slider_rod, {D, S}, {x});
-  d.angle("theta", segment(A, B)).driven = true;
-  const Mechanism::Direction AB = segment(A, B), BC = segment(B, C), CB = segment(C, B),
-                             BP = segment(B, P), DC = segment(D, C), DR = segment(D, R);
+  d.angle("theta", line(A, B)).driven = true;
+  const Mechanism::Direction AB = line(A, B), BC = line(B, C), CB = line(C, B), BP = line(B, P),
+                             DC = line(D, C), DR = line(D, R);
   using Measured = std::pair<Mechanism::Direction, Mechanism::Direction>;
   const std::vector<Measured> angles{
-      {BC, {}},
-      {{v}, {}},
-      {BC, {v}},
-      {{v}, BC},
-      {{w}, {v}},
-      {{w}, {g}},
-      {DR, AB},
-      {{w}, AB},
-      {AB, {w}},
-      {{v}, {x}},
-      {BC, BP},             // from the same start
-      {segment(P, C), BC},  // to the same end
-      {BC, AB},             // from where the other ends
-      {AB, BC},             // to where the other starts
-      {CB, DC},
-      {DC, CB},
-      {DR, DC},
-      {segment(R, D), segment(C, D)},
+      {BC, {}},         {{v}, {}},  {BC, {v}}, {{v}, BC},
+      {{w}, {v}},       {{w}, {g}}, {DR, AB},  {{w}, AB},
+      {AB, {w}},        {{v}, {x}}, {BC, BP},  // from the same start
+      {line(P, C), BC},                        // to the same end
+      {BC, AB},                                // from where the other ends
+      {AB, BC},                                // to where the other starts
+      {CB, DC},         {DC, CB},   {DR, DC},  {line(R, D), line(C, D)},
   };
   for (std::size_t i = 0; i < angles.size(); ++i)
     d.angle("angle" + std::to_string(i), angles[i].first, angles[i].second);
@@ -73,7 +62,7 @@ TEST(Coordinates, PlanarOnesMeasureGeometry) {
     const auto at = [&](int p) { return s.position(k, described.points[p].name); };
     const auto direction = [&](const Mechanism::Direction& e) -> Vec {
       if (!e.is_given()) return {1, 0, 0};
-      if (e.is_segment()) return at(e.to) - at(e.from);
+      if (e.is_line()) return at(e.to) - at(e.from);
       return s.position(k, described.vectors[e.vector].name);
     };
     expect_near(at(B), polar(1, 1 + times[k]), 1e-12, "B");
@@ -94,8 +83,8 @@ TEST(Coordinates, PlanarOnesMeasureGeometry) {
   }
 }
 
-/// Adds the angle of every segment of every body from the x axis, both ways round, and from the
-/// segment before it.
+/// Adds the angle of every line of every body from the x axis, both ways round, and from the
+/// line before it.
 std::vector<Mechanism::Coordinate> measure_all_angles(Mechanism& d) {
   std::vector<Mechanism::Coordinate> added;
   const auto measure = [&](const Mechanism::Direction& of, const Mechanism::Direction& from) {
@@ -110,9 +99,9 @@ std::vector<Mechanism::Coordinate> measure_all_angles(Mechanism& d) {
   for (std::size_t b = 1; b < d.bodies.size(); ++b) {
     const std::vector<int>& points = d.bodies[b].points;
     for (std::size_t i = 1; i < points.size(); ++i) {
-      const Mechanism::Direction now = segment(points[i - 1], points[i]);
+      const Mechanism::Direction now = line(points[i - 1], points[i]);
       measure(now, {});
-      measure(segment(points[i], points[i - 1]), {});
+      measure(line(points[i], points[i - 1]), {});
       if (before.is_given()) measure(now, before);
       before = now;
     }
@@ -178,7 +167,7 @@ TEST(Coordinates, SlideIsMeasuredAgainFromTheOtherEndAndFromAside) {
     d.revolute(Sketch::ground, crank, A);
     d.revolute(crank, rod, B);
     d.joint(JointType::revolute_on_slider, Sketch::ground, rod, {A, C}, {x});
-    d.angle("theta", segment(A, B)).driven = true;
+    d.angle("theta", line(A, B)).driven = true;
     d.along("s", A, C, x);
     d.along("further", E, C, x);
     d.along("back", C, A, x);
@@ -217,10 +206,10 @@ TEST(Coordinates, SpatialOnesMeasureGeometry) {
       a.opposite = opposite;
       return a;
     };
-    angle("phi", segment(O, P), x, z, false).driven = true;
+    angle("phi", line(O, P), x, z, false).driven = true;
     angle("spin", {b}, y, n, false).driven = true;
     angle("phi vector", {r}, x, z, false);
-    angle("phi opposite", segment(O, P), x, z, true);
+    angle("phi opposite", line(O, P), x, z, true);
     angle("phi vector opposite", {r}, x, z, true);
     d.component("sleeve x", S, 0);
     d.component("sleeve y", S, 1);
@@ -278,8 +267,8 @@ TEST(Coordinates, AnyOfThemCanDrive) {
   const auto described = [](const std::string& driver) {
     Sketch d = four_bar_sketch();
     d.distance("BD", 2, 1);
-    d.angle("mu", segment(2, 3), segment(0, 2));     // B-C from A-B
-    d.angle("gamma", segment(3, 2), segment(3, 1));  // C-B from C-D
+    d.angle("mu", line(2, 3), line(0, 2));     // B-C from A-B
+    d.angle("gamma", line(3, 2), line(3, 1));  // C-B from C-D
     d.component("Cx", 3, 0);
     d.component("By", 2, 1);
     return driven(d.take(), {driver});

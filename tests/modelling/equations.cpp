@@ -35,8 +35,8 @@ class AxleOracle {
     state("rigid3_2", {"C5", "WL", "y2", "z2"}, {-1.5, -0.15});
     state("rigid3_1", {"WR", "WL", "y2"}, {-2});
     length("R", "S", 0.6 * 0.6 + 0.05 * 0.05);
-    normal_to_segment("y1", "R", "S");
-    unit("n3"), dot("n3", "y1"), normal_to_segment("n3", "R", "S");
+    normal_to_line("y1", "R", "S");
+    unit("n3"), dot("n3", "y1"), normal_to_line("n3", "R", "S");
     rod("G4", "C4", "u4", "n4", "z2");
     rod("G5", "C5", "u5", "n5", "y2");
     state("component3_z", {"WL", "zL"}, {});
@@ -48,14 +48,14 @@ class AxleOracle {
     const std::string A = "A" + lever, B = "B" + lever, e = "e" + lever, n = "n" + lever;
     state("rigid3_2", {A, "WL", "x2", "y2"}, {-0.2, y - 1});
     length(A, B, 0.3 * 0.3 + 0.05 * 0.05);
-    normal_to_segment("y2", A, B);
-    unit(n), dot(n, "y2"), normal_to_segment(n, A, B);
+    normal_to_line("y2", A, B);
+    unit(n), dot(n, "y2"), normal_to_line(n, A, B);
     state("rigid3_1", {B, A, e}, {std::sqrt(0.3 * 0.3 + 0.05 * 0.05)});
     state("frame_angle", {"x2", "z2", A, B, "phi" + lever}, {});
     const std::string G = "G" + link, u = "u" + link, m = "n" + link;
     length(G, B, 0.05 * 0.05 + 0.4 * 0.4);
-    unit(u), dot(u, e), normal_to_segment(u, G, B);
-    unit(m), dot(m, u), normal_to_segment(m, G, B);
+    unit(u), dot(u, e), normal_to_line(u, G, B);
+    unit(m), dot(m, u), normal_to_line(m, G, B);
     return take();
   }
 
@@ -85,14 +85,14 @@ class AxleOracle {
   void length(const std::string& a, const std::string& b, double squared) {
     state("length3", {a, b}, {squared});
   }
-  void normal_to_segment(const std::string& u, const std::string& a, const std::string& b) {
+  void normal_to_line(const std::string& u, const std::string& a, const std::string& b) {
     state("projection3", {u, a, b}, {0});
   }
   /// Length, three equations for u, normal to `other` too, and three for n.
   void rod(const char* G, const char* C, const char* u, const char* n, const char* other) {
     length(G, C, 0.8 * 0.8 + 0.05 * 0.05);
-    unit(u), dot(u, other), normal_to_segment(u, G, C);
-    unit(n), dot(n, u), normal_to_segment(n, G, C);
+    unit(u), dot(u, other), normal_to_line(u, G, C);
+    unit(n), dot(n, u), normal_to_line(n, G, C);
   }
   std::vector<Stated> take() { return std::exchange(stated_, {}); }
 

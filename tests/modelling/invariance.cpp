@@ -90,8 +90,8 @@ Sample planar_sample() {
   d.revolute(rocker, rod, C);
   d.revolute(rod, piston, S);
   d.joint(JointType::prismatic, Sketch::ground, piston, {D, S}, {x});
-  d.angle("theta", segment(A, B), {x}).driven = true;
-  d.angle("mu", segment(C, B), segment(C, D));
+  d.angle("theta", line(A, B), {x}).driven = true;
+  d.angle("mu", line(C, B), line(C, D));
   d.distance("AP", A, P);
   return {d.take(), turning};
 }
@@ -110,7 +110,7 @@ Sample spatial_sample() {
   d.joint(JointType::spherical, crank, rod, {B});
   d.joint(JointType::spherical, rod, rocker, {C});
   d.joint(JointType::revolute, Sketch::ground, rocker, {D}, {axis});
-  auto& theta = d.angle("theta", segment(A, B), {x});
+  auto& theta = d.angle("theta", line(A, B), {x});
   theta.towards = {y};
   theta.driven = true;
   d.distance("AW", A, W);

@@ -10,7 +10,6 @@
 #include "cases/generators/cases.h"
 #include "cases/io/files.h"
 #include "cases/library/library.h"
-#include "formulations/scaling/length_powers.h"
 #include "formulations/variants.h"
 #include "tests/every_variant.h"
 #include "tests/mechanisms.h"
@@ -42,29 +41,6 @@ Model in_unit(Model m, double unit) {
     for (double& constant : c.constants) constant *= by;
   }
   return m;
-}
-
-/// Lengths eight times as large make magnitudes of equations larger by just those powers.
-TEST(LengthPowers, AreThoseOfTheLibrarysConstraints) {
-  for (const LibraryMechanism& l : library()) {
-    const Model m = make_model(library_scene(l.name));
-    Model longer = in_unit(m, 8);
-    std::vector<LengthPowers> all;
-    for (std::size_t i = 0; i < m.constraints.size(); ++i) {
-      const Constraint& c = m.constraints[i];
-      const auto powers = length_powers(m, c);
-      ASSERT_TRUE(powers) << l.name << ", " << c.name;
-      all.push_back(*powers);
-      for (std::size_t k = 0; k < c.constants.size(); ++k)
-        longer.constraints[i].constants[k] = std::ldexp(c.constants[k], 3 * powers->constants[k]);
-    }
-    const Magnitudes before(m), after(longer);
-    for (int i = 0; i < static_cast<int>(all.size()); ++i)
-      for (int row = 0; row < static_cast<int>(all[i].rows.size()); ++row)
-        EXPECT_NEAR(after.of({i, row}) / std::ldexp(before.of({i, row}), 3 * all[i].rows[row]), 1,
-                    1e-9)
-            << l.name << ", " << m.constraints[i].name;
-  }
 }
 
 double weight(const Model& m, const std::string& constraint, int row = 0) {

@@ -67,7 +67,7 @@ TEST(Redundant, PlanarFourBarInSpaceWithParallelAxesIsAccepted) {
   d.joint(JointType::revolute, crank, coupler, {B}, {z});
   d.joint(JointType::revolute, coupler, rocker, {C}, {z});
   d.joint(JointType::revolute, Sketch::ground, rocker, {D}, {z});
-  auto& theta = d.angle("theta", segment(A, B), {x});
+  auto& theta = d.angle("theta", line(A, B), {x});
   theta.towards = {y};
   theta.driven = true;
   const Mechanism described = d.take();
@@ -118,8 +118,8 @@ TEST(SpecialPosition, CrankRockerAtItsDeadPointKeepsAllItsEquations) {
     d.revolute(crank, coupler, B);
     d.revolute(coupler, rocker, C);
     d.revolute(Sketch::ground, rocker, D);
-    d.angle("theta", segment(A, B)).driven = !driven_by_rocker;
-    d.angle("psi", segment(D, C)).driven = driven_by_rocker;
+    d.angle("theta", line(A, B)).driven = !driven_by_rocker;
+    d.angle("psi", line(D, C)).driven = driven_by_rocker;
     return d.take();
   };
   const double start = 2 * std::asin(3.0 / 8);
@@ -144,7 +144,7 @@ Mechanism slider_at_turning_point(bool driven_by_slider) {
   d.revolute(Sketch::ground, crank, O);
   d.revolute(crank, rod, B);
   d.joint(JointType::revolute_on_slider, Sketch::ground, rod, {O, P}, {x});
-  d.angle("theta", segment(O, B)).driven = !driven_by_slider;
+  d.angle("theta", line(O, B)).driven = !driven_by_slider;
   d.along("s", O, P, x).driven = driven_by_slider;
   return d.take();
 }
@@ -178,7 +178,7 @@ TEST(SpecialPosition, RedundantLinkageDrawnFoldedKeepsEquationsThatDetermineIt) 
       ears[i] = d.point("Q" + n, foot + polar(0.5, angle + 1));
       cranks[i] = d.body("crank" + n, {D, ends[i], ears[i]});
       d.revolute(Sketch::ground, cranks[i], D);
-      if (i == 0) d.angle("theta", segment(D, ends[0])).driven = true;
+      if (i == 0) d.angle("theta", line(D, ends[0])).driven = true;
     }
     const int upper = d.body("coupler", {ends[0], ends[1]});
     const int lower = d.body("second coupler", {ears[0], ears[1]});

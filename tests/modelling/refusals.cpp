@@ -40,7 +40,7 @@ TEST(Refused, TriangleWithADriver) {
   d.revolute(Sketch::ground, left, A);
   d.revolute(Sketch::ground, right, B);
   d.revolute(left, right, C);
-  d.angle("phi", segment(A, C)).driven = true;
+  d.angle("phi", line(A, C)).driven = true;
   expect_refused(d.take(), {still}, {"over-constrained", "left strut", "right strut", "'phi'"});
 }
 
@@ -60,7 +60,7 @@ TEST(Refused, BothDriversOnOneChainWhileAnotherIsFree) {
   Sketch d = four_bar_sketch();
   const int O = d.ground_point("O", {9, 0, 0}), E = d.point("E", {10, 0, 0});
   d.revolute(Sketch::ground, d.body("free arm", {O, E}), O);
-  d.angle("alpha", segment(O, E));
+  d.angle("alpha", line(O, E));
   expect_refused(driven(d.take(), {"theta", "psi"}), {still, still},
                  {"under-constrained", "'free arm'", "'alpha'"});
 }
@@ -76,7 +76,7 @@ TEST(Refused, FiveBarDrivenTwiceAtOneCrank) {
   d.revolute(left, right, C);
   d.revolute(right, second, D);
   d.revolute(Sketch::ground, second, E);
-  d.angle("theta", segment(A, B)).driven = true;
+  d.angle("theta", line(A, B)).driven = true;
   d.component("height", B, 1).driven = true;
   expect_refused(d.take(), {still, still}, {"under-constrained", "'second crank'"});
 }
@@ -99,7 +99,7 @@ TEST(Refused, DistanceAlongAVectorThatTheBodyLeaves) {
   const int A = d.ground_point("A", {0, 0, 0}), B = d.point("B", {1, 0, 0});
   const int x = d.ground_vector("x", {1, 0, 0});
   d.revolute(Sketch::ground, d.body("crank", {A, B}), A);
-  d.angle("theta", segment(A, B)).driven = true;
+  d.angle("theta", line(A, B)).driven = true;
   d.along("s", A, B, x);
   expect_refused(d.take(), {still}, {"over-constrained", "crank", "'theta'"});
 }
@@ -139,14 +139,14 @@ TEST(Refused, TwoLinksOfDifferentLengthBetweenTheSamePoints) {
 }
 
 TEST(Refused, SpatialAngleFromASegment) {
-  // The definition of an angle in space takes vectors; a segment would be silently misread.
+  // The definition of an angle in space takes vectors; a line would be silently misread.
   Sketch d("arm", 3);
   const int O = d.ground_point("O", {0, 0, 0}), X = d.ground_point("X", {1, 0, 0}),
             Z = d.ground_point("Z", {0, 0, 1}), P = d.point("P", {1, 0, 1});
   const int y = d.ground_vector("y", {0, 1, 0});
   d.joint(JointType::revolute, Sketch::ground, d.body("arm", {O, P}, {y}), {O}, {y});
-  auto& c = d.angle("phi", segment(O, P), segment(O, X));
-  c.towards = segment(O, Z);
+  auto& c = d.angle("phi", line(O, P), line(O, X));
+  c.towards = line(O, Z);
   c.driven = true;
   expect_refused(d.take(), turning, {"'phi'"});
 }
@@ -158,7 +158,7 @@ TEST(Refused, SpatialAngleBetweenDirectionsThatAreNotNormal) {
   const int y = d.ground_vector("y", {0, 1, 0}), x = d.ground_vector("x", {1, 0, 0}),
             oblique = d.ground_vector("oblique", {0.5, 0, std::sqrt(0.75)});
   d.joint(JointType::revolute, Sketch::ground, d.body("arm", {O, P}, {y}), {O}, {y});
-  auto& c = d.angle("phi", segment(O, P), {x});
+  auto& c = d.angle("phi", line(O, P), {x});
   c.towards = {oblique};
   c.driven = true;
   expect_refused(d.take(), turning, {"'phi'"});

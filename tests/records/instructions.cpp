@@ -53,7 +53,6 @@ TEST(InstructionsRecord, IsReadByTheReport) {
   EXPECT_TRUE(is_reported(" group_symbolic_explicit *[1-9][0-9]{3,4} *[1-9][0-9.]* *50"));
   EXPECT_TRUE(is_reported(" group_symbolic_explicit/segments:4 *[1-9][0-9]{3} *[1-9][0-9.]* *200"));
   EXPECT_TRUE(is_reported(" group_symbolic_explicit/monitored *[1-9][0-9]{3,4} *[0-9.]* *200"));
-  EXPECT_EQ(WEXITSTATUS(std::system((run + " --filter no_such_formulation" + quiet).c_str())), 64);
   EXPECT_EQ(
       WEXITSTATUS(std::system((DESMO_BENCH " instructions --coordinates 113" + quiet).c_str())),
       64);

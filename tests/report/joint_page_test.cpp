@@ -33,7 +33,7 @@ TEST_F(JointPage, HasTheSectionsOfBoth) {
        {"table1_klu.csv", "figure5.vl.json", "accuracy_costs.csv", "sensitivity.csv",
         "work_precision_truck_suspension.vl.json", "provenance.csv", "provenance_2.csv"})
     EXPECT_EQ(files.count(name), 1u) << name;
-  for (const char* name : {"tables.txt", "tables.md", "tables.json", "report.html"})
+  for (const char* name : {"tables.txt", "tables.md", "report.html"})
     for (const char* title : {"Every formulation", "What accuracy costs"})
       EXPECT_NE(files.at(name).find(title), std::string::npos) << name;
   EXPECT_EQ(joined(points(), "--all"), 0);
@@ -58,9 +58,9 @@ TEST_F(JointPage, OfRecordsThatDifferIsRefusedWithTheReason) {
 TEST_F(JointPage, HasOneRecordOfEachKind) {
   const std::string candidates = data_file("origins.json").string();
   EXPECT_EQ(tables(candidates, candidates), 4);
-  EXPECT_NE(err_.find("one record with cells: "), std::string::npos) << err_;
+  EXPECT_NE(err_.find("one record with paper: "), std::string::npos) << err_;
   EXPECT_EQ(joined(points(), (folder_ / "points.json").string()), 4);
-  EXPECT_NE(err_.find("one record with points: "), std::string::npos) << err_;
+  EXPECT_NE(err_.find("one record with accuracy: "), std::string::npos) << err_;
 }
 
 TEST_F(JointPage, NamesTheFileThatIsWrong) {

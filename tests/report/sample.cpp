@@ -6,7 +6,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "report/read/record_reader.h"
+#include "report/read/record.h"
+#include "report/read/record_file.h"
 
 namespace desmo::report {
 

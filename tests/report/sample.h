@@ -1,6 +1,8 @@
 // The synthetic records of tests/report/data and functions that modify them.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -8,6 +10,9 @@
 
 #include "report/read/record.h"
 #include "report/text/document.h"
+
+/// Expects a text to contain a part; shows the text otherwise.
+#define EXPECT_CONTAINS(text, part) EXPECT_NE((text).find(part), std::string::npos) << (text)
 
 namespace desmo::report {
 

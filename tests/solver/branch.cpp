@@ -48,8 +48,8 @@ Mechanism crank() {
   Sketch d("crank", 2);
   const int A = d.ground_point("A", {0, 0, 0}), B = d.point("B", polar(1, 1));
   d.revolute(Sketch::ground, d.body("crank", {A, B}), A);
-  d.angle("theta", segment(A, B)).driven = true;
-  d.angle("back", segment(B, A));
+  d.angle("theta", line(A, B)).driven = true;
+  d.angle("back", line(B, A));
   return d.take();
 }
 
@@ -120,7 +120,7 @@ TEST(Branch, OfRedundantCranksIsLeftWhereTheyFold) {
     d.revolute(Sketch::ground, crank, feet[i]);
     d.revolute(crank, coupler, ends[i]);
   }
-  d.angle("theta", segment(feet[0], ends[0])).driven = true;
+  d.angle("theta", line(feet[0], ends[0])).driven = true;
   const Plan plan = make_plan(model_mechanism(d.take(), {Polynomial{{1, 1}}}).model, {});
   const auto f =
       make_formulation(find_variant("block_automatic_klu"), plan.model, Settings{1e-10, 25});

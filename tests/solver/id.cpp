@@ -108,8 +108,6 @@ TEST(Id, SaysWhatIsWrong) {
       {"group_symbolic_klu/tolerance:1e-6x", "a number above 0"},
       {"global_automatic_umfpack/btf:off", "block triangular form is KLU's"},
       {"group_symbolic_inlined/btf:off", "block triangular form is KLU's"},
-      {"group_symbolic_mixed", "algebra 'mixed' no longer exists"},
-      {"global_automatic_mixed/guess:linear", "use 'global_automatic_klu'"},
       {"group_mixed", "unknown formulation 'group_mixed'"},
       {"group_symbolic_klu/scalar:mixed", "klu factorises in double precision"},
       {"group_symbolic_eigen/scalar:float", "generated code is in double precision"},

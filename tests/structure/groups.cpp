@@ -219,7 +219,7 @@ TEST(Groups, HaveAsManyRestrictionsAsFreedomsUnlessSomeAreRedundant) {
   d.joint(JointType::revolute, crank, coupler, {B}, {z});
   d.joint(JointType::revolute, coupler, rocker, {C}, {z});
   d.joint(JointType::revolute, Sketch::ground, rocker, {D}, {z});
-  auto& theta = d.angle("theta", segment(A, B), {x});
+  auto& theta = d.angle("theta", line(A, B), {x});
   theta.towards = {y};
   theta.driven = true;
   const Structure s = structure_of(d.take());

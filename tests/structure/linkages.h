@@ -38,7 +38,7 @@ class Linkage {
     }
   }
   void drive(const std::string& a, const std::string& b) {
-    d_.angle("angle of " + a + b, segment(point_.at(a), point_.at(b))).driven = true;
+    d_.angle("angle of " + a + b, line(point_.at(a), point_.at(b))).driven = true;
   }
   Sketch& sketch() { return d_; }
   int point(const std::string& pin) const { return point_.at(pin); }

@@ -1,11 +1,14 @@
 // desmo inspect: the structure of a mechanism.
+#include <unistd.h>
+
+#include <cstdio>
 #include <memory>
 
 #include "bench/cli/commands.h"
 #include "bench/cli/errors.h"
-#include "bench/cli/inspect/graphviz.h"
 #include "bench/cli/inspect/inspection.h"
-#include "bench/cli/output.h"
+#include "bench/cli/interruption.h"
+#include "cases/io/new_files.h"
 #include "cases/mechanism/names.h"
 
 namespace desmo::cli {
@@ -31,8 +34,20 @@ void check(const InspectOptions& options) {
                 "to a file");
 }
 
+/// Lets the dot program of Graphviz draw a graph as SVG to `output`.
+void draw_svg(const std::string& graph, const OutputFile& output) {
+  const std::string command = "exec dot -Tsvg >/proc/" + std::to_string(::getpid()) + "/fd/" +
+                              std::to_string(output.descriptor());
+  std::FILE* const dot = ::popen(command.c_str(), "w");
+  const bool is_read = dot && std::fputs(graph.c_str(), dot) >= 0;
+  if (!dot || ::pclose(dot) != 0 || !is_read)
+    throw Error(unavailable,
+                "the program 'dot' cannot be run, or has failed; install Graphviz (Debian: apt-get "
+                "install graphviz), or let --diagram write a .dot file");
+}
+
 void write_diagram(const std::string& dot, const InspectOptions& options) {
-  Output output(options.diagram);
+  OutputFile output(options.diagram, remove_when_interrupted);
   if (options.draws())
     draw_svg(dot, output);
   else

@@ -80,4 +80,16 @@ std::string coordinate_name(const Model& m, EntityId owner, int coordinate) {
   return e.size == 1 ? e.name : e.name + "." + "xyz"[coordinate - e.first];
 }
 
+std::vector<std::string> entity_names(const Model& m, const std::vector<EntityId>& entities) {
+  std::vector<std::string> names;
+  for (const EntityId e : entities) names.push_back(m.entities[e].name);
+  return names;
+}
+
+std::vector<std::string> driver_names(const Model& m) {
+  std::vector<std::string> names;
+  for (const Driver& d : m.drivers) names.push_back(m.entities[d.coordinate].name);
+  return names;
+}
+
 }  // namespace desmo::cli

@@ -35,6 +35,10 @@ Inspection inspect(const Input& input);
 /// Returns the name of a coordinate: "theta", "C.x".
 std::string coordinate_name(const Model& model, EntityId owner, int coordinate);
 
+/// Return the names of entities, and of the model's drivers.
+std::vector<std::string> entity_names(const Model& model, const std::vector<EntityId>& entities);
+std::vector<std::string> driver_names(const Model& model);
+
 std::string to_text(const Inspection& inspection);
 std::string to_json(const Inspection& inspection);
 /// Returns the structural diagram of the paper's figures 3.b and 4.b for Graphviz. It has a circle

@@ -7,12 +7,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json names_of(const Model& m, const std::vector<EntityId>& entities) {
-  Json names = Json::array();
-  for (const EntityId e : entities) names.push_back(m.entities[e].name);
-  return names;
-}
-
 Json names_of_groups(const Model& m, const std::vector<GroupId>& groups) {
   Json names = Json::array();
   for (const GroupId g : groups) names.push_back(m.groups[g].name);
@@ -55,7 +49,7 @@ Json groups_json(const Inspection& inspection) {
                     {"moving_bodies", inspected.moving_bodies},
                     {"driven", inspected.drivers},
                     {"unknowns", inspected.unknowns.size()},
-                    {"entities", names_of(m, group.entities)},
+                    {"entities", entity_names(m, group.entities)},
                     {"on_ground", inspected.on_ground},
                     {"joined_to", names_of_groups(m, inspected.joined_to)},
                     {"after", names_of_groups(m, group.after)},
@@ -68,8 +62,7 @@ Json groups_json(const Inspection& inspection) {
 
 std::string to_json(const Inspection& inspection) {
   const Model& m = inspection.model();
-  Json drivers = Json::array(), left_out = Json::array();
-  for (const Driver& d : m.drivers) drivers.push_back(m.entities[d.coordinate].name);
+  Json left_out = Json::array();
   for (const LeftOut& l : inspection.modelled.left_out)
     left_out.push_back({{"equation", l.equation},
                         {"rows", l.rows},
@@ -88,7 +81,7 @@ std::string to_json(const Inspection& inspection) {
                     {"coordinates",
                      {{"all", m.coordinates()},
                       {"dependent", m.coordinates() - m.degrees_of_freedom()},
-                      {"independent", drivers}}},
+                      {"independent", driver_names(m)}}},
                     {"constant_parts", inspection.constant_parts()},
                     {"groups", groups_json(inspection)},
                     {"left_out", left_out},

@@ -30,12 +30,6 @@ std::string line(const std::string& label, const std::string& text) {
   return "    " + label + std::string(indent - 4 - label.size(), ' ') + wrap(text, indent) + "\n";
 }
 
-std::vector<std::string> coordinate_names(const Model& m, const std::vector<EntityId>& entities) {
-  std::vector<std::string> names;
-  for (const EntityId e : entities) names.push_back(m.entities[e].name);
-  return names;
-}
-
 std::string group_text(const Inspection& inspection, GroupId g) {
   const Model& m = inspection.model();
   const Group& group = m.groups[g];
@@ -51,7 +45,7 @@ std::string group_text(const Inspection& inspection, GroupId g) {
   if (!inspected.drivers.empty()) text += line("driven", enumerate(inspected.drivers));
   text += line("unknowns", std::to_string(inspected.unknowns.size()));
   text += line("blocks", block_sizes(inspected.blocks));
-  text += line("entities", enumerate(coordinate_names(m, group.entities)));
+  text += line("entities", enumerate(entity_names(m, group.entities)));
   if (!group.constant) text += line("after", enumerate(after));
   return text;
 }
@@ -73,8 +67,6 @@ std::string left_out_text(const LeftOut& left_out, const Model& m) {
 
 std::string to_text(const Inspection& inspection) {
   const Model& m = inspection.model();
-  std::vector<std::string> drivers;
-  for (const Driver& d : m.drivers) drivers.push_back(m.entities[d.coordinate].name);
   const int independent = m.degrees_of_freedom();
   std::string text = m.name;
   if (!inspection.title.empty()) text += ": " + printable(inspection.title, 200);
@@ -83,7 +75,8 @@ std::string to_text(const Inspection& inspection) {
           count(inspection.joints, "joint") + "\n";
   text += wrap(count(m.coordinates(), "coordinate") + ": " +
                    std::to_string(m.coordinates() - independent) + " dependent, " +
-                   std::to_string(independent) + " independent (" + enumerate(drivers, 24) + ")",
+                   std::to_string(independent) + " independent (" + enumerate(driver_names(m), 24) +
+                   ")",
                2) +
           "\n";
 

@@ -56,9 +56,9 @@ std::string reason_of(const LiveSummary& s, const LiveRun& run, const Plan& plan
 }  // namespace
 
 void solve_live(const LiveRequest& request, Formulation& formulation, const SeriesHeading& heading,
-                const SeriesFormat& format, Output& output) {
+                const SeriesFormat& format, OutputFile& output) {
   const Plan& plan = request.plan;
-  LiveOptions options{.level = plan.level(), .tolerance = request.tolerance, .levels = plan.levels};
+  LiveOptions options{.level = plan.level(), .levels = plan.levels};
   if (request.strict) options.every = 1;
   LiveRun run(formulation, options);
   DriverRows rows(request.drivers, request.whole, plan.model, plan.level());

@@ -1,11 +1,10 @@
 // desmo solve --drivers: a scene whose drivers come row by row.
 #pragma once
 
-#include <memory>
 #include <string>
 
-#include "bench/cli/output.h"
 #include "bench/cli/solve/series.h"
+#include "cases/io/new_files.h"
 #include "formulations/formulation.h"
 #include "formulations/planning/plan.h"
 
@@ -15,14 +14,13 @@ struct LiveRequest {
   std::string source, drivers;  ///< of the scene, for messages; of the rows: a file or -
   const Model& whole;           ///< the model of the scene
   const Plan& plan;             ///< what of it is solved
-  double tolerance;
   bool strict, past_failures, quiet;
 };
 
-/// Answers each row at once, with its outcome. Throws what DriverRows and Output throw, and Error
-/// (not_solved) at the first row that fails or, being strict, is degraded; past failures, says on
-/// standard error what they are.
+/// Answers each row at once, with its outcome. Throws what DriverRows and OutputFile throw, and
+/// Error (not_solved) at the first row that fails or, being strict, is degraded; past failures,
+/// says on standard error what they are.
 void solve_live(const LiveRequest& request, Formulation& formulation, const SeriesHeading& heading,
-                const SeriesFormat& format, Output& output);
+                const SeriesFormat& format, OutputFile& output);
 
 }  // namespace desmo::cli

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <vector>
 
 #include "bench/cli/text.h"
 #include "formulations/parts/guarded_part.h"

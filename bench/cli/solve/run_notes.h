@@ -3,10 +3,14 @@
 
 #include <string>
 
+#include "formulations/planning/plan.h"
 #include "formulations/variants.h"
 #include "formulations/verification/monitor/monitored_run.h"
 
 namespace desmo::cli {
+
+/// Returns lines by group: what a plan keeps, to which level, for which entity, and what it drops.
+std::string explain(const Plan& plan, const Model& whole);
 
 /// Returns a line when parts lack the generated code that the formulation's id promises, else
 /// nothing. named: whether the user has chosen the formulation.

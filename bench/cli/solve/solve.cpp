@@ -12,9 +12,8 @@
 #include "bench/cli/commands.h"
 #include "bench/cli/errors.h"
 #include "bench/cli/input.h"
-#include "bench/cli/inspect/explanation.h"
+#include "bench/cli/interruption.h"
 #include "bench/cli/own_code.h"
-#include "bench/cli/solve/delivery.h"
 #include "bench/cli/solve/live.h"
 #include "bench/cli/solve/run_notes.h"
 #include "cases/mechanism/names.h"
@@ -53,9 +52,8 @@ Configuration choose_formulation(const SolveOptions& options, const Input& input
     throw InputError(input.source + ": /formulation: " + what);
   };
   const std::string variant = id.substr(0, id.find('/'));
-  for (const std::string& reason : {unavailable_reason(variant), why_gone(variant)})
-    if (!reason.empty())
-      refuse("formulation " + desmo::in_quotes(variant) + ": " + printable(reason, 500));
+  if (const std::string reason = unavailable_reason(variant); !reason.empty())
+    refuse("formulation " + desmo::in_quotes(variant) + ": " + printable(reason, 500));
   std::vector<std::string_view> ids;
   for (const Variant& v : variants()) ids.push_back(v.id);
   if (std::ranges::find(ids, variant) == ids.end())
@@ -75,7 +73,7 @@ void say(const std::string& text) {
 }
 
 [[noreturn]] void fail(const std::string& what, long instants, const Input& input,
-                       const Output& output) {
+                       const OutputFile& output) {
   std::string text = input.source + ": " + what;
   if (output.is_standard_output())
     text += "\ndesmo: instants before it, on standard output: " + std::to_string(instants);
@@ -89,7 +87,7 @@ void solve(const SolveOptions& options) {
   const Input input = load_scene(options.scene);
   const Configuration chosen = choose_formulation(options, input);
   const auto& [variant, settings] = chosen;
-  Output output(options.output);
+  OutputFile output(options.output, remove_when_interrupted);
   const Model whole = model_mechanism(input).model;
   const Plan plan = make_plan(whole, asked_by(input.scene, whole));
   if (options.explain) say(explain(plan, whole));
@@ -107,24 +105,25 @@ void solve(const SolveOptions& options) {
   if (!options.drivers.empty()) {
     if (const std::string reason = unsupported_live_reason(*formulation); !reason.empty())
       throw Error(usage_error, "--drivers with " + heading.formulation + ": " + reason);
-    solve_live({input.source, options.drivers, whole, plan, settings.tolerance, options.strict,
-                options.past_failures, options.quiet},
+    solve_live({input.source, options.drivers, whole, plan, options.strict, options.past_failures,
+                options.quiet},
                *formulation, heading, *format, output);
     output.finish();
     return;
   }
   const bool in_the_way = output.is_standard_output() && ::isatty(STDOUT_FILENO) == 1;
-  Progress progress(input.scene.grid.instants, !options.quiet && !in_the_way);
-  Delivery delivery(heading, std::move(format), output, progress);
+  std::optional<bench::Progress> progress;
+  if (!options.quiet && !in_the_way) progress.emplace("instants", input.scene.grid.instants, true);
+  SeriesWriter writer(heading, std::move(format), output, progress ? &*progress : nullptr);
   const MonitoredSummary summary =
-      run_monitored(*formulation, input.scene.grid, Request{plan.level()}, delivery,
+      run_monitored(*formulation, input.scene.grid, Request{plan.level()}, writer,
                     {{.tolerance = settings.tolerance, .levels = plan.levels},
                      options.strict,
                      options.past_failures});
-  const std::string overflow = delivery.overflow();
-  progress.clear();
+  const std::string overflow = writer.overflow();
+  progress.reset();
   const bool all = summary.outcome() != Outcome::failed && overflow.empty();
-  if (all || output.is_standard_output()) delivery.flush();
+  if (all || output.is_standard_output()) writer.flush();
   if (!overflow.empty()) fail(overflow, summary.instants - 1, input, output);
   if (summary.refused)
     fail(refusal_text(summary, plan.level(), plan.model), summary.instants, input, output);

@@ -8,7 +8,7 @@
 namespace desmo::cli {
 
 Recording::Recording(const Model& model, const TimeGrid& grid, std::size_t max_kept,
-                     Progress& progress)
+                     bench::Progress* progress)
     : model_(model),
       grid_(grid),
       max_kept_(std::max<std::size_t>(max_kept, 4)),
@@ -34,8 +34,8 @@ MonitoredSummary Recording::run(Formulation& formulation, double tolerance) {
   return summary;
 }
 
-Flow Recording::observe(const Instant& instant) noexcept {
-  progress_.solved(instant.index + 1);
+Flow Recording::observe(const Instant&) noexcept {
+  if (progress_) progress_->done();
   return overflowed_ ? Flow::stop : Flow::go_on;
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/cli/progress.h"
+#include "bench/kit/process/progress.h"
 #include "formulations/verification/monitor/monitored_run.h"
 
 namespace desmo::cli {
@@ -30,7 +30,9 @@ struct Flag {
 /// last one of every interval without gaps.
 class Recording final : public Observer {
  public:
-  Recording(const Model& model, const TimeGrid& grid, std::size_t max_kept, Progress& progress);
+  /// progress: null where none is shown.
+  Recording(const Model& model, const TimeGrid& grid, std::size_t max_kept,
+            bench::Progress* progress);
 
   /// Runs the formulation over the motion, and past intervals that cannot be assembled. Where no
   /// instant can be solved, the initial estimate is kept, at rest.
@@ -55,7 +57,7 @@ class Recording final : public Observer {
   const Model& model_;
   const TimeGrid grid_;
   const std::size_t max_kept_;
-  Progress& progress_;
+  bench::Progress* progress_;
   std::vector<RecordedInstant> instants_, passed_;  // passed_: the last one, where it is not kept
   std::vector<Flag> flags_;
   int stride_ = 1, last_degraded_ = -2;

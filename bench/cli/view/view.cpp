@@ -4,13 +4,15 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include "bench/cli/commands.h"
 #include "bench/cli/errors.h"
 #include "bench/cli/input.h"
-#include "bench/cli/output.h"
+#include "bench/cli/interruption.h"
 #include "bench/cli/view/page_data.h"
 #include "bench/cli/view/page_template.h"
+#include "cases/io/new_files.h"
 #include "formulations/variants.h"
 
 namespace desmo::cli {
@@ -67,7 +69,7 @@ std::string page_of(std::string_view page, const ShownMotion& motion, const std:
 void view(const ViewOptions& options) {
   const Input input = load_scene(options.scene);
   const std::string_view page = template_of(input.scene.mechanism);
-  Output output(options.output);
+  OutputFile output(options.output, remove_when_interrupted);
   if (output.is_standard_output() && ::isatty(STDOUT_FILENO) == 1)
     throw Error(usage_error, "a page is nothing for a terminal; give --output FILE.html");
   const Model model = model_mechanism(input).model;
@@ -75,13 +77,14 @@ void view(const ViewOptions& options) {
   const TimeGrid& grid = input.scene.grid;
   const auto formulation =
       make_formulation(find_variant(formulation_id), model, {.tolerance = input.scene.tolerance});
-  Progress progress(grid.instants, !options.quiet);
+  std::optional<bench::Progress> progress;
+  if (!options.quiet) progress.emplace("instants", grid.instants, true);
   Recording recording(
       model, grid,
       std::min(max_instants, max_numbers / (3 * static_cast<std::size_t>(model.coordinates()) + 1)),
-      progress);
+      progress ? &*progress : nullptr);
   const MonitoredSummary summary = recording.run(*formulation, input.scene.tolerance);
-  progress.clear();
+  progress.reset();
   if (recording.overflowed())
     throw Error(not_solved, input.source + ": a number is not finite; choose another motion");
   output.write(

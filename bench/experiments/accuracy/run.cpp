@@ -1,6 +1,6 @@
 // desmo_bench accuracy: time against error, for formulations and the settings that trade one for
 // the other.
-#include <algorithm>
+#include <CLI/CLI.hpp>
 #include <cmath>
 #include <list>
 #include <nlohmann/json.hpp>
@@ -11,12 +11,8 @@
 
 #include "bench/experiments/accuracy/series.h"
 #include "bench/experiments/accuracy/trial.h"
-#include "bench/experiments/accuracy/tuning_validation.h"
 #include "bench/experiments/experiments.h"
-#include "bench/kit/memory.h"
 #include "bench/kit/process/progress.h"
-#include "bench/kit/record/record.h"
-#include "formulations/algebra/blas.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/verification/condition.h"
 
@@ -31,11 +27,6 @@ constexpr int compared_instants = 21;
 constexpr int usual_repetitions = 5;
 constexpr double sample_seconds = 0.01;
 constexpr double dear_seconds = 0.3;  // a motion that takes longer has two samples only
-
-struct Options : bench::CommonOptions {
-  bool validates_tuning = false;
-  std::vector<std::string> mechanisms;
-};
 
 double rounded(double value) { return bench::rounded(value, 6); }
 
@@ -64,21 +55,12 @@ Json motion_json(const Series& series) {
           {"instants", series.instants}};
 }
 
-/// Returns the largest condition number over the instants of the reference.
-double condition(const Problem& problem) {
-  ConditionNumber number(problem.plan.model);
-  double max = 0;
-  for (const ReferenceInstant& instant : problem.reference.instants)
-    max = std::max(max, number(instant.q));
-  return max;
-}
-
 /// Returns an entry of `floors` in the record: what is known of a problem apart from its trials.
 Json floor_json(const Series& series, const Problem& problem) {
   Json j = motion_json(series);
   j["compared"] = problem.reference.instants.size();
   j["reference"] = per_level(problem.reference.floor);
-  const double k = condition(problem);
+  const double k = max_condition(problem);
   if (!std::isfinite(k)) return j;  // singular somewhere: nothing can be predicted
   j["condition"] = k;
   j["limit"] = {{"double", per_level(accuracy_limit(k, std::ldexp(1, -53)))},
@@ -102,10 +84,6 @@ Json point_json(const Series& series, const Trial& trial) {
   return j;
 }
 
-bool is_sampled(const Trial& trial) {
-  return trial.seconds.size() >= 2 && trial.min_seconds() * trial.grid.instants > dear_seconds;
-}
-
 /// Compares every configuration, then times them in turn, so that whatever slows the machine down
 /// for a while meets them all.
 void measure(const Series& series, const Problem& problem, int repetitions, Json& points,
@@ -117,17 +95,17 @@ void measure(const Series& series, const Problem& problem, int repetitions, Json
   }
   for (int round = 0; round < repetitions; ++round)
     for (Trial& trial : trials) {
-      if (!is_sampled(trial)) trial.time(sample_seconds);
+      if (!trial.is_sampled(dear_seconds)) trial.time(sample_seconds);
       progress.done();
     }
   for (const Trial& trial : trials) points.push_back(point_json(series, trial));
 }
 
-void measure_all(const Options& options, const std::string& command) {
+void measure_all(const bench::CommonOptions& options, const bench::CommandLine& line) {
   const std::vector<Series> all =
       matching(options.quick ? quick_series() : all_series(), std::regex(options.filter));
   if (all.empty()) throw std::invalid_argument("no configuration matches " + options.filter);
-  bench::Recording recording(options.record, command);
+  bench::Recording recording = begin_record(options, line);
   const int repetitions = options.repetitions > 0 ? options.repetitions : usual_repetitions;
   std::size_t trials = 0;
   for (const Series& series : all) trials += series.configurations.size();
@@ -147,31 +125,14 @@ void measure_all(const Options& options, const std::string& command) {
 }
 
 int run(const bench::CommandLine& line) {
-  Options options;
-  bench::OptionTable table(
-      "desmo_bench accuracy: time against error of formulations and their settings.\n"
-      "desmo_bench accuracy --validate-tuning [--mechanism NAME]...");
-  bench::add_common(table, options,
+  bench::CommonOptions options;
+  CLI::App parser("desmo_bench accuracy: time against error of formulations and their settings.");
+  bench::add_common(parser, options,
                     {.quick = "the smallest sizes only, with the reduced grid",
                      .filtered = "<case>/<coordinates>/<id>",
                      .repetitions = std::to_string(usual_repetitions)});
-  table.add("--validate-tuning", {}, &options.validates_tuning,
-            "Instead: is the error held that desmo tune promises,\n"
-            "and how much slower is its choice than the best?");
-  table.add("--mechanism", "NAME", &options.mechanisms,
-            "Validate with this mechanism only; more than once where wanted");
-  if (!table.read(line)) return 0;
-  if (options.validates_tuning &&
-      (options.quick || options.repetitions > 0 || !options.filter.empty()))
-    throw std::invalid_argument("--validate-tuning goes with --record and --mechanism only");
-  if (!options.validates_tuning && !options.mechanisms.empty())
-    throw std::invalid_argument("--mechanism belongs to --validate-tuning");
-  bench::keep_freed_memory();
-  set_blas_threads(1);  // the clock is the thread's own
-  if (options.validates_tuning)
-    validate_tuning(options.record, line.text, options.mechanisms);
-  else
-    measure_all(options, line.text);
+  if (!read(parser, line)) return 0;
+  measure_all(options, line);
   return 0;
 }
 

@@ -35,8 +35,7 @@ class Searcher {
   Found run() {
     std::list<Trial> trials;
     for (const Variant* v : formulations())
-      for (const Settings& s : full_settings(*v))
-        add(trials, effort_.exhaustive ? whole_ : begin_, *v, s);
+      for (const Settings& s : full_settings(*v)) add(trials, begin_, *v, s);
     say(std::to_string(trials.size()) + " configurations");
     for (Trial& t : trials) t.compare();
     for (Trial& t : trials) t.time(min_sample);
@@ -44,7 +43,7 @@ class Searcher {
     for (Trial& t : trials)
       if (may_do(t)) hopeful.push_back(&t);
     decide(hopeful);
-    for (const Trial& t : trials) tried_.push_back(tried(t, effort_.exhaustive));
+    for (const Trial& t : trials) tried_.push_back(tried(t, false));
     std::ranges::stable_sort(tried_, {}, &Tried::seconds);
     found_.tried = std::move(tried_);
     return std::move(found_);
@@ -67,7 +66,6 @@ class Searcher {
       for (const Variant& v : variants())
         if (!is_dense_global(v) || whole_.plan.model.coordinates() <= dense_limit)
           all.push_back(&v);
-    if (effort_.exhaustive) return all;
     say(std::to_string(all.size()) + " formulations");
     for (const Settings& s : telling_settings()) {
       std::list<Trial> trials;
@@ -117,7 +115,7 @@ class Searcher {
     sample_again(hopeful);
     sort(hopeful);
     std::list<Trial> on_the_whole;
-    if (goal_.budget > 0 && !effort_.exhaustive) {
+    if (goal_.budget > 0) {
       hopeful = tried_on_the_whole(hopeful, on_the_whole);
       sort(hopeful);
     }
@@ -175,8 +173,7 @@ class Searcher {
     }
     for (int round = 0; round < effort_.rounds; ++round)
       for (Trial* t : holding) t->time(min_sample);
-    if (!effort_.exhaustive)
-      for (const Trial& t : trials) tried_.push_back(tried(t, true));
+    for (const Trial& t : trials) tried_.push_back(tried(t, true));
     if (holding.empty()) return;
     sort(holding);
     choose(*holding.front());

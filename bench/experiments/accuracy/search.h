@@ -46,10 +46,7 @@ struct Found {
 /// The effort of a search: which formulations are tried, and how hard.
 struct Effort {
   std::vector<const Variant*> formulations = {};  ///< none: all that the suite has
-  /// All of them with all settings, and each over the whole motion, instead of those that are
-  /// fastest at its begin.
-  bool exhaustive = false;
-  int rounds = 9;  ///< samples of each time that decides
+  int rounds = 9;                                 ///< samples of each time that decides
   /// Called with what is being done, for people; may be empty.
   std::function<void(const std::string&)> say = {};
 };

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "bench/experiments/accuracy/settings_grid.h"
+#include "formulations/algebra/backend.h"
 
 namespace desmo::accuracy {
 
@@ -28,11 +29,10 @@ constexpr std::array<std::string_view, 11> tuned{
 
 /// Tells whether it is one of the paper's analyses, by its own solver or by what stands in for it.
 bool is_in_table_2(const Variant& v) {
-  constexpr std::array<std::string_view, 5> algebras{"ma27", "cholmod", "umfpack", "klu",
-                                                     "inlined"};
   if (v.partition == Partition::block) return false;
-  if (v.partition == Partition::group && algebra_name(v) == "lapack") return true;
-  return std::ranges::find(algebras, algebra_name(v)) != algebras.end() &&
+  if (!v.backend) return !v.explicit_order;
+  if (v.backend->dense) return v.partition == Partition::group && algebra_name(v) == "lapack";
+  return slow_reason(v).empty() &&
          !(v.partition == Partition::global && v.evaluation == Evaluation::symbolic);
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "formulations/verification/condition.h"
 #include "formulations/verification/violation.h"
 
 namespace desmo::accuracy {
@@ -36,6 +37,14 @@ std::vector<double> some_times(const Reference& reference) {
 
 }  // namespace
 
+double max_condition(const Problem& problem) {
+  ConditionNumber number(problem.plan.model);
+  double max = 0;
+  for (const ReferenceInstant& instant : problem.reference.instants)
+    max = std::max(max, number(instant.q));
+  return max;
+}
+
 Trial::Trial(const Problem& problem, const Configuration& configuration)
     : FormulationCandidate(problem, configuration) {
   if (std::string why = unsupported_reason(variant(), settings()); !why.empty())
@@ -52,7 +61,7 @@ void Trial::compare() {
     ErrorMeasure errors(plan.model, reference.instants, reference.scales, plan.outputs);
     ViolationMeasure violations(plan.model, reference.scales, times);
     Both both(errors, violations);
-    const Summary summary = formulation_->run(grid, request(), both);
+    const Summary summary = formulation_->run(grid, asked_, both);
     error = errors.error();
     violation = violations.violation();
     iterations_per_step = static_cast<double>(summary.iterations) /

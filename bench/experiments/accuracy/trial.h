@@ -25,4 +25,7 @@ class Trial final : public bench::FormulationCandidate {
   Error violation;  ///< of the equations, at five of the instants compared
 };
 
+/// Returns the largest condition number over the instants of a problem's reference.
+double max_condition(const Problem& problem);
+
 }  // namespace desmo::accuracy

@@ -45,6 +45,12 @@ std::vector<int> compared_instants(const ExtremeCase& c) {
 
 }  // namespace
 
+double KnownCase::condition() const {
+  double largest = 0;
+  for (const Answers& a : answers) largest = std::max(largest, a.condition);
+  return largest;
+}
+
 KnownCase make_known_case(const ExtremeCase& c) {
   KnownCase p{.definition = &c,
               .modelled = {},

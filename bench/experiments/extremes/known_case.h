@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -36,6 +35,9 @@ struct KnownCase {
   std::vector<bool> solvable;               ///< each instant of the grid, or start
   std::vector<double> ends;                 ///< times between them at which answers end or begin
   std::vector<std::vector<double>> starts;  ///< estimates, where it is solved from them
+
+  /// Returns the largest condition number of what is compared; 0: not known.
+  double condition() const;
 };
 
 /// Returns the answers of the case's chain of that index, by the closed form. Where the chain

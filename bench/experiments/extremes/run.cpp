@@ -1,7 +1,8 @@
 // desmo_bench extremes: what every formulation does where most go wrong.
-#include <algorithm>
+#include <CLI/CLI.hpp>
 #include <array>
 #include <iostream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <stdexcept>
@@ -10,10 +11,7 @@
 
 #include "bench/experiments/experiments.h"
 #include "bench/experiments/extremes/table.h"
-#include "bench/kit/memory.h"
-#include "bench/kit/record/record.h"
 #include "cases/generators/cases.h"
-#include "formulations/algebra/blas.h"
 
 namespace desmo::extremes {
 
@@ -66,7 +64,7 @@ Json result_json(const Result& r) {
 
 struct Options : bench::CommonOptions {
   std::string cases;
-  std::vector<std::string> without;
+  unsigned without = 0;  // monitors
   std::vector<int> rows;
 };
 
@@ -78,33 +76,14 @@ std::vector<const Extreme*> chosen_rows(const std::vector<int>& numbers) {
   return rows;
 }
 
-/// Throws std::invalid_argument, naming a monitor that does not exist.
-unsigned left_out(const std::vector<std::string>& names) {
-  unsigned monitors = 0;
-  for (const std::string& name : names) {
-    const auto it = std::ranges::find(monitor_names, name, &MonitorName::name);
-    if (it == std::ranges::end(monitor_names))
-      throw std::invalid_argument("--without: there is no monitor '" + name + "'");
-    monitors |= static_cast<unsigned>(it->monitor);
-  }
-  return monitors;
-}
-
-std::string all_monitors() {
-  std::string names;
-  for (const auto& [monitor, name] : monitor_names)
-    names += (names.empty() ? "" : ", ") + std::string(name);
-  return names;
-}
-
 /// Returns whether no formulation gave wrong numbers without a flag.
-bool measure(const Options& options, const std::string& command) {
+bool measure(const Options& options, const bench::CommandLine& line) {
   const std::vector<const Extreme*> rows = chosen_rows(options.rows);
   Selection selection{.extent = options.quick ? Extent::brief : Extent::full,
                       .formulations = std::regex(options.filter),
                       .cases = std::regex(options.cases),
-                      .without = left_out(options.without)};
-  bench::Recording recording(options.record, command);
+                      .without = options.without};
+  bench::Recording recording = begin_record(options, line);
   Json lists = {{"rows", Json::array()}, {"results", Json::array()}};
   std::size_t defects = 0;
   for (const Extreme* row : rows) {
@@ -124,20 +103,29 @@ bool measure(const Options& options, const std::string& command) {
 
 int run(const bench::CommandLine& line) {
   Options options;
-  bench::OptionTable table("desmo_bench extremes: every formulation in the table of extremes");
-  bench::add_common(table, options,
+  CLI::App parser("desmo_bench extremes: every formulation in the table of extremes");
+  bench::add_common(parser, options,
                     {.quick = "what takes seconds, not minutes",
                      .filtered = "the formulation's id",
                      .repetitions = {}});
-  table.add("--row", "N", &options.rows, "Only this row of the table; more than once where wanted");
-  table.add("--case", "REGEX", &options.cases,
-            "Only where this regular expression is found in\nthe name of the case");
-  table.add("--without", "MONITOR", &options.without,
-            "Leave a monitor out, to see what it finds:\n" + all_monitors());
-  if (!table.read(line)) return 0;
-  bench::keep_freed_memory();
-  set_blas_threads(1);
-  return measure(options, line.text) ? 0 : 1;
+  parser.add_option("--row", options.rows, "Only these rows of the table")->type_name("N");
+  parser
+      .add_option("--case", options.cases,
+                  "Only where this regular expression is found in the name of the case")
+      ->type_name("REGEX");
+  std::map<std::string, unsigned> monitors;
+  for (const auto& [monitor, name] : monitor_names)
+    monitors.emplace(name, static_cast<unsigned>(monitor));
+  parser
+      .add_option_function<std::vector<std::string>>(
+          "--without",
+          [&](const std::vector<std::string>& names) {
+            for (const std::string& name : names) options.without |= monitors.at(name);
+          },
+          "Leave a monitor out, to see what it finds")
+      ->check(CLI::IsMember(monitors));
+  if (!read(parser, line)) return 0;
+  return measure(options, line) ? 0 : 1;
 }
 
 }  // namespace

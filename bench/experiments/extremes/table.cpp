@@ -53,12 +53,6 @@ std::string note_on(unsigned without) {
   return note;
 }
 
-double condition(const KnownCase& p) {
-  double largest = 0;
-  for (const Answers& a : p.answers) largest = std::max(largest, a.condition);
-  return largest;
-}
-
 }  // namespace
 
 std::vector<Result> row_results(const Extreme& row, const Selection& selection) {
@@ -81,7 +75,7 @@ std::vector<Result> row_results(const Extreme& row, const Selection& selection) 
       const Yardsticks yardsticks{before == first.end() ? nullptr : &before->second,
                                   anew.contains(&other) ? &anew.at(&other) : nullptr};
       results.push_back({&row, c.name + note_on(selection.without), id_with(*v, tried.settings),
-                         condition(known), verify(known, a, yardsticks)});
+                         known.condition(), verify(known, a, yardsticks)});
       if (before == first.end()) first.emplace(v, std::move(a));
     }
   }

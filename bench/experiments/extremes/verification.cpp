@@ -63,15 +63,9 @@ bool is_named(const Model& m, GroupId group, const std::string& body) {
 /// Allowed factor between an estimate of the condition number and the number.
 constexpr double max_factor = 10;
 
-double condition_of(const KnownCase& p) {
-  double condition = 0;
-  for (const Answers& of_part : p.answers) condition = std::max(condition, of_part.condition);
-  return condition;
-}
-
 /// Returns a condition number that is said to be much smaller than it is.
 std::string understated_condition(const KnownCase& p, const CaseRun& a) {
-  const double condition = condition_of(p);
+  const double condition = p.condition();
   if (p.definition->bound != Bound::estimates || a.max.condition >= condition / max_factor)
     return {};
   return formatted("condition %.1e said to be %.1e", condition, a.max.condition);
@@ -79,7 +73,7 @@ std::string understated_condition(const KnownCase& p, const CaseRun& a) {
 
 /// Returns what is said of the whole run, where it says too much.
 std::string overstated(const KnownCase& p, const CaseRun& a) {
-  const double condition = condition_of(p);
+  const double condition = p.condition();
   if (!(a.max.condition <= max_factor * condition))
     return formatted("condition %.1e said to be %.1e", condition, a.max.condition);
   double allowed =

@@ -1,5 +1,6 @@
 // desmo_bench instructions: instructions a step, counted by callgrind: repeatable where times are
 // not.
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -12,7 +13,6 @@
 #include "bench/experiments/experiments.h"
 #include "bench/experiments/instructions/step_counts.h"
 #include "bench/kit/process/callgrind.h"
-#include "bench/kit/record/record.h"
 #include "cases/generators/cases.h"
 
 namespace desmo::instructions {
@@ -49,7 +49,7 @@ nlohmann::ordered_json counts_json(const std::vector<StepCount>& counts, const s
   return {{"counts", std::move(list)}};
 }
 
-void measure(const Options& options, const std::string& command) {
+void measure(const Options& options, const bench::CommandLine& line) {
   const std::regex expression(options.filter);
   const int coordinates = options.quick ? quick_coordinates : 0;
   std::vector<StepCount> counts =
@@ -60,7 +60,7 @@ void measure(const Options& options, const std::string& command) {
   const std::string tool = bench::counting_tool();
   if (tool.empty()) throw std::runtime_error("valgrind, which counts, cannot be run");
   std::optional<bench::Recording> recording;
-  if (!options.record.empty()) recording.emplace(options.record, command);
+  if (!options.record.empty()) recording.emplace(options.record, line.text, line.experiment);
   count(counts, desmo_steps());
   print(counts);
   if (recording) recording->write(cases().front().describe(1).grid, counts_json(counts, tool));
@@ -68,14 +68,17 @@ void measure(const Options& options, const std::string& command) {
 
 int run(const bench::CommandLine& line) {
   Options options;
-  bench::OptionTable table("desmo_bench instructions: instructions a step, counted by callgrind");
-  bench::add_common(table, options,
+  CLI::App parser("desmo_bench instructions: instructions a step, counted by callgrind");
+  bench::add_common(parser, options,
                     {.quick = std::to_string(quick_coordinates) + " coordinates",
                      .filtered = "<case>/<coordinates>/<id>",
                      .repetitions = {}});
-  table.add("--coordinates", "N", &options.coordinates,
-            "Of both cases (the largest of the paper's sizes)");
-  if (table.read(line)) measure(options, line.text);
+  parser
+      .add_option("--coordinates", options.coordinates,
+                  "Of both cases (the largest of the paper's sizes)")
+      ->type_name("N")
+      ->check(bench::refuse_not_positive);
+  if (read(parser, line)) measure(options, line);
   return 0;
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <stdexcept>
-#include <utility>
 
 #include "bench/experiments/paper/extended_ids.h"
 #include "bench/kit/process/callgrind.h"
@@ -27,7 +26,7 @@ constexpr std::array monitored{"global_automatic_klu", "group_symbolic_inlined",
                                "group_symbolic_explicit"};
 
 bool is_counted(const Variant& v) {
-  return v.partition != Partition::block && !is_dense_global(v) && algebra_name(v) != "spqr";
+  return v.partition != Partition::block && !is_dense_global(v) && slow_reason(v).empty();
 }
 
 /// Leaves out what callgrind cannot count: it knows no registers wider than 256 bits; what threads
@@ -49,38 +48,24 @@ std::vector<std::string> counted_ids() {
   return ids;
 }
 
-/// Counts steps of one case at one size.
-class Counter {
- public:
-  Counter(const StepCount& one, std::string desmo_steps)
-      : desmo_steps_(std::move(desmo_steps)),
-        case_name_(one.case_name),
-        coordinates_(std::to_string(one.coordinates)) {}
-
-  std::int64_t step(const std::string& id) const { return counted(id, warm_up + steps) / steps; }
-  /// Counts all that a longer motion takes more.
-  std::int64_t more(const std::string& id) const {
-    return counted(id, long_motion) - counted(id, short_motion);
-  }
-
- private:
-  std::int64_t counted(const std::string& id, int taken) const {
-    return bench::count_steps({desmo_steps_, case_name_, coordinates_, id, std::to_string(taken)});
-  }
-  std::string desmo_steps_, case_name_, coordinates_;
-};
-
 void count(StepCount& one, const std::string& desmo_steps) {
-  const Counter counter(one, desmo_steps);
+  const auto counted = [&](const std::string& id, int taken) {
+    return bench::count_steps(
+        {desmo_steps, one.case_name, std::to_string(one.coordinates), id, std::to_string(taken)});
+  };
+  const auto step = [&](const std::string& id) { return counted(id, warm_up + steps) / steps; };
+  const auto more = [&](const std::string& id) {  // all that a longer motion takes more
+    return counted(id, long_motion) - counted(id, short_motion);
+  };
   const std::string bare(formulation_of(one.id));
   const Settings settings = parse_id(bare).settings;
   one.steps = long_motion - short_motion;
   if (is_monitored(one.id)) {
-    one.instructions = counter.step(bare) + (counter.more(one.id) - counter.more(bare)) / one.steps;
+    one.instructions = step(bare) + (more(one.id) - more(bare)) / one.steps;
   } else if (settings.segments > 1 || settings.stride > 1) {
-    one.instructions = counter.more(one.id) / one.steps;
+    one.instructions = more(one.id) / one.steps;
   } else {
-    one.instructions = counter.step(one.id);
+    one.instructions = step(one.id);
     one.steps = steps;
   }
 }

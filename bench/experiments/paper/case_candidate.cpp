@@ -32,12 +32,8 @@ std::string too_costly(const Variant& v, int n, const Options& options) {
   };
   if (is_dense_global(v) && n > options.dense_limit)
     return "a dense global solve costs O(n^3) a step" + up_to(options.dense_limit);
-  if (n <= options.slow_limit) return {};
-  if (algebra_name(v) == "spqr")
-    return "orthogonal factorisation serves accuracy, not speed" + up_to(options.slow_limit);
-  if ((algebra_name(v) == "umfpack" || algebra_name(v) == "sparselu") &&
-      v.partition == Partition::block)
-    return "a library's overhead is all there is in blocks this small" + up_to(options.slow_limit);
+  if (n > options.slow_limit && !slow_reason(v).empty())
+    return std::string(slow_reason(v)) + up_to(options.slow_limit);
   return {};
 }
 
@@ -76,12 +72,6 @@ void CaseCandidate::profile() {
   phases = measure_phases(variant(), settings(), problem().plan.model, first);
 }
 
-std::vector<std::pair<std::string, double>> CaseCandidate::counters() const {
-  auto all = FormulationCandidate::counters();
-  all.insert(all.begin() + 1, {"groups", groups});
-  return all;
-}
-
 std::vector<std::unique_ptr<CaseCandidate>> make_case_candidates(const Options& options) {
   std::vector<std::unique_ptr<CaseCandidate>> candidates;
   for (const Case& c : cases()) {
@@ -92,17 +82,12 @@ std::vector<std::unique_ptr<CaseCandidate>> make_case_candidates(const Options& 
       for (const Variant& v : variants())
         if (runs_at_extra_sizes(v))
           candidates.push_back(std::make_unique<CaseCandidate>(c, n, v, options));
-    const auto add_new = [&](std::unique_ptr<CaseCandidate> candidate) {
-      if (std::ranges::find(candidates, candidate->name(), &CaseCandidate::name) ==
-          candidates.end())
-        candidates.push_back(std::move(candidate));
-    };
     const auto add = [&](int n, std::string_view id) {
       const auto [variant, settings] = parse_id(id);
-      add_new(std::make_unique<CaseCandidate>(c, n, *variant, options, settings));
+      candidates.push_back(std::make_unique<CaseCandidate>(c, n, *variant, options, settings));
       if (settings.threads > 1)
-        add_new(std::make_unique<CaseCandidate>(c, n, *variant, options, on_one_thread(settings),
-                                                Clock::wall));
+        candidates.push_back(std::make_unique<CaseCandidate>(c, n, *variant, options,
+                                                             on_one_thread(settings), Clock::wall));
     };
     for (const std::string_view id : extended_ids) add(c.sizes.back(), id);
     add(c.sizes.back(), reference_of_one_block);

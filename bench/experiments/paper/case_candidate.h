@@ -2,7 +2,6 @@
 
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "bench/experiments/paper/options.h"
@@ -25,7 +24,6 @@ class CaseCandidate final : public FormulationCandidate {
   /// Compares with the quadruple-precision reference.
   void verify(ReferenceCache& references) override;
   void profile() override;
-  std::vector<std::pair<std::string, double>> counters() const override;
 
   const Case& definition;
   int groups = 0, degrees_of_freedom = 0;

@@ -172,7 +172,8 @@ void run_timed(benchmark::State& state, Candidate& candidate, int repetitions, P
     state.SetIterationTime(candidate.time_afresh());
     if (candidate.is_failed()) return state.SkipWithError(candidate.message.c_str());
   }
-  for (const auto& [name, value] : candidate.counters()) state.counters[name] = value;
+  state.counters["iterations/step"] = candidate.iterations_per_step;
+  state.counters["residual"] = candidate.residual;
   progress.done(1.0 / repetitions);
 }
 

@@ -1,70 +1,62 @@
 #include "bench/experiments/paper/options.h"
 
-#include <list>
+#include <CLI/CLI.hpp>
+#include <iostream>
 
 #include "cases/generators/cases.h"
 
 namespace desmo::paper {
 
-namespace {
-
-constexpr double quick_duration = 1.5;  // s
-constexpr int quick_repetitions = 2;
-
-void add_options(OptionTable& table, Options& o) {
-  bench::add_common(table, o,
-                    {.quick = "1.5 s of motion and 2 repetitions",
-                     .filtered = "<case>/<coordinates>/<id>",
-                     .repetitions = "as many as take 2 s together, 3 to 20"});
-  table.add("--step", "SECONDS", &o.step, "Time step (the case's, 0.01)");
-  table.add("--duration", "SECONDS", &o.duration, "Motion analysed (the case's, 30)");
-  table.add("--dense-limit", "N", &o.dense_limit,
-            "Coordinates up to which dense global solves run (114)");
-  table.add("--slow-limit", "N", &o.slow_limit,
-            "Coordinates up to which SPQR, and UMFPACK and SparseLU\nin blocks, run (114)");
-  table.add("--peer-limit", "SECONDS", &o.peer_limit,
-            "CPU time a peer may take for the motion (60)");
-  table.add("--formulation", "ID", &o.formulations,
-            "Add a formulation with settings as suffixes, such as\n"
-            "global_automatic_klu/guess:hermite5; more than once where wanted");
-}
-
-/// A flag for Google Benchmark, which keeps no copy of its own.
-char* lasting(std::string flag) {
-  static std::list<std::string> flags;
-  return flags.emplace_back(std::move(flag)).data();
-}
-
-}  // namespace
-
-std::string usage() {
-  Options unused;
-  OptionTable table(
+Options take_options(std::vector<std::string>& arguments) {
+  constexpr double quick_duration = 1.5;  // s
+  constexpr int quick_repetitions = 2;
+  Options o;
+  CLI::App parser(
       "desmo_bench paper: verifies, then times, every case, size and formulation.\n"
       "A benchmark is named <case>/<coordinates>/<id>; one iteration is the whole analysis.\n"
       "<case>/<coordinates>/<id>/request:<name> solves only what that request needs.\n"
-      "<case>/<coordinates>/peer:<name> is solved by a peer: by hand, or, where built\n"
-      "(DESMO_PEERS), by a library.");
-  add_options(table, unused);
-  return table.help() +
-         "\nExit code: 0 all verified and timed; 1 some formulation failed; 64 usage, or no\n"
-         "benchmark matches; 74 the record could not be written. Flags of Google Benchmark:\n\n";
-}
-
-Options take_options(std::vector<char*>& arguments) {
-  Options o;
-  OptionTable table("");
-  add_options(table, o);
-  arguments = table.take(arguments);
-  o.help = table.asks_for_help();
+      "<case>/<coordinates>/peer:<name> is solved by a peer: code written by hand.");
+  parser.set_help_flag();  // Google Benchmark has one, too
+  parser.allow_extras();
+  parser.add_flag("-h,--help", o.help, "Show this");
+  bench::add_common(parser, o,
+                    {.quick = "1.5 s of motion and 2 repetitions",
+                     .filtered = "<case>/<coordinates>/<id>",
+                     .repetitions = "as many as take 2 s together, 3 to 20"});
+  const auto add_limit = [&](const char* name, auto& value, const char* unit, const char* help) {
+    parser.add_option(name, value, help)->type_name(unit)->check(bench::refuse_not_positive);
+  };
+  add_limit("--step", o.step, "SECONDS", "Time step (the case's, 0.01)");
+  add_limit("--duration", o.duration, "SECONDS", "Motion analysed (the case's, 30)");
+  add_limit("--dense-limit", o.dense_limit, "N",
+            "Coordinates up to which dense global solves run (114)");
+  add_limit("--slow-limit", o.slow_limit, "N",
+            "Coordinates up to which SPQR, and UMFPACK and SparseLU in blocks, run (114)");
+  parser
+      .add_option("--formulation", o.formulations,
+                  "Add a formulation with settings as suffixes, such as "
+                  "global_automatic_klu/guess:hermite5; more than once where wanted")
+      ->type_name("ID")
+      ->allow_extra_args(false);
+  try {
+    std::vector<std::string> last_first(arguments.rbegin(), arguments.rend());
+    parser.parse(last_first);
+  } catch (const CLI::ParseError& error) {
+    throw std::invalid_argument(error.what());
+  }
+  arguments = parser.remaining();
+  if (o.help)
+    std::cout
+        << parser.help()
+        << "\nExit code: 0 all verified and timed; 1 some formulation failed; 64 usage, or no\n"
+           "benchmark matches; 74 the record could not be written. Flags of Google Benchmark:"
+           "\n\n";
   if (o.quick && o.duration == 0) o.duration = quick_duration;
   const int repetitions = o.repetitions > 0 ? o.repetitions : o.quick ? quick_repetitions : 0;
   // First, so that flags of Google Benchmark that the user gives win.
   if (repetitions > 0)
-    arguments.insert(arguments.begin(),
-                     lasting("--benchmark_repetitions=" + std::to_string(repetitions)));
-  if (!o.filter.empty())
-    arguments.insert(arguments.begin(), lasting("--benchmark_filter=" + o.filter));
+    arguments.insert(arguments.begin(), "--benchmark_repetitions=" + std::to_string(repetitions));
+  if (!o.filter.empty()) arguments.insert(arguments.begin(), "--benchmark_filter=" + o.filter);
   return o;
 }
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/kit/options.h"
+#include "bench/experiments/experiments.h"
 #include "cases/mechanism/motion.h"
 
 namespace desmo::paper {
@@ -12,24 +12,20 @@ using namespace bench;  // the kit, of which this experiment uses nearly all
 
 /// Options of the paper's experiment, without the flags of Google Benchmark.
 struct Options : bench::CommonOptions {
-  double step = 0;         ///< s; 0: the case's own
-  double duration = 0;     ///< s; 0: the case's own
-  int dense_limit = 114;   ///< coordinates up to which dense global solves run
-  int slow_limit = 114;    ///< likewise of SPQR, and of UMFPACK and SparseLU in blocks
-  double peer_limit = 60;  ///< s of CPU time a peer may take for the motion
+  double step = 0;                        ///< s; 0: the case's own
+  double duration = 0;                    ///< s; 0: the case's own
+  int dense_limit = 114;                  ///< coordinates up to which dense global solves run
+  int slow_limit = 114;                   ///< likewise of libraries that are slow (slow_reason)
   std::vector<std::string> formulations;  ///< ids with settings, to be run as well as the table's
   bool help = false;
 };
 
 /// Takes our options out of the arguments and leaves the flags of Google Benchmark, those that our
-/// options stand for among them. Throws std::invalid_argument, naming the option, for a missing or
-/// unusable value.
-Options take_options(std::vector<char*>& arguments);
+/// options stand for among them; prints the help that is asked for. Throws std::invalid_argument,
+/// naming the option, for a missing or unusable value.
+Options take_options(std::vector<std::string>& arguments);
 
 /// Returns the instants that are analysed: a scene's own, but for what the options say.
 TimeGrid chosen_grid(const TimeGrid& own, const Options& options);
-
-/// Returns the text of --help, without the flags of Google Benchmark.
-std::string usage();
 
 }  // namespace desmo::paper

@@ -2,7 +2,6 @@
 
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "bench/experiments/paper/case_candidate.h"
@@ -22,11 +21,8 @@ class PeerCandidate final : public Candidate {
   /// <case>/<coordinates>/peer:<name>
   std::string name() const override;
   /// Compares with the quadruple-precision reference, in the coordinates that the peer finds.
-  /// Leaves it out when the whole motion would take longer than the options allow.
   void verify(ReferenceCache& references) override;
   Summary analyse() override;
-  double expected_work() const override { return 10.0 * coordinates; }
-  std::vector<std::pair<std::string, double>> counters() const override;
 
   const Case& definition;
   const int coordinates;
@@ -39,7 +35,6 @@ class PeerCandidate final : public Candidate {
   void make() override;
   void discard() override { peer_.reset(); }
 
-  const double limit_;  // CPU seconds of the whole motion
   Scene scene_;
   std::unique_ptr<Model> model_;  // the peer refers to both
   std::unique_ptr<Peer> peer_;

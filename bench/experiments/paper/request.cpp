@@ -59,13 +59,13 @@ void compare(Errors& largest, std::span<const AskedComponent> asked, const Insta
 Instant instant_of(const Formulation& f, double t) { return {0, t, f.q(), f.qd(), f.qdd()}; }
 
 /// Compares a request with a reference of the whole mechanism.
-class VerifyingRequest final : public DeliveryAtReference {
+class VerifyingRequest final : public ComparingObserver {
  public:
   VerifyingRequest(std::span<const ReferenceInstant> reference, const PlannedRequest& request)
-      : DeliveryAtReference(request.coordinates.size(), request.plan.level(), reference),
+      : ComparingObserver(request.coordinates.size(), request.plan.level(), reference),
         request_(request) {}
 
-  Comparison compare() const {
+  Comparison compare() const override {
     Errors errors;
     ResultDigest results;
     for_each([&](const ReferenceInstant& r, const State& came) {
@@ -107,8 +107,8 @@ PlannedRequest::PlannedRequest(std::string_view short_name, const Scene& scene,
     : name(short_name),
       title(scene.name),
       whole(make_model(scene)),
-      definition(find_case(scene.mechanism.name)),
-      grid(chosen_grid(scene.grid, options)) {
+      definition(find_case(scene.mechanism.name)) {
+  grid = chosen_grid(scene.grid, options);
   const std::vector<Asked> everything_asked = asked_by(scene, whole);
   plan = make_plan(whole, everything_asked);
   asked = components(whole, plan, everything_asked);
@@ -137,91 +137,51 @@ Errors max_differences(Formulation& whole, Formulation& kept, std::span<const As
 
 RequestCandidate::RequestCandidate(std::shared_ptr<const PlannedRequest> request, const Variant& v,
                                    const Settings& s, Clock by)
-    : Candidate(request->grid, s.threads, by),
-      variant(v),
-      settings(s),
-      request_(std::move(request)),
-      delivery_(request_->coordinates.size(), request_->plan.level(), windows) {}
-
-std::string RequestCandidate::name() const {
-  return std::string(request_->definition.name) + "/" +
-         std::to_string(request_->whole.coordinates()) + "/" + id() + "/request:" + request_->name;
+    : FormulationCandidate(request->grid, request->definition.name, request->whole.coordinates(),
+                           {&v, s}, by, {request->plan.level(), request->coordinates}),
+      request_(std::move(request)) {
+  solve(*request_);
 }
 
-std::unique_ptr<Formulation> RequestCandidate::made_with_tolerance(double tolerance) const {
-  Settings own = settings;
-  own.tolerance = tolerance;
-  std::unique_ptr<Formulation> f = make_formulation(variant, request_->plan.model, own);
-  f->solve_only(request_->plan.levels);
-  return f;
+std::string RequestCandidate::name() const {
+  return FormulationCandidate::name() + "/request:" + request_->name;
 }
 
 void RequestCandidate::verify(ReferenceCache& references) {
   if (state != State::unverified) return;
-  if (const std::string reason = unavailable_reason(settings); !reason.empty())
+  if (const std::string reason = unavailable_reason(settings()); !reason.empty())
     return leave_out(reason);
   try {
     model = model_digest(request_->whole);
-    const double before_setup = cpu_now();
-    formulation_ = made_with_tolerance(settings.tolerance);
-    setup_seconds = cpu_now() - before_setup;
+    build();
     if (const std::string missing = missing_code(*formulation_); !missing.empty())
       return leave_out(missing);
     if (const std::string wrong = compare_with_whole(); !wrong.empty()) return fail(wrong);
-
-    const auto reference = references.get(request_->whole, request_->grid);
-    VerifyingRequest observer(reference, *request_);
-    const double start = now(clock);
-    const Summary summary = run(observer);
-    analysis_seconds = now(clock) - start;
-    const Comparison found = observer.compare();
-    errors = found.errors;
-    results = found.results;
-    conclude(summary, request_->plan.model, reference.size());
   } catch (const std::exception& e) {
-    fail(e.what());
+    return fail(e.what());
   }
+  verify_against([&] { return references.get(request_->whole, grid); });
+}
+
+std::unique_ptr<ComparingObserver> RequestCandidate::comparing(
+    std::span<const ReferenceInstant> reference) const {
+  return std::make_unique<VerifyingRequest>(reference, *request_);
 }
 
 std::string RequestCandidate::compare_with_whole() {
-  Settings own = settings;
+  Settings own = settings();
   own.tolerance = converged;
-  const auto whole = make_formulation(variant, request_->whole, own);
+  const auto whole = make_formulation(variant(), request_->whole, own);
   // Each part stops at tolerance/√parts: the same residual in both, so that equal parts do the
   // same.
-  const double share = static_cast<double>(formulation_->parts().size()) /
-                       static_cast<double>(whole->parts().size());
-  const auto kept = made_with_tolerance(converged * std::sqrt(share));
+  own.tolerance *= std::sqrt(static_cast<double>(formulation_->parts().size()) /
+                             static_cast<double>(whole->parts().size()));
+  const auto kept = make_formulation(variant(), request_->plan.model, own);
+  kept->solve_only(request_->plan.levels);
   const Errors largest =
-      max_differences(*whole, *kept, request_->asked, request_->plan.level(), request_->grid);
+      max_differences(*whole, *kept, request_->asked, request_->plan.level(), grid);
   difference = std::max({largest.position, largest.velocity, largest.acceleration});
   return difference <= allowed_request_difference ? "" : difference_message(difference);
-}
-
-Summary RequestCandidate::run(Observer& observer) {
-  return formulation_->run(request_->grid, {request_->plan.level(), request_->coordinates},
-                           observer);
-}
-
-void RequestCandidate::make() {
-  formulation_ = made_with_tolerance(settings.tolerance);
-  formulation_->assemble(grid.time(0), request_->plan.level());
-  Delivery elsewhere(request_->coordinates.size(), request_->plan.level());
-  wake_threads([&] { run(elsewhere); });
-}
-
-Summary RequestCandidate::analyse() {
-  windows.begin();
-  const Summary summary = run(delivery_);
-  if (!summary.ok()) fail(describe(summary, request_->plan.model));
-  return summary;
-}
-
-std::vector<std::pair<std::string, double>> RequestCandidate::counters() const {
-  return {{"unknowns", request_->unknowns},
-          {"of", request_->all_unknowns},
-          {"iterations/step", iterations_per_step},
-          {"residual", residual}};
 }
 
 std::vector<std::unique_ptr<RequestCandidate>> make_request_candidates(const Options& options) {

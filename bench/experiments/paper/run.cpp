@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <exception>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <regex>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -22,10 +22,7 @@
 #include "bench/experiments/paper/options.h"
 #include "bench/experiments/paper/peer_candidate.h"
 #include "bench/experiments/paper/request.h"
-#include "bench/kit/memory.h"
 #include "bench/kit/process/own_process.h"
-#include "bench/kit/record/record.h"
-#include "formulations/algebra/blas.h"
 #include "formulations/variants.h"
 
 namespace desmo::paper {
@@ -36,56 +33,26 @@ namespace {
 
 /// Returns the number as Google Benchmark reads it: the last one counts. Nothing where the user
 /// leaves it to us.
-std::optional<int> repetitions_of(const std::vector<char*>& arguments) {
+std::optional<int> repetitions_of(const std::vector<std::string>& arguments) {
   constexpr std::string_view flag = "--benchmark_repetitions=";
   std::optional<int> repetitions;
-  for (const std::string_view a : arguments)
-    if (a.starts_with(flag)) repetitions = std::max(1, std::atoi(a.data() + flag.size()));
+  for (const std::string& a : arguments)
+    if (a.starts_with(flag)) repetitions = std::max(1, std::atoi(a.c_str() + flag.size()));
   return repetitions;
 }
 
-/// Returns the candidates that the filter selects. Google Benchmark offers no question for that
-/// before registration, so they are registered once for the question and anew for the measurement.
+/// Returns the candidates that Google Benchmark's filter selects: one that begins with "-" selects
+/// all others.
 std::vector<Candidate*> selected(const std::vector<Candidate*>& all) {
-  struct Names final : benchmark::BenchmarkReporter {
-    std::set<std::string> found;
-    bool ReportContext(const Context&) override { return true; }
-    void ReportRuns(const std::vector<Run>& runs) override {
-      for (const Run& run : runs) found.insert(run.run_name.function_name);
-    }
-  } names;
-  for (const Candidate* candidate : all)
-    benchmark::RegisterBenchmark(candidate->name().c_str(), [](benchmark::State& state) {
-      for (auto _ : state) {
-      }
-    });
+  std::string filter = benchmark::GetBenchmarkFilter();
+  const bool others = filter.starts_with('-');
+  if (others) filter.erase(0, 1);
+  const std::regex expression(filter == "all" ? "" : filter);
   std::vector<Candidate*> result;
-  benchmark::RunSpecifiedBenchmarks(&names);
-  benchmark::ClearRegisteredBenchmarks();
   for (Candidate* candidate : all)
-    if (names.found.contains(candidate->name())) result.push_back(candidate);
+    if (std::regex_search(candidate->name(), expression) != others) result.push_back(candidate);
   return result;
 }
-
-/// All candidates, each name once: a formulation that was asked for may also be measured against a
-/// peer.
-class AllCandidates {
- public:
-  template <class Kind>
-  void add(std::vector<std::unique_ptr<Kind>> some) {
-    for (auto& candidate : some)
-      if (names_.insert(candidate->name()).second) owned_.push_back(std::move(candidate));
-  }
-  std::vector<Candidate*> in_order() const {
-    std::vector<Candidate*> all;
-    for (const auto& candidate : owned_) all.push_back(candidate.get());
-    return all;
-  }
-
- private:
-  std::set<std::string> names_;
-  std::vector<std::unique_ptr<Candidate>> owned_;
-};
 
 /// Throws std::invalid_argument where time grids differ: a record has one.
 void require_one_grid(const std::vector<Candidate*>& all) {
@@ -117,7 +84,7 @@ std::vector<Series> series_of(const std::vector<Candidate*>& all, bool together)
 }
 
 /// Google Benchmark writes it anew in every process.
-bool has_output_file(const std::vector<char*>& arguments) {
+bool has_output_file(const std::vector<std::string>& arguments) {
   return std::ranges::any_of(arguments, [](std::string_view a) {
     return a.starts_with("--benchmark_out=") && !a.ends_with('=');
   });
@@ -128,45 +95,54 @@ bool is_listing(std::string_view argument) {
 }
 
 int run(const bench::CommandLine& line) {
-  keep_freed_memory();
-  std::vector<char*> arguments = line.arguments;
+  std::vector<std::string> arguments = line.arguments;
   for (const std::string_view a : arguments)
     if (a.starts_with("--benchmark_report_aggregates_only") || a.starts_with("--benchmark_format"))
       throw std::invalid_argument(std::string(a) +
                                   ": not here, every sample is recorded; see --record and "
                                   "--benchmark_out");
   const Options options = take_options(arguments);
-  if (options.help) std::cout << usage();
 
   // Defaults first, so that the user's flags win. An iteration is a whole analysis, and a
   // repetition is one iteration: the least time is met by the first.
-  std::string interleave = "--benchmark_enable_random_interleaving=true";
-  std::string min_time = "--benchmark_min_time=1e-6";
-  std::string help = "--help";
-  arguments.insert(arguments.begin(), {line.program, interleave.data(), min_time.data()});
-  if (options.help) arguments.push_back(help.data());
+  arguments.insert(arguments.begin(), {line.program, "--benchmark_enable_random_interleaving=true",
+                                       "--benchmark_min_time=1e-6"});
+  if (options.help) arguments.push_back("--help");
   // Before Google Benchmark takes its flags away.
   const std::optional<int> asked_repetitions = repetitions_of(arguments);
   const bool listing = std::ranges::any_of(arguments, is_listing),
              together = has_output_file(arguments);
-  int count = static_cast<int>(arguments.size());
-  benchmark::Initialize(&count, arguments.data());
-  if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 64;
-  set_blas_threads(1);  // the clock is the thread's own
+  std::vector<char*> pointers;
+  for (std::string& argument : arguments) pointers.push_back(argument.data());
+  int count = static_cast<int>(pointers.size());
+  benchmark::Initialize(&count, pointers.data());
+  if (benchmark::ReportUnrecognizedArguments(count, pointers.data())) return 64;
   for (const std::string& note : faulty_libraries()) std::cerr << "desmo_bench: " << note << '\n';
 
-  AllCandidates candidates;
-  candidates.add(make_case_candidates(options));
-  candidates.add(make_request_candidates(options));
-  candidates.add(make_candidates_for_peers(options));
-  candidates.add(make_peer_candidates(options));
-  const std::vector<Candidate*> all = candidates.in_order();
+  // Each name once: a formulation that was asked for may also be measured against a peer.
+  std::vector<std::unique_ptr<Candidate>> owned;
+  std::vector<Candidate*> all;
+  std::set<std::string> names;
+  const auto add = [&](auto candidates) {
+    for (auto& candidate : candidates)
+      if (names.insert(candidate->name()).second) {
+        all.push_back(candidate.get());
+        owned.push_back(std::move(candidate));
+      }
+  };
+  add(make_case_candidates(options));
+  add(make_request_candidates(options));
+  add(make_candidates_for_peers(options));
+  add(make_peer_candidates(options));
   require_one_grid(all);
   const std::vector<Candidate*> chosen = selected(all);
-  if (listing) return 0;
-  if (chosen.empty()) return 64;  // Google Benchmark has said that nothing matches
+  if (chosen.empty()) throw std::invalid_argument("no benchmark matches the filter");
+  if (listing) {
+    for (const Candidate* candidate : chosen) std::cout << candidate->name() << '\n';
+    return 0;
+  }
   std::optional<Recording> recording;
-  if (!options.record.empty()) recording.emplace(options.record, line.text);
+  if (!options.record.empty()) recording.emplace(options.record, line.text, line.experiment);
 
   Json all_lists;
   bool failed = false;

@@ -1,5 +1,6 @@
 // desmo_bench size: how the time of a step grows with the size of a mechanism, and where solving
 // all of it at once costs the same with dense and with sparse matrices.
+#include <CLI/CLI.hpp>
 #include <iostream>
 #include <list>
 #include <nlohmann/json.hpp>
@@ -11,11 +12,8 @@
 #include "bench/experiments/experiments.h"
 #include "bench/experiments/size/series.h"
 #include "bench/kit/candidate.h"
-#include "bench/kit/memory.h"
 #include "bench/kit/problem.h"
 #include "bench/kit/process/progress.h"
-#include "bench/kit/record/record.h"
-#include "formulations/algebra/blas.h"
 
 namespace desmo::size {
 
@@ -27,11 +25,6 @@ using Json = nlohmann::ordered_json;
 constexpr int usual_repetitions = 5;
 constexpr double min_seconds = 0.02;  // of a sample
 constexpr double dear_seconds = 1;    // a motion that takes longer has two samples only
-
-bool is_sampled(const FormulationCandidate& candidate) {
-  const std::vector<double>& samples = candidate.seconds;
-  return samples.size() >= 2 && samples.front() * candidate.grid.instants > dear_seconds;
-}
 
 double work_of(const Series& series) {
   return series.size * static_cast<double>(series.ids.size());
@@ -71,7 +64,7 @@ bool measure(const Series& series, int repetitions, Json& list) {
     candidates.emplace_back(problem, id, Settings{.tolerance = problem.tolerance}).verify();
   for (int round = 0; round < repetitions; ++round)
     for (FormulationCandidate& candidate : candidates)
-      if (!is_sampled(candidate)) candidate.sample_afresh(min_seconds);
+      if (!candidate.is_sampled(dear_seconds)) candidate.sample_afresh(min_seconds);
   bool right = true;
   for (const FormulationCandidate& candidate : candidates) {
     list.push_back(entry_json(series, problem, candidate));
@@ -85,20 +78,18 @@ bool measure(const Series& series, int repetitions, Json& list) {
 
 int run(const bench::CommandLine& line) {
   bench::CommonOptions options;
-  bench::OptionTable table("desmo_bench size: how time grows with the size of a mechanism.");
-  bench::add_common(table, options,
+  CLI::App parser("desmo_bench size: how time grows with the size of a mechanism.");
+  bench::add_common(parser, options,
                     {.quick = "small sizes only",
-                     .filtered = "<question>/<case>/<size>/<id>, such as\n"
+                     .filtered = "<question>/<case>/<size>/<id>, such as "
                                  "growth/four_bar/114/group_symbolic_inlined",
                      .repetitions = std::to_string(usual_repetitions)});
-  if (!table.read(line)) return 0;
-  bench::keep_freed_memory();
-  set_blas_threads(1);  // the clock is the thread's own
+  if (!read(parser, line)) return 0;
 
   const std::vector<Series> all =
       matching(options.quick ? quick_series() : all_series(), std::regex(options.filter));
   if (all.empty()) throw std::invalid_argument("nothing matches " + options.filter);
-  bench::Recording recording(options.record, line.text);
+  bench::Recording recording = begin_record(options, line);
   const int repetitions = options.repetitions > 0 ? options.repetitions : usual_repetitions;
   double work = 0;
   for (const Series& series : all) work += work_of(series);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <optional>
 
 #include "bench/kit/problem.h"
@@ -22,10 +21,6 @@ constexpr std::array<std::string_view, 6> growing{"group_symbolic_explicit",
                                                   "group_symbolic_inlined",
                                                   "block_symbolic_klu",
                                                   "global_automatic_klu"};
-
-constexpr std::array<std::string_view, 6> break_even{
-    "global_automatic_lapack",  "global_automatic_eigen",   "global_automatic_klu",
-    "global_automatic_umfpack", "global_automatic_cholmod", "global_automatic_ma27"};
 
 /// 3 + 111 k: both cases have them.
 constexpr std::array coordinates{114,  225,  336,  447,   558,   1002,
@@ -50,17 +45,14 @@ TimeGrid begin_of(const Case& c, int instants) {
   return grid;
 }
 
-/// Tells whether this build has the formulation, on this machine.
-bool exists(std::string_view id) {
-  return std::ranges::find(variants(), id.substr(0, id.find('/')), &Variant::id) !=
-         variants().end();
-}
-
-template <std::size_t n>
-void add(std::vector<Series>& all, Question question, const Case& c, int size,
-         const std::array<std::string_view, n>& ids) {
-  all.push_back({question, &c, size, {}});
-  std::ranges::copy_if(ids, std::back_inserter(all.back().ids), exists);
+/// Returns all unknowns at once by every library that is meant to be fast.
+std::vector<std::string_view> all_at_once() {
+  std::vector<std::string_view> ids;
+  for (const Variant& v : variants())
+    if (v.partition == Partition::global && v.evaluation == Evaluation::automatic &&
+        slow_reason(v).empty())
+      ids.push_back(v.id);
+  return ids;
 }
 
 /// Returns what the first entities need; nothing where none of them moves.
@@ -81,7 +73,7 @@ void add_break_even(std::vector<Series>& all, const Case& c, int max_unknowns) {
   for (const int least : unknowns) {
     if (least > max_unknowns) return;
     const int found = bench::moving_unknowns(cut_to(whole, least));
-    if (found != last) add(all, Question::break_even, c, last = found, break_even);
+    if (found != last) all.push_back({Question::break_even, &c, last = found, all_at_once()});
   }
 }
 
@@ -89,7 +81,8 @@ std::vector<Series> series_up_to(int max_coordinates, int max_unknowns) {
   std::vector<Series> all;
   for (const Case& c : cases()) {
     for (const int n : coordinates)
-      if (n <= max_coordinates) add(all, Question::growth, c, n, growing);
+      if (n <= max_coordinates)
+        all.push_back({Question::growth, &c, n, {growing.begin(), growing.end()}});
     add_break_even(all, c, max_unknowns);
   }
   return all;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <regex>
-#include <string>
 #include <string_view>
 #include <vector>
 

@@ -9,11 +9,15 @@
 
 namespace desmo::bench {
 
-Progress::Progress(std::string what, double work)
-    : what_(std::move(what)), all_(work), terminal_(isatty(STDERR_FILENO) == 1) {}
+Progress::Progress(std::string what, double work, bool only_on_terminal)
+    : what_(std::move(what)),
+      all_(work),
+      terminal_(isatty(STDERR_FILENO) == 1),
+      only_there_(only_on_terminal) {}
 
 Progress::~Progress() {
   clear();
+  if (only_there_) return;
   std::fprintf(stderr, "%s: %.0f %% in %.0f s\n", what_.c_str(), 100 * done_ / all_, elapsed());
 }
 
@@ -21,7 +25,7 @@ void Progress::done(double work) {
   const std::lock_guard lock(mutex_);
   done_ = std::min(all_, done_ + work);
   const double now = elapsed();
-  if (now - shown_ < (terminal_ ? 0.2 : 10)) return;
+  if (now - shown_ < (terminal_ ? 0.2 : 10) || (only_there_ && !terminal_)) return;
   shown_ = now;
   std::fprintf(stderr, "%s%s: %.0f %%, %.0f s left%s", terminal_ ? "\r" : "", what_.c_str(),
                100 * done_ / all_, std::ceil(now * (all_ - done_) / done_),

@@ -7,14 +7,15 @@
 namespace desmo::bench {
 
 /// A progress line on standard error, with the expected remaining time: rewritten on a terminal;
-/// elsewhere a new one every ten seconds. Any thread may report.
+/// elsewhere a new one every ten seconds. The last says how long it took. Any thread may report.
 class Progress {
  public:
   /// what: for people, "rounds of 12 candidates". work: all there is to do, in any unit.
-  Progress(std::string what, double work);
+  /// only_on_terminal: nothing is said elsewhere, nor how long it took.
+  Progress(std::string what, double work, bool only_on_terminal = false);
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
-  ~Progress();  ///< says how long it took
+  ~Progress();
 
   /// Adds work that is done. The rest is expected to take as long by its amount.
   void done(double work = 1);
@@ -28,7 +29,7 @@ class Progress {
   const std::string what_;
   const double all_;
   double done_ = 0;
-  const bool terminal_;
+  const bool terminal_, only_there_;
   const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   double shown_ = 0;  // s after the beginning
 };

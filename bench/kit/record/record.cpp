@@ -1,14 +1,10 @@
 #include "bench/kit/record/record.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
-#include <string_view>
 #include <utility>
 
 #include "bench/kit/record/environment.h"
@@ -18,32 +14,6 @@ namespace desmo::bench {
 using Json = nlohmann::ordered_json;
 
 namespace {
-
-/// The section of each list: that of its experiment.
-constexpr std::array<std::pair<std::string_view, const char*>, 13> sections{
-    {{"cells", "paper"},
-     {"requests", "paper"},
-     {"peers", "paper"},
-     {"structure", "paper"},
-     {"profiles", "paper"},
-     {"floors", "accuracy"},
-     {"points", "accuracy"},
-     {"tuning", "accuracy"},
-     {"growth", "size"},
-     {"break_even", "size"},
-     {"counts", "instructions"},
-     {"rows", "extremes"},
-     {"results", "extremes"}}};
-
-Json by_experiment(const Json& lists) {
-  Json all = Json::object();
-  for (const auto& [name, list] : lists.items()) {
-    const auto section = std::ranges::find(sections, name, [](const auto& s) { return s.first; });
-    if (section == sections.end()) throw std::logic_error("a record has no list " + name);
-    if (!list.empty()) all[section->second][name] = list;
-  }
-  return all;
-}
 
 const std::string& required(const std::string& path) {
   if (path.empty())
@@ -63,13 +33,22 @@ Json rounded_list(const std::vector<double>& seconds) {
 
 }  // namespace
 
-Recording::Recording(const std::string& path, const std::string& command)
-    : file_(required(path)), date_(utc_now()), command_(command), load_before_(load_averages()) {}
+Recording::Recording(const std::string& path, const std::string& command,
+                     const std::string& experiment)
+    : file_(required(path)),
+      date_(utc_now()),
+      command_(command),
+      experiment_(experiment),
+      load_before_(load_averages()) {}
 
 void Recording::write(const TimeGrid& grid, const Json& lists, std::optional<int> windows) {
   Json environment = environment_json({date_, command_, load_before_, load_averages()}, grid);
   if (windows) environment["settings"]["windows"] = *windows;
-  file_.write(record_layout(head(environment), by_experiment(lists)));
+  Json section = Json::object();
+  for (const auto& [name, list] : lists.items())
+    if (!list.empty()) section[name] = list;
+  file_.write(record_layout(head(environment), {{experiment_, section}}));
+  file_.finish();
 }
 
 Json record_head(const std::string& command, const TimeGrid& grid) {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "bench/kit/record/new_file.h"
 #include "bench/kit/time/timing_windows.h"
 #include "bench/kit/verification.h"
+#include "cases/io/new_files.h"
 #include "cases/mechanism/motion.h"
 
 namespace desmo::bench {
@@ -19,21 +19,22 @@ inline constexpr const char* schema_version = "2.0.0";
 /// and written once all is.
 class Recording {
  public:
-  /// Notes date and load, and takes the file (see NewFile). command: program name and arguments.
-  /// Throws std::runtime_error, naming the path, and std::invalid_argument for an empty one.
-  Recording(const std::string& path, const std::string& command);
+  /// Notes date and load, and takes the file (see OutputFile). command: program name and arguments.
+  /// experiment: the name of the section that is written.
+  /// Throws OutputError, and std::invalid_argument for an empty path.
+  Recording(const std::string& path, const std::string& command, const std::string& experiment);
 
-  /// Notes the load and writes lists to the file, once. Throws std::runtime_error, naming the path.
+  /// Notes the load and writes lists to the file, once. Throws OutputError.
   ///
   /// grid: for the settings, the usual one where there are several.
-  /// lists: an object of arrays, whose names say to which experiment each belongs.
+  /// lists: an object of arrays; empty ones are left out.
   /// windows: timing windows into which motions were cut, where they were.
   void write(const TimeGrid& grid, const nlohmann::ordered_json& lists,
              std::optional<int> windows = {});
 
  private:
-  NewFile file_;
-  std::string date_, command_;
+  OutputFile file_;
+  std::string date_, command_, experiment_;
   std::vector<double> load_before_;
 };
 

@@ -184,7 +184,7 @@ std::vector<std::string> Axle::delivered(const std::string& prefix) {
   return names;
 }
 
-void Axle::deliver(Delivery& out) const {
+void Axle::deliver(AnswerWriter& out) const {
   const auto& [s, x, y, z] = pose_;
   out.put(pose_.at(left_));
   out.put(pose_.at(right_));

@@ -48,7 +48,7 @@ class Axle {
   /// Returns the iterations of the last solution.
   const Pose& pose() const { return pose_; }
   /// Everything of these bodies at the last solution.
-  void deliver(Delivery& out) const;
+  void deliver(AnswerWriter& out) const;
 
  private:
   struct Rod {

@@ -36,7 +36,7 @@ class Dyad {
   }
 
   /// C, given B. Throws std::runtime_error, naming the dyad, when the circles do not meet.
-  Moving<Vec2> solve(const Moving<Vec2>& b, Delivery& out) const {
+  Moving<Vec2> solve(const Moving<Vec2>& b, AnswerWriter& out) const {
     const Vec2 way = pivot_ - b.q;  // E = D − B; E·ρ = k
     const double square = way.squaredNorm();
     const double k = (coupler_ * coupler_ - rocker_ * rocker_ - square) / (2 * rocker_);
@@ -88,7 +88,7 @@ class FourBar final : public TreePeer {
     const auto [theta, rate, second_rate] = sample(motion_, t);
     const Vec2 arm = crank_ * Vec2(std::cos(theta), std::sin(theta)), across = left_of(arm);
     Moving<Vec2> b{pivot_ + arm, rate * across, second_rate * across - rate * rate * arm};
-    Delivery out = delivery();
+    AnswerWriter out = writer();
     out.put(Moving<double>{theta, rate, second_rate});
     out.put(b);
     for (const Dyad& dyad : dyads_) b = dyad.solve(b, out);

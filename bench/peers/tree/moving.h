@@ -56,9 +56,9 @@ inline Polar polar(const Moving<Vec>& a) {
 inline Moving<Vec> unit(const Moving<Vec>& a) { return polar(a).direction; }
 
 /// Writes the coordinates of the mechanism, one entity after the other.
-class Delivery {
+class AnswerWriter {
  public:
-  Delivery(double* q, double* qd, double* qdd) : q_(q), qd_(qd), qdd_(qdd) {}
+  AnswerWriter(double* q, double* qd, double* qdd) : q_(q), qd_(qd), qdd_(qdd) {}
 
   template <int n>
   void put(const Moving<Eigen::Matrix<double, n, 1>>& v) {

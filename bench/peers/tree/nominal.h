@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
-#include "bench/peers/named.h"
 #include "bench/peers/tree/moving.h"
 #include "cases/mechanism/mechanism.h"
 
@@ -10,6 +12,14 @@ namespace desmo::tree {
 
 // Dimensions are read off the nominal position. All throw std::invalid_argument when there is no
 // such name.
+
+/// Returns the point, vector, body … of that name.
+template <class Named>
+const Named& named(const std::vector<Named>& all, const std::string& name) {
+  const auto it = std::ranges::find(all, name, &Named::name);
+  if (it == all.end()) throw std::invalid_argument("there is no '" + name + "'");
+  return *it;
+}
 
 inline Vec nominal(const Mechanism& d, const std::string& point) {
   return Vec(named(d.points, point).position.data());

@@ -23,8 +23,8 @@ class TreePeer : public Peer {
       values->resize(answer_.coordinates.size());
   }
 
-  /// Returns the delivery of everything that was announced, from the beginning.
-  Delivery delivery() { return {answer_.q.data(), answer_.qd.data(), answer_.qdd.data()}; }
+  /// Returns the writer of everything that was announced, from the beginning.
+  AnswerWriter writer() { return {answer_.q.data(), answer_.qd.data(), answer_.qdd.data()}; }
 };
 
 /// truck_suspension, one axle after the other. The guess is that of the two angles of an axle for

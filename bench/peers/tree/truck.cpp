@@ -7,9 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "bench/peers/tree/axle.h"
-#include "bench/peers/tree/damper.h"
-#include "bench/peers/tree/stabiliser.h"
+#include "bench/peers/tree/suspension.h"
 #include "bench/peers/tree/tree_peer.h"
 #include "formulations/base/part.h"
 #include "formulations/prediction/motions_ahead.h"
@@ -18,18 +16,6 @@
 namespace desmo::tree {
 
 namespace {
-
-/// An axle with all that hangs on it.
-struct Suspension {
-  Suspension(const Mechanism& d, const std::string& prefix, double tolerance)
-      : axle(d, prefix, tolerance),
-        stabilisers{Stabiliser(d, prefix, "6", "8"), Stabiliser(d, prefix, "7", "9")},
-        dampers{Damper(d, prefix, "10", "11"), Damper(d, prefix, "12", "13")} {}
-
-  Axle axle;
-  std::array<Stabiliser, 2> stabilisers;
-  std::array<Damper, 2> dampers;
-};
 
 /// The angles of all axles at an instant, one axle after the other.
 struct AnglesOfAll {
@@ -98,7 +84,7 @@ class Truck final : public TreePeer {
  private:
   void solve(double t) {
     time_ = t;
-    Delivery out = delivery();
+    AnswerWriter out = writer();
     out.put(Moving<Vec>{Vec::UnitY(), Vec::Zero(), Vec::Zero()});  // y1
     int iterations = 0;
     const MotionRow heights = motions_(t);

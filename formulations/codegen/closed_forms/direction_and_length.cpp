@@ -96,7 +96,7 @@ std::optional<DirectionAndLength> recognise(const Task& task) {
 
 }  // namespace
 
-/// w = s d with d of constant length: a segment's length and direction.
+/// w = s d with d of constant length: a line's length and direction.
 std::optional<ClosedForm> solve_direction_and_length(const Task& task) {
   const std::optional<DirectionAndLength> found = recognise(task);
   if (!found) return std::nullopt;

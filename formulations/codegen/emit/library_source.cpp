@@ -5,7 +5,6 @@
 #include <sstream>
 
 #include "formulations/codegen/emit/explicit_source.h"
-#include "formulations/codegen/emit/kernel_headers.h"
 #include "formulations/codegen/emit/kernel_source.h"
 
 namespace desmo::generate {

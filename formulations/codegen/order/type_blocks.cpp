@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <new>
 #include <stdexcept>
 #include <utility>
 
@@ -25,9 +24,7 @@ std::vector<Block> blocks_of(const PartType& type, const RecordedPart& part) {
     for (const Expr input : moving_inputs(part.phi[r]))
       if (const auto it = column.find(input.id()); it != column.end())
         cs_di_entry(triplets.get(), r, it->second, 1);
-  const CSparseMatrix matrix(cs_di_compress(triplets.get()));
-  const CSparseForm form(cs_di_dmperm(matrix.get(), 0));
-  if (!form) throw std::bad_alloc();
+  const CSparseForm form = decompose(triplets);
   if (form->rr[4] != form->rr[3] || form->cc[1] != 0)
     throw std::invalid_argument("the equations are structurally singular");
   std::vector<Block> blocks;

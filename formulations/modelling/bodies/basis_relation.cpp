@@ -30,13 +30,13 @@ void relate_in_plane(EquationWriter& w, const Relation& r) {
   const double x2 = nominal::dot(x, x), least = r.magnitude / std::sqrt(x2);
   const std::array c{snap(nominal::dot(x, r.offset) / x2, least),
                      snap((x[0] * r.offset[1] - x[1] * r.offset[0]) / x2, least)};
-  if (r.is_point && d.is_segment())
+  if (r.is_point && d.is_line())
     w.constrain<PlanarRelation<true, true>>(Origin::body, r.name,
                                             {r.target, w.point(d.from), w.point(d.to)}, c);
   else if (r.is_point)
     w.constrain<PlanarRelation<true, false>>(
         Origin::body, r.name, {r.target, w.point(r.basis.origin), w.vector(d.vector)}, c);
-  else if (d.is_segment())
+  else if (d.is_line())
     w.constrain<PlanarRelation<false, true>>(Origin::body, r.name,
                                              {r.target, w.point(d.from), w.point(d.to)}, c);
   else
@@ -70,25 +70,25 @@ std::vector<double> coefficients_in_space(const Mechanism& d, const Relation& r)
   return c;
 }
 
-/// A segment ends at the sum of itself and the origin, so that its term is its end and takes as
+/// A line ends at the sum of itself and the origin, so that its term is its end and takes as
 /// much away from the origin.
 void relate_in_space(EquationWriter& w, const Relation& r) {
   const std::vector<double> c = coefficients_in_space(w.mechanism, r);
   double of_origin = r.is_point ? 1 : 0;
-  bool has_segments = false;
+  bool has_lines = false;
   std::vector<EntityId> terms;
   std::vector<double> coefficients;
   for (std::size_t k = 0; k < c.size(); ++k) {
     if (c[k] == 0) continue;
     const Direction& d = r.basis.directions[k];
-    if (d.is_segment()) {
-      has_segments = true;
+    if (d.is_line()) {
+      has_lines = true;
       of_origin -= c[k];
     }
-    terms.push_back(d.is_segment() ? w.point(d.to) : w.vector(d.vector));
+    terms.push_back(d.is_line() ? w.point(d.to) : w.vector(d.vector));
     coefficients.push_back(c[k]);
   }
-  if (r.is_point && !has_segments)
+  if (r.is_point && !has_lines)
     return with_terms<3>(terms.size(), [&]<int T>() {
       std::array<EntityId, T + 2> operands{r.target, w.point(r.basis.origin)};
       std::array<double, T> values{};

@@ -21,17 +21,17 @@ void hold_ground_vectors(EquationWriter& w) {
   }
 }
 
-/// Of two different directions of a basis, in space; vectors come before segments.
+/// Of two different directions of a basis, in space; vectors come before lines.
 void keep_product_of_two(EquationWriter& w, const std::string& name, const Direction& a,
                          const Direction& b, const Vec& u, const Vec& v) {
   const double product =
-      snap(nominal::dot(u, v), (a.is_segment() ? w.reach : 1) * (b.is_segment() ? w.reach : 1));
+      snap(nominal::dot(u, v), (a.is_line() ? w.reach : 1) * (b.is_line() ? w.reach : 1));
   const std::string product_name = name + w.text(a) + " with " + w.text(b);
-  if (a.is_segment()) {  // both from the same point: the distance of their ends says the same
+  if (a.is_line()) {  // both from the same point: the distance of their ends says the same
     const Vec ends = v - u;
     w.constrain<Length<3>>(Origin::body, name + w.text({-1, a.to, b.to}) + " length",
                            {w.point(a.to), w.point(b.to)}, {nominal::dot(ends, ends)});
-  } else if (b.is_segment()) {
+  } else if (b.is_line()) {
     w.constrain<Projection<3>>(Origin::body, product_name,
                                {w.vector(a.vector), w.point(b.from), w.point(b.to)}, {product});
   } else {
@@ -46,9 +46,9 @@ void keep_product(EquationWriter& w, const std::string& name, const RigidBody& b
   const Vec u = nominal::direction(w.mechanism, body, a),
             v = nominal::direction(w.mechanism, body, b);
   if (!w.note_product(a, b, nominal::dot(u, v))) return;
-  if (!a.is_segment() && a.vector == b.vector)
+  if (!a.is_line() && a.vector == b.vector)
     return w.constrain<Unit<D>>(Origin::body, name + w.text(a) + " unit", {w.vector(a.vector)}, {});
-  if (a.is_segment() && a.to == b.to)
+  if (a.is_line() && a.to == b.to)
     return w.constrain<Length<D>>(Origin::body, name + w.text(a) + " length",
                                   {w.point(a.from), w.point(a.to)}, {nominal::dot(u, u)});
   if constexpr (D == 3) keep_product_of_two(w, name, a, b, u, v);

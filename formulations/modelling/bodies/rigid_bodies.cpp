@@ -2,18 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 #include <utility>
+
+#include "cases/mechanism/disjoint_sets.h"
 
 namespace desmo {
 
 namespace nominal {
 
-Vec direction(const Mechanism& d, const RigidBody& body, const Mechanism::Direction& segment) {
-  Vec v = direction(d, segment);
+Vec direction(const Mechanism& d, const RigidBody& body, const Mechanism::Direction& line) {
+  Vec v = direction(d, line);
   for (const auto& [a, b, length] : body.lengths)
-    if (segment.is_segment() && std::minmax({segment.from, segment.to}) == std::minmax({a, b})) {
+    if (line.is_line() && std::minmax({line.from, line.to}) == std::minmax({a, b})) {
       const double scale = length / norm(v);
       for (double& x : v) x *= scale;
     }
@@ -55,13 +56,13 @@ Basis choose_basis(const Mechanism& d, const RigidBody& body) {
           extend(orthonormal, d.vectors[v].direction, min_sine))
         basis.directions.push_back({v});
     for (const int p : body.points) {
-      const Mechanism::Direction segment{-1, basis.origin, p};
+      const Mechanism::Direction line{-1, basis.origin, p};
       if (orthonormal.size() < enough && !basis.has_point(p) &&
-          extend(orthonormal, nominal::direction(d, segment), min_sine))
-        basis.directions.push_back(segment);
+          extend(orthonormal, nominal::direction(d, line), min_sine))
+        basis.directions.push_back(line);
     }
   }
-  std::ranges::stable_partition(basis.directions, [](const auto& x) { return !x.is_segment(); });
+  std::ranges::stable_partition(basis.directions, [](const auto& x) { return !x.is_line(); });
   return basis;
 }
 
@@ -88,18 +89,14 @@ class Carried {
 
 /// For each body the first of those that it moves with.
 std::vector<int> merge_fixed(const Mechanism& d) {
-  std::vector<int> first(d.bodies.size());
-  std::iota(first.begin(), first.end(), 0);
-  const auto root = [&](int b) {
-    while (first[b] != b) b = first[b] = first[first[b]];
-    return b;
-  };
+  DisjointSets rigid(d.bodies.size());
   for (const Mechanism::Joint& j : d.joints) {
     if (j.type != Mechanism::JointType::fixed) continue;
-    const auto [a, b] = std::minmax({root(j.bodies[0]), root(j.bodies[1])});
-    first[b] = a;
+    const auto [first, later] = std::minmax({rigid.find(j.bodies[0]), rigid.find(j.bodies[1])});
+    rigid.unite(later, first);
   }
-  for (int b = 0; b < static_cast<int>(first.size()); ++b) first[b] = root(b);
+  std::vector<int> first;
+  for (int b = 0; b < static_cast<int>(d.bodies.size()); ++b) first.push_back(rigid.find(b));
   return first;
 }
 
@@ -120,13 +117,13 @@ void require_nominal_lengths(const Mechanism& d, const RigidBody& body) {
 
 bool Basis::has_point(int point) const {
   return point == origin || std::ranges::any_of(directions, [&](const auto& d) {
-           return d.is_segment() && d.to == point;
+           return d.is_line() && d.to == point;
          });
 }
 
 bool Basis::has_vector(int vector) const {
   return std::ranges::any_of(directions,
-                             [&](const auto& d) { return !d.is_segment() && d.vector == vector; });
+                             [&](const auto& d) { return !d.is_line() && d.vector == vector; });
 }
 
 bool follows_from_points(const Mechanism& d, const RigidBody& body, int vector) {

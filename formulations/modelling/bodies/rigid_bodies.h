@@ -9,11 +9,11 @@
 namespace desmo {
 
 /// The basis of a rigid body: a point and up to three independent directions (one in the plane).
-/// Each direction is a vector, or the segment from that point to another. All other points and
+/// Each direction is a vector, or the line from that point to another. All other points and
 /// vectors of the body are linear functions of the basis.
 struct Basis {
   int origin = -1;                               ///< point; -1: the body carries none
-  std::vector<Mechanism::Direction> directions;  ///< vectors first, then segments
+  std::vector<Mechanism::Direction> directions;  ///< vectors first, then lines
 
   bool has_point(int point) const;
   bool has_vector(int vector) const;
@@ -45,7 +45,7 @@ struct RigidBodies {
 bool follows_from_points(const Mechanism& mechanism, const RigidBody& body, int vector);
 
 /// Merges fixed bodies and chooses their bases. Vectors that do not follow from points are taken
-/// first, in the mechanism's order, then segments from the body's first point. A direction within
+/// first, in the mechanism's order, then lines from the body's first point. A direction within
 /// 6° of the span of earlier ones is taken only as a last resort. Throws std::invalid_argument,
 /// naming the body, when
 /// - a body carries neither point nor vector,
@@ -54,7 +54,7 @@ RigidBodies find_rigid_bodies(const Mechanism& mechanism);
 
 namespace nominal {
 
-/// Returns a direction on a rigid body. A segment has the length that the body declares for its two
+/// Returns a direction on a rigid body. A line has the length that the body declares for its two
 /// points, if any, otherwise its nominal length.
 Vec direction(const Mechanism& mechanism, const RigidBody& body, const Mechanism::Direction& d);
 

@@ -11,8 +11,7 @@ DeclaredSlides::DeclaredSlides(const Mechanism& d) {
 }
 
 bool DeclaredSlides::slides(const Mechanism::Joint& j) {
-  using enum Mechanism::JointType;
-  return j.type == prismatic || j.type == cylindrical || j.type == revolute_on_slider;
+  return j.points.size() == 2;  // a point of each body (see JointForm)
 }
 
 bool DeclaredSlides::contain(const Mechanism::Joint& j) const {

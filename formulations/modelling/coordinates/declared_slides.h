@@ -11,7 +11,7 @@ namespace desmo {
 class DeclaredSlides {
  public:
   explicit DeclaredSlides(const Mechanism& mechanism);
-  /// Returns whether a joint slides, so that the distance along it can define it.
+  /// Returns whether a joint slides (see JointForm), so that the distance along it can define it.
   static bool slides(const Mechanism::Joint& joint);
   /// Returns whether the joint's distance is declared.
   bool contain(const Mechanism::Joint& joint) const;

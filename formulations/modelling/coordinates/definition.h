@@ -22,7 +22,7 @@ struct Definition {
 };
 
 /// Writes the definition of an angle in the plane. Throws std::invalid_argument, naming the
-/// coordinate, when one of its segments lies on no single body, so that its length may change.
+/// coordinate, when one of its lines lies on no single body, so that its length may change.
 void define_planar_angle(const Definition& definition);
 
 /// Writes the definition of an angle in space. Throws std::invalid_argument, naming the coordinate,

@@ -10,9 +10,8 @@ double dot(const Vec& a, const Vec& b) { return a[0] * b[0] + a[1] * b[1] + a[2]
 double norm(const Vec& a) { return std::sqrt(dot(a, a)); }
 
 Vec direction(const Mechanism& d, const Mechanism::Direction& direction) {
-  return direction.is_segment()
-             ? d.points[direction.to].position - d.points[direction.from].position
-             : d.vectors[direction.vector].direction;
+  return direction.is_line() ? d.points[direction.to].position - d.points[direction.from].position
+                             : d.vectors[direction.vector].direction;
 }
 
 double value(const Mechanism& d, const Mechanism::Coordinate& c) {

@@ -10,7 +10,7 @@ using Vec = Mechanism::Vec;
 Vec operator-(const Vec& a, const Vec& b);
 double dot(const Vec& a, const Vec& b);
 double norm(const Vec& a);
-/// Returns a direction: a vector as declared, or a segment with its length.
+/// Returns a direction: a vector as declared, or a line with its length.
 Vec direction(const Mechanism& mechanism, const Mechanism::Direction& d);
 /// Returns the value of a relative coordinate: an angle [rad] or a length.
 double value(const Mechanism& mechanism, const Mechanism::Coordinate& coordinate);

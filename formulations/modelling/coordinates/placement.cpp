@@ -15,7 +15,7 @@ struct NeededByDrivers {
     for (const Mechanism::Coordinate& c : d.coordinates) {
       if (!c.driven) continue;
       for (const Direction* direction : {&c.of, &c.from, &c.towards}) {
-        if (direction->is_segment())
+        if (direction->is_line())
           points[direction->from] = points[direction->to] = true;
         else if (direction->is_given())
           vectors[direction->vector] = true;
@@ -53,7 +53,7 @@ int finder(const RigidBodies& rigid, const Structure& structure, const std::vect
 int Placement::of(const Mechanism::Coordinate& c) const {
   int last = -1;
   for (const Direction* d : {&c.of, &c.from, &c.towards}) {
-    if (d->is_segment())
+    if (d->is_line())
       last = std::max({last, of_point[d->from], of_point[d->to]});
     else if (d->is_given())
       last = std::max(last, of_vector[d->vector]);

@@ -31,8 +31,8 @@ EntityId EquationWriter::add_fixed_vector(std::string name, const Mechanism::Vec
 bool EquationWriter::note_product(const Mechanism::Direction& a, const Mechanism::Direction& b,
                                   double product) {
   const auto key = [](const Mechanism::Direction& d) {
-    return d.is_segment() ? Key{1, std::min(d.from, d.to), std::max(d.from, d.to)}
-                          : Key{0, d.vector, d.vector};
+    return d.is_line() ? Key{1, std::min(d.from, d.to), std::max(d.from, d.to)}
+                       : Key{0, d.vector, d.vector};
   };
   const auto [it, is_new] = products_.emplace(std::minmax({key(a), key(b)}), product);
   return is_new ||
@@ -40,8 +40,8 @@ bool EquationWriter::note_product(const Mechanism::Direction& a, const Mechanism
 }
 
 std::string EquationWriter::text(const Mechanism::Direction& d) const {
-  return d.is_segment() ? mechanism.points[d.from].name + "-" + mechanism.points[d.to].name
-                        : mechanism.vectors[d.vector].name;
+  return d.is_line() ? mechanism.points[d.from].name + "-" + mechanism.points[d.to].name
+                     : mechanism.vectors[d.vector].name;
 }
 
 Candidates EquationWriter::take() {

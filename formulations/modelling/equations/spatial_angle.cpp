@@ -27,7 +27,7 @@ void define_spatial_angle(const Definition& definition) {
   const auto& [w, c, value] = definition;
   require_in_plane(w, c);
   const EntityId from = w.vector(c.from.vector), towards = w.vector(c.towards.vector);
-  if (c.of.is_segment()) {
+  if (c.of.is_line()) {
     const std::array operands{from, towards, w.point(c.of.from), w.point(c.of.to), value};
     c.opposite ? definition.as<FrameAngle<-1, true>>(operands)
                : definition.as<FrameAngle<1, true>>(operands);

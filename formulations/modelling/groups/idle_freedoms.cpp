@@ -16,9 +16,9 @@ std::string axis(const Mechanism& d, const Basis& basis) {
   const std::string& origin = d.points[basis.origin].name;
   if (basis.directions.empty()) return in_quotes(origin);
   const Mechanism::Direction& along = basis.directions.front();
-  return along.is_segment() ? line_of(d, along.from, along.to)
-                            : "the line through " + in_quotes(origin) + " along " +
-                                  in_quotes(d.vectors[along.vector].name);
+  return along.is_line() ? line_of(d, along.from, along.to)
+                         : "the line through " + in_quotes(origin) + " along " +
+                               in_quotes(d.vectors[along.vector].name);
 }
 
 bool concerns(const RigidBodies& rigid, const Mechanism::Joint& j, int body) {
@@ -42,7 +42,7 @@ std::string undetermined_spin(const Mechanism& d, const RigidBodies& rigid, int 
   std::vector<int> centres;
   for (const Mechanism::Joint& j : d.joints) {
     if (!concerns(rigid, j, body)) continue;
-    if (j.type != Mechanism::JointType::spherical) return {};
+    if (j.points.size() != 1 || !j.vectors.empty()) return {};  // not about a point alone
     if (std::ranges::find(centres, j.points[0]) == centres.end()) centres.push_back(j.points[0]);
   }
   return centres.size() == 2 ? line_of(d, centres[0], centres[1]) : std::string();

@@ -1,8 +1,8 @@
 #include "formulations/modelling/groups/matching.h"
 
 #include <algorithm>
-#include <new>
-#include <numeric>
+
+#include "cases/mechanism/disjoint_sets.h"
 
 namespace desmo {
 
@@ -27,25 +27,8 @@ CSparseMatrix incidence(const std::vector<Restriction>& all,
       for (const int b : r.bodies)
         for (int j = first_freedom[b]; j < first_freedom[b + 1]; ++j)
           cs_di_entry(triplets.get(), row, j, 1);
-  return CSparseMatrix(cs_di_compress(triplets.get()));
+  return triplets;
 }
-
-/// Joins the bodies that one surplus restriction concerns.
-class Merger {
- public:
-  explicit Merger(int bodies) : leader_(bodies) { std::iota(leader_.begin(), leader_.end(), 0); }
-
-  int find(int b) {
-    while (leader_[b] != b) b = leader_[b] = leader_[leader_[b]];
-    return b;
-  }
-  void join(const std::vector<int>& bodies) {
-    for (const int b : bodies) leader_[find(b)] = find(bodies.front());
-  }
-
- private:
-  std::vector<int> leader_;
-};
 
 }  // namespace
 
@@ -58,9 +41,7 @@ Matching::Matching(const RigidBodies& rigid, const std::vector<Restriction>& all
   }
   for (std::size_t r = 0; r < all.size(); ++r)
     restriction_of_row_.insert(restriction_of_row_.end(), all[r].count, static_cast<int>(r));
-  const CSparseMatrix matrix = incidence(all, first_freedom);
-  form_.reset(cs_di_dmperm(matrix.get(), 0));
-  if (!form_) throw std::bad_alloc();
+  form_ = decompose(incidence(all, first_freedom));
 }
 
 Components Matching::components() const {
@@ -82,13 +63,14 @@ void Matching::add_irreducible(Components& c) const {
 }
 
 void Matching::add_surplus(Components& c) const {
-  Merger merger(bodies_);
+  DisjointSets joined(bodies_);  // bodies that one surplus restriction concerns
   std::vector<int> restrictions;
   for (int i = form_->rr[2]; i < form_->rr[4]; ++i)
     restrictions.push_back(restriction_of_row_[form_->p[i]]);
-  for (const int r : restrictions) merger.join(all_[r].bodies);
+  for (const int r : restrictions)
+    for (const int b : all_[r].bodies) joined.unite(b, all_[r].bodies.front());
   for (const int b : bodies_of_columns(form_->cc[3], form_->cc[4])) {
-    int& of_all = c.of_body[merger.find(b)];
+    int& of_all = c.of_body[joined.find(b)];
     if (of_all < 0) of_all = c.count++;
     c.of_body[b] = of_all;
   }

@@ -4,38 +4,14 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "cases/mechanism/joint_forms.h"
+
 namespace desmo {
-
-namespace {
-
-/// Freedoms that a joint removes.
-int freedoms_removed(Mechanism::JointType type, int dimension) {
-  using enum Mechanism::JointType;
-  switch (type) {
-    case revolute:
-      return dimension == 2 ? 2 : 5;
-    case prismatic:
-      return dimension == 2 ? 2 : 5;
-    case revolute_on_slider:
-      return 1;
-    case cylindrical:
-      return 4;
-    case universal:
-      return 4;
-    case spherical:
-      return 3;
-    case fixed:
-      return dimension == 2 ? 3 : 6;
-  }
-  return 0;
-}
-
-}  // namespace
 
 std::vector<Restriction> find_restrictions(const Mechanism& d, const RigidBodies& rigid) {
   std::vector<Restriction> all;
   for (const Mechanism::Joint& j : d.joints) {
-    Restriction r{{}, freedoms_removed(j.type, d.dimension)};
+    Restriction r{{}, find_joint_form(j.type, d.dimension)->freedoms_removed};
     for (const int b : j.bodies)
       if (rigid.of_body[b] != 0) r.bodies.push_back(rigid.of_body[b]);
     std::ranges::sort(r.bodies);
@@ -58,7 +34,7 @@ std::vector<int> bodies_related(const RigidBodies& rigid, const Mechanism::Coord
   };
   const auto add_direction = [&](const Mechanism::Direction& direction) {
     if (!direction.is_given()) return;
-    if (!direction.is_segment()) return add(rigid.of_vector[direction.vector]);
+    if (!direction.is_line()) return add(rigid.of_vector[direction.vector]);
     const std::vector<int>&a = rigid.of_point[direction.from], &b = rigid.of_point[direction.to];
     std::vector<int> both;
     std::ranges::set_intersection(a, b, std::back_inserter(both));

@@ -196,14 +196,15 @@ void LiveRun::restart() {
   const auto reuses = [](const DefinedPart& part) { return part.solver->reuses_pivots(); };
   monitors_->accuracy.emplace(
       monitors_->plan.model, TimeGrid{},
-      AccuracyMonitorOptions{.tolerance = options_.tolerance,
+      AccuracyMonitorOptions{.tolerance = formulation_.settings().tolerance,
                              .levels = monitors_->plan.levels,
                              .every = options_.every,
                              .reuses_pivots = std::ranges::any_of(formulation_.parts(), reuses),
                              .scales = options_.scales,
                              .max_steps = options_.max_sub_steps,
                              .max_degradations = 0});
-  monitors_->branch.emplace(monitors_->plan.model, monitors_->plan.levels, options_.tolerance);
+  monitors_->branch.emplace(monitors_->plan.model, monitors_->plan.levels,
+                            formulation_.settings().tolerance);
 }
 
 LiveRun::Obstacle LiveRun::explain() const {
@@ -214,7 +215,7 @@ LiveRun::Obstacle LiveRun::explain() const {
     state[m.entities[m.drivers[d].coordinate].first] = tried_[d];
   std::vector<GroupId> groups(m.groups.size());
   std::iota(groups.begin(), groups.end(), 0);
-  const Settings settings{.tolerance = options_.tolerance};
+  const Settings& settings = formulation_.settings();
   const Culprit culprit = find_culprit(m, groups, state, settings);
   return {culprit.group, culprit.constraint, find_assembly_error(m, state, settings)};
 }

@@ -14,9 +14,7 @@ namespace desmo {
 
 struct LiveOptions {
   Level level = Level::acceleration;  ///< that is solved and assessed
-  double tolerance =
-      default_tolerance;  ///< to which positions are solved: that of the formulation's Settings
-  std::span<const Level> levels{};  ///< as far as each coordinate is asked for; empty: all
+  std::span<const Level> levels{};    ///< as far as each coordinate is asked for; empty: all
   /// The velocities and accelerations that bounds are relative to, which only the caller can know
   /// in advance; empty: the largest so far, which at the beginning may be small.
   std::optional<Scales> scales{};

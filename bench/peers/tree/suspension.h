@@ -1,0 +1,69 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "bench/peers/tree/axle.h"
+#include "bench/peers/tree/moving.h"
+#include "cases/mechanism/mechanism.h"
+
+namespace desmo::tree {
+
+/// A lever of the stabiliser, on the axle, and its link to the chassis. Relative coordinate: the
+/// lever's angle φ, which the link's length gives in closed form. With D = A − G, λ = ‖B − A‖ and
+/// the link's length L,
+///   ‖D + λ e‖ = L,  e = −cos φ x2 + sin φ z2.
+class Stabiliser {
+ public:
+  /// lever, link: the bodies' numbers, "6" and "8".
+  Stabiliser(const Mechanism& mechanism, const std::string& prefix, const std::string& lever,
+             const std::string& link);
+
+  /// Names of what solve() delivers, in its order.
+  static std::vector<std::string> delivered(const std::string& prefix, const std::string& lever,
+                                            const std::string& link);
+
+  /// Throws std::runtime_error, naming the lever, when its link does not reach it.
+  void solve(const Pose& axle, AnswerWriter& out) const;
+
+ private:
+  std::string name_;     // of the lever
+  Vec a_;                // A on the axle, from S in its frame
+  Vec g_;                // G
+  double lever_, link_;  // λ and L
+  double side_;          // of two positions of the lever that nominally taken: 1 or -1
+};
+
+/// Rod and tube of a damper, from A on the axle to T on the chassis. Relative coordinate: the
+/// length s, which T − A gives.
+class Damper {
+ public:
+  /// rod, tube: the bodies' numbers, "10" and "11".
+  Damper(const Mechanism& mechanism, const std::string& prefix, const std::string& rod,
+         const std::string& tube);
+
+  /// Names of what solve() delivers, in its order.
+  static std::vector<std::string> delivered(const std::string& prefix, const std::string& rod,
+                                            const std::string& tube);
+
+  void solve(const Pose& axle, AnswerWriter& out) const;
+
+ private:
+  Vec a_;  // A on the axle, from S in its frame
+  Vec t_;  // T
+};
+
+/// An axle with all that hangs on it.
+struct Suspension {
+  Suspension(const Mechanism& d, const std::string& prefix, double tolerance)
+      : axle(d, prefix, tolerance),
+        stabilisers{Stabiliser(d, prefix, "6", "8"), Stabiliser(d, prefix, "7", "9")},
+        dampers{Damper(d, prefix, "10", "11"), Damper(d, prefix, "12", "13")} {}
+
+  Axle axle;
+  std::array<Stabiliser, 2> stabilisers;
+  std::array<Damper, 2> dampers;
+};
+
+}  // namespace desmo::tree

@@ -1,0 +1,83 @@
+// desmo_report check as bench/check runs it: exit codes and messages.
+#include <fstream>
+
+#include "tests/report/check/check_sample.h"
+#include "tests/report/program.h"
+
+namespace desmo::report::check_program_test {
+namespace {
+
+class CheckProgram : public Program {
+ protected:
+  std::string written(const std::string& name, const std::string& text) {
+    std::ofstream(folder_ / name) << text;
+    return (folder_ / name).string();
+  }
+  int check(const std::string& text, const std::string& options = "") {
+    return report("check " + written("results.json", text) + " " + options);
+  }
+};
+
+TEST_F(CheckProgram, PassesWhatHasNotChanged) {
+  EXPECT_EQ(check(check_sample().dump()), 0);
+  EXPECT_NE(out_.find("Verdict: PASS"), std::string::npos) << out_;
+  EXPECT_EQ(err_, "");
+}
+
+TEST_F(CheckProgram, NamesWhatHasBecomeSlowerInMarkdownToo) {
+  Json json = check_sample();
+  slow_down(json, watched, 1.1);
+  EXPECT_EQ(check(json.dump(), "--pending"), 0);
+  EXPECT_EQ(out_, std::string("second ") + watched + "\n");
+  EXPECT_EQ(check(json.dump()), 3);
+  confirm(json, watched, 1.1);
+  EXPECT_EQ(check(json.dump(), "--pending"), 0);
+  EXPECT_EQ(out_, "");
+  EXPECT_EQ(check(json.dump(), "--format markdown"), 1);
+  EXPECT_NE(out_.find("Slower: truck\\_suspension/114/group\\_symbolic\\_klu."), std::string::npos)
+      << out_;
+}
+
+TEST_F(CheckProgram, WrongNumerics) {
+  Json json = check_sample();
+  fail_head(json, watched);
+  EXPECT_EQ(check(json.dump()), 2);
+  EXPECT_NE(out_.find("Wrong numerics, not timed: " + std::string(watched)), std::string::npos)
+      << out_;
+}
+
+TEST_F(CheckProgram, FilesThatCannotBeJudgedSayWhy) {
+  const std::string whole = check_sample().dump();
+  EXPECT_EQ(check(whole.substr(0, whole.size() / 2)), 2);
+  EXPECT_NE(err_.find("results.json: line 1, column "), std::string::npos) << err_;
+  EXPECT_EQ(check("nonsense"), 2);
+  Json json = check_sample();
+  json["schema_version"] = "3.0.0";
+  EXPECT_EQ(check(json.dump()), 4);
+  EXPECT_NE(err_.find("schema version 3.0.0, and only 2.0.0 is read"), std::string::npos) << err_;
+  json = check_sample();
+  json["head"]["paper"]["cells"][0]["machine"] = "other";
+  EXPECT_EQ(check(json.dump()), 4);
+  EXPECT_NE(err_.find("a record is of one machine"), std::string::npos) << err_;
+  EXPECT_EQ(report("check " + (folder_ / "no_such.json").string()), 64);
+  EXPECT_NE(err_.find("no_such.json: there is no such file"), std::string::npos) << err_;
+  EXPECT_EQ(report("check"), 64);
+}
+
+TEST_F(CheckProgram, ABaselineIsReadLikeACheckAndNamedWhenItIsNone) {
+  const std::string baseline = written("baseline.json", one_tree_sample().dump());
+  EXPECT_EQ(check(one_tree_sample().dump(), "--baseline " + baseline), 0);
+  EXPECT_EQ(check(one_tree_sample().dump()), 4);  // alone it compares with nothing
+  EXPECT_EQ(check(one_tree_sample().dump(), "--baseline " + written("bad.json", "{")), 2);
+  EXPECT_NE(err_.find("bad.json"), std::string::npos) << err_;
+}
+
+TEST_F(CheckProgram, TheSameFileGivesTheSameBytes) {
+  EXPECT_EQ(check(check_sample().dump()), 0);
+  const std::string first = out_;
+  EXPECT_EQ(check(check_sample().dump()), 0);
+  EXPECT_EQ(out_, first);
+}
+
+}  // namespace
+}  // namespace desmo::report::check_program_test

@@ -1,0 +1,113 @@
+#include "tests/report/check/check_sample.h"
+
+#include <gtest/gtest.h>
+
+#include "report/check/check_record.h"
+
+namespace desmo::report {
+namespace {
+
+constexpr int rounds = 25;
+
+/// Seconds near `middle`, up to 0.4 % off: a walk through all residues, another for each side.
+Json times(double middle, int stride) {
+  Json seconds = Json::array();
+  for (int round = 0; round < rounds; ++round)
+    seconds.push_back(middle * (1 + 0.0003 * (round * stride % rounds - rounds / 2)));
+  return seconds;
+}
+
+/// The environment and three candidates of a recorded run, with made-up times.
+Json side(int stride) {
+  Json record = Json::parse(read_text(data_file("origins.json")));
+  for (const char* list : {"profiles", "structure", "requests"}) record["paper"].erase(list);
+  Json candidates = Json::array();
+  double middle = 0.001;
+  for (const Json& candidate : record["paper"]["cells"]) {
+    const std::string id = candidate["id"];
+    const bool wanted = candidate["case"] == "truck_suspension" &&
+                        candidate["coordinates"] == 114 &&
+                        (id == "global_automatic_klu" || id == "group_symbolic_klu" ||
+                         id == "group_symbolic_inlined");
+    if (!wanted) continue;
+    candidates.push_back(candidate);
+    candidates.back()["time"]["seconds"] = times(middle *= 0.7, stride);
+  }
+  record["paper"]["cells"] = candidates;
+  return record;
+}
+
+std::string name_of(const Json& candidate) {
+  return candidate["case"].get<std::string>() + "/" +
+         std::to_string(candidate["coordinates"].get<int>()) + "/" +
+         candidate["id"].get<std::string>();
+}
+
+Json& candidate_named(Json& record, const std::string& name) {
+  for (Json& candidate : record["paper"]["cells"])
+    if (name_of(candidate) == name) return candidate;
+  ADD_FAILURE() << "no cell " << name;
+  return record["paper"]["cells"][0];
+}
+
+}  // namespace
+
+Json check_sample() {
+  Json check = {{"schema", "desmo-check"}, {"schema_version", "2.0.0"}};
+  check["settings"] = {{"seed", 1}, {"turns", 3}, {"repetitions", 2}};
+  check["base"] = side(7);
+  check["head"] = side(11);
+  check["control"] = {{"base", times(1e-4, 7)}, {"head", times(1e-4, 11)}};
+  check["work"] = {{"tool", "valgrind-3.19.0"}, {"steps", 100}, {"iterations", 3}};
+  for (const Json& candidate : check["head"]["paper"]["cells"])
+    check["work"]["instructions"][name_of(candidate)] = {{"base", 1'000'000}, {"head", 1'000'000}};
+  return check;
+}
+
+Json one_tree_sample() {
+  Json check = check_sample();
+  check.erase("base");
+  check["control"].erase("base");
+  for (Json& counts : check["work"]["instructions"]) counts.erase("base");
+  return check;
+}
+
+void slow_down(Json& check, const std::string& candidate, double factor) {
+  for (Json& seconds : candidate_named(check["head"], candidate)["time"]["seconds"])
+    seconds = seconds.get<double>() * factor;
+}
+
+void confirm(Json& check, const std::string& candidate, double factor) {
+  check["second"][candidate] = {{"base", times(1e-3, 7)}, {"head", times(1e-3 * factor, 11)}};
+  check["second"]["control"] = check["control"];
+}
+
+void fail_head(Json& check, const std::string& name) {
+  Json& candidate = candidate_named(check["head"], name);
+  candidate["status"] = "failed";
+  candidate["message"] = "differs from the quadruple reference";
+  candidate.erase("time");
+}
+
+void leave_out(Json& check, const std::string& side, const std::string& name) {
+  Json& candidate = candidate_named(check[side], name);
+  candidate = {{"case", candidate["case"]},
+               {"coordinates", candidate["coordinates"]},
+               {"id", candidate["id"]},
+               {"status", "not_run"},
+               {"message", "unknown"}};
+}
+
+void take_no_times(Json& check) {
+  check.erase("control");
+  for (const char* side : {"base", "head"})
+    for (Json& candidate : check[side]["paper"]["cells"]) {
+      candidate["status"] = "not_run";
+      candidate["message"] = "verified, not timed";
+      candidate.erase("time");
+    }
+}
+
+CheckRecord check_from(const Json& json) { return parse_check(json.dump()); }
+
+}  // namespace desmo::report

@@ -1,0 +1,144 @@
+#include "report/formats/formats.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <set>
+#include <sstream>
+
+#include "report/read/record.h"
+#include "report/read/record_file.h"
+#include "report/report.h"
+#include "tests/report/sample.h"
+
+namespace desmo::report::formats_test {
+namespace {
+
+Document complete_document() { return make_report(record_from(complete_record())); }
+
+// One table, with everything a format could stumble over.
+Document awkward() {
+  Table table{.name = "awkward",
+              .title = "50 % of a_b",
+              .notes = {"a | b"},
+              .columns = {{"id", {}}, {"time", {"seconds", "spread"}}},
+              .rows = {{"x_y|<z>, \"q\" --quick", {"-1.50 ±0.10", {"-1.50", "0.10"}, ""}},
+                       {"[w] $5 & #1 {2} ~ ^ \\", note_entry(failed_mark)},
+                       {"v", {"7.100 old", {"7.100", ""}, "old"}}}};
+  return {.title = "T", .sections = {{"S", {"p_q"}, {table}}}};
+}
+
+TEST(Csv, QuotesAndMarks) {
+  EXPECT_EQ(to_csv(awkward().sections[0].tables[0]),
+            "id,time seconds,time spread,notes\n"
+            "\"x_y|<z>, \"\"q\"\" --quick\",-1.50,0.10,\n"
+            "[w] $5 & #1 {2} ~ ^ \\,FAILED,,\n"
+            "v,7.100,,time: old\n");
+}
+
+TEST(Markdown, Escapes) {
+  const std::string text = to_markdown(awkward());
+  EXPECT_NE(text.find("| x\\_y\\|&lt;z&gt;, \"q\" --quick | -1.50 ±0.10 |"), std::string::npos)
+      << text;
+  EXPECT_NE(text.find("| \\[w\\] \\$5 &amp; \\#1 {2} \\~ ^ \\\\ | FAILED |"), std::string::npos)
+      << text;
+  EXPECT_NE(text.find("| --- | ---: |"), std::string::npos) << text;
+}
+
+TEST(Formats, MeasureRowsInCharacters) {
+  EXPECT_EQ(characters("±µ—a"), 4u);
+  EXPECT_EQ(row_width(awkward().sections[0].tables[0]), 21u + 11u);
+}
+
+TEST(Terminal, AlignsByCharactersNotBytes) {
+  const std::string text = to_terminal(awkward());
+  EXPECT_NE(text.find("-1.50 ±0.10\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("     FAILED\n"), std::string::npos) << text;
+}
+
+std::size_t widest_line(const std::string& text) {
+  std::istringstream lines(text);
+  std::size_t widest = 0;
+  for (std::string line; std::getline(lines, line);) widest = std::max(widest, characters(line));
+  return widest;
+}
+
+// An id breaks after "/", an interval stays whole.
+TEST(Terminal, WrapsEntriesSoThatARowFits) {
+  Document document = awkward();
+  Table& table = document.sections[0].tables[0];
+  const std::string id = "group_symbolic_explicit/guess:adams8/segments:8/tolerance:1e-10";
+  table.rows[0][0].shown = id + "/" + id;
+  table.rows[0][1].shown = "12.50 [12.25, 13.00] inconclusive";
+  const std::string text = to_terminal(document);
+  EXPECT_LE(widest_line(text), 100u) << text;
+  EXPECT_NE(text.find("[12.25, 13.00]"), std::string::npos) << text;
+  std::string without_spaces = text;
+  std::erase_if(without_spaces, [](char c) { return c == ' ' || c == '\n'; });
+  EXPECT_NE(without_spaces.find("tolerance:1e-10"), std::string::npos) << text;
+}
+
+TEST(Terminal, ShowsInFrontWhatIsMarked) {
+  Document document = awkward();
+  EXPECT_EQ(front_to_terminal(document), "T\n=\n");
+  document.sections[0].front = true;
+  EXPECT_NE(front_to_terminal(document).find("FAILED"), std::string::npos);
+}
+
+// What bench/run prints at its end.
+TEST(Terminal, FrontOfEveryFiledRecordFitsOnAScreen) {
+  int records = 0;
+  for (const auto& file :
+       std::filesystem::directory_iterator(DESMO_SOURCE_DIR "/results/records")) {
+    if (file.path().extension() != ".gz") continue;
+    ++records;
+    const std::string text = front_to_terminal(make_report(read_record(file.path())));
+    EXPECT_LE(std::ranges::count(text, '\n'), 56) << file.path() << "\n" << text;
+    EXPECT_LE(widest_line(text), 100u) << file.path() << "\n" << text;
+  }
+  EXPECT_GE(records, 8);
+}
+
+TEST(Terminal, NamesTheTablesItLeavesOut) {
+  Document document = awkward();
+  document.sections[0].tables[0].detail = true;
+  const std::string text = to_terminal(document);
+  EXPECT_EQ(text.find("FAILED"), std::string::npos);
+  EXPECT_NE(text.find("In the other formats only: awkward."), std::string::npos);
+}
+
+TEST(Formats, CsvFieldsMatchTheHeader) {
+  std::vector<NewFile> files = render(complete_document(), "csv");
+  std::ranges::move(render(make_report(record_from(structured_record())), "csv"),
+                    std::back_inserter(files));
+  for (const NewFile& file : files) {
+    std::istringstream lines(file.content);
+    std::set<long> counts;
+    for (std::string line; std::getline(lines, line);) {
+      bool quoted = false;
+      long count = 1;
+      for (const char c : line) {
+        if (c == '"') quoted = !quoted;
+        if (c == ',' && !quoted) ++count;
+      }
+      counts.insert(count);
+    }
+    EXPECT_EQ(counts.size(), 1u) << file.file_name;
+  }
+}
+
+TEST(Formats, FileNamesAreUnique) {
+  std::set<std::string> names;
+  std::size_t count = 0;
+  for (const std::string& format : format_names())
+    for (const NewFile& file : render(complete_document(), format)) {
+      names.insert(file.file_name);
+      ++count;
+    }
+  EXPECT_EQ(names.size(), count);
+}
+
+}  // namespace
+}  // namespace desmo::report::formats_test

@@ -1,0 +1,257 @@
+// The page: what stands in it before it has figures, and how it behaves in a browser when it has.
+#include <algorithm>
+#include <fstream>
+
+#include "report/formats/formats.h"
+#include "report/read/record.h"
+#include "report/read/record_file.h"
+#include "report/report.h"
+#include "report/tables/tables.h"
+#include "tests/report/points_sample.h"
+#include "tests/report/program.h"
+#include "tests/report/sample.h"
+
+namespace desmo::report::page_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t size_limit = 2'000'000;  // bytes
+
+std::string page_of(const Json& record) { return to_html(make_report(record_from(record))); }
+
+// Everything that stands between two marks.
+std::vector<std::string> found(const std::string& text, const std::string& begin,
+                               const std::string& end = "\"") {
+  std::vector<std::string> matches;
+  for (std::size_t at = 0; (at = text.find(begin, at)) != std::string::npos;) {
+    at += begin.size();
+    matches.push_back(text.substr(at, text.find(end, at) - at));
+  }
+  return matches;
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t number = 0;
+  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; at += part.size())
+    ++number;
+  return number;
+}
+
+// Everything a browser may load of its own accord; what scripts could is the browser's to tell.
+void expect_no_reference_outwards(std::string page) {
+  for (std::size_t from; (from = page.find("<script")) != std::string::npos;)
+    page.erase(from, page.find("</script>", from) + 9 - from);
+  for (const char* attribute : {"href=\"", "src=\"", "srcset=\"", "action=\"", " data=\""})
+    for (const std::string& target : found(page, attribute))
+      EXPECT_TRUE(target.starts_with("#") || target.starts_with("data:")) << target;
+  for (const char* loader : {"@import", "<iframe", "<object", "<embed", "<base", "<form"})
+    EXPECT_EQ(page.find(loader), std::string::npos) << loader;
+  for (const std::string& target : found(page, "url(", ")"))
+    EXPECT_TRUE(target.starts_with("#")) << target;
+}
+
+TEST(Page, RefersToNothingOutsideItself) {
+  const std::string page = page_of(structured_record());
+  expect_no_reference_outwards(page);
+  EXPECT_EQ(page.find("<script"), std::string::npos);
+  EXPECT_NE(page.find("default-src 'none'"), std::string::npos);
+}
+
+TEST(Page, LinksLeadToPlacesThatExistOnce) {
+  const std::string page = page_of(structured_record());
+  std::vector<std::string> ids = found(page, " id=\"");
+  const std::size_t all = ids.size();
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  EXPECT_EQ(ids.size(), all);
+  std::vector<std::string> targets = found(page, "href=\"#");
+  for (const std::string& label : found(page, "aria-labelledby=\"")) targets.push_back(label);
+  EXPECT_GT(targets.size(), 10u);
+  for (const std::string& target : targets)
+    EXPECT_TRUE(std::binary_search(ids.begin(), ids.end(), target)) << target;
+}
+
+// For those who hear the page: every table has a name, every candidate a row and a column with a
+// header.
+TEST(Page, TablesHaveCaptionsAndHeaders) {
+  const Document document = make_report(record_from(structured_record()));
+  const std::string page = to_html(document);
+  std::size_t tables = 0, rows = 0, columns = 0;
+  for (const Section& section : document.sections)
+    for (const Table& table : section.tables) {
+      ++tables;
+      rows += table.rows.size();
+      columns += table.columns.size();
+    }
+  EXPECT_EQ(count(page, "<caption id="), tables);
+  EXPECT_EQ(count(page, "<th scope=\"row\">"), rows);
+  EXPECT_EQ(count(page, "<th scope=\"col\""), columns);
+}
+
+TEST(Page, NamesTheFiguresThatAreMissing) {
+  const std::string page = page_of(complete_record());
+  for (const char* name : {"figure5", "figure6"}) {
+    EXPECT_NE(page.find(std::string("Missing figure: ") + name + "."), std::string::npos);
+    EXPECT_NE(page.find(std::string("<table id=\"") + name + "-data\""), std::string::npos);
+  }
+}
+
+TEST(Page, EscapesWhatTheRecordSays) {
+  Json record = complete_record();
+  record["record"]["machine"]["cpu"] = "<script>alert(\"x\")</script> <!-- figure5 --> & co";
+  const std::string page = page_of(record);
+  EXPECT_EQ(page.find("<script"), std::string::npos);
+  EXPECT_EQ(count(page, "<!-- figure5 -->"), 1u);
+  EXPECT_NE(page.find("&lt;!-- figure5 --&gt; &amp; co"), std::string::npos);
+}
+
+TEST(Page, TellsVerdictsFromNumbers) {
+  Table table{.name = "t",
+              .title = "T",
+              .notes = {},
+              .columns = {{"id", {}}, {"n", {"value", "low"}}},
+              .rows = {{"a", {"1.5 [1.0] in", {"1.5", "1.0"}, inside_mark}},
+                       {"b", note_entry(failed_mark)}}};
+  const std::string page = to_html({"D", {{"S", {}, {table}}}});
+  EXPECT_NE(
+      page.find("1.5<span class=\"rest interval\"> [1.0] </span><span class=\"in\">in</span>"),
+      std::string::npos)
+      << page;
+  EXPECT_NE(page.find("<span class=\"failed\">FAILED</span>"), std::string::npos);
+}
+
+// With Node.js and Chromium (bench/setup browser), as a reader's computer has it.
+class PageInBrowser : public Program {
+ protected:
+  // Whether the packages of a folder's lock file are there; the reason in out_ when not.
+  bool installed(const std::string& lock_folder, const std::string& work) {
+    const fs::path source = DESMO_SOURCE_DIR;
+    return shell(std::string(DESMO_REPORT_RENDER) + " --packages " +
+                 (source / lock_folder).string() + " " + (DESMO_BUILD_DIR "/" + work)) == 0;
+  }
+
+  void render(const fs::path& folder) {
+    ASSERT_EQ(shell(std::string(DESMO_REPORT_RENDER) + " " + folder.string()), 0) << err_;
+    ASSERT_NE(out_.find("rendered: report.html"), std::string::npos) << out_;
+  }
+
+  // The page of a record opened in Chromium; what open.mjs tells of it.
+  Json opened(const fs::path& page) {
+    const fs::path script = DESMO_SOURCE_DIR "/tests/report/browser/open.mjs",
+                   copy = DESMO_BUILD_DIR "/browser/open.mjs";
+    fs::copy_file(script, copy, fs::copy_options::overwrite_existing);
+    EXPECT_EQ(shell("node " + copy.string() + " \"$(command -v chromium)\" " + page.string()), 0)
+        << err_;
+    return Json::parse(out_);
+  }
+};
+
+// The numbers that a figure's table has, as the tables print them.
+std::vector<std::string> drawn(const Table& table) {
+  std::vector<std::string> texts;
+  for (const auto& row : table.rows)
+    for (const Entry& entry : row)
+      if (entry.has_number()) texts.push_back(entry.shown);
+  std::sort(texts.begin(), texts.end());
+  return texts;
+}
+
+// Of each configuration its time, or why it failed.
+std::vector<std::string> drawn_points(const Table& table) {
+  std::vector<std::string> texts;
+  for (const auto& row : table.rows)
+    texts.push_back(row[2].has_number() ? row[2].shown : row.back().shown);
+  std::sort(texts.begin(), texts.end());
+  return texts;
+}
+
+void expect_answers(const Json& figure, const Table& table, const std::vector<std::string>& texts) {
+  SCOPED_TRACE(table.name);
+  EXPECT_EQ(figure["marks"], texts.size());
+  std::vector<std::string> hovered = figure["texts"];
+  std::sort(hovered.begin(), hovered.end());
+  EXPECT_EQ(hovered, texts);  // every mark says its exact values
+  EXPECT_TRUE(std::binary_search(texts.begin(), texts.end(), figure["pointer"]))
+      << figure["pointer"];
+  EXPECT_GT(figure["presses"], 0);  // the keyboard reaches the boxes
+  EXPECT_LT(figure["marks_without_first"], figure["marks"]);
+  EXPECT_GT(figure["marks_without_first"], 0);
+  EXPECT_EQ(figure["marks_after_legend"], figure["marks"]);  // a click on the legend undoes it
+}
+
+// Nothing but tables and figures scrolls sideways, on a wide screen and on a phone, and paper shows
+// every column.
+void expect_nothing_lost(const Json& seen, const Document& document) {
+  std::size_t tables = 0;
+  for (const Section& section : document.sections) tables += section.tables.size();
+  EXPECT_EQ(seen["layout"].size(), 3u);
+  for (const auto& [width, layout] : seen["layout"].items()) {
+    EXPECT_EQ(layout["overflow"], 0) << width;
+    EXPECT_EQ(layout["outside"], Json::array()) << width;
+    EXPECT_GE(layout["tables"], tables - seen["figures"].size())
+        << width;  // some are data of figures
+  }
+  EXPECT_EQ(seen["cut_in_print"], Json::array());
+}
+
+TEST_F(PageInBrowser, FiguresAnswerWithoutARequestOrAnError) {
+  if (!installed("report/figures", "figures")) GTEST_SKIP() << out_;
+  Json json =
+      Json::parse(read_record_text(DESMO_SOURCE_DIR "/results/records/intel-xeon-paper.json.gz"));
+  fail_candidate(json, "truck_suspension", 336,
+                 "group_symbolic_lapack");  // a gap, and one line more
+  const fs::path recorded = folder_ / "record.json";
+  std::ofstream(recorded) << json;
+  const fs::path out = folder_ / "out", page = out / "report.html";
+  ASSERT_EQ(tables(recorded, "--out " + out.string()), 0);
+  ASSERT_NO_FATAL_FAILURE(render(out));
+  EXPECT_LE(fs::file_size(page), size_limit);
+  expect_no_reference_outwards(read_text(page));
+  EXPECT_EQ(read_text(page).find("Missing figure"), std::string::npos);
+
+  if (shell("command -v chromium") != 0) GTEST_SKIP() << "Chromium is not installed";
+  if (!installed("tests/report/browser", "browser")) GTEST_SKIP() << out_;
+  const Json seen = opened(page);
+  EXPECT_EQ(seen["requests"], Json::array());
+  EXPECT_EQ(seen["errors"], Json::array());
+  expect_nothing_lost(seen, make_report(record_from(json)));
+  const Json& first = seen["first_screen"];  // sentences, figure and table, and all else folded
+  for (const char* part : {"words", "figure", "table"}) {
+    EXPECT_GT(first[part], 0) << part;
+    EXPECT_LE(first[part], 900) << part;
+  }
+  EXPECT_GT(first["folded"], 5);
+  ASSERT_EQ(seen["figures"].size(), 2u);
+  const Record record = record_from(json);
+  for (const auto& [i, table] :
+       {std::pair{0, figure_of_speed_ups(record)}, {1, figure_of_times(record)}})
+    expect_answers(seen["figures"][i], table, drawn(table));
+}
+
+TEST_F(PageInBrowser, TimeAgainstErrorAnswersToo) {
+  if (!installed("report/figures", "figures")) GTEST_SKIP() << out_;
+  const fs::path recorded = folder_ / "record.json", out = folder_ / "out";
+  std::ofstream(recorded) << points_record();
+  ASSERT_EQ(tables(recorded, "--out " + out.string()), 0);
+  ASSERT_NO_FATAL_FAILURE(render(out));
+  const auto files = files_in(out);
+  ASSERT_NO_FATAL_FAILURE(render(out));  // over what is there
+  EXPECT_EQ(files_in(out), files);
+  ASSERT_EQ(tables(recorded, "--out " + out.string()), 0);  // and from the beginning
+  ASSERT_NO_FATAL_FAILURE(render(out));
+  EXPECT_EQ(files_in(out), files);
+  expect_no_reference_outwards(read_text(out / "report.html"));
+  if (shell("command -v chromium") != 0) GTEST_SKIP() << "Chromium is not installed";
+  if (!installed("tests/report/browser", "browser")) GTEST_SKIP() << out_;
+  const Json seen = opened(out / "report.html");
+  EXPECT_EQ(seen["requests"], Json::array());
+  EXPECT_EQ(seen["errors"], Json::array());
+  expect_nothing_lost(seen, make_report(record_from(points_record())));
+  ASSERT_EQ(seen["figures"].size(), 2u);
+  const Table table = work_precision(record_from(points_record()), "truck_suspension");
+  expect_answers(seen["figures"][0], table, drawn_points(table));  // it stands in front
+}
+
+}  // namespace
+}  // namespace desmo::report::page_test

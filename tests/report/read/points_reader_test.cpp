@@ -1,0 +1,115 @@
+#include <gtest/gtest.h>
+
+#include "tests/report/points_sample.h"
+
+namespace desmo::report::points_reader_test {
+namespace {
+
+const SeriesKey truck_series{"truck_suspension", 225, 0.01, 101};
+
+TEST(PointsReader, ReadsWhatIsThere) {
+  const Record record = record_from(points_record());
+  EXPECT_EQ(record.points.size(), 24u);
+  EXPECT_EQ(record.floors.size(), 4u);
+  const Floor& floor = record.floors.at(truck_series);
+  EXPECT_EQ(floor.reference.velocity, 5e-33);
+  EXPECT_EQ(floor.condition, 1000);
+  EXPECT_EQ(floor.in_float->acceleration, 60);
+  const Point& point = record.points.at({truck_series, "global_automatic_klu/iterations:2"});
+  EXPECT_EQ(point.status, Point::Status::ok);
+  EXPECT_EQ(point.configuration.iterations, "2");
+  EXPECT_EQ(point.error.velocity, 4e-9);
+  EXPECT_EQ(point.iterations_per_step, 2.02);
+  EXPECT_EQ(point.seconds_per_step.size(), 3u);
+  const Point& refused = record.points.at({truck_series, "global_automatic_klu/scalar:float"});
+  EXPECT_EQ(refused.status, Point::Status::not_applicable);
+  EXPECT_CONTAINS(refused.message, "klu factorises in double");
+}
+
+TEST(PointsReader, CellsAndPointsMayStandInOneRecord) {
+  Json json = structured_record();
+  const Json points = points_record();
+  json["accuracy"] = points["accuracy"];
+  const Record record = record_from(json);
+  EXPECT_FALSE(record.candidates.empty());
+  EXPECT_EQ(record.points.size(), 24u);
+}
+
+TEST(PointsReader, AnAnswerThatIsNoNumberIsAFailure) {
+  Json json = points_record();
+  point_of(json, "global_automatic_klu")["error"].erase("position");
+  const Point point = record_from(json).points.at({truck_series, "global_automatic_klu"});
+  EXPECT_EQ(point.status, Point::Status::failed);
+  EXPECT_EQ(point.message, "the positions found are beyond all measure");
+  EXPECT_TRUE(point.seconds_per_step.empty());
+}
+
+TEST(PointsReader, NamesThePlaceOfWhatIsWrong) {
+  const auto with = [](const std::string& place, const Json& value) {
+    Json json = points_record();
+    json[Json::json_pointer(place)] = value;
+    return complaint(json);
+  };
+  EXPECT_EQ(complaint(points_record()), "accepted");
+  EXPECT_CONTAINS(with("/accuracy/points/1/status", "fine"),
+                  "/accuracy/points/1/status: \"fine\" is none of \"ok\", \"failed\"");
+  EXPECT_CONTAINS(with("/accuracy/points/1/error/position/max", -1),
+                  "/accuracy/points/1/error/position/max: ");
+  EXPECT_CONTAINS(with("/accuracy/points/1/time_per_step/seconds", Json::array()),
+                  "/accuracy/points/1/time_per_step/seconds: at least one sample");
+  EXPECT_CONTAINS(with("/accuracy/points/1/time_per_step/seconds/0", 0),
+                  "/accuracy/points/1/time_per_step/seconds/0: ");
+  EXPECT_CONTAINS(with("/accuracy/points/1/iterations_per_step", "two"),
+                  "/accuracy/points/1/iterations_per_");
+  EXPECT_CONTAINS(with("/accuracy/points/1/step_seconds", 0), "/accuracy/points/1/step_seconds: ");
+  EXPECT_CONTAINS(with("/accuracy/points/1/instants", 1),
+                  "/accuracy/points/1/instants: must be a whole number from 2");
+  EXPECT_CONTAINS(with("/accuracy/floors/0/reference/velocity", "none"),
+                  "/accuracy/floors/0/reference/velocity: ");
+  EXPECT_CONTAINS(with("/accuracy/floors/0/limit/float", 1),
+                  "/accuracy/floors/0/limit/float: is a number; give an object");
+  EXPECT_CONTAINS(with("/accuracy/floors/0/condition", 0), "/accuracy/floors/0/condition: ");
+}
+
+TEST(PointsReader, RefusesIdsThatCannotBeTakenApart) {
+  for (const std::string id : {"", "/guess:linear", "a_b_c/guess", "a_b_c/guess:", "a_b_c/:linear",
+                               "a_b_c/", "a_b_c/guess:linear/guess:linear"}) {
+    Json json = points_record();
+    json["accuracy"]["points"][0]["id"] = id;
+    EXPECT_CONTAINS(complaint(json), "/accuracy/points/0/id: \"" + id + "\" is not a formulation");
+  }
+}
+
+TEST(PointsReader, RefusesWhatIsGivenTwiceOrHasNoFloor) {
+  Json json = points_record();
+  json["accuracy"]["points"].push_back(json["accuracy"]["points"][0]);
+  EXPECT_CONTAINS(
+      complaint(json),
+      "/accuracy/points/24: global_automatic_klu of truck_suspension/225 with 101 instants is "
+      "given twice");
+  json = points_record();
+  json["accuracy"]["floors"].push_back(json["accuracy"]["floors"][0]);
+  EXPECT_CONTAINS(complaint(json), "/accuracy/floors/4: the floor of truck_suspension/225");
+  json = points_record();
+  json["accuracy"]["floors"].erase(0);
+  EXPECT_CONTAINS(complaint(json),
+                  "/accuracy/points/0: \"floors\" has nothing of truck_suspension/225");
+}
+
+TEST(Configuration, TakesSettingsInAnyOrderAndKeepsWhatItDoesNotKnow) {
+  const auto c = parse_configuration("a_b_c/lanes:8/tolerance:1e-6/guess:linear");
+  ASSERT_TRUE(c);
+  EXPECT_EQ(c->formulation, "a_b_c");
+  EXPECT_EQ(c->guess, "linear");
+  EXPECT_EQ(c->jacobian, "newton");
+  EXPECT_EQ(c->tolerance, "1e-6");
+  EXPECT_EQ(c->others, std::vector<std::string>{"lanes:8"});
+  EXPECT_FALSE(c->has_papers_settings());
+  EXPECT_FALSE(parse_configuration("a_b_c/lanes:8")->has_papers_settings());
+  EXPECT_TRUE(parse_configuration("a_b_c/iterations:2")->has_papers_settings());
+  EXPECT_TRUE(parse_configuration("a_b_c/lanes:8")->solves_every_instant());
+  EXPECT_FALSE(parse_configuration("a_b_c/lanes:8/stride:4")->solves_every_instant());
+}
+
+}  // namespace
+}  // namespace desmo::report::points_reader_test

@@ -1,0 +1,129 @@
+// Times of a record: their clocks, samples and timing windows.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+#include "report/read/record.h"
+#include "report/read/record_file.h"
+#include "report/statistics/statistics.h"
+#include "tests/report/sample.h"
+
+namespace desmo::report::time_reader_test {
+namespace {
+
+TEST(TimeReader, RefusesAClockThatIsNotTheFormulations) {
+  Json json = complete_record();
+  json["paper"]["cells"][2]["time"]["clock"] = "sundial";
+  EXPECT_CONTAINS(complaint(json), "/paper/cells/2/time/clock: \"sundial\" is none of \"cpu\"");
+  json["paper"]["cells"][2]["time"]["clock"] = "wall";
+  EXPECT_CONTAINS(complaint(json), " is measured by \"cpu\"");
+  const std::string id = json["paper"]["cells"][2]["id"];
+  for (const char* suffix : {"/threads:2", "/clock:wall"}) {
+    json["paper"]["cells"][2]["id"] = id + suffix;
+    json["paper"]["cells"][2]["time"]["clock"] = "cpu";
+    EXPECT_CONTAINS(complaint(json), suffix + std::string(" is measured by \"wall\""));
+    json["paper"]["cells"][2]["time"]["clock"] = "wall";
+    const Record record = record_from(json);
+    EXPECT_EQ(record.wall_candidates.size(), 1u);
+    EXPECT_EQ(record.wall_candidates.begin()->second.time.clock, Clock::wall);
+    EXPECT_FALSE(record.candidates.contains(record.wall_candidates.begin()->first));
+  }
+}
+
+TEST(TimeReader, ReadsTheWindowsOfEverythingTimed) {
+  const Record record = record_from(with_windows(structured_record()));
+  EXPECT_EQ(record.settings.windows, 25);
+  for (const auto& [key, candidate] : record.candidates)
+    EXPECT_EQ(candidate.time.windows.least.size(), candidate.status == Status::ok ? 25u : 0u)
+        << key.id;
+  for (const Request& request : record.requests)
+    EXPECT_EQ(request.solved.time.windows.least.size(),
+              request.solved.status == Status::ok ? 25u : 0u);
+  EXPECT_TRUE(
+      record_from(structured_record()).candidates.begin()->second.time.windows.least.empty());
+}
+
+TEST(TimeReader, TakesAsAWholeWhatTheWallClockMeasured) {
+  Json json = with_windows(complete_record());
+  Json& candidate = json["paper"]["cells"][3];
+  candidate["id"] = candidate["id"].get<std::string>() + "/threads:2";
+  candidate["threads"] = 2;
+  candidate["time"]["clock"] = "wall";
+  candidate["time"].erase("windows");
+  const std::vector<double> seconds = candidate["time"]["seconds"];
+  const Record record = record_from(json);
+  ASSERT_EQ(record.wall_candidates.size(), 1u);
+  const Candidate& several = record.wall_candidates.begin()->second;
+  EXPECT_EQ(several.time.seconds, seconds);
+  ASSERT_EQ(several.time.windows.samples.size(), seconds.size());
+  for (std::size_t r = 0; r < seconds.size(); ++r)
+    EXPECT_EQ(several.time.windows.samples[r], std::vector{seconds[r]});
+  EXPECT_DOUBLE_EQ(undisturbed(several.time.windows), std::ranges::min(seconds));
+}
+
+TEST(TimeReader, RefusesWindowsThatAreNotAll) {
+  const Json record = with_windows(complete_record());
+  Json json = record;
+  json["paper"]["cells"][3]["time"]["windows"]["least"].erase(7);
+  EXPECT_CONTAINS(complaint(json), "/paper/cells/3/time/windows/least: 24 windows of 25");
+  json["paper"]["cells"][3]["time"]["windows"].erase("least");
+  EXPECT_CONTAINS(complaint(json), "/paper/cells/3/time/windows: the key 'least'");
+  json["paper"]["cells"][3]["time"].erase("windows");
+  EXPECT_CONTAINS(complaint(json), "/paper/cells/3/time: the key 'windows' is missing");
+  json = record;
+  json["paper"]["cells"][3]["time"]["windows"]["least"][7] = 0;
+  EXPECT_CONTAINS(complaint(json), "/paper/cells/3/time/windows/least/7: ");
+  json["paper"]["cells"][3]["time"]["windows"]["least"][7] = 100;
+  EXPECT_CONTAINS(complaint(json), "/paper/cells/3/time/windows: together they are longer than");
+  json = record;
+  json["record"]["settings"]["windows"] = 1;
+  EXPECT_CONTAINS(complaint(json), "/record/settings/windows: must be a whole number from 2");
+}
+
+TEST(TimeReader, ReadsTheSamplesOfWindows) {
+  const Record record = record_from(with_samples_of_windows(structured_record()));
+  for (const auto& [key, candidate] : record.candidates) {
+    EXPECT_EQ(candidate.time.windows.samples.size(), candidate.time.seconds.size()) << key.id;
+    if (candidate.status != Status::ok) continue;
+    EXPECT_EQ(candidate.time.windows.updates.size(), 25u);
+    EXPECT_EQ(std::accumulate(candidate.time.windows.instants.begin(),
+                              candidate.time.windows.instants.end(), 0.0),
+              static_cast<double>(record.settings.instants));
+  }
+}
+
+TEST(TimeReader, RefusesSamplesOfWindowsThatDoNotBelongTogether) {
+  const Json record = with_samples_of_windows(complete_record());
+  const std::string place = "/paper/cells/3/time/windows";
+  Json json = record;
+  json["paper"]["cells"][3]["time"]["windows"]["samples"][0].erase(7);
+  EXPECT_CONTAINS(complaint(json), place + "/samples/0: 24 windows of 25");
+  json = record;
+  json["paper"]["cells"][3]["time"]["windows"]["updates"].push_back(1);
+  EXPECT_CONTAINS(complaint(json), place + "/updates: 26 windows of 25");
+  json = record;
+  json["paper"]["cells"][3]["time"]["windows"]["updates"][2] = -1;
+  EXPECT_CONTAINS(complaint(json), place + "/updates/2: ");
+  json = record;
+  json["paper"]["cells"][3]["time"]["windows"].erase("updates");
+  EXPECT_CONTAINS(complaint(json), "the key 'updates' is missing");
+  json = record;
+  json["paper"]["cells"][3]["time"]["windows"]["samples"] = Json::array();
+  EXPECT_CONTAINS(complaint(json), place + "/samples: there is none");
+}
+
+TEST(TimeReader, RefusesSamplesThatAreNoTimes) {
+  for (const char* sample : {"0", "-0.1", "1e-30", "1e30", "\"0.1\"", "null", "[0.1]"}) {
+    Json json = complete_record();
+    json["paper"]["cells"][2]["time"]["seconds"][1] = Json::parse(sample);
+    EXPECT_CONTAINS(complaint(json), "/paper/cells/2/time/seconds/1: ");
+  }
+  Json json = complete_record();
+  json["paper"]["cells"][2]["time"]["seconds"] = Json::array();
+  EXPECT_CONTAINS(complaint(json), "/paper/cells/2/time/seconds: at least one sample");
+}
+
+}  // namespace
+}  // namespace desmo::report::time_reader_test

@@ -1,0 +1,190 @@
+// Which records may be compared, and the comparison.
+#include "report/statistics/comparability.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "report/read/record.h"
+#include "report/read/record_file.h"
+#include "report/report.h"
+#include "tests/report/sample.h"
+
+namespace desmo::report::comparability_test {
+namespace {
+
+Json newest() { return Json::parse(read_text(data_file("origins.json"))); }
+
+std::vector<std::string> reasons(const Json& a, const Json& b) {
+  std::vector<std::string> names;
+  for (const Difference& d : why_incomparable(record_from(a), record_from(b)))
+    names.push_back(d.what);
+  return names;
+}
+
+using Names = std::vector<std::string>;
+
+TEST(Comparability, TwoRunsOfOneMachineAndBuildAreComparable) {
+  Json other = newest();
+  other["record"]["date"] = "2030-01-01T00:00:00Z";
+  other["record"]["commit"] = "another";
+  other["record"]["build"]["binary"] = std::string(64, 'b');
+  other["record"]["machine"]["load_before"] = {5, 5, 5};
+  other["paper"]["cells"][0]["time"]["seconds"][0] = 1;
+  EXPECT_EQ(reasons(newest(), other), Names{});
+}
+
+TEST(Comparability, NamesEveryPartOfTheKeyThatDiffers) {
+  const std::vector<std::tuple<const char*, Json, std::string>> changes{
+      {"/record/build/compiler", "Clang 20.1.0", "compiler"},
+      {"/record/build/type", "Debug", "build type"},
+      {"/record/build/flags", "-O2", "flags"},
+      {"/record/build/link/type", "static", "linking"},
+      {"/record/build/link/flags", "-flto", "linking"},
+      {"/record/blas/core", "Haswell", "BLAS core"},
+      {"/record/blas/threads", 2, "BLAS threads"},
+      {"/record/settings/tolerance", 1e-6, "tolerance"},
+      {"/record/settings/max_iterations", 5, "iterations at most"},
+      {"/record/settings/guess", "none", "first guess"},
+  };
+  for (const auto& [place, value, name] : changes) {
+    Json other = newest();
+    other[Json::json_pointer(place)] = value;
+    EXPECT_EQ(reasons(newest(), other), Names{name});
+    EXPECT_EQ(reasons(other, newest()), Names{name});
+  }
+  Json other = newest();
+  set_motion(other, 2, 0.02);
+  EXPECT_EQ(reasons(newest(), other), Names{"step"});
+  set_motion(other, 3);
+  EXPECT_EQ(reasons(newest(), other), Names{"duration"});
+}
+
+TEST(Comparability, NamesBothValues) {
+  Json other = newest();
+  other["record"]["blas"]["core"] = "Abacus";
+  const auto found = why_incomparable(record_from(newest()), record_from(other));
+  const std::string core = newest()["record"]["blas"]["core"];
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].what, "BLAS core");
+  EXPECT_EQ(found[0].first, core);
+  EXPECT_EQ(found[0].second, "Abacus");
+}
+
+// In the whole record: the CPU, the model of a case and size, its results.
+Json replaced(const Json& record, const std::string& from, const std::string& to) {
+  std::string text = record.dump();
+  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+    text.replace(at, from.size(), to);
+  return Json::parse(text);
+}
+
+TEST(Comparability, AnotherMachineModelOrResultIsNamedOnce) {
+  const Json record = newest();
+  const std::string cpu = record["record"]["machine"]["cpu"],
+                    model = record["paper"]["cells"][0]["model"],
+                    results = record["paper"]["cells"][0]["results"];
+  const std::string place = record["paper"]["cells"][0]["case"].get<std::string>() + "/" +
+                            std::to_string(record["paper"]["cells"][0]["coordinates"].get<int>());
+  const std::string other(64, 'f');
+  EXPECT_EQ(reasons(record, replaced(record, cpu, "Other CPU")), Names{"CPU model"});
+  EXPECT_EQ(reasons(record, replaced(record, model, other)), Names{"model of " + place});
+  EXPECT_EQ(reasons(record, replaced(record, results, other)), Names{"results of " + place});
+}
+
+TEST(Comparability, WhatOnlyOneRecordsIsNotTheSame) {
+  Json other = newest();
+  other["paper"]["cells"][0].erase("results");
+  const auto found = why_incomparable(record_from(newest()), record_from(other));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_TRUE(found[0].what.starts_with("results of ")) << found[0].what;
+  EXPECT_EQ(found[0].second, "not recorded");
+}
+
+/// Peers find other coordinates: no digest is no difference.
+TEST(Comparability, APeerWithoutDigestIsNoDifference) {
+  Json json = newest();
+  const Json candidate = json["paper"]["cells"][0];
+  json["paper"]["peers"] = {{{"case", candidate["case"]},
+                             {"coordinates", candidate["coordinates"]},
+                             {"peer", "tree"},
+                             {"library", "none"},
+                             {"library_version", "1"},
+                             {"method", "by hand"},
+                             {"guess", "previous"},
+                             {"status", "ok"},
+                             {"machine", candidate["machine"]},
+                             {"model", candidate["model"]},
+                             {"verification", candidate["verification"]},
+                             {"time", candidate["time"]}}};
+  EXPECT_EQ(reasons(json, json), Names{});
+}
+
+TEST(Comparability, WithoutACellInCommonThereIsNothingToCompare) {
+  Json other = newest();
+  for (Json& candidate : other["paper"]["cells"])
+    candidate["id"] = "other_" + candidate["id"].get<std::string>();
+  for (Json& request : other["paper"]["requests"]) request["request"] = "other";
+  EXPECT_EQ(reasons(newest(), other), Names{"measurements in common"});
+}
+
+TEST(Comparison, GivesTheRatioOfTheMediansAndItsInterval) {
+  Json a = newest(), b = newest();
+  const auto truck = [](Json& record) -> Json& {
+    return candidate_of(record, "truck_suspension", 114, "global_automatic_klu");
+  };
+  truck(a)["time"]["seconds"] = {2.02, 1.98, 2.0};
+  truck(b)["time"]["seconds"] = {1.01, 0.99, 1.0};
+  const Document document = make_comparison(record_from(a), record_from(b));
+  const Entry ratio = entry_at(table_named(document, "comparison"),
+                               {"truck_suspension", "114", "global_automatic_klu"}, "A over B");
+  EXPECT_EQ(ratio.shown, "2.00 [1.96, 2.04] (50.0 %)");
+  truck(b)["time"]["seconds"] = {1.2, 0.9, 1.0};
+  EXPECT_EQ(entry_at(table_named(make_comparison(record_from(a), record_from(b)), "comparison"),
+                     {"truck_suspension", "114", "global_automatic_klu"}, "A over B")
+                .note,
+            inconclusive_mark);
+}
+
+TEST(Comparison, ShowsNoTimeOfWhatFailedInEither) {
+  const std::vector<std::string> row{"truck_suspension", "114", "global_automatic_klu"};
+  Json failed = newest();
+  candidate_of(failed, row[0], 114, row[2])["verification"]["velocity"] = 1;
+  EXPECT_EQ(reasons(newest(), failed), Names{});
+  const Table table =
+      table_named(make_comparison(record_from(newest()), record_from(failed)), "comparison");
+  EXPECT_TRUE(entry_at(table, row, "A").has_number());
+  EXPECT_EQ(entry_at(table, row, "B").shown, failed_mark);
+  EXPECT_EQ(entry_at(table, row, "A over B").shown, failed_mark);
+  EXPECT_EQ(entry_at(table, row, "remark").shown, "B: velocity differs by 1, 1e-08 is allowed");
+}
+
+TEST(Comparison, CountsWhatOnlyOneOfThemHas) {
+  Json b = newest();
+  erase_candidate(b, "truck_suspension", 114, "global_automatic_klu");
+  const Table table =
+      table_named(make_comparison(record_from(newest()), record_from(b)), "comparison");
+  EXPECT_THROW(entry_at(table, {"truck_suspension", "114", "global_automatic_klu"}, "A"),
+               std::runtime_error);
+  EXPECT_EQ(table.notes[1], "Not shown: 1 in A only, 0 in B only.");
+}
+
+TEST(Comparison, OfTwoMachinesShowsSpeedUpsAndNoSeconds) {
+  const Record a = record_from(newest());
+  Json json = replaced(newest(), a.machine.cpu, "Other CPU");
+  const Record b = record_from(json);
+  EXPECT_TRUE(are_of_two_machines(a, b));
+  EXPECT_FALSE(are_of_two_machines(a, a));
+  EXPECT_TRUE(different_work_reason(a, b).empty());
+  const Table table = table_named(make_comparison(a, b), "machines");
+  EXPECT_FALSE(table.rows.empty());
+  for (const Column& column : table.columns)
+    EXPECT_EQ(std::ranges::count(column.quantities, "seconds"), 0) << column.name;
+  const std::vector<std::string> row{"truck_suspension", "114", "group_symbolic_klu"};
+  EXPECT_EQ(entry_at(table, row, "A").shown, entry_at(table, row, "B").shown);
+  set_motion(json, 3);
+  EXPECT_FALSE(different_work_reason(a, record_from(json)).empty());
+}
+
+}  // namespace
+}  // namespace desmo::report::comparability_test

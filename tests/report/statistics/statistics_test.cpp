@@ -1,0 +1,180 @@
+#include "report/statistics/statistics.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <clocale>
+#include <cmath>
+#include <numeric>
+#include <random>
+#include <vector>
+
+#include "report/text/digits.h"
+
+namespace desmo::report::statistics_test {
+namespace {
+
+TEST(Statistics, MedianOfOddAndEvenCounts) {
+  const Summary odd = summarise(std::vector{5.0, 1.0, 9.0});
+  EXPECT_EQ(odd.median, 5);
+  EXPECT_EQ(odd.least, 1);
+  EXPECT_EQ(odd.largest, 9);
+  EXPECT_EQ(odd.half_range(), 4);
+  EXPECT_EQ(summarise(std::vector{4.0, 1.0, 2.0, 8.0}).median, 3);
+  EXPECT_EQ(summarise(std::vector{7.0}).median, 7);
+}
+
+TEST(Statistics, SpeedUpAndItsInterval) {
+  // Reference 6, 8, 10; variant 2, 4, 5: S = 8/4, from 6/5 to 10/2.
+  const SpeedUp ratio =
+      speed_up(summarise(std::vector{8.0, 6.0, 10.0}), summarise(std::vector{5.0, 2.0, 4.0}));
+  EXPECT_DOUBLE_EQ(ratio.value, 2);
+  EXPECT_DOUBLE_EQ(ratio.low, 1.2);
+  EXPECT_DOUBLE_EQ(ratio.high, 5);
+  EXPECT_DOUBLE_EQ(ratio.percent, 50);
+  EXPECT_TRUE(ratio.spread);
+}
+
+Windows with_least(std::vector<double> seconds) {
+  Windows segments;
+  segments.least = std::move(seconds);
+  return segments;
+}
+
+TEST(Statistics, TheUndisturbedTimeIsTheSumOfTheSegments) {
+  const Summary s = summarise(std::vector{9.0, 5.0, 6.0}, with_least({1.0, 2.0, 1.0}));
+  EXPECT_EQ(s.value, 4);
+  EXPECT_EQ(s.low, 4);
+  EXPECT_EQ(s.high, 6);  // the median
+  EXPECT_EQ(s.median, 6);
+  EXPECT_EQ(s.half_range(), 2);
+}
+
+Summary of_segments(std::vector<double> segments) {
+  const double all = std::accumulate(segments.begin(), segments.end(), 0.0);
+  return summarise(std::vector{1.5 * all, 2 * all, 3 * all},
+                   with_least(segments));  // much disturbed
+}
+
+TEST(Statistics, SpeedUpsOfSegmentsAreRatiosOfTheirSums) {
+  const SpeedUp same = speed_up(of_segments({2, 4, 6}), of_segments({1, 2, 3}));
+  EXPECT_DOUBLE_EQ(same.value, 2);
+  EXPECT_DOUBLE_EQ(same.low, 2);
+  EXPECT_DOUBLE_EQ(same.high, 2);
+  EXPECT_DOUBLE_EQ(same.percent, 50);
+  EXPECT_TRUE(same.spread);
+  // By hand: S = 8/4.2, Σ(a - S b)² = 0.108844, t = 3.182: 0.288617 on either side.
+  const SpeedUp s = speed_up(of_segments({2, 2, 2, 2}), of_segments({1, 1, 1, 1.2}));
+  EXPECT_DOUBLE_EQ(s.value, 8 / 4.2);
+  EXPECT_NEAR(s.high - s.value, 0.288617, 1e-6);
+  EXPECT_NEAR(s.value - s.low, 0.288617, 1e-6);
+}
+
+TEST(Statistics, WhatHasOtherSegmentsOrNoneIsComparedByItsMedian) {
+  const Summary segments = of_segments({1, 1}), others = of_segments({1, 1, 2});
+  const Summary none = summarise(std::vector{4.0, 4.0});
+  EXPECT_DOUBLE_EQ(speed_up(none, segments).value, 1);
+  EXPECT_DOUBLE_EQ(speed_up(others, segments).value, 2);
+  EXPECT_DOUBLE_EQ(speed_up(others, segments).low, 6 / 6.0);
+}
+
+TEST(Statistics, TheIntervalOfASpeedUpHoldsItInNineteenOfTwentyRuns) {
+  std::mt19937 random(1);
+  const auto noise = [&] {  // up to a tenth, more often little
+    const double u = static_cast<double>(random()) / std::mt19937::max();
+    return 1 + 0.1 * u * u;
+  };
+  constexpr int runs = 4000;
+  int held = 0;
+  for (int run = 0; run < runs; ++run) {
+    std::vector<double> a, b;
+    for (int i = 0; i < 25; ++i) {
+      const double work = 1 + i % 3;
+      a.push_back(3 * work * noise());
+      b.push_back(work * noise());
+    }
+    const SpeedUp s = speed_up(of_segments(a), of_segments(b));
+    held += s.low <= 3 && 3 <= s.high;
+  }
+  EXPECT_NEAR(held / double{runs}, 0.95, 0.015);
+}
+
+TEST(Statistics, ATooWideIntervalIsInconclusive) {
+  SpeedUp ratio{.value = 2, .low = 1.92, .high = 2.08, .percent = 50, .spread = true};
+  EXPECT_NEAR(ratio.half_width(), 0.04, 1e-12);
+  EXPECT_FALSE(ratio.inconclusive());
+  ratio.high = 2.2;
+  EXPECT_TRUE(ratio.inconclusive());
+  ratio.spread = false;  // one run has no interval, and says that
+  EXPECT_FALSE(ratio.inconclusive());
+}
+
+TEST(Statistics, OneRunHasNoSpread) {
+  EXPECT_FALSE(speed_up(summarise(std::vector{8.0}), summarise(std::vector{5.0, 4.0})).spread);
+}
+
+TEST(Statistics, MeanOfPercentagesNotPercentageOfTheMean) {
+  const SpeedUp half{.value = 2, .low = 1, .high = 3, .percent = 50, .spread = true};
+  const SpeedUp quarter{.value = 4, .low = 3, .high = 5, .percent = 75, .spread = true};
+  const SpeedUp both = mean(std::vector{half, quarter});
+  EXPECT_DOUBLE_EQ(both.value, 3);
+  EXPECT_DOUBLE_EQ(both.low, 2);
+  EXPECT_DOUBLE_EQ(both.high, 4);
+  EXPECT_DOUBLE_EQ(both.percent, 62.5);
+}
+
+TEST(Statistics, SlopeOfAPowerLaw) {
+  const std::vector<double> sizes{114, 225, 336, 447, 558};
+  std::vector<double> seconds;
+  for (const double size : sizes) seconds.push_back(0.01 * std::pow(size, 1.25));
+  const auto slope = fit_slope(sizes, seconds);
+  ASSERT_TRUE(slope);
+  EXPECT_NEAR(slope->value, 1.25, 1e-12);
+  EXPECT_NEAR(slope->low, 1.25, 1e-7);
+  EXPECT_NEAR(slope->high, 1.25, 1e-7);
+  EXPECT_EQ(slope->points, 5u);
+}
+
+// By hand: x = 0, 1, 2 and y = 0, 2, 2 in logarithms. Slope 1, residuals -1/3, 2/3, -1/3, so
+// s^2 = 2/3 with one degree of freedom, S_xx = 2 and the half-width 12.706 sqrt(1/3).
+TEST(Statistics, SlopeIntervalByHand) {
+  const double e = std::exp(1.0);
+  const auto slope = fit_slope(std::vector{1.0, e, e * e}, std::vector{1.0, e * e, e * e});
+  ASSERT_TRUE(slope);
+  EXPECT_NEAR(slope->value, 1, 1e-12);
+  EXPECT_NEAR(slope->high - slope->value, 12.706 / std::sqrt(3.0), 1e-9);
+  EXPECT_NEAR(slope->value - slope->low, 12.706 / std::sqrt(3.0), 1e-9);
+}
+
+TEST(Statistics, NoSlopeOfTwoSizes) {
+  EXPECT_FALSE(fit_slope(std::vector{1.0, 2.0}, std::vector{1.0, 2.0}));
+}
+
+TEST(Digits, Significant) {
+  EXPECT_EQ(write_significant(7.1, 4), "7.100");
+  EXPECT_EQ(write_significant(0.607, 4), "0.6070");
+  EXPECT_EQ(write_significant(9.99996, 4), "10.00");
+  EXPECT_EQ(write_significant(12345.6, 4), "12346");
+  EXPECT_EQ(write_significant(0.000012345, 3), "0.0000123");
+  EXPECT_EQ(write_significant(3.14e-13, 2), "3.1e-13");
+  EXPECT_EQ(write_significant(1e9, 2), "1.0e+09");
+  EXPECT_EQ(write_significant(0, 3), "0.00");
+}
+
+TEST(Digits, RatiosAndNegativeZero) {
+  EXPECT_EQ(write(0.2934, ratio_digits(0.2934)), "0.29");
+  EXPECT_EQ(write(123.4, ratio_digits(123.4)), "123");
+  EXPECT_EQ(write(0.01234, ratio_digits(0.01234)), "0.0123");
+  EXPECT_EQ(write_fixed(-0.04, 1), "0.0");
+  EXPECT_EQ(write_fixed(-0.05001, 1), "-0.1");
+  EXPECT_EQ(write_shortest(1e-10), "1e-10");
+}
+
+TEST(Digits, DoNotFollowTheLocale) {
+  if (!std::setlocale(LC_ALL, "de_DE.UTF-8")) GTEST_SKIP() << "no locale with a decimal comma";
+  EXPECT_EQ(write_fixed(1.5, 1), "1.5");
+  std::setlocale(LC_ALL, "C");
+}
+
+}  // namespace
+}  // namespace desmo::report::statistics_test

@@ -1,0 +1,163 @@
+#include <gtest/gtest.h>
+
+#include "report/report.h"
+#include "report/tables/tables.h"
+#include "tests/report/points_sample.h"
+
+namespace desmo::report::accuracy_test {
+namespace {
+
+using Digits = std::vector<std::string>;
+
+const std::string klu = "global_automatic_klu", lapack = "group_symbolic_lapack";
+const std::string over_itself = "times as fast as with the paper's settings",
+                  over_global = "as global_automatic_klu with them";
+
+std::vector<std::vector<std::string>> shown(const Table& table) {
+  std::vector<std::vector<std::string>> all;
+  for (const auto& row : table.rows) {
+    all.emplace_back();
+    for (const Entry& entry : row) all.back().push_back(entry.shown);
+  }
+  return all;
+}
+
+TEST(AccuracyCosts, NamesTheCheapestWithinEachError) {
+  const Table table = accuracy_costs(record_from(points_record()));
+  ASSERT_EQ(table.rows.size(), 8u);  // four errors, two cases
+  const Digits asked{"0.001", "1e-06", "1e-09", "1e-12"};
+  const std::vector<std::string> expected{klu + "/guess:hermite5/jacobian:step/iterations:1",
+                                          klu + "/guess:hermite5/jacobian:step/iterations:1",
+                                          klu + "/guess:hermite5/jacobian:step/iterations:1",
+                                          klu + "/guess:hermite5/tolerance:1e-8"};
+  for (std::size_t i = 0; i < asked.size(); ++i)
+    EXPECT_EQ(entry_at(table, {"truck_suspension", "225", asked[i]}, "cheapest").shown,
+              expected[i]);
+  const std::vector<std::string> row{"truck_suspension", "225", "1e-09"};
+  EXPECT_EQ(entry_at(table, row, "µs/step").digits, (Digits{"16.00", "16.32"}));
+  EXPECT_EQ(entry_at(table, row, over_itself).shown, "2.00 [1.96, 2.04]");
+  EXPECT_EQ(entry_at(table, {"truck_suspension", "225", "1e-12"}, over_global).digits[0],
+            "1.67");  // 40 µs over 24
+}
+
+// A rival in the paper's tables is held to the same error, and to its own guesses_and_updates.
+TEST(AccuracyCosts, ComparesWithTheSameFormulationAtTheSameError) {
+  Json json = points_record();
+  json["accuracy"]["points"].push_back(
+      solved_point("group_automatic_klu/guess:hermite5", 10, 1e-7));
+  const Table table = accuracy_costs(record_from(json));
+  const std::vector<std::string> row{"truck_suspension", "225", "1e-06"};
+  EXPECT_EQ(entry_at(table, row, "cheapest").shown, "group_automatic_klu/guess:hermite5");
+  EXPECT_EQ(entry_at(table, row, over_itself).digits[0], "3.30");  // 33 over 10
+  EXPECT_EQ(entry_at(table, row, over_global).digits[0], "3.00");  // 30 over 10
+}
+
+// Solving every instant stands beside the cheapest of all, where that interpolates some.
+TEST(AccuracyCosts, ShowWhatInterpolationGainsInARowOfItsOwn) {
+  Json json = points_record();
+  json["accuracy"]["points"].push_back(solved_point(klu + "/stride:8", 5, 1e-7, 0.4));
+  const Record record = record_from(json);
+  const Table table = accuracy_costs(record), before = accuracy_costs(record_from(points_record()));
+  ASSERT_EQ(table.rows.size(), before.rows.size() + 2);  // at 1e-3 and 1e-6
+  const std::string solved = klu + "/guess:hermite5/jacobian:step/iterations:1";
+  const std::vector<std::string> row{"truck_suspension", "225", "1e-06"};
+  EXPECT_EQ(entry_at(table, row, "cheapest").shown, solved);
+  std::vector<std::string> second = row;
+  second.push_back(klu + "/stride:8");
+  EXPECT_EQ(entry_at(table, second, "µs/step").digits[0], "5.000");
+  EXPECT_EQ(entry_at(table, second, over_global).digits[0], "6.00");  // 30 over 5
+}
+
+TEST(AccuracyCosts, SaysWhereNothingHoldsTheError) {
+  Json json = points_record();
+  for (Json& point : json["accuracy"]["points"])
+    if (point["case"] == "four_bar") point["error"]["position"]["max"] = 1e-5;
+  const Table table = accuracy_costs(record_from(json));
+  const std::vector<std::string> row{"four_bar", "114", "1e-06"};
+  EXPECT_EQ(entry_at(table, row, "cheapest").shown, "none");
+  EXPECT_EQ(entry_at(table, row, "µs/step").shown, missing_mark);
+  EXPECT_EQ(entry_at(table, row, over_itself).shown, missing_mark);
+}
+
+// A time of one sample cannot be had again as far as is known.
+TEST(AccuracyCosts, OfOneSampleHaveNoInterval) {
+  Json json = points_record();
+  point_of(json, klu + "/guess:hermite5/jacobian:step/iterations:1")["time_per_step"]["seconds"] = {
+      16e-6};
+  const Table table = accuracy_costs(record_from(json));
+  const std::vector<std::string> row{"truck_suspension", "225", "1e-09"};
+  EXPECT_EQ(entry_at(table, row, "µs/step").shown, "16.00 (one run)");
+  EXPECT_EQ(entry_at(table, row, over_itself).shown, "2.00 one run");
+}
+
+TEST(Guesses, AreComparedAtEqualErrorAndWithThePapersSettings) {
+  const Record record = record_from(points_record());
+  const Table table = guesses(record);
+  EXPECT_EQ(table.rows.size(), 3u * (2 + 1)) << "of each guess tried, and of no other";
+  const std::vector<std::string> reused{"truck_suspension", "225", "hermite5", "step"};
+  EXPECT_EQ(entry_at(table, reused, "stop").shown, "iterations: 1");
+  EXPECT_EQ(entry_at(table, reused, "times the paper's settings").shown, "2.50 [2.45, 2.55]");
+  EXPECT_EQ(entry_at(table, reused, "at equal error").digits[0], "2.00");
+  const std::vector<std::string> paper{"truck_suspension", "225", "previous", "newton"};
+  EXPECT_EQ(entry_at(table, paper, "stop").shown, "tolerance 1e-8");  // 1.5e-9 is too much
+  EXPECT_EQ(entry_at(table, paper, "at equal error").shown, "1.00 reference");
+  EXPECT_EQ(entry_at(table, {"truck_suspension", "225", "hermite5", "chord"}, "stop").shown,
+            "nothing that holds it");
+}
+
+// What guesses and factors improvement is not mixed up with instants that are not solved.
+TEST(Guesses, AreOfEveryInstantSolved) {
+  Json json = points_record();
+  json["accuracy"]["points"].push_back(solved_point(klu + "/stride:2", 5, 1e-12, 1.5));
+  json["accuracy"]["points"].push_back(
+      solved_point(klu + "/guess:hermite5/jacobian:step/stride:2/tolerance:1e-10", 4, 1e-12, 0.5));
+  const Record record = record_from(json), before = record_from(points_record());
+  EXPECT_EQ(shown(guesses(record)), shown(guesses(before)));
+}
+
+TEST(Sensitivity, VariesOneThingAtATime) {
+  const Table table = sensitivity(record_from(points_record()));
+  const std::vector<std::string> fine{"klu", "step", "1 ms"}, usual{"klu", "step", "10 ms"};
+  EXPECT_EQ(entry_at(table, fine, "TS-TPS_LAP").shown, "0.40 [0.39, 0.41]");
+  EXPECT_EQ(entry_at(table, usual, "TS-TPS_LAP").digits[0], "0.40");
+  EXPECT_EQ(entry_at(table, usual, "TS-TPA_<sparse>").digits[0], "1.03");
+  EXPECT_EQ(entry_at(table, usual, "FBL-TP").digits[0], "6.00");
+  EXPECT_EQ(entry_at(table, fine, "FBL-TP").shown, missing_mark);
+  EXPECT_EQ(entry_at(table, {"klu", "tolerance", "1e-06"}, "TS-TPS_LAP").digits[0], "0.36");
+  EXPECT_EQ(entry_at(table, {"klu", "tolerance", "1e-12"}, "TS-TPS_LAP").digits[0], "0.40");
+  EXPECT_EQ(entry_at(table, {"klu", "guess", "hermite5"}, "TS-TPS_LAP").digits[0], "0.35");
+  EXPECT_EQ(table.rows.size(), 6u);  // two steps, two tolerances, two guesses; one family
+}
+
+TEST(Sensitivity, MarksWhatFailed) {
+  Json json = points_record();
+  Json& point = point_of(json, lapack + "/tolerance:1e-6");
+  point["status"] = "failed";
+  point["message"] = "no convergence at t = 0.01 s";
+  EXPECT_EQ(
+      entry_at(sensitivity(record_from(json)), {"klu", "tolerance", "1e-06"}, "TS-TPS_LAP").shown,
+      failed_mark);
+}
+
+TEST(PrecisionReport, StandsAloneOrBesideTheExperiment) {
+  const Record points = record_from(points_record());
+  const Document alone = make_report(points);
+  EXPECT_EQ(alone.title, "desmo: Accuracy");
+  EXPECT_EQ(alone.sections.at(1).title, "Speed for accuracy");
+  Json candidates = structured_record();
+  candidates["schema_version"] = "2.0.0";
+  const Document both = make_report(std::vector{record_from(candidates), points});
+  EXPECT_EQ(both.title, "desmo: The paper's experiment");
+  for (const Section& section : alone.sections)
+    for (const Table& table : section.tables)
+      if (table.name != "provenance") {
+        EXPECT_EQ(table_named(both, table.name).rows.size(), table.rows.size()) << table.name;
+      }
+  EXPECT_EQ(entry_at(table_named(both, "provenance"), {"command"}, "value").shown,
+            "desmo_bench --synthetic");
+  EXPECT_EQ(entry_at(table_named(both, "provenance_2"), {"command"}, "value").shown,
+            "desmo_bench accuracy --synthetic");
+}
+
+}  // namespace
+}  // namespace desmo::report::accuracy_test

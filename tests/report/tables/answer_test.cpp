@@ -1,0 +1,147 @@
+// What the report says first and last: the answer, the choice of the reference, the limitations.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "report/report.h"
+#include "report/tables/tables.h"
+#include "tests/report/sample.h"
+
+namespace desmo::report::answer_test {
+namespace {
+
+constexpr const char* finding =
+    "The speed-up that the paper found depends on the solver underneath, not on the topology; what "
+    "gains is generating the elimination.";
+
+std::vector<std::string> answer_to(const Json& json) {
+  return answer(record_from(json)).paragraphs;
+}
+
+/// Adds a truck candidate at the largest size like another, with three equal samples.
+void add_candidate(Json& json, const std::string& id, double seconds) {
+  Json candidate = candidate_of(json, truck, 558, "global_automatic_klu");
+  candidate["id"] = id;
+  json["paper"]["cells"].push_back(candidate);
+  set_samples(json, 558, id, {seconds, seconds, seconds});
+}
+
+/// One reference with the paper's settings and two with others, and generated code with each.
+Json record_with_settings() {
+  Json json = complete_record();
+  for (const char* family : {"cholmod", "umfpack", "klu"}) {
+    set_family(json, "global_automatic_" + std::string(family), 8);
+    set_samples(json, 558, "global_automatic_" + std::string(family), {8, 8, 8});
+  }
+  add_candidate(json, "global_automatic_klu/guess:adams8/jacobian:step/tolerance:1e-10", 4);
+  add_candidate(json, "global_automatic_klu/guess:hermite5", 5);
+  add_candidate(json, "group_symbolic_explicit/guess:adams8/tolerance:1e-10", 0.5);
+  add_candidate(json, "group_symbolic_explicit/guess:hermite5", 0.125);
+  add_candidate(json, "group_symbolic_explicit/guess:adams8/lanes:4/tolerance:1e-10", 0.25);
+  add_candidate(json, "group_symbolic_explicit/guess:adams8/segments:8/tolerance:1e-10", 0.125);
+  return json;
+}
+
+TEST(Answer, IsThreeFixedSentencesWithNumbers) {
+  Json json = record_with_settings();
+  set_family(json, "group_symbolic_lapack", 2);
+  set_family(json, "global_automatic_klu", 1);
+  set_samples(json, 558, "global_automatic_klu", {8, 8, 8});
+  const std::vector<std::string> text = answer_to(json);
+  ASSERT_EQ(text.size(), 3u);
+  EXPECT_CONTAINS(text[0], "TS-TPS_LAP (group after group, generated equations, LAPACK), was 3.5 ");
+  EXPECT_CONTAINS(text[0], "by the sparse solver: cholmod 4.0, umfpack 4.0, klu 1.2");
+  EXPECT_EQ(text[1], finding);
+  EXPECT_EQ(text[2],
+            "On one thread, a generated elimination is 8.0 times as fast as the fastest global "
+            "reference with the same guess and tolerance, 16 times with equal parts side by side "
+            "(lanes), 32 times with pieces of a motion known in advance side by side (segments); "
+            "over the reference with the paper's settings 16, 32 and 64 times.");
+}
+
+// Two repetitions may be disturbed alike: no number is quoted, and the tables say what they are.
+TEST(Answer, QuotesNoMeanOfFewerThanThreeRepetitions) {
+  Json json = record_with_settings();
+  set_samples(json, 336, "group_symbolic_lapack", {2, 2});
+  const Section section = answer(record_from(json));
+  EXPECT_EQ(section.paragraphs,
+            (std::vector<std::string>{"Too few repetitions for a figure; run bench/run without "
+                                      "--quick. The tables are a first look.",
+                                      "The filed records say: " + std::string(finding)}));
+  for (const Table& table : section.tables) EXPECT_TRUE(table.title.ends_with(" (first look)"));
+}
+
+TEST(Answer, SaysWhatTheRecordDoesNotShow) {
+  Json json = record_with_settings();
+  set_family(json, "group_symbolic_lapack", 2);  // 4 times, whichever solver
+  EXPECT_EQ(answer_to(json)[1],
+            "The filed records say, and this one does not show: " + std::string(finding));
+  for (const char* family : {"cholmod", "umfpack", "klu"}) erase_family(json, family);
+  const std::vector<std::string> text = answer_to(json);
+  EXPECT_CONTAINS(text[0], "by the sparse solver: not measured.");
+  EXPECT_CONTAINS(text[2], "over the reference with the paper's settings —, — and — times.");
+}
+
+TEST(Answer, LeavesOutIncompleteMeansAndMarksTheInconclusive) {
+  Json json = record_with_settings();
+  set_family(json, "group_symbolic_lapack", 2);
+  set_family(json, "global_automatic_umfpack", 8, 0.5);
+  fail_candidate(json, truck, 336, "global_automatic_cholmod");
+  EXPECT_CONTAINS(answer_to(json)[0], "by the sparse solver: umfpack 4.0 (inconclusive), klu 4.0.");
+}
+
+TEST(Answer, CountsWhatFailed) {
+  Json json = complete_record();
+  EXPECT_EQ(answer_to(json).back().find("Failed"), std::string::npos);
+  fail_candidate(json, truck, 336, "group_symbolic_lapack");
+  EXPECT_CONTAINS(answer_to(json).back(), "Failed their verification and have no time: 1;");
+}
+
+TEST(Best, ComparesLikeForLike) {
+  const Record record = record_from(record_with_settings());
+  const auto scalar = best_generated(record, "");
+  ASSERT_TRUE(scalar && scalar->like_for_like.speed_up && scalar->papers_settings.speed_up);
+  EXPECT_EQ(scalar->key.id, "group_symbolic_explicit/guess:adams8/tolerance:1e-10");
+  EXPECT_EQ(scalar->like_for_like.speed_up->value, 8);  // not over another guess or tolerance
+  EXPECT_EQ(scalar->papers_settings.speed_up->value, 16);
+  const Table table = best_formulations(record);
+  EXPECT_EQ(table.rows.size(), 6u);
+  EXPECT_EQ(entry_at(table, {"global, best settings"}, "like for like").shown, "1.00 reference");
+  EXPECT_EQ(entry_at(table, {"global, best settings"}, "paper's settings").digits[0], "2.00");
+  EXPECT_EQ(entry_at(table, {"the same, in lanes"}, "like for like").digits[0], "16.00");
+  EXPECT_EQ(
+      entry_at(table, {"the same, in segments instead of batches"}, "paper's settings").digits[0],
+      "64.00");
+}
+
+TEST(Best, LeavesOutWhatWasNotMeasured) {
+  const Table table = best_formulations(record_from(complete_record()));
+  for (const auto& row : table.rows)
+    EXPECT_TRUE(row.front().shown.ends_with("paper's settings")) << row.front().shown;
+  EXPECT_FALSE(best_generated(record_from(complete_record()), "lanes"));
+}
+
+bool limits(const Json& json, const std::string& part) {
+  return std::ranges::any_of(limitations(record_from(json)).paragraphs,
+                             [&](const auto& line) { return line.find(part) != line.npos; });
+}
+
+TEST(Limitations, AreEightAtMostAndHoldOfTheRecord) {
+  Json json = complete_record();
+  EXPECT_TRUE(limits(json, "MA27"));
+  EXPECT_TRUE(limits(json, "governor is unknown"));
+  EXPECT_FALSE(limits(json, "changes that its commit does not have"));
+  json["record"]["dirty"] = true;
+  set_motion(json, 2);
+  EXPECT_TRUE(limits(json, "changes that its commit does not have"));
+  EXPECT_TRUE(limits(json, "these times are not to be compared"));
+  EXPECT_LE(limitations(record_from(json)).paragraphs.size(), 8u);
+  json["record"]["machine"]["governor"] = "performance";
+  json["record"]["machine"]["load_before"] = {0, 0, 0};
+  EXPECT_FALSE(limits(json, "governor"));
+  json["record"]["machine"]["load_before"] = {3.5, 1.0, 1.0};
+  EXPECT_TRUE(limits(json, "not idle"));
+}
+
+}  // namespace
+}  // namespace desmo::report::answer_test

@@ -1,0 +1,130 @@
+#include <gtest/gtest.h>
+
+#include "report/formats/formats.h"
+#include "report/report.h"
+#include "report/tables/tables.h"
+#include "tests/report/sample.h"
+
+namespace desmo::report::requests_test {
+namespace {
+
+constexpr const char* wheel = "one wheel centre, position";
+constexpr const char* axle = "one axle, everything";
+
+Table table_of(const Json& json) { return requests(record_from(json)).tables.at(0); }
+
+Json& request_of(Json& json, const std::string& id, const std::string& name) {
+  for (Json& request : json["paper"]["requests"])
+    if (request["id"] == id && request["request"] == name) return request;
+  throw std::runtime_error("no request " + id + "/" + name);
+}
+
+TEST(Requests, CostLessThanEverythingWithTheSameFormulation) {
+  const Table table = table_of(structured_record());
+  EXPECT_EQ(table.name, "requests_truck_suspension_225");
+  const std::vector<std::string> row{wheel, "position", "block_symbolic_inlined"};
+  EXPECT_EQ(entry_at(table, row, "unknowns").shown, "21 of 218");
+  EXPECT_EQ(entry_at(table, row, "CPU s").shown, "0.0002000 ±0.0000040");
+  EXPECT_EQ(entry_at(table, row, "times cheaper").shown, "40.00 [38.43, 41.63] (97.5 %)");
+  EXPECT_EQ(entry_at(table, row, "iterations/step").shown, "2.25");
+  EXPECT_EQ(entry_at(table, row, "difference").shown, "0.0");
+  EXPECT_EQ(entry_at(table, {wheel, "position", "global_automatic_klu"}, "times cheaper").digits[0],
+            "30.00");
+  const std::vector<std::string> whole{"everything", "acceleration", "global_automatic_klu"};
+  EXPECT_EQ(entry_at(table, whole, "unknowns").shown, "218 of 218");
+  EXPECT_EQ(entry_at(table, whole, "times cheaper").shown, "1.00 reference");
+}
+
+TEST(Requests, ThatFailedOrDidNotRunHaveNoTime) {
+  Json json = structured_record();
+  request_of(json, "global_automatic_klu", "axle")["time"]["seconds"] = {0.001, 0.001};
+  const Record record = record_from(json);
+  for (const Request& request : record.requests)
+    EXPECT_EQ(request.solved.time.seconds.empty(), request.solved.status != Status::ok);
+  const Table table = table_of(json);
+  const std::vector<std::string> failed{axle, "acceleration", "global_automatic_klu"};
+  for (const char* column : {"CPU s", "times cheaper"})
+    EXPECT_EQ(entry_at(table, failed, column).shown, failed_mark);
+  EXPECT_EQ(entry_at(table, failed, "remark").shown, "wrong by design");
+  const std::vector<std::string> not_run{wheel, "position", "group_symbolic_inlined"};
+  for (const char* column : {"CPU s", "times cheaper"})
+    EXPECT_EQ(entry_at(table, not_run, column).shown, not_run_mark);
+  const Document document = make_report(record);
+  EXPECT_EQ(document.sections.back().paragraphs,
+            (std::vector<std::string>{
+                "FAILED: truck_suspension/225/global_automatic_klu/request:axle: wrong by "
+                "design"}));
+}
+
+TEST(Requests, FailWhenTheyDifferMoreThanIsAllowed) {
+  Json json = structured_record();
+  Json& request = request_of(json, "block_symbolic_inlined", "axle");
+  request["difference"] = 2e-12;
+  const std::vector<std::string> row{axle, "acceleration", "block_symbolic_inlined"};
+  EXPECT_EQ(entry_at(table_of(json), row, "CPU s").shown, failed_mark);
+  EXPECT_EQ(entry_at(table_of(json), row, "remark").shown,
+            "the answer beside the whole mechanism's differs by 2e-12, 1e-12 is allowed");
+  request["difference"] = 1e-12;
+  request["verification"]["acceleration"] = 1;
+  EXPECT_EQ(entry_at(table_of(json), row, "remark").shown,
+            "acceleration differs by 1, 1e-07 is allowed");
+  json["record"]["settings"].erase("allowed");
+  EXPECT_TRUE(entry_at(table_of(json), row, "CPU s").has_number());
+}
+
+TEST(Requests, HaveNoRatioWithoutEverything) {
+  Json json = structured_record();
+  fail_candidate(json, "truck_suspension", 225, "block_symbolic_inlined");
+  erase_candidate(json, "truck_suspension", 225, "global_automatic_klu");
+  const Table table = table_of(json);
+  EXPECT_EQ(entry_at(table, {wheel, "position", "block_symbolic_inlined"}, "times cheaper").shown,
+            "reference FAILED");
+  EXPECT_EQ(entry_at(table, {wheel, "position", "global_automatic_klu"}, "times cheaper").shown,
+            "reference —");
+  EXPECT_EQ(
+      entry_at(table, {"everything", "acceleration", "block_symbolic_inlined"}, "CPU s").shown,
+      failed_mark);
+}
+
+TEST(Requests, AreLeftOutWhereTheRecordHasNone) {
+  Json json = structured_record();
+  json["paper"].erase("requests");
+  for (const Section& section : make_report(record_from(json)).sections)
+    EXPECT_NE(section.title, "What a request costs");
+}
+
+TEST(Requests, AreCheckedWhenRead) {
+  const auto with = [](const char* pointer, Json value) {
+    Json json = structured_record();
+    json[Json::json_pointer(pointer)] = std::move(value);
+    return complaint(json);
+  };
+  const auto without = [](const char* key) {
+    Json json = structured_record();
+    json["paper"]["requests"][0].erase(key);
+    return complaint(json);
+  };
+  EXPECT_NE(
+      with("/paper/requests/0/level", "jerk").find("/paper/requests/0/level: \"jerk\" is none of"),
+      std::string::npos);
+  EXPECT_NE(with("/paper/requests/0/unknowns", 219)
+                .find("/paper/requests/0/unknowns: more unknowns than"),
+            std::string::npos);
+  EXPECT_NE(with("/paper/requests/0/request", "../x").find("/paper/requests/0/request: "),
+            std::string::npos);
+  EXPECT_NE(with("/paper/requests/2/time/seconds", Json::array()).find("at least one sample"),
+            std::string::npos);
+  EXPECT_NE(without("difference").find("/paper/requests/0: an \"ok\" request needs \"difference\""),
+            std::string::npos);
+  EXPECT_NE(without("verification").find("'verification' is missing"), std::string::npos);
+  Json json = structured_record();
+  json["paper"]["requests"].push_back(json["paper"]["requests"][2]);
+  EXPECT_NE(
+      complaint(json).find("/paper/requests/6: the request wheel_centre of block_symbolic_inlined "
+                           "is given twice"),
+      std::string::npos)
+      << complaint(json);
+}
+
+}  // namespace
+}  // namespace desmo::report::requests_test

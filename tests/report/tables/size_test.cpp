@@ -1,0 +1,153 @@
+// Time against size: reader, growth, caches, crossings, figure.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "report/figures/figures.h"
+#include "report/report.h"
+#include "report/statistics/comparability.h"
+#include "report/statistics/curves.h"
+#include "report/tables/tables.h"
+#include "tests/report/size_sample.h"
+
+namespace desmo::report::sizes_test {
+namespace {
+
+const std::string in_order = "group_symbolic_explicit", klu = "global_automatic_klu";
+
+Table table_of(const Section& section, const std::string& name) {
+  return table_named({"", {section}}, name);
+}
+
+TEST(Sizes, AreRead) {
+  const Record record = record_from(sizes_record());
+  EXPECT_EQ(record.growth.size(), 10u);
+  EXPECT_EQ(record.break_even.size(), 20u);
+  const TimedSize& entry = record.growth.at({"four_bar", 1000, in_order});
+  EXPECT_EQ(entry.status, Status::ok);
+  EXPECT_EQ(entry.unknowns, 1000);
+  EXPECT_EQ(entry.bytes, 100'000);
+  EXPECT_EQ(entry.state_bytes, 24'000);
+  EXPECT_EQ(entry.checked_against, "quadruple");
+  EXPECT_EQ(entry.verification->velocity, 1e-11);
+  EXPECT_EQ(entry.seconds_per_step.size(), 3u);
+  const TimedSize& wrong = record.growth.at({"four_bar", 100'000, klu});
+  EXPECT_EQ(wrong.status, Status::failed);
+  EXPECT_TRUE(wrong.seconds_per_step.empty());
+}
+
+TEST(Sizes, OfWrongAnswersHaveNoTime) {
+  Json json = sizes_record();
+  json["size"]["growth"][0]["verification"]["velocity"] = 2e-8;
+  const TimedSize entry = record_from(json).growth.at({"four_bar", 10, in_order});
+  EXPECT_EQ(entry.status, Status::failed);
+  EXPECT_EQ(entry.message, "velocity differs by 2e-08, 1e-08 is allowed");
+  EXPECT_TRUE(entry.seconds_per_step.empty());
+}
+
+TEST(Sizes, WithALargerToleranceMayDifferMore) {
+  Json json = sizes_record();
+  Json& entry = json["size"]["growth"][0];
+  entry["verification"]["velocity"] = 2e-8;
+  entry["tolerance"] = 3 * json["record"]["settings"]["tolerance"].get<double>();
+  const auto status = [&] {
+    return record_from(json).growth.at({"four_bar", 10, in_order}).status;
+  };
+  EXPECT_EQ(status(), Status::ok);
+  entry["verification"]["velocity"] = 4e-8;
+  EXPECT_EQ(status(), Status::failed);
+}
+
+TEST(Sizes, ThatSayNothingAreRefused) {
+  const auto with = [](const std::string& place, const Json& value) {
+    Json json = sizes_record();
+    json[Json::json_pointer(place)] = value;
+    return complaint(json);
+  };
+  const auto refused = [&](const std::string& place, const Json& value, const std::string& why) {
+    EXPECT_NE(with(place, value).find(why), std::string::npos) << with(place, value);
+  };
+  EXPECT_EQ(complaint(sizes_record()), "accepted");
+  refused("/size/growth/0/time_per_step/seconds", Json::array(),
+          "/size/growth/0/time_per_step/seconds: at least one");
+  refused("/size/growth/0/status", "not_run", "/size/growth/0/status: everything here is run");
+  refused("/size/growth/0/bytes", 0, "/size/growth/0/bytes: ");
+  refused("/size/break_even/2/unknowns", 0, "/size/break_even/2/unknowns: ");
+  refused("/size/break_even/0/id", "global_automatic_eigen",
+          "/size/break_even/1: four_bar/10/global_automatic_eigen is given twice");
+  Json json = sizes_record();
+  json["size"]["growth"] = json["size"]["break_even"] = Json::array();
+  EXPECT_NE(complaint(json).find("nothing was measured"), std::string::npos);
+}
+
+TEST(Caches, AreThoseThatHoldData) {
+  Machine machine;
+  machine.caches = {"L2 Unified 1024 KiB, shared by 1", "L1 Data 48 KiB, shared by 1",
+                    "L1 Instruction 32 KiB, shared by 1", "L3 Unified 32768 KiB", "a large one"};
+  const std::vector<Cache> caches = data_caches(machine);
+  ASSERT_EQ(caches.size(), 3u);
+  EXPECT_EQ(caches[0].name, "L1");
+  EXPECT_EQ(caches[0].bytes, 48 * 1024);
+  EXPECT_EQ(caches[2].name, "L3");
+}
+
+TEST(Growth, IsLinearUntilCachesEndIt) {
+  const Section section = growth(record_from(sizes_record()));
+  EXPECT_EQ(section.paragraphs.at(0),
+            "Up to 10000 coordinates time grows linearly in 1 of 2 pairs of case and formulation.");
+  const Table exponents = table_of(section, "growth_exponents");
+  const std::vector<std::string> row{"four_bar", in_order};
+  EXPECT_EQ(entry_at(exponents, row, "slope").digits.back(), "4");  // 100 000 are not judged
+  EXPECT_EQ(entry_at(exponents, row, "ns/coordinate, least").digits.front(), "10.0");
+  EXPECT_EQ(entry_at(exponents, row, "times the least").shown, "2.00");
+  EXPECT_NE(entry_at(exponents, {"four_bar", klu}, "slope").note.find("not linear, a size FAILED"),
+            std::string::npos);
+}
+
+TEST(BreakEven, IsInterpolatedBetweenItsNeighbours) {
+  const Section section = dense_or_sparse(record_from(sizes_record()));
+  const Table table = table_of(section, "break_even");
+  EXPECT_EQ(entry_at(table, {"four_bar", "klu"}, "lapack").shown, "60 [30, 100]");
+  EXPECT_EQ(entry_at(table, {"four_bar", "klu"}, "eigen").shown, "42 [30, 100]");
+  EXPECT_EQ(entry_at(table, {"four_bar", "klu"}, "the faster of both").shown, "60 [30, 100]");
+  EXPECT_EQ(entry_at(table, {"four_bar", "umfpack"}, "lapack").shown,
+            "sparse from the smallest, 10");
+  EXPECT_EQ(entry_at(table, {"four_bar", "cholmod"}, "lapack").shown, "dense at the largest, 300");
+  EXPECT_EQ(entry_at(table, {"four_bar", "klu"}, "the paper, about").shown, "60");
+}
+
+TEST(BreakEven, OfCurvesThatCrossMoreThanOnceIsAllOfThese) {
+  Json json = sizes_record();
+  for (Json& entry : json["size"]["break_even"])
+    if (entry["id"] == klu && entry["coordinates"] == 10)
+      entry["time_per_step"]["seconds"] = {
+          5e-7};  // noise: sparse is the faster here, and then is not
+  const Record record = record_from(json);
+  const auto curves = curves_of(record.break_even);
+  const auto curve = [&](const std::string& id) {
+    return *std::ranges::find(curves, id, &Curve::id);
+  };
+  const CurveComparison r = compare(curve("global_automatic_lapack"), curve(klu));
+  ASSERT_TRUE(r.break_even);
+  EXPECT_NEAR(r.break_even->unknowns, 60, 1e-9);
+  EXPECT_EQ(r.break_even->low, 10);
+  EXPECT_EQ(r.break_even->high, 100);
+}
+
+TEST(Sizes, StandOnOnePageWithPoints) {
+  Json sizes = sizes_record(), counts = instructions_record();
+  for (Json* json : {&sizes, &counts})
+    (*json)["record"] = Json::parse(read_text(data_file("origins.json")))["record"];
+  const Record a = record_from(sizes), b = record_from(counts);
+  EXPECT_TRUE(why_apart(a, b).empty());
+  EXPECT_EQ(why_apart(a, a).front().what, "one record with size");
+  EXPECT_EQ(why_apart(b, b).front().what, "one record with instructions");
+  const Document page = make_report(std::vector{a, b});
+  EXPECT_EQ(page.title, "desmo: Size");
+  EXPECT_EQ(page.sections.at(1).title, "Growth, and where caches end it");
+  EXPECT_EQ(page.sections.at(2).title, "Dense or sparse");
+  EXPECT_EQ(page.sections.at(4).title, "Instructions a step");
+}
+
+}  // namespace
+}  // namespace desmo::report::sizes_test
