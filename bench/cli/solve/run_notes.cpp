@@ -47,23 +47,6 @@ const char* limit_text(Limit limit) {
   return "rounding, which is more than the tolerance allows: ";
 }
 
-std::string degradation_text(const Degradation& d, Level level, const Model& m) {
-  return group_text(d.assessment.group, m) + moment(d.time) + ": " +
-         limit_text(d.assessment.limit) +
-         describe_accuracy(d.assessment.condition, d.assessment.bound, level);
-}
-
-std::string crossing_text(const SingularityCrossing& c, const Model& m) {
-  const std::string group = group_text(c.group, m);
-  if (c.kind == SingularityCrossing::Kind::not_declared)
-    return group + moment(c.before) +
-           ": assembled on another branch than the one that its estimate declares";
-  return group + interval(c.after, c.before) + ": " +
-         (c.kind == SingularityCrossing::Kind::jumped
-              ? "the motion jumps onto another assembly branch"
-              : "it passes a singular position, where branches meet");
-}
-
 std::string assembly_error_text(const std::optional<AssemblyError>& d, const Model& m) {
   if (!d || d->constraint < 0) return "";
   char amount[24];
@@ -88,6 +71,23 @@ std::string branch_text(int constraint, double time, const Model& m) {
 }
 
 }  // namespace
+
+std::string degradation_text(const Degradation& d, Level level, const Model& m) {
+  return group_text(d.assessment.group, m) + moment(d.time) + ": " +
+         limit_text(d.assessment.limit) +
+         describe_accuracy(d.assessment.condition, d.assessment.bound, level);
+}
+
+std::string crossing_text(const SingularityCrossing& c, const Model& m) {
+  const std::string group = group_text(c.group, m);
+  if (c.kind == SingularityCrossing::Kind::not_declared)
+    return group + moment(c.before) +
+           ": assembled on another branch than the one that its estimate declares";
+  return group + interval(c.after, c.before) + ": " +
+         (c.kind == SingularityCrossing::Kind::jumped
+              ? "the motion jumps onto another assembly branch"
+              : "it passes a singular position, where branches meet");
+}
 
 std::string note_on_code(const Formulation& f, bool named) {
   const auto without = std::ranges::count(f.parts(), false, &DefinedPart::as_named);

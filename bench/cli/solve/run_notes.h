@@ -37,6 +37,11 @@ std::string refusal_text(const MonitoredSummary& summary, Level level, const Mod
 /// at the nearest to it 'rod/length' is off by 1.2e-03 m; <remedy>".
 std::string failure_text(const MonitoredSummary& summary, const Model& model);
 
+/// Return why an instant is degraded and what an interval crosses: "group 'SG-I' (crank, rod), t =
+/// 0.3 s: …".
+std::string degradation_text(const Degradation& degradation, Level level, const Model& model);
+std::string crossing_text(const SingularityCrossing& crossing, const Model& model);
+
 /// Returns lines on the intervals that could not be assembled, if any.
 std::string note_on_gaps(const MonitoredSummary& summary, const Model& model);
 

@@ -1,0 +1,68 @@
+// Makes the pages that `desmo view` fills, as a source of the program:
+//   node bundle.mjs SOURCES PACKAGES OUTPUT.cpp
+// SOURCES: this folder; PACKAGES: where `npm ci` has put node_modules. The same input gives the same
+// bytes. Licences of what is bundled stand in the page.
+import {existsSync, readFileSync, writeFileSync} from 'node:fs';
+import {createRequire} from 'node:module';
+import {join} from 'node:path';
+
+const [sources, packages, output] = process.argv.slice(2);
+const {build} = createRequire(join(packages, 'package.json'))('esbuild');
+const read = name => readFileSync(join(sources, name), 'utf8').trim();
+
+// Returns the licences of the packages that a bundle has parts of, each text once.
+function licences(inputs) {
+  const names = new Set(Object.keys(inputs).flatMap(
+      path => path.match(/node_modules\/((?:@[^/]+\/)?[^/]+)\//)?.[1] ?? []));
+  const by_text = new Map();
+  for (const name of [...names].sort()) {
+    const folder = join(packages, 'node_modules', name);
+    const {version} = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8'));
+    // Those of Vega's many packages that have no licence of their own stand under its.
+    const file = [...['LICENSE', 'LICENSE.md', 'license'].map(n => join(folder, n)),
+                  ...(name.startsWith('vega-') ? [join(packages, 'node_modules', 'vega', 'LICENSE')] : []),
+                 ].find(existsSync);
+    if (!file) throw new Error(`${name} has no licence`);
+    const text = readFileSync(file, 'utf8').trim().replaceAll('*/', '* /');
+    by_text.set(text, [...(by_text.get(text) ?? []), `${name} ${version}`]);
+  }
+  return [...by_text].map(([text, owners]) => `${owners.join(', ')}\n${text}`).join('\n\n');
+}
+
+async function page(entry) {
+  const result = await build({
+    entryPoints: [join(sources, entry)], bundle: true, minify: true, format: 'iife', write: false, metafile: true,
+    nodePaths: [join(packages, 'node_modules')], absWorkingDir: packages, legalComments: 'none', charset: 'utf8',
+    logLevel: 'error',
+  });
+  const code = result.outputFiles[0].text.trim();
+  if (/<\/script|<!--/i.test(code)) throw new Error('a script would end in its middle');
+  const script = `/*\n${licences(result.metafile.inputs)}\n*/\n${code}`;
+  return read('page.html').replace('@STYLE@', () => read('page.css')).replace('@SCRIPT@', () => script) + '\n';
+}
+
+// A text as C++ has it, in pieces that every compiler takes.
+function literal(text) {
+  const bytes = Buffer.from(text, 'utf8');
+  const pieces = [];
+  for (let at = 0; at < bytes.length; at += 12000)
+    pieces.push('"' + [...bytes.subarray(at, at + 12000)].map(escaped).join('') + '"');
+  return pieces.join('\n');
+}
+
+function escaped(byte) {
+  const letter = String.fromCharCode(byte);
+  if (byte >= 32 && byte < 127 && !'"\\?'.includes(letter)) return letter;
+  return '\\' + byte.toString(8).padStart(3, '0');
+}
+
+const pages = {planar: await page('planar.js'), spatial: await page('spatial.js')};
+writeFileSync(output, `#include "bench/cli/view/page_template.h"
+
+namespace desmo::cli {
+namespace {
+${Object.entries(pages).map(([name, text]) => `constexpr char ${name}[] =\n${literal(text)};\n`).join('')}
+}  // namespace
+const PageTemplate page_template{{planar, sizeof planar - 1}, {spatial, sizeof spatial - 1}};
+}  // namespace desmo::cli
+`);

@@ -1,0 +1,93 @@
+// The mechanism of the page, from its file (cases/files.md): names become places in lists.
+
+const places = list => new Map(list.map(({name}, k) => [name, k]));
+
+// Returns the structural group of each body, −1 for the ground; bodies fixed to each other have one.
+function groups_of(data, file, names) {
+  const group = new Map(data.groups.flatMap(({bodies}, g) => bodies.map(body => [body, g])));
+  group.set('ground', -1);
+  const fixed = file.joints.filter(joint => joint.type === 'fixed').map(joint => joint.bodies);
+  for (let changed = true; changed;) {
+    changed = false;
+    for (const [a, b] of [...fixed, ...fixed.map(pair => pair.toReversed())])
+      if (group.has(a) && !group.has(b)) {
+        group.set(b, group.get(a));
+        changed = true;
+      }
+  }
+  return names.map(name => group.get(name) ?? -1);
+}
+
+// Replaces the file in the data by bodies, joints, drivers and measured distances.
+export function interpret(data) {
+  const file = data.mechanism;
+  const point = places(data.points), vector = places(data.vectors);
+  const direction = of => Array.isArray(of) ? {from: point.get(of[0]), to: point.get(of[1])}
+      : of ? {vector: vector.get(of.replace(/^-/, ''))} : null;
+  const bodies = [['ground', file.ground], ...Object.entries(file.bodies)];
+  const groups = groups_of(data, file, bodies.map(([name]) => name));
+  data.bodies = bodies.map(([name, {points = []}], b) => (
+      {name, points: points.map(p => point.get(p)), group: groups[b]}));
+  const body = places(data.bodies);
+  data.joints = file.joints.map(({name, type, bodies, points = [], vectors = []}) => ({
+    name: name ?? bodies.join('–'), type, bodies: bodies.map(b => body.get(b)),
+    points: points.map(p => point.get(p)), vectors: vectors.map(v => vector.get(v)),
+  }));
+  data.drivers = file.drivers.map((name, k) => {
+    const c = file.coordinates[name];
+    return {
+      name, type: 'angle' in c ? 'angle' : 'distance' in c ? 'distance' : 'component',
+      of: direction(c.angle ?? c.distance), from: direction(c.from),
+      opposite: typeof c.from === 'string' && c.from.startsWith('-'),
+      point: point.get(c.component), axis: 'xyz'.indexOf(c.axis), column: data.driven[k],
+    };
+  });
+  data.measures = Object.values(file.coordinates).filter(c => c.distance)
+      .map(c => c.distance.map(p => point.get(p)));
+  data.dimension = file.dimension;
+  data.mechanism = file.name;
+}
+
+// The bodies that carry both ends of a segment whose angle is driven.
+function driven_bodies(data) {
+  const ends = data.drivers.filter(d => d.type === 'angle' && d.of.from !== undefined).map(d => [d.of.from, d.of.to]);
+  return new Set(data.bodies.map((_, b) => b).filter(
+      b => b > 0 && ends.some(pair => pair.every(p => data.bodies[b].points.includes(p)))));
+}
+
+// Returns loops of four bodies and four revolute joints in the plane, one of the bodies the ground:
+// an input, which is driven or solved before the others, turns a follower through a coupler.
+function four_bar_loops(data) {
+  if (data.dimension !== 2) return [];
+  const hinges = data.bodies.map(() => []);
+  for (const {type, bodies: [a, b], points: [p]} of data.joints) {
+    if (type !== 'revolute') continue;
+    hinges[a].push({body: b, p});
+    hinges[b].push({body: a, p});
+  }
+  const driven = driven_bodies(data);
+  const group = b => data.bodies[b].group;
+  const is_input = (input, coupler, follower) => driven.has(input) ||
+      !driven.has(follower) && group(input) < Math.min(group(coupler), group(follower));
+  const loops = [];
+  for (const {body: input} of hinges[0])
+    for (const {body: coupler, p: b} of hinges[input])
+      for (const {body: follower, p: c} of hinges[coupler])
+        for (const {body: last, p: d} of hinges[follower])
+          if (last === 0 && new Set([0, input, coupler, follower]).size === 4 && is_input(input, coupler, follower))
+            loops.push({input, follower, b, c, d});
+  return loops;
+}
+
+// Adds a column for the transmission angle of each loop: between coupler and follower, at most 90°.
+export function add_transmission(data, at) {
+  data.transmission = four_bar_loops(data).map(({input, follower, b, c, d}) => {
+    const values = Float64Array.from(data.times, (_, i) => {
+      const [[bx, by], [cx, cy], [dx, dy]] = [b, c, d].map(p => at(data, data.points[p], i));
+      const [ux, uy, vx, vy] = [bx - cx, by - cy, dx - cx, dy - cy];
+      return Math.atan2(Math.abs(ux * vy - uy * vx), Math.abs(ux * vx + uy * vy)) * 180 / Math.PI;
+    });
+    const name = `${data.bodies[input].name} → ${data.bodies[follower].name}`;
+    return data.columns.push({name, unit: '°', level: 0, values}) - 1;
+  });
+}

@@ -1,0 +1,141 @@
+// Time: play, pause, slider, speed and keys. Whoever shows something is told the instant.
+
+const speeds = [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 1000];
+const usual = 6;  // seconds in which a motion is shown
+const get = id => document.getElementById(id);
+
+export class Player {
+  #data;
+  #shown = [];
+  #playing = false;
+  #last = 0;
+  #script = [];  // ms of each frame, of the last ones
+
+  constructor(data) {
+    this.#data = data;
+    const {times} = data;
+    this.first = times[0];
+    const whole = data.time.start + (data.time.instants - 1) * data.time.interval;
+    this.end = Math.max(times.at(-1), data.flags.some(f => f.kind === 'failed') ? whole : -Infinity);
+    this.time = this.first;
+    this.instant = 0;
+    this.speed = speeds.reduce((a, b) => {
+      const off = s => Math.abs(Math.log((this.end - this.first || 1) / usual / s));
+      return off(b) < off(a) ? b : a;
+    });
+    this.#connect();
+  }
+
+  get playing() { return this.#playing; }
+  // Returns how long the last frames took [ms]: their number, median and maximum.
+  get script() {
+    const sorted = this.#script.toSorted((a, b) => a - b);
+    return {frames: sorted.length, median: sorted[sorted.length >> 1], longest: sorted.at(-1)};
+  }
+
+  // Calls a function with (instant, time, moved) whenever something else is to be shown.
+  onShow(show) { this.#shown.push(show); }
+
+  // Returns the last instant that is not after a time by more than half an interval.
+  at(time) {
+    const {times} = this.#data;
+    const half = this.#data.time.interval * this.#data.time.stride / 2;
+    let low = 0, high = times.length - 1;
+    while (low < high) {
+      const middle = (low + high + 1) >> 1;
+      if (times[middle] <= time + half) low = middle;
+      else high = middle - 1;
+    }
+    // In a gap: the last instant before it.
+    return low > 0 && times[low] > time && times[low] - times[low - 1] > 2.5 * half ? low - 1 : low;
+  }
+
+  go(time) {
+    this.time = Math.min(this.end, Math.max(this.first, time));
+    this.instant = this.at(this.time);
+    this.draw();
+  }
+
+  show(instant) {
+    const k = Math.min(this.#data.times.length - 1, Math.max(0, instant));
+    this.time = this.#data.times[k];
+    this.instant = k;
+    this.draw();
+  }
+
+  draw() {
+    const begin = performance.now();
+    get('slider').value = this.time;
+    get('now').textContent = `t = ${Number(this.time.toPrecision(6))} s`;
+    for (const show of this.#shown) show(this.instant, this.time);
+    this.#script.push(performance.now() - begin);
+    if (this.#script.length > 300) this.#script.shift();
+  }
+
+  toggle(play = !this.#playing) {
+    this.#playing = play;
+    const button = get('play');
+    button.textContent = play ? '❚❚' : '▶';
+    button.setAttribute('aria-label', play ? 'Pause' : 'Play');
+    if (!play) return;
+    if (this.time >= this.end) this.time = this.first;
+    this.#last = performance.now();
+    requestAnimationFrame(now => this.#frame(now));
+  }
+
+  #frame(now) {
+    if (!this.#playing) return;
+    const passed = Math.min(0.2, Math.max(0, (now - this.#last) / 1000));
+    this.#last = now;
+    const next = this.time + passed * this.speed;
+    this.go(next > this.end ? this.first : next);
+    requestAnimationFrame(later => this.#frame(later));
+  }
+
+  // Leaves times alone that are no instants: from a gap the next step leads out of it.
+  #step(by) {
+    this.toggle(false);
+    const {times} = this.#data;
+    let k = this.instant + by;
+    if (by < 0 && this.time > times[this.instant]) ++k;
+    this.show(k);
+  }
+
+  #connect() {
+    const slider = get('slider'), select = get('speed');
+    Object.assign(slider, {min: this.first, max: this.end, step: 'any', value: this.first});
+    slider.addEventListener('input', () => {
+      this.toggle(false);
+      this.go(Number(slider.value));
+    });
+    get('play').addEventListener('click', () => this.toggle());
+    for (const s of speeds) select.add(new Option(`× ${s}`, s, s === this.speed, s === this.speed));
+    select.addEventListener('change', () => { this.speed = Number(select.value); });
+    document.addEventListener('keydown', event => this.#key(event));
+  }
+
+  #key(event) {
+    const on = event.target;
+    if (event.ctrlKey || event.altKey || event.metaKey || on.closest?.('select, fieldset, summary')) return;
+    const faster = by => {
+      const select = get('speed');
+      select.selectedIndex = Math.min(speeds.length - 1, Math.max(0, select.selectedIndex + by));
+      this.speed = Number(select.value);
+    };
+    const far = event.shiftKey ? 10 : 1;
+    const actions = {
+      ' ': () => this.toggle(),
+      ArrowLeft: () => this.#step(-far),
+      ArrowRight: () => this.#step(far),
+      Home: () => this.#step(-Infinity),
+      End: () => this.#step(Infinity),
+      '+': () => faster(1),
+      '-': () => faster(-1),
+    };
+    if (event.key === ' ' && on.closest?.('button, input[type=checkbox]')) return;
+    if (event.key.startsWith('Arrow') && on.id === 'stage' && on.dataset.turns && !event.shiftKey) return;
+    if (!actions[event.key]) return;
+    event.preventDefault();
+    actions[event.key]();
+  }
+}

@@ -1,0 +1,70 @@
+// What a page shows of a monitored run: instants, their accuracy, and where they are flagged.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bench/kit/process/progress.h"
+#include "formulations/verification/monitor/monitored_run.h"
+
+namespace desmo::cli {
+
+/// An instant that is kept.
+struct RecordedInstant {
+  int index;                  ///< in the grid
+  std::vector<double> state;  ///< q, q̇, q̈, of all coordinates each
+  double condition;           ///< the largest since the instant kept before
+  PerLevel<double> bound;     ///< likewise
+};
+
+/// An interval that is flagged, and why.
+struct Flag {
+  enum class Kind { degraded, failed, crossing, branch };
+  Kind kind;
+  double from, to;  ///< [s]
+  std::string text;
+  std::vector<EntityId> open{};  ///< entities of the constraint that does not close
+};
+
+/// Observer that keeps instants: at most `max_kept`, by leaving out more and more of them, and the
+/// last one of every interval without gaps.
+class Recording final : public Observer {
+ public:
+  /// progress: null where none is shown.
+  Recording(const Model& model, const TimeGrid& grid, std::size_t max_kept,
+            bench::Progress* progress);
+
+  /// Runs the formulation over the motion, and past intervals that cannot be assembled. Where no
+  /// instant can be solved, the initial estimate is kept, at rest.
+  MonitoredSummary run(Formulation& formulation, double tolerance);
+
+  Flow observe(const Instant& instant) noexcept override;
+
+  const std::vector<RecordedInstant>& instants() const { return instants_; }
+  int stride() const { return stride_; }
+  long solved() const { return solved_; }
+  const std::vector<Flag>& flags() const { return flags_; }  ///< in order of their beginning
+  bool overflowed() const { return overflowed_; }            ///< a number is not finite
+
+ private:
+  void take(const MonitoredInstant& instant);
+  void keep(RecordedInstant instant);
+  void thin();
+  void flag(const MonitoredInstant& instant);
+  void forgive(const MonitoredSummary& summary);
+  void flag_failures(const MonitoredSummary& summary);
+
+  const Model& model_;
+  const TimeGrid grid_;
+  const std::size_t max_kept_;
+  bench::Progress* progress_;
+  std::vector<RecordedInstant> instants_, passed_;  // passed_: the last one, where it is not kept
+  std::vector<Flag> flags_;
+  int stride_ = 1, last_degraded_ = -2;
+  long solved_ = 0;
+  double condition_ = 0;
+  PerLevel<double> bound_{};
+  bool overflowed_ = false;
+};
+
+}  // namespace desmo::cli

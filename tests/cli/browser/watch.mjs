@@ -1,0 +1,125 @@
+// Opens pages of desmo view in Chromium as a reader would and prints what happened, as JSON:
+//   node watch.mjs CHROMIUM PAGE...
+// Whether that is right is for the test to say.
+import {pathToFileURL} from 'node:url';
+import {chromium} from 'playwright-core';
+
+const [executablePath, ...files] = process.argv.slice(2);
+const flags = [
+  '--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-quic',
+  '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync',
+];
+const patience = 240000;  // ms; a busy machine must not decide
+const widths = [1400, 800, 400];
+
+const frames = page => page.evaluate(
+    () => new Promise(drawn => requestAnimationFrame(() => requestAnimationFrame(drawn))));
+
+async function open(page, address) {
+  await page.goto(address);
+  await page.waitForFunction(() => document.documentElement.dataset.state === 'ready');
+  await frames(page);
+}
+
+// Ten instants over the motion: positions in the picture, values in the plots at all levels.
+async function numbers(page) {
+  for (const box of await page.locator('#levels input').all()) await box.check();
+  await page.waitForFunction(() => document.querySelectorAll('#panels .drawing').length ===
+      document.querySelectorAll('#panels .drawing svg').length);
+  await frames(page);
+  return page.evaluate(() => Array.from({length: 10}, (_, j) => {
+    const k = Math.round(j * (desmo.instants - 1) / 9);
+    desmo.show(k);
+    return {index: desmo.index(k), positions: desmo.positions(), values: desmo.values(k)};
+  }));
+}
+
+// How many shapes or colours the picture has.
+function variety() {
+  const canvas = document.querySelector('#stage canvas');
+  if (!canvas) return document.querySelectorAll('#stage :is(line, path, circle, rect, polygon)').length;
+  const copy = document.createElement('canvas');
+  Object.assign(copy, {width: 200, height: 150});
+  const c = copy.getContext('2d');
+  c.drawImage(canvas, 0, 0, 200, 150);
+  return new Set(new Uint32Array(c.getImageData(0, 0, 200, 150).data.buffer)).size;
+}
+
+// The space bar plays; arrow keys go by an instant; a trace, arrows and names are shown.
+async function play(page, result) {
+  await page.evaluate(() => desmo.show(0));
+  const before = await page.evaluate(() => desmo.positions());
+  await page.locator('#slider').focus();
+  await page.keyboard.press('Space');
+  await page.waitForFunction(before => JSON.stringify(desmo.positions()) !== JSON.stringify(before), before);
+  result.label_when_playing = await page.locator('#play').getAttribute('aria-label');
+  await page.keyboard.press('Space');
+  await page.keyboard.press('Home');
+  await page.keyboard.press('ArrowRight');
+  result.time_after_one = await page.evaluate(() => Number(document.getElementById('slider').value) - desmo.time(1));
+  await page.locator('#velocities').check();
+  await page.locator('#accelerations').check();
+  await page.evaluate(() => desmo.show(Math.min(7, desmo.instants - 1)));
+  const places = await page.evaluate(() => desmo.places());
+  const box = await page.locator('#stage').boundingBox();
+  const seen = Object.entries(places).find(([, [x, y]]) => x > 5 && y > 5 && x < box.width - 5 && y < box.height - 5);
+  result.inside = Object.values(places).filter(
+      ([x, y]) => x > 0 && y > 0 && x < box.width && y < box.height).length / Object.keys(places).length;
+  await page.mouse.move(box.x + seen[1][0], box.y + seen[1][1]);
+  await page.mouse.move(box.x + seen[1][0] + 1, box.y + seen[1][1]);
+  await page.locator('#hint').waitFor({state: 'visible'});
+  result.hint = await page.locator('#hint').textContent();
+  await page.mouse.move(2, 2);
+}
+
+// What shaded intervals say, and the words for them.
+async function flags_of(page) {
+  const notice = page.locator('#notice');
+  const result = {
+    notice: await notice.isVisible() ? await notice.textContent() : '', listed: await page.locator('#flags li').allTextContents(), hovered: '',
+  };
+  const shade = page.locator('#panels svg .mark-rect path').first();
+  if (result.listed.length > 0 && await shade.count() > 0) {
+    await shade.hover({force: true});
+    await page.locator('#hint').waitFor({state: 'visible'});
+    result.hovered = await page.locator('#hint').textContent();
+  }
+  return result;
+}
+
+async function look(browser, file) {
+  const address = pathToFileURL(file).href;
+  const result = {file, requests: [], errors: []};
+  const page = await browser.newPage({viewport: {width: widths[0], height: 900}});
+  page.setDefaultTimeout(patience);
+  page.on('request', request => request.url() !== address && result.requests.push(request.url()));
+  page.on('console', message => message.type() === 'error' && result.errors.push(message.text()));
+  page.on('pageerror', error => result.errors.push(error.message));
+  await open(page, address);
+  result.flags = await flags_of(page);
+  const paper = (await page.pdf({preferCSSPageSize: true})).toString('latin1');
+  result.sheets = (paper.match(/\/Type\s*\/Page\b/g) ?? []).length;
+  result.variety = await page.evaluate(variety);
+  result.legend = await page.locator('#legend li').count();
+  result.numbers = await numbers(page);
+  await play(page, result);
+  result.overflow = {};
+  for (const width of widths) {
+    await page.setViewportSize({width, height: 900});
+    await frames(page);
+    result.overflow[width] = await page.evaluate(
+        () => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+  }
+  result.script = await page.evaluate(() => desmo.script());
+  await page.close();
+  return result;
+}
+
+const browser = await chromium.launch({executablePath, args: flags});
+try {
+  const results = [];
+  for (const file of files) results.push(await look(browser, file));
+  console.log(JSON.stringify(results));
+} finally {
+  await browser.close();
+}

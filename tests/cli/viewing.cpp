@@ -1,0 +1,333 @@
+// desmo view: the page, and what a reader sees of it in Chromium.
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <sstream>
+
+#include "cases/library/library.h"
+#include "tests/cli/program.h"
+
+namespace desmo::viewing_test {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+constexpr std::size_t max_page = 2'000'000;  // bytes
+
+/// A fixture whose tests are skipped where the program was built without its page.
+class View : public Cli {
+ protected:
+  void SetUp() override {
+    Cli::SetUp();
+    if (desmo("view slider_crank") == 69) GTEST_SKIP() << err_;
+  }
+
+  /// Data that a page carries, by the id of their place.
+  static std::string data_of(const std::string& page, const std::string& id) {
+    const std::size_t at = page.find('>', page.find("id=\"" + id + "\"")) + 1;
+    return page.substr(at, page.find("</script>", at) - at);
+  }
+};
+
+TEST_F(View, IsOnePageThatLoadsNothing) {
+  ASSERT_EQ(desmo("view slider_crank --quiet"), 0) << err_;
+  EXPECT_EQ(err_, "");
+  const std::string page = out_;
+  EXPECT_TRUE(page.starts_with("<!doctype html>"));
+  EXPECT_TRUE(page.ends_with("</html>\n"));
+  EXPECT_LE(page.size(), max_page);
+  for (const char* loads : {"<link", "<img", "<iframe", "<script src", "@import"})
+    EXPECT_EQ(page.find(loads), std::string::npos) << loads;
+  EXPECT_GT(page.find("url("), page.find("</style>"));
+  EXPECT_EQ(page.find("WebGLRenderer"), std::string::npos) << "a planar page needs no WebGL";
+  ASSERT_EQ(desmo("view slider_crank -o out/page.html"), 0) << err_;
+  EXPECT_EQ(out_, "");
+  EXPECT_EQ(text_of(out("page.html")), page) << "the same bytes every time";
+}
+
+TEST_F(View, SaysWhatThereIs) {
+  ASSERT_EQ(desmo("view four_bar:2"), 0) << err_;
+  const Json data = Json::parse(data_of(out_, "data"));
+  EXPECT_EQ(data["mechanism"]["dimension"], 2);
+  EXPECT_EQ(data["shown"], 3001);
+  EXPECT_EQ(data["mechanism"]["bodies"].size(), 5u);
+  EXPECT_EQ(data["mechanism"]["drivers"], Json{"crank/theta"});
+  EXPECT_EQ(data["flags"], Json::array());
+  std::vector<std::string> groups;
+  for (const Json& group : data["groups"]) groups.push_back(group["name"]);
+  EXPECT_EQ(groups, (std::vector<std::string>{"SG-I", "dyad1/SG-I", "dyad2/SG-I"}));
+}
+
+TEST_F(View, PlotsWhatTheSceneRequests) {
+  write("scene.json", slider_crank(150, R"(, "time": {"end": 1, "step": 0.1},
+    "request": [{"points": ["C"], "level": "velocity"}])"));
+  ASSERT_EQ(desmo("view scene.json"), 0) << err_;
+  const Json data = Json::parse(data_of(out_, "data"));
+  std::vector<std::string> plotted;
+  for (const int column : data["plotted"]) plotted.push_back(data["columns"][column]["name"]);
+  EXPECT_EQ(plotted, (std::vector<std::string>{"C.x", "C.y", "d/dt C.x", "d/dt C.y"}));
+}
+
+TEST_F(View, ShowsHowFarAMechanismGetsThatLocks) {
+  write("scene.json", locks);
+  ASSERT_EQ(desmo("view scene.json -o out/page.html"), 1);
+  EXPECT_TRUE(says("group 'SG-II' (rod, slider)")) << err_;
+  EXPECT_TRUE(says("the page shows the last position")) << err_;
+  const Json data = Json::parse(data_of(text_of(out("page.html")), "data"));
+  ASSERT_EQ(data["flags"].size(), 2u);
+  const Json& flag = data["flags"][0];
+  EXPECT_EQ(flag["kind"], "failed");
+  const double reached = std::asin(30. / 50) / (2 * std::numbers::pi);  // where the rod is upright
+  EXPECT_NEAR(flag["from"].get<double>(), reached, 2e-9);
+  EXPECT_NEAR(flag["to"].get<double>(), 0.5 - reached, 2e-9);
+  EXPECT_FALSE(flag["open"].empty());
+  EXPECT_LT(data["shown"], 101);
+}
+
+TEST_F(View, FlagsWhatIsDegraded) {
+  write("scene.json", slider_crank(30, R"(,
+    "time": {"end": 0.10241638234, "step": 0.10241638234})"));  // nearly where it locks
+  ASSERT_EQ(desmo("view scene.json"), 0) << err_;
+  const Json flags = Json::parse(data_of(out_, "data"))["flags"];
+  ASSERT_EQ(flags.size(), 1u);
+  EXPECT_EQ(flags[0]["kind"], "degraded");
+  EXPECT_EQ(flags[0]["from"], 0.10241638234);
+  EXPECT_NE(flags[0]["text"].get<std::string>().find("so near a singular position"),
+            std::string::npos);
+}
+
+TEST_F(View, ShowsTheEstimateWhereNothingCanBeAssembled) {
+  write("scene.json", slider_crank(30, R"(, "time": {"start": 0.25, "end": 0.3, "step": 0.01})"));
+  ASSERT_EQ(desmo("view scene.json -o out/page.html"), 1);
+  EXPECT_TRUE(says("the page shows the initial estimate")) << err_;
+  const Json data = Json::parse(data_of(text_of(out("page.html")), "data"));
+  EXPECT_EQ(data["time"]["solved"], 0);
+  EXPECT_EQ(data["shown"], 1);
+  EXPECT_EQ(data["flags"][0]["kind"], "failed");
+}
+
+TEST_F(View, ThinsOutWhatIsTooLongAndSaysSo) {
+  write("scene.json", slider_crank(150, R"(, "time": {"end": 100, "step": 0.005})"));
+  ASSERT_EQ(desmo("view scene.json"), 0) << err_;
+  EXPECT_LE(out_.size(), max_page);
+  const Json data = Json::parse(data_of(out_, "data"));
+  EXPECT_EQ(data["time"]["solved"], 20001);
+  EXPECT_EQ(data["time"]["stride"], 4);
+  EXPECT_EQ(data["shown"], 5001);
+}
+
+TEST_F(View, LeavesNothingHalfWritten) {
+  write("mechanism.json", "{\"format\": \"desmo-mechanism\", \"version\": 1}");
+  EXPECT_EQ(desmo("view mechanism.json -o out/page.html"), 65);
+  EXPECT_TRUE(says("mechanism.json: /format")) << err_;
+  EXPECT_EQ(desmo("view nothing -o out/page.html"), 66);
+  EXPECT_EQ(desmo("view slider_crank -o nowhere/page.html"), 74);
+  EXPECT_EQ(desmo("view four_bar:20000 -o out/page.html"), 65);
+  EXPECT_TRUE(says("a page cannot show a mechanism of 60003 coordinates")) << err_;
+  EXPECT_TRUE(fs::is_empty(out("")));
+}
+
+// ---- in a browser ----
+
+/// A Stewart platform of many legs, of which six are driven.
+Json stewart(int legs) {
+  Json points = {{"P", {0, 0, 1.2}}}, vectors, ground_points, ground_vectors, joints, coordinates,
+       drivers, motion, bodies;
+  bodies["platform"]["points"] = {"P"};
+  vectors = {{"px", {1, 0, 0}}, {"py", {0, 1, 0}}, {"pz", {0, 0, 1}}};
+  bodies["platform"]["vectors"] = {"px", "py", "pz"};
+  int driven = 0;
+  for (int k = 0; k < legs; ++k) {
+    const std::string i = std::to_string(k + 1);
+    const double at = 2 * std::numbers::pi * k / legs, off = k % 2 ? 0.4 : -0.4;
+    const double a[2] = {std::cos(at + off), std::sin(at + off)};
+    const double b[2] = {0.6 * std::cos(at), 0.6 * std::sin(at)};
+    points["A" + i] = {a[0], a[1], 0};
+    points["B" + i] = {b[0], b[1], 1.2};
+    vectors["g" + i] = {-a[1], a[0], 0};
+    vectors["d" + i] = {b[0] - a[0], b[1] - a[1], 1.2};
+    vectors["u" + i] = {{"normal", {"g" + i, "d" + i}}};
+    ground_points.push_back("A" + i);
+    ground_vectors.push_back("g" + i);
+    bodies["platform"]["points"].push_back("B" + i);
+    for (const auto& [body, point] : {std::pair{"lower", "A"}, {"upper", "B"}})
+      bodies[body + i] = {{"points", {point + i}}, {"vectors", {"d" + i, "u" + i}}};
+    const auto join = [&](const char* type, std::vector<std::string> two, Json rest) {
+      rest["type"] = type;
+      rest["bodies"] = two;
+      joints.push_back(rest);
+    };
+    join("universal", {"ground", "lower" + i},
+         {{"points", {"A" + i}}, {"vectors", {"g" + i, "u" + i}}});
+    join("prismatic", {"lower" + i, "upper" + i},
+         {{"points", {"A" + i, "B" + i}}, {"vectors", {"d" + i, "u" + i}}});
+    join("spherical", {"upper" + i, "platform"}, {{"points", {"B" + i}}});
+    if (k * 6 / legs < driven || k % 2 != driven % 2) continue;
+    ++driven;
+    coordinates["s" + i] = {{"distance", {"A" + i, "B" + i}}, {"along", "d" + i}};
+    drivers.push_back("s" + i);
+    motion["s" + i] = {{"type", "harmonic"},
+                       {"mean", std::hypot(b[0] - a[0], b[1] - a[1], 1.2)},
+                       {"terms", {{{"amplitude", 0.05 * driven / 6}, {"frequency", 1}}}}};
+  }
+  return {{"format", "desmo-scene"},
+          {"version", 2},
+          {"mechanism",
+           {{"format", "desmo-mechanism"},
+            {"version", 1},
+            {"name", "stewart_" + std::to_string(legs)},
+            {"dimension", 3},
+            {"points", points},
+            {"vectors", vectors},
+            {"ground", {{"points", ground_points}, {"vectors", ground_vectors}}},
+            {"bodies", bodies},
+            {"joints", joints},
+            {"coordinates", coordinates},
+            {"drivers", drivers}}},
+          {"motion", motion},
+          {"time", {{"end", 1}, {"step", 0.01}}}};
+}
+
+class ViewInBrowser : public View {
+ protected:
+  /// Opens pages in Chromium. Returns what watch.mjs tells of each.
+  Json opened(const std::vector<std::string>& scenes) {
+    const fs::path source = DESMO_SOURCE_DIR, work = source / "build/browser";
+    std::string pages;
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+      const std::string page = out("page" + std::to_string(i) + ".html").string();
+      const int expected = scenes[i] == "locks.json" ? 1 : 0;
+      EXPECT_EQ(desmo("view " + scenes[i] + " -o " + page), expected) << scenes[i] << err_;
+      EXPECT_LE(fs::file_size(page), max_page) << scenes[i];
+      pages += " " + page;
+    }
+    fs::copy_file(source / "tests/cli/browser/watch.mjs", work / "watch.mjs",
+                  fs::copy_options::overwrite_existing);
+    EXPECT_EQ(
+        shell("node " + (work / "watch.mjs").string() + " \"$(command -v chromium)\"" + pages), 0)
+        << err_;
+    return Json::parse(out_);
+  }
+
+  /// Whether Chromium and what steers it are there; the reason in out_ when not.
+  bool has_browser() {
+    if (shell("command -v chromium || { echo Chromium is not installed; false; }") != 0)
+      return false;
+    const std::string source = DESMO_SOURCE_DIR;
+    return shell(source + "/report/figures/render --packages " + source + "/tests/report/browser " +
+                 source + "/build/browser") == 0;
+  }
+
+  /// The numbers of some instants as `desmo solve` writes them, by names of columns.
+  std::map<int, std::map<std::string, double>> solved(const std::string& scene,
+                                                      const Json& instants) {
+    EXPECT_EQ(desmo("solve " + scene + " --past-failures --quiet -o out/motion.csv"), 0) << err_;
+    std::ifstream in(out("motion.csv"));
+    std::string line, name;
+    std::getline(in, line);
+    std::vector<std::string> names;
+    for (std::istringstream heading(line); std::getline(heading, name, ',');)
+      names.push_back(name.substr(0, name.find(" [")));
+    std::vector<std::string> rows;
+    while (std::getline(in, line)) rows.push_back(std::move(line));
+    std::map<int, std::map<std::string, double>> result;
+    for (const Json& instant : instants) {  // rows leave out instants that were not solved
+      const int k = static_cast<int>(&instant - &instants[0]);
+      const auto row =
+          static_cast<std::size_t>(std::lround(k * static_cast<double>(rows.size() - 1) / 9));
+      const std::vector<double> numbers = Cli::numbers(rows[row]);
+      for (std::size_t i = 0; i < numbers.size(); ++i) result[k][names[i]] = numbers[i];
+    }
+    return result;
+  }
+
+  void expect_positions(const Json& instant, const std::map<std::string, double>& solved,
+                        double size) {
+    int compared = 0;
+    for (const auto& [point, position] : instant["positions"].items())
+      for (std::size_t axis = 0; axis < position.size(); ++axis) {
+        const auto found = solved.find(point + "." + "xyz"[axis]);
+        if (found == solved.end()) continue;  // at rest
+        EXPECT_NEAR(position[axis].get<double>(), found->second, 1e-4 * size) << found->first;
+        ++compared;
+      }
+    EXPECT_GT(compared, 0);
+  }
+
+  void expect_values(const Json& instant, const std::map<std::string, double>& solved) {
+    int compared = 0;
+    for (const auto& [name, value] : instant["values"].items()) {
+      const auto found = solved.find(name);
+      if (found == solved.end()) continue;  // condition, bounds, transmission angles
+      EXPECT_NEAR(value.get<double>(), found->second, 1e-6 * std::abs(found->second) + 1e-12)
+          << name;
+      ++compared;
+    }
+    EXPECT_GT(compared, 0);
+  }
+
+  void expect_well(const std::string& scene, const Json& seen, const Json& data) {
+    SCOPED_TRACE(scene);
+    EXPECT_EQ(seen["requests"], Json::array());
+    EXPECT_EQ(seen["errors"], Json::array());
+    EXPECT_GE(seen["variety"], 10);  // shapes, or colours of a WebGL picture
+    EXPECT_EQ(seen["legend"], std::ranges::count(data["groups"], Json(false),
+                                                 [](const Json& g) { return g["constant"]; }));
+    EXPECT_EQ(seen["label_when_playing"], "Pause");
+    EXPECT_EQ(seen["time_after_one"], 0);
+    EXPECT_EQ(seen["inside"], 1);
+    EXPECT_TRUE(seen["hint"].get<std::string>().starts_with("point ")) << seen["hint"];
+    for (const auto& [width, overflow] : seen["overflow"].items()) EXPECT_EQ(overflow, 0) << width;
+    EXPECT_EQ(seen["sheets"], 1);
+    EXPECT_EQ(seen["flags"]["listed"].size(), data["flags"].size());
+    const Json& numbers = seen["numbers"];
+    ASSERT_EQ(numbers.size(), 10u);
+    const auto right = solved(scene, numbers);
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+      expect_positions(numbers[k], right.at(static_cast<int>(k)), data["size"]);
+      expect_values(numbers[k], right.at(static_cast<int>(k)));
+    }
+    std::printf("%s: %s ms of script a frame in the median of %s, at most %s\n", scene.c_str(),
+                seen["script"]["median"].dump().c_str(), seen["script"]["frames"].dump().c_str(),
+                seen["script"]["longest"].dump().c_str());
+  }
+
+  void expect_all_well(const std::vector<std::string>& scenes) {
+    if (!has_browser()) GTEST_SKIP() << out_;
+    write("locks.json", locks);
+    write("stewart_36.json", stewart(36).dump());
+    const Json seen = opened(scenes);
+    ASSERT_EQ(seen.size(), scenes.size());
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+      const std::string page = text_of(out("page" + std::to_string(i) + ".html"));
+      expect_well(scenes[i], seen[i], Json::parse(data_of(page, "data")));
+      const Json& flags = seen[i]["flags"];
+      if (scenes[i] != "locks.json") continue;
+      for (const char* shown : {"notice", "hovered"}) {
+        const std::string text = flags[shown];
+        EXPECT_NE(text.find("group 'SG-II' (rod, slider)"), std::string::npos) << shown << text;
+        EXPECT_NE(text.find("is off by"), std::string::npos) << shown << text;
+      }
+    }
+  }
+};
+
+TEST_F(ViewInBrowser, ShowsWhatIsSolved) {
+  expect_all_well({"slider_crank", "locks.json", "truck_suspension:1"});
+}
+
+/// Every mechanism, in minutes: program_test --gtest_also_run_disabled_tests
+/// --gtest_filter='ViewInBrowser.*'
+TEST_F(ViewInBrowser, DISABLED_ShowsWhatIsSolvedOfEveryMechanism) {
+  std::vector<std::string> scenes{"locks.json",  "stewart_36.json",    "four_bar:1",
+                                  "four_bar:40", "truck_suspension:1", "truck_suspension:5"};
+  for (const LibraryMechanism& m : library()) scenes.emplace_back(m.name);
+  expect_all_well(scenes);
+}
+
+}  // namespace
+}  // namespace desmo::viewing_test
