@@ -1,0 +1,285 @@
+#include "formulations/verification/range/driver_range.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "formulations/scaling/scales.h"
+#include "formulations/verification/assessment/scaled_system.h"
+#include "formulations/verification/monitor/branch_monitor.h"
+#include "formulations/verification/range/solution_curve.h"
+
+namespace desmo {
+
+namespace {
+
+using Point = SolutionCurve::Point;
+using Signs = std::vector<signed char>;
+
+constexpr double max_step = 0.1, min_step = 1e-10;  // largest change, scaled
+/// A sign that changes in such a step has done so at a crossing, not by a jump across a gap.
+constexpr double crossing_step = 1e-6;
+constexpr double accuracy = 1e-9;  // scaled
+constexpr double same = 1e-7;      // of two positions, scaled
+
+/// The way from a start in one direction.
+class Way {
+ public:
+  Way(const Model& m, SolutionCurve& curve, int driver, const Point& start, double direction)
+      : m_(m),
+        curve_(curve),
+        system_(m),
+        monitor_(m, {}, 1e-12),
+        driver_(m.entities[m.drivers[driver].coordinate]),
+        start_(start),
+        direction_(direction) {}
+
+  RangeEnd go() { return go_from(direction_ > 0 ? start_ : SolutionCurve::reversed(start_)); }
+  /// Goes on after a dead point on the branch that meets this one there.
+  RangeEnd go_back() {
+    direction_ = -direction_;
+    return go_from(*std::move(turned_));
+  }
+  const std::vector<ChangePoint>& change_points() const { return change_points_; }
+
+ private:
+  RangeEnd go_from(Point point);
+  Signs signs(const Point& point);
+  std::vector<int> changed_blocks(const Signs& before, const Signs& after) const;
+  double forward(const Point& p) const { return direction_ * p.speed(); }
+  bool is_violated(const Point& point);
+  bool is_start(const Point& point) const;
+  bool turns_twice(const Point& from, const Point& to, double length) const;
+  std::optional<RangeEnd> dead_point(const Point& from, double length);
+  std::optional<RangeEnd> after_turns(const Point& from, const Point& to);
+  RangeEnd end(RangeStop stop, const Point& point) const;
+  void name_culprits(RangeEnd& end, const Point& point);
+
+  const Model& m_;
+  SolutionCurve& curve_;
+  ScaledSystem system_;
+  BranchMonitor monitor_;
+  const Entity& driver_;
+  const Point& start_;
+  double direction_;
+  int turns_ = 1;  // after which it is looked for the start
+  std::vector<ChangePoint> change_points_;
+  std::optional<Point> turned_;  // after the dead point
+};
+
+/// Returns the signs of the determinants of all blocks; none where one is singular.
+Signs Way::signs(const Point& point) {
+  if (!system_.factorise(point.state)) return {};
+  return {system_.orientation().begin(), system_.orientation().end()};
+}
+
+std::vector<int> Way::changed_blocks(const Signs& before, const Signs& after) const {
+  std::vector<int> changed;
+  for (std::size_t b = 0; b < std::min(before.size(), after.size()); ++b)
+    if (before[b] != after[b]) changed.push_back(static_cast<int>(b));
+  return changed;
+}
+
+bool Way::is_violated(const Point& point) {
+  const std::span<const double> state = point.state;
+  return monitor_.violated({0, 0, state.first(m_.coordinates()), {}, {}}) >= 0;
+}
+
+bool Way::is_start(const Point& point) const {
+  const std::vector<EntityId> owner = entity_of_coordinate(m_);
+  for (std::size_t j = 0; j < curve_.unknowns().size(); ++j) {
+    const int i = curve_.unknowns()[j];
+    double change = point.state[i] - start_.state[i];
+    if (m_.entities[owner[i]].kind == EntityKind::angle)
+      change = std::remainder(change, 2 * std::numbers::pi);
+    if (!(std::abs(change) <= same * curve_.scale(static_cast<int>(j)))) return false;
+  }
+  return true;
+}
+
+/// Returns whether the driver may have turned back and forth within a step: its speed in the
+/// middle, by Simpson's rule, is not forward.
+bool Way::turns_twice(const Point& from, const Point& to, double length) const {
+  const double mean = direction_ * (curve_.value(to) - curve_.value(from)) / curve_.scale() / length;
+  return forward(from) > 0 && forward(to) > 0 &&
+         1.5 * mean - (forward(from) + forward(to)) / 4 <= 0;
+}
+
+RangeEnd Way::end(RangeStop stop, const Point& point) const {
+  RangeEnd e;
+  e.stop = stop;
+  e.value = e.beyond = curve_.value(point);
+  return e;
+}
+
+/// Names the first block that moves while the driver rests, and the equations that hold it.
+void Way::name_culprits(RangeEnd& e, const Point& point) {
+  constexpr double moves = 1e-5, holds = 1e-6;
+  const std::vector<EntityId> owner = entity_of_coordinate(m_);
+  for (const PartDefinition& block : curve_.blocks()) {
+    for (const int i : block.unknowns) {
+      const auto j = std::ranges::lower_bound(curve_.unknowns(), i) - curve_.unknowns().begin();
+      if (std::abs(point.tangent[j]) > moves &&
+          (e.moving.empty() || e.moving.back() != owner[i]))
+        e.moving.push_back(owner[i]);
+    }
+    if (e.moving.empty()) continue;
+    e.group = block.groups.front();
+    break;
+  }
+  const std::vector<double> forces = curve_.forces(point);
+  for (std::size_t c = 0; c < forces.size(); ++c)
+    if (forces[c] > holds) e.constraints.push_back(static_cast<int>(c));
+  std::ranges::stable_sort(e.constraints, std::greater{}, [&](int c) { return forces[c]; });
+}
+
+/// Finds the dead point in a step at whose end the driver goes back. The driver's value is
+/// stationary there, so it is known far better than the position.
+std::optional<RangeEnd> Way::dead_point(const Point& from, double length) {
+  constexpr double stationary = 1e-9, max_bend = 1.2;  // of the arc over its projection
+  Point low = from;
+  std::optional<Point> high = curve_.step(from, length);
+  double at_low = 0, at_high = length;
+  double weight_low = forward(low), weight_high = -forward(*high);  // Illinois' method
+  for (int i = 0; i < 100 && forward(low) > stationary && -forward(*high) > stationary; ++i) {
+    const double at = at_low + (at_high - at_low) * weight_low / (weight_low + weight_high);
+    std::optional<Point> middle = curve_.step(from, at);
+    if (!middle) return {};
+    if (!(at > at_low && at < at_high)) break;
+    if (forward(*middle) > 0) {
+      low = *std::move(middle), at_low = at;
+      weight_low = forward(low), weight_high /= 2;
+    } else {
+      high = std::move(middle), at_high = at;
+      weight_high = -forward(*high), weight_low /= 2;
+    }
+  }
+  const auto reached = [&](const Point& p) { return direction_ * curve_.value(p); };
+  const double farther = max_bend * (at_high - at_low) * curve_.scale();
+  const double most = std::min(reached(low) + farther * forward(low),
+                               reached(*high) - farther * forward(*high));
+  const Point& last = reached(low) > reached(*high) ? low : *high;
+  const double rounding = 1e-14 * std::max(curve_.scale(), std::abs(curve_.value(last)));
+  RangeEnd e = end(RangeStop::dead_point, last);
+  e.beyond = direction_ * (std::max(most, reached(last)) + rounding);
+  if (!(std::abs(e.beyond - e.value) < accuracy * curve_.scale())) return {};
+  name_culprits(e, forward(low) < -forward(*high) ? low : *high);
+  turned_ = std::move(high);
+  return e;
+}
+
+/// Looks whether a step passes a whole turn, and whether that is the start again.
+std::optional<RangeEnd> Way::after_turns(const Point& from, const Point& to) {
+  const double far = driver_.kind == EntityKind::angle
+                         ? 2 * std::numbers::pi * turns_
+                         : 10 * natural_magnitudes(m_)[driver_.first];
+  const double target = curve_.value(start_) + direction_ * far;
+  if (direction_ * (curve_.value(to) - target) < 0) return {};
+  if (driver_.kind != EntityKind::angle) return end(RangeStop::none, to);
+  std::optional<Point> there = curve_.at(to, target);
+  if (!there) there = curve_.at(from, target);
+  if (there && is_start(*there)) {
+    RangeEnd e = end(RangeStop::full_turn, *there);
+    e.turns = turns_;
+    return e;
+  }
+  if (turns_ == 2) return end(RangeStop::none, to);
+  turns_ = 2;
+  return {};
+}
+
+RangeEnd Way::go_from(Point point) {
+  is_violated(start_);  // the declared position; angles are followed from it
+  double length = max_step / 8;
+  Signs before = signs(point);
+  while (true) {
+    const auto again = [&] { return (length /= 2) > min_step; };
+    std::optional<Point> next = curve_.step(point, length);
+    if (!next) {
+      if (again()) continue;
+      return end(RangeStop::not_reached, point);
+    }
+    if (forward(*next) <= 0) {
+      // Signs of B do not change at a dead point: a step across a gap is not one.
+      if (next->sign == point.sign)
+        if (std::optional<RangeEnd> dead = dead_point(point, length)) return *std::move(dead);
+      if (again()) continue;
+      return end(RangeStop::not_reached, point);
+    }
+    if (turns_twice(point, *next, length) && again()) continue;
+    const Signs after = signs(*next);
+    const std::vector<int> changed = changed_blocks(before, after);
+    if (next->sign != point.sign || !changed.empty()) {
+      if (length > crossing_step) {
+        length /= 2;
+        continue;
+      }
+      // det B vanishes like the distance to the power of the number of blocks.
+      const double power = 1 / static_cast<double>(std::max<std::size_t>(1, changed.size()));
+      const double share = 1 / (1 + std::exp(power * (next->log_determinant - point.log_determinant)));
+      const double value = std::lerp(curve_.value(point), curve_.value(*next), share);
+      if (driver_.kind == EntityKind::distance && std::abs(value) < same * curve_.scale())
+        return end(RangeStop::zero_length, point);
+      change_points_.push_back(
+          {value, changed.empty() ? -1 : system_.group_of_block(changed.front())});
+      length = max_step / 64;
+    }
+    if (is_violated(*next)) {
+      if (again()) continue;
+      return end(RangeStop::other_branch, point);
+    }
+    if (std::optional<RangeEnd> turned = after_turns(point, *next)) return *std::move(turned);
+    if (!after.empty()) before = after;
+    point = *std::move(next);
+    length = std::min(max_step, 1.5 * length);
+  }
+}
+
+}  // namespace
+
+DriverRange find_range(const Model& m, std::span<const double> q, int driver) {
+  std::vector<double> state(q.begin(), q.end());
+  state.insert(state.end(), m.fixed_values.begin(), m.fixed_values.end());
+  SolutionCurve curve(m, driver);
+  DriverRange range;
+  range.start = state[m.entities[m.drivers[driver].coordinate].first];
+  range.is_idle = curve.is_idle();
+  range.down.value = range.down.beyond = range.up.value = range.up.beyond = range.start;
+  if (range.is_idle) return range;
+
+  std::optional<Point> start = curve.start(std::move(state));
+  if (curve.is_crossing()) {
+    range.down.stop = range.up.stop = RangeStop::start;
+    return range;
+  }
+  // At a dead point the driver has no direction: a little further it has.
+  constexpr double stationary = 1e-9, beside = 1e-6;
+  if (start && std::abs(start->speed()) < stationary) {
+    start = curve.step(*start, beside);
+    if (start && start->speed() < 0) start = SolutionCurve::reversed(*std::move(start));
+  }
+  if (!start || std::abs(curve.value(*start) - range.start) > accuracy * curve.scale())
+    throw std::runtime_error("no position was found at the start of driver '" +
+                             m.entities[m.drivers[driver].coordinate].name + "'");
+
+  Way up(m, curve, driver, *start, 1), down(m, curve, driver, *start, -1);
+  range.up = up.go();
+  if (range.up.stop == RangeStop::full_turn) {
+    range.down = range.up;
+    range.down.value = range.down.beyond = 2 * range.start - range.up.value;
+  } else {
+    range.down = down.go();
+  }
+  for (const auto& [way, end] : {std::pair(&up, &range.up), std::pair(&down, &range.down)})
+    if (end->stop == RangeStop::dead_point &&
+        std::abs(end->value - range.start) < accuracy * curve.scale())
+      range.other_branch = way->go_back();
+  for (const Way* way : {&down, &up})
+    range.change_points.insert(range.change_points.end(), way->change_points().begin(),
+                               way->change_points().end());
+  std::ranges::sort(range.change_points, {}, &ChangePoint::value);
+  return range;
+}
+
+}  // namespace desmo
