@@ -1,117 +1,124 @@
 // desmo range: how far each driver can go from the start of a scene.
-#include <cmath>
-#include <cstdio>
+#include <algorithm>
 #include <memory>
-#include <nlohmann/json.hpp>
-#include <numbers>
+#include <optional>
 #include <stdexcept>
 
 #include "bench/cli/commands.h"
 #include "bench/cli/errors.h"
 #include "bench/cli/input.h"
 #include "bench/cli/output.h"
-#include "bench/cli/solve/run_notes.h"
-#include "bench/cli/text.h"
+#include "bench/cli/range/ranges.h"
 #include "cases/mechanism/names.h"
 #include "formulations/variants.h"
-#include "formulations/verification/range/driver_range.h"
 
 namespace desmo::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct RangeOptions {
   std::string scene;
   bool json = false;
 };
 
-/// What is known of an input's drivers.
-struct Ranges {
-  const Mechanism& mechanism;
-  const Model& model;
-  double time;  ///< [s]
-  std::vector<DriverRange> drivers;
-};
-
-constexpr const char* stop_names[] = {"dead_point", "full_turn",   "zero_length", "other_branch",
-                                      "start",      "not_reached", "none"};
-
-/// Returns the position at the start. At a dead point, where it cannot be assembled, the estimate
-/// may be near enough.
-std::vector<double> start_of(const Model& m, double time) {
-  const auto formulation = make_formulation(find_variant("block_automatic_klu"), m);
-  const Summary s = formulation->assemble(time, Level::position);
-  if (s.ok()) return {formulation->q().begin(), formulation->q().end()};
-  std::vector<double> q = m.estimate;
-  for (const Driver& d : m.drivers)
-    q[m.entities[d.coordinate].first] = sample(d.motion, time).position;
-  return q;
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::ranges::find(names, name) != names.end();
 }
 
-std::vector<std::string> names_of(const std::vector<EntityId>& entities, const Model& m) {
-  std::vector<std::string> names;
-  for (const EntityId e : entities) names.push_back(m.entities[e].name);
-  return names;
-}
-
-/// Names of the joints at points or vectors that can still move.
-std::vector<std::string> joints_of(const RangeEnd& e, const Ranges& r) {
-  const std::vector<std::string> moving = names_of(e.moving, r.model);
-  const auto moves = [&](const std::string& name) {
-    return std::ranges::find(moving, name) != moving.end();
-  };
+std::vector<std::string> joints_at(const std::vector<std::string>& moving, const Mechanism& d) {
   std::vector<std::string> joints;
-  for (const Mechanism::Joint& j : r.mechanism.joints)
-    if (std::ranges::any_of(j.points, [&](int p) { return moves(r.mechanism.points[p].name); }))
+  for (const Mechanism::Joint& j : d.joints)
+    if (std::ranges::any_of(j.points, [&](int p) { return contains(moving, d.points[p].name); }))
       joints.push_back(j.name);
   return joints;
 }
 
-std::vector<std::string> constraints_of(const RangeEnd& e, const Model& m) {
-  std::vector<std::string> names;
-  for (const int c : e.constraints) names.push_back(m.constraints[c].name);
-  return names;
+/// Returns the bodies that carry all points and vectors of one of the constraints.
+std::vector<std::string> bodies_of(const std::vector<int>& constraints, const Model& m,
+                                   const Mechanism& d) {
+  const auto carries_all = [&](const Mechanism::Body& body, const Constraint& c) {
+    std::vector<std::string> names;
+    for (const int p : body.points) names.push_back(d.points[p].name);
+    for (const int v : body.vectors) names.push_back(d.vectors[v].name);
+    return std::ranges::all_of(c.operands, [&](EntityId e) {
+      return m.entities[e].size == 1 || contains(names, m.entities[e].name);
+    });
+  };
+  std::vector<std::string> bodies;
+  for (auto body = d.bodies.begin() + 1; body < d.bodies.end(); ++body)
+    if (std::ranges::any_of(constraints,
+                            [&](int c) { return carries_all(*body, m.constraints[c]); }))
+      bodies.push_back(body->name);
+  return bodies;
 }
 
-std::string number(double value, const char* format = "%.12g") {
-  char text[40];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
+NamedEnd with_names(const RangeEnd& end, const char* direction, const Model& m,
+                    const Mechanism& d) {
+  NamedEnd named{end, direction, {}, {}, {}, {}};
+  for (const EntityId e : end.moving) named.moving.push_back(m.entities[e].name);
+  for (const int c : end.constraints) named.constraints.push_back(m.constraints[c].name);
+  named.joints = joints_at(named.moving, d);
+  named.bodies = bodies_of(end.constraints, m, d);
+  return named;
+}
+
+/// Position at the start, and what assembling it came to. In a dead point nothing can be assembled,
+/// but the estimate may be near enough.
+struct Start {
+  Summary summary;
+  std::vector<double> q;
+};
+
+Start start_at(const Model& m, double time, double tolerance) {
+  const auto formulation =
+      make_formulation(find_variant("block_automatic_klu"), m, Settings{.tolerance = tolerance});
+  Start start{formulation->assemble(time, Level::position), m.estimate};
+  if (start.summary.ok()) start.q.assign(formulation->q().begin(), formulation->q().end());
+  for (const Driver& driver : m.drivers)
+    start.q[m.entities[driver.coordinate].first] = sample(driver.motion, time).position;
+  return start;
 }
 
 void range(const RangeOptions& options) {
   const Input input = load_scene(options.scene);
+  const Mechanism& d = input.scene.mechanism;
   const Model m = model_mechanism(input).model;
-  const double time = input.scene.grid.time(0);
-  Ranges ranges{input.scene.mechanism, m, time, {}};
-  const std::vector<double> q = start_of(m, time);
-  for (int d = 0; d < m.degrees_of_freedom(); ++d) ranges.drivers.push_back(find_range(m, q, d));
-  for (int d = 0; d < m.degrees_of_freedom(); ++d) {
-    const DriverRange& r = ranges.drivers[d];
-    std::printf("%s start %.12g idle %d\n", m.entities[m.drivers[d].coordinate].name.c_str(), r.start, r.is_idle);
-    auto show = [&](const char* n, const RangeEnd& e) {
-      std::printf("  %s %s %.15g beyond %.3g turns %d group %s moving %s joints %s constraints %s\n", n, stop_names[(int)e.stop], e.value, e.beyond - e.value, e.turns, e.group < 0 ? "-" : m.groups[e.group].name.c_str(), enumerate(names_of(e.moving, m)).c_str(), enumerate(joints_of(e, ranges)).c_str(), enumerate(constraints_of(e, m), 12).c_str());
-    };
-    show("down", r.down);
-    show("up", r.up);
-    if (r.other_branch) show("other", *r.other_branch);
-    for (const ChangePoint& c : r.change_points) std::printf("  change %.15g %d\n", c.value, c.group);
+  Ranges ranges{m, input.scene.grid.time(0), {}};
+  const Start start = start_at(m, ranges.time, input.scene.tolerance);
+  for (int i = 0; i < m.degrees_of_freedom(); ++i) {
+    const Entity& driven = m.entities[m.drivers[i].coordinate];
+    NamedRange& named = ranges.drivers.emplace_back();
+    named.driver = driven.name;
+    named.unit = driven.kind == EntityKind::angle ? "rad"
+                 : m.length_unit == "1"           ? ""
+                                                  : m.length_unit;
+    try {
+      named.range = find_range(m, start.q, i);
+    } catch (const std::runtime_error& error) {
+      throw Error(not_solved, input.source + ": " + error.what() +
+                                  (start.summary.ok() ? "" : ": " + describe(start.summary, m)) +
+                                  "; choose a start that can be assembled");
+    }
+    const DriverRange& r = named.range;
+    named.ends = {with_names(r.down, "down", m, d), with_names(r.up, "up", m, d)};
+    if (r.other_branch)
+      named.ends.push_back(
+          with_names(*r.other_branch, r.other_branch->value < r.start ? "down" : "up", m, d));
   }
+  write_standard_output(options.json ? to_json(ranges) : to_text(ranges));
 }
 
 }  // namespace
 
 void add_range(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
-      "range", "How far each driver can go from the start, the others at rest");
+      "range", "How far each driver can go from a scene's start, the others at rest");
   const auto options = std::make_shared<RangeOptions>();
   command
       ->add_option("scene", options->scene,
                    "Scene file, - for standard input, library mechanism (its scene), or scalable "
                    "case with its units, such as truck_suspension:5")
       ->required();
-  command->add_flag("--json", options->json, "As JSON");
+  command->add_flag("--json", options->json, "As JSON, with all digits and constraints by name");
   command->callback([options] { range(*options); });
 }
 

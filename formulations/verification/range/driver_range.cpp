@@ -52,6 +52,7 @@ class Way {
   bool is_start(const Point& point) const;
   bool turns_twice(const Point& from, const Point& to, double length) const;
   std::optional<RangeEnd> dead_point(const Point& from, double length);
+  double crossing(const Point& from, const Point& to, std::size_t blocks);
   std::optional<RangeEnd> after_turns(const Point& from, const Point& to);
   RangeEnd end(RangeStop stop, const Point& point) const;
   void name_culprits(RangeEnd& end, const Point& point);
@@ -101,7 +102,8 @@ bool Way::is_start(const Point& point) const {
 /// Returns whether the driver may have turned back and forth within a step: its speed in the
 /// middle, by Simpson's rule, is not forward.
 bool Way::turns_twice(const Point& from, const Point& to, double length) const {
-  const double mean = direction_ * (curve_.value(to) - curve_.value(from)) / curve_.scale() / length;
+  const double mean =
+      direction_ * (curve_.value(to) - curve_.value(from)) / curve_.scale() / length;
   return forward(from) > 0 && forward(to) > 0 &&
          1.5 * mean - (forward(from) + forward(to)) / 4 <= 0;
 }
@@ -120,18 +122,18 @@ void Way::name_culprits(RangeEnd& e, const Point& point) {
   for (const PartDefinition& block : curve_.blocks()) {
     for (const int i : block.unknowns) {
       const auto j = std::ranges::lower_bound(curve_.unknowns(), i) - curve_.unknowns().begin();
-      if (std::abs(point.tangent[j]) > moves &&
-          (e.moving.empty() || e.moving.back() != owner[i]))
+      if (std::abs(point.tangent[j]) > moves && (e.moving.empty() || e.moving.back() != owner[i]))
         e.moving.push_back(owner[i]);
     }
     if (e.moving.empty()) continue;
     e.group = block.groups.front();
     break;
   }
-  const std::vector<double> forces = curve_.forces(point);
+  const auto [forces, rounding] = curve_.forces(point);
+  e.beyond += direction_ * rounding;
   for (std::size_t c = 0; c < forces.size(); ++c)
     if (forces[c] > holds) e.constraints.push_back(static_cast<int>(c));
-  std::ranges::stable_sort(e.constraints, std::greater{}, [&](int c) { return forces[c]; });
+  std::ranges::stable_sort(e.constraints, std::greater{}, [&forces](int c) { return forces[c]; });
 }
 
 /// Finds the dead point in a step at whose end the driver goes back. The driver's value is
@@ -157,23 +159,47 @@ std::optional<RangeEnd> Way::dead_point(const Point& from, double length) {
   }
   const auto reached = [&](const Point& p) { return direction_ * curve_.value(p); };
   const double farther = max_bend * (at_high - at_low) * curve_.scale();
-  const double most = std::min(reached(low) + farther * forward(low),
-                               reached(*high) - farther * forward(*high));
+  const double most =
+      std::min(reached(low) + farther * forward(low), reached(*high) - farther * forward(*high));
   const Point& last = reached(low) > reached(*high) ? low : *high;
-  const double rounding = 1e-14 * std::max(curve_.scale(), std::abs(curve_.value(last)));
   RangeEnd e = end(RangeStop::dead_point, last);
-  e.beyond = direction_ * (std::max(most, reached(last)) + rounding);
+  e.beyond = direction_ * std::max(most, reached(last));
   if (!(std::abs(e.beyond - e.value) < accuracy * curve_.scale())) return {};
   name_culprits(e, forward(low) < -forward(*high) ? low : *high);
   turned_ = std::move(high);
   return e;
 }
 
+/// Returns the driver's value at a crossing in a step that is all but too short: where det B
+/// vanishes, interpolated from wider around, since positions next to a crossing are not well known.
+/// It vanishes like the distance to the power of the number of blocks that become singular.
+double Way::crossing(const Point& from, const Point& to, std::size_t blocks) {
+  constexpr double wide = 1e-4;
+  struct Sample {
+    double determinant, value;
+  };
+  std::vector<Sample> samples;
+  for (const auto& [base, side] : {std::pair(&from, -1.0), std::pair(&to, 1.0)})
+    for (const double distance : {wide, 2 * wide})
+      if (const std::optional<Point> p = curve_.step(*base, side * distance))
+        samples.push_back({side * std::exp((p->log_determinant - from.log_determinant) /
+                                           static_cast<double>(std::max<std::size_t>(1, blocks))),
+                           curve_.value(*p)});
+  if (samples.size() < 4) return (curve_.value(from) + curve_.value(to)) / 2;
+  double value = 0;  // Lagrange's polynomial at 0
+  for (const Sample& s : samples) {
+    double weight = 1;
+    for (const Sample& o : samples)
+      if (&o != &s) weight *= o.determinant / (o.determinant - s.determinant);
+    value += weight * s.value;
+  }
+  return value;
+}
+
 /// Looks whether a step passes a whole turn, and whether that is the start again.
 std::optional<RangeEnd> Way::after_turns(const Point& from, const Point& to) {
-  const double far = driver_.kind == EntityKind::angle
-                         ? 2 * std::numbers::pi * turns_
-                         : 10 * natural_magnitudes(m_)[driver_.first];
+  const double far = driver_.kind == EntityKind::angle ? 2 * std::numbers::pi * turns_
+                                                       : 10 * natural_magnitudes(m_)[driver_.first];
   const double target = curve_.value(start_) + direction_ * far;
   if (direction_ * (curve_.value(to) - target) < 0) return {};
   if (driver_.kind != EntityKind::angle) return end(RangeStop::none, to);
@@ -215,10 +241,7 @@ RangeEnd Way::go_from(Point point) {
         length /= 2;
         continue;
       }
-      // det B vanishes like the distance to the power of the number of blocks.
-      const double power = 1 / static_cast<double>(std::max<std::size_t>(1, changed.size()));
-      const double share = 1 / (1 + std::exp(power * (next->log_determinant - point.log_determinant)));
-      const double value = std::lerp(curve_.value(point), curve_.value(*next), share);
+      const double value = crossing(point, *next, changed.size());
       if (driver_.kind == EntityKind::distance && std::abs(value) < same * curve_.scale())
         return end(RangeStop::zero_length, point);
       change_points_.push_back(

@@ -10,25 +10,26 @@ namespace desmo {
 
 /// What ends the way of a driver.
 enum class RangeStop {
-  dead_point,   ///< the mechanism locks: the driver turns back along the curve of positions
-  full_turn,    ///< the mechanism is back at its start
-  zero_length,  ///< the driven distance has become zero
-  other_branch, ///< an equation that was left out as dependent holds no longer (BranchMonitor)
-  start,        ///< the start is singular: curves of positions cross there
-  not_reached,  ///< no position is found any further, for a reason unknown
-  none,         ///< nothing: two turns, or ten times the mechanism's size
+  dead_point,    ///< the mechanism locks: the driver turns back along the curve of positions
+  full_turn,     ///< the mechanism is back at its start
+  zero_length,   ///< the driven distance has become zero
+  other_branch,  ///< an equation that was left out as dependent holds no longer (BranchMonitor)
+  start,         ///< the start is singular: curves of positions cross there
+  not_reached,   ///< no position is found any further, for a reason unknown
+  none,          ///< nothing: two turns, or ten times the mechanism's size
 };
 
 /// End of a driver's way in one direction. Values are the driver's, in rad or the unit of length.
 struct RangeEnd {
   RangeStop stop = RangeStop::none;
-  double value = 0;   ///< last one with a solved position
-  double beyond = 0;  ///< next to it, one without a position on this branch; the same where the
-                      ///< mechanism does not lock
-  int turns = 0;      ///< full_turn: until it is back, 1 or 2
-  GroupId group = -1;            ///< group that stops it
+  double value = 0;    ///< last one with a solved position
+  double beyond = 0;   ///< next to it, one without a position on this branch; the same where the
+                       ///< mechanism does not lock
+  int turns = 0;       ///< full_turn: until it is back, 1 or 2
+  GroupId group = -1;  ///< group that stops it
   std::vector<EntityId> moving;  ///< dead_point: what can still move there while all drivers rest
-  std::vector<int> constraints;  ///< dead_point: those that hold the driver, by force, largest first
+  std::vector<int>
+      constraints;  ///< dead_point: those that hold the driver, by force, largest first
 };
 
 /// Singular position that the mechanism passes, where two branches cross.

@@ -3,6 +3,7 @@
 #include <Eigen/SparseLU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "formulations/groupwise/settling.h"
@@ -81,8 +82,7 @@ bool SolutionCurve::factorise(std::span<const double> state, const Eigen::Vector
     entries.emplace_back(row_[row], column_[i], value);
   });
   row_sums_ = (row_sums_.array() > 0).select(row_sums_, 1.0);
-  for (Eigen::Triplet<double>& e : entries)
-    e = {e.row(), e.col(), e.value() / row_sums_[e.row()]};
+  for (Eigen::Triplet<double>& e : entries) e = {e.row(), e.col(), e.value() / row_sums_[e.row()]};
   for (int j = 0; j <= size(); ++j) entries.emplace_back(size(), j, border[j]);
   matrix.resize(size() + 1, size() + 1);
   matrix.setFromTriplets(entries.begin(), entries.end());
@@ -165,9 +165,7 @@ std::optional<SolutionCurve::Point> SolutionCurve::step(const Point& from, doubl
   state[driver_] += length * scale_.back() * from.speed();
   if (!correct(state, from.tangent, trusted * std::abs(length))) return {};
   std::optional<Point> point = settle(std::move(state), from.tangent);
-  if (point &&
-      from.tangent.normalized().dot(point->tangent.normalized()) < 1 - max_turn)
-    return {};
+  if (point && from.tangent.normalized().dot(point->tangent.normalized()) < 1 - max_turn) return {};
   return point;
 }
 
@@ -191,19 +189,21 @@ SolutionCurve::Point SolutionCurve::reversed(Point point) {
   return point;
 }
 
-std::vector<double> SolutionCurve::forces(const Point& point) {
-  std::vector<double> forces(constraints_, 0);
-  if (!factorise(point.state, point.tangent)) return forces;
+SolutionCurve::Forces SolutionCurve::forces(const Point& point) {
+  constexpr double roundings = 4 * std::numeric_limits<double>::epsilon();  // of Φ over row sums
+  Forces result{std::vector<double>(constraints_, 0), std::numeric_limits<double>::infinity()};
+  if (!factorise(point.state, point.tangent)) return result;
   Eigen::VectorXd unit = Eigen::VectorXd::Zero(size() + 1);
   unit[size()] = 1;
-  const Eigen::VectorXd left = factors_->lu.transpose().solve(unit);
+  const Eigen::VectorXd left = factors_->lu.transpose().solve(unit).head(size());
   for (int r = 0; r < size(); ++r) {
-    double& force = forces[constraint_[r]];
+    double& force = result.of_constraints[constraint_[r]];
     force = std::max(force, std::abs(left[r]));
   }
-  const double largest = *std::ranges::max_element(forces);
-  for (double& force : forces) force /= largest > 0 ? largest : 1;
-  return forces;
+  result.rounding = roundings * left.lpNorm<1>() * scale();
+  const double largest = left.lpNorm<Eigen::Infinity>();
+  for (double& force : result.of_constraints) force /= largest > 0 ? largest : 1;
+  return result;
 }
 
 }  // namespace desmo

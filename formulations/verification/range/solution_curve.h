@@ -26,8 +26,8 @@ class SolutionCurve {
   /// A position on the curve.
   struct Point {
     std::vector<double> state;  ///< q, then the fixed components
-    Eigen::VectorXd tangent;    ///< scaled, its largest component 1 or −1; the driver's comes last
-    int sign = 0;               ///< of det B; changes where curves cross
+    Eigen::VectorXd tangent;  ///< scaled, its largest component 1 or −1; the driver's comes last
+    int sign = 0;             ///< of det B; changes where curves cross
     double log_determinant = 0;  ///< log |det B|
 
     /// Returns how the driver moves along the curve, over its scale: 0 at a dead point.
@@ -58,12 +58,16 @@ class SolutionCurve {
   /// Returns the same point, to be left in the other direction.
   static Point reversed(Point point);
 
-  /// Returns the forces of the equations at a point, per unit of the driver's: a value for each
-  /// constraint, scaled to 1 at most. At a dead point they are those that hold the driver.
-  std::vector<double> forces(const Point& point);
+  /// Forces that the equations carry when the driver pushes.
+  struct Forces {
+    std::vector<double> of_constraints;  ///< scaled to 1 at most
+    double rounding;  ///< change of the driver's value by which they answer rounding of Φ
+  };
+  /// Returns the forces at a point. At a dead point they are those that hold the driver.
+  Forces forces(const Point& point);
 
   double value(const Point& point) const { return point.state[driver_]; }
-  double scale() const { return scale_.back(); }       ///< of the driver
+  double scale() const { return scale_.back(); }                  ///< of the driver
   const std::vector<int>& unknowns() const { return unknowns_; }  ///< coordinates, ascending
   double scale(int unknown) const { return scale_[unknown]; }
   /// Irreducible blocks that depend on the driver, in solution order.
@@ -78,12 +82,12 @@ class SolutionCurve {
   std::optional<Point> settle(std::vector<double> state, const Eigen::VectorXd& along);
 
   WholeSystem system_;
-  int driver_;                 // its component of the state
+  int driver_;  // its component of the state
   std::vector<int> unknowns_;
   std::vector<double> scale_;  // of the unknowns, then of the driver
   std::vector<PartDefinition> blocks_;
-  std::vector<int> column_;     // of each component of the state; -1: rests
-  std::vector<int> row_;        // of each row of the whole system; -1: has no unknown
+  std::vector<int> column_;      // of each component of the state; -1: rests
+  std::vector<int> row_;         // of each row of the whole system; -1: has no unknown
   std::vector<int> constraint_;  // of each row
   std::size_t constraints_;
   Eigen::VectorXd row_sums_;
