@@ -46,25 +46,25 @@ std::int64_t count(const Side& side, const std::string& name) {
 /// Returns the place of each name in the history's cells. Adds those that are missing.
 std::vector<std::size_t> places_of(const std::vector<std::string>& names, Json& history) {
   std::vector<std::size_t> places;
-  Json& cells = history["cells"];
+  Json& known = history["cells"];
   for (const std::string& name : names) {
-    places.push_back(std::find(cells.begin(), cells.end(), name) - cells.begin());
-    if (places.back() < cells.size()) continue;
-    cells.push_back(name);
+    places.push_back(std::find(known.begin(), known.end(), name) - known.begin());
+    if (places.back() < known.size()) continue;
+    known.push_back(name);
     for (Json& point : history["points"]) point["instructions"].push_back(nullptr);
   }
   return places;
 }
 
-void print_changes(const Json& cells, const Json& before, const Json& point) {
+void print_changes(const Json& names, const Json& before, const Json& point) {
   constexpr double shown = 2;  // [%]
-  for (std::size_t i = 0; i < cells.size(); ++i) {
+  for (std::size_t i = 0; i < names.size(); ++i) {
     const Json &was = before["instructions"][i], &is = point["instructions"][i];
     if (was.is_null() || is.is_null()) continue;
     const double change = 100 * (is.get<double>() / was.get<double>() - 1);
     if (std::abs(change) > shown)
       std::printf("%s: %s %+.1f %% since %s\n", point["commit"].get<std::string>().c_str(),
-                  cells[i].get<std::string>().c_str(), change,
+                  names[i].get<std::string>().c_str(), change,
                   before["commit"].get<std::string>().c_str());
   }
 }
@@ -96,7 +96,7 @@ void add_point(Json& history, const Side& programs, const Commit& commit,
   for (std::size_t i = 0; i < there.size(); ++i) instructions[places[there[i]]] = counts[i];
   const Json point = {{"commit", commit.name},
                       {"date", commit.date},
-                      {"subject", commit.subject},
+                      {"subject", commit.message},
                       {"compiler", DESMO_COMPILER ", " + bench::counting_tool()},
                       {"instructions", instructions}};
   Json& points = history["points"];

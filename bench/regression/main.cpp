@@ -215,7 +215,7 @@ int run(int argc, char** argv) {
   history->add_option("file", o.file, "History to add to; made where there is none")->required();
   history->add_option("--commit", o.commit.name)->required();
   history->add_option("--date", o.commit.date)->required();
-  history->add_option("--subject", o.commit.subject)->required();
+  history->add_option("--subject", o.commit.message)->required();
   history->add_option("--slow", o.slow, "head:CELL:PERCENT, as above");
   history->add_option("cells", o.names)->required();
   try {

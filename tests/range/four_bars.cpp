@@ -135,11 +135,12 @@ TEST(FourBarRange, FromAChangePointIsNotDetermined) {
 }
 
 TEST(FourBarRange, NeedsAPositionToStartFrom) {
-  const Model m = four_bar({2, 3, 6, 8}, 3);
+  Model m = four_bar({2, 3, 6, 8}, 1);
+  m.drivers[0].motion = Polynomial{{3}};
   EXPECT_THROW(range_of(m), std::runtime_error);
 }
 
-TEST(FourBarRange, OfACrankAloneIsIdle) {
+TEST(FourBarRange, OfACrankAloneIsATurn) {
   MechanismBuilder builder("crank", 2);
   add(builder, {.crank = 1, .start = 0.5, .dyads = {}});
   const Model m = model_mechanism(builder.take(), {Polynomial{{0.5}}}).model;

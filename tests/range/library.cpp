@@ -5,9 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 
+#include "cases/extremes/extremes.h"
 #include "formulations/scaling/characteristic_lengths.h"
+#include "formulations/verification/condition.h"
 #include "formulations/verification/range/driver_range.h"
 #include "formulations/verification/reference/global_solver.h"
 #include "formulations/verification/reference/wide_instant.h"
@@ -103,11 +106,12 @@ TEST_P(Locks, AreWhereQuadruplePrecisionEnds) {
   int locks = 0;
   for (int d = 0; d < f.m.degrees_of_freedom(); ++d) {
     const DriverRange& r = f.ranges[d];
-    const int driven = f.m.entities[f.m.drivers[d].coordinate].first;
-    const double scale = CharacteristicLengths(f.m).of_coordinates()[driven];
+    const EntityId driver = f.m.drivers[d].coordinate;
+    const double scale =
+        is_length(f.m.entities[driver].kind) ? CharacteristicLengths(f.m).of(driver) : 1;
     for (const auto& [end, direction] : {std::pair(&r.down, -1.0), std::pair(&r.up, 1.0)}) {
       if (end->stop == RangeStop::full_turn) continue;
-      ASSERT_EQ(end->stop, RangeStop::dead_point) << f.m.entities[f.m.drivers[d].coordinate].name;
+      ASSERT_EQ(end->stop, RangeStop::dead_point) << f.m.entities[driver].name;
       const double distance = direction * (end->value - r.start);
       const Follower follower(f.m, f.q, d, direction);
       const double limit = follower.limit(distance - 1e-5, distance + 1e-5);
@@ -117,8 +121,10 @@ TEST_P(Locks, AreWhereQuadruplePrecisionEnds) {
       EXPECT_GE(end->group, 0);
       EXPECT_FALSE(end->moving.empty());
       EXPECT_FALSE(end->constraints.empty());
-      RecordProperty(f.m.entities[f.m.drivers[d].coordinate].name + (direction < 0 ? "-" : "+"),
-                     std::to_string(limit - distance));
+      char figures[80];
+      std::snprintf(figures, sizeof figures, "%.15g, off by %.1e, bracket %.1e", end->value,
+                    std::abs(limit - distance), std::abs(end->beyond - end->value));
+      RecordProperty(f.m.entities[driver].name + (direction < 0 ? "_down" : "_up"), figures);
       ++locks;
     }
   }
@@ -182,14 +188,33 @@ TEST(LibraryRange, ChangePointsOfTheDeltaRobotAreSingular) {
   int passed = 0;
   for (int d = 0; d < 3; ++d)
     for (const ChangePoint& c : f.ranges[d].change_points) {
-      // A determinant that vanishes there: of opposite sign, and alike in size, on both sides.
       const double distance = c.value - f.ranges[d].start;
       const Follower follower(f.m, f.q, d, distance > 0 ? 1 : -1);
+      const auto condition_before = [&](double by) {
+        std::vector<double> q;
+        for (const Quadruple& x : follower.q_at(std::abs(distance) - by))
+          q.push_back(static_cast<double>(x));
+        return ConditionNumber(f.m)(q);
+      };
+      // The condition number grows as one over the distance.
+      EXPECT_NEAR(condition_before(1e-6) / condition_before(1e-4), 100, 5);
       EXPECT_GT(c.group, 0);
-      EXPECT_NO_THROW(follower.q_at(std::abs(distance) - 1e-4));
       ++passed;
     }
   EXPECT_EQ(passed, 3);
+}
+
+TEST(RedundantRange, KeepsToTheBranchOnWhichAllEquationsHold) {
+  const std::vector<ExtremeCase> cases = find_extreme(6).cases(Extent::brief);
+  const Model cranks = make_model(cases[0].scene), bricard = make_model(cases[1].scene);
+  const DriverRange r = find_range(cranks, solved_start(cranks), 0);
+  EXPECT_EQ(r.up.stop, RangeStop::full_turn);
+  EXPECT_EQ(r.up.turns, 1);
+  ASSERT_EQ(r.change_points.size(), 2u);
+  EXPECT_NEAR(r.change_points[0].value, pi, 1e-9);
+  const DriverRange b = find_range(bricard, solved_start(bricard), 0);
+  EXPECT_NEAR(b.down.value, -pi / 6, 1e-9);
+  EXPECT_NEAR(b.up.value, 7 * pi / 6, 1e-9);
 }
 
 }  // namespace
