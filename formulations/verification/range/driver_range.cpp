@@ -8,6 +8,7 @@
 #include "formulations/scaling/scales.h"
 #include "formulations/verification/assessment/scaled_system.h"
 #include "formulations/verification/monitor/branch_monitor.h"
+#include "formulations/verification/range/singular_points.h"
 #include "formulations/verification/range/solution_curve.h"
 
 namespace desmo {
@@ -23,6 +24,16 @@ constexpr double crossing_step = 1e-6;
 constexpr double accuracy = 1e-9;  // scaled
 constexpr double same = 1e-7;      // of two positions, scaled
 
+/// Returns whether a driver is a distance between two points, whose equation holds for its
+/// negative, too.
+bool is_positive(const Model& m, EntityId driver) {
+  const auto is_square = [&](const Constraint& c) {
+    return (c.kind == kind_index<Distance<2>>() || c.kind == kind_index<Distance<3>>()) &&
+           c.operands.back() == driver;
+  };
+  return std::ranges::any_of(m.constraints, is_square);
+}
+
 /// The way from a start in one direction.
 class Way {
  public:
@@ -31,7 +42,7 @@ class Way {
         curve_(curve),
         system_(m),
         monitor_(m, {}, 1e-12),
-        driver_(m.entities[m.drivers[driver].coordinate]),
+        driver_(m.drivers[driver].coordinate),
         start_(start),
         direction_(direction) {}
 
@@ -51,17 +62,14 @@ class Way {
   bool is_violated(const Point& point);
   bool is_start(const Point& point) const;
   bool turns_twice(const Point& from, const Point& to, double length) const;
-  std::optional<RangeEnd> dead_point(const Point& from, double length);
-  double crossing(const Point& from, const Point& to, std::size_t blocks);
   std::optional<RangeEnd> after_turns(const Point& from, const Point& to);
   RangeEnd end(RangeStop stop, const Point& point) const;
-  void name_culprits(RangeEnd& end, const Point& point);
 
   const Model& m_;
   SolutionCurve& curve_;
   ScaledSystem system_;
   BranchMonitor monitor_;
-  const Entity& driver_;
+  EntityId driver_;
   const Point& start_;
   double direction_;
   int turns_ = 1;  // after which it is looked for the start
@@ -115,94 +123,13 @@ RangeEnd Way::end(RangeStop stop, const Point& point) const {
   return e;
 }
 
-/// Names the first block that moves while the driver rests, and the equations that hold it.
-void Way::name_culprits(RangeEnd& e, const Point& point) {
-  constexpr double moves = 1e-5, holds = 1e-6;
-  const std::vector<EntityId> owner = entity_of_coordinate(m_);
-  for (const PartDefinition& block : curve_.blocks()) {
-    for (const int i : block.unknowns) {
-      const auto j = std::ranges::lower_bound(curve_.unknowns(), i) - curve_.unknowns().begin();
-      if (std::abs(point.tangent[j]) > moves && (e.moving.empty() || e.moving.back() != owner[i]))
-        e.moving.push_back(owner[i]);
-    }
-    if (e.moving.empty()) continue;
-    e.group = block.groups.front();
-    break;
-  }
-  const auto [forces, rounding] = curve_.forces(point);
-  e.beyond += direction_ * rounding;
-  for (std::size_t c = 0; c < forces.size(); ++c)
-    if (forces[c] > holds) e.constraints.push_back(static_cast<int>(c));
-  std::ranges::stable_sort(e.constraints, std::greater{}, [&forces](int c) { return forces[c]; });
-}
-
-/// Finds the dead point in a step at whose end the driver goes back. The driver's value is
-/// stationary there, so it is known far better than the position.
-std::optional<RangeEnd> Way::dead_point(const Point& from, double length) {
-  constexpr double stationary = 1e-9, max_bend = 1.2;  // of the arc over its projection
-  Point low = from;
-  std::optional<Point> high = curve_.step(from, length);
-  double at_low = 0, at_high = length;
-  double weight_low = forward(low), weight_high = -forward(*high);  // Illinois' method
-  for (int i = 0; i < 100 && forward(low) > stationary && -forward(*high) > stationary; ++i) {
-    const double at = at_low + (at_high - at_low) * weight_low / (weight_low + weight_high);
-    std::optional<Point> middle = curve_.step(from, at);
-    if (!middle) return {};
-    if (!(at > at_low && at < at_high)) break;
-    if (forward(*middle) > 0) {
-      low = *std::move(middle), at_low = at;
-      weight_low = forward(low), weight_high /= 2;
-    } else {
-      high = std::move(middle), at_high = at;
-      weight_high = -forward(*high), weight_low /= 2;
-    }
-  }
-  const auto reached = [&](const Point& p) { return direction_ * curve_.value(p); };
-  const double farther = max_bend * (at_high - at_low) * curve_.scale();
-  const double most =
-      std::min(reached(low) + farther * forward(low), reached(*high) - farther * forward(*high));
-  const Point& last = reached(low) > reached(*high) ? low : *high;
-  RangeEnd e = end(RangeStop::dead_point, last);
-  e.beyond = direction_ * std::max(most, reached(last));
-  if (!(std::abs(e.beyond - e.value) < accuracy * curve_.scale())) return {};
-  name_culprits(e, forward(low) < -forward(*high) ? low : *high);
-  turned_ = std::move(high);
-  return e;
-}
-
-/// Returns the driver's value at a crossing in a step that is all but too short: where det B
-/// vanishes, interpolated from wider around, since positions next to a crossing are not well known.
-/// It vanishes like the distance to the power of the number of blocks that become singular.
-double Way::crossing(const Point& from, const Point& to, std::size_t blocks) {
-  constexpr double wide = 1e-4;
-  struct Sample {
-    double determinant, value;
-  };
-  std::vector<Sample> samples;
-  for (const auto& [base, side] : {std::pair(&from, -1.0), std::pair(&to, 1.0)})
-    for (const double distance : {wide, 2 * wide})
-      if (const std::optional<Point> p = curve_.step(*base, side * distance))
-        samples.push_back({side * std::exp((p->log_determinant - from.log_determinant) /
-                                           static_cast<double>(std::max<std::size_t>(1, blocks))),
-                           curve_.value(*p)});
-  if (samples.size() < 4) return (curve_.value(from) + curve_.value(to)) / 2;
-  double value = 0;  // Lagrange's polynomial at 0
-  for (const Sample& s : samples) {
-    double weight = 1;
-    for (const Sample& o : samples)
-      if (&o != &s) weight *= o.determinant / (o.determinant - s.determinant);
-    value += weight * s.value;
-  }
-  return value;
-}
-
 /// Looks whether a step passes a whole turn, and whether that is the start again.
 std::optional<RangeEnd> Way::after_turns(const Point& from, const Point& to) {
   const double far = driver_.kind == EntityKind::angle ? 2 * std::numbers::pi * turns_
                                                        : 10 * natural_magnitudes(m_)[driver_.first];
   const double target = curve_.value(start_) + direction_ * far;
   if (direction_ * (curve_.value(to) - target) < 0) return {};
-  if (driver_.kind != EntityKind::angle) return end(RangeStop::none, to);
+  if (!turns) return end(RangeStop::none, to);
   std::optional<Point> there = curve_.at(to, target);
   if (!there) there = curve_.at(from, target);
   if (there && is_start(*there)) {
@@ -229,7 +156,10 @@ RangeEnd Way::go_from(Point point) {
     if (forward(*next) <= 0) {
       // Signs of B do not change at a dead point: a step across a gap is not one.
       if (next->sign == point.sign)
-        if (std::optional<RangeEnd> dead = dead_point(point, length)) return *std::move(dead);
+        if (auto dead = find_dead_point(m_, curve_, point, length, direction_, accuracy)) {
+          turned_ = std::move(dead->after);
+          return std::move(dead->end);
+        }
       if (again()) continue;
       return end(RangeStop::not_reached, point);
     }
@@ -241,9 +171,9 @@ RangeEnd Way::go_from(Point point) {
         length /= 2;
         continue;
       }
-      const double value = crossing(point, *next, changed.size());
-      if (driver_.kind == EntityKind::distance && std::abs(value) < same * curve_.scale())
-        return end(RangeStop::zero_length, point);
+      const double value = find_crossing(curve_, point, *next, changed.size());
+      if (is_positive(m_, driver_) && std::abs(value) < same * curve_.scale())
+        return {.stop = RangeStop::zero_length};
       change_points_.push_back(
           {value, changed.empty() ? -1 : system_.group_of_block(changed.front())});
       length = max_step / 64;

@@ -129,7 +129,8 @@ std::optional<SolutionCurve::Point> SolutionCurve::settle(std::vector<double> st
     if (!tangent.allFinite()) return {};
   }
   const int sign = factors_->lu.signDeterminant() > 0 ? 1 : -1;
-  return Point{std::move(state), std::move(tangent), sign, factors_->lu.logAbsDeterminant()};
+  const double log = factors_->lu.logAbsDeterminant() + row_sums_.array().log().sum();
+  return Point{std::move(state), std::move(tangent), sign, log};
 }
 
 std::optional<SolutionCurve::Point> SolutionCurve::start(std::vector<double> state) {

@@ -28,7 +28,7 @@ class SolutionCurve {
     std::vector<double> state;  ///< q, then the fixed components
     Eigen::VectorXd tangent;  ///< scaled, its largest component 1 or −1; the driver's comes last
     int sign = 0;             ///< of det B; changes where curves cross
-    double log_determinant = 0;  ///< log |det B|
+    double log_determinant = 0;  ///< log |det B| with rows as they are
 
     /// Returns how the driver moves along the curve, over its scale: 0 at a dead point.
     double speed() const { return tangent[tangent.size() - 1]; }
