@@ -21,8 +21,9 @@ using Signs = std::vector<signed char>;
 constexpr double max_step = 0.1, min_step = 1e-10;  // largest change, scaled
 /// A sign that changes in such a step has done so at a crossing, not by a jump across a gap.
 constexpr double crossing_step = 1e-6;
-constexpr double accuracy = 1e-9;  // scaled
-constexpr double same = 1e-7;      // of two positions, scaled
+constexpr int max_steps = 100'000;  // tried
+constexpr double accuracy = 1e-9;   // scaled
+constexpr double same = 1e-7;       // of two positions, scaled
 
 /// Returns whether a driver is a distance between two points, whose equation holds for its
 /// negative, too.
@@ -117,16 +118,16 @@ bool Way::turns_twice(const Point& from, const Point& to, double length) const {
 }
 
 RangeEnd Way::end(RangeStop stop, const Point& point) const {
-  RangeEnd e;
-  e.stop = stop;
-  e.value = e.beyond = curve_.value(point);
-  return e;
+  const double value = curve_.value(point);
+  return {.stop = stop, .value = value, .beyond = value};
 }
 
 /// Looks whether a step passes a whole turn, and whether that is the start again.
 std::optional<RangeEnd> Way::after_turns(const Point& from, const Point& to) {
-  const double far = driver_.kind == EntityKind::angle ? 2 * std::numbers::pi * turns_
-                                                       : 10 * natural_magnitudes(m_)[driver_.first];
+  const Entity& driver = m_.entities[driver_];
+  const bool turns = driver.kind == EntityKind::angle;
+  const double far =
+      turns ? 2 * std::numbers::pi * turns_ : 10 * natural_magnitudes(m_)[driver.first];
   const double target = curve_.value(start_) + direction_ * far;
   if (direction_ * (curve_.value(to) - target) < 0) return {};
   if (!turns) return end(RangeStop::none, to);
@@ -146,7 +147,7 @@ RangeEnd Way::go_from(Point point) {
   is_violated(start_);  // the declared position; angles are followed from it
   double length = max_step / 8;
   Signs before = signs(point);
-  while (true) {
+  for (int step = 0; step < max_steps; ++step) {
     const auto again = [&] { return (length /= 2) > min_step; };
     std::optional<Point> next = curve_.step(point, length);
     if (!next) {
@@ -187,6 +188,7 @@ RangeEnd Way::go_from(Point point) {
     point = *std::move(next);
     length = std::min(max_step, 1.5 * length);
   }
+  return end(RangeStop::not_reached, point);
 }
 
 }  // namespace
