@@ -1,5 +1,6 @@
 // desmo range: how far each driver can go from the start of a scene.
 #include <algorithm>
+#include <cstdio>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -9,8 +10,10 @@
 #include "bench/cli/input.h"
 #include "bench/cli/output.h"
 #include "bench/cli/range/ranges.h"
+#include "bench/cli/solve/run_notes.h"
 #include "cases/mechanism/names.h"
 #include "formulations/variants.h"
+#include "formulations/verification/monitor/monitored_run.h"
 
 namespace desmo::cli {
 namespace {
@@ -61,17 +64,24 @@ NamedEnd with_names(const RangeEnd& end, const char* direction, const Model& m,
   return named;
 }
 
+struct Ignored final : Observer {
+  Flow observe(const Instant&) noexcept override { return Flow::go_on; }
+};
+
 /// Position at the start, and what assembling it came to. In a dead point nothing can be assembled,
 /// but the estimate may be near enough.
 struct Start {
-  Summary summary;
+  MonitoredSummary summary;
   std::vector<double> q;
 };
 
 Start start_at(const Model& m, double time, double tolerance) {
   const auto formulation =
       make_formulation(find_variant("block_automatic_klu"), m, Settings{.tolerance = tolerance});
-  Start start{formulation->assemble(time, Level::position), m.estimate};
+  Ignored observer;
+  Start start{run_monitored(*formulation, {time, 1, 1}, Request{Level::position}, observer,
+                            {{.tolerance = tolerance}}),
+              m.estimate};
   if (start.summary.ok()) start.q.assign(formulation->q().begin(), formulation->q().end());
   for (const Driver& driver : m.drivers)
     start.q[m.entities[driver.coordinate].first] = sample(driver.motion, time).position;
@@ -84,6 +94,10 @@ void range(const RangeOptions& options) {
   const Model m = model_mechanism(input).model;
   Ranges ranges{m, input.scene.grid.time(0), {}};
   const Start start = start_at(m, ranges.time, input.scene.tolerance);
+  if (start.summary.violated >= 0)
+    throw Error(not_solved, input.source + ": " + failure_text(start.summary, m));
+  if (start.summary.crossing)
+    std::fputs(note_on_accuracy(start.summary, Level::position, m).c_str(), stderr);
   for (int i = 0; i < m.degrees_of_freedom(); ++i) {
     const Entity& driven = m.entities[m.drivers[i].coordinate];
     NamedRange& named = ranges.drivers.emplace_back();

@@ -26,10 +26,9 @@ struct RangeEnd {
   double beyond = 0;   ///< next to it, one without a position on this branch; the same where the
                        ///< mechanism does not lock
   int turns = 0;       ///< full_turn: until it is back, 1 or 2
-  GroupId group = -1;  ///< group that stops it
-  std::vector<EntityId> moving;  ///< dead_point: what can still move there while all drivers rest
-  std::vector<int>
-      constraints;  ///< dead_point: those that hold the driver, by force, largest first
+  GroupId group = -1;  ///< dead_point: group that locks
+  std::vector<EntityId> moving{};  ///< dead_point: what can still move while all drivers rest
+  std::vector<int> constraints{};  ///< dead_point: those that hold the driver, by force
 };
 
 /// Singular position that the mechanism passes, where two branches cross.
