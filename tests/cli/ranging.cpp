@@ -46,6 +46,36 @@ TEST_F(Cli, SaysOfEveryDriverWhereItStops) {
   EXPECT_TRUE(prints("up    6.28318530718 rad: turns fully")) << out_;
 }
 
+/// Crank and rod are as long, and in line at the start: a dead point of the slider.
+TEST_F(Cli, ADistanceEndsAtZeroWhereASignedOneGoesOn) {
+  for (const bool is_signed : {false, true}) {
+    std::string scene = slider_crank(50, R"(, "time": {"end": 1, "step": 0.01})");
+    const auto replace = [&](const std::string& before, const std::string& after) {
+      const std::size_t at = scene.find(before);
+      ASSERT_NE(at, std::string::npos) << before;
+      scene.replace(at, before.size(), after);
+    };
+    replace(R"("theta": {"angle": ["A", "B"]})", std::string(R"("s": {"distance": ["A", "C"])") +
+                                                     (is_signed ? R"(, "along": "x"})" : "}"));
+    replace(R"(["theta"])", R"(["s"])");
+    replace(R"("theta": {"type": "polynomial", "coefficients": [0, 360]})",
+            R"("s": {"type": "polynomial", "coefficients": [0.1]})");
+    write("scene.json", scene);
+    ASSERT_EQ(desmo("range scene.json --json"), 0) << err_;
+    const Json driver = Json::parse(out_)["drivers"][0];
+    ASSERT_EQ(driver["ends"].size(), 3u) << "the other branch from the dead point";
+    EXPECT_EQ(driver["ends"][1]["stop"], "dead_point");
+    EXPECT_NEAR(driver["ends"][1]["value"].get<double>(), 0.1, 1e-14);
+    for (const int down : {0, 2}) {
+      const Json end = driver["ends"][down];
+      EXPECT_EQ(end["direction"], "down");
+      EXPECT_EQ(end["stop"], is_signed ? "dead_point" : "zero_length");
+      EXPECT_NEAR(end["value"].get<double>(), is_signed ? -0.1 : 0, 1e-14);
+    }
+    EXPECT_EQ(driver["change_points"].size(), is_signed ? 2u : 0u);  // one on each branch
+  }
+}
+
 TEST_F(Cli, RangesNeedAStart) {
   std::string scene = locks;
   scene.replace(scene.find("[0, 360]"), 8, "[90, 1]");

@@ -107,9 +107,12 @@ std::string to_text(const Ranges& ranges) {
       text += end_text(r.ends[i], r, m);
     }
     for (const ChangePoint& c : r.range.change_points)
-      text += "  passes the singular position " + number(c.value, r.unit) +
-              ", where branches meet" + (c.group < 0 ? "" : ": " + group_and_bodies(c.group, m)) +
-              "\n";
+      text +=
+          "  " +
+          wrap("passes the singular position " + number(c.value, r.unit) + ", where branches meet" +
+                   (c.group < 0 ? "" : ": " + group_and_bodies(c.group, m)),
+               4) +
+          "\n";
   }
   return text;
 }
