@@ -60,6 +60,9 @@ TEST_F(Cli, ADistanceEndsAtZeroWhereASignedOneGoesOn) {
     replace(R"(["theta"])", R"(["s"])");
     replace(R"("theta": {"type": "polynomial", "coefficients": [0, 360]})",
             R"("s": {"type": "polynomial", "coefficients": [0.1]})");
+    replace(R"("units": {"angle": "deg"},
+  "motion")",
+            R"("units": {"length": "m"}, "motion")");
     write("scene.json", scene);
     ASSERT_EQ(desmo("range scene.json --json"), 0) << err_;
     const Json driver = Json::parse(out_)["drivers"][0];

@@ -196,8 +196,8 @@ TEST(LibraryRange, ChangePointsOfTheDeltaRobotAreSingular) {
           q.push_back(static_cast<double>(x));
         return ConditionNumber(f.m)(q);
       };
-      // The condition number grows as one over the distance.
-      EXPECT_NEAR(condition_before(1e-8) / condition_before(1e-6), 100, 5);
+      // It grows as one over the distance. Nearer, rounding of dimensions opens the crossing.
+      EXPECT_NEAR(condition_before(1e-7) / condition_before(1e-6), 10, 0.2);
       EXPECT_GT(c.group, 0);
       ++passed;
     }
