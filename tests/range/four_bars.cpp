@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "cases/generators/dyad_chain.h"
@@ -136,8 +137,10 @@ TEST(FourBarRange, FromAChangePointIsNotDetermined) {
 
 TEST(FourBarRange, NeedsAPositionToStartFrom) {
   Model m = four_bar({2, 3, 6, 8}, 1);
-  m.drivers[0].motion = Polynomial{{3}};
-  EXPECT_THROW(range_of(m), std::runtime_error);
+  for (const double out_of_reach : {3.0, std::numeric_limits<double>::quiet_NaN()}) {
+    m.drivers[0].motion = Polynomial{{out_of_reach}};
+    EXPECT_THROW(range_of(m), std::runtime_error);
+  }
 }
 
 TEST(FourBarRange, OfACrankAloneIsATurn) {

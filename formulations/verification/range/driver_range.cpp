@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <string>
 
 #include "formulations/scaling/scales.h"
 #include "formulations/verification/assessment/scaled_system.h"
@@ -199,6 +200,12 @@ DriverRange find_range(const Model& m, std::span<const double> q, int driver) {
   SolutionCurve curve(m, driver);
   DriverRange range;
   range.start = state[m.entities[m.drivers[driver].coordinate].first];
+  const auto require = [&](bool is_right, const char* what) {
+    if (!is_right)
+      throw std::runtime_error(std::string(what) + " at the start of driver '" +
+                               m.entities[m.drivers[driver].coordinate].name + "'");
+  };
+  require(std::isfinite(range.start), "no finite value was found");
   range.is_idle = curve.is_idle();
   range.down.value = range.down.beyond = range.up.value = range.up.beyond = range.start;
   if (range.is_idle) return range;
@@ -214,9 +221,8 @@ DriverRange find_range(const Model& m, std::span<const double> q, int driver) {
     start = curve.step(*start, beside);
     if (start && start->speed() < 0) start = SolutionCurve::reversed(*std::move(start));
   }
-  if (!start || std::abs(curve.value(*start) - range.start) > accuracy * curve.scale())
-    throw std::runtime_error("no position was found at the start of driver '" +
-                             m.entities[m.drivers[driver].coordinate].name + "'");
+  require(start && std::abs(curve.value(*start) - range.start) <= accuracy * curve.scale(),
+          "no position was found");
 
   Way up(m, curve, driver, *start, 1), down(m, curve, driver, *start, -1);
   range.up = up.go();
