@@ -84,6 +84,8 @@ void add_point(Json& history, const Side& programs, const Commit& commit,
                const std::vector<std::string>& names) {
   if (history.empty())
     history = {{"schema", 1}, {"cells", Json::array()}, {"points", Json::array()}};
+  if (history.value("schema", Json()) != 1)
+    throw std::runtime_error("the file to add to is not a history");
   const std::vector<std::size_t> places = places_of(names, history);
   std::vector<std::size_t> there;
   for (std::size_t i = 0; i < names.size(); ++i)

@@ -170,6 +170,9 @@ TEST_F(Driver, HistoryHasAPointForEachCommitInTheirOrder) {
                   file("history.json") + " --commit=d --date=2026 --subject=d " + name),
             74);
   EXPECT_EQ(text("history.json"), before);
+  std::ofstream(folder_ / "history.json") << R"({"schema": "desmo-check"})";
+  EXPECT_EQ(add("d", "2026", name), 74);
+  EXPECT_EQ(text("history.json"), R"({"schema": "desmo-check"})");
 }
 
 // What is measured is compiled without line numbers: another line of comment gives the same object.
