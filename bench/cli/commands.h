@@ -21,8 +21,8 @@ inline std::string refuse_nan(const std::string& text) {
   return std::isnan(std::strtod(text.c_str(), nullptr)) ? "is not a number" : "";
 }
 
-AddCommand add_list, add_show, add_inspect, add_solve, add_tune, add_view;
-inline constexpr AddCommand* commands[] = {add_list,  add_show, add_inspect,
-                                           add_solve, add_tune, add_view};
+AddCommand add_list, add_show, add_inspect, add_solve, add_view, add_range, add_tune;
+inline constexpr AddCommand* commands[] = {add_list, add_show,  add_inspect, add_solve,
+                                           add_view, add_range, add_tune};
 
 }  // namespace desmo::cli

@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstdint>
 #include <exception>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -17,7 +18,7 @@
 #include "bench/kit/options.h"
 #include "bench/kit/process/callgrind.h"
 #include "bench/kit/record/record.h"
-#include "bench/regression/candidate_name.h"
+#include "bench/regression/counts.h"
 #include "bench/regression/rounds.h"
 #include "cases/io/new_files.h"
 
@@ -31,6 +32,7 @@ using Names = std::vector<std::string>;
 struct Options {
   std::string base, head, file, slow;
   Names names;
+  Commit commit;
   std::string pass = "first";
   std::uint64_t seed = 1;
   bool time = true, work = true;
@@ -134,26 +136,8 @@ void mark_untimed(Json& check, const std::vector<Side>& sides) {
     }
 }
 
-std::int64_t count(const Side& side, const std::string& name) {
-  const CandidateName parsed = parse_name(name);
-  try {
-    return bench::count_steps({side.folder + "/desmo_steps", parsed.case_name,
-                               std::to_string(parsed.coordinates), parsed.id, std::to_string(steps),
-                               std::to_string(iterations),
-                               std::to_string(name == side.slowed ? side.percent : 0)});
-  } catch (const std::runtime_error& error) {
-    throw std::runtime_error("the instructions of " + name + " cannot be counted in " + side.name +
-                             ": " + error.what());
-  }
-}
-
-/// Returns the instructions of a fixed number of steps with a fixed number of iterations, of each
-/// candidate on each side.
 Json counted(const Names& names, const std::vector<Side>& sides) {
-  std::vector<std::int64_t> instructions(names.size() * sides.size());
-  bench::count_on_all_cores(instructions.size(), [&](std::size_t i) {
-    instructions[i] = count(sides[i % sides.size()], names[i / sides.size()]);
-  });
+  const std::vector<std::int64_t> instructions = count_all(names, sides);
   Json counts;
   for (std::size_t i = 0; i < instructions.size(); ++i)
     counts[names[i / sides.size()]][sides[i % sides.size()].name] = instructions[i];
@@ -204,6 +188,12 @@ void measure_more(Options o) {
   save(check, o.file);
 }
 
+void add_commit(const Options& o) {
+  Json history = std::filesystem::exists(o.file) ? load(o.file) : Json{};
+  add_point(history, sides_of(o).back(), o.commit, o.names);
+  bench::NewFile(o.file).write(text_of(history));
+}
+
 int run(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);  // a probe that has ended is an error with a message
   Options o;
@@ -223,6 +213,13 @@ int run(int argc, char** argv) {
   more->add_option("file", o.file, "Results file")->required();
   more->add_option("pass", o.pass)->required()->check(CLI::IsMember({"first", "second"}));
   more->add_option("cells", o.names)->required();
+  CLI::App* history = app.add_subcommand("history", "Counts a commit's cells and adds them");
+  history->add_option("file", o.file, "History to add to; made where there is none")->required();
+  history->add_option("--commit", o.commit.name)->required();
+  history->add_option("--date", o.commit.date)->required();
+  history->add_option("--subject", o.commit.message)->required();
+  history->add_option("--slow", o.slow, "head:CELL:PERCENT, as above");
+  history->add_option("cells", o.names)->required();
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -230,8 +227,10 @@ int run(int argc, char** argv) {
   }
   if (all->parsed())
     measure(o);
-  else
+  else if (more->parsed())
     measure_more(o);
+  else
+    add_commit(o);
   return 0;
 }
 

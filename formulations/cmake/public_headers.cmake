@@ -9,7 +9,7 @@
 cmake_minimum_required(VERSION 3.25)
 
 set(public
-  mechanism scene files cases model settings summary observer formulation assessment live_run
+  mechanism scene files cases model settings summary observer formulation assessment live_run range
   generated_code reference)
 set(scene_h cases/mechanism/motion.h cases/mechanism/scene.h)
 set(mechanism_h cases/mechanism/mechanism.h cases/mechanism/builder.h)
@@ -22,6 +22,7 @@ set(observer_h formulations/base/observer.h)
 set(formulation_h formulations/formulation.h formulations/variants.h formulations/id.h)
 set(assessment_h formulations/verification/monitor/monitored_run.h)
 set(live_run_h formulations/verification/monitor/live_run.h)
+set(range_h formulations/verification/range/driver_range.h)
 set(generated_code_h formulations/runtime/own_kernels.h)
 set(reference_h formulations/verification/condition.h formulations/verification/error.h
   formulations/verification/reference/reference.h)

@@ -73,6 +73,7 @@ TEST(Layering, FoldersIncludeOnlyThoseBeforeThem) {
                                           "formulations/verification",
                                           "formulations/verification/assessment",
                                           "formulations/verification/monitor",
+                                          "formulations/verification/range",
                                           "formulations/runtime",
                                           "bench/kit",
                                           "bench/peers",

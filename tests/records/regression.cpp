@@ -135,6 +135,46 @@ TEST_F(Driver, OnePercentMoreInstructionsRaiseAnAlarm) {
   EXPECT_NE(text("out").find("More work: " + name), std::string::npos) << text("out");
 }
 
+TEST_F(Driver, HistoryHasAPointForEachCommitInTheirOrder) {
+  if (!can_count()) GTEST_SKIP() << "needs valgrind";
+  const auto add = [&](const std::string& commit, const std::string& date,
+                       const std::string& more) {
+    return shell(std::string(DESMO_CHECK) + " --head " + programs + " history " +
+                 file("history.json") + " --commit=" + commit + " --date=" + date +
+                 " --subject='-\"" + commit + "\"' " + more);
+  };
+  const std::string lacking = "four_bar/54/group_of_the_future",
+                    other = "four_bar/24/" + name.substr(12);
+  ASSERT_EQ(add("a", "2026-01-01T00:00:00Z", name), 0) << text("err");
+  ASSERT_EQ(add("c", "2026-03-01T00:00:00Z", name + " " + lacking), 0) << text("err");
+  EXPECT_EQ(text("out"), "");
+  ASSERT_EQ(add("b", "2026-02-01T00:00:00Z", "--slow head:" + name + ":3 " + name + " " + other), 0)
+      << text("err");
+  EXPECT_NE(text("out").find("b: " + name + " +3.0 % since a"), std::string::npos) << text("out");
+  const Json history = Json::parse(text("history.json"));
+  EXPECT_EQ(history["schema"], 1);
+  EXPECT_EQ(history["cells"], (Json{name, lacking, other}));
+  std::string order;
+  for (const Json& point : history["points"]) order += point["commit"].get<std::string>();
+  EXPECT_EQ(order, "abc");
+  const Json &a = history["points"][0], &b = history["points"][1], &c = history["points"][2];
+  EXPECT_EQ(a["subject"], "-\"a\"");
+  EXPECT_EQ(a["compiler"].get<std::string>().substr(0, 4), "GNU ");
+  EXPECT_GT(a["instructions"][0], 1'000'000);
+  EXPECT_EQ(c["instructions"], (Json{a["instructions"][0], nullptr, nullptr}));
+  EXPECT_TRUE(a["instructions"][2].is_null());
+  EXPECT_GT(b["instructions"][2], 100'000);
+
+  const std::string before = text("history.json");
+  EXPECT_EQ(shell(std::string(DESMO_CHECK) + " --head " + file("nowhere") + " history " +
+                  file("history.json") + " --commit=d --date=2026 --subject=d " + name),
+            74);
+  EXPECT_EQ(text("history.json"), before);
+  std::ofstream(folder_ / "history.json") << R"({"schema": "desmo-check"})";
+  EXPECT_EQ(add("d", "2026", name), 74);
+  EXPECT_EQ(text("history.json"), R"({"schema": "desmo-check"})");
+}
+
 // What is measured is compiled without line numbers: another line of comment gives the same object.
 TEST_F(Driver, ACommentChangesNoInstruction) {
   const std::string source = DESMO_SOURCE_DIR "/formulations/parts/inlined_part.cpp";

@@ -65,6 +65,9 @@ TEST(Scripts, NameTheArgumentThatTheyDoNotKnow) {
   EXPECT_EQ(run("bench/check", "--selftest --idle").code, 64);
   EXPECT_EQ(run("bench/check", "--base no_such_commit").code, 64);
   EXPECT_EQ(run("bench/check", "--baseline=/nonexistent.json").code, 64);
+  EXPECT_EQ(run("bench/check", "--history no_such_commit").code, 64);
+  EXPECT_EQ(run("bench/check", "--history HEAD --slow head:a/1/b:3").code, 64);
+  EXPECT_EQ(run("bench/check", "HEAD --history").code, 64);
   EXPECT_EQ(run("report/figures/render", "--packages .").code, 64);
 }
 

@@ -1,0 +1,139 @@
+// desmo range: how far each driver can go from the start of a scene.
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+
+#include "bench/cli/commands.h"
+#include "bench/cli/errors.h"
+#include "bench/cli/input.h"
+#include "bench/cli/range/ranges.h"
+#include "bench/cli/solve/run_notes.h"
+#include "cases/io/new_files.h"
+#include "cases/mechanism/names.h"
+#include "formulations/variants.h"
+#include "formulations/verification/monitor/monitored_run.h"
+
+namespace desmo::cli {
+namespace {
+
+struct RangeOptions {
+  std::string scene;
+  bool json = false;
+};
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+std::vector<std::string> joints_at(const std::vector<std::string>& moving, const Mechanism& d) {
+  std::vector<std::string> joints;
+  for (const Mechanism::Joint& j : d.joints)
+    if (std::ranges::any_of(j.points, [&](int p) { return contains(moving, d.points[p].name); }))
+      joints.push_back(j.name);
+  return joints;
+}
+
+/// Returns the bodies that carry all points and vectors of one of the constraints.
+std::vector<std::string> bodies_of(const std::vector<int>& constraints, const Model& m,
+                                   const Mechanism& d) {
+  const auto carries_all = [&](const Mechanism::Body& body, const Constraint& c) {
+    std::vector<std::string> names;
+    for (const int p : body.points) names.push_back(d.points[p].name);
+    for (const int v : body.vectors) names.push_back(d.vectors[v].name);
+    return std::ranges::all_of(c.operands, [&](EntityId e) {
+      return m.entities[e].size == 1 || contains(names, m.entities[e].name);
+    });
+  };
+  std::vector<std::string> bodies;
+  for (auto body = d.bodies.begin() + 1; body < d.bodies.end(); ++body)
+    if (std::ranges::any_of(constraints,
+                            [&](int c) { return carries_all(*body, m.constraints[c]); }))
+      bodies.push_back(body->name);
+  return bodies;
+}
+
+NamedEnd with_names(const RangeEnd& end, const char* direction, const Model& m,
+                    const Mechanism& d) {
+  NamedEnd named{end, direction, {}, {}, {}, {}};
+  for (const EntityId e : end.moving) named.moving.push_back(m.entities[e].name);
+  for (const int c : end.constraints) named.constraints.push_back(m.constraints[c].name);
+  named.joints = joints_at(named.moving, d);
+  named.bodies = bodies_of(end.constraints, m, d);
+  return named;
+}
+
+struct Ignored final : Observer {
+  Flow observe(const Instant&) noexcept override { return Flow::go_on; }
+};
+
+/// Position at the start, and what assembling it came to. In a dead point nothing can be assembled,
+/// but the estimate may be near enough.
+struct Start {
+  MonitoredSummary summary;
+  std::vector<double> q;
+};
+
+Start start_at(const Model& m, double time, double tolerance) {
+  const auto formulation =
+      make_formulation(find_variant("block_automatic_klu"), m, Settings{.tolerance = tolerance});
+  Ignored observer;
+  Start start{run_monitored(*formulation, {time, 1, 1}, Request{Level::position}, observer,
+                            {{.tolerance = tolerance}}),
+              m.estimate};
+  if (start.summary.ok()) start.q.assign(formulation->q().begin(), formulation->q().end());
+  for (const Driver& driver : m.drivers)
+    start.q[m.entities[driver.coordinate].first] = sample(driver.motion, time).position;
+  return start;
+}
+
+void range(const RangeOptions& options) {
+  const Input input = load_scene(options.scene);
+  const Mechanism& d = input.scene.mechanism;
+  const Model m = model_mechanism(input).model;
+  Ranges ranges{m, input.scene.grid.time(0), {}};
+  const Start start = start_at(m, ranges.time, input.scene.tolerance);
+  if (start.summary.violated >= 0)
+    throw Error(not_solved, input.source + ": " + failure_text(start.summary, m));
+  if (start.summary.crossing)
+    std::fputs(note_on_accuracy(start.summary, Level::position, m).c_str(), stderr);
+  for (int i = 0; i < m.degrees_of_freedom(); ++i) {
+    const Entity& driven = m.entities[m.drivers[i].coordinate];
+    NamedRange& named = ranges.drivers.emplace_back();
+    named.driver = driven.name;
+    named.unit = driven.kind == EntityKind::angle ? "rad"
+                 : m.length_unit == "1"           ? ""
+                                                  : m.length_unit;
+    try {
+      named.range = find_range(m, start.q, i);
+    } catch (const std::runtime_error& error) {
+      throw Error(not_solved, input.source + ": " + error.what() +
+                                  (start.summary.ok() ? "" : ": " + describe(start.summary, m)) +
+                                  "; choose a start that can be assembled");
+    }
+    const DriverRange& r = named.range;
+    named.ends = {with_names(r.down, "down", m, d), with_names(r.up, "up", m, d)};
+    if (r.other_branch)
+      named.ends.push_back(
+          with_names(*r.other_branch, r.other_branch->value < r.start ? "down" : "up", m, d));
+  }
+  write_standard_output(options.json ? to_json(ranges) : to_text(ranges));
+}
+
+}  // namespace
+
+void add_range(CLI::App& program) {
+  CLI::App* command = program.add_subcommand(
+      "range", "How far each driver can go from a scene's start, the others at rest");
+  const auto options = std::make_shared<RangeOptions>();
+  command
+      ->add_option("scene", options->scene,
+                   "Scene file, - for standard input, library mechanism (its scene), or scalable "
+                   "case with its units, such as truck_suspension:5")
+      ->required();
+  command->add_flag("--json", options->json, "As JSON, with all digits and constraints by name");
+  command->callback([options] { range(*options); });
+}
+
+}  // namespace desmo::cli

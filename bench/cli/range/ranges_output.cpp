@@ -1,0 +1,141 @@
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "bench/cli/range/ranges.h"
+#include "bench/cli/text.h"
+
+namespace desmo::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string number(double value, const std::string& unit, const char* format = "%.12g") {
+  char text[40];
+  std::snprintf(text, sizeof text, format, value == 0 ? 0 : value);
+  return text + (unit.empty() ? "" : " " + unit);
+}
+
+const char* name_of(RangeStop stop) {
+  switch (stop) {
+    case RangeStop::dead_point:
+      return "dead_point";
+    case RangeStop::full_turn:
+      return "full_turn";
+    case RangeStop::zero_length:
+      return "zero_length";
+    case RangeStop::other_branch:
+      return "other_branch";
+    case RangeStop::start:
+      return "start";
+    case RangeStop::not_reached:
+      return "not_reached";
+    case RangeStop::none:
+      break;
+  }
+  return "none";
+}
+
+std::string sentence(const NamedEnd& e, const std::string& unit) {
+  switch (e.end.stop) {
+    case RangeStop::dead_point:
+      return "locks, to " + number(std::abs(e.end.beyond - e.end.value), unit, "%.1e");
+    case RangeStop::full_turn:
+      return e.end.turns == 1 ? "turns fully"
+                              : "comes back after two turns, on another branch after one";
+    case RangeStop::zero_length:
+      return "the length is zero";
+    case RangeStop::other_branch:
+      return "beyond, equations left out as dependent do not hold";
+    case RangeStop::start:
+      return "the start is a change point, where branches meet: start elsewhere";
+    case RangeStop::not_reached:
+      return "no position was found any further";
+    case RangeStop::none:
+      break;
+  }
+  return unit == "rad" ? "does not stop, nor come back to the start in two turns" : "does not stop";
+}
+
+std::string detail(const std::string& label, const std::string& text) {
+  constexpr std::size_t indent = 16;
+  return "        " + label + std::string(indent - 8 - label.size(), ' ') + wrap(text, indent) +
+         "\n";
+}
+
+std::string group_and_bodies(GroupId g, const Model& m) {
+  return g < 0 ? "" : m.groups[g].name + " (" + enumerate(m.groups[g].bodies, 8) + ")";
+}
+
+std::string end_text(const NamedEnd& e, const NamedRange& r, const Model& m) {
+  std::string text = "  " + e.direction + std::string(6 - e.direction.size(), ' ') +
+                     number(e.end.value, r.unit) + ": " + sentence(e, r.unit) + "\n";
+  if (e.end.stop != RangeStop::dead_point) return text;
+  text += detail("group", group_and_bodies(e.end.group, m));
+  text += detail("moves", enumerate(e.moving, 8) + ", while all drivers rest");
+  if (!e.joints.empty()) text += detail("joints", enumerate(e.joints, 8));
+  return text + detail("loop", enumerate(e.bodies, 12));
+}
+
+Json end_json(const NamedEnd& e, const Model& m) {
+  Json j = {{"direction", e.direction},
+            {"stop", name_of(e.end.stop)},
+            {"value", e.end.value},
+            {"beyond", e.end.beyond}};
+  if (e.end.stop == RangeStop::full_turn) j["turns"] = e.end.turns;
+  if (e.end.stop != RangeStop::dead_point) return j;
+  j.update({{"group", e.end.group < 0 ? Json() : Json(m.groups[e.end.group].name)},
+            {"moving", e.moving},
+            {"joints", e.joints},
+            {"loop", e.bodies},
+            {"constraints", e.constraints}});
+  return j;
+}
+
+}  // namespace
+
+std::string to_text(const Ranges& ranges) {
+  const Model& m = ranges.model;
+  std::string text = m.name + ", from t = " + number(ranges.time, "s") +
+                     ": how far each driver goes while the others rest\n";
+  for (const NamedRange& r : ranges.drivers) {
+    text += "\n" + r.driver + ", from " + number(r.range.start, r.unit) +
+            (r.range.is_idle ? ": moves nothing else\n" : "\n");
+    if (r.range.is_idle) continue;
+    for (std::size_t i = 0; i < r.ends.size(); ++i) {
+      if (i == 2) text += "  the start is a dead point; on the other branch from it\n";
+      text += end_text(r.ends[i], r, m);
+    }
+    for (const ChangePoint& c : r.range.change_points)
+      text +=
+          "  " +
+          wrap("passes the singular position " + number(c.value, r.unit) + ", where branches meet" +
+                   (c.group < 0 ? "" : ": " + group_and_bodies(c.group, m)),
+               4) +
+          "\n";
+  }
+  return text;
+}
+
+std::string to_json(const Ranges& ranges) {
+  const Model& m = ranges.model;
+  Json drivers = Json::array();
+  for (const NamedRange& r : ranges.drivers) {
+    Json ends = Json::array(), changes = Json::array();
+    if (!r.range.is_idle)
+      for (const NamedEnd& e : r.ends) ends.push_back(end_json(e, m));
+    for (const ChangePoint& c : r.range.change_points)
+      changes.push_back(
+          {{"value", c.value}, {"group", c.group < 0 ? Json() : Json(m.groups[c.group].name)}});
+    drivers.push_back({{"name", r.driver},
+                       {"unit", r.unit},
+                       {"start", r.range.start},
+                       {"idle", r.range.is_idle},
+                       {"ends", ends},
+                       {"change_points", changes}});
+  }
+  const Json all = {{"name", m.name}, {"time", ranges.time}, {"drivers", drivers}};
+  return all.dump(1) + "\n";
+}
+
+}  // namespace desmo::cli

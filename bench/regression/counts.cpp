@@ -1,0 +1,121 @@
+#include "bench/regression/counts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "bench/kit/process/callgrind.h"
+#include "bench/regression/candidate_name.h"
+
+namespace desmo::regression {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int usage_error = 64;  // of desmo_steps: it has no such candidate
+
+std::vector<std::string> steps_command(const Side& side, const std::string& name, int count) {
+  const CandidateName parsed = parse_name(name);
+  return {side.folder + "/desmo_steps",
+          parsed.case_name,
+          std::to_string(parsed.coordinates),
+          parsed.id,
+          std::to_string(count),
+          std::to_string(iterations),
+          std::to_string(name == side.slowed ? side.percent : 0)};
+}
+
+bool exists(const Side& side, const std::string& name) {
+  std::string output;
+  return run_to_end(bench::fixed_launch(steps_command(side, name, 0)), output) != usage_error;
+}
+
+std::int64_t count(const Side& side, const std::string& name) {
+  try {
+    return bench::count_steps(steps_command(side, name, steps));
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error("the instructions of " + name + " cannot be counted in " + side.name +
+                             ": " + error.what());
+  }
+}
+
+/// Returns the place of each name in the history's cells. Adds those that are missing.
+std::vector<std::size_t> places_of(const std::vector<std::string>& names, Json& history) {
+  std::vector<std::size_t> places;
+  Json& known = history["cells"];
+  for (const std::string& name : names) {
+    places.push_back(std::find(known.begin(), known.end(), name) - known.begin());
+    if (places.back() < known.size()) continue;
+    known.push_back(name);
+    for (Json& point : history["points"]) point["instructions"].push_back(nullptr);
+  }
+  return places;
+}
+
+void print_changes(const Json& names, const Json& before, const Json& point) {
+  constexpr double shown = 2;  // [%]
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const Json &was = before["instructions"][i], &is = point["instructions"][i];
+    if (was.is_null() || is.is_null()) continue;
+    const double change = 100 * (is.get<double>() / was.get<double>() - 1);
+    if (std::abs(change) > shown)
+      std::printf("%s: %s %+.1f %% since %s\n", point["commit"].get<std::string>().c_str(),
+                  names[i].get<std::string>().c_str(), change,
+                  before["commit"].get<std::string>().c_str());
+  }
+}
+
+}  // namespace
+
+std::vector<std::int64_t> count_all(const std::vector<std::string>& names,
+                                    const std::vector<Side>& sides) {
+  std::vector<std::int64_t> instructions(names.size() * sides.size());
+  bench::count_on_all_cores(instructions.size(), [&](std::size_t i) {
+    instructions[i] = count(sides[i % sides.size()], names[i / sides.size()]);
+  });
+  return instructions;
+}
+
+void add_point(Json& history, const Side& programs, const Commit& commit,
+               const std::vector<std::string>& names) {
+  if (history.empty())
+    history = {{"schema", 1}, {"cells", Json::array()}, {"points", Json::array()}};
+  if (history.value("schema", Json()) != 1)
+    throw std::runtime_error("the file to add to is not a history");
+  const std::vector<std::size_t> places = places_of(names, history);
+  std::vector<std::size_t> there;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (exists(programs, names[i])) there.push_back(i);
+  std::vector<std::string> counted;
+  for (const std::size_t i : there) counted.push_back(names[i]);
+  const std::vector<std::int64_t> counts = count_all(counted, {programs});
+
+  Json instructions(history["cells"].size(), nullptr);
+  for (std::size_t i = 0; i < there.size(); ++i) instructions[places[there[i]]] = counts[i];
+  const Json point = {{"commit", commit.name},
+                      {"date", commit.date},
+                      {"subject", commit.message},
+                      {"compiler", DESMO_COMPILER ", " + bench::counting_tool()},
+                      {"instructions", instructions}};
+  Json& points = history["points"];
+  const auto later = std::find_if(points.begin(), points.end(), [&](const Json& p) {
+    return p["date"].get<std::string>() > commit.date;
+  });
+  if (later != points.begin()) print_changes(history["cells"], *std::prev(later), point);
+  points.insert(later, point);
+}
+
+std::string text_of(const Json& history) {
+  std::string text = "{\"schema\":1,\"cells\":" + history["cells"].dump() + ",\n\"points\":[", end;
+  for (const Json& point : history["points"]) {
+    text += end + "\n" + point.dump();
+    end = ",";
+  }
+  return text + "\n]}\n";
+}
+
+}  // namespace desmo::regression

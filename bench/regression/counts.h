@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "bench/regression/rounds.h"
+
+namespace desmo::regression {
+
+/// Returns the instructions of a fixed number of steps with a fixed number of iterations: those of
+/// candidate i on side j at i × sides + j. Throws std::runtime_error, naming the candidate, when
+/// they cannot be counted.
+std::vector<std::int64_t> count_all(const std::vector<std::string>& names,
+                                    const std::vector<Side>& sides);
+
+/// A commit whose instructions are counted.
+struct Commit {
+  std::string name;     ///< its hash, shortened
+  std::string date;     ///< when it was committed (UTC, ISO 8601), which gives the order
+  std::string message;  ///< its first line
+};
+
+/// Counts the candidates in a commit's programs and adds a point to a history, which may be empty.
+/// A candidate that the programs do not have is null in the point; one that the history does not
+/// have yet is null in all earlier points. Prints which candidates moved by more than 2 % since the
+/// point before. Throws std::runtime_error when something cannot be counted.
+void add_point(nlohmann::ordered_json& history, const Side& programs, const Commit& commit,
+               const std::vector<std::string>& names);
+
+/// Returns the text of a history, a point a line.
+std::string text_of(const nlohmann::ordered_json& history);
+
+}  // namespace desmo::regression

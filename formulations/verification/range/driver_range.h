@@ -1,0 +1,65 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "formulations/model/model.h"
+
+namespace desmo {
+
+/// What ends the way of a driver.
+enum class RangeStop {
+  dead_point,    ///< the mechanism locks: the driver turns back along the curve of positions
+  full_turn,     ///< the mechanism is back at its start
+  zero_length,   ///< the driven distance has become zero
+  other_branch,  ///< an equation that was left out as dependent holds no longer (BranchMonitor)
+  start,         ///< the start is singular: curves of positions cross there
+  not_reached,   ///< no position is found any further, for a reason unknown
+  none,          ///< nothing: two turns, or ten times the mechanism's size
+};
+
+/// End of a driver's way in one direction. Values are the driver's, in rad or the unit of length.
+struct RangeEnd {
+  RangeStop stop = RangeStop::none;
+  double value = 0;    ///< last one with a solved position
+  double beyond = 0;   ///< next to it, one without a position on this branch; the same where the
+                       ///< mechanism does not lock
+  int turns = 0;       ///< full_turn: until it is back, 1 or 2
+  GroupId group = -1;  ///< dead_point: group that locks
+  std::vector<EntityId> moving{};  ///< dead_point: what can still move while all drivers rest
+  std::vector<int> constraints{};  ///< dead_point: those that hold the driver, by force
+};
+
+/// Singular position that the mechanism passes, where two branches cross.
+struct ChangePoint {
+  double value;
+  GroupId group;
+};
+
+/// How far a driver can go from a position while the others rest.
+struct DriverRange {
+  double start;
+  bool is_idle = false;  ///< moves nothing but itself
+  RangeEnd down, up;
+  /// Where the start is a dead point: how far the mechanism goes on the other branch that begins
+  /// there, in the direction that is not locked.
+  std::optional<RangeEnd> other_branch;
+  std::vector<ChangePoint> change_points;  ///< ascending
+};
+
+/// Finds the range of a driver along the branch of a position. It follows the curve of positions
+/// by its arc (SolutionCurve) in steps that are refused where the curve bends or signs of
+/// determinants change, so as to stay on the branch. A dead point is bracketed by two solved
+/// positions of the curve, between which the driver turns back: `value` and `beyond` differ by less
+/// than 1e-9 rad or characteristic lengths. Change points are found to the same accuracy where they
+/// are simple. A position that is singular without a change of sign is not noticed.
+///
+/// q: the position (coordinates), solved or, at a dead point, nearly so. driver: position in
+/// Model::drivers. Throws std::runtime_error where there is no position near q.
+///
+/// It belongs to verification, since it needs determinants of irreducible blocks and the check of
+/// branches. Not for timed code: it allocates.
+DriverRange find_range(const Model& model, std::span<const double> q, int driver);
+
+}  // namespace desmo

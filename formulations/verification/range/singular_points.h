@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "formulations/model/model.h"
+#include "formulations/verification/range/driver_range.h"
+#include "formulations/verification/range/solution_curve.h"
+
+namespace desmo {
+
+/// Dead point of a curve, and a point behind it.
+struct DeadPoint {
+  RangeEnd end;
+  SolutionCurve::Point after;
+};
+
+/// Finds the dead point in a step at whose end the driver goes back. The driver's value is
+/// stationary there, so it is known far better than the position. Returns nothing where it cannot
+/// be bracketed to `accuracy` (scaled). direction: of the driver before, 1 or −1.
+std::optional<DeadPoint> find_dead_point(const Model& model, SolutionCurve& curve,
+                                         const SolutionCurve::Point& from, double length,
+                                         double direction, double accuracy);
+
+/// Returns the driver's value at a crossing in a step that is all but too short: where det B
+/// vanishes, interpolated from wider around, since positions next to a crossing are not well known.
+/// It vanishes like the distance to the power of the number of blocks that become singular.
+double find_crossing(SolutionCurve& curve, const SolutionCurve::Point& from,
+                     const SolutionCurve::Point& to, std::size_t blocks);
+
+}  // namespace desmo

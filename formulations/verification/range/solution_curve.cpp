@@ -1,0 +1,210 @@
+#include "formulations/verification/range/solution_curve.h"
+
+#include <Eigen/SparseLU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "formulations/groupwise/settling.h"
+#include "formulations/scaling/characteristic_lengths.h"
+
+namespace desmo {
+
+struct SolutionCurve::Factors {
+  Eigen::SparseMatrix<double> matrix;
+  Eigen::SparseLU<Eigen::SparseMatrix<double>> lu;
+  std::vector<Eigen::Triplet<double>> entries;
+  bool analysed = false;
+};
+
+namespace {
+
+/// A border that hardly any curve is at right angles to. shift: gives another one.
+Eigen::VectorXd any_direction(int n, double shift) {
+  Eigen::VectorXd v(n);
+  for (int i = 0; i < n; ++i) v[i] = std::cos(1 + shift + 2.4 * i);
+  return v / v.norm();
+}
+
+Eigen::VectorXd scaled_to_one(Eigen::VectorXd v) { return v / v.cwiseAbs().maxCoeff(); }
+
+}  // namespace
+
+SolutionCurve::SolutionCurve(const Model& m, int driver)
+    : system_(m),
+      driver_(m.entities[m.drivers[driver].coordinate].first),
+      column_(m.state_size(), -1),
+      row_(system_.rows(), -1),
+      constraints_(m.constraints.size()),
+      phi_(system_.rows()),
+      factors_(std::make_unique<Factors>()) {
+  std::vector<std::vector<int>> rows_of;  // by constraint and row: in the whole system
+  int row = 0;
+  for (const Constraint& c : m.constraints) {
+    std::vector<int>& rows = rows_of.emplace_back();
+    for (int r = 0; r < desmo::rows(c); ++r) rows.push_back(c.left_out >> r & 1 ? -1 : row++);
+  }
+  std::vector<bool> moves(m.state_size(), false);
+  moves[driver_] = true;
+  for (PartDefinition& block : make_partition(m, Partition::block)) {
+    const std::vector<int> read = states_read(m, block);
+    if (std::ranges::none_of(read, [&](int i) { return moves[i]; })) continue;
+    for (const int i : block.unknowns) moves[i] = true;
+    unknowns_.insert(unknowns_.end(), block.unknowns.begin(), block.unknowns.end());
+    for (const Equation& e : block.equations) {
+      row_[rows_of[e.constraint][e.row]] = static_cast<int>(constraint_.size());
+      constraint_.push_back(e.constraint);
+    }
+    blocks_.push_back(std::move(block));
+  }
+  std::ranges::sort(unknowns_);
+  const std::vector<double> magnitude = CharacteristicLengths(m).of_coordinates();
+  for (int j = 0; j < size(); ++j) {
+    column_[unknowns_[j]] = j;
+    scale_.push_back(magnitude[unknowns_[j]]);
+  }
+  column_[driver_] = size();
+  scale_.push_back(magnitude[driver_]);
+  row_sums_.resize(size());
+}
+
+SolutionCurve::~SolutionCurve() = default;
+
+bool SolutionCurve::factorise(std::span<const double> state, const Eigen::VectorXd& border) {
+  auto& [matrix, lu, entries, analysed] = *factors_;
+  entries.clear();
+  row_sums_.setZero();
+  system_.jacobian<double>(state, [&](int row, int i, double value) {
+    if (row_[row] < 0 || column_[i] < 0) return;
+    value *= scale_[column_[i]];
+    row_sums_[row_[row]] += std::abs(value);
+    entries.emplace_back(row_[row], column_[i], value);
+  });
+  row_sums_ = (row_sums_.array() > 0).select(row_sums_, 1.0);
+  for (Eigen::Triplet<double>& e : entries) e = {e.row(), e.col(), e.value() / row_sums_[e.row()]};
+  for (int j = 0; j <= size(); ++j) entries.emplace_back(size(), j, border[j]);
+  matrix.resize(size() + 1, size() + 1);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  if (!analysed) lu.analyzePattern(matrix);
+  analysed = true;
+  lu.factorize(matrix);
+  return lu.info() == Eigen::Success;
+}
+
+/// Solves Φ = 0 in the plane through the state across the border. Fails where the first correction
+/// is larger than trusted, or corrections do not shrink at once.
+bool SolutionCurve::correct(std::vector<double>& state, const Eigen::VectorXd& border,
+                            double trusted) {
+  constexpr int max_iterations = 12;
+  Settling<double> settled;
+  double before = 2 * trusted;
+  for (int iteration = 0; iteration < max_iterations; ++iteration) {
+    if (!factorise(state, border)) return false;
+    system_.residual<double>(state, phi_);
+    Eigen::VectorXd change = Eigen::VectorXd::Zero(size() + 1);
+    for (std::size_t r = 0; r < row_.size(); ++r)
+      if (row_[r] >= 0) change[row_[r]] = phi_[r] / row_sums_[row_[r]];
+    change = factors_->lu.solve(change).eval();
+    for (int j = 0; j < size(); ++j) state[unknowns_[j]] -= scale_[j] * change[j];
+    state[driver_] -= scale_.back() * change[size()];
+    const double largest = change.cwiseAbs().maxCoeff();
+    if (!std::isfinite(largest)) return false;
+    if (settled(largest)) return true;
+    if (largest > before / 2) return false;
+    before = largest;
+  }
+  return false;
+}
+
+/// Returns the point of a solved state; its tangent goes along a direction.
+std::optional<SolutionCurve::Point> SolutionCurve::settle(std::vector<double> state,
+                                                          const Eigen::VectorXd& along) {
+  Eigen::VectorXd tangent = along;
+  for (int pass = 0; pass < 2; ++pass) {  // the second with its own border, for the sign
+    if (!factorise(state, tangent)) return {};
+    Eigen::VectorXd unit = Eigen::VectorXd::Zero(size() + 1);
+    unit[size()] = 1;
+    tangent = scaled_to_one(factors_->lu.solve(unit));
+    if (!tangent.allFinite()) return {};
+  }
+  const int sign = factors_->lu.signDeterminant() > 0 ? 1 : -1;
+  const double log = factors_->lu.logAbsDeterminant() + row_sums_.array().log().sum();
+  return Point{std::move(state), std::move(tangent), sign, log};
+}
+
+std::optional<SolutionCurve::Point> SolutionCurve::start(std::vector<double> state) {
+  constexpr double far = 1e3, least_speed = 1e-5, parallel = 1e-6;
+  crosses_ = false;
+  const double value = state[driver_];
+  std::optional<Point> point = settle(state, any_direction(size() + 1, 0));
+  const std::optional<Point> other = settle(state, any_direction(size() + 1, 1));
+  if (!point || !other) {
+    crosses_ = true;
+    return {};
+  }
+  // Two tangents where one was expected: a crossing, to rounding.
+  const Eigen::VectorXd a = point->tangent.normalized(), b = other->tangent.normalized();
+  crosses_ = (a - a.dot(b) * b).norm() > parallel;
+  Eigen::VectorXd border = point->tangent;
+  if (std::abs(point->speed()) > least_speed) {
+    border.setZero();
+    border[size()] = 1;
+  }
+  if (crosses_) return point;
+  if (!correct(state, border, far)) return {};
+  if (border[size()] == 1) state[driver_] = value;
+  point = settle(std::move(state), point->tangent);
+  if (point && point->speed() < 0) *point = reversed(*std::move(point));
+  return point;
+}
+
+std::optional<SolutionCurve::Point> SolutionCurve::step(const Point& from, double length) {
+  constexpr double trusted = 0.3, max_turn = 0.1;  // of the step; 1 − cos of the tangent's angle
+  std::vector<double> state = from.state;
+  for (int j = 0; j < size(); ++j) state[unknowns_[j]] += length * scale_[j] * from.tangent[j];
+  state[driver_] += length * scale_.back() * from.speed();
+  if (!correct(state, from.tangent, trusted * std::abs(length))) return {};
+  std::optional<Point> point = settle(std::move(state), from.tangent);
+  if (point && from.tangent.normalized().dot(point->tangent.normalized()) < 1 - max_turn) return {};
+  return point;
+}
+
+std::optional<SolutionCurve::Point> SolutionCurve::at(const Point& from, double value) {
+  constexpr double trusted = 0.1;
+  std::vector<double> state = from.state;
+  const double change = (value - state[driver_]) / scale();
+  for (int j = 0; j < size(); ++j)
+    state[unknowns_[j]] += change * scale_[j] * from.tangent[j] / from.speed();
+  state[driver_] = value;
+  Eigen::VectorXd border = Eigen::VectorXd::Zero(size() + 1);
+  border[size()] = 1;
+  if (!correct(state, border, trusted)) return {};
+  state[driver_] = value;
+  return settle(std::move(state), from.tangent);
+}
+
+SolutionCurve::Point SolutionCurve::reversed(Point point) {
+  point.tangent = -point.tangent;
+  point.sign = -point.sign;
+  return point;
+}
+
+SolutionCurve::Forces SolutionCurve::forces(const Point& point) {
+  constexpr double roundings = 4 * std::numeric_limits<double>::epsilon();  // of Φ over row sums
+  Forces result{std::vector<double>(constraints_, 0), std::numeric_limits<double>::infinity()};
+  if (!factorise(point.state, point.tangent)) return result;
+  Eigen::VectorXd unit = Eigen::VectorXd::Zero(size() + 1);
+  unit[size()] = 1;
+  const Eigen::VectorXd left = factors_->lu.transpose().solve(unit).head(size());
+  for (int r = 0; r < size(); ++r) {
+    double& force = result.of_constraints[constraint_[r]];
+    force = std::max(force, std::abs(left[r]));
+  }
+  result.rounding = roundings * left.lpNorm<1>() * scale();
+  const double largest = left.lpNorm<Eigen::Infinity>();
+  for (double& force : result.of_constraints) force /= largest > 0 ? largest : 1;
+  return result;
+}
+
+}  // namespace desmo

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "formulations/model/model.h"
+#include "formulations/structure/partition.h"
+#include "formulations/verification/reference/whole_system.h"
+
+namespace desmo {
+
+/// The positions that a mechanism can take while one driver moves and the others rest: a curve
+/// Φ(φ, z) = 0 in the unknowns φ that depend on the driver, and the driver's value z. It is
+/// followed by its arc (Keller 1977): a predictor along the tangent, and Newton's method in the
+/// plane across it, whose matrix
+///
+///   B = [Φ_φ  Φ_z]  rows over their sums, columns times characteristic lengths (rad for angles)
+///       [   tᵀ   ]  t: the tangent
+///
+/// is regular at dead points, where Φ_φ is singular and the driver turns back.
+class SolutionCurve {
+ public:
+  /// A position on the curve.
+  struct Point {
+    std::vector<double> state;  ///< q, then the fixed components
+    Eigen::VectorXd tangent;  ///< scaled, its largest component 1 or −1; the driver's comes last
+    int sign = 0;             ///< of det B; changes where curves cross
+    double log_determinant = 0;  ///< log |det B| with rows as they are
+
+    /// Returns how the driver moves along the curve, over its scale: 0 at a dead point.
+    double speed() const { return tangent[tangent.size() - 1]; }
+  };
+
+  /// driver: position in Model::drivers. The model must outlive the curve.
+  SolutionCurve(const Model& model, int driver);
+  ~SolutionCurve();
+
+  /// Returns whether no unknown depends on the driver.
+  bool is_idle() const { return unknowns_.empty(); }
+
+  /// Returns the point of the curve at or next to a position that is nearly solved, with the
+  /// driver's value where that determines it. The driver moves upwards along the tangent. Returns
+  /// nothing where no position is found.
+  std::optional<Point> start(std::vector<double> state);
+  /// Returns whether two curves cross at the point that start() found last.
+  bool is_crossing() const { return crosses_; }
+
+  /// Returns the point a step further, the largest scaled change of any component being about
+  /// `length`, which may be negative; nothing where Newton's method does not go there at once.
+  std::optional<Point> step(const Point& from, double length);
+
+  /// Returns the point with this value of the driver, from one that is near.
+  std::optional<Point> at(const Point& from, double value);
+
+  /// Returns the same point, to be left in the other direction.
+  static Point reversed(Point point);
+
+  /// Forces that the equations carry when the driver pushes.
+  struct Forces {
+    std::vector<double> of_constraints;  ///< scaled to 1 at most
+    double rounding;  ///< change of the driver's value by which they answer rounding of Φ
+  };
+  /// Returns the forces at a point. At a dead point they are those that hold the driver.
+  Forces forces(const Point& point);
+
+  double value(const Point& point) const { return point.state[driver_]; }
+  double scale() const { return scale_.back(); }                  ///< of the driver
+  const std::vector<int>& unknowns() const { return unknowns_; }  ///< coordinates, ascending
+  double scale(int unknown) const { return scale_[unknown]; }
+  /// Irreducible blocks that depend on the driver, in solution order.
+  const std::vector<PartDefinition>& blocks() const { return blocks_; }
+
+ private:
+  struct Factors;
+
+  int size() const { return static_cast<int>(unknowns_.size()); }
+  bool factorise(std::span<const double> state, const Eigen::VectorXd& border);
+  bool correct(std::vector<double>& state, const Eigen::VectorXd& border, double trusted);
+  std::optional<Point> settle(std::vector<double> state, const Eigen::VectorXd& along);
+
+  WholeSystem system_;
+  int driver_;  // its component of the state
+  std::vector<int> unknowns_;
+  std::vector<double> scale_;  // of the unknowns, then of the driver
+  std::vector<PartDefinition> blocks_;
+  std::vector<int> column_;      // of each component of the state; -1: rests
+  std::vector<int> row_;         // of each row of the whole system; -1: has no unknown
+  std::vector<int> constraint_;  // of each row
+  std::size_t constraints_;
+  Eigen::VectorXd row_sums_;
+  std::vector<double> phi_;
+  std::unique_ptr<Factors> factors_;
+  bool crosses_ = false;
+};
+
+}  // namespace desmo

@@ -1,0 +1,95 @@
+// desmo range.
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "tests/cli/program.h"
+
+namespace desmo::ranging_test {
+namespace {
+
+using Json = nlohmann::json;
+
+TEST_F(Cli, SaysHowFarACrankGoesAndWhatStopsIt) {
+  write("scene.json", locks);  // lengths in mm
+  ASSERT_EQ(desmo("range scene.json"), 0) << err_;
+  for (const char* text :
+       {"short, from t = 0 s", "theta, from 0 rad", "  up    0.643501108793 rad: locks, to ",
+        "  down  -0.643501108793 rad: locks", "group   SG-II (rod, slider)", "moves   C",
+        "joints  revolute/rod/slider, prismatic/ground/slider", "loop    crank, rod"})
+    EXPECT_TRUE(prints(text)) << text << "\n" << out_;
+  ASSERT_EQ(desmo("range - --json <scene.json"), 0) << err_;
+  const Json driver = Json::parse(out_)["drivers"][0];
+  EXPECT_EQ(driver["name"], "theta");
+  EXPECT_EQ(driver["unit"], "rad");
+  EXPECT_EQ(driver["idle"], false);
+  ASSERT_EQ(driver["ends"].size(), 2u);
+  const Json up = driver["ends"][1];
+  EXPECT_EQ(up["stop"], "dead_point");
+  EXPECT_NEAR(up["value"].get<double>(), std::asin(0.6), 1e-13);
+  EXPECT_GT(up["beyond"], up["value"]);
+  EXPECT_NEAR(up["beyond"].get<double>(), std::asin(0.6), 1e-12);
+  EXPECT_EQ(up["group"], "SG-II");
+}
+
+TEST_F(Cli, SaysOfEveryDriverWhereItStops) {
+  ASSERT_EQ(desmo("range stewart --json"), 0) << err_;
+  const Json drivers = Json::parse(out_)["drivers"];
+  ASSERT_EQ(drivers.size(), 6u);
+  for (const Json& d : drivers) {
+    EXPECT_EQ(d["unit"], "m");
+    EXPECT_LT(d["ends"][0]["value"], d["start"]);
+    EXPECT_GT(d["ends"][1]["value"], d["start"]);
+  }
+  ASSERT_EQ(desmo("range slider_crank"), 0) << err_;
+  EXPECT_TRUE(prints("up    6.28318530718 rad: turns fully")) << out_;
+}
+
+/// Crank and rod are as long, and in line at the start: a dead point of the slider.
+TEST_F(Cli, ADistanceEndsAtZeroWhereASignedOneGoesOn) {
+  for (const bool is_signed : {false, true}) {
+    std::string scene = slider_crank(50, R"(, "time": {"end": 1, "step": 0.01})");
+    const auto replace = [&](const std::string& before, const std::string& after) {
+      const std::size_t at = scene.find(before);
+      ASSERT_NE(at, std::string::npos) << before;
+      scene.replace(at, before.size(), after);
+    };
+    replace(R"("theta": {"angle": ["A", "B"]})", std::string(R"("s": {"distance": ["A", "C"])") +
+                                                     (is_signed ? R"(, "along": "x"})" : "}"));
+    replace(R"(["theta"])", R"(["s"])");
+    replace(R"("theta": {"type": "polynomial", "coefficients": [0, 360]})",
+            R"("s": {"type": "polynomial", "coefficients": [0.1]})");
+    replace(R"("units": {"angle": "deg"},
+  "motion")",
+            R"("units": {"length": "m"}, "motion")");
+    write("scene.json", scene);
+    ASSERT_EQ(desmo("range scene.json --json"), 0) << err_;
+    const Json driver = Json::parse(out_)["drivers"][0];
+    ASSERT_EQ(driver["ends"].size(), 3u) << "the other branch from the dead point";
+    EXPECT_EQ(driver["ends"][1]["stop"], "dead_point");
+    EXPECT_NEAR(driver["ends"][1]["value"].get<double>(), 0.1, 1e-14);
+    for (const int down : {0, 2}) {
+      const Json end = driver["ends"][down];
+      EXPECT_EQ(end["direction"], "down");
+      EXPECT_EQ(end["stop"], is_signed ? "dead_point" : "zero_length");
+      EXPECT_NEAR(end["value"].get<double>(), is_signed ? -0.1 : 0, 1e-14);
+    }
+    EXPECT_EQ(driver["change_points"].size(), is_signed ? 2u : 0u);  // one on each branch
+  }
+}
+
+TEST_F(Cli, RangesNeedAStart) {
+  std::string scene = locks;
+  scene.replace(scene.find("[0, 360]"), 8, "[90, 1]");
+  write("scene.json", scene);
+  EXPECT_EQ(desmo("range scene.json"), 1);
+  EXPECT_TRUE(says("scene.json: no position was found at the start of driver 'theta'")) << err_;
+  EXPECT_TRUE(says("SG-II")) << err_;
+  EXPECT_TRUE(out_.empty());
+  EXPECT_EQ(desmo("range"), 64);
+  EXPECT_EQ(desmo("range nothing"), 66);
+}
+
+}  // namespace
+}  // namespace desmo::ranging_test

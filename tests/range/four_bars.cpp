@@ -1,0 +1,155 @@
+// Ranges of four-bars whose limits, change points and turns have closed forms.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "cases/generators/dyad_chain.h"
+#include "formulations/modelling/modelling.h"
+#include "formulations/verification/range/driver_range.h"
+#include "tests/range/solved_start.h"
+
+namespace desmo::four_bar_range_test {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+struct Links {
+  double crank, coupler, rocker, ground;
+
+  /// Returns the crank's angle where crank pin and pivot are so far apart.
+  double angle_at(double distance) const {
+    return std::acos((crank * crank + ground * ground - distance * distance) /
+                     (2 * crank * ground));
+  }
+};
+
+/// A four-bar with its crank at an angle; several if pivots are at the same place.
+Model four_bar(const Links& links, double start, int side = 1, double unit = 1, int dyads = 1) {
+  MechanismBuilder builder("four_bar", 2);
+  builder.set_length_unit("1");
+  for (int i = 0; i < dyads; ++i) {
+    DyadChain chain{.crank = unit * links.crank, .start = start, .dyads = {}};
+    chain.prefix = std::to_string(i);
+    chain.dyads.push_back(closed_dyad(crank_pin(chain), {unit * links.ground, 0, 0},
+                                      unit * links.coupler, unit * links.rocker, side));
+    add(builder, chain);
+  }
+  std::vector<Motion> motions(dyads, Polynomial{{start}});
+  return model_mechanism(builder.take(), motions).model;
+}
+
+DriverRange range_of(const Model& m) { return find_range(m, solved_start(m), 0); }
+
+TEST(FourBarRange, EndsWhereCouplerAndRockerComeIntoLine) {
+  const Links links{2, 3, 6, 8};
+  const double limit = links.angle_at(9);
+  for (const double unit : {1.0, 1000.0, 1e-3}) {
+    const Model m = four_bar(links, 1, 1, unit);
+    const DriverRange r = range_of(m);
+    ASSERT_EQ(r.up.stop, RangeStop::dead_point);
+    EXPECT_NEAR(r.up.value, limit, 1e-13);
+    EXPECT_NEAR(r.down.value, -limit, 1e-13);
+    EXPECT_GT(r.up.beyond, r.up.value);
+    EXPECT_LT(r.up.beyond, limit + 1e-12);
+    ASSERT_FALSE(r.up.moving.empty());
+    EXPECT_EQ(m.entities[r.up.moving[0]].name, "0dyad1/C");
+    EXPECT_EQ(m.groups[r.up.group].bodies,
+              (std::vector<std::string>{"0dyad1/coupler", "0dyad1/rocker"}));
+    EXPECT_TRUE(r.change_points.empty());
+  }
+}
+
+TEST(FourBarRange, OfADriverLeavesTheOthersAtTheirStart) {
+  const Model m = four_bar({2, 3, 6, 8}, 1, 1, 1, 2);
+  for (int d = 0; d < 2; ++d) {
+    const DriverRange r = find_range(m, solved_start(m), d);
+    EXPECT_NEAR(r.up.value, Links({2, 3, 6, 8}).angle_at(9), 1e-13);
+    EXPECT_EQ(m.entities[r.up.moving[0]].name, std::to_string(d) + "dyad1/C");
+  }
+}
+
+TEST(FourBarRange, PassesTheChangePointsOfAParallelogram) {
+  for (const int side : {1, -1}) {  // and of the antiparallelogram
+    const DriverRange r = range_of(four_bar({1, 2, 1, 2}, 1, side));
+    EXPECT_EQ(r.up.stop, RangeStop::full_turn);
+    EXPECT_EQ(r.up.turns, 1);
+    EXPECT_EQ(r.down.stop, RangeStop::full_turn);
+    ASSERT_EQ(r.change_points.size(), 2u);
+    EXPECT_NEAR(r.change_points[0].value, pi, 1e-9);
+    EXPECT_NEAR(r.change_points[1].value, 2 * pi, 1e-9);
+    EXPECT_GT(r.change_points[0].group, 0);
+  }
+}
+
+TEST(FourBarRange, IsNeverThatOfTheOtherBranchNextToAChangePoint) {
+  for (const double off : {1e-2, 1e-4, 1e-6, 1e-8}) {
+    const Links longer{1, 2 + off, 1, 2}, shorter{1, 2 - off, 1, 2};
+    const DriverRange in = range_of(four_bar(longer, 1)), out = range_of(four_bar(shorter, 1));
+    const double inner = longer.angle_at(longer.coupler - 1),
+                 outer = shorter.angle_at(shorter.coupler + 1);
+    ASSERT_EQ(in.down.stop, RangeStop::dead_point) << off;
+    ASSERT_EQ(out.up.stop, RangeStop::dead_point) << off;
+    EXPECT_NEAR(in.down.value, inner, 1e-16 / inner * 100 + 1e-13) << off;
+    EXPECT_NEAR(in.up.value, 2 * pi - inner, 1e-16 / inner * 100 + 1e-13) << off;
+    EXPECT_NEAR(out.up.value, outer, 1e-16 / (pi - outer) * 100 + 1e-13) << off;
+    EXPECT_TRUE(in.change_points.empty());
+    EXPECT_TRUE(out.change_points.empty());
+  }
+}
+
+TEST(FourBarRange, OfADeltoidIsTwoTurns) {
+  const DriverRange r = range_of(four_bar({1, 2, 2, 1}, 1));
+  EXPECT_EQ(r.up.stop, RangeStop::full_turn);
+  EXPECT_EQ(r.up.turns, 2);
+  EXPECT_NEAR(r.up.value, 1 + 4 * pi, 1e-12);
+  ASSERT_EQ(r.change_points.size(), 2u);
+  EXPECT_NEAR(r.change_points[0].value, 2 * pi, 1e-9);
+}
+
+TEST(FourBarRange, OfAGrashofCrankIsATurn) {
+  const DriverRange r = range_of(four_bar({2, 6, 5, 7}, 1));
+  EXPECT_EQ(r.up.stop, RangeStop::full_turn);
+  EXPECT_EQ(r.up.turns, 1);
+  EXPECT_TRUE(r.change_points.empty());
+}
+
+TEST(FourBarRange, FromADeadPointGoesOneWayOnTwoBranches) {
+  const Links links{4, 3, 3.5, 8};
+  const double limit = links.angle_at(6.5);
+  for (const double before : {0.0, 1e-11, 1e-8}) {
+    const DriverRange r = range_of(four_bar(links, limit - before));
+    ASSERT_EQ(r.up.stop, RangeStop::dead_point) << before;
+    EXPECT_NEAR(r.up.value, limit, 1e-13);
+    EXPECT_NEAR(r.down.value, -limit, 1e-13);
+    ASSERT_EQ(r.other_branch.has_value(), before < 1e-9);
+    EXPECT_NEAR(r.other_branch.value_or(r.down).value, -limit, 1e-13);
+  }
+}
+
+TEST(FourBarRange, FromAChangePointIsNotDetermined) {
+  const DriverRange r = range_of(four_bar({1, 2, 1, 2}, 0));
+  EXPECT_EQ(r.up.stop, RangeStop::start);
+  EXPECT_EQ(r.down.stop, RangeStop::start);
+}
+
+TEST(FourBarRange, NeedsAPositionToStartFrom) {
+  Model m = four_bar({2, 3, 6, 8}, 1);
+  for (const double out_of_reach : {3.0, std::numeric_limits<double>::quiet_NaN()}) {
+    m.drivers[0].motion = Polynomial{{out_of_reach}};
+    EXPECT_THROW(range_of(m), std::runtime_error);
+  }
+}
+
+TEST(FourBarRange, OfACrankAloneIsATurn) {
+  MechanismBuilder builder("crank", 2);
+  add(builder, {.crank = 1, .start = 0.5, .dyads = {}});
+  const Model m = model_mechanism(builder.take(), {Polynomial{{0.5}}}).model;
+  const DriverRange r = range_of(m);
+  EXPECT_EQ(r.up.stop, RangeStop::full_turn);
+}
+
+}  // namespace
+}  // namespace desmo::four_bar_range_test
