@@ -1,0 +1,154 @@
+#include "formulations/verification/certificate/interval_block.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "formulations/groupwise/jet.h"
+
+namespace desmo {
+
+struct IntervalBlock::Functions {
+  void (*residual)(const Object&, const Interval* q, Interval* phi);
+  void (*jacobian)(const Object&, const Interval* q, IntervalMatrix& to);
+  void (*velocity)(const Object&, const Interval* q, const Interval* qd, Interval* phi);
+  void (*acceleration)(const Object&, const Interval* q, const Interval* qd, const Interval* qdd,
+                       Interval* phi);
+};
+
+template <class Kind>
+struct IntervalBlock::FunctionsOf {
+  static constexpr std::size_t operands = Kind::operand_sizes.size();
+  static_assert(operands <= max_operands && Kind::rows <= max_rows);
+  using Motion = Jet<Interval>;
+
+  static void write(const Object& o, const std::array<Interval, Kind::rows>& all, Interval* phi) {
+    for (int r = 0; r < Kind::rows; ++r)
+      if (o.rows[r] >= 0) phi[o.rows[r]] = all[r];
+  }
+  static std::array<const Interval*, operands> at(const Object& o, const Interval* state) {
+    std::array<const Interval*, operands> x;
+    for (std::size_t k = 0; k < operands; ++k) x[k] = state + o.operands[k];
+    return x;
+  }
+
+  static void residual(const Object& o, const Interval* q, Interval* phi) {
+    std::array<Interval, Kind::rows> all;
+    Kind::residual(at(o, q).data(), o.constants, all.data());
+    write(o, all, phi);
+  }
+  static void jacobian(const Object& o, const Interval* q, IntervalMatrix& to) {
+    const int* slot = o.slots.data();
+    Kind::jacobian(at(o, q).data(), o.constants, [&](int, int, int, const Interval& value) {
+      const int i = *slot++;
+      if (i < 0) return;
+      to.mid[i] = value.mid;
+      to.radius[i] = value.radius;
+    });
+  }
+  /// Returns Φ in jets: Φ̇ and Φ̈ by the chain rule, each difference of rates taken before its
+  /// product.
+  static std::array<Motion, Kind::rows> motion(const Object& o, const Interval* q,
+                                               const Interval* qd, const Interval* qdd) {
+    std::array<std::array<Motion, 3>, operands> components;
+    std::array<const Motion*, operands> x;
+    for (std::size_t k = 0; k < operands; ++k) {
+      for (int i = 0; i < Kind::operand_sizes[k]; ++i) {
+        const int at = o.operands[k] + i;
+        components[k][i] = {q[at], qd[at], qdd ? qdd[at] : Interval()};
+      }
+      x[k] = components[k].data();
+    }
+    std::array<Motion, Kind::constants + 1> constants;
+    std::copy_n(o.constants, Kind::constants, constants.begin());
+    std::array<Motion, Kind::rows> all;
+    Kind::residual(x.data(), constants.data(), all.data());
+    return all;
+  }
+  static void velocity(const Object& o, const Interval* q, const Interval* qd, Interval* phi) {
+    if constexpr (Kind::linear) {  // Φ is homogeneous
+      residual(o, qd, phi);
+    } else {
+      const auto all = motion(o, q, qd, nullptr);
+      for (int r = 0; r < Kind::rows; ++r)
+        if (o.rows[r] >= 0) phi[o.rows[r]] = all[r].first;
+    }
+  }
+  static void acceleration(const Object& o, const Interval* q, const Interval* qd,
+                           const Interval* qdd, Interval* phi) {
+    if constexpr (Kind::linear) {
+      residual(o, qdd, phi);
+    } else {
+      const auto all = motion(o, q, qd, qdd);
+      for (int r = 0; r < Kind::rows; ++r)
+        if (o.rows[r] >= 0) phi[o.rows[r]] = all[r].second;
+    }
+  }
+
+  static constexpr Functions table{&residual, &jacobian, &velocity, &acceleration};
+};
+
+IntervalBlock::IntervalBlock(const Model& m, const PartDefinition& block)
+    : unknowns_(block.unknowns) {
+  std::ranges::set_difference(states_read(m, block), unknowns_, std::back_inserter(inputs_));
+  std::erase_if(inputs_, [&](int i) { return i >= m.coordinates(); });  // fixed ones are exact
+  const int n = static_cast<int>(block.equations.size());
+  for (int row = 0; row < n; ++row)
+    if (row == 0 || block.equations[row].constraint != block.equations[row - 1].constraint)
+      add(m, m.constraints[block.equations[row].constraint], block,
+          block.equations[row].constraint);
+}
+
+void IntervalBlock::add(const Model& m, const Constraint& constraint, const PartDefinition& block,
+                        int position) {
+  visit_kind(constraint.kind, [&]<class Kind>(Kind) {
+    Object o{&FunctionsOf<Kind>::table, {}, {}, nullptr, {}};
+    for (std::size_t k = 0; k < constraint.operands.size(); ++k)
+      o.operands[k] = m.state_index(constraint.operands[k]);
+    o.rows.fill(-1);
+    for (int row = 0; row < size(); ++row)
+      if (block.equations[row].constraint == position) o.rows[block.equations[row].row] = row;
+    std::vector<Interval>& c =
+        constants_.emplace_back(constraint.constants.begin(), constraint.constants.end());
+    c.emplace_back();  // never read; data() is not null
+    o.constants = c.data();
+
+    const auto find = [](const std::vector<int>& in, int state) {
+      const auto it = std::ranges::lower_bound(in, state);
+      return it != in.end() && *it == state ? static_cast<int>(it - in.begin()) : -1;
+    };
+    const std::vector<Interval> any(3);  // the entries are those of all values
+    std::array<const Interval*, Kind::operand_sizes.size()> x;
+    x.fill(any.data());
+    const int width = size() + static_cast<int>(inputs_.size());
+    Kind::jacobian(x.data(), o.constants, [&](int r, int operand, int i, const Interval&) {
+      const int state = o.operands[operand] + i;
+      const int unknown = find(unknowns_, state), input = find(inputs_, state);
+      const int column = unknown >= 0 ? unknown : input >= 0 ? size() + input : -1;
+      o.slots.push_back(o.rows[r] < 0 || column < 0 ? -1 : o.rows[r] * width + column);
+    });
+    linear_ = linear_ && Kind::linear;
+    objects_.push_back(std::move(o));
+  });
+}
+
+IntervalMatrix IntervalBlock::make_matrix() const {
+  const std::size_t entries = unknowns_.size() * (unknowns_.size() + inputs_.size());
+  return {std::vector<double>(entries), std::vector<double>(entries)};
+}
+
+void IntervalBlock::residual(const Interval* q, Interval* phi) const {
+  for (const Object& o : objects_) o.functions->residual(o, q, phi);
+}
+void IntervalBlock::jacobian(const Interval* q, IntervalMatrix& to) const {
+  for (const Object& o : objects_) o.functions->jacobian(o, q, to);
+}
+void IntervalBlock::velocity(const Interval* q, const Interval* qd, Interval* phi) const {
+  for (const Object& o : objects_) o.functions->velocity(o, q, qd, phi);
+}
+void IntervalBlock::acceleration(const Interval* q, const Interval* qd, const Interval* qdd,
+                                 Interval* phi) const {
+  for (const Object& o : objects_) o.functions->acceleration(o, q, qd, qdd, phi);
+}
+
+}  // namespace desmo

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "formulations/model/model.h"
+#include "formulations/structure/partition.h"
+#include "formulations/verification/certificate/interval.h"
+
+namespace desmo {
+
+/// An interval matrix by rows, midpoints and radii apart.
+struct IntervalMatrix {
+  std::vector<double> mid, radius;
+};
+
+/// The n equations of one irreducible block in intervals, by the functions of the constraint kinds.
+/// States (q, q̇, q̈) have Model::state_size() intervals; results have n, in the block's order.
+class IntervalBlock {
+ public:
+  IntervalBlock(const Model& model, const PartDefinition& block);
+  IntervalBlock(IntervalBlock&&) = default;  // objects point to their constants
+
+  int size() const { return static_cast<int>(unknowns_.size()); }
+  bool is_linear() const { return linear_; }                      ///< Φ_q is constant
+  const std::vector<int>& unknowns() const { return unknowns_; }  ///< ascending (n)
+  /// Returns the coordinates that the equations read and other blocks or drivers determine (m).
+  const std::vector<int>& inputs() const { return inputs_; }
+
+  /// Evaluates Φ. Overwrites phi.
+  void residual(const Interval* q, Interval* phi) const;
+  /// Evaluates Φ_q: derivatives by the unknowns, then by the inputs. Overwrites its n (n + m)
+  /// entries; all others, where no equation reads a coordinate, stay zero.
+  void jacobian(const Interval* q, IntervalMatrix& to) const;
+  /// Evaluates Φ̇. Overwrites phi.
+  void velocity(const Interval* q, const Interval* qd, Interval* phi) const;
+  /// Evaluates Φ̈. Overwrites phi.
+  void acceleration(const Interval* q, const Interval* qd, const Interval* qdd,
+                    Interval* phi) const;
+  /// Returns a matrix for jacobian(), all zero.
+  IntervalMatrix make_matrix() const;
+
+ private:
+  static constexpr int max_operands = 5, max_rows = 3;
+  struct Object;
+  struct Functions;
+  template <class Kind>
+  struct FunctionsOf;
+
+  /// A constraint, some or all of whose equations belong to the block.
+  struct Object {
+    const Functions* functions;
+    std::array<int, max_operands> operands;  // positions in the state
+    std::array<int, max_rows> rows;          // row in the block; -1: of another block
+    const Interval* constants;
+    std::vector<int> slots;  // position of each entry of its Jacobian
+  };
+  void add(const Model& model, const Constraint& constraint, const PartDefinition& block,
+           int position);
+
+  std::vector<int> unknowns_, inputs_;
+  std::vector<Object> objects_;
+  std::vector<std::vector<Interval>> constants_;  // of each object
+  bool linear_ = true;
+};
+
+}  // namespace desmo
