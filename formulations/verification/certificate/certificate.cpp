@@ -22,20 +22,22 @@ class Certifier::Proof {
   /// What a later group reads of an earlier one: some of its rows in ErrorRows.
   struct Interface {
     std::vector<int> coordinates, rows;
-    PerLevel<std::vector<ErrorBasis>> basis;  // one each
+    bool enclosed = false;          // by the basis; otherwise the radii alone are known
+    std::vector<ErrorBasis> basis;  // one, of all coordinates at one level after the other
     PerLevel<std::vector<double>> center;
   };
   /// Rows and columns of what a group reads: of an interface, or of a driver.
   struct Source {
     int interface, coordinate;  // one of them is -1
-    int row, column;            // the first ones
+    int row;                    // the first one
+    int symbol;                 // the first one at one level
   };
   struct Group {
     GroupId id;
     std::vector<Source> sources;
     std::vector<CertifiedBlock> blocks;
     std::vector<int> interfaces;
-    int columns = 0;
+    int symbols = 0;  // for each level
   };
   /// Finds where errors come from while groups are added.
   struct Origins {
@@ -48,15 +50,15 @@ class Certifier::Proof {
   void add_group(const PartDefinition& group, Origins& origins);
   int interface(int group, const std::vector<int>& coordinates, Origins& origins);
   void take(const Instant& instant, const LiveRow* drivers);
-  void load(const Group& group, Level level);
+  void load(const Group& group);
   bool is_bounded(const CertifiedBlock& block, Level level) const;
   bool bound(CertifiedBlock& block, Level level);
-  void give_up(const CertifiedBlock& block, Level level);
-  void leave(const Group& group, Level level);
+  void leave(const Group& group);
 
   const Model& m_;
   std::vector<Group> groups_;
   std::vector<Interface> interfaces_;
+  std::span<const Level> solved_;  // levels of the present instant
   IntervalState delivered_, state_;
   PerLevel<ErrorRows> errors_;  // of the present group
   PerLevel<std::vector<double>> radius_;
@@ -81,16 +83,14 @@ Certifier::Proof::Proof(const Model& m) : m_(m) {
   for (const Level level : levels) {
     ErrorRows& e = errors_[level];
     e.generators.resize(origins.entries);
-    for (auto* values : {&e.center, &e.sum, &e.radius}) values->resize(origins.rows);
+    for (auto* values : {&e.center, &e.own, &e.sum, &e.radius}) values->resize(origins.rows);
   }
-  // A basis is laid out for as many columns as its group has, which is known only now.
-  for (Group& g : groups_)
-    for (const int i : g.interfaces)
-      for (const Level level : levels) {
-        Interface& at = interfaces_[i];
-        at.basis[level].emplace_back(static_cast<int>(at.rows.size()), g.columns);
-        at.center[level].resize(at.rows.size());
-      }
+  for (const Group& g : groups_)
+    for (const int i : g.interfaces) {
+      const int errors = static_cast<int>(levels.size() * interfaces_[i].rows.size());
+      interfaces_[i].basis.emplace_back(errors, static_cast<int>(levels.size()) * g.symbols);
+      for (const Level level : levels) interfaces_[i].center[level].resize(errors);
+    }
 }
 
 int Certifier::Proof::interface(int group, const std::vector<int>& coordinates, Origins& origins) {
@@ -114,32 +114,32 @@ void Certifier::Proof::add_group(const PartDefinition& definition, Origins& orig
   std::vector<int> row(m_.coordinates(), -1);
   int rows = 0;
   for (const auto& [from, coordinates] : read) {
-    if (from >= 0)
-      group.sources.push_back({interface(from, coordinates, origins), -1, rows, rows});
-    else
-      for (int k = 0; k < static_cast<int>(coordinates.size()); ++k)
-        group.sources.push_back({-1, coordinates[k], rows + k, rows + k});
+    const int size = static_cast<int>(coordinates.size());
+    if (from >= 0) {
+      group.sources.push_back({interface(from, coordinates, origins), -1, rows, group.symbols});
+      group.symbols += size;
+    } else {
+      for (int k = 0; k < size; ++k) group.sources.push_back({-1, coordinates[k], rows + k, 0});
+    }
     for (const int i : coordinates) row[i] = rows++;
   }
-  group.columns = rows;  // as many symbols as inputs, then one for each unknown
-  const int unknowns = static_cast<int>(definition.unknowns.size());
-  const int columns = rows + unknowns;
+  const int columns = static_cast<int>(levels.size()) * group.symbols;
   for (const PartDefinition& part : irreducible_blocks(m_, definition)) {
     IntervalBlock equations(m_, part);
-    CertifiedBlock::Places places{{}, {}, {}, group.columns, columns};
+    std::vector<int> block_rows;
     std::vector<double> magnitudes;
-    for (const int i : equations.inputs()) places.input_rows.push_back(row[i]);
     for (const int i : equations.unknowns()) {
-      places.unknown_rows.push_back(row[i] = rows++);
-      places.symbols.push_back(group.columns++);
+      block_rows.push_back(row[i] = rows++);
       magnitudes.push_back(origins.magnitudes[i]);
       origins.group[i] = index;
       origins.row[i] = row[i];
     }
-    group.blocks.emplace_back(std::move(equations), std::move(places), std::move(magnitudes));
+    for (const int i : equations.inputs()) block_rows.push_back(row[i]);
+    group.blocks.emplace_back(std::move(equations), std::move(block_rows), columns,
+                              std::move(magnitudes));
   }
   origins.rows = std::max(origins.rows, rows);
-  origins.entries = std::max(origins.entries, rows * group.columns);
+  origins.entries = std::max(origins.entries, rows * columns);
   groups_.push_back(std::move(group));
 }
 
@@ -172,59 +172,71 @@ void Certifier::Proof::take(const Instant& instant, const LiveRow* handed_in) {
   }
 }
 
-/// Fills the rows of what a group reads.
-void Certifier::Proof::load(const Group& group, Level level) {
-  ErrorRows& e = errors_[level];
-  e.columns = group.columns;
-  const auto fill = [&](int row, double center, int coordinate) {
-    e.center[row] = center;
-    std::fill_n(e.of_row(row), e.columns, 0);
-    e.sum[row] = std::abs(center);
-    e.radius[row] = radius_[level][coordinate];
-  };
-  for (const Source& source : group.sources) {
-    if (source.interface < 0) {
-      const Interval& error = drivers_[level][source.coordinate];
-      fill(source.row, error.mid, source.coordinate);
-      e.of_row(source.row)[source.column] = error.radius;
-      e.sum[source.row] = error.magnitude();
-      continue;
-    }
-    const Interface& from = interfaces_[source.interface];
-    const ErrorBasis& basis = from.basis[level].front();
-    for (int i = 0; i < basis.size(); ++i) {
-      const int row = source.row + i;
-      fill(row, from.center[level][i], from.coordinates[i]);
-      for (int s = 0; s < basis.size(); ++s) {
-        const double generator = basis.generator(i, s);
-        e.of_row(row)[source.column + s] = generator;
-        e.sum[row] += std::abs(generator);
+/// Fills the rows of what a group reads, at each of the solved levels.
+void Certifier::Proof::load(const Group& group) {
+  for (const Level level : solved_) {
+    ErrorRows& e = errors_[level];
+    e.columns = static_cast<int>(solved_.size()) * group.symbols;
+    const auto fill = [&](int row, double center, double own, int coordinate) {
+      e.center[row] = center;
+      e.own[row] = own;
+      e.sum[row] = (std::abs(center) + own) * (1 + 4 * Interval::unit);
+      e.radius[row] = radius_[level][coordinate];
+      std::fill_n(e.of_row(row), e.columns, 0);
+    };
+    for (const Source& source : group.sources) {
+      if (source.interface < 0) {
+        const Interval& error = drivers_[level][source.coordinate];
+        fill(source.row, error.mid, error.radius, source.coordinate);
+        continue;
       }
-      e.sum[row] *= 1 + 4 * basis.size() * Interval::unit;
+      const Interface& from = interfaces_[source.interface];
+      const int size = static_cast<int>(from.rows.size());
+      for (int i = 0; i < size; ++i) {
+        const int row = source.row + i, coordinate = from.coordinates[i];
+        if (!from.enclosed) {
+          fill(row, 0, radius_[level][coordinate], coordinate);
+          continue;
+        }
+        fill(row, from.center[level][i], 0, coordinate);
+        const ErrorBasis& basis = from.basis.front();
+        double* generators = e.of_row(row) + solved_.size() * source.symbol;
+        for (int s = 0; s < basis.size(); ++s) {
+          generators[s] = basis.generator(static_cast<int>(level) * size + i, s);
+          e.sum[row] += std::abs(generators[s]);
+        }
+        e.sum[row] *= 1 + 4 * basis.size() * Interval::unit;
+      }
     }
   }
 }
 
 /// Encloses what later groups read of this one.
-void Certifier::Proof::leave(const Group& group, Level level) {
-  const ErrorRows& e = errors_[level];
+void Certifier::Proof::leave(const Group& group) {
   for (const int index : group.interfaces) {
     Interface& to = interfaces_[index];
-    ErrorBasis& basis = to.basis[level].front();
-    bool all = true;
-    for (const int row : to.rows) all = all && std::isfinite(e.radius[row]);
-    for (std::size_t i = 0; i < to.rows.size(); ++i)
-      to.center[level][i] = all ? e.center[to.rows[i]] : 0;
-    if (all)
-      basis.enclose({e.generators.data(), e.columns, to.rows});
-    else
-      basis.enclose_box(e.radius.data(), to.rows);
+    const int size = static_cast<int>(to.rows.size());
+    to.enclosed = true;
+    for (const Level level : solved_)
+      for (const int row : to.rows)
+        to.enclosed = to.enclosed && std::isfinite(errors_[level].radius[row]);
+    if (!to.enclosed) continue;
+    ErrorBasis& basis = to.basis.front();
+    basis.start(static_cast<int>(solved_.size()) * size,
+                static_cast<int>(solved_.size()) * group.symbols);
+    for (const Level level : solved_)
+      for (int i = 0; i < size; ++i) {
+        const ErrorRows& e = errors_[level];
+        to.center[level][i] = e.center[to.rows[i]];
+        basis.set(static_cast<int>(level) * size + i, e.of_row(to.rows[i]), e.own[to.rows[i]]);
+      }
+    basis.enclose();
   }
 }
 
 /// Returns whether everything that a bound at this level depends on is bounded.
 bool Certifier::Proof::is_bounded(const CertifiedBlock& block, Level level) const {
-  for (const int row : block.places().input_rows)
+  for (const int row : block.input_rows())
     if (!std::isfinite(errors_[level].radius[row])) return false;
   if (level == Level::position) return true;
   const Level below = level == Level::velocity ? Level::position : Level::velocity;
@@ -232,40 +244,41 @@ bool Certifier::Proof::is_bounded(const CertifiedBlock& block, Level level) cons
 }
 
 bool Certifier::Proof::bound(CertifiedBlock& block, Level level) {
-  if (!is_bounded(block, level)) return false;
-  return level == Level::position ? block.prove_positions(delivered_, state_, errors_.position)
-                                  : block.bound_rates(level, delivered_, state_, errors_[level]);
-}
-
-void Certifier::Proof::give_up(const CertifiedBlock& block, Level level) {
+  const bool proven =
+      is_bounded(block, level) &&
+      (level == Level::position ? block.prove_positions(state_, errors_)
+                                : block.bound_rates(level, delivered_, state_, errors_));
+  const std::vector<int>& unknowns = block.equations().unknowns();
   ErrorRows& e = errors_[level];
-  for (const int row : block.places().unknown_rows) {
-    e.center[row] = e.sum[row] = 0;
-    std::fill_n(e.of_row(row), e.columns, 0);
-    e.radius[row] = INFINITY;
+  for (int i = 0; i < block.equations().size(); ++i) {
+    if (!proven) {  // whoever reads it is not proven either
+      const int row = block.unknown_rows()[i];
+      e.center[row] = e.own[row] = e.sum[row] = 0;
+      e.radius[row] = INFINITY;
+      std::fill_n(e.of_row(row), e.columns, 0);
+    } else {
+      radius_[level][unknowns[i]] = state_[level][unknowns[i]].radius;
+    }
   }
-  for (const int i : block.equations().unknowns()) state_[level][i].radius = 0;
+  return proven;
 }
 
 Certificate Certifier::Proof::certify(const Instant& instant, const LiveRow* handed_in) {
+  solved_ = std::span(levels).first(instant.qd.empty() ? 1 : instant.qdd.empty() ? 2 : 3);
   take(instant, handed_in);
-  const int count = instant.qd.empty() ? 1 : instant.qdd.empty() ? 2 : 3;
   Certificate result{.proven = true, .radius = {}};
   for (Group& group : groups_) {
-    for (const Level level : std::span(levels).first(count)) load(group, level);
-    for (CertifiedBlock& block : group.blocks)
-      for (const Level level : std::span(levels).first(count)) {
-        if (bound(block, level)) {
-          for (const int i : block.equations().unknowns())
-            radius_[level][i] = state_[level][i].radius;
-          continue;
-        }
-        give_up(block, level);
-        if (result.proven)
-          result.group = group.id, result.coordinate = block.equations().unknowns()[0];
+    load(group);
+    for (CertifiedBlock& block : group.blocks) {
+      block.evaluate(delivered_, solved_.back());
+      for (const Level level : solved_) {
+        if (bound(block, level) || !result.proven) continue;
         result.proven = false;
+        result.group = group.id;
+        result.coordinate = block.equations().unknowns().front();
       }
-    for (const Level level : std::span(levels).first(count)) leave(group, level);
+    }
+    leave(group);
   }
   result.radius = {radius_.position, radius_.velocity, radius_.acceleration};
   return result;

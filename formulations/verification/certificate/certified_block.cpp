@@ -6,81 +6,106 @@
 
 namespace desmo {
 
-CertifiedBlock::CertifiedBlock(IntervalBlock equations, Places places,
+CertifiedBlock::CertifiedBlock(IntervalBlock equations, std::vector<int> rows, int columns,
                                std::vector<double> magnitudes)
     : equations_(std::move(equations)),
-      places_(std::move(places)),
+      rows_(std::move(rows)),
       magnitudes_(std::move(magnitudes)),
-      rounding_((4 * (size() + inputs()) + 2 * places_.columns + 32) * Interval::unit),
-      jacobian_(equations_.make_matrix()) {
+      rounding_((16 * width() + 4 * columns + 64) * Interval::unit) {
   const std::size_t n = magnitudes_.size();
+  for (const Level level : levels) {
+    jacobian_[level] = equations_.make_matrix();
+    slopes_[level].resize(n * rows_.size());
+    phi_[level].resize(n);
+  }
   for (std::vector<double>* matrix : {&inverse_, &remainder_}) matrix->resize(n * n);
-  transfer_.resize(n * places_.input_rows.size());
-  phi_.resize(n);
-  for (std::vector<double>* vector : {&weights_, &own_, &trial_, &contracted_}) vector->resize(n);
+  for (std::vector<double>* vector : {&weights_, &trial_, &contracted_}) vector->resize(n);
 }
 
-bool CertifiedBlock::prove_positions(const IntervalState& delivered, IntervalState& state,
-                                     ErrorRows& errors) {
-  equations_.residual(delivered.position.data(), phi_.data());
-  if (!sloped_) {
-    equations_.jacobian(delivered.position.data(), jacobian_);
-    if (!invert()) return false;
-    find_slopes();
-    sloped_ = equations_.is_linear();
-  }
-  propagate(errors);
-  find_uncertainty(errors);
-  std::ranges::fill(contracted_, 0);
+void CertifiedBlock::evaluate(const IntervalState& delivered, Level level) {
+  if (level == Level::position)
+    equations_.residual(delivered.position.data(), phi_.position.data());
+  else
+    equations_.motion(
+        {delivered.position.data(), delivered.velocity.data(), delivered.acceleration.data()},
+        level, {phi_.position.data(), phi_.velocity.data(), phi_.acceleration.data()});
+  if (inverted_ && equations_.is_linear()) return;
+  equations_.jacobian(delivered.position.data(), jacobian_.position);
+  inverted_ = invert();
+  if (!inverted_) return;
+  find_remainder();
+  find_slopes(jacobian_.position, slopes_.position, size());
+}
+
+bool CertifiedBlock::prove_positions(IntervalState& state, PerLevel<ErrorRows>& all) {
+  if (!inverted_) return false;
+  ErrorRows& errors = all.position;
+  std::ranges::fill(trial_, 0);
   constexpr int attempts = 6;
-  for (int attempt = 0; attempt < attempts; ++attempt) {
-    // Epsilon inflation (Rump): X is larger than what the last test returned. A part of the
-    // magnitude serves errors that are exactly zero.
+  for (int attempt = 0; attempt <= attempts; ++attempt) {
+    // The first time the trial box is a point. Then X is larger than what the last test returned
+    // (epsilon inflation; Rump). A part of the magnitude serves errors that are exactly zero.
+    start(Level::position, errors);
+    add_image(jacobian_.position, slopes_.position, 1, size(), errors, errors);
+    add_uncertainty(errors);
+    contract();
+    bool inside = attempt > 0;
     for (int i = 0; i < size(); ++i) {
-      const double last = errors.sum[places_.unknown_rows[i]] + own_[i] + contracted_[i];
-      trial_[i] = 1.1 * last + 0x1p-60 * magnitudes_[i];
+      const double image = (errors.sum[rows_[i]] + contracted_[i]) * (1 + rounding_);
+      inside = inside && image < trial_[i];
+      weights_[i] = image;
+    }
+    if (inside) {
+      for (int i = 0; i < size(); ++i) add_own(errors, i, contracted_[i]);
+      return finish(Level::position, state, errors);
+    }
+    for (int i = 0; i < size(); ++i) {
+      trial_[i] = 1.1 * weights_[i] + 0x1p-60 * magnitudes_[i];
       state.position[equations_.unknowns()[i]].radius = trial_[i];
     }
-    if (!equations_.is_linear()) {
-      equations_.jacobian(state.position.data(), jacobian_);  // radii; midpoints stay the same
-      find_uncertainty(errors);
-    }
-    contract();
-    if (!is_inside(errors)) continue;
-    for (int i = 0; i < size(); ++i) own_[i] += contracted_[i];
-    return finish(errors, state.position);
+    if (!equations_.is_linear())  // radii; midpoints stay the same
+      equations_.jacobian(state.position.data(), jacobian_.position);
   }
   return false;
 }
 
 bool CertifiedBlock::bound_rates(Level level, const IntervalState& delivered, IntervalState& state,
-                                 ErrorRows& errors) {
-  if (level == Level::velocity)
-    equations_.velocity(state.position.data(), delivered.velocity.data(), phi_.data());
-  else
-    equations_.acceleration(state.position.data(), state.velocity.data(),
-                            delivered.acceleration.data(), phi_.data());
-  propagate(errors);
-  find_uncertainty(errors);
+                                 PerLevel<ErrorRows>& all) {
+  ErrorRows& errors = all[level];
+  start(level, errors);
+  add_image(jacobian_.position, slopes_.position, 1, size(), errors, errors);
+  if (!equations_.is_linear()) {
+    // Φ̇_q and Φ̈_q within the errors of all lower levels, at the delivered rates of this one. Those
+    // at lower levels keep their midpoints.
+    const bool of_velocity = level == Level::velocity;
+    equations_.jacobian_rates(
+        {state.position.data(), (of_velocity ? delivered : state).velocity.data(),
+         delivered.acceleration.data()},
+        level, jacobian_);
+    find_slopes(jacobian_[level], slopes_[level], 0);
+    add_image(jacobian_[level], slopes_[level], 1, 0, all.position, errors);
+    if (!of_velocity) add_image(jacobian_.velocity, slopes_.velocity, 2, 0, all.velocity, errors);
+  }
+  add_uncertainty(errors);
   // With A = |I − Y Φ_φ(X)| and A r ≤ η r, errors e ≤ b + A e are at most b + A r max(b/r)/(1 − η).
   double ratio = 0, contraction = 0;
   for (int i = 0; i < size(); ++i) {
-    ratio = std::max(ratio, (errors.sum[places_.unknown_rows[i]] + own_[i]) / trial_[i]);
+    ratio = std::max(ratio, errors.sum[rows_[i]] / trial_[i]);
     contraction = std::max(contraction, contracted_[i] / trial_[i]);
   }
   const double factor = ratio / (1 - contraction) * (1 + rounding_);
-  for (int i = 0; i < size(); ++i) own_[i] += contracted_[i] * factor;
-  return finish(errors, state[level]);
+  for (int i = 0; i < size(); ++i) add_own(errors, i, contracted_[i] * factor);
+  return finish(level, state, errors);
 }
 
 /// Gauss–Jordan elimination with pivots that are large in their rows. An inaccurate inverse only
 /// makes the test fail.
 bool CertifiedBlock::invert() {
-  const int n = size(), width = n + inputs();
+  const int n = size();
   for (int i = 0; i < n; ++i) {
     double largest = 0;
     for (int j = 0; j < n; ++j) {
-      remainder_[i * n + j] = jacobian_.mid[i * width + j];
+      remainder_[i * n + j] = jacobian_.position.mid[i * width() + j];
       inverse_[i * n + j] = i == j;
       largest = std::max(largest, std::abs(remainder_[i * n + j]));
     }
@@ -113,105 +138,120 @@ bool CertifiedBlock::invert() {
   return true;
 }
 
-void CertifiedBlock::find_slopes() {
-  const int n = size(), m = inputs(), width = n + m;
-  std::ranges::fill(transfer_, 0);
+void CertifiedBlock::find_remainder() {
+  const int n = size();
   for (int i = 0; i < n; ++i) {
     double* remainder = &remainder_[i * n];
     for (int j = 0; j < n; ++j) remainder[j] = i == j;
     for (int r = 0; r < n; ++r) {
       const double y = inverse_[i * n + r];
-      if (y == 0) continue;
-      const double* row = &jacobian_.mid[r * width];
+      const double* row = &jacobian_.position.mid[r * width()];
       for (int j = 0; j < n; ++j) remainder[j] -= y * row[j];
-      for (int p = 0; p < m; ++p) transfer_[i * m + p] -= y * row[n + p];
     }
     for (int j = 0; j < n; ++j) remainder[j] = std::abs(remainder[j]);
     remainder[i] += rounding_;  // what is left of 1 was rounded
   }
 }
 
-/// Writes center, generators and sum of the unknowns: −Y Φ − Y Φ_h δ.
-void CertifiedBlock::propagate(ErrorRows& errors) const {
-  const int n = size(), m = inputs(), columns = errors.columns, before = places_.first_symbol;
-  for (int i = 0; i < n; ++i) {
-    const int row = places_.unknown_rows[i];
-    double center = 0;
-    double* generators = errors.of_row(row);
-    std::fill_n(generators, columns, 0);
-    for (int r = 0; r < n; ++r) center -= inverse_[i * n + r] * phi_[r].mid;
-    for (int p = 0; p < m; ++p) {
-      const double t = transfer_[i * m + p];
-      if (t == 0) continue;
-      const int input = places_.input_rows[p];
-      center += t * errors.center[input];
-      const double* of_input = errors.of_row(input);
-      for (int k = 0; k < before; ++k) generators[k] += t * of_input[k];
+/// Writes −Y times the derivatives, from column `first` on.
+void CertifiedBlock::find_slopes(const IntervalMatrix& derivative, std::vector<double>& slopes,
+                                 int first) const {
+  const int n = size(), w = width();
+  std::ranges::fill(slopes, 0);
+  for (int i = 0; i < n; ++i)
+    for (int r = 0; r < n; ++r) {
+      const double y = inverse_[i * n + r];
+      if (y == 0) continue;
+      for (int j = first; j < w; ++j) slopes[i * w + j] -= y * derivative.mid[r * w + j];
     }
-    double sum = std::abs(center);
-    for (int k = 0; k < before; ++k) sum += std::abs(generators[k]);
-    errors.center[row] = center;
-    errors.sum[row] = sum * (1 + rounding_);
-  }
 }
 
-/// Finds what remains of each unknown's error: |Y| times the radius of Φ, of Φ_h times the errors
-/// of the inputs, and the rounding of propagate().
-void CertifiedBlock::find_uncertainty(const ErrorRows& errors) {
-  const int n = size(), m = inputs(), width = n + m;
-  for (int r = 0; r < n; ++r) {
-    double weight = phi_[r].radius + rounding_ * std::abs(phi_[r].mid);
-    const double* mid = &jacobian_.mid[r * width + n];
-    const double* radius = &jacobian_.radius[r * width + n];
-    for (int p = 0; p < m; ++p) {
-      const int input = places_.input_rows[p];
-      weight += radius[p] * errors.radius[input] + rounding_ * std::abs(mid[p]) * errors.sum[input];
-    }
-    weights_[r] = weight;
-  }
+/// Starts the rows of the unknowns with −Y Φ.
+void CertifiedBlock::start(Level level, ErrorRows& to) {
+  const int n = size();
+  const std::vector<Interval>& phi = phi_[level];
   for (int i = 0; i < n; ++i) {
-    double sum = 0;
-    for (int r = 0; r < n; ++r) sum += std::abs(inverse_[i * n + r]) * weights_[r];
-    own_[i] = sum * (1 + rounding_) + Interval::tiny;
+    const int row = rows_[i];
+    double center = 0;
+    for (int r = 0; r < n; ++r) center -= inverse_[i * n + r] * phi[r].mid;
+    to.center[row] = center;
+    to.own[row] = 0;
+    std::fill_n(to.of_row(row), to.columns, 0);
+  }
+  for (int r = 0; r < n; ++r) weights_[r] = phi[r].radius + rounding_ * std::abs(phi[r].mid);
+}
+
+/// Adds −Y (factor × derivative) times the errors of the coordinates from column `first` on.
+/// Collects the uncertainty of the derivative times these errors, and all rounding.
+void CertifiedBlock::add_image(const IntervalMatrix& derivative, const std::vector<double>& slopes,
+                               double factor, int first, const ErrorRows& from, ErrorRows& to) {
+  const int n = size(), w = width(), columns = to.columns;
+  for (int i = 0; i < n; ++i) {
+    const int row = rows_[i];
+    double* generators = to.of_row(row);
+    for (int j = first; j < w; ++j) {
+      const double t = factor * slopes[i * w + j];
+      if (t == 0) continue;
+      const double* image = from.of_row(rows_[j]);
+      for (int k = 0; k < columns; ++k) generators[k] += t * image[k];
+      to.center[row] += t * from.center[rows_[j]];
+      to.own[row] += std::abs(t) * from.own[rows_[j]];
+    }
+  }
+  for (int r = 0; r < n; ++r)
+    for (int j = first; j < w; ++j)
+      weights_[r] +=
+          factor * (derivative.radius[r * w + j] * from.radius[rows_[j]] +
+                    rounding_ * std::abs(derivative.mid[r * w + j]) * from.sum[rows_[j]]);
+}
+
+/// Adds |Y| times the uncertainty of the equations to the rows of the unknowns.
+void CertifiedBlock::add_uncertainty(ErrorRows& to) {
+  const int n = size();
+  for (int i = 0; i < n; ++i) {
+    const int row = rows_[i];
+    double own = to.own[row] * (1 + rounding_) + Interval::tiny;
+    for (int r = 0; r < n; ++r) own += std::abs(inverse_[i * n + r]) * weights_[r];
+    to.own[row] = own * (1 + rounding_);
+    double sum = std::abs(to.center[row]) + to.own[row];
+    for (int k = 0; k < to.columns; ++k) sum += std::abs(to.of_row(row)[k]);
+    to.sum[row] = sum * (1 + rounding_);
   }
 }
 
 /// Bounds |(I − Y Φ_φ(X)) X| by the radii of X.
 void CertifiedBlock::contract() {
-  const int n = size(), width = n + inputs();
+  const int n = size(), w = width();
+  const IntervalMatrix& jacobian = jacobian_.position;
   for (int r = 0; r < n; ++r) {
-    double weight = 0;
+    weights_[r] = 0;
     for (int j = 0; j < n; ++j)
-      weight +=
-          (jacobian_.radius[r * width + j] + rounding_ * std::abs(jacobian_.mid[r * width + j])) *
-          trial_[j];
-    weights_[r] = weight;
+      weights_[r] +=
+          (jacobian.radius[r * w + j] + rounding_ * std::abs(jacobian.mid[r * w + j])) * trial_[j];
   }
   for (int i = 0; i < n; ++i) {
-    double sum = 0;
+    double sum = Interval::tiny;
     for (int r = 0; r < n; ++r)
       sum += remainder_[i * n + r] * trial_[r] + std::abs(inverse_[i * n + r]) * weights_[r];
-    contracted_[i] = sum * (1 + rounding_) + Interval::tiny;
+    contracted_[i] = sum * (1 + rounding_);
   }
 }
 
-bool CertifiedBlock::is_inside(const ErrorRows& errors) const {
-  for (int i = 0; i < size(); ++i) {
-    const double image = errors.sum[places_.unknown_rows[i]] + own_[i] + contracted_[i];
-    if (!(image * (1 + rounding_) < trial_[i])) return false;
-  }
-  return true;
+void CertifiedBlock::add_own(ErrorRows& to, int i, double radius) const {
+  double& own = to.own[rows_[i]];
+  own = (own + radius) * (1 + rounding_);
 }
 
-/// Completes the rows of the unknowns with their own errors. Returns false unless all are finite.
-bool CertifiedBlock::finish(ErrorRows& errors, std::vector<Interval>& state) const {
+/// Completes the rows of the unknowns. Returns false unless all are finite.
+bool CertifiedBlock::finish(Level level, IntervalState& state, ErrorRows& errors) {
   for (int i = 0; i < size(); ++i) {
-    const int row = places_.unknown_rows[i];
-    const double own = own_[i] * (1 + rounding_);
-    if (places_.symbols[i] >= 0) errors.of_row(row)[places_.symbols[i]] = own;
-    const double sum = (errors.sum[row] + own) * (1 + rounding_);
+    const int row = rows_[i];
+    double sum = std::abs(errors.center[row]) + errors.own[row];
+    for (int k = 0; k < errors.columns; ++k) sum += std::abs(errors.of_row(row)[k]);
+    sum *= 1 + rounding_;
     if (!std::isfinite(sum)) return false;
-    errors.sum[row] = errors.radius[row] = state[equations_.unknowns()[i]].radius = sum;
+    errors.sum[row] = errors.radius[row] = sum;
+    state[level][equations_.unknowns()[i]].radius = sum;
   }
   return true;
 }

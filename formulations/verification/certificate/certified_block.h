@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "formulations/base/per_level.h"
@@ -7,13 +8,14 @@
 
 namespace desmo {
 
-/// Errors of one structural group at one level, row by row: first what it reads of others, then its
-/// unknowns. Error i is center(i) + Σ G(i, k) t(k) with all |t(k)| ≤ 1.
+/// Errors of what one structural group reads, and of its unknowns, at one level, row by row. Error
+/// i is center(i) + Σ G(i, k) t(k) + own(i) w(i) with all |t(k)|, |w(i)| ≤ 1. Rows share the
+/// symbols t, which come from earlier groups; levels share them, too.
 struct ErrorRows {
   int columns = 0;
-  std::vector<double> center, generators;  ///< (rows), (rows × columns)
-  std::vector<double> sum;                 ///< |center(i)| + Σ |G(i, k)|, rounded up
-  std::vector<double> radius;              ///< bound on |error i|
+  std::vector<double> center, generators, own;  ///< (rows), (rows × columns), (rows)
+  std::vector<double> sum;                      ///< |center(i)| + Σ |G(i, k)| + own(i), rounded up
+  std::vector<double> radius;                   ///< bound on |error i|
 
   double* of_row(int row) { return generators.data() + row * columns; }
   const double* of_row(int row) const { return generators.data() + row * columns; }
@@ -25,54 +27,52 @@ using IntervalState = PerLevel<std::vector<Interval>>;
 /// An irreducible block, and what Krawczyk's test of it needs.
 class CertifiedBlock {
  public:
-  /// Places of a block's coordinates in ErrorRows.
-  struct Places {
-    std::vector<int> unknown_rows, input_rows;
-    std::vector<int> symbols;  ///< column of each unknown's own error; -1: nobody reads it
-    int first_symbol;          ///< number of columns before them
-    int columns;               ///< number of all columns
-  };
-
-  /// magnitudes: of each unknown, against which errors of 1e-18 do not matter.
-  CertifiedBlock(IntervalBlock equations, Places places, std::vector<double> magnitudes);
+  /// rows: those of the n unknowns, then of the m inputs, in ErrorRows. magnitudes: of the
+  /// unknowns; errors of 1e-18 of these do not matter.
+  CertifiedBlock(IntervalBlock equations, std::vector<int> rows, int columns,
+                 std::vector<double> magnitudes);
 
   const IntervalBlock& equations() const { return equations_; }
-  const Places& places() const { return places_; }
+  std::span<const int> unknown_rows() const { return std::span(rows_).first(size()); }
+  std::span<const int> input_rows() const { return std::span(rows_).subspan(size()); }
 
-  /// Proves a solution near the delivered positions. delivered: numbers without radius. state: the
-  /// same numbers, radii of the inputs known. Writes the unknowns' rows and radii. Returns false
-  /// where no proof succeeds; both are unspecified then.
-  bool prove_positions(const IntervalState& delivered, IntervalState& state, ErrorRows& errors);
-  /// Bounds velocities or accelerations, after prove_positions() has succeeded and all lower levels
-  /// are bounded. Otherwise like prove_positions().
+  /// Evaluates the equations of delivered numbers, up to a level. Comes before the other functions.
+  void evaluate(const IntervalState& delivered, Level level);
+  /// Proves a solution near the delivered positions. state: these with radii, of which those of the
+  /// inputs are known. Writes the unknowns' rows and radii. Returns false where no proof succeeds;
+  /// both are unspecified then.
+  bool prove_positions(IntervalState& state, PerLevel<ErrorRows>& errors);
+  /// Bounds velocities or accelerations in the same way, after all lower levels.
   bool bound_rates(Level level, const IntervalState& delivered, IntervalState& state,
-                   ErrorRows& errors);
+                   PerLevel<ErrorRows>& errors);
 
  private:
   int size() const { return equations_.size(); }
-  int inputs() const { return static_cast<int>(places_.input_rows.size()); }
+  int width() const { return static_cast<int>(rows_.size()); }
   bool invert();
-  void find_slopes();
-  void propagate(ErrorRows& errors) const;
-  void find_uncertainty(const ErrorRows& errors);
+  void find_remainder();
+  void find_slopes(const IntervalMatrix& derivative, std::vector<double>& slopes, int first) const;
+  void start(Level level, ErrorRows& to);
+  void add_image(const IntervalMatrix& derivative, const std::vector<double>& slopes, double factor,
+                 int first, const ErrorRows& from, ErrorRows& to);
+  void add_uncertainty(ErrorRows& to);
   void contract();
-  bool is_inside(const ErrorRows& errors) const;
-  bool finish(ErrorRows& errors, std::vector<Interval>& state) const;
+  void add_own(ErrorRows& to, int i, double radius) const;
+  bool finish(Level level, IntervalState& state, ErrorRows& errors);
 
   IntervalBlock equations_;
-  Places places_;
+  std::vector<int> rows_;
   std::vector<double> magnitudes_;
-  double rounding_;                 // bound on the relative rounding of sums of products
-  bool sloped_ = false;             // slopes are known, and constant
-  IntervalMatrix jacobian_;         // (n × (n + m))
-  std::vector<double> inverse_;     // Y (n × n)
-  std::vector<double> remainder_;   // |I − Y Φ_φ| at the delivered values; workspace (n × n)
-  std::vector<double> transfer_;    // −Y Φ_h (n × m)
-  std::vector<Interval> phi_;       // Φ, Φ̇ or Φ̈ of the delivered values (n)
-  std::vector<double> weights_;     // workspace (n)
-  std::vector<double> own_;         // error of each unknown that is no image of inputs' (n)
-  std::vector<double> trial_;       // radii of X (n)
-  std::vector<double> contracted_;  // bound on |(I − Y Φ_φ(X)) X| (n)
+  double rounding_;                       // bound on the relative rounding of all sums of products
+  bool inverted_ = false;                 // what is constant is known
+  PerLevel<IntervalMatrix> jacobian_;     // Φ_q, Φ̇_q, Φ̈_q (n × (n + m))
+  PerLevel<std::vector<double>> slopes_;  // −Y times their midpoints
+  std::vector<double> inverse_;           // Y (n × n)
+  std::vector<double> remainder_;  // |I − Y Φ_φ| at the delivered values; workspace (n × n)
+  PerLevel<std::vector<Interval>> phi_;  // Φ, Φ̇, Φ̈ of the delivered values (n)
+  std::vector<double> weights_;          // uncertainty of each equation, and workspace (n)
+  std::vector<double> trial_;            // radii of X (n)
+  std::vector<double> contracted_;       // bound on |(I − Y Φ_φ(X)) X| (n)
 };
 
 }  // namespace desmo

@@ -7,101 +7,120 @@
 
 namespace desmo {
 
-ErrorBasis::ErrorBasis(int d, int columns)
-    : d_(d), q_(d * d), sigma_(d), rest_(d * columns), sums_(std::max(columns, d)) {}
+ErrorBasis::ErrorBasis(int max_errors, int max_columns)
+    : generators_(max_errors * max_columns),
+      own_(max_errors),
+      scale_(max_errors),
+      basis_(max_errors * max_errors),
+      radii_(max_errors),
+      rest_(max_errors * max_columns),
+      sums_(max_columns) {}
 
-void ErrorBasis::enclose_box(const double* radii, const std::vector<int>& rows) {
-  std::ranges::fill(q_, 0);
-  for (int s = 0; s < d_; ++s) {
-    q_[s * d_ + s] = 1;
-    sigma_[s] = std::isfinite(radii[rows[s]]) ? radii[rows[s]] : 0;
+void ErrorBasis::start(int errors, int columns) {
+  size_ = errors;
+  columns_ = columns;
+}
+
+void ErrorBasis::set(int i, const double* generators, double own) {
+  std::copy_n(generators, columns_, generators_.begin() + i * columns_);
+  own_[i] = own;
+}
+
+/// Scales all rows to sums between 1/2 and 1, exactly: errors of different levels and units have a
+/// common basis.
+void ErrorBasis::equilibrate() {
+  for (int i = 0; i < size_; ++i) {
+    double* row = &generators_[i * columns_];
+    double sum = own_[i];
+    for (int k = 0; k < columns_; ++k) sum += std::abs(row[k]);
+    int exponent = 0;
+    if (sum > 1e-200) std::frexp(sum, &exponent);
+    scale_[i] = std::ldexp(1.0, -exponent);
+    own_[i] *= scale_[i];
+    for (int k = 0; k < columns_; ++k) row[k] *= scale_[i];
   }
 }
 
-/// Gram–Schmidt with pivoting: the longest generator first, and so on with what is left of them.
-void ErrorBasis::find_directions(const Generators& g) {
-  for (int i = 0; i < d_; ++i)
-    std::copy_n(g.values + g.rows[i] * g.columns, g.columns, rest_.begin() + i * g.columns);
-  for (int s = 0; s < d_; ++s) {
-    std::fill_n(sums_.begin(), g.columns, 0);
-    for (int i = 0; i < d_; ++i)
-      for (int k = 0; k < g.columns; ++k)
-        sums_[k] += rest_[i * g.columns + k] * rest_[i * g.columns + k];
-    const int pivot = static_cast<int>(std::max_element(sums_.begin(), sums_.begin() + g.columns) -
-                                       sums_.begin());
-    double length = g.columns > 0 ? std::sqrt(sums_[pivot]) : 0;
-    for (int i = 0; i < d_; ++i)
-      q_[i * d_ + s] = length > 0 ? rest_[i * g.columns + pivot] / length : i == s;
-    for (int unit = 0, pass = 0; pass < 2; ++pass) {  // twice is enough (Parlett)
+/// Gram–Schmidt with pivoting: the longest column of G first, and so on with what is left of them.
+void ErrorBasis::find_directions() {
+  const int d = size_, n = columns_;
+  std::copy_n(generators_.begin(), d * n, rest_.begin());
+  for (int s = 0, unit = 0; s < d; ++s) {
+    std::fill_n(sums_.begin(), n, 0);
+    for (int i = 0; i < d; ++i)
+      for (int k = 0; k < n; ++k) sums_[k] += rest_[i * n + k] * rest_[i * n + k];
+    const auto longest = std::max_element(sums_.begin(), sums_.begin() + n);
+    constexpr double negligible = 1e-30;  // of rows of size 1
+    const bool is_rest = n > 0 && *longest > negligible;
+    for (int i = 0; i < d; ++i)
+      basis_[i * d + s] =
+          is_rest ? rest_[i * n + (longest - sums_.begin())] / std::sqrt(*longest) : i == unit;
+    unit += !is_rest;
+    for (int pass = 0; pass < 2; ++pass) {  // twice is enough (Parlett)
       for (int before = 0; before < s; ++before) {
         double along = 0;
-        for (int i = 0; i < d_; ++i) along += q_[i * d_ + before] * q_[i * d_ + s];
-        for (int i = 0; i < d_; ++i) q_[i * d_ + s] -= along * q_[i * d_ + before];
+        for (int i = 0; i < d; ++i) along += basis_[i * d + before] * basis_[i * d + s];
+        for (int i = 0; i < d; ++i) basis_[i * d + s] -= along * basis_[i * d + before];
       }
-      length = 0;
-      for (int i = 0; i < d_; ++i) length += q_[i * d_ + s] * q_[i * d_ + s];
-      if (length < 0x1p-20 && unit < d_) {  // depends on those before: any other direction
-        for (int i = 0; i < d_; ++i) q_[i * d_ + s] = i == unit;
+      double length = 0;
+      for (int i = 0; i < d; ++i) length += basis_[i * d + s] * basis_[i * d + s];
+      if (length < 0x1p-20 && unit < d) {  // depends on those before: another direction
+        for (int i = 0; i < d; ++i) basis_[i * d + s] = i == unit;
         ++unit;
         pass = -1;
         continue;
       }
-      for (int i = 0; i < d_; ++i) q_[i * d_ + s] /= std::sqrt(length);
+      length = 1 / std::sqrt(length);
+      for (int i = 0; i < d; ++i) basis_[i * d + s] *= length;
     }
-    std::fill_n(sums_.begin(), g.columns, 0);
-    for (int i = 0; i < d_; ++i)
-      for (int k = 0; k < g.columns; ++k) sums_[k] += q_[i * d_ + s] * rest_[i * g.columns + k];
-    for (int i = 0; i < d_; ++i)
-      for (int k = 0; k < g.columns; ++k) rest_[i * g.columns + k] -= q_[i * d_ + s] * sums_[k];
+    std::fill_n(sums_.begin(), n, 0);
+    for (int i = 0; i < d; ++i)
+      for (int k = 0; k < n; ++k) sums_[k] += basis_[i * d + s] * rest_[i * n + k];
+    for (int i = 0; i < d; ++i)
+      for (int k = 0; k < n; ++k) rest_[i * n + k] -= basis_[i * d + s] * sums_[k];
   }
 }
 
 /// Returns a bound on ‖I − QᵀQ‖∞.
 double ErrorBasis::deviation() const {
+  const int d = size_;
   double worst = 0;
-  for (int s = 0; s < d_; ++s) {
+  for (int s = 0; s < d; ++s) {
     double sum = 0;
-    for (int r = 0; r < d_; ++r) {
+    for (int r = 0; r < d; ++r) {
       double product = s == r ? -1 : 0;
-      for (int i = 0; i < d_; ++i) product += q_[i * d_ + s] * q_[i * d_ + r];
+      for (int i = 0; i < d; ++i) product += basis_[i * d + s] * basis_[i * d + r];
       sum += std::abs(product);
     }
     worst = std::max(worst, sum);
   }
-  return worst + 4 * d_ * (d_ + 2) * Interval::unit;  // |q| ≤ 1 + small: rounding of the products
+  // Each product is a sum of d + 1 terms, whose magnitudes add up to little more than 2.
+  return worst + 4 * d * (d + 2) * Interval::unit;
 }
 
-void ErrorBasis::enclose(const Generators& g) {
-  if (d_ == 1)
-    q_[0] = 1;
-  else
-    find_directions(g);
-  // The errors are Q s for s = Q⁻¹ G t, and Q⁻¹ = (QᵀQ)⁻¹ Qᵀ.
-  const double rounding = (2 * d_ + g.columns + 8) * 2 * Interval::unit;
+void ErrorBasis::enclose() {
+  equilibrate();
+  find_directions();
+  // The errors are Q s for s = Q⁻¹ (G t + w), and Q⁻¹ = (QᵀQ)⁻¹ Qᵀ.
+  const int d = size_, n = columns_;
+  const double rounding = 4 * (d + n + 8) * Interval::unit;
   double widest = 0;
-  for (int s = 0; s < d_; ++s) {
-    std::fill_n(sums_.begin(), g.columns, 0);
-    double rounded = 0;  // Σ |Q| |G|, of whose products each is rounded
-    for (int i = 0; i < d_; ++i) {
-      const double q = q_[i * d_ + s];
-      const double* row = g.values + g.rows[i] * g.columns;
-      double sum = 0;
-      for (int k = 0; k < g.columns; ++k) {
-        sums_[k] += q * row[k];
-        sum += std::abs(row[k]);
-      }
-      rounded += std::abs(q) * sum;
+  for (int s = 0; s < d; ++s) {
+    std::fill_n(sums_.begin(), n, 0);
+    double own = 0;  // |Qᵀ| own, and the rounding of Qᵀ G
+    for (int i = 0; i < d; ++i) {
+      const double q = basis_[i * d + s];
+      for (int k = 0; k < n; ++k) sums_[k] += q * generators_[i * n + k];
+      own += std::abs(q) * (own_[i] + rounding);  // rows have sums of at most 1
     }
-    double sigma = 0;
-    for (int k = 0; k < g.columns; ++k) sigma += std::abs(sums_[k]);
-    sigma_[s] = (sigma + rounding * rounded) * (1 + rounding) + Interval::tiny;
-    widest = std::max(widest, sigma_[s]);
+    for (int k = 0; k < n; ++k) own += std::abs(sums_[k]);
+    radii_[s] = own * (1 + rounding) + Interval::tiny;
+    widest = std::max(widest, radii_[s]);
   }
-  if (d_ == 1) return;
   const double off = deviation();
-  const double correction =
-      off < 0.5 ? off / (1 - off) * (1 + 8 * Interval::unit) * widest : INFINITY;
-  for (double& sigma : sigma_) sigma = (sigma + correction) * (1 + 4 * Interval::unit);
+  const double correction = off < 0.5 ? off / (1 - off) * 1.0001 * widest : INFINITY;
+  // The last factor covers the rounding of generator().
+  for (int s = 0; s < d; ++s) radii_[s] = (radii_[s] + correction) * (1 + 8 * Interval::unit);
 }
 
 }  // namespace desmo

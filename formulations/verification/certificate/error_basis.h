@@ -1,43 +1,46 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 namespace desmo {
 
-/// Errors that are known as a linear image of unit boxes: row i of a set of errors is
-/// Σ G(i, k) t(k) with all |t(k)| ≤ 1.
-struct Generators {
-  const double* values;          ///< G, by rows
-  int columns;                   ///< of each row
-  const std::vector<int>& rows;  ///< the d rows that make up the set
-};
-
-/// A box in an orthonormal basis that encloses a set of d errors: error i = Σ Q(i, s) σ(s) t(s).
-/// Boxes along coordinates would grow from block to block of a chain that turns (the wrapping
-/// effect). A basis that turns along, its largest direction first, prevents it (Lohner,
-/// Einschließung der Lösung gewöhnlicher Anfangs- und Randwertaufgaben, 1988).
+/// A box in an orthonormal basis that encloses a set of errors. The errors are linear images of
+/// unit boxes: error i = Σ G(i, k) t(k) + own(i) w(i) with all |t(k)|, |w(i)| ≤ 1. The enclosure is
+/// error i = Σ H(i, s) t'(s), with one new symbol for each error.
+///
+/// Boxes along the coordinates would grow exponentially from group to group of a chain that turns
+/// (the wrapping effect). A basis that turns with the errors, the largest direction first, prevents
+/// this (Lohner, Einschließung der Lösung gewöhnlicher Anfangs- und Randwertaufgaben, 1988).
 class ErrorBasis {
  public:
-  /// d: number of errors; columns: the most that generators will have.
-  ErrorBasis(int d, int columns);
+  /// Allocates for so many errors and columns of G.
+  ErrorBasis(int max_errors, int max_columns);
 
-  int size() const { return d_; }
-  /// Encloses a set of generators. Allocates nothing.
-  void enclose(const Generators& generators);
-  /// Encloses the box |error i| ≤ radii[rows[i]]; infinite ones count as 0.
-  void enclose_box(const double* radii, const std::vector<int>& rows);
-  /// Returns Q(i, s) σ(s).
-  double generator(int i, int s) const { return q_[i * d_ + s] * sigma_[s]; }
+  /// Begins a set of errors.
+  void start(int errors, int columns);
+  /// Sets an error: its row of G, and its own radius.
+  void set(int i, const double* generators, double own);
+  /// Encloses all errors. Allocates nothing.
+  void enclose();
+
+  int size() const { return size_; }
+  /// Returns H(i, s), rounded once.
+  double generator(int i, int s) const { return basis_[i * size_ + s] * radii_[s] / scale_[i]; }
 
  private:
-  void find_directions(const Generators& generators);
+  void equilibrate();
+  void find_directions();
   double deviation() const;
 
-  int d_;
-  std::vector<double> q_;      // (d × d) by rows
-  std::vector<double> sigma_;  // (d)
-  std::vector<double> rest_;   // (d × columns) by rows: what the directions so far leave
-  std::vector<double> sums_;   // workspace (columns, at least d)
+  int size_ = 0, columns_ = 0;
+  std::vector<double> generators_;  // G (size × columns)
+  std::vector<double> own_;         // (size)
+  std::vector<double> scale_;       // (size) powers of two that make all rows of a size
+  std::vector<double> basis_;       // Q (size × size)
+  std::vector<double> radii_;       // (size)
+  std::vector<double> rest_;        // what is left of G after the directions so far
+  std::vector<double> sums_;        // workspace (columns)
 };
 
 }  // namespace desmo

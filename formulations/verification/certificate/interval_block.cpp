@@ -8,84 +8,104 @@
 
 namespace desmo {
 
+using States = PerLevel<const Interval*>;
+
 struct IntervalBlock::Functions {
   void (*residual)(const Object&, const Interval* q, Interval* phi);
   void (*jacobian)(const Object&, const Interval* q, IntervalMatrix& to);
-  void (*velocity)(const Object&, const Interval* q, const Interval* qd, Interval* phi);
-  void (*acceleration)(const Object&, const Interval* q, const Interval* qd, const Interval* qdd,
-                       Interval* phi);
+  void (*motion)(const Object&, const States&, Level, const PerLevel<Interval*>& phi);
+  void (*jacobian_rates)(const Object&, const States&, Level, PerLevel<IntervalMatrix>& to);
 };
+
+namespace {
+
+/// Operands of a kind in jets, that is, with their rates up to a level.
+template <class Kind>
+struct Motions {
+  static constexpr std::size_t operands = Kind::operand_sizes.size();
+  using Motion = Jet<Interval>;
+
+  Motions(const std::array<int, 5>& first, const Interval* c, const States& state, Level level) {
+    for (std::size_t k = 0; k < operands; ++k) {
+      for (int i = 0; i < Kind::operand_sizes[k]; ++i) {
+        const int at = first[k] + i;
+        components[k][i].value = state.position[at];
+        components[k][i].first = state.velocity[at];
+        if (level == Level::acceleration) components[k][i].second = state.acceleration[at];
+      }
+      x[k] = components[k].data();
+    }
+    std::copy_n(c, Kind::constants, constants.begin());
+  }
+
+  std::array<std::array<Motion, 3>, operands> components;
+  std::array<const Motion*, operands> x;
+  std::array<Motion, Kind::constants + 1> constants;
+};
+
+}  // namespace
 
 template <class Kind>
 struct IntervalBlock::FunctionsOf {
   static constexpr std::size_t operands = Kind::operand_sizes.size();
   static_assert(operands <= max_operands && Kind::rows <= max_rows);
-  using Motion = Jet<Interval>;
 
-  static void write(const Object& o, const std::array<Interval, Kind::rows>& all, Interval* phi) {
-    for (int r = 0; r < Kind::rows; ++r)
-      if (o.rows[r] >= 0) phi[o.rows[r]] = all[r];
-  }
   static std::array<const Interval*, operands> at(const Object& o, const Interval* state) {
     std::array<const Interval*, operands> x;
     for (std::size_t k = 0; k < operands; ++k) x[k] = state + o.operands[k];
     return x;
   }
+  static void write(const Interval& value, int slot, IntervalMatrix& to) {
+    if (slot < 0) return;
+    to.mid[slot] = value.mid;
+    to.radius[slot] = value.radius;
+  }
 
   static void residual(const Object& o, const Interval* q, Interval* phi) {
     std::array<Interval, Kind::rows> all;
     Kind::residual(at(o, q).data(), o.constants, all.data());
-    write(o, all, phi);
+    for (int r = 0; r < Kind::rows; ++r)
+      if (o.rows[r] >= 0) phi[o.rows[r]] = all[r];
   }
   static void jacobian(const Object& o, const Interval* q, IntervalMatrix& to) {
     const int* slot = o.slots.data();
-    Kind::jacobian(at(o, q).data(), o.constants, [&](int, int, int, const Interval& value) {
-      const int i = *slot++;
-      if (i < 0) return;
-      to.mid[i] = value.mid;
-      to.radius[i] = value.radius;
-    });
+    Kind::jacobian(at(o, q).data(), o.constants,
+                   [&](int, int, int, const Interval& value) { write(value, *slot++, to); });
   }
-  /// Returns Φ in jets: Φ̇ and Φ̈ by the chain rule, each difference of rates taken before its
-  /// product.
-  static std::array<Motion, Kind::rows> motion(const Object& o, const Interval* q,
-                                               const Interval* qd, const Interval* qdd) {
-    std::array<std::array<Motion, 3>, operands> components;
-    std::array<const Motion*, operands> x;
-    for (std::size_t k = 0; k < operands; ++k) {
-      for (int i = 0; i < Kind::operand_sizes[k]; ++i) {
-        const int at = o.operands[k] + i;
-        components[k][i] = {q[at], qd[at], qdd ? qdd[at] : Interval()};
+  static void motion(const Object& o, const States& state, Level level,
+                     const PerLevel<Interval*>& phi) {
+    if constexpr (Kind::linear) {  // and homogeneous
+      residual(o, state.position, phi.position);
+      residual(o, state.velocity, phi.velocity);
+      if (level == Level::acceleration) residual(o, state.acceleration, phi.acceleration);
+    } else {
+      const Motions<Kind> operands(o.operands, o.constants, state, level);
+      std::array<Jet<Interval>, Kind::rows> all;
+      Kind::residual(operands.x.data(), operands.constants.data(), all.data());
+      for (int r = 0; r < Kind::rows; ++r) {
+        if (o.rows[r] < 0) continue;
+        phi.position[o.rows[r]] = all[r].value;
+        phi.velocity[o.rows[r]] = all[r].first;
+        if (level == Level::acceleration) phi.acceleration[o.rows[r]] = all[r].second;
       }
-      x[k] = components[k].data();
-    }
-    std::array<Motion, Kind::constants + 1> constants;
-    std::copy_n(o.constants, Kind::constants, constants.begin());
-    std::array<Motion, Kind::rows> all;
-    Kind::residual(x.data(), constants.data(), all.data());
-    return all;
-  }
-  static void velocity(const Object& o, const Interval* q, const Interval* qd, Interval* phi) {
-    if constexpr (Kind::linear) {  // Φ is homogeneous
-      residual(o, qd, phi);
-    } else {
-      const auto all = motion(o, q, qd, nullptr);
-      for (int r = 0; r < Kind::rows; ++r)
-        if (o.rows[r] >= 0) phi[o.rows[r]] = all[r].first;
     }
   }
-  static void acceleration(const Object& o, const Interval* q, const Interval* qd,
-                           const Interval* qdd, Interval* phi) {
-    if constexpr (Kind::linear) {
-      residual(o, qdd, phi);
-    } else {
-      const auto all = motion(o, q, qd, qdd);
-      for (int r = 0; r < Kind::rows; ++r)
-        if (o.rows[r] >= 0) phi[o.rows[r]] = all[r].second;
+  static void jacobian_rates(const Object& o, const States& state, Level level,
+                             PerLevel<IntervalMatrix>& to) {
+    if constexpr (!Kind::linear) {
+      const Motions<Kind> operands(o.operands, o.constants, state, level);
+      const int* slot = o.slots.data();
+      Kind::jacobian(operands.x.data(), operands.constants.data(),
+                     [&](int, int, int, const Jet<Interval>& value) {
+                       write(value.first, *slot, to.velocity);
+                       if (level == Level::acceleration)
+                         write(value.second, *slot, to.acceleration);
+                       ++slot;
+                     });
     }
   }
 
-  static constexpr Functions table{&residual, &jacobian, &velocity, &acceleration};
+  static constexpr Functions table{&residual, &jacobian, &motion, &jacobian_rates};
 };
 
 IntervalBlock::IntervalBlock(const Model& m, const PartDefinition& block)
@@ -143,12 +163,12 @@ void IntervalBlock::residual(const Interval* q, Interval* phi) const {
 void IntervalBlock::jacobian(const Interval* q, IntervalMatrix& to) const {
   for (const Object& o : objects_) o.functions->jacobian(o, q, to);
 }
-void IntervalBlock::velocity(const Interval* q, const Interval* qd, Interval* phi) const {
-  for (const Object& o : objects_) o.functions->velocity(o, q, qd, phi);
+void IntervalBlock::motion(const States& state, Level level, const PerLevel<Interval*>& phi) const {
+  for (const Object& o : objects_) o.functions->motion(o, state, level, phi);
 }
-void IntervalBlock::acceleration(const Interval* q, const Interval* qd, const Interval* qdd,
-                                 Interval* phi) const {
-  for (const Object& o : objects_) o.functions->acceleration(o, q, qd, qdd, phi);
+void IntervalBlock::jacobian_rates(const States& state, Level level,
+                                   PerLevel<IntervalMatrix>& to) const {
+  for (const Object& o : objects_) o.functions->jacobian_rates(o, state, level, to);
 }
 
 }  // namespace desmo

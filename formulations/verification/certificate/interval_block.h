@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "formulations/base/per_level.h"
 #include "formulations/model/model.h"
 #include "formulations/structure/partition.h"
 #include "formulations/verification/certificate/interval.h"
@@ -29,15 +30,17 @@ class IntervalBlock {
 
   /// Evaluates Φ. Overwrites phi.
   void residual(const Interval* q, Interval* phi) const;
-  /// Evaluates Φ_q: derivatives by the unknowns, then by the inputs. Overwrites its n (n + m)
-  /// entries; all others, where no equation reads a coordinate, stay zero.
+  /// Evaluates Φ_q: derivatives by the unknowns, then by the inputs. Overwrites the entries of
+  /// `to` (n × (n + m)) that are not always zero.
   void jacobian(const Interval* q, IntervalMatrix& to) const;
-  /// Evaluates Φ̇. Overwrites phi.
-  void velocity(const Interval* q, const Interval* qd, Interval* phi) const;
-  /// Evaluates Φ̈. Overwrites phi.
-  void acceleration(const Interval* q, const Interval* qd, const Interval* qdd,
-                    Interval* phi) const;
-  /// Returns a matrix for jacobian(), all zero.
+  /// Evaluates Φ and its time derivatives up to a level. Overwrites phi.
+  void motion(const PerLevel<const Interval*>& state, Level level,
+              const PerLevel<Interval*>& phi) const;
+  /// Evaluates Φ̇_q and, at the level of accelerations, Φ̈_q; otherwise like jacobian(). Entries of
+  /// equations whose derivatives are constant stay zero.
+  void jacobian_rates(const PerLevel<const Interval*>& state, Level level,
+                      PerLevel<IntervalMatrix>& to) const;
+  /// Returns a matrix for these functions, all zero.
   IntervalMatrix make_matrix() const;
 
  private:
