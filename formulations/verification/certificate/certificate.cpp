@@ -228,7 +228,8 @@ void Certifier::Proof::leave(const Group& group) {
       for (int i = 0; i < size; ++i) {
         const ErrorRows& e = errors_[level];
         to.center[level][i] = e.center[to.rows[i]];
-        basis.set(static_cast<int>(level) * size + i, e.of_row(to.rows[i]), e.own[to.rows[i]]);
+        basis.set(static_cast<int>(level) * size + i, e.of_row(to.rows[i]), e.own[to.rows[i]],
+                  static_cast<int>(level));
       }
     basis.enclose();
   }

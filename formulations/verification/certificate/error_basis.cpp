@@ -21,24 +21,15 @@ void ErrorBasis::start(int errors, int columns) {
   columns_ = columns;
 }
 
-void ErrorBasis::set(int i, const double* generators, double own) {
-  std::copy_n(generators, columns_, generators_.begin() + i * columns_);
-  own_[i] = own;
-}
-
-/// Scales all rows to sums between 1/2 and 1, exactly: errors of different levels and units have a
-/// common basis.
-void ErrorBasis::equilibrate() {
-  for (int i = 0; i < size_; ++i) {
-    double* row = &generators_[i * columns_];
-    double sum = own_[i];
-    for (int k = 0; k < columns_; ++k) sum += std::abs(row[k]);
-    int exponent = 0;
-    if (sum > 1e-200) std::frexp(sum, &exponent);
-    scale_[i] = std::ldexp(1.0, -exponent);
-    own_[i] *= scale_[i];
-    for (int k = 0; k < columns_; ++k) row[k] *= scale_[i];
-  }
+void ErrorBasis::set(int i, const double* generators, double own, int rank) {
+  double sum = own;
+  for (int k = 0; k < columns_; ++k) sum += std::abs(generators[k]);
+  int exponent = 0;
+  if (sum > 1e-200) std::frexp(sum, &exponent);
+  constexpr int between_ranks = 10;
+  scale_[i] = std::ldexp(1.0, -exponent - between_ranks * rank);
+  own_[i] = own * scale_[i];
+  for (int k = 0; k < columns_; ++k) generators_[i * columns_ + k] = generators[k] * scale_[i];
 }
 
 /// Gram–Schmidt with pivoting: the longest column of G first, and so on with what is left of them.
@@ -99,7 +90,6 @@ double ErrorBasis::deviation() const {
 }
 
 void ErrorBasis::enclose() {
-  equilibrate();
   find_directions();
   // The errors are Q s for s = Q⁻¹ (G t + w), and Q⁻¹ = (QᵀQ)⁻¹ Qᵀ.
   const int d = size_, n = columns_;

@@ -19,8 +19,9 @@ class ErrorBasis {
 
   /// Begins a set of errors.
   void start(int errors, int columns);
-  /// Sets an error: its row of G, and its own radius.
-  void set(int i, const double* generators, double own);
+  /// Sets an error: its row of G, and its own radius. Directions of errors with low ranks come
+  /// first.
+  void set(int i, const double* generators, double own, int rank);
   /// Encloses all errors. Allocates nothing.
   void enclose();
 
@@ -29,14 +30,13 @@ class ErrorBasis {
   double generator(int i, int s) const { return basis_[i * size_ + s] * radii_[s] / scale_[i]; }
 
  private:
-  void equilibrate();
   void find_directions();
   double deviation() const;
 
   int size_ = 0, columns_ = 0;
   std::vector<double> generators_;  // G (size × columns)
   std::vector<double> own_;         // (size)
-  std::vector<double> scale_;       // (size) powers of two that make all rows of a size
+  std::vector<double> scale_;       // (size) powers of two that make rows of a rank equal
   std::vector<double> basis_;       // Q (size × size)
   std::vector<double> radii_;       // (size)
   std::vector<double> rest_;        // what is left of G after the directions so far
