@@ -17,91 +17,45 @@ CertifiedBlock::CertifiedBlock(IntervalBlock equations, std::vector<int> rows, i
     jacobian_[level] = equations_.make_matrix();
     slopes_[level].resize(n * rows_.size());
     phi_[level].resize(n);
+    Errors& e = near_[level];
+    for (std::vector<double>* values : {&e.center, &e.own, &e.sum, &e.radius})
+      values->resize(rows_.size());
   }
   for (std::vector<double>* matrix : {&inverse_, &remainder_}) matrix->resize(n * n);
   for (std::vector<double>* vector : {&weights_, &trial_, &contracted_}) vector->resize(n);
 }
 
-void CertifiedBlock::evaluate(const IntervalState& delivered, Level level) {
-  if (level == Level::position)
-    equations_.residual(delivered.position.data(), phi_.position.data());
-  else
-    equations_.motion(
-        {delivered.position.data(), delivered.velocity.data(), delivered.acceleration.data()},
-        level, {phi_.position.data(), phi_.velocity.data(), phi_.acceleration.data()});
-  if (inverted_ && equations_.is_linear()) return;
-  equations_.jacobian(delivered.position.data(), jacobian_.position);
-  inverted_ = invert();
-  if (!inverted_) return;
-  find_remainder();
-  find_slopes(jacobian_.position, slopes_.position, size());
+template <class Function>
+auto CertifiedBlock::with_size(Function&& function) {
+  switch (size()) {
+    case 1:
+      return function.template operator()<1>();
+    case 2:
+      return function.template operator()<2>();
+    case 3:
+      return function.template operator()<3>();
+    case 4:
+      return function.template operator()<4>();
+    default:
+      return function.template operator()<0>();
+  }
 }
 
-bool CertifiedBlock::prove_positions(IntervalState& state, PerLevel<ErrorRows>& all) {
-  if (!inverted_) return false;
-  ErrorRows& errors = all.position;
-  std::ranges::fill(trial_, 0);
-  constexpr int attempts = 6;
-  for (int attempt = 0; attempt <= attempts; ++attempt) {
-    // The first time the trial box is a point. Then X is larger than what the last test returned
-    // (epsilon inflation; Rump). A part of the magnitude serves errors that are exactly zero.
-    start(Level::position, errors);
-    add_image(jacobian_.position, slopes_.position, 1, size(), errors, errors);
-    add_uncertainty(errors);
-    contract();
-    bool inside = attempt > 0;
-    for (int i = 0; i < size(); ++i) {
-      const double image = (errors.sum[rows_[i]] + contracted_[i]) * (1 + rounding_);
-      inside = inside && image < trial_[i];
-      weights_[i] = image;
-    }
-    if (inside) {
-      for (int i = 0; i < size(); ++i) add_own(errors, i, contracted_[i]);
-      return finish(Level::position, state, errors);
-    }
-    for (int i = 0; i < size(); ++i) {
-      trial_[i] = 1.1 * weights_[i] + 0x1p-60 * magnitudes_[i];
-      state.position[equations_.unknowns()[i]].radius = trial_[i];
-    }
-    if (!equations_.is_linear())  // radii; midpoints stay the same
-      equations_.jacobian(state.position.data(), jacobian_.position);
+void CertifiedBlock::gather(Level level, const ErrorRows& from, int first, int last) {
+  Errors& e = near_[level];
+  for (int j = first; j < last; ++j) {
+    e.center[j] = from.center[rows_[j]];
+    e.own[j] = from.own[rows_[j]];
+    e.sum[j] = from.sum[rows_[j]];
+    e.radius[j] = from.radius[rows_[j]];
   }
-  return false;
-}
-
-bool CertifiedBlock::bound_rates(Level level, const IntervalState& delivered, IntervalState& state,
-                                 PerLevel<ErrorRows>& all) {
-  ErrorRows& errors = all[level];
-  start(level, errors);
-  add_image(jacobian_.position, slopes_.position, 1, size(), errors, errors);
-  if (!equations_.is_linear()) {
-    // Φ̇_q and Φ̈_q within the errors of all lower levels, at the delivered rates of this one. Those
-    // at lower levels keep their midpoints.
-    const bool of_velocity = level == Level::velocity;
-    equations_.jacobian_rates(
-        {state.position.data(), (of_velocity ? delivered : state).velocity.data(),
-         delivered.acceleration.data()},
-        level, jacobian_);
-    find_slopes(jacobian_[level], slopes_[level], 0);
-    add_image(jacobian_[level], slopes_[level], 1, 0, all.position, errors);
-    if (!of_velocity) add_image(jacobian_.velocity, slopes_.velocity, 2, 0, all.velocity, errors);
-  }
-  add_uncertainty(errors);
-  // With A = |I − Y Φ_φ(X)| and A r ≤ η r, errors e ≤ b + A e are at most b + A r max(b/r)/(1 − η).
-  double ratio = 0, contraction = 0;
-  for (int i = 0; i < size(); ++i) {
-    ratio = std::max(ratio, errors.sum[rows_[i]] / trial_[i]);
-    contraction = std::max(contraction, contracted_[i] / trial_[i]);
-  }
-  const double factor = ratio / (1 - contraction) * (1 + rounding_);
-  for (int i = 0; i < size(); ++i) add_own(errors, i, contracted_[i] * factor);
-  return finish(level, state, errors);
 }
 
 /// Gauss–Jordan elimination with pivots that are large in their rows. An inaccurate inverse only
 /// makes the test fail.
+template <int N>
 bool CertifiedBlock::invert() {
-  const int n = size();
+  const int n = this->n<N>();
   for (int i = 0; i < n; ++i) {
     double largest = 0;
     for (int j = 0; j < n; ++j) {
@@ -138,8 +92,9 @@ bool CertifiedBlock::invert() {
   return true;
 }
 
+template <int N>
 void CertifiedBlock::find_remainder() {
-  const int n = size();
+  const int n = this->n<N>();
   for (int i = 0; i < n; ++i) {
     double* remainder = &remainder_[i * n];
     for (int j = 0; j < n; ++j) remainder[j] = i == j;
@@ -154,9 +109,10 @@ void CertifiedBlock::find_remainder() {
 }
 
 /// Writes −Y times the derivatives, from column `first` on.
+template <int N>
 void CertifiedBlock::find_slopes(const IntervalMatrix& derivative, std::vector<double>& slopes,
                                  int first) const {
-  const int n = size(), w = width();
+  const int n = this->n<N>(), w = width();
   std::ranges::fill(slopes, 0);
   for (int i = 0; i < n; ++i)
     for (int r = 0; r < n; ++r) {
@@ -167,8 +123,9 @@ void CertifiedBlock::find_slopes(const IntervalMatrix& derivative, std::vector<d
 }
 
 /// Starts the rows of the unknowns with −Y Φ.
+template <int N>
 void CertifiedBlock::start(Level level, ErrorRows& to) {
-  const int n = size();
+  const int n = this->n<N>();
   const std::vector<Interval>& phi = phi_[level];
   for (int i = 0; i < n; ++i) {
     const int row = rows_[i];
@@ -183,31 +140,41 @@ void CertifiedBlock::start(Level level, ErrorRows& to) {
 
 /// Adds −Y (factor × derivative) times the errors of the coordinates from column `first` on.
 /// Collects the uncertainty of the derivative times these errors, and all rounding.
-void CertifiedBlock::add_image(const IntervalMatrix& derivative, const std::vector<double>& slopes,
-                               double factor, int first, const ErrorRows& from, ErrorRows& to) {
-  const int n = size(), w = width(), columns = to.columns;
-  for (int i = 0; i < n; ++i) {
+template <int N>
+void CertifiedBlock::add_image(Level derivative, double factor, int first, Level level,
+                               const PerLevel<ErrorRows>& from, ErrorRows& to) {
+  const int n = this->n<N>(), w = width();
+  const double* slopes = slopes_[derivative].data();
+  const double* mid = jacobian_[derivative].mid.data();
+  const double* radius = jacobian_[derivative].radius.data();
+  const Errors& e = near_[level];
+  for (int i = 0; i < n; ++i, slopes += w, mid += w, radius += w) {
+    double center = 0, own = 0, uncertain = 0, rounded = 0;
+#pragma omp simd reduction(+ : center, own, uncertain, rounded)
+    for (int j = first; j < w; ++j) {
+      center += slopes[j] * e.center[j];
+      own += std::abs(slopes[j]) * e.own[j];
+      uncertain += radius[j] * e.radius[j];
+      rounded += std::abs(mid[j]) * e.sum[j];
+    }
     const int row = rows_[i];
+    to.center[row] += factor * center;
+    to.own[row] += factor * own;
+    weights_[i] += factor * (uncertain + rounding_ * rounded);
+    if (to.columns == 0) continue;
     double* generators = to.of_row(row);
     for (int j = first; j < w; ++j) {
-      const double t = factor * slopes[i * w + j];
-      if (t == 0) continue;
-      const double* image = from.of_row(rows_[j]);
-      for (int k = 0; k < columns; ++k) generators[k] += t * image[k];
-      to.center[row] += t * from.center[rows_[j]];
-      to.own[row] += std::abs(t) * from.own[rows_[j]];
+      const double t = factor * slopes[j];
+      const double* image = from[level].of_row(rows_[j]);
+      for (int k = 0; k < to.columns; ++k) generators[k] += t * image[k];
     }
   }
-  for (int r = 0; r < n; ++r)
-    for (int j = first; j < w; ++j)
-      weights_[r] +=
-          factor * (derivative.radius[r * w + j] * from.radius[rows_[j]] +
-                    rounding_ * std::abs(derivative.mid[r * w + j]) * from.sum[rows_[j]]);
 }
 
 /// Adds |Y| times the uncertainty of the equations to the rows of the unknowns.
+template <int N>
 void CertifiedBlock::add_uncertainty(ErrorRows& to) {
-  const int n = size();
+  const int n = this->n<N>();
   for (int i = 0; i < n; ++i) {
     const int row = rows_[i];
     double own = to.own[row] * (1 + rounding_) + Interval::tiny;
@@ -220,8 +187,9 @@ void CertifiedBlock::add_uncertainty(ErrorRows& to) {
 }
 
 /// Bounds |(I − Y Φ_φ(X)) X| by the radii of X.
+template <int N>
 void CertifiedBlock::contract() {
-  const int n = size(), w = width();
+  const int n = this->n<N>(), w = width();
   const IntervalMatrix& jacobian = jacobian_.position;
   for (int r = 0; r < n; ++r) {
     weights_[r] = 0;
@@ -243,8 +211,9 @@ void CertifiedBlock::add_own(ErrorRows& to, int i, double radius) const {
 }
 
 /// Completes the rows of the unknowns. Returns false unless all are finite.
+template <int N>
 bool CertifiedBlock::finish(Level level, IntervalState& state, ErrorRows& errors) {
-  for (int i = 0; i < size(); ++i) {
+  for (int i = 0; i < n<N>(); ++i) {
     const int row = rows_[i];
     double sum = std::abs(errors.center[row]) + errors.own[row];
     for (int k = 0; k < errors.columns; ++k) sum += std::abs(errors.of_row(row)[k]);
@@ -253,7 +222,98 @@ bool CertifiedBlock::finish(Level level, IntervalState& state, ErrorRows& errors
     errors.sum[row] = errors.radius[row] = sum;
     state[level][equations_.unknowns()[i]].radius = sum;
   }
+  gather(level, errors, 0, n<N>());
   return true;
+}
+
+template <int N>
+bool CertifiedBlock::prove(IntervalState& state, PerLevel<ErrorRows>& all) {
+  ErrorRows& errors = all.position;
+  gather(Level::position, errors, size(), width());
+  std::ranges::fill(trial_, 0);
+  constexpr int attempts = 6;
+  for (int attempt = 0; attempt <= attempts; ++attempt) {
+    // The first time the trial box is a point. Then X is larger than what the last test returned
+    // (epsilon inflation; Rump). A part of the magnitude serves errors that are exactly zero.
+    start<N>(Level::position, errors);
+    add_image<N>(Level::position, 1, size(), Level::position, all, errors);
+    add_uncertainty<N>(errors);
+    contract<N>();
+    bool inside = attempt > 0;
+    for (int i = 0; i < n<N>(); ++i) {
+      const double image = (errors.sum[rows_[i]] + contracted_[i]) * (1 + rounding_);
+      inside = inside && image < trial_[i];
+      weights_[i] = image;
+    }
+    if (inside) {
+      for (int i = 0; i < n<N>(); ++i) add_own(errors, i, contracted_[i]);
+      return finish<N>(Level::position, state, errors);
+    }
+    for (int i = 0; i < n<N>(); ++i) {
+      trial_[i] = 1.1 * weights_[i] + 0x1p-60 * magnitudes_[i];
+      state.position[equations_.unknowns()[i]].radius = trial_[i];
+    }
+    if (!equations_.is_linear())  // radii; midpoints stay the same
+      equations_.jacobian(state.position.data(), jacobian_.position);
+  }
+  return false;
+}
+
+template <int N>
+bool CertifiedBlock::bound(Level level, const IntervalState& delivered, IntervalState& state,
+                           PerLevel<ErrorRows>& all) {
+  ErrorRows& errors = all[level];
+  gather(level, errors, size(), width());
+  start<N>(level, errors);
+  add_image<N>(Level::position, 1, size(), level, all, errors);
+  if (!equations_.is_linear()) {
+    // Φ̇_q and Φ̈_q within the errors of all lower levels, at the delivered rates of this one. Those
+    // at lower levels keep their midpoints.
+    const bool of_velocity = level == Level::velocity;
+    equations_.jacobian_rates(
+        {state.position.data(), (of_velocity ? delivered : state).velocity.data(),
+         delivered.acceleration.data()},
+        level, jacobian_);
+    find_slopes<N>(jacobian_[level], slopes_[level], 0);
+    add_image<N>(level, 1, 0, Level::position, all, errors);
+    if (!of_velocity) add_image<N>(Level::velocity, 2, 0, Level::velocity, all, errors);
+  }
+  add_uncertainty<N>(errors);
+  // With A = |I − Y Φ_φ(X)| and A r ≤ η r, errors e ≤ b + A e are at most b + A r max(b/r)/(1 − η).
+  double ratio = 0, contraction = 0;
+  for (int i = 0; i < n<N>(); ++i) {
+    ratio = std::max(ratio, errors.sum[rows_[i]] / trial_[i]);
+    contraction = std::max(contraction, contracted_[i] / trial_[i]);
+  }
+  const double factor = ratio / (1 - contraction) * (1 + rounding_);
+  for (int i = 0; i < n<N>(); ++i) add_own(errors, i, contracted_[i] * factor);
+  return finish<N>(level, state, errors);
+}
+
+void CertifiedBlock::evaluate(const IntervalState& delivered, Level level) {
+  if (level == Level::position)
+    equations_.residual(delivered.position.data(), phi_.position.data());
+  else
+    equations_.motion(
+        {delivered.position.data(), delivered.velocity.data(), delivered.acceleration.data()},
+        level, {phi_.position.data(), phi_.velocity.data(), phi_.acceleration.data()});
+  if (inverted_ && equations_.is_linear()) return;
+  equations_.jacobian(delivered.position.data(), jacobian_.position);
+  inverted_ = with_size([&]<int N>() {
+    if (!invert<N>()) return false;
+    find_remainder<N>();
+    find_slopes<N>(jacobian_.position, slopes_.position, size());
+    return true;
+  });
+}
+
+bool CertifiedBlock::prove_positions(IntervalState& state, PerLevel<ErrorRows>& errors) {
+  return inverted_ && with_size([&]<int N>() { return prove<N>(state, errors); });
+}
+
+bool CertifiedBlock::bound_rates(Level level, const IntervalState& delivered, IntervalState& state,
+                                 PerLevel<ErrorRows>& errors) {
+  return with_size([&]<int N>() { return bound<N>(level, delivered, state, errors); });
 }
 
 }  // namespace desmo

@@ -47,17 +47,43 @@ class CertifiedBlock {
                    PerLevel<ErrorRows>& errors);
 
  private:
+  /// Errors of the block's rows at one level, side by side: unknowns, then inputs (n + m).
+  struct Errors {
+    std::vector<double> center, own, sum, radius;
+  };
+
   int size() const { return equations_.size(); }
   int width() const { return static_cast<int>(rows_.size()); }
+  void gather(Level level, const ErrorRows& from, int first, int last);
+  // N is the size of the block where it is small, for the compiler to unroll loops; else 0.
+  template <int N>
+  int n() const {
+    return N > 0 ? N : size();
+  }
+  template <class Function>
+  auto with_size(Function&& function);
+  template <int N>
+  bool prove(IntervalState& state, PerLevel<ErrorRows>& errors);
+  template <int N>
+  bool bound(Level level, const IntervalState& delivered, IntervalState& state,
+             PerLevel<ErrorRows>& errors);
+  template <int N>
   bool invert();
+  template <int N>
   void find_remainder();
+  template <int N>
   void find_slopes(const IntervalMatrix& derivative, std::vector<double>& slopes, int first) const;
+  template <int N>
   void start(Level level, ErrorRows& to);
-  void add_image(const IntervalMatrix& derivative, const std::vector<double>& slopes, double factor,
-                 int first, const ErrorRows& from, ErrorRows& to);
+  template <int N>
+  void add_image(Level derivative, double factor, int first, Level level,
+                 const PerLevel<ErrorRows>& from, ErrorRows& to);
+  template <int N>
   void add_uncertainty(ErrorRows& to);
+  template <int N>
   void contract();
   void add_own(ErrorRows& to, int i, double radius) const;
+  template <int N>
   bool finish(Level level, IntervalState& state, ErrorRows& errors);
 
   IntervalBlock equations_;
@@ -70,6 +96,7 @@ class CertifiedBlock {
   std::vector<double> inverse_;           // Y (n × n)
   std::vector<double> remainder_;  // |I − Y Φ_φ| at the delivered values; workspace (n × n)
   PerLevel<std::vector<Interval>> phi_;  // Φ, Φ̇, Φ̈ of the delivered values (n)
+  PerLevel<Errors> near_;                // errors of the block's rows
   std::vector<double> weights_;          // uncertainty of each equation, and workspace (n)
   std::vector<double> trial_;            // radii of X (n)
   std::vector<double> contracted_;       // bound on |(I − Y Φ_φ(X)) X| (n)
