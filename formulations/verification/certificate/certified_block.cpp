@@ -11,15 +11,16 @@ CertifiedBlock::CertifiedBlock(IntervalBlock equations, std::vector<int> rows, i
     : equations_(std::move(equations)),
       rows_(std::move(rows)),
       magnitudes_(std::move(magnitudes)),
-      rounding_((16 * width() + 4 * columns + 64) * Interval::unit) {
+      quads_(equations_.stride() / 4),
+      rounding_((16 * stride() + 4 * columns + 64) * Interval::unit) {
   const std::size_t n = magnitudes_.size();
   for (const Level level : levels) {
     jacobian_[level] = equations_.make_matrix();
-    slopes_[level].resize(n * rows_.size());
+    slopes_[level].resize(n * static_cast<std::size_t>(stride()));
     phi_[level].resize(n);
     Errors& e = near_[level];
     for (std::vector<double>* values : {&e.center, &e.own, &e.sum, &e.radius})
-      values->resize(rows_.size());
+      values->resize(static_cast<std::size_t>(stride()));
   }
   for (std::vector<double>* matrix : {&inverse_, &remainder_}) matrix->resize(n * n);
   for (std::vector<double>* vector : {&weights_, &trial_, &contracted_}) vector->resize(n);
@@ -41,9 +42,11 @@ auto CertifiedBlock::with_size(Function&& function) {
   }
 }
 
-void CertifiedBlock::gather(Level level, const ErrorRows& from, int first, int last) {
+void CertifiedBlock::gather_inputs(Level level, const ErrorRows& from) {
   Errors& e = near_[level];
-  for (int j = first; j < last; ++j) {
+  for (std::vector<double>* values : {&e.center, &e.own, &e.sum, &e.radius})
+    std::fill_n(values->begin(), size(), 0);
+  for (std::size_t j = magnitudes_.size(); j < rows_.size(); ++j) {
     e.center[j] = from.center[rows_[j]];
     e.own[j] = from.own[rows_[j]];
     e.sum[j] = from.sum[rows_[j]];
@@ -59,7 +62,7 @@ bool CertifiedBlock::invert() {
   for (int i = 0; i < n; ++i) {
     double largest = 0;
     for (int j = 0; j < n; ++j) {
-      remainder_[i * n + j] = jacobian_.position.mid[i * width() + j];
+      remainder_[i * n + j] = jacobian_.position.mid[i * stride() + j];
       inverse_[i * n + j] = i == j;
       largest = std::max(largest, std::abs(remainder_[i * n + j]));
     }
@@ -100,7 +103,7 @@ void CertifiedBlock::find_remainder() {
     for (int j = 0; j < n; ++j) remainder[j] = i == j;
     for (int r = 0; r < n; ++r) {
       const double y = inverse_[i * n + r];
-      const double* row = &jacobian_.position.mid[r * width()];
+      const double* row = &jacobian_.position.mid[r * stride()];
       for (int j = 0; j < n; ++j) remainder[j] -= y * row[j];
     }
     for (int j = 0; j < n; ++j) remainder[j] = std::abs(remainder[j]);
@@ -108,18 +111,22 @@ void CertifiedBlock::find_remainder() {
   }
 }
 
-/// Writes −Y times the derivatives, from column `first` on.
+/// Writes −Y times the derivatives.
 template <int N>
-void CertifiedBlock::find_slopes(const IntervalMatrix& derivative, std::vector<double>& slopes,
-                                 int first) const {
-  const int n = this->n<N>(), w = width();
-  std::ranges::fill(slopes, 0);
-  for (int i = 0; i < n; ++i)
+void CertifiedBlock::find_slopes(const IntervalMatrix& derivative,
+                                 std::vector<double>& slopes) const {
+  const int n = this->n<N>(), w = stride();
+  for (int i = 0; i < n; ++i) {
+    double* to = &slopes[i * w];
+    std::fill_n(to, w, 0);
     for (int r = 0; r < n; ++r) {
       const double y = inverse_[i * n + r];
+      const double* from = &derivative.mid[r * w];
       if (y == 0) continue;
-      for (int j = first; j < w; ++j) slopes[i * w + j] -= y * derivative.mid[r * w + j];
+#pragma omp simd
+      for (int j = 0; j < w; ++j) to[j] -= y * from[j];
     }
+  }
 }
 
 /// Starts the rows of the unknowns with −Y Φ.
@@ -138,24 +145,26 @@ void CertifiedBlock::start(Level level, ErrorRows& to) {
   for (int r = 0; r < n; ++r) weights_[r] = phi[r].radius + rounding_ * std::abs(phi[r].mid);
 }
 
-/// Adds −Y (factor × derivative) times the errors of the coordinates from column `first` on.
-/// Collects the uncertainty of the derivative times these errors, and all rounding.
+/// Adds −Y (factor × derivative) times the errors of known coordinates at a level. Collects the
+/// uncertainty of the derivative times these errors, and all rounding.
 template <int N>
-void CertifiedBlock::add_image(Level derivative, double factor, int first, Level level,
+void CertifiedBlock::add_image(Level derivative, double factor, Level level,
                                const PerLevel<ErrorRows>& from, ErrorRows& to) {
-  const int n = this->n<N>(), w = width();
+  const int n = this->n<N>(), w = stride();
   const double* slopes = slopes_[derivative].data();
   const double* mid = jacobian_[derivative].mid.data();
   const double* radius = jacobian_[derivative].radius.data();
   const Errors& e = near_[level];
+  const double *e_center = e.center.data(), *e_own = e.own.data(), *e_radius = e.radius.data(),
+               *e_sum = e.sum.data();
   for (int i = 0; i < n; ++i, slopes += w, mid += w, radius += w) {
     double center = 0, own = 0, uncertain = 0, rounded = 0;
 #pragma omp simd reduction(+ : center, own, uncertain, rounded)
-    for (int j = first; j < w; ++j) {
-      center += slopes[j] * e.center[j];
-      own += std::abs(slopes[j]) * e.own[j];
-      uncertain += radius[j] * e.radius[j];
-      rounded += std::abs(mid[j]) * e.sum[j];
+    for (int j = 0; j < w; ++j) {
+      center += slopes[j] * e_center[j];
+      own += std::abs(slopes[j]) * e_own[j];
+      uncertain += radius[j] * e_radius[j];
+      rounded += std::abs(mid[j]) * e_sum[j];
     }
     const int row = rows_[i];
     to.center[row] += factor * center;
@@ -163,9 +172,10 @@ void CertifiedBlock::add_image(Level derivative, double factor, int first, Level
     weights_[i] += factor * (uncertain + rounding_ * rounded);
     if (to.columns == 0) continue;
     double* generators = to.of_row(row);
-    for (int j = first; j < w; ++j) {
+    for (int j = derivative == Level::position ? n : 0; j < static_cast<int>(rows_.size()); ++j) {
       const double t = factor * slopes[j];
       const double* image = from[level].of_row(rows_[j]);
+#pragma omp simd
       for (int k = 0; k < to.columns; ++k) generators[k] += t * image[k];
     }
   }
@@ -189,7 +199,7 @@ void CertifiedBlock::add_uncertainty(ErrorRows& to) {
 /// Bounds |(I − Y Φ_φ(X)) X| by the radii of X.
 template <int N>
 void CertifiedBlock::contract() {
-  const int n = this->n<N>(), w = width();
+  const int n = this->n<N>(), w = stride();
   const IntervalMatrix& jacobian = jacobian_.position;
   for (int r = 0; r < n; ++r) {
     weights_[r] = 0;
@@ -220,23 +230,26 @@ bool CertifiedBlock::finish(Level level, IntervalState& state, ErrorRows& errors
     sum *= 1 + rounding_;
     if (!std::isfinite(sum)) return false;
     errors.sum[row] = errors.radius[row] = sum;
+    Errors& e = near_[level];
+    e.center[i] = errors.center[row];
+    e.own[i] = errors.own[row];
+    e.sum[i] = e.radius[i] = sum;
     state[level][equations_.unknowns()[i]].radius = sum;
   }
-  gather(level, errors, 0, n<N>());
   return true;
 }
 
 template <int N>
 bool CertifiedBlock::prove(IntervalState& state, PerLevel<ErrorRows>& all) {
   ErrorRows& errors = all.position;
-  gather(Level::position, errors, size(), width());
+  gather_inputs(Level::position, errors);
   std::ranges::fill(trial_, 0);
   constexpr int attempts = 6;
   for (int attempt = 0; attempt <= attempts; ++attempt) {
     // The first time the trial box is a point. Then X is larger than what the last test returned
     // (epsilon inflation; Rump). A part of the magnitude serves errors that are exactly zero.
     start<N>(Level::position, errors);
-    add_image<N>(Level::position, 1, size(), Level::position, all, errors);
+    add_image<N>(Level::position, 1, Level::position, all, errors);
     add_uncertainty<N>(errors);
     contract<N>();
     bool inside = attempt > 0;
@@ -263,9 +276,9 @@ template <int N>
 bool CertifiedBlock::bound(Level level, const IntervalState& delivered, IntervalState& state,
                            PerLevel<ErrorRows>& all) {
   ErrorRows& errors = all[level];
-  gather(level, errors, size(), width());
+  gather_inputs(level, errors);
   start<N>(level, errors);
-  add_image<N>(Level::position, 1, size(), level, all, errors);
+  add_image<N>(Level::position, 1, level, all, errors);
   if (!equations_.is_linear()) {
     // Φ̇_q and Φ̈_q within the errors of all lower levels, at the delivered rates of this one. Those
     // at lower levels keep their midpoints.
@@ -274,9 +287,9 @@ bool CertifiedBlock::bound(Level level, const IntervalState& delivered, Interval
         {state.position.data(), (of_velocity ? delivered : state).velocity.data(),
          delivered.acceleration.data()},
         level, jacobian_);
-    find_slopes<N>(jacobian_[level], slopes_[level], 0);
-    add_image<N>(level, 1, 0, Level::position, all, errors);
-    if (!of_velocity) add_image<N>(Level::velocity, 2, 0, Level::velocity, all, errors);
+    find_slopes<N>(jacobian_[level], slopes_[level]);
+    add_image<N>(level, 1, Level::position, all, errors);
+    if (!of_velocity) add_image<N>(Level::velocity, 2, Level::velocity, all, errors);
   }
   add_uncertainty<N>(errors);
   // With A = |I − Y Φ_φ(X)| and A r ≤ η r, errors e ≤ b + A e are at most b + A r max(b/r)/(1 − η).
@@ -302,7 +315,7 @@ void CertifiedBlock::evaluate(const IntervalState& delivered, Level level) {
   inverted_ = with_size([&]<int N>() {
     if (!invert<N>()) return false;
     find_remainder<N>();
-    find_slopes<N>(jacobian_.position, slopes_.position, size());
+    find_slopes<N>(jacobian_.position, slopes_.position);
     return true;
   });
 }

@@ -47,14 +47,15 @@ class CertifiedBlock {
                    PerLevel<ErrorRows>& errors);
 
  private:
-  /// Errors of the block's rows at one level, side by side: unknowns, then inputs (n + m).
+  /// Errors of the block's rows at one level, side by side: unknowns, then inputs, then zeros.
+  /// Those of unknowns are zero while they are not known.
   struct Errors {
     std::vector<double> center, own, sum, radius;
   };
 
   int size() const { return equations_.size(); }
-  int width() const { return static_cast<int>(rows_.size()); }
-  void gather(Level level, const ErrorRows& from, int first, int last);
+  int stride() const { return 4 * quads_; }
+  void gather_inputs(Level level, const ErrorRows& from);
   // N is the size of the block where it is small, for the compiler to unroll loops; else 0.
   template <int N>
   int n() const {
@@ -72,12 +73,12 @@ class CertifiedBlock {
   template <int N>
   void find_remainder();
   template <int N>
-  void find_slopes(const IntervalMatrix& derivative, std::vector<double>& slopes, int first) const;
+  void find_slopes(const IntervalMatrix& derivative, std::vector<double>& slopes) const;
   template <int N>
   void start(Level level, ErrorRows& to);
   template <int N>
-  void add_image(Level derivative, double factor, int first, Level level,
-                 const PerLevel<ErrorRows>& from, ErrorRows& to);
+  void add_image(Level derivative, double factor, Level level, const PerLevel<ErrorRows>& from,
+                 ErrorRows& to);
   template <int N>
   void add_uncertainty(ErrorRows& to);
   template <int N>
@@ -89,6 +90,7 @@ class CertifiedBlock {
   IntervalBlock equations_;
   std::vector<int> rows_;
   std::vector<double> magnitudes_;
+  int quads_;                             // quarter of the length of matrix rows
   double rounding_;                       // bound on the relative rounding of all sums of products
   bool inverted_ = false;                 // what is constant is known
   PerLevel<IntervalMatrix> jacobian_;     // Φ_q, Φ̇_q, Φ̈_q (n × (n + m))

@@ -140,12 +140,11 @@ void IntervalBlock::add(const Model& m, const Constraint& constraint, const Part
     const std::vector<Interval> any(3);  // the entries are those of all values
     std::array<const Interval*, Kind::operand_sizes.size()> x;
     x.fill(any.data());
-    const int width = size() + static_cast<int>(inputs_.size());
     Kind::jacobian(x.data(), o.constants, [&](int r, int operand, int i, const Interval&) {
       const int state = o.operands[operand] + i;
       const int unknown = find(unknowns_, state), input = find(inputs_, state);
       const int column = unknown >= 0 ? unknown : input >= 0 ? size() + input : -1;
-      o.slots.push_back(o.rows[r] < 0 || column < 0 ? -1 : o.rows[r] * width + column);
+      o.slots.push_back(o.rows[r] < 0 || column < 0 ? -1 : o.rows[r] * stride() + column);
     });
     linear_ = linear_ && Kind::linear;
     objects_.push_back(std::move(o));
@@ -153,7 +152,7 @@ void IntervalBlock::add(const Model& m, const Constraint& constraint, const Part
 }
 
 IntervalMatrix IntervalBlock::make_matrix() const {
-  const std::size_t entries = unknowns_.size() * (unknowns_.size() + inputs_.size());
+  const std::size_t entries = unknowns_.size() * static_cast<std::size_t>(stride());
   return {std::vector<double>(entries), std::vector<double>(entries)};
 }
 

@@ -10,7 +10,8 @@
 
 namespace desmo {
 
-/// An interval matrix by rows, midpoints and radii apart.
+/// An interval matrix by rows, midpoints and radii apart. Rows have zeros at their ends, so that
+/// their lengths are multiples of four.
 struct IntervalMatrix {
   std::vector<double> mid, radius;
 };
@@ -28,10 +29,14 @@ class IntervalBlock {
   /// Returns the coordinates that the equations read and other blocks or drivers determine (m).
   const std::vector<int>& inputs() const { return inputs_; }
 
+  /// Returns the length of the rows of matrices: n + m or a little more.
+  int stride() const { return stride_of(unknowns_.size() + inputs_.size()); }
+  static int stride_of(std::size_t columns) { return static_cast<int>(columns + 3) / 4 * 4; }
+
   /// Evaluates Φ. Overwrites phi.
   void residual(const Interval* q, Interval* phi) const;
   /// Evaluates Φ_q: derivatives by the unknowns, then by the inputs. Overwrites the entries of
-  /// `to` (n × (n + m)) that are not always zero.
+  /// `to` (n rows) that are not always zero.
   void jacobian(const Interval* q, IntervalMatrix& to) const;
   /// Evaluates Φ and its time derivatives up to a level. Overwrites phi.
   void motion(const PerLevel<const Interval*>& state, Level level,
