@@ -44,8 +44,12 @@ TEST(CertificateNearADeadPoint, IsWiderOrGivenUp) {
         EXPECT_GE(found.coordinate, 0);
       }
       // The other position is as far away as the square root of the distance.
-      if (noise == 0 && distance >= 1e-13) EXPECT_TRUE(found.proven) << distance;
-      if (noise > 10 * std::sqrt(distance)) EXPECT_FALSE(found.proven) << distance;
+      if (noise == 0 && distance >= 1e-13) {
+        EXPECT_TRUE(found.proven) << distance;
+      }
+      if (noise > 10 * std::sqrt(distance)) {
+        EXPECT_FALSE(found.proven) << distance;
+      }
     }
   }
   EXPECT_GT(proven, 10);
@@ -108,7 +112,9 @@ TEST(CertificateOfWrongNumbers, HoldsOrIsGivenUp) {
         disturb(m, delivered, noise * nominal_size(m), generator);
         c.add(certifier, delivered, e);
       }
-      if (noise < 1e-7) EXPECT_EQ(c.proven, c.instants) << name << ' ' << noise;
+      if (noise < 1e-7) {
+        EXPECT_EQ(c.proven, c.instants) << name << ' ' << noise;
+      }
     }
   }
 }
@@ -122,11 +128,13 @@ TEST(CertificateOfWrongNumbers, IsGivenUpWhereTheyAreNotFinite) {
   for (int i = 0; i < m.coordinates(); ++i) {
     ReferenceInstant broken = solved.front();
     broken.q[i] = NAN;
-    EXPECT_FALSE(certifier.certify({.index = 0, .time = t, .q = broken.q}).proven) << i;
+    EXPECT_FALSE(
+        certifier.certify({.index = 0, .time = t, .q = broken.q, .qd = {}, .qdd = {}}).proven)
+        << i;
     broken = solved.front();
     broken.qd[i] = INFINITY;
     const Certificate c =
-        certifier.certify({.index = 0, .time = t, .q = broken.q, .qd = broken.qd});
+        certifier.certify({.index = 0, .time = t, .q = broken.q, .qd = broken.qd, .qdd = {}});
     EXPECT_FALSE(c.proven) << i;
     for (const double radius : c.radius.position) EXPECT_TRUE(std::isfinite(radius));
   }

@@ -11,17 +11,19 @@ namespace desmo {
 /// The proof of one instant after the other, group by group.
 class Certifier::Proof {
  public:
-  explicit Proof(const Model& model);
+  Proof(const Model& model, std::span<const Level> levels);
   Certificate certify(const Instant& instant, const LiveRow* drivers);
 
  private:
   void take(const Instant& instant, const LiveRow* drivers);
   void load(const CertifiedGroup& group);
+  bool is_solved(const CertifiedBlock& block, Level level) const;
   bool is_bounded(const CertifiedBlock& block, Level level) const;
   bool bound(CertifiedBlock& block, Level level);
   void leave(const CertifiedGroup& group);
 
   const Model& m_;
+  std::span<const Level> levels_;
   CertifiedGroups structure_;
   std::span<const Level> solved_;  // levels of the present instant
   IntervalState delivered_, state_;
@@ -30,7 +32,8 @@ class Certifier::Proof {
   PerLevel<std::vector<double>> radius_;
 };
 
-Certifier::Proof::Proof(const Model& m) : m_(m), structure_(certified_groups(m)) {
+Certifier::Proof::Proof(const Model& m, std::span<const Level> up_to)
+    : m_(m), levels_(up_to), structure_(certified_groups(m)) {
   for (const Level level : levels) {
     for (IntervalState* s : {&delivered_, &state_}) (*s)[level].resize(m.state_size());
     errors_[level].resize(m.coordinates());
@@ -130,6 +133,11 @@ void Certifier::Proof::leave(const CertifiedGroup& group) {
   }
 }
 
+bool Certifier::Proof::is_solved(const CertifiedBlock& block, Level level) const {
+  return levels_.empty() || std::ranges::any_of(block.equations().unknowns(),
+                                                [&](int i) { return levels_[i] >= level; });
+}
+
 /// Returns whether everything that a bound at this level depends on is bounded.
 bool Certifier::Proof::is_bounded(const CertifiedBlock& block, Level level) const {
   for (const int row : block.input_rows())
@@ -170,7 +178,7 @@ Certificate Certifier::Proof::certify(const Instant& instant, const LiveRow* han
     for (CertifiedBlock& block : group.blocks) {
       block.evaluate(delivered_, solved_.back());
       for (const Level level : solved_) {
-        if (bound(block, level) || !result.proven) continue;
+        if (!is_solved(block, level) || bound(block, level) || !result.proven) continue;
         result.proven = false;
         result.group = group.id;
         result.coordinate = block.equations().unknowns().front();
@@ -182,7 +190,8 @@ Certificate Certifier::Proof::certify(const Instant& instant, const LiveRow* han
   return result;
 }
 
-Certifier::Certifier(const Model& model) : proof_(std::make_unique<Proof>(model)) {}
+Certifier::Certifier(const Model& model, std::span<const Level> levels)
+    : proof_(std::make_unique<Proof>(model, levels)) {}
 Certifier::~Certifier() = default;
 
 Certificate Certifier::certify(const Instant& instant) { return proof_->certify(instant, nullptr); }

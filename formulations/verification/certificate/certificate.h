@@ -20,8 +20,8 @@ struct Certificate {
   GroupId group = -1;
   int coordinate = -1;
   /// Bound on |delivered − exact| of each coordinate, in its own unit: no rounding is neglected.
-  /// Infinite where no proof succeeded: in that block, in what depends on it, and at levels that
-  /// the instant does not have. Driven coordinates count from the exact motion at the time.
+  /// Infinite where no proof succeeded: in that block and in what depends on it. Infinite at levels
+  /// that are not solved, too. Driven coordinates count from the exact motion at the time.
   /// Valid until the next certify().
   PerLevel<std::span<const double>> radius;
 };
@@ -41,11 +41,14 @@ struct Certificate {
 ///   const Certificate c = certifier.certify(instant);   // in an observer, for example
 ///   if (c.proven) std::cout << c.radius.position[i];    // |q[i] − exact| is not larger
 ///
-/// The cost of an instant is about that of a step. One thread at a time may use a certifier.
+/// An instant costs as much as a few steps of `global_automatic_klu`. One thread at a time may use
+/// a certifier.
 class Certifier {
  public:
-  /// Cuts the model into blocks and allocates everything. The model must outlive the certifier.
-  explicit Certifier(const Model& model);
+  /// Cuts the model into blocks and allocates everything. levels: the level up to which each
+  /// coordinate is solved (Plan::levels); empty: as far as the instant. Both must outlive the
+  /// certifier.
+  explicit Certifier(const Model& model, std::span<const Level> levels = {});
   ~Certifier();
 
   /// Certifies an instant of all coordinates, up to the levels that it has, with the motions of the
