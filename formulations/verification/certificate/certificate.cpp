@@ -178,7 +178,7 @@ Certificate Certifier::Proof::certify(const Instant& instant, const LiveRow* han
     for (CertifiedBlock& block : group.blocks) {
       block.evaluate(delivered_, solved_.back());
       for (const Level level : solved_) {
-        if (!is_solved(block, level) || bound(block, level) || !result.proven) continue;
+        if (bound(block, level) || !is_solved(block, level) || !result.proven) continue;
         result.proven = false;
         result.group = group.id;
         result.coordinate = block.equations().unknowns().front();

@@ -239,35 +239,39 @@ bool CertifiedBlock::finish(Level level, IntervalState& state, ErrorRows& errors
   return true;
 }
 
+/// Finds the errors of positions but for those that X causes: −Y Φ − Y Φ_h δ.
+template <int N>
+void CertifiedBlock::find_image(PerLevel<ErrorRows>& all) {
+  start<N>(Level::position, all.position);
+  add_image<N>(Level::position, 1, Level::position, all, all.position);
+  add_uncertainty<N>(all.position);
+}
+
 template <int N>
 bool CertifiedBlock::prove(IntervalState& state, PerLevel<ErrorRows>& all) {
   ErrorRows& errors = all.position;
   gather_inputs(Level::position, errors);
-  std::ranges::fill(trial_, 0);
+  find_image<N>(all);
+  std::ranges::fill(contracted_, 0);
   constexpr int attempts = 6;
-  for (int attempt = 0; attempt <= attempts; ++attempt) {
-    // The first time the trial box is a point. Then X is larger than what the last test returned
-    // (epsilon inflation; Rump). A part of the magnitude serves errors that are exactly zero.
-    start<N>(Level::position, errors);
-    add_image<N>(Level::position, 1, Level::position, all, errors);
-    add_uncertainty<N>(errors);
-    contract<N>();
-    bool inside = attempt > 0;
+  for (int attempt = 0; attempt < attempts; ++attempt) {
+    // X is larger than what the last test returned (epsilon inflation; Rump). A part of the
+    // magnitude serves errors that are exactly zero.
     for (int i = 0; i < n<N>(); ++i) {
-      const double image = (errors.sum[rows_[i]] + contracted_[i]) * (1 + rounding_);
-      inside = inside && image < trial_[i];
-      weights_[i] = image;
-    }
-    if (inside) {
-      for (int i = 0; i < n<N>(); ++i) add_own(errors, i, contracted_[i]);
-      return finish<N>(Level::position, state, errors);
-    }
-    for (int i = 0; i < n<N>(); ++i) {
-      trial_[i] = 1.1 * weights_[i] + 0x1p-60 * magnitudes_[i];
+      trial_[i] = 1.1 * (errors.sum[rows_[i]] + contracted_[i]) + 0x1p-60 * magnitudes_[i];
       state.position[equations_.unknowns()[i]].radius = trial_[i];
     }
-    if (!equations_.is_linear())  // radii; midpoints stay the same
-      equations_.jacobian(state.position.data(), jacobian_.position);
+    if (!equations_.is_linear()) {
+      equations_.jacobian(state.position.data(), jacobian_.position);  // the same midpoints
+      find_image<N>(all);
+    }
+    contract<N>();
+    bool inside = true;
+    for (int i = 0; i < n<N>(); ++i)
+      inside = inside && (errors.sum[rows_[i]] + contracted_[i]) * (1 + rounding_) < trial_[i];
+    if (!inside) continue;
+    for (int i = 0; i < n<N>(); ++i) add_own(errors, i, contracted_[i]);
+    return finish<N>(Level::position, state, errors);
   }
   return false;
 }
@@ -298,7 +302,9 @@ bool CertifiedBlock::bound(Level level, const IntervalState& delivered, Interval
     ratio = std::max(ratio, errors.sum[rows_[i]] / trial_[i]);
     contraction = std::max(contraction, contracted_[i] / trial_[i]);
   }
-  const double factor = ratio / (1 - contraction) * (1 + rounding_);
+  const double room = 1 - contraction - rounding_;
+  if (!(room > 0)) return false;
+  const double factor = ratio / room * (1 + rounding_);
   for (int i = 0; i < n<N>(); ++i) add_own(errors, i, contracted_[i] * factor);
   return finish<N>(level, state, errors);
 }

@@ -82,6 +82,8 @@ class CertifiedBlock {
   template <int N>
   void add_uncertainty(ErrorRows& to);
   template <int N>
+  void find_image(PerLevel<ErrorRows>& errors);
+  template <int N>
   void contract();
   void add_own(ErrorRows& to, int i, double radius) const;
   template <int N>
