@@ -7,6 +7,7 @@
 
 #include "formulations/groupwise/double_solution.h"
 #include "formulations/modelling/modelling.h"
+#include "formulations/planning/plan.h"
 #include "formulations/verification/reference/reference.h"
 #include "tests/accuracy/scenes.h"
 #include "tests/certificate/containment.h"
@@ -137,6 +138,26 @@ TEST(CertificateOfWrongNumbers, IsGivenUpWhereTheyAreNotFinite) {
         certifier.certify({.index = 0, .time = t, .q = broken.q, .qd = broken.qd, .qdd = {}});
     EXPECT_FALSE(c.proven) << i;
     for (const double radius : c.radius.position) EXPECT_TRUE(std::isfinite(radius));
+  }
+}
+
+TEST(CertificateOfAPlan, EndsAtTheLevelsThatAreSolved) {
+  const Scene scene = library_scene("truck_axle");
+  const Model whole = make_model(scene);
+  const std::vector<Asked> asked{{whole.constraints.back().operands.front(), Level::velocity}};
+  const Plan plan = make_plan(whole, asked);
+  const double t = 0.1;
+  ReferenceInstant s = double_solution(plan.model, std::span(&t, 1)).front();
+  const std::vector<bool> driven = independent_coordinates(plan.model);
+  for (int i = 0; i < plan.model.coordinates(); ++i)
+    if (!driven[i]) s.qdd[i] = NAN;  // nobody has solved them
+  Certifier certifier(plan.model, plan.levels);
+  const Certificate c =
+      certifier.certify({.index = 0, .time = t, .q = s.q, .qd = s.qd, .qdd = s.qdd});
+  EXPECT_TRUE(c.proven);
+  for (int i = 0; i < plan.model.coordinates(); ++i) {
+    EXPECT_LT(c.radius.velocity[i], 1e-9);
+    EXPECT_EQ(std::isinf(c.radius.acceleration[i]), !driven[i]);
   }
 }
 
