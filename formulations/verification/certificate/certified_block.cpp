@@ -302,9 +302,9 @@ bool CertifiedBlock::bound(Level level, const IntervalState& delivered, Interval
     ratio = std::max(ratio, errors.sum[rows_[i]] / trial_[i]);
     contraction = std::max(contraction, contracted_[i] / trial_[i]);
   }
-  const double room = 1 - contraction - rounding_;
-  if (!(room > 0)) return false;
-  const double factor = ratio / room * (1 + rounding_);
+  const double margin = 1 - contraction - rounding_;
+  if (!(margin > 0)) return false;
+  const double factor = ratio / margin * (1 + rounding_);
   for (int i = 0; i < n<N>(); ++i) add_own(errors, i, contracted_[i] * factor);
   return finish<N>(level, state, errors);
 }
