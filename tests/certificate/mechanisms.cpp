@@ -36,6 +36,14 @@ TEST(Certificate, HoldsOnTheLibrary) {
   }
 }
 
+TEST(Certificate, HoldsWhateverTheUnit) {
+  for (const double factor : {1e-9, 1e9}) {
+    const Scene scene = enlarged(library_scene("slider_crank"), factor);
+    const Containment c = contain(make_model(scene), sampled(scene.grid, 20));
+    EXPECT_EQ(c.proven, c.instants) << factor;
+  }
+}
+
 TEST(Certificate, HoldsOnTheCases) {
   for (const Case& definition : cases()) {
     const Scene scene = describe(definition, definition.sizes.back());
