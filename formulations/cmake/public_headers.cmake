@@ -9,7 +9,7 @@
 cmake_minimum_required(VERSION 3.25)
 
 set(public
-  mechanism scene files cases model settings summary observer formulation assessment live_run range
+  mechanism scene files cases model settings summary observer formulation assessment certificate live_run range
   generated_code reference)
 set(scene_h cases/mechanism/motion.h cases/mechanism/scene.h)
 set(mechanism_h cases/mechanism/mechanism.h cases/mechanism/builder.h)
@@ -21,6 +21,7 @@ set(summary_h formulations/base/summary.h)
 set(observer_h formulations/base/observer.h)
 set(formulation_h formulations/formulation.h formulations/variants.h formulations/id.h)
 set(assessment_h formulations/verification/monitor/monitored_run.h)
+set(certificate_h formulations/verification/certificate/certificate.h)
 set(live_run_h formulations/verification/monitor/live_run.h)
 set(range_h formulations/verification/range/driver_range.h)
 set(generated_code_h formulations/runtime/own_kernels.h)

@@ -46,6 +46,16 @@ TEST_F(Cli, StrictRefusesWhatIsDegraded) {
   EXPECT_TRUE(std::filesystem::is_empty(folder_ / "out"));
 }
 
+TEST_F(Cli, ProvesBoundsWhereAsked) {
+  ASSERT_EQ(desmo("solve slider_crank --certify --strict -o out/motion.csv"), 0) << err_;
+  EXPECT_TRUE(says("proof: 401 of 401 instants; errors at most ")) << err_;
+  EXPECT_TRUE(says(" in acceleration\n")) << err_;
+  ASSERT_EQ(desmo("solve slider_crank -o out/other.csv"), 0) << err_;
+  EXPECT_FALSE(says("proof")) << err_;
+  EXPECT_EQ(text_of(out("motion.csv")), text_of(out("other.csv")));
+  EXPECT_EQ(desmo("solve slider_crank --certify --drivers rows.csv"), 64);
+}
+
 TEST_F(Cli, GoesOnPastWhatCannotBeAssembled) {
   write("locks.json", locks);
   ASSERT_EQ(desmo("solve locks.json --past-failures -o out/motion.csv"), 0) << err_;

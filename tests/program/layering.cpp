@@ -71,6 +71,7 @@ TEST(Layering, FoldersIncludeOnlyThoseBeforeThem) {
                                           "formulations/codegen",
                                           "formulations",
                                           "formulations/verification",
+                                          "formulations/verification/certificate",
                                           "formulations/verification/assessment",
                                           "formulations/verification/monitor",
                                           "formulations/verification/range",

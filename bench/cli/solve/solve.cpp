@@ -15,6 +15,7 @@
 #include "bench/cli/interruption.h"
 #include "bench/cli/own_code.h"
 #include "bench/cli/solve/live.h"
+#include "bench/cli/solve/proof.h"
 #include "bench/cli/solve/run_notes.h"
 #include "cases/mechanism/names.h"
 #include "formulations/id.h"
@@ -28,7 +29,7 @@ constexpr const char* default_formulation = "block_symbolic_inlined";
 
 struct SolveOptions {
   std::string scene, output, format, formulation, drivers;
-  bool explain = false, quiet = false, strict = false, past_failures = false;
+  bool explain = false, quiet = false, strict = false, past_failures = false, certify = false;
   OwnCode own_code;
 };
 
@@ -115,11 +116,16 @@ void solve(const SolveOptions& options) {
   std::optional<bench::Progress> progress;
   if (!options.quiet && !in_the_way) progress.emplace("instants", input.scene.grid.instants, true);
   SeriesWriter writer(heading, std::move(format), output, progress ? &*progress : nullptr);
+  MonitoredRunOptions monitoring{{.tolerance = settings.tolerance, .levels = plan.levels},
+                                 options.strict,
+                                 options.past_failures};
+  std::optional<Proof> proof;
+  if (options.certify) {
+    proof.emplace(plan.model, input.scene.grid, plan.levels);
+    monitoring.monitored = [&](const MonitoredInstant& i) { proof->add(i.instant); };
+  }
   const MonitoredSummary summary =
-      run_monitored(*formulation, input.scene.grid, Request{plan.level()}, writer,
-                    {{.tolerance = settings.tolerance, .levels = plan.levels},
-                     options.strict,
-                     options.past_failures});
+      run_monitored(*formulation, input.scene.grid, Request{plan.level()}, writer, monitoring);
   const std::string overflow = writer.overflow();
   progress.reset();
   const bool all = summary.outcome() != Outcome::failed && overflow.empty();
@@ -128,11 +134,14 @@ void solve(const SolveOptions& options) {
   if (summary.refused)
     fail(refusal_text(summary, plan.level(), plan.model), summary.instants, input, output);
   if (!all) fail(failure_text(summary, plan.model), summary.instants, input, output);
+  if (options.strict && proof && !proof->is_complete())
+    fail(proof->reason() + "; solve without --strict", summary.instants, input, output);
   output.finish();
   if (!options.quiet)
     say(note_on_tolerance(*formulation, settings.tolerance) + note_on_refusals(*formulation) +
         note_on_steps(*formulation) + note_on_gaps(summary, plan.model) +
-        note_on_accuracy(summary, plan.level(), plan.model));
+        note_on_accuracy(summary, plan.level(), plan.model) +
+        (proof ? proof->note(plan.level()) : ""));
 }
 
 }  // namespace
@@ -167,6 +176,12 @@ void add_solve(CLI::App& program) {
                    "instant, answered at once, of t, then z of each driver, dz/dt of each and "
                    "d2z/dt2 of each; the scene's own motion and time are not used")
       ->check(refuse_empty);
+  command
+      ->add_flag(
+          "--certify", options->certify,
+          "Prove an error bound of every instant, all rounding included; with --strict, fail "
+          "where there is no proof")
+      ->excludes("--drivers");
   add_options(*command, options->own_code);
   command->add_flag("--explain", options->explain,
                     "Say on standard error what has to be solved for what is asked, and why");

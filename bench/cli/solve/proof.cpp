@@ -1,0 +1,61 @@
+#include "bench/cli/solve/proof.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "bench/cli/text.h"
+
+namespace desmo::cli {
+
+Proof::Proof(const Model& m, const TimeGrid& grid, std::span<const Level> levels)
+    : m_(m), certifier_(m, levels), scales_(m, grid) {}
+
+void Proof::add(const Instant& instant) {
+  scales_.take(instant);
+  const Certificate c = certifier_.certify(instant);
+  ++instants_;
+  if (!c.proven) {
+    if (group_ < 0) first_ = instant.time, group_ = c.group;
+    return;
+  }
+  ++proven_;
+  for (const Level level : levels)
+    for (const Entity& e : m_.entities) {
+      if (e.fixed) continue;
+      double squares = 0;
+      for (const double r : c.radius[level].subspan(e.first, e.size)) squares += r * r;
+      double& largest = (is_length(e.kind) ? length_ : rotation_)[level];
+      if (std::isfinite(squares)) largest = std::max(largest, std::sqrt(squares));
+    }
+}
+
+std::string Proof::note(Level level) const {
+  char text[200];
+  std::snprintf(text, sizeof text, "proof: %ld of %ld instants", proven_, instants_);
+  std::string note = text;
+  const char* names[] = {"; errors at most %.1e", ", %.1e in velocity", ", %.1e in acceleration"};
+  for (const Level l : levels) {
+    if (proven_ == 0 || l > level) break;
+    const double bound = std::max(relative(length_[l], scales_.now().length[l]),
+                                  relative(rotation_[l], scales_.now().rotation[l]));
+    std::snprintf(text, sizeof text, names[static_cast<int>(l)], bound);
+    note += text;
+  }
+  note += '\n';
+  if (!is_complete())
+    note += "proof: none for " + count(instants_ - proven_, "instant") + ", the first at " +
+            reason() + '\n';
+  return note;
+}
+
+std::string Proof::reason() const {
+  char moment[40];
+  std::snprintf(moment, sizeof moment, "t = %.9g s", first_);
+  return "group '" + m_.groups[group_].name + "' (" + enumerate(m_.groups[group_].bodies, 8) +
+         "), " + moment +
+         ": the position is too near a singular one, or too far off, to prove that a solution is "
+         "near";
+}
+
+}  // namespace desmo::cli

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "formulations/base/live_row.h"
+#include "formulations/base/observer.h"
+#include "formulations/base/per_level.h"
+#include "formulations/model/model.h"
+
+namespace desmo {
+
+/// What is proven of one instant. Where `proven` is true, Φ(q, t) = 0 has exactly one solution
+/// within the radii of the positions around the delivered ones, and the rates of that solution are
+/// within the radii of the rates. The model's constants, its motions and the instant's time count
+/// as exact. Whether that solution lies on the branch that is meant is not part of the proof.
+struct Certificate {
+  bool proven = false;
+  /// First irreducible block without a proof: its structural group and its first unknown. -1: none.
+  GroupId group = -1;
+  int coordinate = -1;
+  /// Bound on |delivered − exact| of each coordinate, in its own unit: no rounding is neglected.
+  /// Infinite where no proof succeeded: in that block and in what depends on it. Infinite at levels
+  /// that are not solved, too. Driven coordinates count from the exact motion at the time.
+  /// Valid until the next certify().
+  PerLevel<std::span<const double>> radius;
+};
+
+/// Proves error bounds of solved instants, whatever solved them. Blocks of the equations are
+/// verified in solution order, each by Krawczyk's test about the delivered values: with an
+/// approximate inverse Y of Φ_φ at these, known errors δ of what comes before, and a trial box X,
+///
+///   −Y Φ − Y Φ_h δ + (I − Y Φ_φ(X)) X  inside X
+///
+/// proves a solution in the left side, and no other in X (Krawczyk, Computing 4, 1969; Neumaier,
+/// Interval Methods for Systems of Equations, 5.1). Velocities and accelerations are linear: the
+/// contraction of the same test bounds their errors. Within a structural group errors are linear
+/// images of boxes; what a later group reads is enclosed in an ErrorBasis.
+///
+///   Certifier certifier(model);
+///   const Certificate c = certifier.certify(instant);   // in an observer, for example
+///   if (c.proven) std::cout << c.radius.position[i];    // |q[i] − exact| is not larger
+///
+/// An instant costs as much as a few steps of `global_automatic_klu`. One thread at a time may use
+/// a certifier.
+class Certifier {
+ public:
+  /// Cuts the model into blocks and allocates everything. levels: the level up to which each
+  /// coordinate is solved (Plan::levels); empty: as far as the instant. Both must outlive the
+  /// certifier.
+  explicit Certifier(const Model& model, std::span<const Level> levels = {});
+  ~Certifier();
+
+  /// Certifies an instant of all coordinates, up to the levels that it has, with the motions of the
+  /// model at its time. Allocates nothing.
+  Certificate certify(const Instant& instant);
+  /// Certifies an instant with drivers that were handed in, which count as exact.
+  Certificate certify(const Instant& instant, const LiveRow& drivers);
+
+ private:
+  class Proof;
+  std::unique_ptr<Proof> proof_;
+};
+
+}  // namespace desmo

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace desmo {
+
+/// A box in an orthonormal basis that encloses a set of errors. The errors are linear images of
+/// unit boxes: error i = Σ G(i, k) t(k) + own(i) w(i) with all |t(k)|, |w(i)| ≤ 1. The enclosure is
+/// error i = Σ H(i, s) t'(s), with one new symbol for each error.
+///
+/// Boxes along the coordinates would grow exponentially from group to group of a chain that turns
+/// (the wrapping effect). A basis that turns with the errors, the largest direction first, prevents
+/// this (Lohner, Einschließung der Lösung gewöhnlicher Anfangs- und Randwertaufgaben, 1988).
+class ErrorBasis {
+ public:
+  /// Allocates for so many errors and columns of G.
+  ErrorBasis(int max_errors, int max_columns);
+
+  /// Begins a set of errors.
+  void start(int errors, int columns);
+  /// Sets an error: its row of G, and its own radius. Directions of errors with low ranks come
+  /// first.
+  void set(int i, const double* generators, double own, int rank);
+  /// Encloses all errors. Allocates nothing.
+  void enclose();
+
+  int size() const { return size_; }
+  /// Returns H(i, s), rounded once.
+  double generator(int i, int s) const { return basis_[i * size_ + s] * radii_[s] / scale_[i]; }
+
+ private:
+  void find_directions();
+  double deviation() const;
+
+  int size_ = 0, columns_ = 0;
+  std::vector<double> generators_;  // G (size × columns)
+  std::vector<double> own_;         // (size)
+  std::vector<double> scale_;       // (size) powers of two that make rows of a rank equal
+  std::vector<double> basis_;       // Q (size × size)
+  std::vector<double> radii_;       // (size)
+  std::vector<double> rest_;        // what is left of G after the directions so far
+  std::vector<double> sums_;        // workspace (columns)
+};
+
+}  // namespace desmo

@@ -1,0 +1,71 @@
+// Proven radii against quadruple precision, over motions of whole mechanisms.
+
+#include <gtest/gtest.h>
+
+#include <iostream>
+
+#include "formulations/groupwise/double_solution.h"
+#include "formulations/verification/reference/reference.h"
+#include "tests/accuracy/scenes.h"
+#include "tests/certificate/containment.h"
+#include "tests/certificate/turned_chain.h"
+
+namespace desmo::certified_mechanisms_test {
+namespace {
+
+Containment contain(const Model& m, std::span<const double> times) {
+  const auto solved = double_solution(m, times);
+  const auto exact = reference_solution(m, times, Precision::quadruple);
+  Certifier certifier(m);
+  Containment c;
+  for (std::size_t k = 0; k < times.size(); ++k) c.add(certifier, solved[k], exact[k]);
+  std::cout << m.name << ", " << m.coordinates() << " coordinates: " << c.proven << " of "
+            << c.instants << " proven;";
+  for (const Level level : levels)
+    std::cout << " widest " << c.widest[level] << ", " << c.median(level) << " times the error;";
+  std::cout << '\n';
+  return c;
+}
+
+TEST(Certificate, HoldsOnTheLibrary) {
+  for (const LibraryMechanism& l : library()) {
+    const Scene scene = library_scene(l.name);
+    Containment c = contain(make_model(scene), sampled(scene.grid, DESMO_SANITIZED ? 5 : 100));
+    EXPECT_EQ(c.proven, c.instants) << l.name;
+    EXPECT_LE(c.median(Level::position), DESMO_SANITIZED ? 200 : 50) << l.name;
+  }
+}
+
+TEST(Certificate, HoldsWhateverTheUnit) {
+  for (const double factor : {1e-9, 1e9}) {
+    const Scene scene = enlarged(library_scene("slider_crank"), factor);
+    const Containment c = contain(make_model(scene), sampled(scene.grid, 20));
+    EXPECT_EQ(c.proven, c.instants) << factor;
+  }
+}
+
+TEST(Certificate, HoldsOnTheCases) {
+  for (const Case& definition : cases()) {
+    const Scene scene = describe(definition, definition.sizes.back());
+    Containment c = contain(make_model(scene), sampled(scene.grid, DESMO_SANITIZED ? 2 : 20));
+    EXPECT_EQ(c.proven, c.instants) << definition.name;
+    EXPECT_LE(c.median(Level::position), DESMO_SANITIZED ? 200 : 50) << definition.name;
+  }
+}
+
+TEST(Certificate, HoldsOnATurnedChain) {
+  const Model m = make_model(turned_chain(185));
+  const Containment c = contain(m, sampled({0, 0.25, 25}, DESMO_SANITIZED ? 2 : 25));
+  EXPECT_EQ(c.proven, c.instants);
+  for (const Level level : levels) EXPECT_LE(c.widest[level], 1e-10);
+}
+
+TEST(Certificate, HoldsOnAChainOf2000Dyads) {
+  const Model m = make_model(turned_chain(2000));
+  const Containment c = contain(m, sampled({0, 0.5, 13}, DESMO_SANITIZED ? 2 : 7));
+  EXPECT_EQ(c.proven, c.instants);
+  for (const Level level : levels) EXPECT_LE(c.widest[level], 1e-8);
+}
+
+}  // namespace
+}  // namespace desmo::certified_mechanisms_test
