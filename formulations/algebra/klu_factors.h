@@ -7,6 +7,7 @@
 #include <limits>
 #include <span>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "formulations/algebra/linear_solver.h"
@@ -48,6 +49,14 @@ class KluFactors final : public LinearSolver<double> {
   }
 
   void solve(double* b) override { klu_solve(symbolic_, numeric_, n_, 1, b, &common_); }
+
+  /// Overwrites b with D⁻¹ b, D being the irreducible blocks of A without what couples them.
+  void solve_blocks(double* b) {
+    uncoupled_.resize(row_count() + 1);
+    int* const coupled = std::exchange(numeric_->Offp, uncoupled_.data());
+    solve(b);
+    numeric_->Offp = coupled;
+  }
 
   /// Overwrites b with A⁻ᵀ b.
   void solve_transposed(double* b) { klu_tsolve(symbolic_, numeric_, n_, 1, b, &common_); }
@@ -94,6 +103,7 @@ class KluFactors final : public LinearSolver<double> {
   klu_symbolic* symbolic_ = nullptr;
   klu_numeric* numeric_ = nullptr;
   long pivot_choices_ = 0;
+  std::vector<int> uncoupled_;  // column starts of a matrix without entries between blocks
 };
 
 }  // namespace desmo

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "formulations/scaling/magnitudes.h"
 #include "formulations/verification/assessment/backward_error.h"
 
 namespace desmo {
@@ -35,12 +36,15 @@ Assessor::Assessor(const Model& m, std::span<const Level> levels)
       motion_(m, levels_),
       of_system_(system_.size()),
       of_change_(of_system_),
+      of_residuals_(of_system_),
       to_outputs_{of_system_, of_system_, of_system_},
       to_errors_(to_outputs_),
       weights_(system_.size()),
       off_(system_.size()),
       unknown_(system_.size()),
       change_(system_.size()),
+      row_(system_.size()),
+      row_magnitudes_(system_.size()),
       error_(system_.size()),
       max_(m.groups.size()),
       state_(m.state_size()),
@@ -48,6 +52,11 @@ Assessor::Assessor(const Model& m, std::span<const Level> levels)
       phi_motion_(system_.size()) {
   std::ranges::copy(m.fixed_values, state_.begin() + m.coordinates());
   for (const int i : system_.unknowns()) group_.push_back(motion_.group(i));
+  const Magnitudes magnitudes(m);
+  Eigen::Index row = 0;
+  for (int c = 0; c < static_cast<int>(m.constraints.size()); ++c)
+    for (int r = 0; r < rows(m.constraints[c]); ++r)
+      if (!(m.constraints[c].left_out >> r & 1)) row_magnitudes_[row++] = magnitudes.of({c, r});
   for (const Level level : desmo::levels) corrected_[level].resize(m.coordinates());
 }
 
@@ -68,6 +77,7 @@ Assessment Assessor::operator()(const Instant& instant, const Scales& scales) {
   equations_of(Level::position);
   const Bound position = of_outputs(Level::position, scales);
   a.rounding = position.rounding;
+  a.per_residual = of_residuals();
   enclose(Level::position);
   widen(Level::position, 2);
   const double closeness = contraction();  // η
@@ -150,6 +160,18 @@ Assessor::Bound Assessor::of_outputs(Level level, const Scales& scales) {
   const double rounding = missed * to_outputs_[level](system_, weights_, unknown_).value;
   const double drivers = motion_.of_drivers(level, scales);
   return {std::max(known + rounding, drivers), std::max(rounding, drivers)};
+}
+
+/// max |A⁻¹ R⁻¹ Φ| over all outputs, each relative to its scale (weights_), of equations that are
+/// off by their magnitudes at most, in the Euclidean norm.
+double Assessor::of_residuals() {
+  if (system_.size() == 0) return 0;
+  change_ = row_magnitudes_ / system_.row_sums();
+  const int worst = of_residuals_(system_, weights_, change_).unknown;
+  row_.setZero();
+  row_[worst] = weights_[worst];
+  system_.solve_transposed(row_.data());
+  return missed * (row_ * change_).matrix().norm();
 }
 
 /// error_ ≥ |off_| + |A⁻¹| unknown_, the same for all unknowns of a group: of the second, what

@@ -56,6 +56,7 @@ class Assessor {
   };
   void equations_of(Level level);
   Bound of_outputs(Level level, const Scales& scales);
+  double of_residuals();
   void enclose(Level level);
   void at_least(const Eigen::ArrayXd& errors);
   const Eigen::ArrayXd& inverse(const Eigen::ArrayXd& errors);
@@ -68,8 +69,11 @@ class Assessor {
   ScaledSystem system_;
   EnclosedMotion motion_;
   InverseNorm of_system_, of_change_;  // one each, since the worst unknown is remembered
+  InverseNorm of_residuals_;
   PerLevel<InverseNorm> to_outputs_, to_errors_;
   Eigen::ArrayXd weights_, off_, unknown_, change_;
+  Eigen::ArrayXd row_;             // of the inverse
+  Eigen::ArrayXd row_magnitudes_;  // of the equations, as in their residuals
   Eigen::ArrayXd error_;  // error bound of each unknown in its magnitude, equal within a group
   std::vector<GroupId> group_;  // group of each unknown
   std::vector<double> max_;     // error bound of each group

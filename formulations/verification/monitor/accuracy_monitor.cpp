@@ -27,8 +27,6 @@ constexpr double factor = 4;
 constexpr int look_every = 16;
 /// Bounds of rates above which it cannot be told whether they lead on.
 constexpr double noise = 1e-3;
-/// By how much a bound may rise above what correcting could reach.
-constexpr double worse = 2;
 /// What residuals show of errors at an estimated condition number, times this, bounds them.
 constexpr double shown_by = 10;
 
@@ -48,8 +46,7 @@ struct AccuracyMonitor::State {
   BranchSigns signs;
   std::vector<EntityId> entity;  // of each coordinate
 
-  Assessment last{};             // that was made
-  PerLevel<double> reachable{};  // bounds that correcting has led to, or might
+  Assessment last{};  // that was made
   double last_time = 0;
   bool started = false, degraded = false;
   bool after_gap = false, is_doubted = false;
@@ -77,9 +74,8 @@ struct AccuracyMonitor::State {
 
   MonitoredInstant examine(const Instant& instant) {
     MonitoredInstant j{instant};
-    const double growth = growth_at(instant);
-    const double residual = has(Monitor::residual) ? instant.residual : 0;
-    const Assessment expected = expectation(growth, residual);
+    const Expectation::Signals signals = signals_of(instant);
+    const Assessment expected = expectation(signals);
     const Statement statement = state(instant, expected);
     const bool in_doubt = is_in_doubt(instant);
     std::optional<SingularityCrossing> jump;
@@ -87,8 +83,8 @@ struct AccuracyMonitor::State {
     const bool known_before = rates_are_known();
     // A doubt that shorter steps have argued away is one: next to where solutions meet they too
     // end anywhere.
-    if (in_doubt || !statement.holds || is_due(growth, residual, expected))
-      assess(j, growth, residual);
+    if (in_doubt || !statement.holds || is_due(signals))
+      assess(j, signals);
     else
       j.assessment = statement.assessment;
     if (in_doubt && instant.interpolated && !j.solved_anew) jump = find_jump(j.instant);
@@ -109,7 +105,7 @@ struct AccuracyMonitor::State {
     bool holds;
   };
   Statement state(const Instant& instant, const Assessment& expected) {
-    Statement s{expectation.with_margin(expected), true};
+    Statement s{expected, true};
     if (!has(Monitor::bounds) || !started) return s;
     PerLevel<double>& bound = s.assessment.bound;
     if (instant.interpolated || (options.reuses_pivots && has(Monitor::residual))) {
@@ -122,38 +118,28 @@ struct AccuracyMonitor::State {
         before = shown_by * shown[l] + expected.condition * before;
         bound[l] += before;
       }
-      // Rates of pivots that have gone bad are worth correcting as any are.
-      s.holds = instant.interpolated ||
-                !exceeds({0, shown_by * shown.velocity, shown_by * shown.acceleration},
-                         limits.worth_correcting(expected.condition));
     }
-    s.holds = s.holds && !exceeds(bound, limits.degraded);
+    s.holds = !exceeds(bound, limits.degraded);
     return s;
   }
 
-  /// Of the condition number since the last assessment, as far as it shows.
-  double growth_at(const Instant& instant) {
-    if (!has(Monitor::sensitivity)) return 1;
-    const double of_rates = sensitivity.growth(instant);
-    if (!has(Monitor::clock)) return of_rates;
+  Expectation::Signals signals_of(const Instant& instant) {
+    Expectation::Signals signals;
+    if (has(Monitor::residual)) signals.residual = instant.residual;
+    if (!has(Monitor::sensitivity)) return signals;
+    signals.growth = sensitivity.growth(instant);
+    signals.drivers = sensitivity.driver_growth();
+    if (!has(Monitor::clock)) return signals;
     conditioning.go_on(instant);
     if (conditioning.is_due()) conditioning.look(instant, assessor.system());
-    return std::max(of_rates, conditioning.growth());
+    signals.growth = std::max(signals.growth, conditioning.growth());
+    return signals;
   }
 
-  bool is_due(double growth, double residual, const Assessment& expected) const {
+  bool is_due(const Expectation::Signals& signals) const {
     return !started || degraded || after_gap || (has(Monitor::clock) && since >= options.every) ||
-           !(growth <= factor) || expectation.is_new(residual) || is_correctable(expected, growth);
-  }
-
-  /// Whether bounds are so large that correcting would help.
-  bool is_correctable(const Assessment& a, double growth) const {
-    const PerLevel<double> least = limits.worth_correcting(a.condition);
-    double powers_of_growth = worse;
-    return std::ranges::any_of(levels, [&](Level l) {
-      powers_of_growth *= growth;
-      return !(a.bound[l] <= std::max(least[l], powers_of_growth * reachable[l]));
-    });
+           !(signals.growth <= factor) || !(signals.drivers.velocity <= factor) ||
+           !(signals.drivers.acceleration <= factor);
   }
 
   /// Of the last assessment, well enough for Continuity.
@@ -177,12 +163,11 @@ struct AccuracyMonitor::State {
     const Scales before = scales.now();
     if (!scales.take(instant)) return;
     rescale(worst, before, scales.now());
-    rescale(reachable, before, scales.now());
     expectation.rescale(before, scales.now());
     degradations.rescale(before, scales.now());
   }
 
-  void assess(MonitoredInstant& j, double growth, double residual) {
+  void assess(MonitoredInstant& j, const Expectation::Signals& signals) {
     if (!started && has(Monitor::orientation)) signs.declare(j.instant);
     last = assessor(j.instant, scales.with(j.instant));
     const Assessment given = last;
@@ -192,12 +177,11 @@ struct AccuracyMonitor::State {
         has(Monitor::bounds) && exceeds(given.bound, limits.worth_correcting(given.condition));
     const bool is_better = tries && improve(j);
     look_at_scales(j.instant);
-    reachable = tries ? last.bound : PerLevel<double>{};
     if (j.instant.interpolated)  // nothing follows for solved ones but from what it has become
-      expectation.learn(last, INFINITY, 0);
+      expectation.learn(last, {.growth = INFINITY});
     else
-      expectation.learn(given, growth, residual);
-    if (is_better) expectation.learn(last, 1, 0);
+      expectation.learn(given, signals);
+    if (is_better) expectation.learn(last, {});
     degraded = has(Monitor::bounds) && exceeds(last.bound, limits.degraded);
     if (degraded && last.condition < INFINITY)
       last.limit = assessor.limit(j.instant, scales.now(), last);

@@ -14,12 +14,27 @@ namespace {
 /// To which the ends of an interval that cannot be assembled are found, s.
 constexpr double bracket = 1e-9;
 
-AccuracyMonitorOptions monitor_options(const MonitoredRunOptions& options, const Formulation& f) {
+AccuracyMonitorOptions monitor_options(const MonitoredRunOptions& options,
+                                       std::span<const Level> levels, const Formulation& f) {
   AccuracyMonitorOptions result = options;
+  result.levels = levels;
   const auto reuses = [](const DefinedPart& part) { return part.solver->reuses_pivots(); };
   result.reuses_pivots |= std::ranges::any_of(f.parts(), reuses);
   if (options.strict) result.every = 1;
   return result;
+}
+
+/// Velocities are solved in any case: from positions alone nobody can tell which branch they are
+/// on.
+Request with_velocities(Request request) {
+  request.level = std::max(request.level, Level::velocity);
+  return request;
+}
+
+std::vector<Level> with_velocities(std::span<const Level> given) {
+  std::vector<Level> levels(given.begin(), given.end());
+  for (Level& level : levels) level = std::max(level, Level::velocity);
+  return levels;
 }
 
 /// One run, in spans between the intervals that cannot be assembled. As an observer of the
@@ -30,12 +45,16 @@ class Run final : Observer {
       const MonitoredRunOptions& options)
       : formulation_(formulation),
         grid_(grid),
-        request_(request),
+        asked_(request.level),
+        request_(with_velocities(request)),
+        levels_(with_velocities(options.levels)),
         options_(options),
-        accuracy_(formulation.model(), grid, monitor_options(options, formulation)),
-        branch_(formulation.model(), options.levels, options.tolerance),
+        accuracy_(formulation.model(), grid, monitor_options(options, levels_, formulation)),
+        branch_(formulation.model(), levels_, options.tolerance),
         output_(request, formulation.model().coordinates()),
-        next_(observer) {}
+        next_(observer) {
+    if (!std::ranges::equal(levels_, options.levels)) formulation.solve_only(levels_);
+  }
 
   MonitoredSummary operator()() {
     const Summary ran = formulation_.run(grid_, request_, *this);
@@ -79,10 +98,15 @@ class Run final : Observer {
     summary_.updates += instant.updates;
     summary_.residual = max_residual_ = std::max(max_residual_, instant.residual);
     if (options_.monitored) options_.monitored(m);
-    const Flow flow = output_.hand_over(m.instant, next_);
+    const Flow flow = output_.hand_over(as_asked(m.instant), next_);
     ++summary_.instants;
     summary_.stopped = flow == Flow::stop;
     return flow;
+  }
+
+  Instant as_asked(Instant instant) const {
+    if (asked_ < Level::velocity) instant.qd = {};
+    return instant;
   }
 
   /// Whether the run ended between two instants that could be solved.
@@ -164,7 +188,9 @@ class Run final : Observer {
 
   Formulation& formulation_;
   const TimeGrid grid_;
+  const Level asked_;
   const Request request_;
+  const std::vector<Level> levels_;
   const MonitoredRunOptions options_;
   MonitoredSummary summary_{};
   AccuracyMonitor accuracy_;
