@@ -28,9 +28,10 @@ std::vector<Level> all_levels(const Model& m, std::span<const Level> given) {
 
 }  // namespace
 
-Assessor::Assessor(const Model& m, std::span<const Level> levels)
+Assessor::Assessor(const Model& m, std::span<const Level> levels, std::span<const Level> asked)
     : model_(m),
       levels_(all_levels(m, levels)),
+      asked_(asked.empty() ? levels_ : std::vector<Level>(asked.begin(), asked.end())),
       row_levels_(levels_of_rows(m, levels_)),
       system_(m),
       motion_(m, levels_),
@@ -151,7 +152,7 @@ Assessor::Bound Assessor::of_outputs(Level level, const Scales& scales) {
     for (int j = 0; j < system_.size(); ++j) {
       const int i = system_.unknowns()[j];
       const double scale = motion_.scale(i, level, scales);
-      weights_[j] = scale > 0 && motion_.is_solved(i, level)
+      weights_[j] = scale > 0 && asked_[i] >= level
                         ? system_.magnitude(i) * std::sqrt(motion_.size_of_output(i)) / scale
                         : 0;
     }

@@ -30,8 +30,10 @@ namespace desmo {
 class Assessor {
  public:
   /// levels: the level up to which each coordinate is solved (Plan::levels); empty: as far as the
-  /// instant. The model must outlive the assessor.
-  explicit Assessor(const Model& model, std::span<const Level> levels = {});
+  /// instant. asked: the level up to which it is an output; empty: as far as solved. The model must
+  /// outlive the assessor.
+  explicit Assessor(const Model& model, std::span<const Level> levels = {},
+                    std::span<const Level> asked = {});
   Assessor(const Assessor&) = delete;
   Assessor& operator=(const Assessor&) = delete;
 
@@ -65,7 +67,7 @@ class Assessor {
   double correct(Level level, std::vector<double>& values);
 
   const Model& model_;
-  std::vector<Level> levels_, row_levels_;
+  std::vector<Level> levels_, asked_, row_levels_;
   ScaledSystem system_;
   EnclosedMotion motion_;
   InverseNorm of_system_, of_change_;  // one each, since the worst unknown is remembered
