@@ -89,7 +89,10 @@ struct AccuracyMonitor::State {
       assess(j, signals, statement.assessment);
     else
       j.assessment = statement.assessment;
-    if (in_doubt && instant.interpolated && !j.solved_anew) jump = find_jump(j);
+    if (in_doubt && instant.interpolated && !j.solved_anew) {
+      jump = find_jump(j);
+      if (j.solved_anew) assess(j, signals, j.assessment);
+    }
     // From rates that are noise nothing can be told; from signs of determinants it can.
     if (jump && known_before && rates_are_known()) j.crossing = jump;
     if (j.assessment.singular) return j;  // which is not delivered

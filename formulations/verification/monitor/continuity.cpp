@@ -12,6 +12,8 @@ namespace {
 
 /// Of what a group moves in a step, by which the trapezoid rule may be off.
 constexpr double smooth = 0.02;
+/// By how much an angle may turn more or less than its rates say [rad].
+constexpr double turned = 1;
 /// Of a step: what does not look continuous over so little is not.
 constexpr double shortest = 0x1p-40;
 /// Drivers slower than this, relative to their fastest, tell nothing of what follows them.
@@ -40,6 +42,9 @@ Continuity::Continuity(const Model& m, const TimeGrid& grid, std::span<const dou
       if (const double v = std::abs(sample(d.motion, t).velocity / magnitude[i]); std::isfinite(v))
         fastest_ = std::max(fastest_, v);
   }
+  const std::vector<bool> driven = independent_coordinates(m);
+  for (const Entity& e : m.entities)
+    if (!e.fixed && e.kind == EntityKind::angle && !driven[e.first]) angles_.push_back(e.first);
   std::vector<Node*> nodes{&reached_, &next_};
   for (Node& node : passage_) nodes.push_back(&node);
   for (Node* node : nodes)
@@ -108,7 +113,18 @@ bool Continuity::leads_on(const Instant& from, const Instant& to, const Eigen::A
 }
 
 bool Continuity::in_doubt(const Instant& instant, const Eigen::ArrayXd& weights) const {
-  return is_known() && mismatch(view_of(recent_[0], instant), instant, weights) > smooth;
+  return is_known() && (mismatch(view_of(recent_[0], instant), instant, weights) > smooth ||
+                        turns_further(instant, weights));
+}
+
+bool Continuity::turns_further(const Instant& instant, const Eigen::ArrayXd& weights) const {
+  if (instant.qd.empty() || weights.size() == 0) return false;
+  const auto& [q, qd, qdd] = recent_[0].state;
+  const double h = instant.time - recent_[0].time;
+  return std::ranges::any_of(angles_, [&](int i) {
+    return weights[i] > 0 &&
+           !(std::abs(instant.q[i] - q[i] - h / 2 * (qd[i] + instant.qd[i])) <= turned);
+  });
 }
 
 /// next_ = the solution at t that Taylor's polynomial from reached_ leads to.

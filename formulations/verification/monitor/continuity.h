@@ -16,7 +16,8 @@ namespace desmo {
 
 /// Check of whether each instant continues the one before it. It applies the trapezoid rule to the
 /// two highest levels solved (q̇ and q̈, or q and q̇). A step is in doubt when the rule is off by
-/// more than a fiftieth of a group's movement. A smooth motion is off by (ω h)²/12. Such a step is
+/// more than a fiftieth of a group's movement. A smooth motion is off by (ω h)²/12. It is also in
+/// doubt when an angle does not turn as its rates say, but by whole turns more. Such a step is
 /// repeated in shorter ones from its beginning, each predicted by a Taylor polynomial. When they do
 /// not lead to its end, that lies on another assembly branch.
 class Continuity {
@@ -87,6 +88,7 @@ class Continuity {
   enum class End { given, solved };
   std::optional<Jump> go(const Instant& instant, End end, const Eigen::ArrayXd& weights,
                          Assessor& assessor);
+  bool turns_further(const Instant& instant, const Eigen::ArrayXd& weights) const;
   double moved(const Instant& from, const Instant& to, const Eigen::ArrayXd& weights) const;
   bool leads_on(const Instant& from, const Instant& to, const Eigen::ArrayXd& weights);
   void interpolate(const Node& from, const Node& to, const Instant& like, Node& result) const;
@@ -96,6 +98,7 @@ class Continuity {
     int coordinate;
     double unit;  // 1 / magnitude
   };
+  std::vector<int> angles_;     // unknown ones
   std::vector<Driven> driven_;  // contiguous, since every step reads them
   double fastest_ = 0;          // largest rate of the drivers so far [magnitudes/s]
   RecentInstants recent_;
