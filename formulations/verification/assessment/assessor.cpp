@@ -13,6 +13,13 @@ namespace {
 /// What the estimate of a norm may miss.
 constexpr double missed = 3;
 
+/// The irreducible blocks of a system, by themselves.
+struct Blocks {
+  ScaledSystem& system;
+  void solve(double* x) { system.solve_blocks(x); }
+  void solve_transposed(double* x) { system.solve_blocks_transposed(x); }
+};
+
 Assessment undetermined(Assessment a, GroupId group) {
   a.singular = true;
   a.group = group;
@@ -100,7 +107,7 @@ Assessment Assessor::operator()(const Instant& instant, const Scales& scales) {
 }
 
 Limit Assessor::limit(const Instant& instant, const Scales& scales, const Assessment& a) {
-  constexpr double near_singular = 1e3;  // condition number, in lengths of the bodies themselves
+  constexpr double near_singular = 1e3;  // condition number of a block, in its own lengths
   constexpr double far = 100;            // times the size
   constexpr double share = 0.1;          // of a bound, that tells where it comes from
   double longest = 0, shortest = INFINITY;
@@ -112,8 +119,13 @@ Limit Assessor::limit(const Instant& instant, const Scales& scales, const Assess
   const double spread = std::max(1.0, longest / shortest);  // which no position is to blame for
   weights_.setOnes();
   change_.setOnes();
-  const double own = system_.size() > 0 ? of_change_(system_, weights_, change_).value : 1;
-  if (own > near_singular * spread) return Limit::singular_position;
+  double own = 1;
+  if (system_.size() > 0) {
+    Blocks blocks{system_};
+    if (of_change_(blocks, weights_, change_).value > near_singular * spread)
+      return Limit::singular_position;
+    own = of_change_(system_, weights_, change_).value;
+  }
   motion_.take(instant);
   for (const Level level : desmo::levels)
     if (a.condition * motion_.of_drivers(level, scales) > share * a.bound[level] &&

@@ -50,6 +50,7 @@ ScaledSystem::~ScaledSystem() = default;
 
 void ScaledSystem::solve(double* x) { factors_->solve(x); }
 void ScaledSystem::solve_blocks(double* x) { factors_->solve_blocks(x); }
+void ScaledSystem::solve_blocks_transposed(double* x) { factors_->solve_blocks_transposed(x); }
 void ScaledSystem::solve_transposed(double* x) { factors_->solve_transposed(x); }
 
 GroupId ScaledSystem::group_of_block(int block) const {

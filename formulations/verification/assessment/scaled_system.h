@@ -52,8 +52,10 @@ class ScaledSystem {
   /// Overwrite x with A⁻¹ x and A⁻ᵀ x.
   void solve(double* x);
   void solve_transposed(double* x);
-  /// Overwrites x with D⁻¹ x, D being the irreducible blocks of A without what couples them.
+  /// Overwrite x with D⁻¹ x and D⁻ᵀ x, D being the irreducible blocks of A without what couples
+  /// them.
   void solve_blocks(double* x);
+  void solve_blocks_transposed(double* x);
   /// Returns the change of each unknown, in its magnitude and up to sign, when every driver moves
   /// by plus or minus its own magnitude. Solves in place: may be called once after each
   /// factorise().

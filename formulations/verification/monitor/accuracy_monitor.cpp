@@ -27,6 +27,8 @@ constexpr double factor = 4;
 constexpr int look_every = 16;
 /// Bounds of rates above which it cannot be told whether they lead on.
 constexpr double noise = 1e-3;
+/// By how much pivots may shrink before residuals of rates are looked at.
+constexpr double shrunk = 100;
 /// What residuals show of errors at an estimated condition number, times this, bounds them.
 constexpr double shown_by = 10;
 
@@ -185,7 +187,7 @@ struct AccuracyMonitor::State {
     Statement s{expected, true};
     if (!has(Monitor::bounds) || !started) return s;
     PerLevel<double>& bound = s.assessment.bound;
-    if (instant.interpolated || (options.reuses_pivots && has(Monitor::residual))) {
+    if (instant.interpolated || has_bad_pivots()) {
       const PerLevel<double> shown =
           backward_error(instant, assessor.system(), scales.now(), expected.condition);
       if (instant.interpolated) bound.position += shown_by * shown.position;
@@ -198,6 +200,14 @@ struct AccuracyMonitor::State {
     }
     s.holds = !exceeds(bound, limits.degraded);
     return s;
+  }
+
+  /// Whether pivots of earlier positions may spoil the rates.
+  bool has_bad_pivots() const {
+    if (!options.reuses_pivots || !has(Monitor::residual)) return false;
+    return options.parts.empty() || std::ranges::any_of(options.parts, [](const PivotReuse* part) {
+             return !(part->pivot_shrinkage() <= shrunk);
+           });
   }
 
   Expectation::Signals signals_of(const Instant& instant) {
@@ -271,7 +281,10 @@ struct AccuracyMonitor::State {
         has(Monitor::bounds) && exceeds(given.bound, limits.worth_correcting(given.condition));
     const bool is_better = tries && improve(j);
     degraded = has(Monitor::bounds) && exceeds(last.bound, limits.degraded);
-    if (!degraded) look_at_scales(j.instant);  // what is wrong is no scale
+    if (degraded)  // what is wrong is no scale
+      rescale(last.bound, scales.with(j.instant), scales.now());
+    else
+      look_at_scales(j.instant);
     if (j.instant.interpolated)  // nothing follows for solved ones but from what it has become
       expectation.learn(last, {.growth = INFINITY});
     else

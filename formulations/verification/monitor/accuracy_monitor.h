@@ -5,8 +5,10 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "cases/mechanism/motion.h"
+#include "formulations/algebra/linear_solver.h"
 #include "formulations/base/observer.h"
 #include "formulations/base/part.h"
 #include "formulations/model/model.h"
@@ -47,10 +49,12 @@ struct AccuracyMonitorOptions {
   std::span<const Level> asked{};        ///< to which it is judged; empty: as far as solved
   int every = usual_interval;            ///< longest interval between assessments, in instants
   bool reuses_pivots = false;            ///< pivots of earlier positions may spoil rates
-  unsigned without = 0;                  ///< Monitor bits left out, for tests of what each finds
-  std::optional<Scales> scales{};        ///< to which bounds are relative; empty: the motion's
-  int max_steps = 4096;                  ///< shorter steps in which a doubtful step is gone again
-  int max_degradations = 10000;          ///< degraded instants reconsidered when scales grow
+  /// Parts whose shrunk pivots show when they do; empty: not known, residuals of rates tell.
+  std::vector<const PivotReuse*> parts{};
+  unsigned without = 0;            ///< Monitor bits left out, for tests of what each finds
+  std::optional<Scales> scales{};  ///< to which bounds are relative; empty: the motion's
+  int max_steps = 4096;            ///< shorter steps in which a doubtful step is gone again
+  int max_degradations = 1000000;  ///< degraded instants reconsidered when scales grow
 };
 
 /// An instant and its accuracy.

@@ -20,8 +20,12 @@ AccuracyMonitorOptions monitor_options(const MonitoredRunOptions& options,
   AccuracyMonitorOptions result = options;
   result.levels = levels;
   result.asked = asked;
-  const auto reuses = [](const DefinedPart& part) { return part.solver->reuses_pivots(); };
-  result.reuses_pivots |= std::ranges::any_of(f.parts(), reuses);
+  for (const DefinedPart& part : f.parts())
+    if (part.solver->reuses_pivots()) {
+      result.reuses_pivots = true;
+      const auto* pivots = dynamic_cast<const PivotReuse*>(part.solver.get());
+      if (f.is_live() && pivots) result.parts.push_back(pivots);  // else others do the work
+    }
   if (options.strict) result.every = 1;
   return result;
 }
