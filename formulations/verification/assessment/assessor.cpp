@@ -184,7 +184,7 @@ double Assessor::of_residuals() {
   row_.setZero();
   row_[worst] = weights_[worst];
   system_.solve_transposed(row_.data());
-  return missed * (row_ * change_).matrix().norm();
+  return (row_ * change_).matrix().norm();
 }
 
 /// error_ ≥ |off_| + |A⁻¹| unknown_, the same for all unknowns of a group: of the second, what

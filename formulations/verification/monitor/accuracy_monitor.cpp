@@ -28,7 +28,7 @@ constexpr int look_every = 16;
 /// Bounds of rates above which it cannot be told whether they lead on.
 constexpr double noise = 1e-3;
 /// By how much pivots may shrink before residuals of rates are looked at.
-constexpr double shrunk = 100;
+constexpr double shrunk = 20;
 /// What residuals show of errors at an estimated condition number, times this, bounds them.
 constexpr double shown_by = 10;
 
@@ -98,7 +98,7 @@ struct AccuracyMonitor::State {
     // From rates that are noise nothing can be told; from signs of determinants it can.
     if (jump && known_before && rates_are_known()) j.crossing = jump;
     if (j.assessment.singular) return j;  // which is not delivered
-    if (++since % look_every == 0 && !j.degraded) look_at_scales(j.instant);
+    if (++since % look_every == 0 && !is_assessed) look_at_scales(j.instant);
     deliver(j, is_assessed);
     return j;
   }
@@ -281,7 +281,7 @@ struct AccuracyMonitor::State {
         has(Monitor::bounds) && exceeds(given.bound, limits.worth_correcting(given.condition));
     const bool is_better = tries && improve(j);
     degraded = has(Monitor::bounds) && exceeds(last.bound, limits.degraded);
-    if (degraded)  // what is wrong is no scale
+    if (degraded && exceeds(last.bound, {noise, noise, noise}))  // what is wrong is no scale
       rescale(last.bound, scales.with(j.instant), scales.now());
     else
       look_at_scales(j.instant);
