@@ -282,7 +282,7 @@ struct AccuracyMonitor::State {
         has(Monitor::bounds) && exceeds(given.bound, limits.worth_correcting(given.condition));
     const bool is_better = tries && improve(j);
     degraded = has(Monitor::bounds) && exceeds(last.bound, limits.degraded);
-    if (degraded && exceeds(last.bound, {noise, noise, noise}))  // what is wrong is no scale
+    if (degraded && exceeds(last.bound, {0.5, 0.5, 0.5}))  // what is wrong is no scale
       rescale(last.bound, scales.with(j.instant), scales.now());
     else
       look_at_scales(j.instant);
