@@ -16,7 +16,9 @@ class Degradations {
   /// limit: above which a bound makes an instant degraded. max_kept: instants that follow the
   /// scales; the others stay as they were found.
   Degradations(const PerLevel<double>& limit, std::size_t max_kept)
-      : limit_(limit), max_kept_(max_kept) {}
+      : limit_(limit), max_kept_(max_kept) {
+    kept_.reserve(std::min<std::size_t>(max_kept, 256));
+  }
 
   void add(Degradation degradation) {
     if (kept_.size() == max_kept_) {
