@@ -72,5 +72,26 @@ TEST(Reasons, StateBoundsThatAgreeWithTheOutcome) {
   }
 }
 
+/// An assembly in one go ends elsewhere or nowhere.
+TEST(Starts, FarFromTheNominalPositionAreContinuedFromIt) {
+  struct Start {
+    const char *name, *id;
+    double time;
+  };
+  for (const auto& [name, id, time] : {Start{"jansen_leg", "block_automatic_lapack", 0.5},
+                                       Start{"jansen_leg", "block_symbolic_explicit", 0.5},
+                                       Start{"andrews", "global_automatic_klu", 0.3}}) {
+    const Scene scene = library_scene(name);
+    const Model m = make_model(scene);
+    const auto formulation = make_formulation(find_variant(id), m);
+    EXPECT_FALSE(formulation->assemble(time).ok()) << name;
+    Discard observer;
+    const MonitoredSummary s =
+        run_monitored(*formulation, {time, scene.grid.step, 20}, {}, observer);
+    EXPECT_EQ(s.outcome(), Outcome::converged) << name << ", " << id;
+    EXPECT_EQ(s.instants, 20) << name << ", " << id;
+  }
+}
+
 }  // namespace
 }  // namespace desmo

@@ -9,84 +9,149 @@ namespace {
 
 /// Groups that the right-hand side hardly moves count as this part of the one that it moves most.
 constexpr double min_part = 0.5;
-/// From one look to the next: by what part a share may change, and how far drivers may go, in their
-/// magnitudes and beside the way to the look before.
-constexpr double allowed = 0.5, longest = 2, growth_factor = 4;
-/// Of the fastest change so far, what still counts at the next look: it may only have paused.
-constexpr double remembered = 0.5;
+/// By what part a distance, or the share of a group, may fall from one look to the next.
+constexpr double allowed = 0.5;
+/// Largest slope and curvature of a distance, over the way in magnitudes.
+constexpr double steepest = 2, curvature = 2;
+/// Instead of infinity, which is not to be multiplied by 0.
+constexpr double at_once = 1e300;
+
+Eigen::Map<const Eigen::ArrayXd> mapped(std::span<const double> values) {
+  return {values.data(), static_cast<Eigen::Index>(values.size())};
+}
 
 }  // namespace
 
 ConditionMonitor::ConditionMonitor(const Model& m, const ScaledSystem& system)
     : state_(m.state_size()),
-      right_(system.size()),
+      unit_(mapped(system.magnitudes()).head(m.coordinates()).inverse()),
+      last_(Eigen::ArrayXd::Constant(m.coordinates(), NAN)),
+      way_(Eigen::ArrayXd::Zero(m.coordinates())),
+      per_way_(way_),
+      right_{Eigen::ArrayXd(system.size()), Eigen::ArrayXd(system.size())},
       x_(system.size()),
       now_(Eigen::ArrayXd::Zero(static_cast<Eigen::Index>(m.groups.size()))),
       then_(now_),
-      share_(now_) {
+      before_(now_) {
   std::ranges::copy(m.fixed_values, state_.begin() + m.coordinates());
-  for (const Driver& d : m.drivers) {
-    const int i = m.entities[d.coordinate].first;
-    drivers_.push_back({i, 1 / system.magnitude(i)});
-  }
   const std::vector<EntityId> entity = entity_of_coordinate(m);
-  unsigned bits = 0;  // of no pattern, so that next to nothing is at right angles to it
+  unsigned bits = 0;  // of no pattern, so that next to nothing is at right angles to them
   for (int j = 0; j < system.size(); ++j) {
     group_.push_back(m.entities[entity[system.unknowns()[j]]].group);
-    bits += 2654435769u;
-    const double size = 0.5 + (bits & 0x7fffffffu) * 0x1p-32;
-    right_[j] = bits >> 31 ? -size : size;
+    block_.push_back(system.block(j));
+    for (Eigen::ArrayXd& right : right_) {
+      bits += 2654435769u;
+      const double size = 0.5 + (bits & 0x7fffffffu) * 0x1p-32;
+      right[j] = bits >> 31 ? -size : size;
+    }
+  }
+  const int blocks = system.size() > 0 ? std::ranges::max(block_) + 1 : 0;
+  distance_ = distance_before_ = Eigen::ArrayXd::Zero(blocks);
+  of_block_.resize(blocks);
+  for (int j = 0; j < system.size(); ++j) of_block_[block_[j]] = group_[j];
+  reads_.resize(m.groups.size());
+  way_before_ = now_;
+  system.equations().jacobian<double>(std::vector<double>(m.state_size(), 1),
+                                      [&](int row, int i, double) {
+                                        if (i < m.coordinates())
+                                          reads_[system.group_of_row(row)].push_back(i);
+                                      });
+  for (std::vector<int>& reads : reads_) {
+    std::ranges::sort(reads);
+    reads.erase(std::ranges::unique(reads).begin(), reads.end());
   }
 }
 
 void ConditionMonitor::go_on(const Instant& instant) {
-  double step = 0;
-  for (Driven& d : drivers_) {
-    const double position = instant.q[d.coordinate];
-    step = std::max(step, std::abs(position - d.last) * d.unit);
-    d.last = position;
-  }
-  way_ += step;
+  if (last_.size() == 0) return;
+  if (!std::isnan(last_[0])) way_ += (mapped(instant.q) - last_).abs() * unit_;
+  last_ = mapped(instant.q);
+  used_ = (way_ * per_way_).maxCoeff();
 }
 
 void ConditionMonitor::look(const Instant& instant, ScaledSystem& system) {
   std::ranges::copy(instant.q, state_.begin());
-  if (system.factorise(state_)) return take(system);
+  if (system.factorise(state_)) {
+    take(system);
+    if (!std::ranges::equal(system.orientation(), signs_)) growth_ = INFINITY;
+    return;
+  }
   growth_ = INFINITY;
-  fall_ = way_ = next_ = 0;
+  distance_.setZero();
+  per_way_.setConstant(at_once);
 }
 
 void ConditionMonitor::reset(ScaledSystem& system) {
   take(system);
   then_ = now_;
-  share_.setOnes();
+  signs_.assign(system.orientation().begin(), system.orientation().end());
   growth_ = 1;
 }
 
+double ConditionMonitor::growth() const { return growth_ / (1 - allowed * std::min(1.0, used_)); }
+
 void ConditionMonitor::take(ScaledSystem& system) {
   if (system.size() == 0) return;
-  x_ = right_;
+  if (double way = way_.maxCoeff(); way > 0) {  // else it is the same position
+    all_way_before_ = way;
+    before_ = now_;
+    distance_before_ = distance_;
+    for (std::size_t g = 0; g < reads_.size(); ++g) {
+      way = 0;
+      for (const int i : reads_[g]) way = std::max(way, way_[i]);
+      way_before_[static_cast<Eigen::Index>(g)] = way;
+    }
+  }
+  way_.setZero();
+  used_ = 0;
+  x_ = right_[0];
   system.solve(x_.data());
   now_.setZero();
   for (int j = 0; j < system.size(); ++j)
     now_[group_[j]] = std::max(now_[group_[j]], std::abs(x_[j]));
   now_ = now_.max(min_part * x_.abs().maxCoeff());
-  growth_ = 1;
-  double fall = 0, change = 0;
-  for (Eigen::Index g = 0; g < now_.size(); ++g) {
-    const double share = then_[g] / now_[g];
-    growth_ = std::max(growth_, 1 / share);
-    const double before = share_[g] / share;
-    fall = std::max(fall, before - 1);
-    change = std::max({change, before - 1, 1 / before - 1});
-    share_[g] = share;
+  growth_ = std::max(1.0, (now_ / then_).maxCoeff());
+  measure_distances(system);
+  schedule();
+}
+
+void ConditionMonitor::measure_distances(ScaledSystem& system) {
+  distance_.setZero();  // of 1/d, at first
+  for (const Eigen::ArrayXd& right : right_) {
+    x_ = right;
+    system.solve_blocks(x_.data());
+    for (int j = 0; j < system.size(); ++j)
+      distance_[block_[j]] = std::max(distance_[block_[j]], std::abs(x_[j]));
   }
-  if (way_ > 0) {
-    fall_ = fall / way_;
-    pace_ = std::max(change / way_, remembered * pace_);
-    next_ = std::min({longest, growth_factor * way_, allowed / pace_});
+  distance_ = distance_.inverse();
+}
+
+void ConditionMonitor::schedule() {
+  per_way_.setConstant(1 / until_grown());
+  per_way_of_group_.assign(reads_.size(), 0);
+  for (std::size_t b = 0; b < of_block_.size(); ++b) {
+    double& per_way = per_way_of_group_[of_block_[b]];
+    per_way = std::max(per_way, std::min(at_once, 1 / until_halved(static_cast<int>(b))));
   }
-  way_ = 0;
+  for (std::size_t g = 0; g < reads_.size(); ++g)
+    for (const int i : reads_[g]) per_way_[i] = std::max(per_way_[i], per_way_of_group_[g]);
+}
+
+/// Returns the way on which the distance of a block cannot halve.
+double ConditionMonitor::until_halved(int b) const {
+  double slope = steepest;  // of the fall, at most
+  if (const double way = way_before_[of_block_[b]]; way > 0)
+    slope = std::min(slope, (distance_before_[b] - distance_[b]) / way + curvature / 2 * way);
+  // slope w + curvature w² / 2 = allowed d
+  const double root = std::sqrt(slope * slope + 2 * curvature * allowed * distance_[b]);
+  return (root - slope) / curvature;
+}
+
+/// Returns the way on which no group's share doubles at its last pace.
+double ConditionMonitor::until_grown() const {
+  if (!(all_way_before_ > 0)) return INFINITY;
+  const double pace = (now_ / before_ - 1).maxCoeff() / all_way_before_;
+  return pace > 0 ? allowed / pace : INFINITY;
 }
 
 }  // namespace desmo
