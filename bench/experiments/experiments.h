@@ -22,5 +22,6 @@ int run_accuracy(const CommandLine&);
 int run_size(const CommandLine&);
 int run_instructions(const CommandLine&);
 int run_extremes(const CommandLine&);
+int run_promise(const CommandLine&);
 
 }  // namespace desmo::bench

@@ -25,6 +25,7 @@ constexpr Experiment all_experiments[] = {
     {"size", "How time grows with the size of a mechanism", run_size},
     {"instructions", "Instructions a step, counted by callgrind", run_instructions},
     {"extremes", "Every formulation where most go wrong", run_extremes},
+    {"promise", "Random and aimed scenes: right, or flagged", run_promise},
 };
 
 enum ExitCode { success = 0, usage_error = 64, not_written = 74 };

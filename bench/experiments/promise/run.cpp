@@ -1,0 +1,124 @@
+// desmo_bench promise: is every number right, or flagged?
+#include <atomic>
+#include <charconv>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "bench/experiments/experiments.h"
+#include "bench/experiments/promise/ids.h"
+#include "bench/experiments/promise/tally.h"
+#include "bench/kit/record/record.h"
+#include "formulations/algebra/blas.h"
+
+namespace desmo::promise {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int all_scenes = 1000, quick_scenes = 40;
+
+struct Options : bench::CommonOptions {
+  int scenes = 0, seed = 1, threads = 2;
+  std::string progress, write_scene, only;
+};
+
+/// The scenes done so far: a line each in a file, after a line that says of what. So a run that was
+/// interrupted goes on.
+class Progress {
+ public:
+  /// Reads what is there. A file of another experiment is begun anew. An empty path: no file.
+  Progress(const std::string& path, const std::string& head) {
+    if (path.empty()) return;
+    std::ifstream before(path);
+    std::string line;
+    if (std::getline(before, line) && line == head)
+      while (std::getline(before, line) && !before.eof()) keep(from_line(line));
+    before.close();
+    file_.open(path, std::ios::trunc);
+    if (!file_) throw std::runtime_error("cannot write '" + path + "'");
+    file_ << head << '\n';
+    for (const auto& [number, result] : done_) file_ << to_line(result) << '\n';
+    file_.flush();
+  }
+
+  void add(SceneResult result) {
+    const std::lock_guard lock(mutex_);
+    if (file_.is_open()) file_ << to_line(result) + '\n' << std::flush;
+    std::cerr << "scene " << result.number << ": " << result.family << ", " << result.aim << ": "
+              << (result.failure.empty() ? result.verdicts : result.failure) << '\n';
+    keep(std::move(result));
+  }
+  bool has(int number) const { return done_.contains(number); }
+  std::vector<SceneResult> results(int scenes) const {
+    std::vector<SceneResult> all;
+    for (const auto& [number, result] : done_)
+      if (number < scenes) all.push_back(result);
+    return all;
+  }
+
+ private:
+  void keep(SceneResult result) { done_[result.number] = std::move(result); }
+
+  std::ofstream file_;
+  std::mutex mutex_;
+  std::map<int, SceneResult> done_;
+};
+
+void judge_all(Progress& progress, const Options& options, const std::vector<std::string>& ids) {
+  std::vector<int> left;
+  for (int i = 0; i < options.scenes; ++i)
+    if (!progress.has(i)) left.push_back(i);
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    for (std::size_t i; (i = next++) < left.size();)
+      progress.add(judge_scene(options.seed, left[i], ids));
+  };
+  std::vector<std::jthread> others;
+  for (int i = 1; i < options.threads; ++i) others.emplace_back(work);
+  work();
+}
+
+int run(const bench::CommandLine& line) {
+  Options options;
+  bench::OptionTable table("desmo_bench promise: is every number right, or flagged?");
+  table.add("--record", "FILE", &options.record, "Write the results record");
+  table.add("--progress", "FILE", &options.progress,
+            "Note each scene that is done, and go on after the last of them");
+  table.add("--quick", "", &options.quick, std::to_string(quick_scenes) + " scenes");
+  table.add("--scenes", "N", &options.scenes, "That many (" + std::to_string(all_scenes) + ")");
+  table.add("--seed", "S", &options.seed, "Draw others (1)");
+  table.add("--threads", "N", &options.threads, "Scenes at once (2)");
+  table.add("--write-scene", "N", &options.write_scene, "Print the scene file of scene N, and end");
+  table.add("--only", "ID", &options.only, "Judge this id alone");
+  if (!table.read(line)) return 0;
+  set_blas_threads(1);
+  if (!options.write_scene.empty()) {
+    const int number = bench::whole_number(options.write_scene, 0, 1'000'000'000);
+    std::cout << draw_scene(options.seed, number).text;
+    return 0;
+  }
+  if (options.scenes == 0) options.scenes = options.quick ? quick_scenes : all_scenes;
+  const std::vector<std::string> ids =
+      options.only.empty() ? canonical_ids() : std::vector{options.only};
+  Progress progress(options.progress,
+                    "seed " + std::to_string(options.seed) + ", ids " + std::to_string(ids.size()));
+  judge_all(progress, options, ids);
+  const std::vector<SceneResult> results = progress.results(options.scenes);
+  print(std::cout, results, ids, options.seed);
+  return tally(results, ids).all[static_cast<int>(Verdict::wrong)] == 0 ? 0 : 1;
+}
+
+}  // namespace
+
+}  // namespace desmo::promise
+
+int desmo::bench::run_promise(const CommandLine& line) { return desmo::promise::run(line); }

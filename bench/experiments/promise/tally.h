@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <iosfwd>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/experiments/promise/judge.h"
+
+namespace desmo::promise {
+
+/// What became of a scene: a line of the progress file.
+struct SceneResult {
+  int number = -1;
+  std::string family, aim;
+  std::string verdicts;  ///< a letter for each canonical id (verdict_letters)
+  /// The worst wrong number, and the first flag without a cause, with their ids.
+  struct Finding {
+    std::string id;
+    Judgement judgement;
+  };
+  std::optional<Finding> wrong, flag;
+  std::string failure;  ///< why no scene could be drawn
+};
+
+/// Draws a scene and judges it in every id.
+SceneResult judge_scene(std::uint64_t seed, int number, const std::vector<std::string>& ids);
+
+/// Return the text of a line, and what was written in it.
+std::string to_line(const SceneResult& result);
+SceneResult from_line(const std::string& line);
+
+/// Numbers of each verdict, in the order of `verdict_letters`.
+using Counts = std::array<long, 6>;
+
+/// Counts of all scenes, by what they have in common.
+struct Tally {
+  Counts all{};
+  std::map<std::string, Counts> by_family, by_aim, by_id;
+  long scenes = 0, not_drawn = 0;
+};
+Tally tally(const std::vector<SceneResult>& results, const std::vector<std::string>& ids);
+
+/// Returns the scenes with wrong numbers, the most wrong ids first, then those with most false
+/// flags; at most `count`.
+std::vector<SceneResult> worst(std::vector<SceneResult> results, std::size_t count);
+
+/// Writes counts and the worst scenes for people, with commands that reproduce them.
+void print(std::ostream& out, const std::vector<SceneResult>& results,
+           const std::vector<std::string>& ids, std::uint64_t seed);
+
+}  // namespace desmo::promise
