@@ -71,6 +71,7 @@ void compare(Worst& worst, const PerLevel<double>& errors, const PerLevel<double
 std::optional<Judgement> find_wrong(const DrawnScene& scene, const SolvedScene& solved) {
   const Scales scales = scales_of(scene, solved);
   const PerLevel<double> limit = Limits(solved.tolerance).degraded;
+  const bool failed = solved.summary.outcome() == Outcome::failed;
   Worst promise, bound;
   for (const Delivered& d : solved.instants) {
     const TrueInstant& truth = scene.truth[d.index];
@@ -82,6 +83,7 @@ std::optional<Judgement> find_wrong(const DrawnScene& scene, const SolvedScene& 
     }
     const PerLevel<double> errors = errors_of(scene.model, truth.instant, d, scales);
     if (!d.degraded) compare(promise, errors, limit, truth, "promise");
+    if (failed) continue;  // no bound is stated
     compare(bound, errors, solved.summary.bound, truth, d.degraded ? "bound, degraded" : "bound");
   }
   if (promise.ratio > 1) return promise.judgement;
@@ -135,8 +137,15 @@ Judgement judge_flags(const DrawnScene& scene, const SolvedScene& solved) {
     j.time = s.first_degraded->time;
     const int at = index(j.time);
     j.condition = scene.truth[at].condition;
-    j.level = Level::acceleration;
-    j.allowed = s.first_degraded->assessment.bound.acceleration;
+    const PerLevel<double>& stated = s.first_degraded->assessment.bound;
+    const PerLevel<double> limit = Limits(solved.tolerance).degraded;
+    j.level = *std::ranges::max_element(levels, {},
+                                        [&](Level level) { return stated[level] / limit[level]; });
+    j.allowed = stated[j.level];
+    const auto d = std::ranges::find(solved.instants, at, &Delivered::index);
+    if (d != solved.instants.end() && has_answer(scene.truth[at]))
+      j.error =
+          errors_of(scene.model, scene.truth[at].instant, *d, scales_of(scene, solved))[j.level];
     if (is_regular(scene, at, at) && all_right(scene, solved)) j.verdict = Verdict::false_flag;
   }
   return j;
@@ -195,6 +204,30 @@ Judgement judge_id(const DrawnScene& scene, const std::string& id) {
   // What the motion's scales excuse in the end is no flag.
   if (solved.summary.degraded == 0)
     for (Delivered& d : solved.instants) d.degraded = false;
+  if (std::getenv("PROMISE_DEBUG")) {
+    const Scales scales = scales_of(scene, solved);
+    for (const Delivered& d : solved.instants) {
+      const TrueInstant& t = scene.truth[d.index];
+      std::fprintf(stderr, "%d t %.17g k %.1e path %.1e %s", d.index, t.instant.time, t.condition,
+                   t.path_condition, d.degraded ? "degraded" : "");
+      if (has_answer(t)) {
+        const auto e = errors_of(scene.model, t.instant, d, scales);
+        std::fprintf(stderr, " err %.1e %.1e %.1e\n", e.position, e.velocity, e.acceleration);
+        if (std::getenv("PROMISE_DEBUG")[0] == '2')
+          for (std::size_t i = 0; i < d.q.size(); ++i)
+            std::fprintf(stderr, "   %.17g %.17g   %.17g %.17g   %.17g %.17g\n", d.q[i],
+                         t.instant.q[i], d.qd[i], t.instant.qd[i], d.qdd[i], t.instant.qdd[i]);
+      } else
+        std::fprintf(stderr, "\n");
+    }
+    const auto& s = solved.summary;
+    std::fprintf(stderr, "outcome %d degraded %ld bound %.1e %.1e %.1e k %.1e\n", (int)s.outcome(),
+                 s.degraded, s.bound.position, s.bound.velocity, s.bound.acceleration, s.condition);
+    if (s.crossing)
+      std::fprintf(stderr, "crossing %d %.17g %.17g\n", (int)s.crossing->kind, s.crossing->after,
+                   s.crossing->before);
+    std::fprintf(stderr, "%s\n", describe(static_cast<const Summary&>(s), scene.model).c_str());
+  }
   return judge(scene, solved);
 }
 

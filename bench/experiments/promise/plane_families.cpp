@@ -90,7 +90,11 @@ class Plane {
   const Vec& at(const std::string& name) { return at_[name]; }
   int index(const std::string& name) { return points_[name]; }
   MechanismBuilder& builder() { return b_; }
-  Mechanism take() { return b_.take(); }
+  Mechanism take() {
+    Mechanism m = b_.take();
+    for (std::size_t i = 0; i < m.joints.size(); ++i) m.joints[i].name += "/" + std::to_string(i);
+    return m;
+  }
 
  private:
   void pin(int body, const std::string& name) {
@@ -133,12 +137,13 @@ Drawn four_bar(Random& r) {
 
 Drawn parallelogram(Random& r) {
   const double crank = eighths(r, 4, 16), base = eighths(r, 17, 32), theta = r.uniform(0.3, 2.8);
-  return {closed_four_bar("parallelogram", crank, base, crank, base, theta, -1), {1.0}, 4, true};
+  return {closed_four_bar("parallelogram", crank, base, crank, base, theta, 1), {1.0}, 4, true};
 }
 
 Drawn antiparallelogram(Random& r) {
   const double crank = eighths(r, 4, 16), base = eighths(r, 17, 32), theta = r.uniform(0.3, 2.8);
-  Drawn d{closed_four_bar("antiparallelogram", crank, base, crank, base, theta, 1), {1.0}, 4, true};
+  Drawn d{
+      closed_four_bar("antiparallelogram", crank, base, crank, base, theta, -1), {1.0}, 4, true};
   return d;
 }
 
@@ -228,7 +233,8 @@ Drawn trammel(Random& r) {
 
 Drawn peaucellier(Random& r) {
   Plane p("peaucellier");
-  const double crank = eighths(r, 4, 8), arm = 4 * crank, side = crank * (1 + 0.125 * r.below(5));
+  const double crank = eighths(r, 4, 8), arm = 2.5 * crank,
+               side = crank * (1.25 + 0.125 * r.below(5));
   const Vec g{crank, 0, 0}, o{0, 0, 0}, c = polar(g, crank, r.uniform(-0.8, 0.8));
   const Vec a = meeting(o, arm, c, side, 1), b = meeting(o, arm, c, side, -1);
   p.point("O", o), p.point("G", g), p.point("P", c), p.point("A", a), p.point("B", b);
@@ -260,7 +266,7 @@ Drawn two_loops(Random& r) {
   Vec from = crank_pin(chain);
   const int loops = 2 + r.below(3) * r.below(3);
   for (int k = 1; k <= loops; ++k) {
-    chain.dyads.push_back(closed_dyad(from, {base * k, 0, 0}, base, crank, -1));
+    chain.dyads.push_back(closed_dyad(from, {base * k, 0, 0}, base, crank, 1));
     from = chain.dyads.back().joint;
   }
   MechanismBuilder b("two_loops", 2);

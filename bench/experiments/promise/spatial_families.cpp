@@ -161,10 +161,10 @@ Drawn hooke_joint(Random& r) {
   b.set_length_unit("1");
   const Vec axis{0, 0, 1}, zero{1, 0, 0}, arm = turned(zero, axis, r.uniform(-0.8, 0.8));
   const Vec driven = turned(axis, turned(zero, axis, r.uniform(-3, 3)), r.uniform(0.1, 1.5));
-  const int o = b.point("O", {}), p = b.point("P", driven);
+  const int o = b.point("O", {}), p = b.point("P", unit(crossed(driven, arm)));
   const int a = b.vector("a", axis), d = b.vector("d", driven);
   const int c = b.vector("c", arm), e = b.vector("e", unit(crossed(driven, arm)));
-  b.carry(ground, {o, p}, {a, d});
+  b.carry(ground, {o}, {a, d});
   const int first = b.body("first", {o}, {a, c}), second = b.body("second", {o, p}, {d, e});
   b.joint(revolute, ground, first, {o}, {a});
   b.joint(revolute, ground, second, {o}, {d});

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <utility>
 
+#include "bench/kit/problem.h"
 #include "bench/kit/record/record.h"
-#include "bench/kit/verification.h"
 
 namespace desmo::promise {
 

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "formulations/groupwise/part_system.h"
 #include "formulations/scaling/scales.h"
 
 namespace desmo {
@@ -12,6 +13,7 @@ namespace desmo {
 namespace {
 
 constexpr double settled = 1e-30;       // relative correction that only rounding leaves
+constexpr double noise = 1e-32;         // likewise, for a condition number of 1
 constexpr double singular = 1e14;       // condition number above which doubles have no answer
 constexpr double max_prediction = 0.1;  // relative correction of a prediction
 
@@ -54,7 +56,11 @@ DriverPath motions_of(const Model& model) {
 }
 
 Continuation::Continuation(const Model& m)
-    : m_(m), magnitude_(natural_magnitudes(m)), solver_(m), condition_number_(m) {
+    : m_(m),
+      magnitude_(natural_magnitudes(m)),
+      solver_(m),
+      condition_number_(m),
+      blocks_(make_partition(m, Partition::block)) {
   double correction = INFINITY;
   for (int i = 0; i < 100 && correction > settled; ++i) {
     correction = solver_.correct_positions();
@@ -70,13 +76,13 @@ void Continuation::begin(DriverPath path, const Quadruple& parameter) {
   solver_.drive(path_(parameter));
   solver_.correct_positions();
   solver_.solve_rates();
-  determinant_ = solver_.determinant();
+  determinants_ = determinants();
   last_ = solver_.state();
-  max_condition_ = condition();
+  max_condition_ = condition_ = condition();
 }
 
 bool Continuation::go_to(const Quadruple& target) {
-  while (parameter_ != target) {
+  for (int tries = 0; parameter_ != target; ++tries) {
     const Quadruple left = target - parameter_;
     Quadruple step = abs(left) <= step_ ? left : left > 0 ? step_ : -step_;
     if (try_step(step == left ? target : parameter_ + step)) {
@@ -84,7 +90,7 @@ bool Continuation::go_to(const Quadruple& target) {
     } else {
       solver_.restore(last_);
       step_ = abs(step) / 2;
-      if (step_ < min_step) {
+      if (step_ < min_step || tries > max_tries) {
         step_ = Quadruple(1) / 64;
         return false;
       }
@@ -100,27 +106,43 @@ bool Continuation::try_step(const Quadruple& next) {
   try {
     double last = solver_.correct_positions();
     if (!(last <= max_prediction)) return false;
-    for (int i = 0; i < 12 && last > settled; ++i) {
+    for (int i = 0; i < 12 && last > rounding(); ++i) {
       const double correction = solver_.correct_positions();
-      if (!(correction <= last / 4 || correction < 1e-28)) return false;
+      if (!(correction <= std::max(last / 4, rounding()))) return false;
       last = correction;
     }
     solver_.solve_rates();
   } catch (const std::runtime_error&) {
     return false;
   }
-  const auto determinant = solver_.determinant();
-  const bool crosses = determinant.sign != determinant_.sign;
-  const bool regular = !crosses && std::abs(determinant.log - determinant_.log) < std::log(5.0);
+  Determinants now = determinants();
+  bool crosses = false, regular = true;
+  for (std::size_t k = 0; k < now.size(); ++k) {
+    crosses |= now[k].sign != determinants_[k].sign;
+    regular &= std::abs(now[k].log - determinants_[k].log) < std::log(5.0);
+  }
+  regular &= !crosses;
   if (!regular && abs(step) > crossing_step) return false;
   if (!is_continuous(step)) return false;
   if (crosses) crossed_at_ = parameter_;
   crossings_ += crosses;
   parameter_ = next;
-  determinant_ = determinant;
+  determinants_ = std::move(now);
   last_ = solver_.state();
-  max_condition_ = std::max(max_condition_, crosses ? INFINITY : condition());
+  condition_ = condition();
+  max_condition_ = std::max(max_condition_, crosses ? INFINITY : condition_);
   return true;
+}
+
+Continuation::Determinants Continuation::determinants() const {
+  WideState<Quadruple> state(m_.state_size());
+  std::ranges::transform(solver_.state(), state.q.begin(), &Jet<Quadruple>::value);
+  Determinants result;
+  for (const PartDefinition& block : blocks_) {
+    PartSystem<Quadruple> system(m_, block, state);
+    result.push_back(DenseLu(std::move(system.jacobian), system.n).determinant());
+  }
+  return result;
 }
 
 bool Continuation::is_continuous(const Quadruple& step) const {
@@ -133,8 +155,10 @@ bool Continuation::is_continuous(const Quadruple& step) const {
     const double error = std::abs(static_cast<double>(closure)) / magnitude_[i];
     if (!(error <= off)) off = error;  // NaN stays
   }
-  return off <= 0.03 * moved + 1e-25;
+  return off <= 0.03 * moved + 10 * rounding();
 }
+
+double Continuation::rounding() const { return std::clamp(noise * condition_, settled, 1e-14); }
 
 WideInstant Continuation::instant() const {
   return {static_cast<double>(parameter_), solver_.q(), solver_.qd(), solver_.qdd()};

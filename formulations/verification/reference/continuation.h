@@ -7,7 +7,9 @@
 
 #include "cases/mechanism/motion.h"
 #include "formulations/base/reference_instant.h"
+#include "formulations/groupwise/dense_lu.h"
 #include "formulations/model/model.h"
+#include "formulations/structure/partition.h"
 #include "formulations/verification/condition.h"
 #include "formulations/verification/reference/global_solver.h"
 #include "formulations/verification/reference/wide_instant.h"
@@ -23,12 +25,13 @@ DriverPath motions_of(const Model& model);
 /// Follows the smooth continuation of a position in quadruple precision. A step is accepted if
 /// - Newton's method contracts from the Taylor prediction at once,
 /// - the rates at both ends lead from one end to the other,
-/// - the determinant of Φ_φ keeps its sign and its magnitude within a factor of five; steps below
-///   `crossing_step` may pass a singular position.
+/// - the determinants of irreducible blocks keep their signs and, within a factor of five, their
+///   magnitudes; steps below `crossing_step` may pass a singular position.
 /// Other steps are halved. So a fold that is 1e-24 from the path is resolved.
 class Continuation {
  public:
   static constexpr double crossing_step = 1e-12, min_step = 1e-24;
+  static constexpr int max_tries = 1000;  // of one call of go_to()
 
   /// Assembles at the model's estimate, drivers included. Throws std::runtime_error when Newton's
   /// method does not converge there.
@@ -52,7 +55,10 @@ class Continuation {
   const Quadruple& crossed_at() const { return crossed_at_; }
 
  private:
+  using Determinants = std::vector<DenseLu<Quadruple>::Determinant>;
+  Determinants determinants() const;
   bool try_step(const Quadruple& next);
+  double rounding() const;
   bool is_continuous(const Quadruple& step) const;
 
   const Model& m_;
@@ -62,8 +68,9 @@ class Continuation {
   DriverPath path_;
   Quadruple parameter_ = 0, step_ = 0, crossed_at_ = 0;
   std::vector<Jet<Quadruple>> last_;  // state of the last accepted step
-  GlobalSolver<Quadruple>::Determinant determinant_{};
-  double max_condition_ = 0;
+  std::vector<PartDefinition> blocks_;
+  Determinants determinants_;  // of the blocks, there
+  double condition_ = 1, max_condition_ = 0;
   int crossings_ = 0;
 };
 

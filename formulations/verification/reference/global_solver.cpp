@@ -70,13 +70,6 @@ double GlobalSolver<S>::correct_positions() {
 }
 
 template <class S>
-typename GlobalSolver<S>::Determinant GlobalSolver<S>::determinant() const {
-  if (linear_->residual.size() == 0) return {1, 0};
-  return {static_cast<double>(linear_->lu.signDeterminant()),
-          static_cast<double>(linear_->lu.logAbsDeterminant())};
-}
-
-template <class S>
 void GlobalSolver<S>::solve_positions(double t) {
   time_ = t;
   std::vector<MotionSample<S>> drivers;

@@ -35,11 +35,6 @@ class GlobalSolver {
   /// Makes one correction by Newton's method. Returns its largest component relative to the natural
   /// magnitude. Throws std::runtime_error when the matrix is singular.
   double correct_positions();
-  /// Determinant of the matrix factorised last: its sign, and the logarithm of its magnitude.
-  struct Determinant {
-    double sign, log;
-  };
-  Determinant determinant() const;
   /// Returns to a state() of before.
   void restore(const std::vector<Jet<S>>& state) { state_ = state; }
 
