@@ -15,24 +15,31 @@ namespace desmo::promise {
 namespace {
 
 constexpr double well_conditioned = 1e6;
+/// What does not accelerate is judged by its speed, as monitors do.
+constexpr double min_scale = 0.01;
 
 bool has_answer(const TrueInstant& t) { return !t.instant.q.empty(); }
 
 /// Returns the error that the truth itself may have: quadruple precision, near a singular position.
 PerLevel<double> floor_of(const TrueInstant& t) { return accuracy_limit(t.condition, 1e-32); }
 
-/// Returns the scales of the delivered instants: of the truth, but where a degraded instant was
-/// delivered of the numbers themselves, which the stated bounds are relative to.
+/// Returns the scales of the delivered instants: of the truth, or larger where a degraded instant
+/// has larger numbers, since stated bounds are relative to these.
 Scales scales_of(const DrawnScene& scene, const SolvedScene& solved) {
-  std::vector<ReferenceInstant> motion;
+  std::vector<ReferenceInstant> truth, degraded;
   for (const Delivered& d : solved.instants) {
-    const TrueInstant& truth = scene.truth[d.index];
-    if (d.degraded)
-      motion.push_back({truth.instant.time, d.q, d.qd, d.qdd});
-    else if (has_answer(truth))
-      motion.push_back(truth.instant);
+    const TrueInstant& t = scene.truth[d.index];
+    if (has_answer(t)) truth.push_back(t.instant);
+    if (d.degraded) degraded.push_back({t.instant.time, d.q, d.qd, d.qdd});
   }
-  return make_scales(scene.model, motion);
+  Scales scales = make_scales(scene.model, truth);
+  const Scales others = make_scales(scene.model, degraded);
+  for (const auto column : {&Scales::length, &Scales::rotation}) {
+    PerLevel<double>& s = scales.*column;
+    for (const Level level : levels) s[level] = std::max(s[level], (others.*column)[level]);
+    s.acceleration = std::max(s.acceleration, min_scale * s.velocity * s.velocity / s.position);
+  }
+  return scales;
 }
 
 /// Returns whether an instant is after a crossing that the run reports.

@@ -15,6 +15,7 @@ namespace {
 constexpr double settled = 1e-30;       // relative correction that only rounding leaves
 constexpr double noise = 1e-32;         // likewise, for a condition number of 1
 constexpr double singular = 1e14;       // condition number above which doubles have no answer
+constexpr double passed = 1e11;         // condition number that only a singular position has
 constexpr double max_prediction = 0.1;  // relative correction of a prediction
 
 DriverPath straight(std::vector<Quadruple> from, std::vector<Quadruple> to) {
@@ -124,12 +125,13 @@ bool Continuation::try_step(const Quadruple& next) {
   regular &= !crosses;
   if (!regular && abs(step) > crossing_step) return false;
   if (!is_continuous(step)) return false;
-  if (crosses) crossed_at_ = parameter_;
-  crossings_ += crosses;
   parameter_ = next;
   determinants_ = std::move(now);
   last_ = solver_.state();
-  condition_ = condition();
+  const double before = std::exchange(condition_, condition());
+  crosses |= before > passed && condition_ < before / 2;
+  if (crosses) crossed_at_ = parameter_;
+  crossings_ += crosses;
   max_condition_ = std::max(max_condition_, crosses ? INFINITY : condition_);
   return true;
 }
