@@ -189,7 +189,9 @@ DrawnScene try_scene(Random& r, int number) {
   s.text =
       scene_text(drawn.mechanism, s.family + ", " + s.aim, motions.dump(), profile.grid, degrees);
   s.scene = parse_scene(s.text, "drawn scene", ".");
-  s.model = make_model(s.scene);
+  ModellingResult modelled = model_mechanism(s.scene.mechanism, s.scene.motions);
+  s.overconstrained = std::ranges::any_of(modelled.left_out, &LeftOut::redundant);
+  s.model = std::move(modelled.model);
   s.truth = true_motion(s.model, s.scene.grid);
   s.rounding = rounding_of(s.model, s.scene.grid);
   return s;
@@ -220,7 +222,6 @@ DrawnScene draw_scene(std::uint64_t seed, int number) {
       return try_scene(one, number);
     } catch (const std::exception& error) {  // dimensions that do not close, a start out of reach
       last = error.what();
-      if (std::getenv("PROMISE_DEBUG")) std::fprintf(stderr, "%d: %s\n", number, last.c_str());
     }
   }
   throw std::runtime_error("scene " + std::to_string(number) +

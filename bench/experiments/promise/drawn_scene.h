@@ -22,6 +22,9 @@ struct DrawnScene {
   /// Magnitude of coordinates over the mechanism's size, times that of the drivers, at least 1:
   /// rounding grows with it.
   double rounding = 1;
+  /// The mechanism is overconstrained. Where its independent equations are singular, all of them
+  /// need not be, so that nothing is known there.
+  bool overconstrained = false;
 };
 
 /// Draws a scene; odd numbers are aimed. The same seed and number give the same scene.

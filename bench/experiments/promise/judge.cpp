@@ -84,7 +84,7 @@ std::optional<Judgement> find_wrong(const DrawnScene& scene, const SolvedScene& 
     const TrueInstant& truth = scene.truth[d.index];
     if (is_doubtful(solved.summary, truth.instant.time)) continue;
     if (!has_answer(truth)) {
-      if (d.degraded) continue;
+      if (d.degraded || scene.overconstrained) continue;
       return Judgement{Verdict::wrong,     "no answer",    Level::position, INFINITY, 0,
                        truth.instant.time, truth.condition};
     }
@@ -211,30 +211,6 @@ Judgement judge_id(const DrawnScene& scene, const std::string& id) {
   // What the motion's scales excuse in the end is no flag.
   if (solved.summary.degraded == 0)
     for (Delivered& d : solved.instants) d.degraded = false;
-  if (std::getenv("PROMISE_DEBUG")) {
-    const Scales scales = scales_of(scene, solved);
-    for (const Delivered& d : solved.instants) {
-      const TrueInstant& t = scene.truth[d.index];
-      std::fprintf(stderr, "%d t %.17g k %.1e path %.1e %s", d.index, t.instant.time, t.condition,
-                   t.path_condition, d.degraded ? "degraded" : "");
-      if (has_answer(t)) {
-        const auto e = errors_of(scene.model, t.instant, d, scales);
-        std::fprintf(stderr, " err %.1e %.1e %.1e\n", e.position, e.velocity, e.acceleration);
-        if (std::getenv("PROMISE_DEBUG")[0] == '2')
-          for (std::size_t i = 0; i < d.q.size(); ++i)
-            std::fprintf(stderr, "   %.17g %.17g   %.17g %.17g   %.17g %.17g\n", d.q[i],
-                         t.instant.q[i], d.qd[i], t.instant.qd[i], d.qdd[i], t.instant.qdd[i]);
-      } else
-        std::fprintf(stderr, "\n");
-    }
-    const auto& s = solved.summary;
-    std::fprintf(stderr, "outcome %d degraded %ld bound %.1e %.1e %.1e k %.1e\n", (int)s.outcome(),
-                 s.degraded, s.bound.position, s.bound.velocity, s.bound.acceleration, s.condition);
-    if (s.crossing)
-      std::fprintf(stderr, "crossing %d %.17g %.17g\n", (int)s.crossing->kind, s.crossing->after,
-                   s.crossing->before);
-    std::fprintf(stderr, "%s\n", describe(static_cast<const Summary&>(s), scene.model).c_str());
-  }
   return judge(scene, solved);
 }
 

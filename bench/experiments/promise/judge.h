@@ -57,7 +57,7 @@ PerLevel<double> errors_of(const Model& model, const ReferenceInstant& truth,
 /// - its instant is neither degraded nor after a singularity crossing that was reported, and its
 ///   error exceeds the limits of *converged* or the bound stated for the run, or
 /// - its instant is degraded and its error exceeds the bound stated, or
-/// - there is no answer, and no flag at this instant.
+/// - there is no answer, and no flag at this instant (but see DrawnScene::overconstrained).
 Judgement judge(const DrawnScene& scene, const SolvedScene& solved);
 
 /// Solves a scene as `desmo solve` does and judges it.

@@ -1,12 +1,12 @@
 // desmo_bench promise: is every number right, or flagged?
 #include <atomic>
-#include <charconv>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -41,18 +41,18 @@ class Progress {
     std::ifstream before(path);
     std::string line;
     if (std::getline(before, line) && line == head)
-      while (std::getline(before, line) && !before.eof()) keep(from_line(line));
+      while (std::getline(before, line) && !before.eof()) keep(from_json(Json::parse(line)));
     before.close();
     file_.open(path, std::ios::trunc);
     if (!file_) throw std::runtime_error("cannot write '" + path + "'");
     file_ << head << '\n';
-    for (const auto& [number, result] : done_) file_ << to_line(result) << '\n';
+    for (const auto& [number, result] : done_) file_ << to_json(result).dump() << '\n';
     file_.flush();
   }
 
   void add(SceneResult result) {
     const std::lock_guard lock(mutex_);
-    if (file_.is_open()) file_ << to_line(result) + '\n' << std::flush;
+    if (file_.is_open()) file_ << to_json(result).dump() + '\n' << std::flush;
     std::cerr << "scene " << result.number << ": " << result.family << ", " << result.aim << ": "
               << (result.failure.empty() ? result.verdicts : result.failure) << '\n';
     keep(std::move(result));
@@ -87,10 +87,18 @@ void judge_all(Progress& progress, const Options& options, const std::vector<std
   work();
 }
 
+/// Returns the file of the scenes that are done: bench/run keeps it where the next run finds it.
+std::string progress_path(const Options& options) {
+  if (!options.progress.empty() || options.record.empty()) return options.progress;
+  const std::filesystem::path folder = std::filesystem::absolute(options.record).parent_path();
+  return (folder.parent_path() / ("promise-" + std::to_string(options.seed) + ".jsonl")).string();
+}
+
 int run(const bench::CommandLine& line) {
   Options options;
   bench::OptionTable table("desmo_bench promise: is every number right, or flagged?");
-  table.add("--record", "FILE", &options.record, "Write the results record");
+  table.add("--record", "FILE", &options.record,
+            "Write the results record; without --progress scenes are noted next to its folder");
   table.add("--progress", "FILE", &options.progress,
             "Note each scene that is done, and go on after the last of them");
   table.add("--quick", "", &options.quick, std::to_string(quick_scenes) + " scenes");
@@ -106,19 +114,20 @@ int run(const bench::CommandLine& line) {
     std::cout << draw_scene(options.seed, number).text;
     return 0;
   }
-  if (const char* n = std::getenv("PROMISE_SCENE")) {
-    const SceneResult r = judge_scene(options.seed, std::atoi(n), {options.only});
-    std::cout << to_line(r) << '\n';
-    return 0;
-  }
   if (options.scenes == 0) options.scenes = options.quick ? quick_scenes : all_scenes;
   const std::vector<std::string> ids =
       options.only.empty() ? canonical_ids() : std::vector{options.only};
-  Progress progress(options.progress,
-                    "seed " + std::to_string(options.seed) + ", ids " + std::to_string(ids.size()));
+  const TimeGrid no_grid{0, 1, 1};
+  const Json head = bench::record_head(line.text, no_grid)["record"];
+  Progress progress(progress_path(options), "seed " + std::to_string(options.seed) + ", " +
+                                                std::to_string(ids.size()) + " ids, commit " +
+                                                head["commit"].get<std::string>());
+  std::optional<bench::Recording> recording;
+  if (!options.record.empty()) recording.emplace(options.record, line.text);
   judge_all(progress, options, ids);
   const std::vector<SceneResult> results = progress.results(options.scenes);
   print(std::cout, results, ids, options.seed);
+  if (recording) recording->write(no_grid, record_lists(results, ids));
   return tally(results, ids).all[static_cast<int>(Verdict::wrong)] == 0 ? 0 : 1;
 }
 

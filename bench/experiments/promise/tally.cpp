@@ -17,6 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view letters = verdict_letters;
+constexpr std::size_t printed = 20;  // of the worst scenes
 
 Json finding_json(const SceneResult::Finding& f) {
   const Judgement& j = f.judgement;
@@ -88,27 +89,23 @@ SceneResult judge_scene(std::uint64_t seed, int number, const std::vector<std::s
   return r;
 }
 
-std::string to_line(const SceneResult& r) {
+Json to_json(const SceneResult& r) {
   Json j = {{"scene", r.number}};
-  if (!r.failure.empty()) {
-    j["failure"] = r.failure;
-    return j.dump();
-  }
+  if (!r.failure.empty()) j["failure"] = r.failure;
   j["family"] = r.family;
   j["aim"] = r.aim;
   j["verdicts"] = r.verdicts;
   if (r.wrong) j["wrong"] = finding_json(*r.wrong);
   if (r.flag) j["flag"] = finding_json(*r.flag);
-  return j.dump();
+  return j;
 }
 
-SceneResult from_line(const std::string& line) {
-  const Json j = Json::parse(line);
+SceneResult from_json(const Json& j) {
   SceneResult r{.number = j["scene"]};
   r.failure = j.value("failure", "");
-  r.family = j.value("family", "");
-  r.aim = j.value("aim", "");
-  r.verdicts = j.value("verdicts", "");
+  r.family = j["family"];
+  r.aim = j["aim"];
+  r.verdicts = j["verdicts"];
   r.wrong = finding(j, "wrong", Verdict::wrong);
   r.flag = finding(j, "flag", Verdict::false_flag);
   return r;
@@ -139,6 +136,21 @@ std::vector<SceneResult> worst(std::vector<SceneResult> results, std::size_t cou
   return results;
 }
 
+Json record_lists(const std::vector<SceneResult>& results, const std::vector<std::string>& ids) {
+  const Tally t = tally(results, ids);
+  Json verdicts = Json::array({{{"of", "all"}, {"name", "all"}, {"runs", t.all}}});
+  const auto add_all = [&](const char* of, const std::map<std::string, Counts>& part) {
+    for (const auto& [name, counts] : part)
+      verdicts.push_back({{"of", of}, {"name", name}, {"runs", counts}});
+  };
+  add_all("family", t.by_family);
+  add_all("aim", t.by_aim);
+  add_all("id", t.by_id);
+  Json findings = Json::array();
+  for (const SceneResult& r : worst(results, printed)) findings.push_back(to_json(r));
+  return {{"verdicts", std::move(verdicts)}, {"findings", std::move(findings)}};
+}
+
 void print(std::ostream& out, const std::vector<SceneResult>& results,
            const std::vector<std::string>& ids, std::uint64_t seed) {
   const Tally t = tally(results, ids);
@@ -152,7 +164,7 @@ void print(std::ostream& out, const std::vector<SceneResult>& results,
     for (const auto& [name, counts] : *part) print_counts(out, name, counts);
   }
   out << '\n' << t.scenes << " scenes, " << t.not_drawn << " not drawn. The worst:\n";
-  for (const SceneResult& r : worst(results, 20)) {
+  for (const SceneResult& r : worst(results, printed)) {
     out << "\nscene " << r.number << ": " << r.family << ", " << r.aim << ": " << count(r, 'W')
         << " wrong, " << count(r, 'F') << " flagged and " << count(r, 'N')
         << " failed without a cause\n";

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <iosfwd>
 #include <map>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,9 +30,9 @@ struct SceneResult {
 /// Draws a scene and judges it in every id.
 SceneResult judge_scene(std::uint64_t seed, int number, const std::vector<std::string>& ids);
 
-/// Return the text of a line, and what was written in it.
-std::string to_line(const SceneResult& result);
-SceneResult from_line(const std::string& line);
+/// Return a result as JSON, and what was written so.
+nlohmann::ordered_json to_json(const SceneResult& result);
+SceneResult from_json(const nlohmann::ordered_json& json);
 
 /// Numbers of each verdict, in the order of `verdict_letters`.
 using Counts = std::array<long, 6>;
@@ -46,6 +48,10 @@ Tally tally(const std::vector<SceneResult>& results, const std::vector<std::stri
 /// Returns the scenes with wrong numbers, the most wrong ids first, then those with most false
 /// flags; at most `count`.
 std::vector<SceneResult> worst(std::vector<SceneResult> results, std::size_t count);
+
+/// Returns the lists of the record: counts, and the worst scenes.
+nlohmann::ordered_json record_lists(const std::vector<SceneResult>& results,
+                                    const std::vector<std::string>& ids);
 
 /// Writes counts and the worst scenes for people, with commands that reproduce them.
 void print(std::ostream& out, const std::vector<SceneResult>& results,

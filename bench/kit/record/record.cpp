@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 namespace {
 
 /// The section of each list: that of its experiment.
-constexpr std::array<std::pair<std::string_view, const char*>, 13> sections{
+constexpr std::array<std::pair<std::string_view, const char*>, 15> sections{
     {{"cells", "paper"},
      {"requests", "paper"},
      {"peers", "paper"},
@@ -33,7 +33,9 @@ constexpr std::array<std::pair<std::string_view, const char*>, 13> sections{
      {"break_even", "size"},
      {"counts", "instructions"},
      {"rows", "extremes"},
-     {"results", "extremes"}}};
+     {"results", "extremes"},
+     {"verdicts", "promise"},
+     {"findings", "promise"}}};
 
 Json by_experiment(const Json& lists) {
   Json all = Json::object();
