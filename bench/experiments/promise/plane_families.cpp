@@ -109,54 +109,80 @@ class Plane {
   std::map<std::string, Vec> at_;
 };
 
+/// A crank whose length and nominal pin are exact, so that all of the model is.
+struct ExactCrank {
+  double length;
+  Vec pin;
+};
+ExactCrank exact_crank(Random& r) {
+  static constexpr double triples[][3] = {{3, 4, 5}, {5, 12, 13}, {8, 15, 17}, {20, 21, 29}};
+  const auto& t = triples[r.below(4)];
+  const double unit = std::ldexp(1, -r.below(3) - 3);
+  return {t[2] * unit, {r.sign() * t[0] * unit, t[1] * unit, 0}};
+}
+
 /// Crank AB, coupler BC, rocker DC.
 Mechanism closed_four_bar(std::string name, double crank, double coupler, double rocker,
-                          double base, double theta, int side) {
+                          double base, const Vec& b, const Vec& c) {
   Plane p(std::move(name));
-  const Vec a{0, 0, 0}, b = polar(a, crank, theta), d{base, 0, 0};
-  p.point("A", a), p.point("D", d), p.point("B", b);
-  p.point("C", meeting(b, coupler, d, rocker, side));
+  p.point("A", {0, 0, 0}), p.point("D", {base, 0, 0}), p.point("B", b), p.point("C", c);
   p.ground({"A", "D"});
   p.link("A", "B", crank), p.link("B", "C", coupler), p.link("D", "C", rocker);
   p.drive_angle("A", "B");
-  p.angle("psi", "D", "C");
   return p.take();
 }
 
 }  // namespace
 
 Drawn four_bar(Random& r) {
-  const double crank = r.uniform(0.3, 3), base = r.uniform(0.3, 3), theta = r.uniform(-3, 3);
-  const double to = std::hypot(base - crank * std::cos(theta), crank * std::sin(theta));
+  const double crank = r.uniform(0.3, 3), base = r.uniform(0.3, 3);
+  const Vec b = polar({}, crank, r.uniform(-3, 3)), d{base, 0, 0};
+  const double to = length_between(b, d);
   const double sum = to * r.uniform(1.1, 2.5), difference = to * r.uniform(-0.9, 0.9);
-  return {closed_four_bar("four_bar", crank, (sum + difference) / 2, (sum - difference) / 2, base,
-                          theta, r.sign()),
-          {1.0},
-          6.3};
+  const double coupler = (sum + difference) / 2, rocker = (sum - difference) / 2;
+  Mechanism m = closed_four_bar("four_bar", crank, coupler, rocker, base, b,
+                                meeting(b, coupler, d, rocker, r.sign()));
+  Mechanism::Coordinate psi = m.coordinates.front();
+  psi.name = "psi";
+  psi.of = {-1, 1, 3};
+  psi.driven = false;
+  m.coordinates.push_back(psi);
+  return {std::move(m), {1.0}, 6.3};
 }
 
 Drawn parallelogram(Random& r) {
-  const double crank = eighths(r, 4, 16), base = eighths(r, 17, 32), theta = r.uniform(0.3, 2.8);
-  return {closed_four_bar("parallelogram", crank, base, crank, base, theta, 1), {1.0}, 4, true};
+  const auto [crank, b] = exact_crank(r);
+  const double base = crank + eighths(r, 1, 16);
+  return {closed_four_bar("parallelogram", crank, base, crank, base, b, {b[0] + base, b[1], 0}),
+          {1.0},
+          4,
+          true};
 }
 
 Drawn antiparallelogram(Random& r) {
-  const double crank = eighths(r, 4, 16), base = eighths(r, 17, 32), theta = r.uniform(0.3, 2.8);
-  Drawn d{
-      closed_four_bar("antiparallelogram", crank, base, crank, base, theta, -1), {1.0}, 4, true};
-  return d;
+  const auto [crank, b] = exact_crank(r);
+  const double base = crank + eighths(r, 1, 16);
+  return {closed_four_bar("antiparallelogram", crank, base, crank, base, b,
+                          meeting(b, base, {base, 0, 0}, crank, -1)),
+          {1.0},
+          4,
+          true};
 }
 
 Drawn deltoid(Random& r) {
-  const double base = eighths(r, 4, 16), rocker = eighths(r, 17, 32), theta = r.uniform(0.5, 2.6);
-  return {closed_four_bar("deltoid", base, rocker, rocker, base, theta, r.sign()), {1.0}, 4, true};
+  const auto [base, b] = exact_crank(r);
+  const double rocker = base + eighths(r, 1, 16);
+  return {closed_four_bar("deltoid", base, rocker, rocker, base, b,
+                          meeting(b, rocker, {base, 0, 0}, rocker, r.sign())),
+          {1.0},
+          4,
+          true};
 }
 
 Drawn scott_russell(Random& r) {
   Plane p("scott_russell");
-  const double crank = eighths(r, 4, 16), theta = r.uniform(0.3, 1.3);
-  const Vec o{0, 0, 0}, m = polar(o, crank, theta);
-  p.point("O", o), p.point("M", m), p.point("C", {0, 2 * m[1], 0});
+  const auto [crank, m] = exact_crank(r);
+  p.point("O", {}), p.point("M", m), p.point("C", {0, 2 * m[1], 0});
   p.ground({"O"});
   const int y = p.ground_vector("y", {0, 1, 0});
   p.link("O", "M", crank);
@@ -261,18 +287,21 @@ Drawn chebyshev(Random& r) {
 }
 
 Drawn two_loops(Random& r) {
-  const double crank = eighths(r, 4, 12), base = eighths(r, 16, 24);
-  DyadChain chain{.crank = crank, .start = r.uniform(0.3, 2.8), .dyads = {}};
-  Vec from = crank_pin(chain);
+  Plane p("two_loops");
+  const auto [crank, pin] = exact_crank(r);
+  const double base = crank + eighths(r, 1, 16);
+  p.point("D0", {}), p.point("C0", pin);
+  p.ground({"D0"});
+  p.link("D0", "C0", crank);
   const int loops = 2 + r.below(3) * r.below(3);
   for (int k = 1; k <= loops; ++k) {
-    chain.dyads.push_back(closed_dyad(from, {base * k, 0, 0}, base, crank, 1));
-    from = chain.dyads.back().joint;
+    const std::string c = "C" + std::to_string(k), d = "D" + std::to_string(k);
+    p.point(d, {base * k, 0, 0}), p.point(c, {pin[0] + base * k, pin[1], 0});
+    p.ground({d});
+    p.link("C" + std::to_string(k - 1), c, base), p.link(d, c, crank);
   }
-  MechanismBuilder b("two_loops", 2);
-  b.set_length_unit("1");
-  add(b, chain);
-  return {b.take(), {1.0}, 4, true};
+  p.drive_angle("D0", "C0");
+  return {p.take(), {1.0}, 4, true};
 }
 
 Drawn toggle_press(Random& r) {
