@@ -41,6 +41,8 @@ std::span<const Extreme> all_extremes() {
       Extreme{14, "accuracy of estimates", "the estimates of condition and error themselves",
               "condition within a factor of 10; bounds above the error, by 1000 floors at most",
               &estimates},
+      Extreme{15, "beside change points", "0 … 0.1 rad beside one; cranks of 1e-3 … 1e-9 links",
+              "10 times the tolerance, or the floor, or a flag", &change_points},
   };
   return table;
 }

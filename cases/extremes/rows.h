@@ -10,7 +10,8 @@ namespace desmo::extremes {
 
 using Cases = std::vector<ExtremeCase>(Extent extent);
 Cases long_chains, near_dead_points, singular_positions, lock_up, branches, redundant, scales,
-    long_runs, bad_starts, bad_input, reused_pivots, idle_freedom, tolerances, estimates;
+    long_runs, bad_starts, bad_input, reused_pivots, idle_freedom, tolerances, estimates,
+    change_points;
 
 /// Makes a case of several chains in one mechanism, each driven by its own motion.
 ExtremeCase case_of(std::string name, std::vector<DyadChain> chains, std::vector<Motion> motions,

@@ -7,6 +7,7 @@
 #include <limits>
 #include <span>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "formulations/algebra/linear_solver.h"
@@ -44,10 +45,21 @@ class KluFactors final : public LinearSolver<double> {
     forget_pivots();
     ++pivot_choices_;
     numeric_ = klu_factor(start_.data(), row_.data(), ax, symbolic_, &common_);
-    return numeric_ && common_.status == KLU_OK;
+    if (!numeric_ || common_.status != KLU_OK) return false;
+    chosen_ = Eigen::Map<const Eigen::ArrayXd>(pivots().data(), n_).abs();
+    return true;
   }
 
   void solve(double* b) override { klu_solve(symbolic_, numeric_, n_, 1, b, &common_); }
+
+  /// Overwrite b with D⁻¹ b and D⁻ᵀ b, D being the irreducible blocks of A without what couples
+  /// them.
+  void solve_blocks(double* b) {
+    uncoupled([&] { solve(b); });
+  }
+  void solve_blocks_transposed(double* b) {
+    uncoupled([&] { solve_transposed(b); });
+  }
 
   /// Overwrites b with A⁻ᵀ b.
   void solve_transposed(double* b) { klu_tsolve(symbolic_, numeric_, n_, 1, b, &common_); }
@@ -57,6 +69,11 @@ class KluFactors final : public LinearSolver<double> {
   void forget_pivots() override { klu_free_numeric(&numeric_, &common_); }
 
   int break_even_solves() const override { return sparse_break_even_solves; }
+
+  double pivot_shrinkage() const override {
+    if (!numeric_ || chosen_.size() != n_) return 1;
+    return (chosen_ / Eigen::Map<const Eigen::ArrayXd>(pivots().data(), n_).abs()).maxCoeff();
+  }
 
   /// Returns how often a pivot order was chosen, the first time included.
   long pivot_choices() const override { return pivot_choices_; }
@@ -78,6 +95,14 @@ class KluFactors final : public LinearSolver<double> {
   }
 
  private:
+  template <class Solve>
+  void uncoupled(Solve&& solve_any) {
+    uncoupled_.resize(row_count() + 1);
+    int* const coupled = std::exchange(numeric_->Offp, uncoupled_.data());
+    solve_any();
+    numeric_->Offp = coupled;
+  }
+
   std::size_t row_count() const { return static_cast<std::size_t>(n_); }
 
   /// Returns whether the smallest pivot is large enough compared with the largest (klu_rcond). The
@@ -94,6 +119,8 @@ class KluFactors final : public LinearSolver<double> {
   klu_symbolic* symbolic_ = nullptr;
   klu_numeric* numeric_ = nullptr;
   long pivot_choices_ = 0;
+  Eigen::ArrayXd chosen_;       // sizes of the pivots when their order was chosen
+  std::vector<int> uncoupled_;  // column starts of a matrix without entries between blocks
 };
 
 }  // namespace desmo

@@ -31,11 +31,23 @@ class LinearSolver {
   /// Returns whether factor() may reuse the pivot order of an earlier call.
   virtual bool reuses_pivots() const { return false; }
 
+  /// Returns by how much a pivot has shrunk, at most, since the order was chosen; rounding grows as
+  /// much.
+  virtual double pivot_shrinkage() const { return 1; }
+
   /// Makes the next factor() choose its pivots anew.
   virtual void forget_pivots() {}
 
   /// Returns how often factor() chose a pivot order, where it may reuse one.
   virtual long pivot_choices() const { return 0; }
+};
+
+/// A part whose linear solver may reuse a pivot order, as Part::reuses_pivots says.
+class PivotReuse {
+ public:
+  virtual ~PivotReuse() = default;
+  /// See LinearSolver::pivot_shrinkage.
+  virtual double pivot_shrinkage() const = 0;
 };
 
 /// break_even_solves() of sparse factorisations; their new Jacobian is a good part of the cost.

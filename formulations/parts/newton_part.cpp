@@ -12,7 +12,7 @@ namespace desmo {
 namespace {
 
 /// A part solved by Newton–Raphson in double precision.
-class DoublePrecisionPart final : public Part {
+class DoublePrecisionPart final : public Part, public PivotReuse {
  public:
   DoublePrecisionPart(std::unique_ptr<const Equations<double>> equations, const PartContext& c,
                       std::unique_ptr<LinearSolver<double>> linear_solver)
@@ -24,6 +24,7 @@ class DoublePrecisionPart final : public Part {
   }
   long refactorisations() const override { return solver_.refactorisations(); }
   bool reuses_pivots() const override { return solver_.reuses_pivots(); }
+  double pivot_shrinkage() const override { return solver_.pivot_shrinkage(); }
 
  private:
   NewtonSolver<double> solver_;

@@ -77,6 +77,8 @@ class NewtonSolver {
 
   /// See Part::reuses_pivots.
   bool reuses_pivots() const { return reuses_pivots_; }
+  /// See LinearSolver::pivot_shrinkage.
+  double pivot_shrinkage() const { return linear_solver_->pivot_shrinkage(); }
   /// See Part::refactorisations.
   long refactorisations() const { return std::max(0L, linear_solver_->pivot_choices() - 1); }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "formulations/scaling/magnitudes.h"
 #include "formulations/verification/assessment/backward_error.h"
 
 namespace desmo {
@@ -11,6 +12,13 @@ namespace {
 
 /// What the estimate of a norm may miss.
 constexpr double missed = 3;
+
+/// The irreducible blocks of a system, by themselves.
+struct Blocks {
+  ScaledSystem& system;
+  void solve(double* x) { system.solve_blocks(x); }
+  void solve_transposed(double* x) { system.solve_blocks_transposed(x); }
+};
 
 Assessment undetermined(Assessment a, GroupId group) {
   a.singular = true;
@@ -27,20 +35,24 @@ std::vector<Level> all_levels(const Model& m, std::span<const Level> given) {
 
 }  // namespace
 
-Assessor::Assessor(const Model& m, std::span<const Level> levels)
+Assessor::Assessor(const Model& m, std::span<const Level> levels, std::span<const Level> asked)
     : model_(m),
       levels_(all_levels(m, levels)),
+      asked_(asked.empty() ? levels_ : std::vector<Level>(asked.begin(), asked.end())),
       row_levels_(levels_of_rows(m, levels_)),
       system_(m),
       motion_(m, levels_),
       of_system_(system_.size()),
       of_change_(of_system_),
+      of_residuals_(of_system_),
       to_outputs_{of_system_, of_system_, of_system_},
       to_errors_(to_outputs_),
       weights_(system_.size()),
       off_(system_.size()),
       unknown_(system_.size()),
       change_(system_.size()),
+      row_(system_.size()),
+      row_magnitudes_(system_.size()),
       error_(system_.size()),
       max_(m.groups.size()),
       state_(m.state_size()),
@@ -48,6 +60,11 @@ Assessor::Assessor(const Model& m, std::span<const Level> levels)
       phi_motion_(system_.size()) {
   std::ranges::copy(m.fixed_values, state_.begin() + m.coordinates());
   for (const int i : system_.unknowns()) group_.push_back(motion_.group(i));
+  const Magnitudes magnitudes(m);
+  Eigen::Index row = 0;
+  for (int c = 0; c < static_cast<int>(m.constraints.size()); ++c)
+    for (int r = 0; r < rows(m.constraints[c]); ++r)
+      if (!(m.constraints[c].left_out >> r & 1)) row_magnitudes_[row++] = magnitudes.of({c, r});
   for (const Level level : desmo::levels) corrected_[level].resize(m.coordinates());
 }
 
@@ -68,6 +85,7 @@ Assessment Assessor::operator()(const Instant& instant, const Scales& scales) {
   equations_of(Level::position);
   const Bound position = of_outputs(Level::position, scales);
   a.rounding = position.rounding;
+  a.per_residual = of_residuals();
   enclose(Level::position);
   widen(Level::position, 2);
   const double closeness = contraction();  // η
@@ -89,7 +107,7 @@ Assessment Assessor::operator()(const Instant& instant, const Scales& scales) {
 }
 
 Limit Assessor::limit(const Instant& instant, const Scales& scales, const Assessment& a) {
-  constexpr double near_singular = 1e3;  // condition number, in lengths of the bodies themselves
+  constexpr double near_singular = 1e3;  // condition number of a block, in its own lengths
   constexpr double far = 100;            // times the size
   constexpr double share = 0.1;          // of a bound, that tells where it comes from
   double longest = 0, shortest = INFINITY;
@@ -101,8 +119,13 @@ Limit Assessor::limit(const Instant& instant, const Scales& scales, const Assess
   const double spread = std::max(1.0, longest / shortest);  // which no position is to blame for
   weights_.setOnes();
   change_.setOnes();
-  const double own = system_.size() > 0 ? of_change_(system_, weights_, change_).value : 1;
-  if (own > near_singular * spread) return Limit::singular_position;
+  double own = 1;
+  if (system_.size() > 0) {
+    Blocks blocks{system_};
+    if (of_change_(blocks, weights_, change_).value > near_singular * spread)
+      return Limit::singular_position;
+    own = of_change_(system_, weights_, change_).value;
+  }
   motion_.take(instant);
   for (const Level level : desmo::levels)
     if (a.condition * motion_.of_drivers(level, scales) > share * a.bound[level] &&
@@ -141,7 +164,7 @@ Assessor::Bound Assessor::of_outputs(Level level, const Scales& scales) {
     for (int j = 0; j < system_.size(); ++j) {
       const int i = system_.unknowns()[j];
       const double scale = motion_.scale(i, level, scales);
-      weights_[j] = scale > 0 && motion_.is_solved(i, level)
+      weights_[j] = scale > 0 && asked_[i] >= level
                         ? system_.magnitude(i) * std::sqrt(motion_.size_of_output(i)) / scale
                         : 0;
     }
@@ -150,6 +173,18 @@ Assessor::Bound Assessor::of_outputs(Level level, const Scales& scales) {
   const double rounding = missed * to_outputs_[level](system_, weights_, unknown_).value;
   const double drivers = motion_.of_drivers(level, scales);
   return {std::max(known + rounding, drivers), std::max(rounding, drivers)};
+}
+
+/// max |A⁻¹ R⁻¹ Φ| over all outputs, each relative to its scale (weights_), of equations that are
+/// off by their magnitudes at most, in the Euclidean norm.
+double Assessor::of_residuals() {
+  if (system_.size() == 0) return 0;
+  change_ = row_magnitudes_ / system_.row_sums();
+  const int worst = of_residuals_(system_, weights_, change_).unknown;
+  row_.setZero();
+  row_[worst] = weights_[worst];
+  system_.solve_transposed(row_.data());
+  return (row_ * change_).matrix().norm();
 }
 
 /// error_ ≥ |off_| + |A⁻¹| unknown_, the same for all unknowns of a group: of the second, what

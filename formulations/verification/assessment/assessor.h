@@ -30,8 +30,10 @@ namespace desmo {
 class Assessor {
  public:
   /// levels: the level up to which each coordinate is solved (Plan::levels); empty: as far as the
-  /// instant. The model must outlive the assessor.
-  explicit Assessor(const Model& model, std::span<const Level> levels = {});
+  /// instant. asked: the level up to which it is an output; empty: as far as solved. The model must
+  /// outlive the assessor.
+  explicit Assessor(const Model& model, std::span<const Level> levels = {},
+                    std::span<const Level> asked = {});
   Assessor(const Assessor&) = delete;
   Assessor& operator=(const Assessor&) = delete;
 
@@ -56,6 +58,7 @@ class Assessor {
   };
   void equations_of(Level level);
   Bound of_outputs(Level level, const Scales& scales);
+  double of_residuals();
   void enclose(Level level);
   void at_least(const Eigen::ArrayXd& errors);
   const Eigen::ArrayXd& inverse(const Eigen::ArrayXd& errors);
@@ -64,12 +67,15 @@ class Assessor {
   double correct(Level level, std::vector<double>& values);
 
   const Model& model_;
-  std::vector<Level> levels_, row_levels_;
+  std::vector<Level> levels_, asked_, row_levels_;
   ScaledSystem system_;
   EnclosedMotion motion_;
   InverseNorm of_system_, of_change_;  // one each, since the worst unknown is remembered
+  InverseNorm of_residuals_;
   PerLevel<InverseNorm> to_outputs_, to_errors_;
   Eigen::ArrayXd weights_, off_, unknown_, change_;
+  Eigen::ArrayXd row_;             // of the inverse
+  Eigen::ArrayXd row_magnitudes_;  // of the equations, as in their residuals
   Eigen::ArrayXd error_;  // error bound of each unknown in its magnitude, equal within a group
   std::vector<GroupId> group_;  // group of each unknown
   std::vector<double> max_;     // error bound of each group

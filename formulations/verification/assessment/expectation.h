@@ -5,34 +5,37 @@
 
 namespace desmo {
 
-/// Prediction of the assessment of an instant that is not assessed. It uses the residual at which
-/// the position was accepted, and the growth g of the condition number κ since the last assessment:
+/// Bounds of an instant that is not assessed. They use the residual at which the position was
+/// accepted, and the growth g of the condition number κ since the last assessment:
 ///
-///   position       g × rounding + g κ × slope × residual, where slope is
-///                  (bound − rounding) / (κ × residual) of the last assessment that showed it
-///   velocity       last bound × growth of the position bound × g²
-///   acceleration   last bound × growth of the position bound × g⁴
+///   position       10 g × rounding + g × per_residual × residual
+///   velocity       10 × last bound × growth of the position bound × g² × growth of the drivers
+///   acceleration   10 × last bound × growth of the position bound × g⁴ × growth of the drivers
 ///
-/// Every level divides by Φ_φ, and again for the errors of the levels that it is solved from.
+/// Every level divides by Φ_φ, and again for the errors of the levels that it is solved from. The
+/// margin of ten, or twice the largest ratio by which the bounds were low, is for what neither
+/// signal shows.
 class Expectation {
  public:
-  /// Learns from an assessment. growth, residual: the instant's signals before it was assessed.
-  void learn(const Assessment& assessment, double growth, double residual);
+  /// Signals of an instant: what has grown since the last assessment, and the residual.
+  struct Signals {
+    double growth = 1;                  ///< of the condition number
+    PerLevel<double> drivers{1, 1, 1};  ///< growth of the drivers' motion
+    double residual = 0;
+  };
+
+  /// Learns from an assessment. signals: of the instant before it was assessed.
+  void learn(const Assessment& assessment, const Signals& signals);
   /// Converts the last bounds to grown scales of rates.
   void rescale(const Scales& from, const Scales& to);
 
-  /// Returns the predicted assessment, without a safety margin.
-  Assessment operator()(double growth, double residual) const;
-  /// Returns the bounds times a margin: ten, or twice the largest ratio by which predictions were
-  /// low.
-  Assessment with_margin(Assessment expected) const;
-  /// Returns whether a residual exceeds all assessed ones by more than a factor of four.
-  bool is_new(double residual) const;
+  /// Returns what may be stated.
+  Assessment operator()(const Signals& signals) const;
 
  private:
+  Assessment without_margin(const Signals& signals) const;
+
   Assessment last_{};
-  double max_residual_ = 0;
-  double slope_ = 0;  // (bound.position − rounding) over condition × residual
   PerLevel<double> margin_;
 };
 

@@ -34,10 +34,14 @@ ScaledSystem::ScaledSystem(const Model& m)
   factors_ = std::make_unique<KluFactors>(pattern_);
   orientation_.resize(factors_->block_start().size() - 1);
   counted_.resize(size());
+  block_.resize(size());
   block_size_.resize(size());
   const auto start = factors_->block_start(), columns = factors_->block_columns();
   for (std::size_t b = 0; b < orientation_.size(); ++b)
-    for (int i = start[b]; i < start[b + 1]; ++i) block_size_[columns[i]] = start[b + 1] - start[b];
+    for (int i = start[b]; i < start[b + 1]; ++i) {
+      block_[columns[i]] = static_cast<int>(b);
+      block_size_[columns[i]] = start[b + 1] - start[b];
+    }
   place_of_row_.resize(size());
   for (int i = 0; i < size(); ++i) place_of_row_[factors_->block_rows()[i]] = i;
 }
@@ -45,6 +49,8 @@ ScaledSystem::ScaledSystem(const Model& m)
 ScaledSystem::~ScaledSystem() = default;
 
 void ScaledSystem::solve(double* x) { factors_->solve(x); }
+void ScaledSystem::solve_blocks(double* x) { factors_->solve_blocks(x); }
+void ScaledSystem::solve_blocks_transposed(double* x) { factors_->solve_blocks_transposed(x); }
 void ScaledSystem::solve_transposed(double* x) { factors_->solve_transposed(x); }
 
 GroupId ScaledSystem::group_of_block(int block) const {

@@ -32,7 +32,8 @@ class ScaledSystem {
   bool is_unknown(int state) const { return column(state) >= 0; }
   int column(int state) const { return equations_.column(state); }
 
-  /// Returns the number of unknowns in the irreducible block of an unknown.
+  /// Return the irreducible block of an unknown, and the number of unknowns in it.
+  int block(int unknown) const { return block_[unknown]; }
   int block_size(int unknown) const { return block_size_[unknown]; }
 
   /// Factorises A at a state (q followed by the fixed components). Returns false when A is singular
@@ -51,6 +52,10 @@ class ScaledSystem {
   /// Overwrite x with A⁻¹ x and A⁻ᵀ x.
   void solve(double* x);
   void solve_transposed(double* x);
+  /// Overwrite x with D⁻¹ x and D⁻ᵀ x, D being the irreducible blocks of A without what couples
+  /// them.
+  void solve_blocks(double* x);
+  void solve_blocks_transposed(double* x);
   /// Returns the change of each unknown, in its magnitude and up to sign, when every driver moves
   /// by plus or minus its own magnitude. Solves in place: may be called once after each
   /// factorise().
@@ -75,9 +80,9 @@ class ScaledSystem {
   Array row_sums_, by_drivers_, unknown_shares_, row_shares_;
   std::unique_ptr<KluFactors> factors_;  // null when there are no unknowns
   std::vector<signed char> orientation_;
-  std::vector<int> block_size_;    // for each unknown
-  std::vector<int> place_of_row_;  // position of each row in block order
-  std::vector<char> counted_;      // marks rows in orient()
+  std::vector<int> block_, block_size_;  // for each unknown
+  std::vector<int> place_of_row_;        // position of each row in block order
+  std::vector<char> counted_;            // marks rows in orient()
 };
 
 }  // namespace desmo

@@ -27,8 +27,8 @@ constexpr double factor = 4;
 constexpr int look_every = 16;
 /// Bounds of rates above which it cannot be told whether they lead on.
 constexpr double noise = 1e-3;
-/// By how much a bound may rise above what correcting could reach.
-constexpr double worse = 2;
+/// By how much pivots may shrink before residuals of rates are looked at.
+constexpr double shrunk = 20;
 /// What residuals show of errors at an estimated condition number, times this, bounds them.
 constexpr double shown_by = 10;
 
@@ -47,9 +47,9 @@ struct AccuracyMonitor::State {
   Expectation expectation{};
   BranchSigns signs;
   std::vector<EntityId> entity;  // of each coordinate
+  Start beyond{};                // a singular position, where the last instant lies in one
 
-  Assessment last{};             // that was made
-  PerLevel<double> reachable{};  // bounds that correcting has led to, or might
+  Assessment last{};  // that was made
   double last_time = 0;
   bool started = false, degraded = false;
   bool after_gap = false, is_doubted = false;
@@ -63,7 +63,7 @@ struct AccuracyMonitor::State {
       : model(m),
         options(o),
         limits(o.tolerance),
-        assessor(m, o.levels),
+        assessor(m, o.levels, o.asked),
         scales(m, grid, o.scales),
         sensitivity(m, assessor.levels(), assessor.system().magnitudes()),
         conditioning(m, assessor.system()),
@@ -77,30 +77,105 @@ struct AccuracyMonitor::State {
 
   MonitoredInstant examine(const Instant& instant) {
     MonitoredInstant j{instant};
-    const double growth = growth_at(instant);
-    const double residual = has(Monitor::residual) ? instant.residual : 0;
-    const Assessment expected = expectation(growth, residual);
+    const Expectation::Signals signals = signals_of(instant);
+    const Assessment expected = expectation(signals);
     const Statement statement = state(instant, expected);
     const bool in_doubt = is_in_doubt(instant);
     std::optional<SingularityCrossing> jump;
-    if (in_doubt && !instant.interpolated) jump = find_jump(instant);
+    if (in_doubt && !instant.interpolated) jump = find_jump(j);
     const bool known_before = rates_are_known();
     // A doubt that shorter steps have argued away is one: next to where solutions meet they too
     // end anywhere.
-    if (in_doubt || !statement.holds || is_due(growth, residual, expected))
-      assess(j, growth, residual);
+    const bool is_assessed = in_doubt || !statement.holds || is_due(signals);
+    if (is_assessed)
+      assess(j, signals, statement.assessment);
     else
       j.assessment = statement.assessment;
-    if (in_doubt && instant.interpolated && !j.solved_anew) jump = find_jump(j.instant);
+    if (in_doubt && instant.interpolated && !j.solved_anew) {
+      jump = find_jump(j);
+      if (j.solved_anew) assess(j, signals, j.assessment);
+    }
     // From rates that are noise nothing can be told; from signs of determinants it can.
     if (jump && known_before && rates_are_known()) j.crossing = jump;
-    if (++since % look_every == 0) look_at_scales(j.instant);
-    continuity.take(j.instant);
     if (j.assessment.singular) return j;  // which is not delivered
-    condition = std::max(condition, j.assessment.condition);
-    for (const Level l : levels) worst[l] = std::max(worst[l], j.assessment.bound[l]);
-    if (j.degraded) degradations.add({j.instant.index, j.instant.time, j.assessment});
+    if (++since % look_every == 0 && !is_assessed) look_at_scales(j.instant);
+    deliver(j, is_assessed);
     return j;
+  }
+
+  /// Counts an instant that is delivered, and keeps it to go on from.
+  void deliver(const MonitoredInstant& j, bool is_assessed) {
+    continuity.take(j.instant, is_assessed, j.assessment.bound);
+    beyond = {};
+    condition = std::max(condition, j.assessment.condition);
+    add({j.instant.index, j.instant.time, j.assessment}, j.degraded);
+  }
+
+  void add(const Degradation& d, bool is_degraded) {
+    for (const Level l : levels) worst[l] = std::max(worst[l], d.assessment.bound[l]);
+    if (is_degraded) degradations.add(d);
+  }
+
+  void look_back(const Instant& like) {
+    RecentInstants& recent = continuity.recent();
+    for (int back = 0; back < recent.count() && !recent[back].is_assessed; ++back) {
+      RecentInstants::Node& node = recent[back];
+      const Assessment a = assessor(view_of(node, like), scales.now());
+      ++assessed;
+      node.is_assessed = true;
+      if (!exceeds(a.bound, node.stated)) return;
+      node.stated = a.bound;
+      condition = std::max(condition, a.condition);
+      add({node.index, node.time, a}, exceeds(a.bound, limits.degraded));
+    }
+  }
+
+  std::optional<MonitoredInstant> solve(const Instant& instant) {
+    const auto solved = continuity.solve_anew(instant, sensitivity.weights(), assessor);
+    if (!solved) return {};
+    MonitoredInstant j{*solved};
+    j.solved_anew = true;
+    assess(j, signals_of(j.instant), {});
+    if (j.assessment.singular) return {};
+    deliver(j, true);
+    ++corrected;
+    return j;
+  }
+
+  std::optional<MonitoredInstant> pass(const Instant& singular) {
+    const auto p = continuity.pass(singular, scales.now(), sensitivity.weights(), assessor);
+    if (!p) return {};
+    MonitoredInstant j{p->instant};
+    j.degraded = j.solved_anew = true;
+    j.assessment = p->assessment;
+    j.assessment.limit = Limit::singular_position;
+    j.assessment.bound = difference(p->instant, p->wide);
+    j.crossing = {p->after, p->before, last.group, SingularityCrossing::Kind::passed};
+    deliver(j, true);
+    degraded = true;  // so the next is assessed
+    beyond = {p->beyond, p->before};
+    ++corrected;
+    return j;
+  }
+
+  /// The largest difference of two instants over outputs, relative to the scales.
+  PerLevel<double> difference(const Instant& a, const Instant& b) const {
+    PerLevel<double> result{};
+    const auto add = [&](Level level, std::span<const double> x, std::span<const double> y) {
+      for (std::size_t i = 0; i < x.size(); ++i) {
+        const double scale = scales.now().of(model.entities[entity[i]].kind, level);
+        if (asked(static_cast<int>(i)) >= level && scale > 0)
+          result[level] = std::max(result[level], std::abs(x[i] - y[i]) / scale);
+      }
+    };
+    add(Level::position, a.q, b.q);
+    add(Level::velocity, a.qd, b.qd);
+    add(Level::acceleration, a.qdd, b.qdd);
+    return result;
+  }
+
+  Level asked(int i) const {
+    return options.asked.empty() ? assessor.levels()[i] : options.asked[i];
   }
 
   /// What is said of an instant that is not assessed, and whether it may be said.
@@ -109,10 +184,10 @@ struct AccuracyMonitor::State {
     bool holds;
   };
   Statement state(const Instant& instant, const Assessment& expected) {
-    Statement s{expectation.with_margin(expected), true};
+    Statement s{expected, true};
     if (!has(Monitor::bounds) || !started) return s;
     PerLevel<double>& bound = s.assessment.bound;
-    if (instant.interpolated || (options.reuses_pivots && has(Monitor::residual))) {
+    if (instant.interpolated || has_bad_pivots()) {
       const PerLevel<double> shown =
           backward_error(instant, assessor.system(), scales.now(), expected.condition);
       if (instant.interpolated) bound.position += shown_by * shown.position;
@@ -122,38 +197,36 @@ struct AccuracyMonitor::State {
         before = shown_by * shown[l] + expected.condition * before;
         bound[l] += before;
       }
-      // Rates of pivots that have gone bad are worth correcting as any are.
-      s.holds = instant.interpolated ||
-                !exceeds({0, shown_by * shown.velocity, shown_by * shown.acceleration},
-                         limits.worth_correcting(expected.condition));
     }
-    s.holds = s.holds && !exceeds(bound, limits.degraded);
+    s.holds = !exceeds(bound, limits.degraded);
     return s;
   }
 
-  /// Of the condition number since the last assessment, as far as it shows.
-  double growth_at(const Instant& instant) {
-    if (!has(Monitor::sensitivity)) return 1;
-    const double of_rates = sensitivity.growth(instant);
-    if (!has(Monitor::clock)) return of_rates;
+  /// Whether pivots of earlier positions may spoil the rates.
+  bool has_bad_pivots() const {
+    if (!options.reuses_pivots || !has(Monitor::residual)) return false;
+    return options.parts.empty() || std::ranges::any_of(options.parts, [](const PivotReuse* part) {
+             return !(part->pivot_shrinkage() <= shrunk);
+           });
+  }
+
+  Expectation::Signals signals_of(const Instant& instant) {
+    Expectation::Signals signals;
+    if (has(Monitor::residual)) signals.residual = instant.residual;
+    if (!has(Monitor::sensitivity)) return signals;
+    signals.growth = sensitivity.growth(instant);
+    signals.drivers = sensitivity.driver_growth();
+    if (!has(Monitor::clock)) return signals;
     conditioning.go_on(instant);
     if (conditioning.is_due()) conditioning.look(instant, assessor.system());
-    return std::max(of_rates, conditioning.growth());
+    signals.growth = std::max(signals.growth, conditioning.growth());
+    return signals;
   }
 
-  bool is_due(double growth, double residual, const Assessment& expected) const {
+  bool is_due(const Expectation::Signals& signals) const {
     return !started || degraded || after_gap || (has(Monitor::clock) && since >= options.every) ||
-           !(growth <= factor) || expectation.is_new(residual) || is_correctable(expected, growth);
-  }
-
-  /// Whether bounds are so large that correcting would help.
-  bool is_correctable(const Assessment& a, double growth) const {
-    const PerLevel<double> least = limits.worth_correcting(a.condition);
-    double powers_of_growth = worse;
-    return std::ranges::any_of(levels, [&](Level l) {
-      powers_of_growth *= growth;
-      return !(a.bound[l] <= std::max(least[l], powers_of_growth * reachable[l]));
-    });
+           !(signals.growth <= factor) || !(signals.drivers.velocity <= factor) ||
+           !(signals.drivers.acceleration <= factor);
   }
 
   /// Of the last assessment, well enough for Continuity.
@@ -165,9 +238,20 @@ struct AccuracyMonitor::State {
                                              : continuity.in_doubt(instant, sensitivity.weights()));
   }
 
-  std::optional<SingularityCrossing> find_jump(const Instant& instant) {
-    const auto jump = continuity.find_jump(instant, sensitivity.weights(), assessor);
+  /// Goes the step again in shorter ones. Where they lead elsewhere it takes what they lead to, if
+  /// that is a solution. Returns the jump otherwise.
+  std::optional<SingularityCrossing> find_jump(MonitoredInstant& j) {
+    const auto jump = continuity.find_jump(j.instant, sensitivity.weights(), assessor);
     if (!jump) return {};
+    if (const auto solved = continuity.solve_anew(j.instant, sensitivity.weights(), assessor)) {
+      const Assessment a = assessor(*solved, scales.with(*solved));
+      if (!a.singular && !exceeds(a.bound, {noise, noise, noise})) {
+        j.instant = *solved;
+        j.solved_anew = true;
+        ++corrected;
+        return {};
+      }
+    }
     return SingularityCrossing{jump->after, jump->before,
                                model.entities[entity[jump->coordinate]].group,
                                SingularityCrossing::Kind::jumped};
@@ -177,28 +261,35 @@ struct AccuracyMonitor::State {
     const Scales before = scales.now();
     if (!scales.take(instant)) return;
     rescale(worst, before, scales.now());
-    rescale(reachable, before, scales.now());
     expectation.rescale(before, scales.now());
     degradations.rescale(before, scales.now());
   }
 
-  void assess(MonitoredInstant& j, double growth, double residual) {
+  /// expected: what would have been stated.
+  void assess(MonitoredInstant& j, const Expectation::Signals& signals,
+              const Assessment& expected) {
     if (!started && has(Monitor::orientation)) signs.declare(j.instant);
     last = assessor(j.instant, scales.with(j.instant));
     const Assessment given = last;
     ++assessed;
+    if (started && !j.instant.interpolated && exceeds(given.bound, expected.bound)) {
+      look_back(j.instant);
+      assessor(j.instant, scales.with(j.instant));  // its factors again
+    }
     since = 0;
     const bool tries =
         has(Monitor::bounds) && exceeds(given.bound, limits.worth_correcting(given.condition));
     const bool is_better = tries && improve(j);
-    look_at_scales(j.instant);
-    reachable = tries ? last.bound : PerLevel<double>{};
-    if (j.instant.interpolated)  // nothing follows for solved ones but from what it has become
-      expectation.learn(last, INFINITY, 0);
-    else
-      expectation.learn(given, growth, residual);
-    if (is_better) expectation.learn(last, 1, 0);
     degraded = has(Monitor::bounds) && exceeds(last.bound, limits.degraded);
+    if (degraded && exceeds(last.bound, {noise, noise, noise}))  // what is wrong is no scale
+      rescale(last.bound, scales.with(j.instant), scales.now());
+    else
+      look_at_scales(j.instant);
+    if (j.instant.interpolated)  // nothing follows for solved ones but from what it has become
+      expectation.learn(last, {.growth = INFINITY});
+    else
+      expectation.learn(given, signals);
+    if (is_better) expectation.learn(last, {});
     if (degraded && last.condition < INFINITY)
       last.limit = assessor.limit(j.instant, scales.now(), last);
     if (!has(Monitor::bounds)) last.singular = false;
@@ -258,6 +349,19 @@ AccuracyMonitor::~AccuracyMonitor() = default;
 MonitoredInstant AccuracyMonitor::examine(const Instant& instant) {
   return state_->examine(instant);
 }
+std::optional<MonitoredInstant> AccuracyMonitor::pass(const Instant& singular) {
+  return state_->pass(singular);
+}
+std::optional<MonitoredInstant> AccuracyMonitor::solve(const Instant& instant) {
+  return state_->solve(instant);
+}
+AccuracyMonitor::Start AccuracyMonitor::last() const {
+  if (!state_->beyond.q.empty()) return state_->beyond;
+  const RecentInstants& recent = state_->continuity.recent();
+  if (recent.count() == 0) return {};
+  return {recent[0].state.q, recent[0].time};
+}
+void AccuracyMonitor::look_back(const Instant& like) { state_->look_back(like); }
 void AccuracyMonitor::resume() {
   state_->after_gap = true;
   state_->continuity.forget();

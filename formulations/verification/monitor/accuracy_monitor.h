@@ -5,8 +5,10 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "cases/mechanism/motion.h"
+#include "formulations/algebra/linear_solver.h"
 #include "formulations/base/observer.h"
 #include "formulations/base/part.h"
 #include "formulations/model/model.h"
@@ -44,19 +46,24 @@ struct AccuracyMonitorOptions {
 
   double tolerance = default_tolerance;  ///< of the formulation's Settings
   std::span<const Level> levels{};       ///< to which each coordinate is solved (Plan::levels)
+  std::span<const Level> asked{};        ///< to which it is judged; empty: as far as solved
   int every = usual_interval;            ///< longest interval between assessments, in instants
   bool reuses_pivots = false;            ///< pivots of earlier positions may spoil rates
-  unsigned without = 0;                  ///< Monitor bits left out, for tests of what each finds
-  std::optional<Scales> scales{};        ///< to which bounds are relative; empty: the motion's
-  int max_steps = 4096;                  ///< shorter steps in which a doubtful step is gone again
-  int max_degradations = 10000;          ///< degraded instants reconsidered when scales grow
+  /// Parts whose shrunk pivots show when they do; empty: not known, residuals of rates tell.
+  std::vector<const PivotReuse*> parts{};
+  unsigned without = 0;            ///< Monitor bits left out, for tests of what each finds
+  std::optional<Scales> scales{};  ///< to which bounds are relative; empty: the motion's
+  int max_steps = 4096;            ///< shorter steps in which a doubtful step is gone again
+  int max_degradations = 1000000;  ///< degraded instants reconsidered when scales grow
 };
 
 /// An instant and its accuracy.
 struct MonitoredInstant {
-  Instant instant;           ///< corrected where that helped; valid until the next instant
-  bool degraded = false;     ///< conditioning keeps it from meeting the limits
-  bool solved_anew = false;  ///< it was interpolated, not accurately enough, and then solved
+  Instant instant;        ///< corrected where that helped; valid until the next instant
+  bool degraded = false;  ///< conditioning keeps it from meeting the limits
+  /// It was interpolated, not accurately enough, or jumped to another branch, and was then solved
+  /// from the instant before it.
+  bool solved_anew = false;
   std::optional<SingularityCrossing> crossing{};
   Assessment assessment{};  ///< assessed, or an expectation with margin (Expectation)
 };
@@ -91,6 +98,23 @@ class AccuracyMonitor {
   /// Examines the next instant; instants come in order of time. Allocates only in KLU and for
   /// degraded instants.
   MonitoredInstant examine(const Instant& instant);
+
+  /// Returns what singular instant lies between two regular ones near it, interpolated and
+  /// degraded, if the motion is smooth there (Continuity::pass). The instant is the one examined
+  /// last.
+  std::optional<MonitoredInstant> pass(const Instant& singular);
+  /// Solves an instant that could not be solved otherwise, in short steps from the one before it.
+  std::optional<MonitoredInstant> solve(const Instant& instant);
+  /// Returns positions from which the motion goes on, and their time [s]: of the last instant, or
+  /// beyond the singular position that it lies in. Empty: there was none.
+  struct Start {
+    std::span<const double> q;
+    double time;
+  };
+  Start last() const;
+  /// Assesses the instants before one that turned out worse than it was expected to be, the latest
+  /// first, until one is as stated. Those that are not raise the bounds.
+  void look_back(const Instant& like);
 
   /// Tells that the next instant does not follow the last one; the monitor will assess it.
   void resume();

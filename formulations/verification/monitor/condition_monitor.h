@@ -1,7 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <limits>
+#include <array>
 #include <span>
 #include <vector>
 
@@ -12,45 +12,50 @@
 namespace desmo {
 
 /// Monitors the growth of the condition number since the last assessment where rates do not show
-/// it: a motion that just misses a change point is smooth. It solves x = A⁻¹ b for a fixed b
-/// without pattern and compares ‖x‖∞ of each group with that of the assessment. Near a singular
-/// position 1/‖x‖∞ falls to zero linearly with the distance. The solution needs factors, so it is
-/// taken now and then (a *look*). The next look is due when, at the present pace, 1/‖x‖∞ would have
-/// halved. It is due at the latest when the drivers have moved by 2 magnitudes, or four times the
-/// distance between the last two looks.
+/// it: a motion that just misses a change point is smooth. It solves x = A⁻¹ b for fixed b without
+/// pattern, now and then (a *look*), with factors of its own. What it finds:
+///
+///   growth     of ‖x‖∞ of each group since the assessment
+///   distance   of each irreducible block D to a singular one, d = 1/‖D⁻¹ b‖∞; it falls to zero
+///   signs      of the determinants; one that has changed counts as infinite growth
+///
+/// The next look is due before any d can have halved. d has the slope of the last two looks, but
+/// for its curvature, which is bounded: entries of D change by their own size when coordinates move
+/// by their magnitudes. Between looks the growth counts as if d fell that fast.
 class ConditionMonitor {
  public:
   /// system: the one of the model.
   ConditionMonitor(const Model& model, const ScaledSystem& system);
 
-  /// Adds the drivers' way to an instant; instants come in order of time.
+  /// Adds the way to an instant; instants come in order of time.
   void go_on(const Instant& instant);
   /// Returns whether the instant should be looked at.
   bool is_due() const { return way_ > 0 && way_ >= next_; }
   void look(const Instant& instant, ScaledSystem& system);
-  /// Returns the growth, at least 1: that of the last look, extrapolated at the same pace; infinity
+  /// Returns the growth, at least 1, of the last look and what it may have become since; infinity
   /// where it was singular.
-  double growth() const { return growth_ / (1 - fall_ * way_); }
+  double growth() const;
   /// Makes this instant the one to compare with. system: factorised at it.
   void reset(ScaledSystem& system);
 
  private:
   void take(ScaledSystem& system);
+  void measure_distances(ScaledSystem& system);
+  double until_halved() const;
 
-  struct Driven {
-    int coordinate;
-    double unit;  // 1 over its magnitude
-    double last = std::numeric_limits<double>::quiet_NaN();
-  };
-  std::vector<Driven> drivers_;
   std::vector<double> state_;
-  std::vector<GroupId> group_;  // group of each unknown
-  Eigen::ArrayXd right_, x_;    // b and x = A⁻¹ b
-  Eigen::ArrayXd now_, then_;   // ‖x‖∞ of each group: last look, assessment
-  Eigen::ArrayXd share_;        // then_ / now_ at the last look
+  Eigen::ArrayXd unit_;                  // 1 / magnitude of each coordinate
+  Eigen::ArrayXd last_;                  // q of the last instant
+  std::vector<GroupId> group_;           // group of each unknown
+  std::vector<int> block_;               // irreducible block of each unknown
+  std::array<Eigen::ArrayXd, 2> right_;  // b
+  Eigen::ArrayXd x_;                     // A⁻¹ b
+  Eigen::ArrayXd now_, then_, before_;  // ‖x‖∞ of each group: last look, assessment, look before
+  Eigen::ArrayXd distance_, distance_before_;  // d of each block: last look, look before
+  std::vector<signed char> signs_;             // of the assessment
   double growth_ = 1;
-  double fall_ = 0, pace_ = 0;  // change of share_ per way: decrease since the last look, largest
-  double way_ = 0, next_ = 0;  // drivers' way since the last look and until the next, in magnitudes
+  double way_ = 0, next_ = 0;  // movement since the last look and until the next, in magnitudes
+  double way_before_ = 0;      // movement between the last two looks
 };
 
 }  // namespace desmo

@@ -12,6 +12,8 @@ namespace {
 
 /// Of what a group moves in a step, by which the trapezoid rule may be off.
 constexpr double smooth = 0.02;
+/// By how much an angle may turn more or less than its rates say [rad].
+constexpr double turned = 1;
 /// Of a step: what does not look continuous over so little is not.
 constexpr double shortest = 0x1p-40;
 /// Drivers slower than this, relative to their fastest, tell nothing of what follows them.
@@ -32,7 +34,7 @@ Eigen::Map<const Eigen::ArrayXd> array(std::span<const double> values) {
 
 Continuity::Continuity(const Model& m, const TimeGrid& grid, std::span<const double> magnitude,
                        int max_steps)
-    : model_(m), turned_(m.coordinates()), max_steps_(max_steps) {
+    : model_(m), recent_(m.coordinates()), turned_(m.coordinates()), max_steps_(max_steps) {
   for (const Driver& d : m.drivers) {
     const int i = m.entities[d.coordinate].first;
     driven_.push_back({i, 1 / magnitude[i]});
@@ -40,24 +42,18 @@ Continuity::Continuity(const Model& m, const TimeGrid& grid, std::span<const dou
       if (const double v = std::abs(sample(d.motion, t).velocity / magnitude[i]); std::isfinite(v))
         fastest_ = std::max(fastest_, v);
   }
-  for (Node* node : {&last_, &reached_, &next_})
+  const std::vector<bool> driven = independent_coordinates(m);
+  for (const Entity& e : m.entities)
+    if (!e.fixed && e.kind == EntityKind::angle && !driven[e.first]) angles_.push_back(e.first);
+  std::vector<Node*> nodes{&reached_, &next_};
+  for (Node& node : passage_) nodes.push_back(&node);
+  for (Node* node : nodes)
     for (std::vector<double>* values : {&node->state.q, &node->state.qd, &node->state.qdd})
       values->resize(m.coordinates());
 }
 
-void Continuity::Node::take(const Instant& instant) {
-  const auto copy = [](std::span<const double> from, std::vector<double>& to) {
-    std::copy_n(from.data(), from.size(), to.data());
-  };
-  time = instant.time;
-  copy(instant.q, state.q);
-  copy(instant.qd, state.qd);
-  copy(instant.qdd, state.qdd);
-}
-
-void Continuity::take(const Instant& instant) {
-  last_.take(instant);
-  known_ = true;
+void Continuity::take(const Instant& instant, bool is_assessed, const PerLevel<double>& stated) {
+  recent_.take(instant, is_assessed, stated);
   if (!instant.qd.empty()) fastest_ = std::max(fastest_, fastest_driver(instant));
 }
 
@@ -65,16 +61,6 @@ double Continuity::fastest_driver(const Instant& instant) const {
   double fastest = 0;
   for (const auto& [i, unit] : driven_) fastest = std::max(fastest, std::abs(instant.qd[i]) * unit);
   return fastest;
-}
-
-/// A node, as far as an instant is solved.
-Instant Continuity::view(const Node& node, const Instant& like) const {
-  Instant result = like;
-  result.time = node.time;
-  result.q = node.state.q;
-  if (!like.qd.empty()) result.qd = node.state.qd;
-  if (!like.qdd.empty()) result.qdd = node.state.qdd;
-  return result;
 }
 
 /// found(what the trapezoid rule is off by, relative to what groups move).
@@ -113,8 +99,32 @@ double Continuity::growth(const Instant& instant, const Eigen::ArrayXd& weights)
   return std::max(1.0, (array(instant.qd).abs() * weights).maxCoeff() / drivers);
 }
 
+/// What movement the rates at both ends are to agree to.
+double Continuity::moved(const Instant& from, const Instant& to,
+                         const Eigen::ArrayXd& weights) const {
+  return std::max(growth(from, weights), growth(to, weights));
+}
+
+/// Whether positions and rates of one instant lead to the other; sets turned_.
+bool Continuity::leads_on(const Instant& from, const Instant& to, const Eigen::ArrayXd& weights) {
+  const double allowed = smooth * moved(from, to, weights);
+  const Eigen::ArrayXd& turned = position_mismatch(from, to, weights);
+  return mismatch(from, to, weights) <= allowed && turned.maxCoeff() <= allowed;
+}
+
 bool Continuity::in_doubt(const Instant& instant, const Eigen::ArrayXd& weights) const {
-  return known_ && mismatch(view(last_, instant), instant, weights) > smooth;
+  return is_known() && (mismatch(view_of(recent_[0], instant), instant, weights) > smooth ||
+                        turns_further(instant, weights));
+}
+
+bool Continuity::turns_further(const Instant& instant, const Eigen::ArrayXd& weights) const {
+  if (instant.qd.empty() || weights.size() == 0) return false;
+  const auto& [q, qd, qdd] = recent_[0].state;
+  const double h = instant.time - recent_[0].time;
+  return std::ranges::any_of(angles_, [&](int i) {
+    return weights[i] > 0 &&
+           !(std::abs(instant.q[i] - q[i] - h / 2 * (qd[i] + instant.qd[i])) <= turned);
+  });
 }
 
 /// next_ = the solution at t that Taylor's polynomial from reached_ leads to.
@@ -129,7 +139,7 @@ void Continuity::predict(double t, const Instant& like, Assessor& assessor) {
   }
   next_.time = t;
   drive(model_, t, next_.state);
-  const Instant solved = assessor.corrected(view(next_, like));
+  const Instant solved = assessor.corrected(view_of(next_, like));
   std::ranges::copy(solved.q, next_.state.q.begin());
   std::ranges::copy(solved.qd, next_.state.qd.begin());
   std::ranges::copy(solved.qdd, next_.state.qdd.begin());
@@ -143,44 +153,122 @@ std::optional<Continuity::Jump> Continuity::find_jump(const Instant& instant,
 
 std::optional<Instant> Continuity::solve_anew(const Instant& instant, const Eigen::ArrayXd& weights,
                                               Assessor& assessor) {
-  if (!known_ || instant.qd.empty() || weights.size() == 0) return {};
+  if (!is_known() || instant.qd.empty() || weights.size() == 0) return {};
   if (go(instant, End::solved, weights, assessor)) return {};
-  return view(next_, instant);
+  return view_of(next_, instant);
+}
+
+/// result = the polynomial through what is solved at two nodes, at result.time.
+void Continuity::interpolate(const Node& from, const Node& to, const Instant& like,
+                             Node& result) const {
+  const double h = to.time - from.time, x = (result.time - from.time) / h;
+  for (int i = 0; i < model_.coordinates(); ++i) {
+    // p(x) = q₀ + x (v₀ + x (a₀/2 + x (c₃ + x (c₄ + x c₅)))), x from 0 to 1
+    const auto& [q0, v0, a0] = from.state;
+    const auto& [q1, v1, a1] = to.state;
+    const double v = h * v0[i], w = h * v1[i];
+    std::array<double, 6> c{q0[i], v};
+    if (like.qdd.empty()) {
+      const double rest = q1[i] - q0[i] - v;
+      c[2] = 3 * rest - (w - v), c[3] = (w - v) - 2 * rest;
+    } else {
+      const double a = h * h * a0[i], b = h * h * a1[i];
+      const double rest = q1[i] - q0[i] - v - a / 2, rate = w - v - a, second = b - a;
+      c[2] = a / 2, c[3] = 10 * rest - 4 * rate + second / 2;
+      c[4] = -15 * rest + 7 * rate - second, c[5] = 6 * rest - 3 * rate + second / 2;
+    }
+    double p = 0, dp = 0, ddp = 0;
+    for (int k = 5; k >= 0; --k) {
+      ddp = ddp * x + 2 * dp;
+      dp = dp * x + p;
+      p = p * x + c[k];
+    }
+    result.state.q[i] = p;
+    result.state.qd[i] = dp / h;
+    result.state.qdd[i] = ddp / (h * h);
+  }
+  drive(model_, result.time, result.state);
+}
+
+std::optional<Continuity::Passage> Continuity::pass(const Instant& singular, const Scales& scales,
+                                                    const Eigen::ArrayXd& weights,
+                                                    Assessor& assessor) {
+  if (!is_known() || singular.qd.empty() || weights.size() == 0) return {};
+  constexpr int max_tries = 8;
+  auto& [before2, before, beyond, beyond2, between, wide] = passage_;
+  const double whole = singular.time - recent_[0].time;
+  double distance = whole / 2;
+  for (int i = 0; i < max_tries; ++i, distance /= 2) {
+    const auto reach = [&](double from_singular, Node& node) {
+      Instant target = singular;
+      target.time = singular.time - from_singular;
+      if (from_singular >= whole) {
+        node = recent_[0];
+        return true;
+      }
+      if (go(target, End::solved, weights, assessor)) return false;
+      node = next_;
+      return true;
+    };
+    const auto lead = [&](const Node& from, double to, Node& node) {
+      reached_ = from;
+      predict(to, singular, assessor);
+      node = next_;
+      return leads_on(view_of(from, singular), view_of(node, singular), weights);
+    };
+    if (!reach(2 * distance, before2) || !reach(distance, before)) return {};
+    if (!lead(before, singular.time + distance, beyond) ||
+        !lead(beyond, singular.time + 2 * distance, beyond2))
+      continue;
+    const Assessment assessment = assessor(view_of(beyond, singular), scales);
+    if (assessment.singular) continue;
+    between.time = wide.time = singular.time;
+    interpolate(before, beyond, singular, between);
+    interpolate(before2, beyond2, singular, wide);
+    return Passage{view_of(between, singular),
+                   view_of(wide, singular),
+                   before.time,
+                   beyond.time,
+                   beyond.state.q,
+                   assessment};
+  }
+  return {};
 }
 
 Instant Continuity::driven(const Instant& instant) {
-  next_.take(instant);
+  next_.time = instant.time;
+  std::ranges::copy(instant.q, next_.state.q.begin());
+  std::ranges::copy(instant.qd, next_.state.qd.begin());
+  std::ranges::copy(instant.qdd, next_.state.qdd.begin());
   drive(model_, instant.time, next_.state);
-  return view(next_, instant);
+  return view_of(next_, instant);
 }
 
 std::optional<Continuity::Jump> Continuity::go(const Instant& instant, End end,
                                                const Eigen::ArrayXd& weights, Assessor& assessor) {
-  const double whole = instant.time - last_.time;
-  reached_ = last_;
+  const double whole = instant.time - recent_[0].time;
+  reached_ = recent_[0];
   double step = whole / 2;
   for (int i = 0; i < max_steps_; ++i) {
     const bool to_end = std::abs(step) >= std::abs(instant.time - reached_.time);
     const bool is_given = to_end && end == End::given;
     if (!is_given) predict(to_end ? instant.time : reached_.time + step, instant, assessor);
-    const Instant next = is_given ? instant : view(next_, instant);
-    const Instant from = view(reached_, instant);
-    const double moved = std::max(growth(from, weights), growth(next, weights));
-    const bool rates_agree = mismatch(from, next, weights) <= smooth * moved;
-    const Eigen::ArrayXd& turned = position_mismatch(from, next, weights);
-    if (rates_agree && turned.maxCoeff() <= smooth * moved) {
+    const Instant next = is_given ? instant : view_of(next_, instant);
+    const Instant from = view_of(reached_, instant);
+    if (leads_on(from, next, weights)) {
       if (to_end) return {};
       std::swap(reached_, next_);
       step *= 2;
     } else if (std::abs(step) > shortest * std::abs(whole)) {
       step = (to_end ? instant.time - reached_.time : step) / 2;
     } else {
+      const bool rates_agree = mismatch(from, next, weights) <= smooth * moved(from, next, weights);
       return Jump{from.time, next.time,
-                  rates_agree ? worst(turned) : mismatch(from, next, weights, worst)};
+                  rates_agree ? worst(turned_) : mismatch(from, next, weights, worst)};
     }
   }
   return Jump{reached_.time, instant.time,
-              mismatch(view(reached_, instant), instant, weights, worst)};
+              mismatch(view_of(reached_, instant), instant, weights, worst)};
 }
 
 }  // namespace desmo

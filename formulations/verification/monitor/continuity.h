@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -9,12 +10,14 @@
 #include "formulations/base/part.h"
 #include "formulations/model/model.h"
 #include "formulations/verification/assessment/assessor.h"
+#include "formulations/verification/monitor/recent_instants.h"
 
 namespace desmo {
 
 /// Check of whether each instant continues the one before it. It applies the trapezoid rule to the
 /// two highest levels solved (q̇ and q̈, or q and q̇). A step is in doubt when the rule is off by
-/// more than a fiftieth of a group's movement. A smooth motion is off by (ω h)²/12. Such a step is
+/// more than a fiftieth of a group's movement. A smooth motion is off by (ω h)²/12. It is also in
+/// doubt when an angle does not turn as its rates say, but by whole turns more. Such a step is
 /// repeated in shorter ones from its beginning, each predicted by a Taylor polynomial. When they do
 /// not lead to its end, that lies on another assembly branch.
 class Continuity {
@@ -46,21 +49,33 @@ class Continuity {
   /// Returns the instant with its drivers evaluated at its time; valid until the next call.
   Instant driven(const Instant& instant);
 
-  /// Makes this instant the one to continue from.
-  void take(const Instant& instant);
-  void forget() { known_ = false; }
+  /// Instant at a singular position, between two regular ones near it to which the motion leads.
+  struct Passage {
+    Instant instant;                 ///< on the polynomial through q, q̇ and q̈ of the two
+    Instant wide;                    ///< the same with the next two: it is off by more
+    double after, before;            ///< times of the two [s]
+    std::span<const double> beyond;  ///< q of the later one
+    Assessment assessment;           ///< of the later one
+  };
+  /// Passes a singular position at which the motion is smooth: goes from the instant taken last to
+  /// a regular position near it, and from there by Taylor's polynomial to one beyond, whose rates
+  /// have to agree. Returns nothing where rates are not solved, or no such way leads on. The result
+  /// is valid until the next call. Overwrites the assessor's factors.
+  std::optional<Passage> pass(const Instant& singular, const Scales& scales,
+                              const Eigen::ArrayXd& weights, Assessor& assessor);
+
+  /// Makes this instant the one to continue from; it says what was stated of it.
+  void take(const Instant& instant, bool is_assessed, const PerLevel<double>& stated);
+  /// Returns the instants taken last.
+  RecentInstants& recent() { return recent_; }
+  void forget() { recent_.forget(); }
   /// Returns whether there is an instant to go on from.
-  bool is_known() const { return known_; }
+  bool is_known() const { return recent_.count() > 0; }
   /// Counts time from an origin that much earlier [s].
-  void shift_time(double by) { last_.time += by; }
+  void shift_time(double by) { recent_.shift_time(by); }
 
  private:
-  /// Copy of an instant.
-  struct Node {
-    double time = 0;
-    State state;
-    void take(const Instant& instant);
-  };
+  using Node = RecentInstants::Node;
   double fastest_driver(const Instant& instant) const;
   template <class Found>
   auto mismatch(const Instant& from, const Instant& to, const Eigen::ArrayXd& weights,
@@ -69,22 +84,27 @@ class Continuity {
   const Eigen::ArrayXd& position_mismatch(const Instant& from, const Instant& to,
                                           const Eigen::ArrayXd& weights);
   double growth(const Instant& instant, const Eigen::ArrayXd& weights) const;
-  Instant view(const Node& node, const Instant& like) const;
   void predict(double t, const Instant& like, Assessor& assessor);
   enum class End { given, solved };
   std::optional<Jump> go(const Instant& instant, End end, const Eigen::ArrayXd& weights,
                          Assessor& assessor);
+  bool turns_further(const Instant& instant, const Eigen::ArrayXd& weights) const;
+  double moved(const Instant& from, const Instant& to, const Eigen::ArrayXd& weights) const;
+  bool leads_on(const Instant& from, const Instant& to, const Eigen::ArrayXd& weights);
+  void interpolate(const Node& from, const Node& to, const Instant& like, Node& result) const;
 
   const Model& model_;
   struct Driven {
     int coordinate;
     double unit;  // 1 / magnitude
   };
+  std::vector<int> angles_;     // unknown ones
   std::vector<Driven> driven_;  // contiguous, since every step reads them
-  bool known_ = false;
-  double fastest_ = 0;  // largest rate of the drivers so far [magnitudes/s]
-  Node last_, reached_, next_;
-  Eigen::ArrayXd turned_;  // position_mismatch()
+  double fastest_ = 0;          // largest rate of the drivers so far [magnitudes/s]
+  RecentInstants recent_;
+  Node reached_, next_;
+  std::array<Node, 6> passage_;  // two before, two beyond, two between
+  Eigen::ArrayXd turned_;        // position_mismatch()
   int max_steps_;
 };
 

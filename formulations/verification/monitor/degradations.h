@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -17,25 +18,38 @@ class Degradations {
   Degradations(const PerLevel<double>& limit, std::size_t max_kept)
       : limit_(limit), max_kept_(max_kept) {}
 
-  void add(const Degradation& degradation) {
-    if (kept_.size() < max_kept_)
-      kept_.push_back(degradation);
-    else
+  void add(Degradation degradation) {
+    if (kept_.size() == max_kept_) {
       ++others_;
+      return;
+    }
+    for (const Level l : levels) degradation.assessment.bound[l] /= share_[l];
+    kept_.push_back(degradation);
   }
-  /// Converts all bounds to grown scales, and removes instants that no longer exceed the limit.
-  void rescale(const Scales& from, const Scales& to) {
-    for (Degradation& d : kept_) desmo::rescale(d.assessment.bound, from, to);
-    std::erase_if(kept_,
-                  [&](const Degradation& d) { return !exceeds(d.assessment.bound, limit_); });
-  }
+  /// Converts all bounds to grown scales.
+  void rescale(const Scales& from, const Scales& to) { desmo::rescale(share_, from, to); }
 
-  long count() const { return static_cast<long>(kept_.size()) + others_; }
+  /// Returns the number of instants that still exceed the limit.
+  long count() const {
+    return others_ + std::ranges::count_if(
+                         kept_, [&](const Degradation& d) { return exceeds(bound(d), limit_); });
+  }
   std::optional<Degradation> first() const {
-    return kept_.empty() ? std::nullopt : std::optional(kept_.front());
+    for (Degradation d : kept_) {
+      d.assessment.bound = bound(d);
+      if (exceeds(d.assessment.bound, limit_)) return d;
+    }
+    return {};
   }
 
  private:
+  PerLevel<double> bound(const Degradation& d) const {
+    PerLevel<double> result = d.assessment.bound;
+    for (const Level l : levels) result[l] *= share_[l];
+    return result;
+  }
+
+  PerLevel<double> share_{1, 1, 1};  // of bounds in the first scales, what they are now
   PerLevel<double> limit_;
   std::size_t max_kept_;
   std::vector<Degradation> kept_;

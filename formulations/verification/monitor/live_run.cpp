@@ -138,6 +138,7 @@ void LiveRun::assess(const LiveRow& row, LiveSummary& summary) {
   std::ranges::copy(found.qdd, good_.acceleration.begin());
   time_ = row.time;
   has_position_ = true;
+  if (j.solved_anew) formulation_.return_to(good_.position, time_);
 }
 
 /// Sets the motions that are monitored: Taylor's polynomial from the row, at time 0, exactly, and

@@ -14,12 +14,39 @@ namespace {
 /// To which the ends of an interval that cannot be assembled are found, s.
 constexpr double bracket = 1e-9;
 
-AccuracyMonitorOptions monitor_options(const MonitoredRunOptions& options, const Formulation& f) {
+AccuracyMonitorOptions monitor_options(const MonitoredRunOptions& options,
+                                       std::span<const Level> levels, std::span<const Level> asked,
+                                       const Formulation& f) {
   AccuracyMonitorOptions result = options;
-  const auto reuses = [](const DefinedPart& part) { return part.solver->reuses_pivots(); };
-  result.reuses_pivots |= std::ranges::any_of(f.parts(), reuses);
+  result.levels = levels;
+  result.asked = asked;
+  for (const DefinedPart& part : f.parts())
+    if (part.solver->reuses_pivots()) {
+      result.reuses_pivots = true;
+      const auto* pivots = dynamic_cast<const PivotReuse*>(part.solver.get());
+      if (f.is_live() && pivots) result.parts.push_back(pivots);  // else others do the work
+    }
   if (options.strict) result.every = 1;
   return result;
+}
+
+/// Velocities are solved in any case: from positions alone nobody can tell which branch they are
+/// on.
+Request with_velocities(Request request) {
+  request.level = std::max(request.level, Level::velocity);
+  return request;
+}
+
+std::vector<Level> with_velocities(std::vector<Level> levels) {
+  for (Level& level : levels) level = std::max(level, Level::velocity);
+  return levels;
+}
+
+/// Returns the level to which each coordinate is asked for.
+std::vector<Level> asked_levels(const Model& m, Level level, std::span<const Level> given) {
+  std::vector<Level> levels(given.begin(), given.end());
+  levels.resize(m.coordinates(), level);
+  return levels;
 }
 
 /// One run, in spans between the intervals that cannot be assembled. As an observer of the
@@ -30,19 +57,27 @@ class Run final : Observer {
       const MonitoredRunOptions& options)
       : formulation_(formulation),
         grid_(grid),
-        request_(request),
+        level_(request.level),
+        asked_(asked_levels(formulation.model(), request.level, options.levels)),
+        levels_(with_velocities(asked_)),
+        request_(with_velocities(request)),
         options_(options),
-        accuracy_(formulation.model(), grid, monitor_options(options, formulation)),
-        branch_(formulation.model(), options.levels, options.tolerance),
+        accuracy_(formulation.model(), grid,
+                  monitor_options(options, levels_, asked_, formulation)),
+        branch_(formulation.model(), levels_, options.tolerance),
         output_(request, formulation.model().coordinates()),
-        next_(observer) {}
+        next_(observer) {
+    if (!options.levels.empty() && levels_ != asked_) formulation.solve_only(levels_);
+  }
 
   MonitoredSummary operator()() {
     const Summary ran = formulation_.run(grid_, request_, *this);
     if (!ran.stopped) static_cast<Summary&>(summary_) = ran;  // or the observer has said why
     tried_ = static_cast<int>(summary_.instants);             // all before it were handed on
-    if (!summary_.ok() && grid_.time(tried_) < summary_.time) {
-      summary_.status = Status::converged;  // a stride was too long: in steps from there
+    // A stride was too long, or the formulation could not go on, or has gone elsewhere.
+    if (is_astray_ || !summary_.ok()) {
+      summary_.status = Status::converged;
+      is_astray_ = true;
       go_on(tried_, From::last);
     }
     measure_assembly_error();
@@ -62,16 +97,24 @@ class Run final : Observer {
 
  private:
   Flow observe(const Instant& instant) noexcept override {
-    const MonitoredInstant m = accuracy_.examine(instant);
+    MonitoredInstant m = accuracy_.examine(instant);
     summary_.time = instant.time;
-    if (m.assessment.singular) {
-      // What was interpolated is nowhere near a solution.
-      summary_.status = instant.interpolated ? Status::not_converged : Status::singular;
-      summary_.group = m.assessment.group;
-      summary_.constraint = -1;
-      summary_.residual = instant.interpolated ? INFINITY : instant.residual;
-      return Flow::stop;
-    }
+    if (m.assessment.singular && !instant.interpolated)
+      if (const auto passed = accuracy_.pass(instant)) m = *passed;
+    is_astray_ = m.solved_anew && !instant.interpolated;
+    return m.assessment.singular ? stop_at(m) : hand_on(m);
+  }
+
+  Flow stop_at(const MonitoredInstant& m) {
+    summary_.status = Status::singular;
+    summary_.group = m.assessment.group;
+    summary_.constraint = -1;
+    summary_.residual = m.instant.residual;
+    return Flow::stop;
+  }
+
+  Flow hand_on(const MonitoredInstant& m) {
+    const Instant& instant = m.instant;
     if (m.crossing && !summary_.crossing) summary_.crossing = m.crossing;
     summary_.refused = options_.strict && (m.degraded || m.crossing);
     summary_.violated = branch_.violated(m.instant);
@@ -79,14 +122,27 @@ class Run final : Observer {
     summary_.updates += instant.updates;
     summary_.residual = max_residual_ = std::max(max_residual_, instant.residual);
     if (options_.monitored) options_.monitored(m);
-    const Flow flow = output_.hand_over(m.instant, next_);
+    const Flow flow = output_.hand_over(as_asked(m.instant), next_);
     ++summary_.instants;
     summary_.stopped = flow == Flow::stop;
-    return flow;
+    return is_astray_ ? Flow::stop : flow;
   }
 
-  /// Whether the run ended between two instants that could be solved.
-  bool was_interpolated() const { return summary_.residual == INFINITY; }
+  /// Takes the formulation to where the last instant handed on is, or beyond the singular position
+  /// that it lies in.
+  void return_to_last() {
+    const auto [q, time] = accuracy_.last();
+    if (q.empty()) return;
+    const std::vector<double>& fixed = formulation_.model().fixed_values;
+    std::vector<double> state(q.begin(), q.end());
+    state.insert(state.end(), fixed.begin(), fixed.end());
+    formulation_.start_at(state, time);
+  }
+
+  Instant as_asked(Instant instant) const {
+    if (level_ < Level::velocity) instant.qd = {};
+    return instant;
+  }
 
   void measure_assembly_error() {
     if (summary_.status != Status::not_converged) return;
@@ -97,8 +153,6 @@ class Run final : Observer {
     state.qd = state.qdd = state.q;
     drive(m, summary_.time, state);
     summary_.assembly_error = find_assembly_error(m, state.q, {.tolerance = options_.tolerance});
-    // Continued from the row before, in ever shorter steps, and stuck all the same.
-    if (!summary_.assembly_error && was_interpolated()) summary_.status = Status::singular;
   }
 
   /// From the instant that failed to the first that can be assembled again.
@@ -107,7 +161,6 @@ class Run final : Observer {
     Gap gap{summary_.time, end, false, summary_, summary_.assembly_error};
     if (tried_ > 0) {
       const double good = grid_.time(tried_ - 1);
-      if (was_interpolated()) formulation_.assemble(good);  // it has been beyond
       gap.from = last_solved(good, gap.from);
     }
     int again = tried_ + 1;
@@ -139,17 +192,12 @@ class Run final : Observer {
   void go_on(int first, From from) {
     for (tried_ = first; tried_ < grid_.instants; ++tried_) {
       const double t = summary_.time = grid_.time(tried_);
+      if (is_astray_ && from == From::last) return_to_last();
+      is_astray_ = false;
       const Summary s = tried_ == first && from == From::estimate
                             ? formulation_.assemble(t, request_.level)
                             : formulation_.step(t, request_.level);
       summary_.iterations += s.iterations;
-      if (!s.ok()) {
-        summary_.status = s.status;
-        summary_.group = s.group;
-        summary_.constraint = s.constraint;
-        summary_.residual = s.residual;
-        return;
-      }
       const std::span<const double> none;
       const Instant instant{tried_,
                             t,
@@ -158,12 +206,33 @@ class Run final : Observer {
                             request_.level >= Level::acceleration ? formulation_.qdd() : none,
                             s.updates,
                             s.residual};
-      if (observe(instant) == Flow::stop) return;
+      if (!s.ok() && !solved_by_monitor(instant)) {
+        accuracy_.look_back(instant);
+        summary_.status = s.status;
+        summary_.group = s.group;
+        summary_.constraint = s.constraint;
+        summary_.residual = s.residual;
+        return;
+      }
+      if (s.ok()) observe(instant);
+      if (!summary_.ok() || summary_.refused || summary_.violated >= 0 || summary_.stopped) return;
+      from = From::last;
     }
+  }
+
+  /// Solves an instant where the formulation could not, from the one before it.
+  bool solved_by_monitor(const Instant& instant) {
+    const auto m = accuracy_.solve(instant);
+    if (!m) return false;
+    is_astray_ = true;
+    hand_on(*m);
+    return true;
   }
 
   Formulation& formulation_;
   const TimeGrid grid_;
+  const Level level_;                        // asked for
+  const std::vector<Level> asked_, levels_;  // of each coordinate: asked for, solved
   const Request request_;
   const MonitoredRunOptions options_;
   MonitoredSummary summary_{};
@@ -172,6 +241,7 @@ class Run final : Observer {
   const OutputWriter output_;
   Observer& next_;
   double max_residual_ = 0;  // of the instants handed on
+  bool is_astray_ = false;   // the formulation is not where the last instant is
   int tried_ = 0;            // the instant tried last
 };
 

@@ -59,13 +59,25 @@ double SensitivityMonitor::growth(const Instant& instant) {
   const std::span<const double> rate = rates(instant);
   const double drivers = of_drivers(rate);
   fastest_ = std::max(fastest_, drivers);
+  if (!instant.qd.empty())
+    compare_drivers(drivers, instant.qdd.empty() ? 0 : of_drivers(instant.qdd));
   const bool moved = moves_;
   moves_ = drivers > sensitivity_at_rest * fastest_;
   if (!moves_) return moved ? INFINITY : 1;
   return std::max(1.0, (as_array(rate).abs() * weight_).maxCoeff() / drivers);
 }
 
+void SensitivityMonitor::compare_drivers(double rates, double second) {
+  drivers_now_ = {1, rates, std::max(rates * rates, second)};
+  for (const Level l : {Level::velocity, Level::acceleration}) {
+    max_drivers_[l] = std::max(max_drivers_[l], drivers_now_[l]);
+    const double least = sensitivity_at_rest * max_drivers_[l];
+    driver_growth_[l] = std::max(1.0, drivers_now_[l] / std::max(drivers_then_[l], least));
+  }
+}
+
 void SensitivityMonitor::reset(const Instant& instant, ScaledSystem& system) {
+  drivers_then_ = drivers_now_;
   std::ranges::fill(sensitivity_, 0.0);
   max_ = 0;
   const auto at_least = [&](int i, double sensitivity) {

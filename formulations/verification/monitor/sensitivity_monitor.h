@@ -22,6 +22,9 @@ class SensitivityMonitor {
   /// Returns the growth, at least 1; instants come in order of time. Where no driver moves it
   /// returns infinity at the first such instant and 1 at the others, which equal the first.
   double growth(const Instant& instant);
+  /// Returns by how much the drivers' motion has grown since then, at least 1 (position: 1): their
+  /// rates and, for accelerations, their squares or the second derivatives.
+  const PerLevel<double>& driver_growth() const { return driver_growth_; }
   /// Makes the instant of the last growth() the one to compare with. system: factorised at it.
   void reset(const Instant& instant, ScaledSystem& system);
   /// Returns, for each unknown, 1 over its group's movement when the drivers move by their
@@ -33,6 +36,7 @@ class SensitivityMonitor {
  private:
   std::span<const double> rates(const Instant& instant) const;
   double of_drivers(std::span<const double> rates) const;
+  void compare_drivers(double rates, double second);
 
   struct Driven {
     int coordinate;
@@ -47,6 +51,8 @@ class SensitivityMonitor {
   double max_ = 0;                   // largest of sensitivity_
   double fastest_ = 0;               // largest rate of the drivers so far
   bool moves_ = false;               // a driver moved at the last instant
+  PerLevel<double> drivers_now_{}, drivers_then_{}, max_drivers_{};  // their motion
+  PerLevel<double> driver_growth_{1, 1, 1};
 };
 
 }  // namespace desmo

@@ -1,0 +1,55 @@
+// Row 15: a crank arrives at, leaves, touches or rests next to the position in which coupler and
+// rocker are stretched, where the joint may go on to either side.
+#include <cstdio>
+#include <numbers>
+#include <string>
+
+#include "cases/extremes/rows.h"
+
+namespace desmo::extremes {
+
+namespace {
+
+/// Coupler and rocker of 5 and 3 are stretched over 8 at θ = π, to the last bit.
+ExtremeCase beside(const char* family, double distance, const Motion& crank, const TimeGrid& grid) {
+  DyadChain chain{.crank = 2, .start = sample(crank, grid.start).position, .dyads = {}};
+  chain.dyads = {closed_dyad(crank_pin(chain), {6, 0, 0}, 5, 3, 1)};
+  char name[64];
+  std::snprintf(name, sizeof name, "%s, %.0e rad beside, steps of 1/%.0f s", family, distance,
+                1 / grid.step);
+  ExtremeCase c = case_of(name, std::vector{chain}, {crank}, grid);
+  c.may_fail = true;
+  return c;
+}
+
+/// A crank of 2 · 10⁻ᵏ turns between links of 6.
+ExtremeCase small_crank(double scale) {
+  DyadChain chain{.crank = 2 * scale, .start = chain_start, .dyads = {}};
+  chain.dyads = {closed_dyad(crank_pin(chain), {6, 0, 0}, 6, 6, 1)};
+  char name[64];
+  std::snprintf(name, sizeof name, "a crank %.0e as long as the links", scale / 3);
+  ExtremeCase c = case_of(name, chain, 1, {0, 0.125, 33});
+  c.may_fail = true;
+  return c;
+}
+
+}  // namespace
+
+std::vector<ExtremeCase> change_points(Extent extent) {
+  constexpr double pi = std::numbers::pi;
+  std::vector<ExtremeCase> all;
+  for (const double d : {0.0, 1e-16, 1e-13, 1e-10, 1e-8, 1e-6, 1e-4, 1e-2, 0.1}) {
+    if (extent == Extent::brief && (d == 1e-16 || d == 1e-10 || d == 1e-6 || d == 1e-2)) continue;
+    const TimeGrid grid{-1, 1. / 64, 65};
+    all.push_back(beside("ends", d, Polynomial{{pi - d, 1}}, grid));
+    all.push_back(beside("starts", d, Polynomial{{pi - d, -1}}, {0, 1. / 64, 65}));
+    for (const int k : {64, 128, 1024})
+      all.push_back(beside("turns back", d, HarmonicSum{pi - d - 0.25, {{0.25, pi, pi / 2}}},
+                           {-1, 1. / k, 2 * k + 1}));
+    all.push_back(beside("rests", d, Polynomial{{pi - d, 0, 0, 0, -1}}, {-1, 1. / 64, 129}));
+  }
+  for (const double scale : {1e-3, 1e-6, 1e-9}) all.push_back(small_crank(scale));
+  return all;
+}
+
+}  // namespace desmo::extremes

@@ -1,0 +1,166 @@
+// Positions in which a mechanism could go on in two ways, and positions next to them: right to the
+// bounds stated and flagged, whatever is asked for.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "cases/extremes/rows.h"
+#include "formulations/id.h"
+#include "formulations/modelling/modelling.h"
+#include "formulations/variants.h"
+#include "formulations/verification/monitor/monitored_run.h"
+#include "tests/discard.h"
+#include "tests/safety/scott_russell.h"
+
+namespace desmo::change_points_test {
+namespace {
+
+MonitoredSummary run(const Model& m, const TimeGrid& grid, const std::string& id, Level level,
+                     Observer& observer) {
+  const Configuration c = parse_id(id);
+  return run_monitored(*make_formulation(*c.variant, m, c.settings), grid, {level}, observer);
+}
+
+std::vector<std::string> every_id() {
+  std::vector<std::string> ids;
+  for (const Variant& v : variants())
+    if (unavailable_reason(v.id).empty()) ids.push_back(v.id);
+  ids.push_back("global_automatic_klu/jacobian:chord");
+  for (const char* settings : {"/guess:hermite5", "/guess:adams8", "/stride:4"})
+    for (const char* id : {"global_automatic_klu", "block_symbolic_explicit"})
+      ids.push_back(std::string(id) + settings);
+  return ids;
+}
+
+/// Compares C of the Scott Russell linkage with x = 2 cos θ.
+class SliderError final : public Observer {
+ public:
+  explicit SliderError(const Model& m) : first_(m.entities[m.find("C")].first) {}
+  Flow observe(const Instant& i) noexcept override {
+    const double theta = (30 + 30 * i.time) * std::numbers::pi / 180, rate = std::numbers::pi / 6;
+    const bool is_there = std::abs(i.time - 2) < 1e-9;
+    double& error = is_there ? there : elsewhere;
+    error = std::max(error, std::abs(i.q[first_] - 2 * std::cos(theta)));
+    if (!i.qd.empty()) error = std::max(error, std::abs(i.qd[first_] + 2 * rate * std::sin(theta)));
+    if (!i.qdd.empty())
+      error = std::max(error, std::abs(i.qdd[first_] + 2 * rate * rate * std::cos(theta)));
+    return Flow::go_on;
+  }
+  double there = 0, elsewhere = 0;
+
+ private:
+  int first_;
+};
+
+TEST(ChangePoints, ArePassedSmoothlyAndFlagged) {
+  for (const double degrees : {2, 1}) {
+    const Scene scene = scott_russell(degrees / 30);
+    const Model m = make_model(scene);
+    for (const std::string& id : every_id())
+      for (const Level level : levels) {
+        SliderError error(m);
+        const MonitoredSummary s = run(m, scene.grid, id, level, error);
+        EXPECT_EQ(s.outcome(), Outcome::degraded) << id << " in steps of " << degrees;
+        EXPECT_EQ(s.instants, scene.grid.instants) << id;
+        ASSERT_TRUE(s.crossing) << id;
+        EXPECT_LE(s.crossing->after, 2) << id;
+        EXPECT_GE(s.crossing->before, 2 - 1e-9) << id;
+        EXPECT_LE(error.there, 1e-4) << id;
+        EXPECT_LE(error.elsewhere, 1e-7) << id;
+      }
+  }
+}
+
+/// Nothing tells how the motion would go on.
+TEST(ChangePoints, FailWhereTheMotionStartsThere) {
+  Scene scene = scott_russell(1. / 15);
+  scene.grid.start = 2;
+  scene.grid.instants = 4;
+  const Model m = make_model(scene);
+  Discard observer;
+  EXPECT_EQ(run(m, scene.grid, "global_automatic_klu", Level::acceleration, observer).outcome(),
+            Outcome::failed);
+}
+
+/// A parallelogram with cranks of 1 whose base is 2.
+Scene parallelogram(const Motion& crank, const TimeGrid& grid) {
+  DyadChain chain{.crank = 1, .start = sample(crank, grid.start).position, .dyads = {}};
+  const Mechanism::Vec pin = crank_pin(chain);
+  chain.dyads = {closed_dyad(pin, {2, 0, 0}, 2, 1, -1)};
+  chain.dyads[0].joint = {pin[0] + 2, pin[1], 0};
+  chain.dyads[0].angle = chain.start;
+  return extremes::case_of("parallelogram", {chain}, {crank}, grid).scene;
+}
+
+/// Compares the rocker with the crank, to which it is parallel.
+class RockerError final : public Observer {
+ public:
+  explicit RockerError(const Model& m)
+      : crank_(m.entities[m.find("crank/theta")].first),
+        rocker_(m.entities[m.find("dyad1/psi")].first) {}
+  Flow observe(const Instant& i) noexcept override {
+    const auto add = [&](std::span<const double> values, double& error) {
+      if (!values.empty()) error = std::max(error, std::abs(values[rocker_] - values[crank_]));
+    };
+    add(i.q, error.position);
+    add(i.qd, error.velocity);
+    add(i.qdd, error.acceleration);
+    return Flow::go_on;
+  }
+  PerLevel<double> error{};
+
+ private:
+  int crank_, rocker_;
+};
+
+TEST(ChangePoints, ShowInTheConditionStatedAMillionthBesideThem) {
+  const Scene scene =
+      parallelogram(Polynomial{{std::numbers::pi - 1e-6, 1}}, {-2.5, 1. / 128, 321});
+  const Model m = make_model(scene);
+  for (const char* id : {"global_automatic_klu/guess:hermite5", "global_automatic_klu/guess:linear",
+                         "group_symbolic_inlined/guess:hermite3"})
+    for (const Level level : levels) {
+      RockerError rocker(m);
+      const MonitoredSummary s = run(m, scene.grid, id, level, rocker);
+      EXPECT_EQ(s.outcome(), Outcome::degraded) << id;
+      EXPECT_GT(s.condition, 1e6) << id;
+      EXPECT_LE(rocker.error.position, s.bound.position) << id;
+    }
+}
+
+/// κ is 1e4 there, and the direction of Φ decides how much of it shows.
+TEST(ChangePoints, LeaveErrorsWithinTheBoundsWhereACrankRocksNextToThem) {
+  const Scene scene = parallelogram(
+      HarmonicSum{std::numbers::pi - 0.501, {{0.5, std::numbers::pi, std::numbers::pi / 2}}},
+      {0, 1. / 512, 2049});
+  const Model m = make_model(scene);
+  for (const char* id : {"global_automatic_klu", "group_symbolic_inlined",
+                         "group_symbolic_explicit", "global_automatic_klu/jacobian:chord"}) {
+    RockerError rocker(m);
+    const MonitoredSummary s = run(m, scene.grid, id, Level::position, rocker);
+    EXPECT_EQ(s.outcome(), Outcome::converged) << id;
+    EXPECT_LE(rocker.error.position, s.bound.position) << id;
+    EXPECT_LE(rocker.error.position, 1e-10) << id;
+  }
+}
+
+/// An instant at rest says nothing of the velocities that follow.
+TEST(Bounds, OfRatesFollowTheDriversWhereAMotionStartsAtRest) {
+  const Scene scene = parallelogram(Polynomial{{1, 0, 0.25}}, {0, 0.01, 101});
+  const Model m = make_model(scene);
+  for (const std::string& id : every_id()) {
+    RockerError rocker(m);
+    const MonitoredSummary s = run(m, scene.grid, id, Level::velocity, rocker);
+    EXPECT_EQ(s.outcome(), Outcome::converged) << id;
+    EXPECT_GT(s.bound.velocity, 1e-15) << id;
+    EXPECT_LE(rocker.error.velocity / 0.5, s.bound.velocity) << id;
+  }
+}
+
+}  // namespace
+}  // namespace desmo::change_points_test
