@@ -80,6 +80,7 @@ void Continuation::begin(DriverPath path, const Quadruple& parameter) {
   determinants_ = determinants();
   last_ = solver_.state();
   max_condition_ = condition_ = condition();
+  regular_ = {parameter_, last_, determinants_, condition_};
 }
 
 bool Continuation::go_to(const Quadruple& target) {
@@ -93,11 +94,20 @@ bool Continuation::go_to(const Quadruple& target) {
       step_ = abs(step) / 2;
       if (step_ < min_step || tries > max_tries) {
         step_ = Quadruple(1) / 64;
+        return_to_regular();
         return false;
       }
     }
   }
   return true;
+}
+
+void Continuation::return_to_regular() {
+  parameter_ = regular_.parameter;
+  last_ = regular_.state;
+  determinants_ = regular_.determinants;
+  condition_ = regular_.condition;
+  solver_.restore(last_);
 }
 
 bool Continuation::try_step(const Quadruple& next) {
@@ -133,6 +143,7 @@ bool Continuation::try_step(const Quadruple& next) {
   if (crosses) crossed_at_ = parameter_;
   crossings_ += crosses;
   max_condition_ = std::max(max_condition_, crosses ? INFINITY : condition_);
+  if (condition_ < passed) regular_ = {parameter_, last_, determinants_, condition_};
   return true;
 }
 
@@ -181,14 +192,15 @@ std::vector<TrueInstant> true_motion(const Model& m, const TimeGrid& grid) {
   if (nominal != first) {
     c.begin(straight(nominal, first), 0);
     const bool reached = c.go_to(1);
-    if (!reached && c.parameter() > 1 - 1e-12) return result;
+    if (!reached && c.parameter() > 1 - 1e-9) return result;
     if (!reached || c.crossings() > 0)
       throw std::runtime_error(m.name + ": the start is not on the nominal branch");
   }
   c.begin(motions, grid.time(0));
   int missed = 0;  // instants in a row: two are more than a passage
   for (int i = 0; i < grid.instants && missed < 2; ++i) {
-    missed = c.go_to(grid.time(i)) ? 0 : missed + 1;
+    const Quadruple t = grid.time(i);
+    missed = c.go_to(t) || c.go_to(t) ? 0 : missed + 1;  // the second time on from a regular place
     if (missed > 0) continue;
     result[i].condition = c.condition();
     result[i].path_condition = c.max_condition();

@@ -41,7 +41,7 @@ class Continuation {
   void begin(DriverPath path, const Quadruple& parameter);
 
   /// Follows the path to a parameter. Returns false where no step leads on; the position is then
-  /// the last one reached.
+  /// the last one whose rates have digits, from which the path may lead past a singular position.
   bool go_to(const Quadruple& parameter);
 
   const Quadruple& parameter() const { return parameter_; }
@@ -57,6 +57,7 @@ class Continuation {
  private:
   using Determinants = std::vector<DenseLu<Quadruple>::Determinant>;
   Determinants determinants() const;
+  void return_to_regular();
   bool try_step(const Quadruple& next);
   double rounding() const;
   bool is_continuous(const Quadruple& step) const;
@@ -67,6 +68,13 @@ class Continuation {
   ConditionNumber condition_number_;
   DriverPath path_;
   Quadruple parameter_ = 0, step_ = 0, crossed_at_ = 0;
+  struct Place {
+    Quadruple parameter;
+    std::vector<Jet<Quadruple>> state;
+    Determinants determinants;
+    double condition;
+  };
+  Place regular_{};                   // the last place of a condition number below `passed`
   std::vector<Jet<Quadruple>> last_;  // state of the last accepted step
   std::vector<PartDefinition> blocks_;
   Determinants determinants_;  // of the blocks, there
