@@ -15,7 +15,9 @@ namespace {
 
 /// From -1 rad to 0, where it ends, in steps of 1/8.
 ExtremeCase to_zero(std::string name, const DyadChain& chain) {
-  return case_of(std::move(name), chain, 1, {0, 0.125, 9});
+  ExtremeCase c = case_of(std::move(name), chain, 1, {0, 0.125, 9});
+  c.factor = 100;  // what is promised of instants before
+  return c;
 }
 
 /// Coupler and rocker of 5 and 3 are stretched over 8.

@@ -191,8 +191,8 @@ TEST(Extremes, AreNumberedAndTheirCasesHaveNamesOfTheirOwn) {
       EXPECT_FALSE(names.empty());
     }
   }
-  EXPECT_EQ(number, 14);
-  EXPECT_THROW(find_extreme(15), std::invalid_argument);
+  EXPECT_EQ(number, 15);
+  EXPECT_THROW(find_extreme(16), std::invalid_argument);
 }
 
 }  // namespace

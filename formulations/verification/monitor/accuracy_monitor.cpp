@@ -47,6 +47,7 @@ struct AccuracyMonitor::State {
   Expectation expectation{};
   BranchSigns signs;
   std::vector<EntityId> entity;  // of each coordinate
+  Eigen::ArrayXd weights;        // the largest so far: near a dead point they say little
   Start beyond{};                // a singular position, where the last instant lies in one
 
   Assessment last{};  // that was made
@@ -131,7 +132,7 @@ struct AccuracyMonitor::State {
   }
 
   std::optional<MonitoredInstant> solve(const Instant& instant) {
-    const auto solved = continuity.solve_anew(instant, sensitivity.weights(), assessor);
+    const auto solved = continuity.solve_anew(instant, weights, assessor);
     if (!solved) return {};
     MonitoredInstant j{*solved};
     j.solved_anew = true;
@@ -143,7 +144,7 @@ struct AccuracyMonitor::State {
   }
 
   std::optional<MonitoredInstant> pass(const Instant& singular) {
-    const auto p = continuity.pass(singular, scales.now(), sensitivity.weights(), assessor);
+    const auto p = continuity.pass(singular, scales.now(), weights, assessor);
     if (!p) return {};
     MonitoredInstant j{p->instant};
     j.degraded = j.solved_anew = true;
@@ -235,15 +236,15 @@ struct AccuracyMonitor::State {
   bool is_in_doubt(const Instant& instant) {
     return has(Monitor::continuity) &&
            (std::exchange(is_doubted, false) ? continuity.is_known()
-                                             : continuity.in_doubt(instant, sensitivity.weights()));
+                                             : continuity.in_doubt(instant, weights));
   }
 
   /// Goes the step again in shorter ones. Where they lead elsewhere it takes what they lead to, if
   /// that is a solution. Returns the jump otherwise.
   std::optional<SingularityCrossing> find_jump(MonitoredInstant& j) {
-    const auto jump = continuity.find_jump(j.instant, sensitivity.weights(), assessor);
+    const auto jump = continuity.find_jump(j.instant, weights, assessor);
     if (!jump) return {};
-    if (const auto solved = continuity.solve_anew(j.instant, sensitivity.weights(), assessor)) {
+    if (const auto solved = continuity.solve_anew(j.instant, weights, assessor)) {
       const Assessment a = assessor(*solved, scales.with(*solved));
       if (!a.singular && !exceeds(a.bound, {noise, noise, noise})) {
         j.instant = *solved;
@@ -281,7 +282,7 @@ struct AccuracyMonitor::State {
         has(Monitor::bounds) && exceeds(given.bound, limits.worth_correcting(given.condition));
     const bool is_better = tries && improve(j);
     degraded = has(Monitor::bounds) && exceeds(last.bound, limits.degraded);
-    if (degraded && exceeds(last.bound, {noise, noise, noise}))  // what is wrong is no scale
+    if (degraded && exceeds(last.bound, {0.5, 0.5, 0.5}))  // what is wrong is no scale
       rescale(last.bound, scales.with(j.instant), scales.now());
     else
       look_at_scales(j.instant);
@@ -297,6 +298,8 @@ struct AccuracyMonitor::State {
     j.assessment = last;
     if (last.condition < INFINITY) {
       sensitivity.reset(j.instant, assessor.system());
+      if (weights.size() == 0) weights = sensitivity.weights();
+      weights = weights.max(sensitivity.weights());
       conditioning.reset(assessor.system());
       if (!last.singular) j.crossing = crossing(j.instant);
       started = true;
@@ -309,7 +312,7 @@ struct AccuracyMonitor::State {
   /// solved.
   bool improve(MonitoredInstant& j) {
     if (j.instant.interpolated && exceeds(last.bound, limits.degraded)) {
-      if (const auto solved = continuity.solve_anew(j.instant, sensitivity.weights(), assessor))
+      if (const auto solved = continuity.solve_anew(j.instant, weights, assessor))
         return j.solved_anew = take_if_better(j.instant, *solved);
       assessor(j.instant, scales.with(j.instant));  // its factors, after those of other instants
     }

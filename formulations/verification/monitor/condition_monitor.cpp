@@ -13,6 +13,8 @@ constexpr double min_part = 0.5;
 constexpr double allowed = 0.5;
 /// Largest slope and curvature of a distance, over the way in magnitudes.
 constexpr double steepest = 2, curvature = 2;
+/// Instead of infinity, which is not to be multiplied by 0.
+constexpr double at_once = 1e300;
 
 Eigen::Map<const Eigen::ArrayXd> mapped(std::span<const double> values) {
   return {values.data(), static_cast<Eigen::Index>(values.size())};
@@ -24,6 +26,8 @@ ConditionMonitor::ConditionMonitor(const Model& m, const ScaledSystem& system)
     : state_(m.state_size()),
       unit_(mapped(system.magnitudes()).head(m.coordinates()).inverse()),
       last_(Eigen::ArrayXd::Constant(m.coordinates(), NAN)),
+      way_(Eigen::ArrayXd::Zero(m.coordinates())),
+      per_way_(way_),
       right_{Eigen::ArrayXd(system.size()), Eigen::ArrayXd(system.size())},
       x_(system.size()),
       now_(Eigen::ArrayXd::Zero(static_cast<Eigen::Index>(m.groups.size()))),
@@ -43,13 +47,26 @@ ConditionMonitor::ConditionMonitor(const Model& m, const ScaledSystem& system)
   }
   const int blocks = system.size() > 0 ? std::ranges::max(block_) + 1 : 0;
   distance_ = distance_before_ = Eigen::ArrayXd::Zero(blocks);
+  of_block_.resize(blocks);
+  for (int j = 0; j < system.size(); ++j) of_block_[block_[j]] = group_[j];
+  reads_.resize(m.groups.size());
+  way_before_ = now_;
+  system.equations().jacobian<double>(std::vector<double>(m.state_size(), 1),
+                                      [&](int row, int i, double) {
+                                        if (i < m.coordinates())
+                                          reads_[system.group_of_row(row)].push_back(i);
+                                      });
+  for (std::vector<int>& reads : reads_) {
+    std::ranges::sort(reads);
+    reads.erase(std::ranges::unique(reads).begin(), reads.end());
+  }
 }
 
 void ConditionMonitor::go_on(const Instant& instant) {
   if (last_.size() == 0) return;
-  const double step = ((mapped(instant.q) - last_).abs() * unit_).maxCoeff();
-  if (step > 0) way_ += step;
+  if (!std::isnan(last_[0])) way_ += (mapped(instant.q) - last_).abs() * unit_;
   last_ = mapped(instant.q);
+  used_ = (way_ * per_way_).maxCoeff();
 }
 
 void ConditionMonitor::look(const Instant& instant, ScaledSystem& system) {
@@ -61,8 +78,7 @@ void ConditionMonitor::look(const Instant& instant, ScaledSystem& system) {
   }
   growth_ = INFINITY;
   distance_.setZero();
-  way_before_ = way_;
-  way_ = next_ = 0;
+  per_way_.setConstant(at_once);
 }
 
 void ConditionMonitor::reset(ScaledSystem& system) {
@@ -72,19 +88,22 @@ void ConditionMonitor::reset(ScaledSystem& system) {
   growth_ = 1;
 }
 
-double ConditionMonitor::growth() const {
-  return next_ > 0 ? growth_ / (1 - allowed * std::min(1.0, way_ / next_)) : growth_;
-}
+double ConditionMonitor::growth() const { return growth_ / (1 - allowed * std::min(1.0, used_)); }
 
 void ConditionMonitor::take(ScaledSystem& system) {
   if (system.size() == 0) return;
-  const bool has_moved = way_ > 0;
-  if (has_moved) {
-    way_before_ = way_;
+  if (double way = way_.maxCoeff(); way > 0) {  // else it is the same position
+    all_way_before_ = way;
     before_ = now_;
     distance_before_ = distance_;
+    for (std::size_t g = 0; g < reads_.size(); ++g) {
+      way = 0;
+      for (const int i : reads_[g]) way = std::max(way, way_[i]);
+      way_before_[static_cast<Eigen::Index>(g)] = way;
+    }
   }
-  way_ = 0;
+  way_.setZero();
+  used_ = 0;
   x_ = right_[0];
   system.solve(x_.data());
   now_.setZero();
@@ -93,7 +112,7 @@ void ConditionMonitor::take(ScaledSystem& system) {
   now_ = now_.max(min_part * x_.abs().maxCoeff());
   growth_ = std::max(1.0, (now_ / then_).maxCoeff());
   measure_distances(system);
-  next_ = until_halved();
+  schedule();
 }
 
 void ConditionMonitor::measure_distances(ScaledSystem& system) {
@@ -107,23 +126,32 @@ void ConditionMonitor::measure_distances(ScaledSystem& system) {
   distance_ = distance_.inverse();
 }
 
-/// Returns the way on which no block's distance can halve, and no group's share at its last pace.
-double ConditionMonitor::until_halved() const {
-  double way = INFINITY;
-  for (Eigen::Index b = 0; b < distance_.size(); ++b) {
-    double slope = steepest;  // of the fall, at most
-    if (way_before_ > 0)
-      slope = std::min(
-          slope, (distance_before_[b] - distance_[b]) / way_before_ + curvature / 2 * way_before_);
-    // slope w + curvature w² / 2 = allowed d
-    const double root = std::sqrt(slope * slope + 2 * curvature * allowed * distance_[b]);
-    way = std::min(way, (root - slope) / curvature);
+void ConditionMonitor::schedule() {
+  per_way_.setConstant(1 / until_grown());
+  per_way_of_group_.assign(reads_.size(), 0);
+  for (std::size_t b = 0; b < of_block_.size(); ++b) {
+    double& per_way = per_way_of_group_[of_block_[b]];
+    per_way = std::max(per_way, std::min(at_once, 1 / until_halved(static_cast<int>(b))));
   }
-  if (way_before_ > 0 && before_.size() > 0) {
-    const double pace = (now_ / before_ - 1).maxCoeff() / way_before_;
-    if (pace > 0) way = std::min(way, allowed / pace);
-  }
-  return way;
+  for (std::size_t g = 0; g < reads_.size(); ++g)
+    for (const int i : reads_[g]) per_way_[i] = std::max(per_way_[i], per_way_of_group_[g]);
+}
+
+/// Returns the way on which the distance of a block cannot halve.
+double ConditionMonitor::until_halved(int b) const {
+  double slope = steepest;  // of the fall, at most
+  if (const double way = way_before_[of_block_[b]]; way > 0)
+    slope = std::min(slope, (distance_before_[b] - distance_[b]) / way + curvature / 2 * way);
+  // slope w + curvature w² / 2 = allowed d
+  const double root = std::sqrt(slope * slope + 2 * curvature * allowed * distance_[b]);
+  return (root - slope) / curvature;
+}
+
+/// Returns the way on which no group's share doubles at its last pace.
+double ConditionMonitor::until_grown() const {
+  if (!(all_way_before_ > 0)) return INFINITY;
+  const double pace = (now_ / before_ - 1).maxCoeff() / all_way_before_;
+  return pace > 0 ? allowed / pace : INFINITY;
 }
 
 }  // namespace desmo

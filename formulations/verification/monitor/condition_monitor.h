@@ -30,7 +30,7 @@ class ConditionMonitor {
   /// Adds the way to an instant; instants come in order of time.
   void go_on(const Instant& instant);
   /// Returns whether the instant should be looked at.
-  bool is_due() const { return way_ > 0 && way_ >= next_; }
+  bool is_due() const { return used_ >= 1; }
   void look(const Instant& instant, ScaledSystem& system);
   /// Returns the growth, at least 1, of the last look and what it may have become since; infinity
   /// where it was singular.
@@ -41,21 +41,29 @@ class ConditionMonitor {
  private:
   void take(ScaledSystem& system);
   void measure_distances(ScaledSystem& system);
-  double until_halved() const;
+  double until_halved(int block) const;
+  double until_grown() const;
+  void schedule();
 
   std::vector<double> state_;
   Eigen::ArrayXd unit_;                  // 1 / magnitude of each coordinate
   Eigen::ArrayXd last_;                  // q of the last instant
+  Eigen::ArrayXd way_;                   // of each coordinate since the last look, in magnitudes
+  Eigen::ArrayXd per_way_;               // 1 / way of each coordinate until the next look
+  std::vector<std::vector<int>> reads_;  // coordinates that each group reads, its own included
   std::vector<GroupId> group_;           // group of each unknown
   std::vector<int> block_;               // irreducible block of each unknown
+  std::vector<GroupId> of_block_;        // group of each block
   std::array<Eigen::ArrayXd, 2> right_;  // b
   Eigen::ArrayXd x_;                     // A⁻¹ b
   Eigen::ArrayXd now_, then_, before_;  // ‖x‖∞ of each group: last look, assessment, look before
   Eigen::ArrayXd distance_, distance_before_;  // d of each block: last look, look before
   std::vector<signed char> signs_;             // of the assessment
+  Eigen::ArrayXd way_before_;                  // of what each group reads, between the last looks
+  std::vector<double> per_way_of_group_;       // 1 / way until the next look
   double growth_ = 1;
-  double way_ = 0, next_ = 0;  // movement since the last look and until the next, in magnitudes
-  double way_before_ = 0;      // movement between the last two looks
+  double used_ = 0;            // part of the way until the next look
+  double all_way_before_ = 0;  // of any coordinate, between the last two looks
 };
 
 }  // namespace desmo

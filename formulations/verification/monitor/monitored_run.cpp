@@ -129,14 +129,14 @@ class Run final : Observer {
   }
 
   /// Takes the formulation to where the last instant handed on is, or beyond the singular position
-  /// that it lies in.
+  /// that it lies in. Before the first instant it goes there from the nominal position.
   void return_to_last() {
+    const Model& m = formulation_.model();
     const auto [q, time] = accuracy_.last();
-    if (q.empty()) return;
-    const std::vector<double>& fixed = formulation_.model().fixed_values;
-    std::vector<double> state(q.begin(), q.end());
-    state.insert(state.end(), fixed.begin(), fixed.end());
-    formulation_.start_at(state, time);
+    std::vector<double> state(m.estimate);
+    if (!q.empty()) state.assign(q.begin(), q.end());
+    state.insert(state.end(), m.fixed_values.begin(), m.fixed_values.end());
+    formulation_.start_at(state, q.empty() ? grid_.time(tried_) : time);
   }
 
   Instant as_asked(Instant instant) const {
