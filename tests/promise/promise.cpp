@@ -6,8 +6,8 @@
 #include <string>
 
 #include "bench/experiments/promise/ids.h"
-#include "bench/experiments/promise/judge.h"
 #include "bench/experiments/promise/mechanisms.h"
+#include "bench/experiments/promise/run_verdict.h"
 #include "cases/io/files.h"
 #include "formulations/id.h"
 #include "formulations/modelling/modelling.h"
@@ -101,39 +101,39 @@ TEST(Promise, TruthAgreesWithTheReferenceAwayFromSingularPositions) {
 TEST(Promise, JudgeFindsWhatIsPlanted) {
   DrawnScene s = scott_russell_through_its_change_point();
   SolvedScene right = truth_as_solution(s);
-  EXPECT_EQ(judge(s, right).verdict, Verdict::right) << judge(s, right).what;
+  EXPECT_EQ(verify(s, right).verdict, Verdict::right) << verify(s, right).what;
 
   const int c = s.model.entities[s.model.find("C")].first + 1;
   SolvedScene wrong = right;
   wrong.instants[12].qd[c] += 1e-6;
-  EXPECT_EQ(judge(s, wrong).what, "promise");
+  EXPECT_EQ(verify(s, wrong).what, "promise");
   wrong.instants[12].qd[c] = right.instants[12].qd[c] + 1e-11;
-  EXPECT_EQ(judge(s, wrong).what, "bound");
+  EXPECT_EQ(verify(s, wrong).what, "bound");
   wrong.summary.bound.velocity = 1e-10;
-  EXPECT_EQ(judge(s, wrong).verdict, Verdict::right);
+  EXPECT_EQ(verify(s, wrong).verdict, Verdict::right);
 
   SolvedScene other_branch = right;  // after the change point, where C may rest
   other_branch.instants[12].q[c] = 0;
-  EXPECT_EQ(judge(s, other_branch).verdict, Verdict::wrong);
+  EXPECT_EQ(verify(s, other_branch).verdict, Verdict::wrong);
   other_branch.summary.crossing = {0.375, 0.625, 0, SingularityCrossing::Kind::passed};
-  EXPECT_EQ(judge(s, other_branch).verdict, Verdict::flagged);
+  EXPECT_EQ(verify(s, other_branch).verdict, Verdict::flagged);
   other_branch.summary.status = Status::singular;
   other_branch.instants[2].q[c] = 0;  // before it
-  EXPECT_EQ(judge(s, other_branch).what, "promise, then failed");
+  EXPECT_EQ(verify(s, other_branch).what, "promise, then failed");
 
   SolvedScene silent = right;  // at the change point itself
   silent.instants.insert(silent.instants.begin() + 8, right.instants[7]);
   silent.instants[8].index = 8;
-  EXPECT_EQ(judge(s, silent).what, "no answer");
+  EXPECT_EQ(verify(s, silent).what, "no answer");
 
   SolvedScene needless = right;
   needless.instants.resize(4);
   needless.summary.instants = 4;
   needless.summary.status = Status::not_converged;
-  EXPECT_EQ(judge(s, needless).verdict, Verdict::false_failure);
+  EXPECT_EQ(verify(s, needless).verdict, Verdict::false_failure);
   needless.summary.status = Status::converged;
   needless.summary.crossing = {-0.25, -0.125, 0, SingularityCrossing::Kind::jumped};
-  EXPECT_EQ(judge(s, needless).verdict, Verdict::false_flag);
+  EXPECT_EQ(verify(s, needless).verdict, Verdict::false_flag);
 }
 
 TEST(Promise, ScenesAreDrawnAgainFromTheirNumber) {

@@ -20,7 +20,7 @@ constexpr std::string_view letters = verdict_letters;
 constexpr std::size_t printed = 20;  // of the worst scenes
 
 Json finding_json(const SceneResult::Finding& f) {
-  const Judgement& j = f.judgement;
+  const RunVerdict& j = f.details;
   const auto rounded = [](double x) { return bench::rounded(x, 3); };
   return {{"id", f.id},
           {"what", j.what},
@@ -40,7 +40,7 @@ std::optional<SceneResult::Finding> finding(const Json& j, const char* name, Ver
 }
 
 /// Of wrong numbers the one with the largest error over what is allowed.
-bool is_worse(const Judgement& a, const Judgement& b) {
+bool is_worse(const RunVerdict& a, const RunVerdict& b) {
   return a.error * std::max(b.allowed, 1e-300) > b.error * std::max(a.allowed, 1e-300);
 }
 
@@ -56,7 +56,7 @@ void print_counts(std::ostream& out, const std::string& name, const Counts& c) {
 }
 
 void print_finding(std::ostream& out, const char* title, const SceneResult::Finding& f) {
-  const Judgement& j = f.judgement;
+  const RunVerdict& j = f.details;
   char text[300];
   std::snprintf(text, sizeof text,
                 "    %s %s: %s, %s: %.2e, allowed %.2e, t = %.17g s, condition %.1e\n", title,
@@ -67,7 +67,7 @@ void print_finding(std::ostream& out, const char* title, const SceneResult::Find
 
 }  // namespace
 
-SceneResult judge_scene(std::uint64_t seed, int number, const std::vector<std::string>& ids) {
+SceneResult verify_scene(std::uint64_t seed, int number, const std::vector<std::string>& ids) {
   SceneResult r{.number = number};
   std::optional<DrawnScene> scene;
   try {
@@ -79,9 +79,9 @@ SceneResult judge_scene(std::uint64_t seed, int number, const std::vector<std::s
   r.family = scene->family;
   r.aim = scene->aim;
   for (const std::string& id : ids) {
-    const Judgement j = judge_id(*scene, id);
+    const RunVerdict j = verify_id(*scene, id);
     r.verdicts += letters[static_cast<int>(j.verdict)];
-    if (j.verdict == Verdict::wrong && (!r.wrong || is_worse(j, r.wrong->judgement)))
+    if (j.verdict == Verdict::wrong && (!r.wrong || is_worse(j, r.wrong->details)))
       r.wrong = {id, j};
     const bool is_flag = j.verdict == Verdict::false_flag || j.verdict == Verdict::false_failure;
     if (is_flag && !r.flag) r.flag = {id, j};

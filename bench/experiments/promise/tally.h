@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/experiments/promise/judge.h"
+#include "bench/experiments/promise/run_verdict.h"
 
 namespace desmo::promise {
 
@@ -21,14 +21,14 @@ struct SceneResult {
   /// The worst wrong number, and the first flag without a cause, with their ids.
   struct Finding {
     std::string id;
-    Judgement judgement;
+    RunVerdict details;
   };
   std::optional<Finding> wrong, flag;
   std::string failure;  ///< why no scene could be drawn
 };
 
 /// Draws a scene and judges it in every id.
-SceneResult judge_scene(std::uint64_t seed, int number, const std::vector<std::string>& ids);
+SceneResult verify_scene(std::uint64_t seed, int number, const std::vector<std::string>& ids);
 
 /// Return a result as JSON, and what was written so.
 nlohmann::ordered_json to_json(const SceneResult& result);

@@ -1,4 +1,4 @@
-#include "bench/experiments/promise/judge.h"
+#include "bench/experiments/promise/run_verdict.h"
 
 #include <algorithm>
 #include <cmath>
@@ -59,7 +59,7 @@ bool is_regular(const DrawnScene& scene, int from, int to) {
 
 struct Worst {
   double ratio = 1;  // error over what is allowed
-  Judgement judgement;
+  RunVerdict details;
 };
 
 void compare(Worst& worst, const PerLevel<double>& errors, const PerLevel<double>& allowed,
@@ -69,13 +69,13 @@ void compare(Worst& worst, const PerLevel<double>& errors, const PerLevel<double
     const double limit = 1.01 * allowed[level] + floor[level];
     if (!(errors[level] > worst.ratio * limit)) continue;
     worst.ratio = errors[level] / limit;
-    worst.judgement = {Verdict::wrong,     what,           level, errors[level], allowed[level],
-                       truth.instant.time, truth.condition};
+    worst.details = {Verdict::wrong,     what,           level, errors[level], allowed[level],
+                     truth.instant.time, truth.condition};
   }
 }
 
 /// Returns the judgement about a run's wrong numbers; nothing when there is none.
-std::optional<Judgement> find_wrong(const DrawnScene& scene, const SolvedScene& solved) {
+std::optional<RunVerdict> find_wrong(const DrawnScene& scene, const SolvedScene& solved) {
   const Scales scales = scales_of(scene, solved);
   const PerLevel<double> limit = Limits(solved.tolerance).degraded;
   const bool failed = solved.summary.outcome() == Outcome::failed;
@@ -85,16 +85,16 @@ std::optional<Judgement> find_wrong(const DrawnScene& scene, const SolvedScene& 
     if (is_doubtful(solved.summary, truth.instant.time)) continue;
     if (!has_answer(truth)) {
       if (d.degraded || scene.overconstrained) continue;
-      return Judgement{Verdict::wrong,     "no answer",    Level::position, INFINITY, 0,
-                       truth.instant.time, truth.condition};
+      return RunVerdict{Verdict::wrong,     "no answer",    Level::position, INFINITY, 0,
+                        truth.instant.time, truth.condition};
     }
     const PerLevel<double> errors = errors_of(scene.model, truth.instant, d, scales);
     if (!d.degraded) compare(promise, errors, limit, truth, "promise");
     if (failed) continue;  // no bound is stated
     compare(bound, errors, solved.summary.bound, truth, d.degraded ? "bound, degraded" : "bound");
   }
-  if (promise.ratio > 1) return promise.judgement;
-  if (bound.ratio > 1) return bound.judgement;
+  if (promise.ratio > 1) return promise.details;
+  if (bound.ratio > 1) return bound.details;
   return std::nullopt;
 }
 
@@ -109,7 +109,7 @@ bool all_right(const DrawnScene& scene, const SolvedScene& solved) {
 }
 
 /// Returns the judgement about a run without wrong numbers.
-Judgement judge_flags(const DrawnScene& scene, const SolvedScene& solved) {
+RunVerdict verify_flags(const DrawnScene& scene, const SolvedScene& solved) {
   const MonitoredSummary& s = solved.summary;
   if (s.outcome() == Outcome::converged) return {};
   const auto index = [&](double time) {
@@ -131,7 +131,7 @@ Judgement judge_flags(const DrawnScene& scene, const SolvedScene& solved) {
             s.time,
             at < std::ssize(scene.truth) ? scene.truth[at].condition : 0};
   }
-  Judgement j{Verdict::flagged, s.crossing ? "crossing" : "degraded"};
+  RunVerdict j{Verdict::flagged, s.crossing ? "crossing" : "degraded"};
   if (s.crossing) {
     static constexpr const char* kinds[] = {"passed", "jumped", "not declared"};
     j.what = kinds[static_cast<int>(s.crossing->kind)];
@@ -185,15 +185,15 @@ PerLevel<double> errors_of(const Model& m, const ReferenceInstant& truth, const 
   return {e.position.max, e.velocity.max, e.acceleration.max};
 }
 
-Judgement judge(const DrawnScene& scene, const SolvedScene& solved) {
-  if (std::optional<Judgement> wrong = find_wrong(scene, solved)) {
+RunVerdict verify(const DrawnScene& scene, const SolvedScene& solved) {
+  if (std::optional<RunVerdict> wrong = find_wrong(scene, solved)) {
     if (solved.summary.outcome() == Outcome::failed) wrong->what += ", then failed";
     return *wrong;
   }
-  return judge_flags(scene, solved);
+  return verify_flags(scene, solved);
 }
 
-Judgement judge_id(const DrawnScene& scene, const std::string& id) {
+RunVerdict verify_id(const DrawnScene& scene, const std::string& id) {
   std::unique_ptr<Formulation> f;
   std::optional<Configuration> c;
   try {
@@ -211,7 +211,7 @@ Judgement judge_id(const DrawnScene& scene, const std::string& id) {
   // What the motion's scales excuse in the end is no flag.
   if (solved.summary.degraded == 0)
     for (Delivered& d : solved.instants) d.degraded = false;
-  return judge(scene, solved);
+  return verify(scene, solved);
 }
 
 }  // namespace desmo::promise

@@ -37,7 +37,7 @@ enum class Verdict {
 inline constexpr const char* verdict_letters = ".fFNW-";
 
 /// A verdict, and the number that it is about.
-struct Judgement {
+struct RunVerdict {
   Verdict verdict = Verdict::right;
   /// What is broken: "promise" (100 to 100³ times the tolerance), "bound" (that was stated),
   /// "no answer" (a singular position, or out of reach). On the first instants of a run that
@@ -58,9 +58,9 @@ PerLevel<double> errors_of(const Model& model, const ReferenceInstant& truth,
 ///   error exceeds the limits of *converged* or the bound stated for the run, or
 /// - its instant is degraded and its error exceeds the bound stated, or
 /// - there is no answer, and no flag at this instant (but see DrawnScene::overconstrained).
-Judgement judge(const DrawnScene& scene, const SolvedScene& solved);
+RunVerdict verify(const DrawnScene& scene, const SolvedScene& solved);
 
 /// Solves a scene as `desmo solve` does and judges it.
-Judgement judge_id(const DrawnScene& scene, const std::string& id);
+RunVerdict verify_id(const DrawnScene& scene, const std::string& id);
 
 }  // namespace desmo::promise
