@@ -74,7 +74,7 @@ void compare(Worst& worst, const PerLevel<double>& errors, const PerLevel<double
   }
 }
 
-/// Returns the judgement about a run's wrong numbers; nothing when there is none.
+/// Returns the verdict about a run's wrong numbers; nothing when there is none.
 std::optional<RunVerdict> find_wrong(const DrawnScene& scene, const SolvedScene& solved) {
   const Scales scales = scales_of(scene, solved);
   const PerLevel<double> limit = Limits(solved.tolerance).degraded;
@@ -108,7 +108,7 @@ bool all_right(const DrawnScene& scene, const SolvedScene& solved) {
   });
 }
 
-/// Returns the judgement about a run without wrong numbers.
+/// Returns the verdict about a run without wrong numbers.
 RunVerdict verify_flags(const DrawnScene& scene, const SolvedScene& solved) {
   const MonitoredSummary& s = solved.summary;
   if (s.outcome() == Outcome::converged) return {};
