@@ -18,7 +18,8 @@ namespace desmo::bench {
   X(accuracy, "Time against error of formulations and their settings")                 \
   X(size, "How time grows with the size of a mechanism")                               \
   X(instructions, "Instructions a step, counted by callgrind")                         \
-  X(extremes, "Every formulation where most go wrong")
+  X(extremes, "Every formulation where most go wrong")                                 \
+  X(promise, "Random and aimed scenes: is every number right, or flagged?")
 
 /// The arguments of an experiment.
 struct CommandLine {

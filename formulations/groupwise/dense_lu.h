@@ -30,6 +30,20 @@ class DenseLu {
     }
   }
 
+  /// Determinant of a: its sign, and the logarithm of its magnitude.
+  struct Determinant {
+    int sign = 1;
+    double log = 0;
+  };
+  Determinant determinant() const {
+    Determinant d;
+    for (std::size_t k = 0; k < n_; ++k) {
+      if ((at(k, k) < S(0)) != (pivot_[k] != k)) d.sign = -d.sign;
+      d.log += std::log(std::abs(static_cast<double>(at(k, k))));
+    }
+    return d;
+  }
+
   /// Returns a⁻¹ b.
   std::vector<S> solve(std::vector<S> b) const {
     for (std::size_t k = 0; k < n_; ++k) std::swap(b[k], b[pivot_[k]]);

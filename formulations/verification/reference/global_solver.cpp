@@ -47,18 +47,37 @@ template <class S>
 GlobalSolver<S>::~GlobalSolver() {}  // here, where Linear is complete
 
 template <class S>
+void GlobalSolver<S>::drive(std::span<const MotionSample<S>> drivers) {
+  for (std::size_t k = 0; k < drivers.size(); ++k) {
+    const MotionSample<S>& z = drivers[k];
+    state_[m_.entities[m_.drivers[k].coordinate].first] = {z.position, z.velocity, z.acceleration};
+  }
+}
+
+template <class S>
+void GlobalSolver<S>::predict(const S& step) {
+  for (const int i : system_.unknowns()) {
+    Jet<S>& x = state_[i];
+    x.value += step * (x.first + step / 2 * x.second);
+  }
+}
+
+template <class S>
+double GlobalSolver<S>::correct_positions() {
+  factorise();
+  system_.template residual<S>(positions_, {linear_->residual.data(), phi_.size()});
+  return correct(&Jet<S>::value);
+}
+
+template <class S>
 void GlobalSolver<S>::solve_positions(double t) {
   time_ = t;
-  for (const Driver& d : m_.drivers) {
-    const MotionSample<S> z = sample(d.motion, S(t));
-    state_[m_.entities[d.coordinate].first] = {z.position, z.velocity, z.acceleration};
-  }
+  std::vector<MotionSample<S>> drivers;
+  for (const Driver& d : m_.drivers) drivers.push_back(sample(d.motion, S(t)));
+  drive(drivers);
   Settling<S> settled;
-  for (int iteration = 0; iteration < 50; ++iteration) {
-    factorise();
-    system_.template residual<S>(positions_, {linear_->residual.data(), phi_.size()});
-    if (settled(correct(&Jet<S>::value))) return;
-  }
+  for (int iteration = 0; iteration < 50; ++iteration)
+    if (settled(correct_positions())) return;
   throw std::runtime_error(m_.name + ": no global reference solution at t = " + std::to_string(t) +
                            " s");
 }
@@ -116,6 +135,8 @@ template class GlobalSolver<Quadruple>;
 // Follows the motion, for which positions are enough.
 template GlobalSolver<double>::GlobalSolver(const Model&);
 template GlobalSolver<double>::~GlobalSolver();
+template void GlobalSolver<double>::drive(std::span<const MotionSample<double>>);
+template double GlobalSolver<double>::correct_positions();
 template void GlobalSolver<double>::solve_positions(double);
 
 }  // namespace desmo

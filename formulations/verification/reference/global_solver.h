@@ -1,8 +1,10 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
+#include "cases/mechanism/motion.h"
 #include "formulations/groupwise/jet.h"
 #include "formulations/model/model.h"
 #include "formulations/verification/reference/whole_system.h"
@@ -25,6 +27,16 @@ class GlobalSolver {
   void start_at(const GlobalSolver<T>& other) {
     for (std::size_t i = 0; i < state_.size(); ++i) state_[i].value = S(other.state()[i].value);
   }
+
+  /// Sets the drivers, in the model's order, and nothing else.
+  void drive(std::span<const MotionSample<S>> drivers);
+  /// Moves the unknowns along their Taylor polynomials of second degree.
+  void predict(const S& step);
+  /// Makes one correction by Newton's method. Returns its largest component relative to the natural
+  /// magnitude. Throws std::runtime_error when the matrix is singular.
+  double correct_positions();
+  /// Returns to a state() of before.
+  void restore(const std::vector<Jet<S>>& state) { state_ = state; }
 
   /// Solves the positions at time t [s] as accurately as S allows, from the present ones. Throws
   /// std::runtime_error, naming the instant, when Newton's method does not converge or a matrix is

@@ -1,0 +1,137 @@
+#include "bench/experiments/promise/mechanisms.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "bench/experiments/promise/drawn_families.h"
+#include "cases/io/files.h"
+
+namespace desmo::promise {
+
+namespace {
+
+using Vec = Mechanism::Vec;
+using Type = Mechanism::CoordinateType;
+
+constexpr std::array all{Family{"four_bar", four_bar},
+                         Family{"parallelogram", parallelogram},
+                         Family{"antiparallelogram", antiparallelogram},
+                         Family{"deltoid", deltoid},
+                         Family{"scott_russell", scott_russell},
+                         Family{"offset_slider_crank", offset_slider_crank},
+                         Family{"driven_slider", driven_slider},
+                         Family{"oscillating_block", oscillating_block},
+                         Family{"trammel", trammel},
+                         Family{"peaucellier", peaucellier},
+                         Family{"chebyshev", chebyshev},
+                         Family{"two_loops", two_loops},
+                         Family{"toggle_press", toggle_press},
+                         Family{"bennett", bennett},
+                         Family{"spherical_four_bar", spherical_four_bar},
+                         Family{"spatial_four_bar", spatial_four_bar},
+                         Family{"rssp", rssp},
+                         Family{"hooke_joint", hooke_joint},
+                         Family{"slider_crank", nullptr},
+                         Family{"inverted_slider_crank", nullptr},
+                         Family{"whitworth", nullptr},
+                         Family{"watt_six_bar", nullptr},
+                         Family{"stephenson_six_bar", nullptr},
+                         Family{"jansen_leg", nullptr},
+                         Family{"andrews", nullptr},
+                         Family{"rssr", nullptr},
+                         Family{"stewart", nullptr},
+                         Family{"delta", nullptr},
+                         Family{"double_wishbone", nullptr},
+                         Family{"macpherson", nullptr},
+                         Family{"truck_axle", nullptr}};
+
+Drawn of_library(const Family& family, Random& random) {
+  Drawn d{.mechanism = library_scene(family.name).mechanism};
+  double low = INFINITY, high = -INFINITY;
+  for (const Mechanism::Point& p : d.mechanism.points) {
+    low = std::min(low, *std::ranges::min_element(p.position));
+    high = std::max(high, *std::ranges::max_element(p.position));
+  }
+  bool several = false;
+  for (const Mechanism::Coordinate& c : d.mechanism.coordinates) {
+    if (!c.driven) continue;
+    const double unit = c.type == Type::angle ? 1 : 0.2 * (high - low);
+    d.direction.push_back(several ? unit * random.uniform(-1, 1) : unit);
+    several = true;
+  }
+  return d;
+}
+
+/// A rotation, a change of size and a shift, in this order.
+struct Placement {
+  std::array<Vec, 3> turn{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  double size = 1;
+  Vec shift{};
+
+  Vec direction(const Vec& v) const {
+    Vec result{};
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) result[i] += turn[i][j] * v[j];
+    return result;
+  }
+  Vec position(const Vec& p) const {
+    Vec result = direction(p);
+    for (int i = 0; i < 3; ++i) result[i] = size * (result[i] + shift[i]);
+    return result;
+  }
+};
+
+void turn(Placement& placement, int i, int j, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  for (int k = 0; k < 3; ++k) {
+    const double x = placement.turn[i][k], y = placement.turn[j][k];
+    placement.turn[i][k] = c * x - s * y;
+    placement.turn[j][k] = s * x + c * y;
+  }
+}
+
+Placement draw_placement(const Drawn& d, Random& random) {
+  Placement p;
+  const Mechanism& m = d.mechanism;
+  p.size = d.exact ? std::ldexp(1, random.below(31) - 10) : random.log_uniform(1e-3, 1e6);
+  if (random.chance(0.3)) p.size = 1;
+  if (random.chance(0.3))
+    for (int i = 0; i < m.dimension; ++i) {
+      const double far = random.sign() * random.log_uniform(1, 1e4);
+      p.shift[i] = d.exact ? std::nearbyint(far) : far;
+    }
+  const bool turns = !d.exact && random.chance(0.5) &&
+                     std::ranges::none_of(m.coordinates, [](const Mechanism::Coordinate& c) {
+                       return c.type == Type::component;
+                     });
+  if (turns) turn(p, 0, 1, random.uniform(-3, 3));
+  if (turns && m.dimension == 3) turn(p, 1, 2, random.uniform(-3, 3));
+  return p;
+}
+
+void place(Drawn& d, const Placement& p) {
+  Mechanism& m = d.mechanism;
+  for (Mechanism::Point& point : m.points) point.position = p.position(point.position);
+  for (Mechanism::Vector& vector : m.vectors) vector.direction = p.direction(vector.direction);
+  for (Mechanism::Body& body : m.bodies)
+    if (body.length) *body.length *= p.size;
+  std::size_t driver = 0;
+  for (Mechanism::Coordinate& c : m.coordinates) {
+    if (c.type != Type::angle && c.estimate) *c.estimate *= p.size;
+    if (c.driven) d.direction[driver++] *= c.type == Type::angle ? 1 : p.size;
+  }
+}
+
+}  // namespace
+
+std::span<const Family> families() { return all; }
+
+Drawn draw(const Family& family, Random& random) {
+  Drawn d = family.draw ? family.draw(random) : of_library(family, random);
+  place(d, draw_placement(d, random));
+  return d;
+}
+
+}  // namespace desmo::promise

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "bench/experiments/promise/random.h"
+#include "cases/mechanism/mechanism.h"
+
+namespace desmo::promise {
+
+/// A mechanism with random dimensions.
+struct Drawn {
+  Mechanism mechanism;
+  std::vector<double> direction;  ///< of each driver for a unit of the path
+  double reach = 3;               ///< longest path, both ways
+  bool exact = false;             ///< its singular positions are exact in double precision
+};
+
+/// A family of mechanisms. Families of the library keep their dimensions, but not size and place.
+struct Family {
+  std::string_view name;
+  Drawn (*draw)(Random&);  ///< null: of the library
+};
+
+/// Returns all families: those drawn, then those of the library.
+std::span<const Family> families();
+
+/// Returns a mechanism of the family, at a random place and of a random size (1e-3 to 1e6).
+Drawn draw(const Family& family, Random& random);
+
+}  // namespace desmo::promise

@@ -1,0 +1,44 @@
+#include "bench/experiments/promise/path_range.h"
+
+#include <cmath>
+
+#include "formulations/verification/reference/continuation.h"
+
+namespace desmo::promise {
+
+namespace {
+
+constexpr int pieces = 16;  // of the reach, after each of which crossings are looked for
+
+PathRange::End find_end(Continuation& c, double reach) {
+  for (int i = 1; i <= pieces; ++i) {
+    const bool reached = c.go_to(reach * i / pieces);
+    if (c.crossings() > 0) return {static_cast<double>(c.crossed_at()), true};
+    if (!reached) return {static_cast<double>(c.parameter()), true};
+  }
+  return {reach, false};
+}
+
+}  // namespace
+
+PathRange find_range(const Model& m, const Drawn& drawn) {
+  PathRange range;
+  for (const Driver& d : m.drivers)
+    range.nominal.push_back(m.estimate[m.entities[d.coordinate].first]);
+  const auto straight = [&](const Quadruple& s) {
+    std::vector<MotionSample<Quadruple>> z;
+    for (std::size_t k = 0; k < range.nominal.size(); ++k) {
+      const Quadruple rate(drawn.direction[k]);
+      z.push_back({range.nominal[k] + s * rate, rate, Quadruple(0)});
+    }
+    return z;
+  };
+  for (const int side : {0, 1}) {
+    Continuation c(m);
+    c.begin(straight, 0);
+    range.ends[side] = find_end(c, (2 * side - 1) * drawn.reach);
+  }
+  return range;
+}
+
+}  // namespace desmo::promise

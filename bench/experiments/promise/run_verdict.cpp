@@ -1,0 +1,217 @@
+#include "bench/experiments/promise/run_verdict.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+
+#include "formulations/id.h"
+#include "formulations/verification/assessment/limits.h"
+#include "formulations/verification/error.h"
+
+namespace desmo::promise {
+
+namespace {
+
+constexpr double well_conditioned = 1e6;
+/// What does not accelerate is judged by its speed, as monitors do.
+constexpr double min_scale = 0.01;
+
+bool has_answer(const TrueInstant& t) { return !t.instant.q.empty(); }
+
+/// Returns the error that the truth itself may have: quadruple precision, near a singular position.
+PerLevel<double> floor_of(const TrueInstant& t) { return accuracy_limit(t.condition, 1e-32); }
+
+/// Returns the scales of the delivered instants: of the truth, or larger where a degraded instant
+/// has larger numbers, since stated bounds are relative to these.
+Scales scales_of(const DrawnScene& scene, const SolvedScene& solved) {
+  std::vector<ReferenceInstant> truth, degraded;
+  for (const Delivered& d : solved.instants) {
+    const TrueInstant& t = scene.truth[d.index];
+    if (has_answer(t)) truth.push_back(t.instant);
+    if (d.degraded) degraded.push_back({t.instant.time, d.q, d.qd, d.qdd});
+  }
+  Scales scales = make_scales(scene.model, truth);
+  const Scales others = make_scales(scene.model, degraded);
+  for (const auto column : {&Scales::length, &Scales::rotation}) {
+    PerLevel<double>& s = scales.*column;
+    for (const Level level : levels) s[level] = std::max(s[level], (others.*column)[level]);
+    s.acceleration = std::max(s.acceleration, min_scale * s.velocity * s.velocity / s.position);
+  }
+  return scales;
+}
+
+/// Returns whether an instant is after a crossing that the run reports.
+bool is_doubtful(const MonitoredSummary& s, double time) {
+  return s.crossing && (time > s.crossing->after || time >= s.crossing->before);
+}
+
+/// Returns whether the true motion is well-conditioned from one instant to another, on the way too.
+bool is_regular(const DrawnScene& scene, int from, int to) {
+  for (int i = std::max(from, 0); i <= std::min<int>(to, std::ssize(scene.truth) - 1); ++i) {
+    const TrueInstant& t = scene.truth[i];
+    const double condition = i == from ? t.condition : std::max(t.condition, t.path_condition);
+    if (!has_answer(t) || condition * scene.rounding >= well_conditioned) return false;
+  }
+  return true;
+}
+
+struct Worst {
+  double ratio = 1;  // error over what is allowed
+  RunVerdict details;
+};
+
+void compare(Worst& worst, const PerLevel<double>& errors, const PerLevel<double>& allowed,
+             const TrueInstant& truth, const char* what) {
+  const PerLevel<double> floor = floor_of(truth);
+  for (const Level level : levels) {
+    const double limit = 1.01 * allowed[level] + floor[level];
+    if (!(errors[level] > worst.ratio * limit)) continue;
+    worst.ratio = errors[level] / limit;
+    worst.details = {Verdict::wrong,     what,           level, errors[level], allowed[level],
+                     truth.instant.time, truth.condition};
+  }
+}
+
+/// Returns the verdict about a run's wrong numbers; nothing when there is none.
+std::optional<RunVerdict> find_wrong(const DrawnScene& scene, const SolvedScene& solved) {
+  const Scales scales = scales_of(scene, solved);
+  const PerLevel<double> limit = Limits(solved.tolerance).degraded;
+  const bool failed = solved.summary.outcome() == Outcome::failed;
+  Worst promise, bound;
+  for (const Delivered& d : solved.instants) {
+    const TrueInstant& truth = scene.truth[d.index];
+    if (is_doubtful(solved.summary, truth.instant.time)) continue;
+    if (!has_answer(truth)) {
+      if (d.degraded || scene.overconstrained) continue;
+      return RunVerdict{Verdict::wrong,     "no answer",    Level::position, INFINITY, 0,
+                        truth.instant.time, truth.condition};
+    }
+    const PerLevel<double> errors = errors_of(scene.model, truth.instant, d, scales);
+    if (!d.degraded) compare(promise, errors, limit, truth, "promise");
+    if (failed) continue;  // no bound is stated
+    compare(bound, errors, solved.summary.bound, truth, d.degraded ? "bound, degraded" : "bound");
+  }
+  if (promise.ratio > 1) return promise.details;
+  if (bound.ratio > 1) return bound.details;
+  return std::nullopt;
+}
+
+/// Returns whether all numbers are within the limits, whatever is said of them.
+bool all_right(const DrawnScene& scene, const SolvedScene& solved) {
+  const Scales scales = scales_of(scene, solved);
+  const PerLevel<double> limit = Limits(solved.tolerance).degraded;
+  return std::ranges::all_of(solved.instants, [&](const Delivered& d) {
+    const TrueInstant& truth = scene.truth[d.index];
+    return has_answer(truth) && !exceeds(errors_of(scene.model, truth.instant, d, scales), limit);
+  });
+}
+
+/// Returns the verdict about a run without wrong numbers.
+RunVerdict verify_flags(const DrawnScene& scene, const SolvedScene& solved) {
+  const MonitoredSummary& s = solved.summary;
+  if (s.outcome() == Outcome::converged) return {};
+  const auto index = [&](double time) {
+    const TimeGrid& grid = scene.scene.grid;
+    const double i = std::nearbyint((time - grid.start) / grid.interval());
+    return static_cast<int>(std::clamp(i, 0.0, grid.instants - 1.0));
+  };
+  if (s.outcome() == Outcome::failed) {
+    const int at = static_cast<int>(s.instants);
+    const bool is_false = is_regular(scene, at - 1, at);
+    return {is_false ? Verdict::false_failure : Verdict::flagged,
+            s.violated >= 0                     ? "another branch"
+            : s.status == Status::singular      ? "singular"
+            : s.status == Status::not_converged ? "not converged"
+                                                : "not finite",
+            Level::position,
+            0,
+            0,
+            s.time,
+            at < std::ssize(scene.truth) ? scene.truth[at].condition : 0};
+  }
+  RunVerdict j{Verdict::flagged, s.crossing ? "crossing" : "degraded"};
+  if (s.crossing) {
+    static constexpr const char* kinds[] = {"passed", "jumped", "not declared"};
+    j.what = kinds[static_cast<int>(s.crossing->kind)];
+    j.time = s.crossing->before;
+    const int to = index(s.crossing->before), from = index(s.crossing->after);
+    j.condition = scene.truth[to].condition;
+    if (is_regular(scene, from - 1, to + 1) && all_right(scene, solved))
+      j.verdict = Verdict::false_flag;
+  } else {
+    j.time = s.first_degraded->time;
+    const int at = index(j.time);
+    j.condition = scene.truth[at].condition;
+    const PerLevel<double>& stated = s.first_degraded->assessment.bound;
+    const PerLevel<double> limit = Limits(solved.tolerance).degraded;
+    j.level = *std::ranges::max_element(levels, {},
+                                        [&](Level level) { return stated[level] / limit[level]; });
+    j.allowed = stated[j.level];
+    const auto d = std::ranges::find(solved.instants, at, &Delivered::index);
+    if (d != solved.instants.end() && has_answer(scene.truth[at]))
+      j.error =
+          errors_of(scene.model, scene.truth[at].instant, *d, scales_of(scene, solved))[j.level];
+    if (is_regular(scene, at, at) && all_right(scene, solved)) j.verdict = Verdict::false_flag;
+  }
+  return j;
+}
+
+class Collector final : public Observer {
+ public:
+  explicit Collector(SolvedScene& solved) : solved_(solved) {}
+  Flow observe(const Instant& i) noexcept override {
+    solved_.instants.push_back({i.index,
+                                degraded,
+                                {i.q.begin(), i.q.end()},
+                                {i.qd.begin(), i.qd.end()},
+                                {i.qdd.begin(), i.qdd.end()}});
+    return Flow::go_on;
+  }
+  bool degraded = false;  // the next instant
+
+ private:
+  SolvedScene& solved_;
+};
+
+}  // namespace
+
+PerLevel<double> errors_of(const Model& m, const ReferenceInstant& truth, const Delivered& d,
+                           const Scales& scales) {
+  ErrorMeasure measure(m, {&truth, 1}, scales);
+  measure.observe({0, truth.time, d.q, d.qd, d.qdd});
+  const Error e = measure.error();
+  return {e.position.max, e.velocity.max, e.acceleration.max};
+}
+
+RunVerdict verify(const DrawnScene& scene, const SolvedScene& solved) {
+  if (std::optional<RunVerdict> wrong = find_wrong(scene, solved)) {
+    if (solved.summary.outcome() == Outcome::failed) wrong->what += ", then failed";
+    return *wrong;
+  }
+  return verify_flags(scene, solved);
+}
+
+RunVerdict verify_id(const DrawnScene& scene, const std::string& id) {
+  std::unique_ptr<Formulation> f;
+  std::optional<Configuration> c;
+  try {
+    c = parse_id(id, {.tolerance = scene.scene.tolerance});
+    f = make_formulation(*c->variant, scene.model, c->settings);
+  } catch (const std::invalid_argument& error) {
+    return {Verdict::not_applicable, error.what()};
+  }
+  SolvedScene solved{{}, {}, c->settings.tolerance};
+  Collector collector(solved);
+  MonitoredRunOptions options;
+  options.tolerance = c->settings.tolerance;
+  options.monitored = [&](const MonitoredInstant& m) { collector.degraded = m.degraded; };
+  solved.summary = run_monitored(*f, scene.scene.grid, {}, collector, options);
+  // What the motion's scales excuse in the end is no flag.
+  if (solved.summary.degraded == 0)
+    for (Delivered& d : solved.instants) d.degraded = false;
+  return verify(scene, solved);
+}
+
+}  // namespace desmo::promise

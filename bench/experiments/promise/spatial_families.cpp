@@ -1,0 +1,176 @@
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bench/experiments/promise/drawn_families.h"
+#include "cases/mechanism/builder.h"
+
+namespace desmo::promise {
+
+namespace {
+
+using Vec = Mechanism::Vec;
+using enum Mechanism::JointType;
+using enum Mechanism::CoordinateType;
+constexpr int ground = MechanismBuilder::ground;
+
+Vec combined(double a, const Vec& x, double b, const Vec& y, double c = 0, const Vec& z = {}) {
+  Vec v;
+  for (int i = 0; i < 3; ++i) v[i] = a * x[i] + b * y[i] + c * z[i];
+  return v;
+}
+Vec crossed(const Vec& a, const Vec& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+double inner(const Vec& a, const Vec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Vec unit(const Vec& a) { return combined(1 / std::sqrt(inner(a, a)), a, 0, a); }
+/// Turns v about a unit vector.
+Vec turned(const Vec& v, const Vec& about, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return combined(c, v, s, crossed(about, v), (1 - c) * inner(about, v), about);
+}
+Vec random_direction(Random& r) {
+  const double z = r.uniform(-1, 1), angle = r.uniform(-3, 3), s = std::sqrt(1 - z * z);
+  return {s * std::cos(angle), s * std::sin(angle), z};
+}
+/// A unit vector at a right angle.
+Vec across(const Vec& a) {
+  return unit(crossed(a, std::abs(a[0]) < 0.7 ? Vec{1, 0, 0} : Vec{0, 1, 0}));
+}
+
+/// A driven angle: direction `of` in the plane of u and v of the ground, where 0 is along u.
+void drive(MechanismBuilder& b, const Mechanism::Direction& of, const Vec& zero, const Vec& axis) {
+  const int u = b.vector("u", zero), v = b.vector("v", crossed(axis, zero));
+  b.carry(ground, {}, {u, v});
+  Mechanism::Coordinate& theta = b.coordinate("theta", angle);
+  theta.of = of;
+  theta.from = {u, -1, -1};
+  theta.towards = {v, -1, -1};
+  theta.driven = true;
+}
+
+/// A crank OA about an axis through the origin, and a rod AB; returns the builder, B and the rod.
+struct Start {
+  MechanismBuilder builder;
+  int tip, rod;
+};
+Start crank_and_rod(const std::string& name, Random& r, const Vec& tip) {
+  Start s{MechanismBuilder(name, 3), 0, 0};
+  MechanismBuilder& b = s.builder;
+  b.set_length_unit("1");
+  const Vec axis{0, 0, 1}, zero{1, 0, 0}, arm = turned(zero, axis, r.uniform(-0.8, 0.8));
+  const int o = b.point("O", {}), a = b.point("A", combined(r.uniform(0.2, 0.6), arm, 0, arm));
+  s.tip = b.point("B", tip);
+  const int z = b.vector("z", axis), crank = b.body("crank", {o, a}, {z});
+  b.carry(ground, {o}, {z});
+  s.rod = b.body("rod", {a, s.tip});
+  b.joint(revolute, ground, crank, {o}, {z});
+  b.joint(spherical, crank, s.rod, {a});
+  drive(b, {-1, o, a}, zero, axis);
+  return s;
+}
+
+}  // namespace
+
+Drawn bennett(Random& r) {
+  const double alpha = r.uniform(0.3, 1.2), beta = r.uniform(1.3, 2.4), a = r.uniform(0.5, 1.5);
+  const double lengths[] = {a, a * std::sin(beta) / std::sin(alpha)}, twists[] = {alpha, beta};
+  const double theta = r.uniform(0.6, 2.4);
+  const double ratio = std::sin((beta + alpha) / 2) / std::sin((beta - alpha) / 2);
+  const double other = 2 * std::atan(ratio / std::tan(theta / 2));
+  const double angles[] = {theta, other, -theta, -other};
+  // Common normals of successive axes meet on the axes.
+  MechanismBuilder b("bennett", 3);
+  b.set_length_unit("1");
+  Vec x{1, 0, 0}, z{0, 0, 1}, at{};
+  std::vector<int> points, axes;
+  for (int i = 0; i < 4; ++i) {
+    points.push_back(b.point("P" + std::to_string(i + 1), at));
+    axes.push_back(b.vector("z" + std::to_string(i + 1), z));
+    x = turned(x, z, angles[i]);
+    at = combined(1, at, lengths[i % 2], x);
+    z = turned(z, x, twists[i % 2]);
+  }
+  b.carry(ground, {points[3], points[0]}, {axes[3], axes[0]});
+  int last = ground;
+  for (int i = 0; i < 3; ++i) {
+    const int link =
+        b.body("link" + std::to_string(i + 1), {points[i], points[i + 1]}, {axes[i], axes[i + 1]});
+    b.joint(revolute, last, link, {points[i]}, {axes[i]});
+    last = link;
+  }
+  b.joint(revolute, last, ground, {points[3]}, {axes[3]});
+  drive(b, {-1, points[0], points[1]}, {1, 0, 0}, {0, 0, 1});
+  return {b.take(), {1.0}, 1};
+}
+
+Drawn spherical_four_bar(Random& r) {
+  MechanismBuilder b("spherical_four_bar", 3);
+  b.set_length_unit("1");
+  const Vec first{0, 0, 1}, zero{1, 0, 0}, arm = turned(zero, first, r.uniform(-0.8, 0.8));
+  const double short_arc = r.uniform(0.2, 0.7);
+  const Vec second = combined(std::cos(short_arc), first, std::sin(short_arc), arm);
+  const int o = b.point("O", {}), p = b.point("P", second);
+  const int axes[] = {b.vector("a", first), b.vector("b", second),
+                      b.vector("c", random_direction(r)), b.vector("d", random_direction(r))};
+  const int m = b.vector("m", arm);
+  const int crank = b.body("crank", {o, p}, {axes[0], axes[1], m});
+  const int coupler = b.body("coupler", {o}, {axes[1], axes[2]});
+  const int rocker = b.body("rocker", {o}, {axes[2], axes[3]});
+  b.carry(ground, {o}, {axes[3], axes[0]});
+  b.joint(revolute, ground, crank, {o}, {axes[0]});
+  b.joint(revolute, crank, coupler, {o}, {axes[1]});
+  b.joint(revolute, coupler, rocker, {o}, {axes[2]});
+  b.joint(revolute, rocker, ground, {o}, {axes[3]});
+  drive(b, {m, -1, -1}, zero, first);
+  return {b.take(), {1.0}, 1};
+}
+
+Drawn spatial_four_bar(Random& r) {
+  const Vec pivot = combined(r.uniform(0.8, 1.5), random_direction(r), 0, {});
+  const Vec axis = random_direction(r), tip = combined(1, pivot, r.uniform(0.5, 1), across(axis));
+  Start s = crank_and_rod("spatial_four_bar", r, tip);
+  MechanismBuilder& b = s.builder;
+  const int c = b.point("C", pivot), w = b.vector("w", axis);
+  const int rocker = b.body("rocker", {c, s.tip}, {w});
+  b.carry(ground, {c}, {w});
+  b.joint(spherical, s.rod, rocker, {s.tip});
+  b.joint(revolute, rocker, ground, {c}, {w});
+  return {b.take(), {1.0}, 1};
+}
+
+Drawn rssp(Random& r) {
+  const Vec axis = random_direction(r),
+            base = combined(r.uniform(0, 0.4), random_direction(r), 0, {});
+  Start s = crank_and_rod("rssp", r, combined(1, base, r.uniform(0.9, 2), axis));
+  MechanismBuilder& b = s.builder;
+  const int c = b.point("C", base), w = b.vector("w", axis), n = b.vector("n", across(axis));
+  const int slider = b.body("slider", {s.tip}, {w, n});
+  b.carry(ground, {c}, {w, n});
+  b.joint(spherical, s.rod, slider, {s.tip});
+  b.joint(prismatic, ground, slider, {c, s.tip}, {w, n});
+  Mechanism::Coordinate& stroke = b.coordinate("stroke", along);
+  stroke.of = {-1, c, s.tip};
+  stroke.vector = w;
+  return {b.take(), {1.0}, 1};
+}
+
+Drawn hooke_joint(Random& r) {
+  MechanismBuilder b("hooke_joint", 3);
+  b.set_length_unit("1");
+  const Vec axis{0, 0, 1}, zero{1, 0, 0}, arm = turned(zero, axis, r.uniform(-0.8, 0.8));
+  const Vec driven = turned(axis, turned(zero, axis, r.uniform(-3, 3)), r.uniform(0.1, 1.5));
+  const int o = b.point("O", {}), p = b.point("P", unit(crossed(driven, arm)));
+  const int a = b.vector("a", axis), d = b.vector("d", driven);
+  const int c = b.vector("c", arm), e = b.vector("e", unit(crossed(driven, arm)));
+  b.carry(ground, {o}, {a, d});
+  const int first = b.body("first", {o}, {a, c}), second = b.body("second", {o, p}, {d, e});
+  b.joint(revolute, ground, first, {o}, {a});
+  b.joint(revolute, ground, second, {o}, {d});
+  b.joint(universal, first, second, {o}, {c, e});
+  drive(b, {c, -1, -1}, zero, axis);
+  return {b.take(), {1.0}, 1};
+}
+
+}  // namespace desmo::promise

@@ -1,0 +1,212 @@
+#include "formulations/verification/reference/continuation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "formulations/groupwise/part_system.h"
+#include "formulations/scaling/scales.h"
+
+namespace desmo {
+
+namespace {
+
+constexpr double settled = 1e-30;       // relative correction that only rounding leaves
+constexpr double noise = 1e-32;         // likewise, for a condition number of 1
+constexpr double singular = 1e14;       // condition number above which doubles have no answer
+constexpr double passed = 1e11;         // condition number that only a singular position has
+constexpr double max_prediction = 0.1;  // relative correction of a prediction
+
+DriverPath straight(std::vector<Quadruple> from, std::vector<Quadruple> to) {
+  return [from = std::move(from), to = std::move(to)](const Quadruple& s) {
+    std::vector<MotionSample<Quadruple>> z;
+    for (std::size_t k = 0; k < from.size(); ++k)
+      z.push_back({from[k] + s * (to[k] - from[k]), to[k] - from[k], Quadruple(0)});
+    return z;
+  };
+}
+
+std::vector<double> doubles(const std::vector<Quadruple>& values) {
+  std::vector<double> result;
+  for (const Quadruple& x : values) result.push_back(static_cast<double>(x));
+  return result;
+}
+
+std::vector<double> rests(const std::vector<Quadruple>& values, const std::vector<double>& high) {
+  std::vector<double> result;
+  for (std::size_t i = 0; i < high.size(); ++i)
+    result.push_back(static_cast<double>(values[i] - high[i]));
+  return result;
+}
+
+ReferenceInstant rounded(const WideInstant& wide) {
+  ReferenceInstant r{wide.time, doubles(wide.q), doubles(wide.qd), doubles(wide.qdd)};
+  r.rest = {rests(wide.q, r.q), rests(wide.qd, r.qd), rests(wide.qdd, r.qdd)};
+  return r;
+}
+
+}  // namespace
+
+DriverPath motions_of(const Model& model) {
+  return [&model](const Quadruple& t) {
+    std::vector<MotionSample<Quadruple>> z;
+    for (const Driver& d : model.drivers) z.push_back(sample(d.motion, t));
+    return z;
+  };
+}
+
+Continuation::Continuation(const Model& m)
+    : m_(m),
+      magnitude_(natural_magnitudes(m)),
+      solver_(m),
+      condition_number_(m),
+      blocks_(make_partition(m, Partition::block)) {
+  double correction = INFINITY;
+  for (int i = 0; i < 100 && correction > settled; ++i) {
+    correction = solver_.correct_positions();
+    if (!(correction < 1e6)) break;
+  }
+  if (!(correction < 1e-20)) throw std::runtime_error(m.name + ": no nominal position");
+}
+
+void Continuation::begin(DriverPath path, const Quadruple& parameter) {
+  path_ = std::move(path);
+  parameter_ = parameter;
+  step_ = Quadruple(1) / 64;
+  solver_.drive(path_(parameter));
+  solver_.correct_positions();
+  solver_.solve_rates();
+  determinants_ = determinants();
+  last_ = solver_.state();
+  max_condition_ = condition_ = condition();
+  regular_ = {parameter_, last_, determinants_, condition_};
+}
+
+bool Continuation::go_to(const Quadruple& target) {
+  for (int tries = 0; parameter_ != target; ++tries) {
+    const Quadruple left = target - parameter_;
+    Quadruple step = abs(left) <= step_ ? left : left > 0 ? step_ : -step_;
+    if (try_step(step == left ? target : parameter_ + step)) {
+      step_ = 2 * abs(step);
+    } else {
+      solver_.restore(last_);
+      step_ = abs(step) / 2;
+      if (step_ < min_step || tries > max_tries) {
+        step_ = Quadruple(1) / 64;
+        return_to_regular();
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+void Continuation::return_to_regular() {
+  parameter_ = regular_.parameter;
+  last_ = regular_.state;
+  determinants_ = regular_.determinants;
+  condition_ = regular_.condition;
+  solver_.restore(last_);
+}
+
+bool Continuation::try_step(const Quadruple& next) {
+  const Quadruple step = next - parameter_;
+  solver_.predict(step);
+  solver_.drive(path_(next));
+  try {
+    double last = solver_.correct_positions();
+    if (!(last <= max_prediction)) return false;
+    for (int i = 0; i < 12 && last > rounding(); ++i) {
+      const double correction = solver_.correct_positions();
+      if (!(correction <= std::max(last / 4, rounding()))) return false;
+      last = correction;
+    }
+    solver_.solve_rates();
+  } catch (const std::runtime_error&) {
+    return false;
+  }
+  Determinants now = determinants();
+  bool crosses = false, regular = true;
+  for (std::size_t k = 0; k < now.size(); ++k) {
+    crosses |= now[k].sign != determinants_[k].sign;
+    regular &= std::abs(now[k].log - determinants_[k].log) < std::log(5.0);
+  }
+  regular &= !crosses;
+  if (!regular && abs(step) > crossing_step) return false;
+  if (!is_continuous(step)) return false;
+  parameter_ = next;
+  determinants_ = std::move(now);
+  last_ = solver_.state();
+  const double before = std::exchange(condition_, condition());
+  crosses |= before > passed && condition_ < before / 2;
+  if (crosses) crossed_at_ = parameter_;
+  crossings_ += crosses;
+  max_condition_ = std::max(max_condition_, crosses ? INFINITY : condition_);
+  if (condition_ < passed) regular_ = {parameter_, last_, determinants_, condition_};
+  return true;
+}
+
+Continuation::Determinants Continuation::determinants() const {
+  WideState<Quadruple> state(m_.state_size());
+  std::ranges::transform(solver_.state(), state.q.begin(), &Jet<Quadruple>::value);
+  Determinants result;
+  for (const PartDefinition& block : blocks_) {
+    PartSystem<Quadruple> system(m_, block, state);
+    result.push_back(DenseLu(std::move(system.jacobian), system.n).determinant());
+  }
+  return result;
+}
+
+bool Continuation::is_continuous(const Quadruple& step) const {
+  double moved = 0, off = 0;
+  for (int i = 0; i < m_.coordinates(); ++i) {
+    const Jet<Quadruple>&a = last_[i], &b = solver_.state()[i];
+    const Quadruple change = b.value - a.value;
+    const Quadruple closure = change - step / 2 * (a.first + b.first);
+    moved = std::max(moved, std::abs(static_cast<double>(change)) / magnitude_[i]);
+    const double error = std::abs(static_cast<double>(closure)) / magnitude_[i];
+    if (!(error <= off)) off = error;  // NaN stays
+  }
+  return off <= 0.03 * moved + 10 * rounding();
+}
+
+double Continuation::rounding() const { return std::clamp(noise * condition_, settled, 1e-14); }
+
+WideInstant Continuation::instant() const {
+  return {static_cast<double>(parameter_), solver_.q(), solver_.qd(), solver_.qdd()};
+}
+
+double Continuation::condition() { return condition_number_(doubles(solver_.q())); }
+
+double Continuation::max_condition() { return std::exchange(max_condition_, condition()); }
+
+std::vector<TrueInstant> true_motion(const Model& m, const TimeGrid& grid) {
+  Continuation c(m);
+  const DriverPath motions = motions_of(m);
+  std::vector<Quadruple> nominal, first;
+  for (const Driver& d : m.drivers) nominal.push_back(m.estimate[m.entities[d.coordinate].first]);
+  for (const auto& z : motions(grid.time(0))) first.push_back(z.position);
+  std::vector<TrueInstant> result(grid.instants);
+  for (int i = 0; i < grid.instants; ++i) result[i].instant.time = grid.time(i);
+  if (nominal != first) {
+    c.begin(straight(nominal, first), 0);
+    const bool reached = c.go_to(1);
+    if (!reached && c.parameter() > 1 - 1e-9) return result;
+    if (!reached || c.crossings() > 0)
+      throw std::runtime_error(m.name + ": the start is not on the nominal branch");
+  }
+  c.begin(motions, grid.time(0));
+  int missed = 0;  // instants in a row: two are more than a passage
+  for (int i = 0; i < grid.instants && missed < 2; ++i) {
+    const Quadruple t = grid.time(i);
+    missed = c.go_to(t) || c.go_to(t) ? 0 : missed + 1;  // the second time on from a regular place
+    if (missed > 0) continue;
+    result[i].condition = c.condition();
+    result[i].path_condition = c.max_condition();
+    if (result[i].condition < singular) result[i].instant = rounded(c.instant());
+  }
+  return result;
+}
+
+}  // namespace desmo

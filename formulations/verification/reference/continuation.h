@@ -1,0 +1,98 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "cases/mechanism/motion.h"
+#include "formulations/base/reference_instant.h"
+#include "formulations/groupwise/dense_lu.h"
+#include "formulations/model/model.h"
+#include "formulations/structure/partition.h"
+#include "formulations/verification/condition.h"
+#include "formulations/verification/reference/global_solver.h"
+#include "formulations/verification/reference/wide_instant.h"
+
+namespace desmo {
+
+/// Drivers' values and derivatives at a parameter, in the model's order.
+using DriverPath = std::function<std::vector<MotionSample<Quadruple>>(const Quadruple&)>;
+
+/// Returns the motions of a model's drivers; the parameter is time [s].
+DriverPath motions_of(const Model& model);
+
+/// Follows the smooth continuation of a position in quadruple precision. A step is accepted if
+/// - Newton's method contracts from the Taylor prediction at once,
+/// - the rates at both ends lead from one end to the other,
+/// - the determinants of irreducible blocks keep their signs and, within a factor of five, their
+///   magnitudes; steps below `crossing_step` may pass a singular position.
+/// Other steps are halved. So a fold that is 1e-24 from the path is resolved.
+class Continuation {
+ public:
+  static constexpr double crossing_step = 1e-12, min_step = 1e-24;
+  static constexpr int max_tries = 1000;  // of one call of go_to()
+
+  /// Assembles at the model's estimate, drivers included. Throws std::runtime_error when Newton's
+  /// method does not converge there.
+  explicit Continuation(const Model& model);
+
+  /// Begins another path from the present position, which has to belong to `parameter`.
+  void begin(DriverPath path, const Quadruple& parameter);
+
+  /// Follows the path to a parameter. Returns false where no step leads on; the position is then
+  /// the last one whose rates have digits, from which the path may lead past a singular position.
+  bool go_to(const Quadruple& parameter);
+
+  const Quadruple& parameter() const { return parameter_; }
+  /// Returns q, q̇ and q̈ at the present parameter.
+  WideInstant instant() const;
+  /// Return the condition number at the present position, and the largest since the last call.
+  double condition();
+  double max_condition();
+  /// Return how many steps passed a singular position, and the parameter of the last of them.
+  int crossings() const { return crossings_; }
+  const Quadruple& crossed_at() const { return crossed_at_; }
+
+ private:
+  using Determinants = std::vector<DenseLu<Quadruple>::Determinant>;
+  Determinants determinants() const;
+  void return_to_regular();
+  bool try_step(const Quadruple& next);
+  double rounding() const;
+  bool is_continuous(const Quadruple& step) const;
+
+  const Model& m_;
+  std::vector<double> magnitude_;
+  GlobalSolver<Quadruple> solver_;
+  ConditionNumber condition_number_;
+  DriverPath path_;
+  Quadruple parameter_ = 0, step_ = 0, crossed_at_ = 0;
+  struct Place {
+    Quadruple parameter;
+    std::vector<Jet<Quadruple>> state;
+    Determinants determinants;
+    double condition;
+  };
+  Place regular_{};                   // the last place of a condition number below `passed`
+  std::vector<Jet<Quadruple>> last_;  // state of the last accepted step
+  std::vector<PartDefinition> blocks_;
+  Determinants determinants_;  // of the blocks, there
+  double condition_ = 1, max_condition_ = 0;
+  int crossings_ = 0;
+};
+
+/// True answer at an instant of a grid.
+struct TrueInstant {
+  ReferenceInstant instant;  ///< no q: none exists, or it is singular
+  double condition = INFINITY;
+  double path_condition = INFINITY;  ///< largest since the instant before, both included
+};
+
+/// Returns the smooth continuation of a model's nominal position: drivers go straight to the start
+/// of the grid, then follow their motions. Singular instants have no answer; the motion goes on
+/// after one if it can. Nothing has an answer where the start is singular. Throws
+/// std::runtime_error when the start cannot be reached without passing a singular position.
+std::vector<TrueInstant> true_motion(const Model& model, const TimeGrid& grid);
+
+}  // namespace desmo
