@@ -42,7 +42,7 @@ std::span<const Extreme> all_extremes() {
               "condition within a factor of 10; bounds above the error, by 1000 floors at most",
               &estimates},
       Extreme{15, "beside change points", "0 … 0.1 rad beside one; cranks of 1e-3 … 1e-9 links",
-              "100 times the tolerance, or the floor, or a flag", &change_points},
+              "1000 times the tolerance, or the floor, or a flag", &change_points},
   };
   return table;
 }

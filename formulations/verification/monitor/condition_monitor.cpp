@@ -11,7 +11,7 @@ namespace {
 constexpr double min_part = 0.5;
 /// By what part a distance, or the share of a group, may fall from one look to the next.
 constexpr double allowed = 0.5;
-/// Largest slope and curvature of a distance, over the way in magnitudes.
+/// Slope of a distance over the way in magnitudes before it is known, and largest curvature.
 constexpr double steepest = 2, curvature = 2;
 /// Instead of infinity, which is not to be multiplied by 0.
 constexpr double at_once = 1e300;
@@ -141,7 +141,7 @@ void ConditionMonitor::schedule() {
 double ConditionMonitor::until_halved(int b) const {
   double slope = steepest;  // of the fall, at most
   if (const double way = way_before_[of_block_[b]]; way > 0)
-    slope = std::min(slope, (distance_before_[b] - distance_[b]) / way + curvature / 2 * way);
+    slope = (distance_before_[b] - distance_[b]) / way + curvature / 2 * way;
   // slope w + curvature w² / 2 = allowed d
   const double root = std::sqrt(slope * slope + 2 * curvature * allowed * distance_[b]);
   return (root - slope) / curvature;
