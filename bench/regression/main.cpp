@@ -191,7 +191,9 @@ void measure_more(Options o) {
 void add_commit(const Options& o) {
   Json history = std::filesystem::exists(o.file) ? load(o.file) : Json{};
   add_point(history, sides_of(o).back(), o.commit, o.names);
-  bench::NewFile(o.file).write(text_of(history));
+  OutputFile file(o.file);
+  file.write(text_of(history));
+  file.finish();
 }
 
 int run(int argc, char** argv) {
