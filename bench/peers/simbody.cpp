@@ -1,266 +1,21 @@
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <memory>
-#include <stdexcept>
-#include <utility>
 
 #include "bench/peers/peer.h"
-#include "bench/peers/simbody_solver.h"
+#include "bench/peers/simbody_conversion.h"
 
 namespace desmo {
 
 namespace {
 
-using simbody::Vec;
-using Body = Mechanism::Body;
-using Joint = Mechanism::Joint;
-using enum Mechanism::JointType;
-
-Vec operator-(const Vec& a, const Vec& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-double norm(const Vec& a) { return std::hypot(a[0], a[1], a[2]); }
-
-int other(const Joint& joint, int body) { return joint.bodies[joint.bodies[0] == body ? 1 : 0]; }
-
-/// The conversion of a mechanism to a tree of Simbody's bodies that constraints close. It makes as
-/// few mobilities and loop equations as it can: Simbody's time grows with their third power.
-/// - a body hangs on the tree by the joint with the fewest mobilities
-/// - a rod, a body with two points and nothing but joints there, is one equation
-/// - a strut, two bodies that slide along each other, is one body whose line passes through a point
-class Conversion {
- public:
-  /// Throws std::invalid_argument where other loops must be closed or, naming it, a joint or a
-  /// driven coordinate has no counterpart here.
-  Conversion(const Scene& scene, const Model& model) : d_(scene.mechanism), model_(model) {
-    placed_[0].in_tree = ground;
-    for (const Joint& joint : d_.joints)
-      for (const int body : joint.bodies) placed_[body].joints.push_back(&joint);
-    auto motion = scene.motions.begin();
-    for (const Mechanism::Coordinate& c : d_.coordinates)
-      if (c.driven) add_driver(c, *motion++);
-    find_links();
-    do close_links();
-    while (place_next());
-    for (std::size_t i = 0; i < heights_.size(); ++i)
-      if (heights_[i]) drive_height(*heights_[i], static_cast<int>(i));
-    if (used_ < d_.joints.size())
-      throw std::invalid_argument("simbody: '" + d_.name +
-                                  "' has loops that no rod or strut closes");
-  }
-
-  simbody::Tree tree;
-  std::vector<int> coordinates;  ///< of the model: those of tree.followed, in its order
-
- private:
-  static constexpr int ground = -1, unplaced = -2;
-
-  struct Placed {
-    std::vector<const Joint*> joints;
-    int link_bodies = 0;     // number of bodies in its link
-    int in_tree = unplaced;  // position
-    int origin = -1;         // point
-    int driver = -1;         // of its angle
-  };
-
-  /// A rod or a strut: one or two bodies. The ends join the first and the last of them to others.
-  struct Link {
-    std::vector<int> bodies;
-    std::array<const Joint*, 2> ends;
-    int neighbour(int k) const { return other(*ends[k], k == 0 ? bodies.front() : bodies.back()); }
-    int point(int k) const { return ends[k]->points[0]; }
-  };
-
-  bool is_planar() const { return d_.dimension == 2; }
-  const Vec& position(int point) const { return d_.points[point].position; }
-
-  int mobilities(const Joint& joint) const {
-    if (joint.type == revolute) return 1;
-    if (!is_planar() && joint.type == universal) return 2;
-    if (!is_planar() && joint.type == spherical) return 3;
-    throw std::invalid_argument("simbody: no counterpart of joint '" + joint.name + "'");
-  }
-
-  /// Returns a point in the frame of a body, which nominally is parallel to the ground's.
-  Vec offset(int body, int point) const {
-    if (body == 0) return position(point);
-    Vec v = position(point) - position(placed_[body].origin);
-    if (const auto& length = d_.bodies[body].length; length && norm(v) > 0) {
-      const double scale = *length / norm(v);  // nominal positions are but estimates
-      for (double& x : v) x *= scale;
-    }
-    return v;
-  }
-
-  /// The angle of a pin counts from its nominal position.
-  void add_driver(const Mechanism::Coordinate& c, const Motion& motion) {
-    const bool is_height = c.type == Mechanism::CoordinateType::component;
-    heights_.push_back(is_height ? &c : nullptr);
-    double zero = 0;
-    if (!is_height) {
-      const auto pin = std::ranges::find_if(placed_[0].joints, [&](const Joint* joint) {
-        return joint->type == revolute && joint->points[0] == c.of.from;
-      });
-      if (!is_planar() || c.from.is_given() || c.opposite || pin == placed_[0].joints.end())
-        throw std::invalid_argument("simbody: '" + c.name + "' cannot be driven");
-      placed_[other(**pin, 0)].driver = static_cast<int>(tree.drivers.size());
-      const Vec line = position(c.of.to) - position(c.of.from);
-      zero = std::atan2(line[1], line[0]);
-    }
-    tree.drivers.push_back([&motion, zero](double t) -> Vec {
-      const MotionSample<double> z = sample(motion, t);
-      return {z.position - zero, z.velocity, z.acceleration};
-    });
-  }
-
-  void add_link(std::vector<int> bodies, const Joint* a, const Joint* b) {
-    for (const Joint* end : {a, b})
-      if (end->type != (is_planar() ? revolute : universal) && end->type != spherical) return;
-    // In space one end lets the link spin, and only one.
-    if (a->points == b->points || mobilities(*a) + mobilities(*b) != (is_planar() ? 2 : 5)) return;
-    if (mobilities(*a) > mobilities(*b)) {
-      std::swap(a, b);
-      std::ranges::reverse(bodies);
-    }
-    for (const int body : bodies) placed_[body].link_bodies = static_cast<int>(bodies.size());
-    links_.push_back({std::move(bodies), {a, b}});
-  }
-
-  void find_links() {
-    const auto joints = [&](int body) -> auto& { return placed_[body].joints; };
-    for (int body = 1; body < static_cast<int>(d_.bodies.size()); ++body)
-      if (joints(body).size() == 2 && d_.bodies[body].points.size() == 2 &&
-          placed_[body].driver < 0)
-        add_link({body}, joints(body)[0], joints(body)[1]);
-    for (const Joint& slide : d_.joints) {
-      const auto [a, b] = slide.bodies;
-      if (is_planar() || slide.type != prismatic || a == 0 || b == 0) continue;
-      if (joints(a).size() != 2 || joints(b).size() != 2) continue;
-      add_link({a, b}, joints(a)[joints(a)[0] == &slide], joints(b)[joints(b)[0] == &slide]);
-    }
-  }
-
-  /// Hangs a body on the other body of a joint.
-  void place(const Joint& joint, int body) {
-    const int parent = other(joint, body), point = joint.points[0];
-    simbody::Body b{placed_[parent].in_tree, simbody::Joint::pin, offset(parent, point), {0, 0, 1}};
-    const int side = joint.bodies[0] == parent ? 0 : 1;
-    const auto axis = [&](int k) { return d_.vectors[joint.vectors[k]].direction; };
-    if (joint.type == spherical) b.joint = simbody::Joint::gimbal;
-    if (joint.type == revolute && !is_planar()) b.axis = axis(0);
-    if (joint.type == universal) {
-      b.joint = simbody::Joint::universal;
-      b.axis = axis(side);
-      b.second_axis = axis(1 - side);
-    }
-    b.driver = placed_[body].driver;
-    placed_[body].in_tree = static_cast<int>(tree.bodies.size());
-    placed_[body].origin = point;
-    tree.bodies.push_back(b);
-    order_.push_back(body);
-    ++used_;
-    for (const int p : d_.bodies[body].points)
-      follow(d_.points[p].name, body, true, offset(body, p));
-    follow_vectors(body, body);
-  }
-
-  /// Places the body that needs the fewest mobilities, nearest to the ground; possible rods last.
-  /// Returns false when none is left.
-  bool place_next() {
-    const Joint* best = nullptr;
-    int best_body = 0;
-    std::pair<int, int> least{};
-    for (const int from : order_)
-      for (const Joint* joint : placed_[from].joints) {
-        const int body = other(*joint, from), link_bodies = placed_[body].link_bodies;
-        if (placed_[body].in_tree != unplaced || link_bodies == 2) continue;
-        const std::pair cost{link_bodies, mobilities(*joint)};
-        if (best && cost >= least) continue;
-        best = joint, best_body = body, least = cost;
-      }
-    if (best) place(*best, best_body);
-    return best;
-  }
-
-  /// Closes the links between bodies of the tree, which a possible rod may have become itself.
-  void close_links() {
-    std::erase_if(links_, [&](const Link& link) {
-      if (placed_[link.bodies[0]].in_tree != unplaced) return true;
-      for (const int k : {0, 1})
-        if (placed_[link.neighbour(k)].in_tree == unplaced) return false;
-      close(link);
-      return true;
-    });
-  }
-
-  void close(const Link& link) {
-    const Vec line = position(link.point(1)) - position(link.point(0));
-    const int last = placed_[link.neighbour(1)].in_tree;
-    const Vec end = offset(link.neighbour(1), link.point(1));
-    used_ += 2;
-    if (link.bodies.size() == 1) {
-      const int first = link.neighbour(0);
-      const double length = d_.bodies[link.bodies[0]].length.value_or(norm(line));
-      tree.constraints.push_back({simbody::Constraint::Kind::rod,
-                                  {placed_[first].in_tree, last},
-                                  {offset(first, link.point(0)), end},
-                                  {},
-                                  length});
-    } else {
-      place(*link.ends[0], link.bodies[0]);  // stands for both, which turn as one
-      follow_vectors(link.bodies[1], link.bodies[0]);
-      tree.constraints.push_back({simbody::Constraint::Kind::point_on_line,
-                                  {placed_[link.bodies[0]].in_tree, last},
-                                  {Vec{}, end},
-                                  line});
-    }
-  }
-
-  /// The point stays in a plane that moves with a driven slider.
-  void drive_height(const Mechanism::Coordinate& height, int driver) {
-    const auto body = std::ranges::find_if(order_, [&](int b) {
-      return b != 0 && std::ranges::count(d_.bodies[b].points, height.point) > 0;
-    });
-    if (body == order_.end())
-      throw std::invalid_argument("simbody: '" + height.name + "' cannot be driven");
-    Vec axis{};
-    axis[height.axis] = 1;
-    const int slider = static_cast<int>(tree.bodies.size());
-    tree.bodies.push_back({ground, simbody::Joint::slider, {}, axis, {}, driver});
-    tree.constraints.push_back({simbody::Constraint::Kind::point_in_plane,
-                                {slider, placed_[*body].in_tree},
-                                {Vec{}, offset(*body, height.point)},
-                                axis});
-  }
-
-  /// Asks for an entity that is fixed to a body, unless it rests or is asked for already.
-  void follow(const std::string& name, int body, bool is_point, const Vec& in_body) {
-    const EntityId id = model_.find(name);
-    const Entity& entity = model_.entities[id];
-    if (model_.rests(id) || std::ranges::count(coordinates, entity.first) > 0) return;
-    tree.followed.push_back({placed_[body].in_tree, is_point, in_body, entity.size});
-    for (int i = 0; i < entity.size; ++i) coordinates.push_back(entity.first + i);
-  }
-
-  void follow_vectors(int body, int moving_like) {
-    for (const int v : d_.bodies[body].vectors)
-      follow(d_.vectors[v].name, moving_like, false, d_.vectors[v].direction);
-  }
-
-  const Mechanism& d_;
-  const Model& model_;
-  std::vector<Placed> placed_ = std::vector<Placed>(d_.bodies.size());  // of each body
-  std::vector<Link> links_;                                             // not closed yet
-  std::vector<const Mechanism::Coordinate*> heights_;                   // of each driver, or null
-  std::vector<int> order_{0};  // bodies of the tree as they were placed
-  std::size_t used_ = 0;       // joints
-};
-
 class SimbodyPeer final : public Peer {
  public:
-  SimbodyPeer(Conversion conversion, simbody::Rates rates)
-      : solver_(simbody::make_solver(conversion.tree, rates)) {
-    answer_.coordinates = std::move(conversion.coordinates);
+  SimbodyPeer(const simbody::Tree& tree, simbody::Rates rates)
+      : solver_(simbody::make_solver(tree, rates)) {
+    for (const simbody::Followed& f : tree.followed)
+      for (int i = 0; i < f.components; ++i) answer_.coordinates.push_back(f.coordinate + i);
   }
+
   void assemble(double t) override {
     solver_->assemble(t);
     take();
@@ -285,7 +40,7 @@ class SimbodyPeer final : public Peer {
 
 template <simbody::Rates rates>
 std::unique_ptr<Peer> make(const Scene& scene, const Model& model) {
-  return std::make_unique<SimbodyPeer>(Conversion(scene, model), rates);
+  return std::make_unique<SimbodyPeer>(simbody::convert(scene, model), rates);
 }
 
 }  // namespace

@@ -45,12 +45,14 @@ struct Constraint {
   double length = 0;
 };
 
-/// A point or a direction that is fixed to a body and asked for.
+/// A point or a direction that is fixed to a body and asked for: a position of the point in the
+/// ground's frame, or the direction's components there.
 struct Followed {
   int body;
   bool is_point;
   Vec in_body;
-  int components;  ///< 2: x and y only
+  int coordinate;  ///< the first component's place in the model
+  int components;  ///< 3, or 2: x and y only
 };
 
 /// A mechanism as Simbody takes it: a tree of joint coordinates, closed by constraints.
@@ -58,37 +60,42 @@ struct Tree {
   std::vector<Body> bodies;  ///< parents before their children
   std::vector<Constraint> constraints;
   std::vector<Followed> followed;
-  std::vector<std::function<Vec(double)>> drivers;  ///< value, rate and second rate at a time
+  std::vector<std::function<Vec(double)>> drivers;  ///< value, rate and second rate at a time [s]
 };
 
 /// The method for velocities and accelerations.
 enum class Rates {
-  /// The manual's: projectU, then realize(Acceleration), which solves the equations of
-  /// motion; the constraints determine the accelerations whatever the masses are.
+  /// The manual's: projectU to 1e-10, then realize(Acceleration), which solves the equations of
+  /// motion. The constraints determine the accelerations whatever the masses are; all are 1.
   realized,
-  /// G u = 0 and G u̇ = b with one factorisation of the constraint matrix that Simbody evaluates.
+  /// G u = 0 and G u̇ = b with one LU of the constraint matrix G that Simbody evaluates.
   direct,
 };
 
-/// Solves a tree at one instant after the other. Its coordinates, those of the joints, stay inside.
+/// Steps through the positions of a tree. Both assemble() and step() prescribe the driven
+/// coordinates, project the others onto the constraints (projectQ, to a root mean square of the
+/// constraint errors of 1e-10), solve for velocities and accelerations, and deliver. All of this is
+/// timed; making the solver is not. Both throw std::exception when Simbody cannot.
 class Solver {
  public:
   virtual ~Solver() = default;
 
-  /// Solves positions, velocities and accelerations at time t [s], starting from Body::estimate,
-  /// whatever was solved before. Throws std::exception when Simbody cannot.
+  /// Solves at time t [s] from the nominal position, in which joint coordinates are 0 and nothing
+  /// moves, whatever was solved before.
   virtual void assemble(double t) = 0;
-  /// Solves like assemble(), but starts from q + q̇ h + q̈ h²/2 of the instant solved last.
+  /// Solves at time t [s], starting from q + q̇ h + q̈ h²/2 of the last instant.
   virtual void step(double t) = 0;
-  /// Returns the instant solved last: the components of Tree::followed in its order [m, 1], their
-  /// first and their second derivatives. Valid, and overwritten, until the next is solved.
+  /// Returns what is followed, component after component, with its first and its second
+  /// derivatives: (components of tree.followed) each, at the last instant.
   virtual const std::array<std::vector<double>, 3>& values() const = 0;
-  /// Returns the iterations of projectQ since the last assembly, with its own.
+  /// Returns the iterations of projectQ, since the last assembly and with it.
   virtual long iterations() const = 0;
-  /// "8 bodies, 12 mobilities, 2 of them prescribed, 10 loop-constraint equations"
+  /// Returns "8 bodies, 12 mobilities, 2 of them prescribed, 10 loop-constraint equations".
   virtual std::string setup() const = 0;
 };
 
+/// Makes a solver. Throws std::exception when Simbody refuses the tree, or when it has more or
+/// fewer loop equations than mobilities that no driver prescribes.
 std::unique_ptr<Solver> make_solver(const Tree& tree, Rates rates);
 
 /// Returns the version of the library, "3.7.0".
