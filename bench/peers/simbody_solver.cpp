@@ -18,6 +18,8 @@ class RealizingSolver : public Solver {
   explicit RealizingSolver(const Tree& tree) : tree_(tree), built_(tree) {
     state_ = system().realizeTopology();
     system().realize(state_, sim::Stage::Instance);
+    if (state_.getNU() - static_cast<int>(tree_.drivers.size()) != state_.getNQErr())
+      throw std::invalid_argument("simbody: unlike mobilities and equations: " + setup());
     estimate_ = state_.getQ();
     int components = 0;
     for (const Followed& f : tree_.followed) components += f.components;
@@ -40,7 +42,7 @@ class RealizingSolver : public Solver {
   const std::array<std::vector<double>, 3>& values() const override { return values_; }
   long iterations() const override { return iterations_; }
 
-  std::string setup() const override {
+  std::string setup() const final {
     return std::to_string(tree_.bodies.size()) + " bodies, " + std::to_string(state_.getNU()) +
            " mobilities, " + std::to_string(tree_.drivers.size()) + " of them prescribed, " +
            std::to_string(state_.getNQErr()) + " loop-constraint equations";
@@ -117,7 +119,6 @@ class DirectSolver final : public RealizingSolver {
     for (int u = 0; u < state_.getNU(); ++u)
       if (driver_[u] < 0) free_.push_back(u);
     const int n = static_cast<int>(free_.size());
-    if (n != state_.getNQErr()) throw std::logic_error("simbody: as many equations as unknowns?");
     free_columns_.resize(n, n);
     b_.resize(n);
     x_.resize(n);
