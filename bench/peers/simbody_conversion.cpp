@@ -49,6 +49,7 @@ class Conversion {
 
   struct Placed {
     std::vector<const Mechanism::Joint*> joints;
+    bool is_rod = false;     // a link that is closed
     int link_bodies = 0;     // number of bodies in its link
     int in_tree = unplaced;  // position
     int origin = -1;         // point
@@ -165,7 +166,7 @@ class Conversion {
     for (const int from : order_)
       for (const Mechanism::Joint* joint : placed_[from].joints) {
         const int body = other(*joint, from), link_bodies = placed_[body].link_bodies;
-        if (placed_[body].in_tree != unplaced || link_bodies == 2) continue;
+        if (placed_[body].in_tree != unplaced || link_bodies == 2 || placed_[body].is_rod) continue;
         const std::pair cost{link_bodies, mobilities(*joint)};
         if (best && cost >= least) continue;
         best = joint, best_body = body, least = cost;
@@ -192,6 +193,7 @@ class Conversion {
     used_ += 2;
     if (link.bodies.size() == 1) {
       const int first = link.neighbour(0);
+      placed_[link.bodies[0]].is_rod = true;
       const double length = d_.bodies[link.bodies[0]].length.value_or(norm(line));
       tree.constraints.push_back({Constraint::Kind::rod,
                                   {placed_[first].in_tree, last},
