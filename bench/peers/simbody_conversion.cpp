@@ -29,14 +29,12 @@ class Conversion {
     placed_[0].in_tree = ground;
     for (const Mechanism::Joint& joint : d_.joints)
       for (const int body : joint.bodies) placed_[body].joints.push_back(&joint);
-    auto motion = scene.motions.begin();
-    for (const Mechanism::Coordinate& c : d_.coordinates)
-      if (c.driven) add_driver(c, *motion++);
     find_links();
     do close_links();
     while (place_next());
-    for (std::size_t i = 0; i < heights_.size(); ++i)
-      if (heights_[i]) drive_height(*heights_[i], static_cast<int>(i));
+    auto motion = scene.motions.begin();
+    for (const Mechanism::Coordinate& c : d_.coordinates)
+      if (c.driven) drive(c, *motion++);
     if (used_ < d_.joints.size())
       throw std::invalid_argument("simbody: '" + d_.name +
                                   "' has loops that no rod or strut closes");
@@ -47,13 +45,13 @@ class Conversion {
  private:
   static constexpr int ground = -1, unplaced = -2;
 
+  enum class Role { body, possible_rod, in_link };
+
   struct Placed {
     std::vector<const Mechanism::Joint*> joints;
-    bool is_rod = false;     // a link that is closed
-    int link_bodies = 0;     // number of bodies in its link
+    Role role = Role::body;
     int in_tree = unplaced;  // position
     int origin = -1;         // point
-    int driver = -1;         // of its angle
   };
 
   /// A rod or a strut: one or two bodies. The ends join the first and the last of them to others.
@@ -85,27 +83,6 @@ class Conversion {
     return v;
   }
 
-  /// The angle of a pin counts from its nominal position.
-  void add_driver(const Mechanism::Coordinate& c, const Motion& motion) {
-    const bool is_height = c.type == Mechanism::CoordinateType::component;
-    heights_.push_back(is_height ? &c : nullptr);
-    double zero = 0;
-    if (!is_height) {
-      const auto pin = std::ranges::find_if(placed_[0].joints, [&](const Mechanism::Joint* joint) {
-        return joint->type == revolute && joint->points[0] == c.of.from;
-      });
-      if (!is_planar() || c.from.is_given() || c.opposite || pin == placed_[0].joints.end())
-        throw std::invalid_argument("simbody: '" + c.name + "' cannot be driven");
-      placed_[other(**pin, 0)].driver = static_cast<int>(tree.drivers.size());
-      const Vec line = position(c.of.to) - position(c.of.from);
-      zero = std::atan2(line[1], line[0]);
-    }
-    tree.drivers.push_back([&motion, zero](double t) -> Vec {
-      const MotionSample<double> z = sample(motion, t);
-      return {z.position - zero, z.velocity, z.acceleration};
-    });
-  }
-
   void add_link(std::vector<int> bodies, const Mechanism::Joint* a, const Mechanism::Joint* b) {
     for (const Mechanism::Joint* end : {a, b})
       if (end->type != (is_planar() ? revolute : universal) && end->type != spherical) return;
@@ -115,15 +92,15 @@ class Conversion {
       std::swap(a, b);
       std::ranges::reverse(bodies);
     }
-    for (const int body : bodies) placed_[body].link_bodies = static_cast<int>(bodies.size());
+    for (const int body : bodies)
+      placed_[body].role = bodies.size() == 1 ? Role::possible_rod : Role::in_link;
     links_.push_back({std::move(bodies), {a, b}});
   }
 
   void find_links() {
     const auto joints = [&](int body) -> auto& { return placed_[body].joints; };
     for (int body = 1; body < static_cast<int>(d_.bodies.size()); ++body)
-      if (joints(body).size() == 2 && d_.bodies[body].points.size() == 2 &&
-          placed_[body].driver < 0)
+      if (joints(body).size() == 2 && d_.bodies[body].points.size() == 2)
         add_link({body}, joints(body)[0], joints(body)[1]);
     for (const Mechanism::Joint& slide : d_.joints) {
       const auto [a, b] = slide.bodies;
@@ -146,7 +123,6 @@ class Conversion {
       b.axis = axis(side);
       b.second_axis = axis(1 - side);
     }
-    b.driver = placed_[body].driver;
     placed_[body].in_tree = static_cast<int>(tree.bodies.size());
     placed_[body].origin = point;
     tree.bodies.push_back(b);
@@ -162,12 +138,13 @@ class Conversion {
   bool place_next() {
     const Mechanism::Joint* best = nullptr;
     int best_body = 0;
-    std::pair<int, int> least{};
+    std::pair<bool, int> least{};
     for (const int from : order_)
       for (const Mechanism::Joint* joint : placed_[from].joints) {
-        const int body = other(*joint, from), link_bodies = placed_[body].link_bodies;
-        if (placed_[body].in_tree != unplaced || link_bodies == 2 || placed_[body].is_rod) continue;
-        const std::pair cost{link_bodies, mobilities(*joint)};
+        const int body = other(*joint, from);
+        const auto& [joints, role, in_tree, origin] = placed_[body];
+        if (in_tree != unplaced || role == Role::in_link) continue;
+        const std::pair cost{role == Role::possible_rod, mobilities(*joint)};
         if (best && cost >= least) continue;
         best = joint, best_body = body, least = cost;
       }
@@ -193,7 +170,7 @@ class Conversion {
     used_ += 2;
     if (link.bodies.size() == 1) {
       const int first = link.neighbour(0);
-      placed_[link.bodies[0]].is_rod = true;
+      placed_[link.bodies[0]].role = Role::in_link;
       const double length = d_.bodies[link.bodies[0]].length.value_or(norm(line));
       tree.constraints.push_back({Constraint::Kind::rod,
                                   {placed_[first].in_tree, last},
@@ -210,21 +187,39 @@ class Conversion {
     }
   }
 
-  /// The point stays in a plane that moves with a driven slider.
-  void drive_height(const Mechanism::Coordinate& height, int driver) {
+  /// Prescribes the angle of a pin on the ground, which counts from its nominal position, or a
+  /// slider: a point then stays in a plane that moves with it.
+  void drive(const Mechanism::Coordinate& c, const Motion& motion) {
+    const bool is_component = c.type == Mechanism::CoordinateType::component;
     const auto body = std::ranges::find_if(order_, [&](int b) {
-      return b != 0 && std::ranges::count(d_.bodies[b].points, height.point) > 0;
+      if (b == 0) return false;
+      if (is_component) return std::ranges::count(d_.bodies[b].points, c.point) > 0;
+      return placed_[b].origin == c.of.from && tree.bodies[placed_[b].in_tree].parent == ground;
     });
-    if (body == order_.end())
-      throw std::invalid_argument("simbody: '" + height.name + "' cannot be driven");
-    Vec axis{};
-    axis[height.axis] = 1;
-    const int slider = static_cast<int>(tree.bodies.size());
-    tree.bodies.push_back({ground, Joint::slider, {}, axis, {}, driver});
-    tree.constraints.push_back({Constraint::Kind::point_in_plane,
-                                {slider, placed_[*body].in_tree},
-                                {Vec{}, offset(*body, height.point)},
-                                axis});
+    const bool is_pin = is_planar() && c.type == Mechanism::CoordinateType::angle &&
+                        c.of.is_line() && !c.from.is_given() && !c.opposite;
+    if (body == order_.end() || !(is_component || is_pin))
+      throw std::invalid_argument("simbody: '" + c.name + "' cannot be driven");
+    const int driver = static_cast<int>(tree.drivers.size()), in_tree = placed_[*body].in_tree;
+    double zero = 0;
+    if (is_pin) {
+      const Vec line = position(c.of.to) - position(c.of.from);
+      zero = std::atan2(line[1], line[0]);
+      tree.bodies[in_tree].driver = driver;
+    } else {
+      Vec axis{};
+      axis[c.axis] = 1;
+      const int slider = static_cast<int>(tree.bodies.size());
+      tree.bodies.push_back({ground, Joint::slider, {}, axis, {}, driver});
+      tree.constraints.push_back({Constraint::Kind::point_in_plane,
+                                  {slider, in_tree},
+                                  {Vec{}, offset(*body, c.point)},
+                                  axis});
+    }
+    tree.drivers.push_back([&motion, zero](double t) -> Vec {
+      const MotionSample<double> z = sample(motion, t);
+      return {z.position - zero, z.velocity, z.acceleration};
+    });
   }
 
   /// Asks for an entity that is fixed to a body, unless it rests or is asked for already.
@@ -245,7 +240,6 @@ class Conversion {
   const Model& model_;
   std::vector<Placed> placed_ = std::vector<Placed>(d_.bodies.size());  // of each body
   std::vector<Link> links_;                                             // not closed yet
-  std::vector<const Mechanism::Coordinate*> heights_;                   // of each driver, or null
   std::vector<int> order_{0};  // bodies of the tree as they were placed
   std::size_t used_ = 0;       // joints
 };
