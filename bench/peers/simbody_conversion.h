@@ -14,9 +14,12 @@ namespace desmo::simbody {
 /// - A driven angle is a prescribed pin; a driven height is a prescribed slider, and a plane that
 ///   moves with it.
 ///
-/// The tree asks for all points and vectors of its bodies that move: the relative coordinates, and
-/// the vectors of rods, are not found. The scene must outlive the tree. Throws
-/// std::invalid_argument where other loops must be closed or, naming it, a joint or a driven
+/// The tree asks for all points and vectors of its bodies that move. Relative coordinates, and the
+/// vectors of rods, are not found.
+/// - scene: its mechanism in the nominal position, and its motions; it must outlive the tree
+/// - model: the mechanism's, which says where coordinates stand
+///
+/// Throws std::invalid_argument where other loops must be closed or, naming it, a joint or a driven
 /// coordinate has no counterpart here.
 Tree convert(const Scene& scene, const Model& model);
 
