@@ -14,6 +14,8 @@
 namespace desmo {
 
 /// The kinematics of a mechanism solved by another library, or by code written for it by hand.
+/// Plain on purpose: what a library's headers need of the compiler stays in the file that includes
+/// them.
 class Peer {
  public:
   /// Coordinates of the mechanism that the peer finds, each once, and their values: the peer's own
@@ -64,7 +66,8 @@ struct PeerDefinition {
   Guess guess = Guess::quadratic;
 };
 
-/// Returns the table of peers.
+/// Returns the peers of this build: those written by hand and, configured with DESMO_PEERS,
+/// libraries.
 std::span<const PeerDefinition> peers();
 
 }  // namespace desmo

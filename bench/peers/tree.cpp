@@ -32,12 +32,10 @@ constexpr std::string_view library = "by hand with Eigen",
 
 }  // namespace
 
-std::span<const PeerDefinition> peers() {
-  static const std::array table{
-      PeerDefinition{"tree", library, &version, method, &make<Guess::quadratic>},
-      PeerDefinition{"tree_adams8", library, &version, method, &make<Guess::adams8>,
-                     Guess::adams8}};
-  return table;
-}
+extern const std::array<PeerDefinition, 2> tree_peers;
+constinit const std::array<PeerDefinition, 2> tree_peers{{
+    {"tree", library, &version, method, &make<Guess::quadratic>},
+    {"tree_adams8", library, &version, method, &make<Guess::adams8>, Guess::adams8},
+}};
 
 }  // namespace desmo

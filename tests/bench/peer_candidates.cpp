@@ -1,4 +1,5 @@
-// Peers are held to what our formulations are held to. One made of one of ours stands for others.
+// Peers are held to what our formulations are held to. A peer made of one of ours stands for the
+// libraries, which not every build has.
 
 #include <gtest/gtest.h>
 
@@ -104,6 +105,17 @@ TEST_F(PeerCells, FailWithTheLibrarysOwnWords) {
   candidate.verify(references);
   EXPECT_TRUE(candidate.is_failed());
   EXPECT_EQ(candidate.message, "lost its way");
+}
+
+TEST_F(PeerCells, AreLeftOutWhenTheyTakeTooLong) {
+  options.peer_limit = 1e-9;
+  const PeerDefinition half = definition<HalfOfOurs>();
+  PeerCandidate candidate(find_case("four_bar"), 114, half, options);
+  candidate.verify(references);
+  EXPECT_TRUE(candidate.is_not_run());
+  EXPECT_NE(candidate.message.find("the whole motion would take"), std::string::npos)
+      << candidate.message;
+  EXPECT_NE(candidate.setup, "");
 }
 
 TEST_F(PeerCells, StandBesideFormulationsWithTheirGuess) {

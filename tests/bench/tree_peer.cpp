@@ -25,6 +25,7 @@ TEST_P(TreePeersOfCase, AgreeWithTheQuadrupleReferenceAtEverySize) {
   const Case& c = find_case(GetParam());
   bench::ReferenceCache references;
   paper::Options options;
+  options.peer_limit = 1e9;
   for (const int n : c.sizes) {
     if (DESMO_SANITIZED && n > c.sizes[1]) break;
     // A size more is not a whole motion more.

@@ -61,6 +61,7 @@ TEST(Scripts, NameTheArgumentThatTheyDoNotKnow) {
     EXPECT_NE(refused.text.find("'no_such_thing'"), std::string::npos) << refused.text;
   }
   EXPECT_EQ(run("bench/run", "precision --quick").code, 64);
+  EXPECT_EQ(run("bench/run", "size --peers").code, 64);
   EXPECT_EQ(run("bench/check", "--base").code, 64);
   EXPECT_EQ(run("bench/check", "--selftest --idle").code, 64);
   EXPECT_EQ(run("bench/check", "--base no_such_commit").code, 64);

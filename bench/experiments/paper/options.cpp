@@ -15,7 +15,8 @@ Options take_options(std::vector<std::string>& arguments) {
       "desmo_bench paper: verifies, then times, every case, size and formulation.\n"
       "A benchmark is named <case>/<coordinates>/<id>; one iteration is the whole analysis.\n"
       "<case>/<coordinates>/<id>/request:<name> solves only what that request needs.\n"
-      "<case>/<coordinates>/peer:<name> is solved by a peer: code written by hand.");
+      "<case>/<coordinates>/peer:<name> is solved by a peer: by hand, or, where built\n"
+      "(DESMO_PEERS), by a library.");
   parser.set_help_flag();  // Google Benchmark has one, too
   parser.allow_extras();
   parser.add_flag("-h,--help", o.help, "Show this");
@@ -32,6 +33,8 @@ Options take_options(std::vector<std::string>& arguments) {
             "Coordinates up to which dense global solves run (114)");
   add_limit("--slow-limit", o.slow_limit, "N",
             "Coordinates up to which SPQR, and UMFPACK and SparseLU in blocks, run (114)");
+  add_limit("--peer-limit", o.peer_limit, "SECONDS",
+            "CPU time a peer may take for the motion (60)");
   parser
       .add_option("--formulation", o.formulations,
                   "Add a formulation with settings as suffixes, such as "

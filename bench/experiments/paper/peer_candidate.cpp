@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <exception>
 #include <set>
 #include <string_view>
@@ -16,6 +17,9 @@ namespace {
 /// The nearest in method, the paper's fastest, and the fastest of all.
 constexpr std::array<std::string_view, 3> formulations{
     "global_automatic_klu", "group_symbolic_inlined", "group_symbolic_explicit"};
+
+/// Instants after which the time of the whole motion is estimated.
+constexpr int instants_of_estimate = 50;
 
 void solve(Peer& peer, const TimeGrid& grid, int i) {
   if (i > 0) return peer.step(grid.time(i));
@@ -33,6 +37,13 @@ void compare(Errors& errors, const Peer::Answer& answer, const ReferenceInstant&
   }
 }
 
+std::string too_long(double seconds, double limit) {
+  char text[120];
+  std::snprintf(text, sizeof text, "the whole motion would take some %.0f s; the limit is %.0f s",
+                seconds, limit);
+  return text;
+}
+
 template <class Make>
 void for_every_size(Make&& make) {
   for (const Case& c : cases())
@@ -43,7 +54,11 @@ void for_every_size(Make&& make) {
 }  // namespace
 
 PeerCandidate::PeerCandidate(const Case& d, int n, const PeerDefinition& p, const Options& options)
-    : Candidate(chosen_grid(d.describe(1).grid, options)), definition(d), coordinates(n), peer(p) {}
+    : Candidate(chosen_grid(d.describe(1).grid, options)),
+      definition(d),
+      coordinates(n),
+      peer(p),
+      limit_(options.peer_limit) {}
 
 std::string PeerCandidate::name() const {
   return std::string(definition.name) + "/" + std::to_string(coordinates) +
@@ -69,6 +84,9 @@ void PeerCandidate::verify(ReferenceCache& references) {
       const std::size_t next = errors.instants;
       if (next < reference.size() && reference[next].time == grid.time(i))
         compare(errors, peer_->answer(), reference[next]);
+      if (i + 1 != instants_of_estimate) continue;
+      const double whole = (cpu_now() - start) / instants_of_estimate * grid.instants;
+      if (whole > limit_) return leave_out(too_long(whole, limit_));
     }
     analysis_seconds = cpu_now() - start;
     if (const std::string wrong = verification_failure(errors, reference.size()); !wrong.empty())

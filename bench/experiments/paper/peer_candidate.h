@@ -21,6 +21,7 @@ class PeerCandidate final : public Candidate {
   /// <case>/<coordinates>/peer:<name>
   std::string name() const override;
   /// Compares with the quadruple-precision reference, in the coordinates that the peer finds.
+  /// Leaves it out when the whole motion would take longer than the options allow.
   void verify(ReferenceCache& references) override;
   Summary analyse() override;
 
@@ -35,6 +36,7 @@ class PeerCandidate final : public Candidate {
   void make() override;
   void discard() override { peer_.reset(); }
 
+  const double limit_;  // CPU seconds of the whole motion
   Scene scene_;
   std::unique_ptr<Model> model_;  // the peer refers to both
   std::unique_ptr<Peer> peer_;

@@ -1,0 +1,104 @@
+#pragma once
+
+// C++17 and nothing else of desmo: Simbody's headers are not C++20, clash with Eigen 3.4 in one
+// file and, as Debian builds the library, must be compiled with assertions.
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace desmo::simbody {
+
+using Vec = std::array<double, 3>;
+
+enum class Joint {
+  pin,        ///< turns about `axis`
+  slider,     ///< moves along `axis`
+  gimbal,     ///< turns about a point: three angles
+  universal,  ///< turns about `axis`, fixed to the parent, and `second_axis`, fixed to the body
+};
+
+/// A body and its joint with the body before it in the tree. The body's frame has its origin at the
+/// joint and is parallel to the parent's where the joint's coordinates are zero.
+struct Body {
+  int parent;  ///< -1: the ground
+  Joint joint;
+  Vec place;  ///< of the joint, in the parent's frame
+  Vec axis{}, second_axis{};
+  int driver = -1;  ///< of the coordinate of a pin or slider: position in Tree::drivers
+};
+
+/// A constraint that closes a loop. Points and directions are in the frames of their bodies; -1:
+/// the ground.
+struct Constraint {
+  enum class Kind {
+    rod,             ///< the points have a constant distance
+    point_on_line,   ///< the second point stays on the line through the first along `direction`
+    point_in_plane,  ///< the second point stays in the plane through the first normal to it
+  };
+  Kind kind;
+  std::array<int, 2> bodies;
+  std::array<Vec, 2> points;
+  Vec direction{};
+  double length = 0;
+};
+
+/// A point or a direction that is fixed to a body and asked for: a position of the point in the
+/// ground's frame, or the direction's components there.
+struct Followed {
+  int body;
+  bool is_point;
+  Vec in_body;
+  int coordinate;  ///< the first component's place in the model
+  int components;  ///< 3, or 2: x and y only
+};
+
+/// A mechanism as Simbody takes it: a tree of joint coordinates, closed by constraints.
+struct Tree {
+  std::vector<Body> bodies;  ///< parents before their children
+  std::vector<Constraint> constraints;
+  std::vector<Followed> followed;
+  std::vector<std::function<Vec(double)>> drivers;  ///< value, rate and second rate at a time [s]
+};
+
+/// The method for velocities and accelerations.
+enum class Rates {
+  /// The manual's: projectU to 1e-10, then realize(Acceleration), which solves the equations of
+  /// motion. The constraints determine the accelerations whatever the masses are; all are 1.
+  realized,
+  /// G u = 0 and G u̇ = b with one LU of the constraint matrix G that Simbody evaluates.
+  direct,
+};
+
+/// Steps through the positions of a tree. Both assemble() and step() prescribe the driven
+/// coordinates, project the others onto the constraints (projectQ, to a root mean square of the
+/// constraint errors of 1e-10), solve for velocities and accelerations, and deliver. All of this is
+/// timed; making the solver is not. Both throw std::exception when Simbody cannot.
+class Solver {
+ public:
+  virtual ~Solver() = default;
+
+  /// Solves at time t [s] from the nominal position, in which joint coordinates are 0 and nothing
+  /// moves, whatever was solved before.
+  virtual void assemble(double t) = 0;
+  /// Solves at time t [s], starting from q + q̇ h + q̈ h²/2 of the last instant.
+  virtual void step(double t) = 0;
+  /// Returns what is followed, component after component, with its first and its second
+  /// derivatives: (components of tree.followed) each, at the last instant.
+  virtual const std::array<std::vector<double>, 3>& values() const = 0;
+  /// Returns the iterations of projectQ, since the last assembly and with it.
+  virtual long iterations() const = 0;
+  /// Returns "8 bodies, 12 mobilities, 2 of them prescribed, 10 loop-constraint equations".
+  virtual std::string setup() const = 0;
+};
+
+/// Makes a solver. Throws std::exception when Simbody refuses the tree, or when it has more or
+/// fewer loop equations than mobilities that no driver prescribes.
+std::unique_ptr<Solver> make_solver(const Tree& tree, Rates rates);
+
+/// Returns the version of the library, "3.7.0".
+std::string version();
+
+}  // namespace desmo::simbody

@@ -1,0 +1,129 @@
+// Simbody and Ceres Solver agree with the quadruple reference over the motion, in all that they
+// find. Built with DESMO_PEERS only. What is written by hand is tested by tree_peer.cpp.
+
+#include "tests/peers.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+#include <stdexcept>
+#include <string>
+
+#include "bench/experiments/paper/peer_candidate.h"
+#include "cases/generators/cases.h"
+#include "formulations/modelling/modelling.h"
+
+namespace desmo::peers_test {
+namespace {
+
+class Peers : public testing::TestWithParam<std::string> {
+ protected:
+  const PeerDefinition& peer = find_peer(GetParam());
+};
+
+TEST_P(Peers, AgreeWithTheQuadrupleReference) {
+  bench::ReferenceCache references;
+  paper::Options options;
+  options.duration = std::min(8.0, double{DESMO_TEST_SECONDS});  // the crank turns round
+  options.peer_limit = 1e9;
+  for (const auto& [name, coordinates] :
+       {std::pair{"four_bar", 114}, {"truck_suspension", 114}, {"truck_suspension", 336}}) {
+    paper::PeerCandidate candidate(find_case(name), coordinates, peer, options);
+    candidate.verify(references);
+    EXPECT_EQ(candidate.state, bench::Candidate::State::verified)
+        << candidate.name() << ": " << candidate.message;
+    EXPECT_GE(candidate.errors.instants, 51) << candidate.name();
+    EXPECT_GE(candidate.compared, coordinates * 2 / 3 - 1) << candidate.name();
+    EXPECT_LT(candidate.iterations_per_step, 3) << candidate.name();
+    EXPECT_TRUE(candidate.analyse().ok()) << candidate.name();
+  }
+}
+
+TEST_P(Peers, AssembleAnewWhateverWasSolvedBefore) {
+  const Scene scene = truck_suspension(1);
+  const Model model = make_model(scene);
+  const auto solver = peer.make(scene, model);
+  solver->assemble(0);
+  const std::vector<double> first = solver->answer().q;
+  const long iterations = solver->iterations();
+  for (int i = 1; i < 20; ++i) solver->step(0.01 * i);
+  EXPECT_NE(solver->answer().q, first);
+  solver->assemble(0);
+  EXPECT_EQ(solver->answer().q, first);
+  EXPECT_EQ(solver->iterations(), iterations);
+}
+
+TEST_P(Peers, FindEveryCoordinateOnce) {
+  const Scene scene = truck_suspension(2);
+  const Model model = make_model(scene);
+  const auto solver = peer.make(scene, model);
+  std::vector<int> found = solver->answer().coordinates;
+  std::ranges::sort(found);
+  EXPECT_EQ(std::ranges::adjacent_find(found), found.end());
+  EXPECT_GE(found.front(), 0);
+  EXPECT_LT(found.back(), model.coordinates());
+}
+
+INSTANTIATE_TEST_SUITE_P(Build, Peers, testing::Values("simbody", "simbody_direct", "ceres"),
+                         [](const auto& info) { return info.param; });
+
+TEST(PeersOfTheBench, AreInItsRecordAndInTheReport) {
+  const std::filesystem::path folder = testing::TempDir() + "desmo_peers";
+  std::filesystem::create_directories(folder);
+  const std::string record = folder / "record.json";
+  const auto succeeds = [](const std::string& command) {
+    return std::system((command + " >/dev/null 2>&1").c_str()) == 0;
+  };
+  ASSERT_TRUE(succeeds(DESMO_BENCH " --duration=0.1 --benchmark_repetitions=2 --record=" + record +
+                       " '--benchmark_filter=truck_suspension/114/.*(peer|guess):'"));
+  ASSERT_TRUE(succeeds(DESMO_REPORT " tables " + record + " --out " + folder.string()));
+  const std::string table = folder / "peers_truck_suspension.csv";
+  for (const char* name : {"simbody", "simbody_direct", "ceres", "tree", "tree_adams8",
+                           "group_symbolic_explicit/guess:quadratic"})
+    EXPECT_TRUE(succeeds(std::string("grep ',") + name + ",' " + table)) << name;
+  EXPECT_TRUE(succeeds("grep '12 mobilities' " + record));
+  std::filesystem::remove_all(folder);
+}
+
+TEST(SimbodyPeer, NeedsAsManyLoopEquationsAsFreeMobilities) {
+  EXPECT_EQ(setup_by("simbody", truck_suspension(3)),
+            "24 bodies, 36 mobilities, 6 of them prescribed, 30 loop-constraint equations");
+  EXPECT_EQ(setup_by("simbody", four_bar(7)),
+            "8 bodies, 8 mobilities, 1 of them prescribed, 7 loop-constraint equations");
+}
+
+std::string refusal_by_simbody(const std::function<void(Mechanism&)>& change) {
+  Scene scene = four_bar(1);
+  const Model model = make_model(scene);
+  change(scene.mechanism);
+  try {
+    find_peer("simbody").make(scene, model);
+  } catch (const std::invalid_argument& e) {
+    return e.what();
+  }
+  return "none";
+}
+
+TEST(SimbodyPeer, NamesWhatHasNoCounterpart) {
+  EXPECT_EQ(refusal_by_simbody([](Mechanism& m) { m.name = "five_bar"; }), "none");
+  EXPECT_EQ(refusal_by_simbody([](Mechanism& m) {
+              m.joints[0].name = "slot";
+              m.joints[0].type = Mechanism::JointType::revolute_on_slider;
+            }),
+            "simbody: no counterpart of joint 'slot'");
+  EXPECT_EQ(refusal_by_simbody([](Mechanism& m) { m.coordinates[0].opposite = true; }),
+            "simbody: 'crank/theta' cannot be driven");
+  EXPECT_EQ(refusal_by_simbody([](Mechanism& m) { m.joints.push_back(m.joints[0]); }),
+            "simbody: 'four_bar' has loops that no rod or strut closes");
+}
+
+TEST(CeresPeer, SolvesForWhatMovesAndIsNotDriven) {
+  EXPECT_EQ(setup_by("ceres", truck_suspension(1)),
+            "39 parameter blocks with 109 unknowns, 85 cost functions with 109 residuals");
+}
+
+}  // namespace
+}  // namespace desmo::peers_test
