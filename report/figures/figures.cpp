@@ -73,16 +73,18 @@ void keep_measured(Json& scale, const std::string& channel, std::set<std::string
   scale["range"] = std::move(range);
 }
 
-/// Does so in all scales below a node of a specification; returns the names that are left. A scale
-/// of what the design computes stays as it is.
+/// Does so in all scales below a node of a specification; gives the names of the first. A scale
+/// with a scheme takes all names there are; one of what the design computes stays as it is.
 void keep_measured(Json& node, const Json& data, Json& shown) {
   for (auto& [channel, child] : node.items()) {
-    if (child.is_object() && child.contains("field") &&
-        child.value("scale", Json::object()).contains("range") &&
-        child["scale"].contains("domain")) {
-      if (const auto measured = values_of(data, child["field"]); !measured.empty())
-        keep_measured(child["scale"], channel, measured);
-      shown = child["scale"]["domain"];
+    if (child.is_object() && child.contains("field") && child.contains("scale")) {
+      Json& scale = child["scale"];
+      const auto measured = values_of(data, child["field"]);
+      if (scale.contains("scheme")) scale["domain"] = measured;
+      if (scale.contains("range") && scale.contains("domain") && !measured.empty())
+        keep_measured(scale, channel, measured);
+      if (shown.is_null() && (scale.contains("scheme") || scale.contains("range")))
+        shown = scale["domain"];
     }
     if (child.is_structured()) keep_measured(child, data, shown);
   }
@@ -103,7 +105,6 @@ NewFile figure(const Table& table) {
     spec["vconcat"].erase(1);
   Json shown;
   keep_measured(spec, data, shown);
-  if (meta.contains("legend")) shown = values_of(data, meta["legend"]);
   if (!shown.is_null()) spec["params"][0]["value"] = std::move(shown);
   for (Json& datum : data) {
     const Json all = datum;

@@ -18,10 +18,10 @@ namespace desmo::report {
 /// under
 ///   their own names, "shown" and "note".
 /// - number: a column. The second panel shows rows without that number, if there are any.
-/// - legend: a field. Its values, whatever they are, are what the legend and the boxes show.
-/// Without
-///   it they are those of the scales, which keep what was measured, each with its colour and shape;
-///   a name that no scale knows is a grey cross.
+///
+/// The boxes below a figure and its legend show the names of its first scale that has some. A scale
+/// keeps what was measured, each with its colour and shape; what it does not know is a grey cross.
+/// A scale with a scheme takes all names.
 std::vector<NewFile> figures(const Document& document);
 
 }  // namespace desmo::report

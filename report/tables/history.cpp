@@ -28,7 +28,7 @@ Section history_section(const History& history) {
   for (const HistoryPoint& point : history.points) {
     const std::string date = point.date.substr(0, 10);
     std::vector<Entry>& row = lines.rows.emplace_back();
-    row = {++number, point.commit, date, point.subject};
+    row = {++number, point.commit, date, point.title};
     for (std::size_t i = 0; i < history.candidates.size(); ++i) {
       if (!point.instructions[i]) {
         row.push_back(note_entry(missing_mark));
@@ -43,7 +43,7 @@ Section history_section(const History& history) {
       const std::string percent = percent_of(change);
       moves.rows.push_back({point.commit,
                             date,
-                            point.subject,
+                            point.title,
                             history.candidates[i],
                             count_entry(static_cast<std::size_t>(before)),
                             count_entry(static_cast<std::size_t>(count)),

@@ -100,8 +100,9 @@ TEST_F(Program, WritesASiteOfAllRecords) {
   const std::string command = "site " + results.string() + " --out " + out.string();
   ASSERT_EQ(report(command), 0) << err_;
   const std::string index = files_in(out).at("index.html");
-  for (const std::string name : {"one-paper", "two-paper", "one-paper-and-two-paper", "history"}) {
-    if (!fs::exists(out / name)) continue;
+  const std::string machines = cpu < other ? "one-paper-and-two-paper" : "two-paper-and-one-paper";
+  for (const std::string& name :
+       {std::string("one-paper"), std::string("two-paper"), machines, std::string("history")}) {
     EXPECT_NE(index.find("href=\"" + name + "/report.html\""), std::string::npos) << name;
     EXPECT_NE(files_in(out / name).at("report.html").find("../index.html"), std::string::npos);
   }
