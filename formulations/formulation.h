@@ -27,9 +27,8 @@ struct State;
 ///     if (formulation->step(0.01 * i).ok()) use(formulation->q(), formulation->qd());
 ///
 /// Rule of threads, in all of desmo:
-/// - Threads may share whatever is const: a Model, Settings, generated code, the tables of
-/// variants,
-///   cases and the library. These outlive the formulations that use them.
+/// - Threads may share whatever is const: a Model, Settings, generated code and all tables, such as
+///   variants(). These outlive the formulations that use them.
 /// - One thread at a time uses a Formulation, a LiveRun or an Observer: each thread makes its own.
 /// - A formulation with Settings::threads above 1 calls its observer from several threads, one call
 ///   at a time, or the observers that Observer::of_thread() gives, each from its own thread.

@@ -17,6 +17,7 @@
 
 #include "bench/peers/peer.h"
 #include "cases/generators/cases.h"
+#include "formulations/algebra/backend.h"
 #include "formulations/id.h"
 #include "formulations/variants.h"
 #include "formulations/verification/error.h"
