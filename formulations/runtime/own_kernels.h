@@ -12,8 +12,8 @@
 
 namespace desmo::load {
 
-// *Own kernels* are generated, compiled and loaded at run time for a user's mechanism. desmo was
-// built without kernels for its part types.
+// Code is generated, compiled and loaded at run time for a user's mechanism: desmo was built
+// without kernels for its part types.
 
 /// The parts of one type in a formulation.
 struct TypeUse {

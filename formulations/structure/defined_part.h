@@ -15,7 +15,8 @@ struct DefinedPart {
   /// missing and automatic equations stand in for it.
   bool as_named = true;
   Level level = Level::acceleration;  ///< highest level at which its unknowns are requested
-  /// Tolerance on ‖Φ‖₂ of its weighted equations: its share, or the rounding level if larger.
+  /// Tolerance on ‖Φ‖₂ of its weighted equations: its share of the formulation's tolerance, or what
+  /// rounding leaves if that is more.
   double tolerance = 0;
 };
 

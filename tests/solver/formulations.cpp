@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <map>
 #include <vector>
 
 #include "bench/experiments/paper/case_candidate.h"
@@ -29,14 +28,14 @@ paper::Options options_for(double duration) {
   return o;
 }
 
-/// Returns the references of motions of this duration, which all tests of a process share.
-bench::ReferenceCache& references(double duration) {
-  static std::map<double, bench::ReferenceCache> caches;
-  return caches[duration];
+/// Returns the references that all tests of a process share.
+bench::ReferenceCache& references() {
+  static bench::ReferenceCache cache;
+  return cache;
 }
 
-void expect_agreement(paper::CaseCandidate& cell, double duration) {
-  cell.verify(references(duration));
+void expect_agreement(paper::CaseCandidate& cell) {
+  cell.verify(references());
   EXPECT_EQ(cell.state, paper::CaseCandidate::State::verified)
       << cell.name() << ": " << cell.message;
   EXPECT_GE(cell.errors.instants, std::min(cell.grid.instants, 50)) << cell.name();
@@ -61,7 +60,7 @@ TEST_P(Sizes, EveryFormulationAgreesWithTheQuadrupleReference) {
   for (const Variant& v : all) {
     paper::CaseCandidate cell(*definition, coordinates, v, options);
     if (cell.state == paper::CaseCandidate::State::not_run) continue;
-    expect_agreement(cell, duration);
+    expect_agreement(cell);
     ++verified;
   }
   EXPECT_GE(verified,
@@ -90,7 +89,7 @@ TEST_P(Sizes, DenseGlobalSolvesAgreeOverAShorterMotion) {
   for (const Variant& v : variants()) {
     if (!is_dense_global(v)) continue;
     paper::CaseCandidate cell(*definition, coordinates, v, options);
-    cell.verify(references(short_motion));
+    cell.verify(references());
     EXPECT_EQ(cell.state, paper::CaseCandidate::State::verified)
         << cell.name() << ": " << cell.message;
     ++verified;
@@ -107,7 +106,7 @@ TEST_P(LargestSizes, TwoFormulationsAgreeOverALongerMotion) {
   for (const char* id : {"global_automatic_klu", "group_symbolic_explicit"}) {
     paper::CaseCandidate cell(definition, definition.sizes.back(), find_variant(id),
                               options_for(duration));
-    expect_agreement(cell, duration);
+    expect_agreement(cell);
   }
 }
 

@@ -141,8 +141,7 @@ int run(const bench::CommandLine& line) {
     for (const Candidate* candidate : chosen) std::cout << candidate->name() << '\n';
     return 0;
   }
-  std::optional<Recording> recording;
-  if (!options.record.empty()) recording.emplace(options.record, line.text, line.experiment);
+  std::optional<Recording> recording = begin_asked_record(options, line);
 
   Json all_lists;
   bool failed = false;

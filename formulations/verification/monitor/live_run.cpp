@@ -87,7 +87,7 @@ LiveSummary LiveRun::step(const LiveRow& row) {
   summary.time = row.time;
   summary.fault = fault_of(row);
   if (summary.fault != RowFault::none) {
-    summary.status = Status::not_finite;
+    summary.status = Status::refused;
     return summary;
   }
   std::ranges::copy(row.z, tried_.begin());
