@@ -77,7 +77,7 @@ class Batch {
  private:
   Scatter targets(std::span<const int> numbers, std::span<int> places) const;
   template <std::size_t lanes>
-  void drive(MotionRow row);
+  void write_drivers(MotionRow row);
   void store(std::span<const int> numbers, std::size_t subsystem, State& state) const;
   void scatter(const Scatter& targets, Level level, const OutputView& to) const;
   template <class Visit>

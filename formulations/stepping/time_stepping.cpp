@@ -98,7 +98,7 @@ Summary TimeStepping::solve_at(double t, Level level) {
   std::swap(now_, before_);
   State& state = now_.state;
   const State& last = before_.state;
-  const MotionRow& row = drivers_.drive(t, state);  // z, ż, z̈
+  const MotionRow& row = drivers_.sample(t, state);  // z, ż, z̈
   predict_(history, last, state, state);
   sequence_.begin_step(history, row);
   const PartSequence::Result result = sequence_.solve_moving(state, last.q, level);  // in order
@@ -243,7 +243,7 @@ bool TimeStepping::start_at(std::span<const double> q, double t) {
   assembled_ = continue_drivers_to(model(), t, state, solve);
   if (!assembled_) return false;
   last.q = state.q;
-  drivers_.drive(t, state);  // whole turns
+  drivers_.sample(t, state);  // whole turns
   assembled_ = sequence_.solve_positions(state, last.q);
   sequence_.end_assembly();
   return assembled_;

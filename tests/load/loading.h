@@ -70,7 +70,7 @@ class Loading : public testing::Test {
 
   OwnKernels load(KernelTable& table, const std::string& id = "group_symbolic_inlined") {
     const Configuration c = parse_id(id);
-    return add_own_kernels(table, *c.variant, c.settings, model_, scene_.grid, limit_);
+    return add_generated_code(table, *c.variant, c.settings, model_, scene_.grid, limit_);
   }
   OwnKernels load() {
     KernelTable table;

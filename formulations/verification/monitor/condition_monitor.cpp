@@ -51,7 +51,7 @@ void ConditionMonitor::go_on(const Instant& instant) {
 
 void ConditionMonitor::look(const Instant& instant, ScaledSystem& system) {
   std::ranges::copy(instant.q, state_.begin());
-  if (system.factorise(state_)) return take(system);
+  if (system.factor(state_)) return take(system);
   growth_ = INFINITY;
   fall_ = way_ = next_ = 0;
 }

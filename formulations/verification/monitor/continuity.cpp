@@ -128,7 +128,7 @@ void Continuity::predict(double t, const Instant& like, Assessor& assessor) {
     next_.state.qdd[i] = from.qdd[i];
   }
   next_.time = t;
-  drive(model_, t, next_.state);
+  write_drivers(model_, t, next_.state);
   const Instant solved = assessor.corrected(view(next_, like));
   std::ranges::copy(solved.q, next_.state.q.begin());
   std::ranges::copy(solved.qd, next_.state.qd.begin());
@@ -150,7 +150,7 @@ std::optional<Instant> Continuity::solve_anew(const Instant& instant, const Eige
 
 Instant Continuity::driven(const Instant& instant) {
   next_.take(instant);
-  drive(model_, instant.time, next_.state);
+  write_drivers(model_, instant.time, next_.state);
   return view(next_, instant);
 }
 

@@ -55,7 +55,7 @@ void GlobalSolver<S>::solve_positions(double t) {
   }
   Settling<S> settled;
   for (int iteration = 0; iteration < 50; ++iteration) {
-    factorise();
+    factor();
     system_.template residual<S>(positions_, {linear_->residual.data(), phi_.size()});
     if (settled(correct(&Jet<S>::value))) return;
   }
@@ -65,7 +65,7 @@ void GlobalSolver<S>::solve_positions(double t) {
 
 template <class S>
 void GlobalSolver<S>::solve_rates() {
-  factorise();
+  factor();
   for (const int i : system_.unknowns()) state_[i].first = state_[i].second = S(0);
   for (int pass = 0; pass < 3; ++pass) {
     system_.template residual<Jet<S>>(state_, phi_);  // Φ, Φ̇ and Φ̈
@@ -78,7 +78,7 @@ void GlobalSolver<S>::solve_rates() {
 
 /// Factorises Φ_φ at the present positions.
 template <class S>
-void GlobalSolver<S>::factorise() {
+void GlobalSolver<S>::factor() {
   auto& [residual, entries, matrix, lu, analysed] = *linear_;
   if (residual.size() == 0) return;  // drivers only
   std::ranges::transform(state_, positions_.begin(), &Jet<S>::value);
