@@ -30,7 +30,6 @@ std::string describe(const Summary& s, const Model& m) {
   }
   const char* reason = s.status == Status::singular        ? "singular Jacobian"
                        : s.status == Status::not_converged ? "no convergence"
-                       : s.status == Status::refused       ? "unusable driver values"
                                                            : "the equations are not finite";
   std::snprintf(text, sizeof text, "%s at t = %.9g s, residual %.2e", reason, s.time, s.residual);
   std::string result = text;

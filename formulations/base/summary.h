@@ -11,7 +11,6 @@ enum class Status {
   not_converged,  ///< the tolerance was not met in the iterations allowed
   singular,       ///< Φ_φ could not be factorised
   not_finite,     ///< Φ is not a finite number
-  refused,        ///< nothing was tried, since the input is unusable (LiveSummary::fault)
 };
 
 /// Outcome of a step or of a whole run:

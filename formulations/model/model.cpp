@@ -58,7 +58,7 @@ EntityId Model::add_fixed(EntityKind kind, std::string entity_name,
   return id;
 }
 
-void Model::prescribe(EntityId coordinate, Motion motion) {
+void Model::drive(EntityId coordinate, Motion motion) {
   const Entity& e = entities.at(coordinate);
   require(e.size == 1 && !e.fixed, "driver of '" + e.name + "': not a scalar coordinate");
   drivers.push_back({coordinate, motion});

@@ -98,7 +98,7 @@ struct Model {
   /// Adds an entity that never moves.
   EntityId add_fixed(EntityKind kind, std::string entity_name, std::span<const double> values);
   /// Prescribes the motion of a scalar coordinate.
-  void prescribe(EntityId coordinate, Motion motion);
+  void drive(EntityId coordinate, Motion motion);
 
   /// Adds a constraint to a group. Throws std::invalid_argument, naming the constraint, when an
   /// operand has another size than the kind needs or a constant is not finite.

@@ -122,7 +122,7 @@ std::pair<Model, std::vector<EntityId>> reduce(const Model& whole, const Upstrea
     m.constraints.push_back(std::move(constraint));
   }
   for (const Driver& d : whole.drivers)
-    if (entity[d.coordinate] >= 0) m.prescribe(entity[d.coordinate], d.motion);
+    if (entity[d.coordinate] >= 0) m.drive(entity[d.coordinate], d.motion);
   validate(m);
   return {std::move(m), std::move(entity)};
 }

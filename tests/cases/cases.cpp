@@ -190,7 +190,7 @@ TEST_F(Broken, WrongOperandsAndDrivers) {
   const EntityId s = m.add(EntityKind::angle, "s", std::array{0.0}, 0);
   EXPECT_THROW(m.constrain<Length<2>>(0, "length", {p, s}, {1}), std::invalid_argument);
   EXPECT_THROW(m.constrain<Length<2>>(0, "length", {p, p}, {NAN}), std::invalid_argument);
-  EXPECT_THROW(m.prescribe(p, Polynomial{}), std::invalid_argument);
+  EXPECT_THROW(m.drive(p, Polynomial{}), std::invalid_argument);
   EXPECT_THROW(m.find("q"), std::invalid_argument);
 }
 

@@ -128,7 +128,7 @@ class Modeller {
   void drive() {
     std::size_t motion = 0;
     for (std::size_t c = 0; c < d_.coordinates.size(); ++c)
-      if (d_.coordinates[c].driven) m_.prescribe(result_.coordinates[c], motions_.at(motion++));
+      if (d_.coordinates[c].driven) m_.drive(result_.coordinates[c], motions_.at(motion++));
   }
 
   /// As the paper counts: what the bodies carry and the joints name, unless a later group finds it.

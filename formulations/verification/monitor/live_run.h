@@ -47,6 +47,9 @@ struct LiveSummary : Summary {
   }
 };
 
+/// Returns a sentence for people, like that of a Summary; of a row that was refused, why.
+std::string describe(const LiveSummary& summary, const Model& model);
+
 /// A run whose drivers are handed in at every step, for a controller, a simulator in a loop or an
 /// optimiser:
 ///
