@@ -57,9 +57,9 @@ class Ma27 final : public LinearSolver<double> {
     std::ranges::copy(a_.normal.values(), reals_.begin());
     const int reals = count(reals_), integers = count(integers_);
     Ma27Dialogue& d = a_.dialogue;
-    coinhsl().ma27.factor(&n_, &entries_, a_.row.data(), a_.column.data(), reals_.data(), &reals,
-                          integers_.data(), &integers, a_.order.data(), &a_.steps, &max_front_,
-                          a_.work.data(), d.icntl.data(), d.cntl.data(), d.info.data());
+    coinhsl().ma27.factorise(&n_, &entries_, a_.row.data(), a_.column.data(), reals_.data(), &reals,
+                             integers_.data(), &integers, a_.order.data(), &a_.steps, &max_front_,
+                             a_.work.data(), d.icntl.data(), d.cntl.data(), d.info.data());
   }
 
   /// Whether memory was short, and there is more of it now.
