@@ -64,11 +64,5 @@ bool read(CLI::App& parser, const CommandLine& line);
 inline Recording begin_record(const CommonOptions& options, const CommandLine& line) {
   return {options.record, line.text, line.experiment};
 }
-/// Begins the record where one is asked for.
-inline std::optional<Recording> begin_asked_record(const CommonOptions& options,
-                                                   const CommandLine& line) {
-  if (options.record.empty()) return std::nullopt;
-  return begin_record(options, line);
-}
 
 }  // namespace desmo::bench

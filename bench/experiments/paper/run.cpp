@@ -141,7 +141,8 @@ int run(const bench::CommandLine& line) {
     for (const Candidate* candidate : chosen) std::cout << candidate->name() << '\n';
     return 0;
   }
-  std::optional<Recording> recording = begin_asked_record(options, line);
+  std::optional<Recording> recording;
+  if (!options.record.empty()) recording.emplace(options.record, line.text, line.experiment);
 
   Json all_lists;
   bool failed = false;
