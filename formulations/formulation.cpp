@@ -1,5 +1,9 @@
 #include "formulations/formulation.h"
 
+#include <stdexcept>
+
+#include "formulations/base/part.h"
+
 namespace desmo {
 
 namespace {
@@ -8,7 +12,14 @@ std::span<const double> coordinates(const Model& m, const std::vector<double>& v
   return {values.data(), static_cast<std::size_t>(m.coordinates())};
 }
 
+[[noreturn]] void refuse_live_drivers() {
+  throw std::logic_error("this formulation needs a motion known in advance (see is_live)");
+}
+
 }  // namespace
+
+Summary Formulation::step(const LiveRow&, Level, int) { refuse_live_drivers(); }
+void Formulation::return_to(std::span<const double>, double) { refuse_live_drivers(); }
 
 long Formulation::refactorisations() const {
   long sum = 0;

@@ -1,12 +1,10 @@
 #pragma once
 
-#include <optional>
 #include <span>
 #include <vector>
 
 #include "formulations/base/live_row.h"
 #include "formulations/base/observer.h"
-#include "formulations/base/part.h"
 #include "formulations/base/settings.h"
 #include "formulations/base/summary.h"
 #include "formulations/model/model.h"
@@ -14,6 +12,7 @@
 
 namespace desmo {
 
+// Not installed: users of the library only see their names.
 struct DefinedPart;
 struct State;
 
@@ -51,20 +50,18 @@ class Formulation {
   virtual Summary step(double t, Level level = Level::acceleration) = 0;
 
   /// Returns whether drivers may be handed in step by step. Settings that need a motion known in
-  /// advance (segments, threads, stride) do not allow it.
+  /// advance (segments, threads, stride) do not allow it: both functions below then throw
+  /// std::logic_error.
   virtual bool is_live() const { return false; }
   /// Solves an instant like step(t), with driver values from a row instead of the motions. Takes at
   /// most max_sub_steps sub-steps, in which drivers move linearly from their last positions to the
   /// row. Takes nothing from the heap; so a failure names the group at most, and no constraint.
   /// The row is not checked: LiveRun checks rows and assesses results.
-  virtual Summary step(const LiveRow&, Level, int max_sub_steps) {
-    static_cast<void>(max_sub_steps);
-    return {.status = Status::not_converged};
-  }
+  virtual Summary step(const LiveRow& row, Level level, int max_sub_steps);
   /// Returns to positions q that were solved before, at time t [s]; the next live step starts
   /// there. Rates become unknown. q: Model::coordinates() values or more; empty: the next step
   /// assembles.
-  virtual void return_to(std::span<const double>, double t) { static_cast<void>(t); }
+  virtual void return_to(std::span<const double> q, double t);
 
   /// Runs through the motion that the model's drivers have: assembles at the first instant of the
   /// grid, solves the others as the settings say, and hands each to the observer. Stops at the
@@ -73,18 +70,6 @@ class Formulation {
   /// the last one handed on. Throws std::invalid_argument for a request that names a coordinate
   /// twice or one that does not exist.
   virtual Summary run(const TimeGrid& grid, const Request& request, Observer& observer) = 0;
-
-  /// Goes to time t [s] of the motion without solving the instants before, by continuation: drivers
-  /// move linearly from the positions q to where they are at t. q: Model::state_size() values,
-  /// solved at another instant. A step or run_on() goes on from there. Returns false where the
-  /// position cannot be reached.
-  virtual bool start_at(std::span<const double> q, double t) = 0;
-
-  /// Runs like run(), but starts at the position that start_at() reached. Returns nothing where an
-  /// instant could not be solved or segments do not meet; all that the observer was given is then
-  /// void.
-  virtual std::optional<Summary> run_on(const TimeGrid& grid, const Request& request,
-                                        Observer& observer) = 0;
 
   /// Solves each part only to the highest level that is needed of its unknowns. needed: the level
   /// of each coordinate, as Plan::levels has them: a coordinate that a part reads must have the
@@ -95,11 +80,8 @@ class Formulation {
   /// Returns how often a motion that was to be solved in segments was solved step by step instead.
   virtual long run_by_steps() const { return 0; }
 
+  /// Returns the parts in the order of solution, for programs built in this tree.
   virtual const std::vector<DefinedPart>& parts() const = 0;
-
-  /// Returns the instant solved last: q, q̇, q̈ of the coordinates, then of the fixed entities.
-  /// During a run whose request names coordinates, all others are unspecified.
-  virtual const State& state() const = 0;
 
   const Model& model() const { return model_; }
 
@@ -115,7 +97,8 @@ class Formulation {
   /// chosen anew.
   long refactorisations() const;
 
-  /// Return the instant solved last, in coordinate order (Model::coordinates() values).
+  /// Return the instant solved last, in coordinate order (Model::coordinates() values). During a
+  /// run whose request names coordinates, all others are unspecified.
   std::span<const double> q() const;
   std::span<const double> qd() const;
   std::span<const double> qdd() const;
@@ -123,6 +106,9 @@ class Formulation {
  protected:
   Formulation(const Model& model, const Settings& settings, double tolerance)
       : model_(model), settings_(settings), tolerance_(tolerance) {}
+
+  /// Returns the instant solved last, the fixed entities included.
+  virtual const State& state() const = 0;
 
  private:
   const Model& model_;

@@ -10,6 +10,7 @@
 #include <system_error>
 #include <vector>
 
+#include "cases/mechanism/names.h"
 #include "formulations/equations/lane_kernel.h"
 #include "formulations/prediction/guess.h"
 
@@ -23,8 +24,6 @@ constexpr std::array btf_names{"on", "off"};
 constexpr std::array scalar_names{"double", "float", "mixed"};
 constexpr std::array guesses{Guess::previous, Guess::linear,   Guess::quadratic,
                              Guess::hermite3, Guess::hermite5, Guess::adams8};
-
-std::string in_quotes(std::string_view text) { return "'" + std::string(text) + "'"; }
 
 /// The shortest text that reads back to the same number, the exponent without zeros: 1e-6.
 std::string shortest(double value) {

@@ -24,9 +24,9 @@ namespace desmo {
 
 namespace {
 
-/// What generated eliminations fall back to: it pivots, and allocates nothing.
+/// Returns what generated eliminations fall back to.
 const Backend& pivoting_backend() {
-  return **std::ranges::find(backends(), "eigen", [](const Backend* b) { return b->name; });
+  return **std::ranges::find(backends(), true, [](const Backend* b) { return b->is_fallback; });
 }
 
 /// What all parts of a formulation are made of.
@@ -100,24 +100,10 @@ std::vector<DefinedPart> make_parts(const Common& common, std::vector<PartDefini
   return parts;
 }
 
-/// Formulations that differ from what is to be made in that each has one thread alone.
-std::unique_ptr<SegmentExecutor> on_threads(const Variant& v, const Model& m, Settings settings,
-                                            const KernelTable& table) {
-  std::vector<std::unique_ptr<Formulation>> workers(settings.threads);
-  settings.threads = settings.stride = 1;
-  for (auto& worker : workers) worker = make_formulation(v, m, settings, nullptr, &table);
-  return std::make_unique<ThreadExecutor>(std::move(workers), min_segment * settings.segments);
-}
-
-}  // namespace
-
-std::unique_ptr<Formulation> make_formulation(const Variant& v, const Model& m,
-                                              const Settings& settings, Profile* profile,
-                                              const KernelTable* added) {
-  if (const std::string reason = unsupported_reason(v, settings); !reason.empty())
-    throw std::invalid_argument(v.id + ": " + reason);
-  if (const std::string reason = unavailable_reason(settings); !reason.empty())
-    throw std::invalid_argument(id_with(v, settings) + ": " + reason);
+/// Makes all of a formulation but its stride.
+std::unique_ptr<SegmentSolver> make_solver(const Variant& v, const Model& m,
+                                           const Settings& settings, Profile* profile,
+                                           const KernelTable& table) {
   std::vector<PartDefinition> definitions = make_partition(m, v.partition);
   std::vector<int> type_ends{static_cast<int>(definitions.size())};
   if (!v.backend) type_ends = gather_types(m, definitions);
@@ -125,7 +111,6 @@ std::unique_ptr<Formulation> make_formulation(const Variant& v, const Model& m,
   // rounding leaves a part more than its share.
   Settings own = settings;
   own.tolerance /= std::sqrt(static_cast<double>(definitions.size()));
-  const KernelTable& table = added ? *added : KernelTable::built_in();
   std::shared_ptr<SinglePrecisionState> single;
   if (settings.scalar == Scalar::single_precision)
     single = std::make_shared<SinglePrecisionState>(m.state_size());
@@ -133,7 +118,12 @@ std::unique_ptr<Formulation> make_formulation(const Variant& v, const Model& m,
 
   std::unique_ptr<SegmentExecutor> segments;
   if (settings.threads > 1) {
-    segments = on_threads(v, m, settings, table);
+    std::vector<std::unique_ptr<SegmentSolver>> workers(settings.threads);
+    Settings of_worker = settings;
+    of_worker.threads = of_worker.stride = 1;
+    for (auto& worker : workers) worker = make_solver(v, m, of_worker, nullptr, table);
+    segments =
+        std::make_unique<ThreadExecutor>(std::move(workers), min_segment * settings.segments);
   } else if (settings.segments > 1) {
     std::vector<LaneExecutor::Parts> lanes(settings.segments);
     for (LaneExecutor::Parts& parts : lanes) parts = make_parts(common, definitions);
@@ -142,14 +132,23 @@ std::unique_ptr<Formulation> make_formulation(const Variant& v, const Model& m,
   std::vector<DefinedPart> parts = make_parts(common, std::move(definitions));
   if (settings.lanes > 1) parts = make_batches(m, std::move(parts), type_ends, settings, table);
   auto steps = std::make_unique<TimeStepping>(m, std::move(parts), settings);
-  std::unique_ptr<Formulation> formulation;
-  if (segments)
-    formulation = std::make_unique<Segmented>(std::move(steps), std::move(segments));
-  else
-    formulation = std::move(steps);
-  if (settings.stride > 1)
-    formulation = std::make_unique<Interpolated>(std::move(formulation), settings.stride);
-  return formulation;
+  if (!segments) return steps;
+  return std::make_unique<Segmented>(std::move(steps), std::move(segments));
+}
+
+}  // namespace
+
+std::unique_ptr<Formulation> make_formulation(const Variant& v, const Model& m,
+                                              const Settings& settings, Profile* profile,
+                                              const KernelTable* table) {
+  if (const std::string reason = unsupported_reason(v, settings); !reason.empty())
+    throw std::invalid_argument(v.id + ": " + reason);
+  if (const std::string reason = unavailable_reason(settings); !reason.empty())
+    throw std::invalid_argument(id_with(v, settings) + ": " + reason);
+  std::unique_ptr<SegmentSolver> solver =
+      make_solver(v, m, settings, profile, table ? *table : KernelTable::built_in());
+  if (settings.stride == 1) return solver;
+  return std::make_unique<Interpolated>(std::move(solver), settings.stride);
 }
 
 }  // namespace desmo

@@ -60,11 +60,10 @@ bool is_dense_global(const Variant& v) {
 }
 
 std::string_view slow_reason(const Variant& v) {
-  const std::string_view algebra = algebra_name(v);
-  if (algebra == "spqr") return "orthogonal factorisation serves accuracy, not speed";
-  if (v.partition == Partition::block && (algebra == "umfpack" || algebra == "sparselu"))
-    return "a library's overhead is all there is in blocks this small";
-  return {};
+  if (!v.backend) return {};
+  if (v.partition != Partition::block || !v.backend->slow_reason.empty())
+    return v.backend->slow_reason;
+  return v.backend->slow_blocks_reason;
 }
 
 bool has_phases(const Variant& v) { return v.backend != nullptr; }
@@ -82,7 +81,7 @@ std::string unsupported_reason(const Variant& v, const Settings& s) {
       return "there is code for four lanes or eight, in explicit order";
   if (s.lanes != 1 && s.segments != 1)
     return "lanes hold parts of one type or segments of the motion, not both";
-  if (s.btf != BlockTriangularForm::on && algebra_name(v) != "klu")
+  if (s.btf != BlockTriangularForm::on && !(v.backend && v.backend->has_btf))
     return "block triangular form is KLU's, and there is none to leave out";
   const bool other_scalar = s.scalar != Scalar::double_precision;
   if (!v.backend) {

@@ -15,6 +15,7 @@
 
 namespace desmo {
 
+// Not installed: users of the library only see their names.
 enum class Partition;
 enum class Evaluation;
 struct Profile;

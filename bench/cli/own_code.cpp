@@ -13,7 +13,7 @@ namespace {
 
 /// Returns a note on the code generated for a formulation and the time it took, or on why there is
 /// none. It is empty when the program's own code sufficed.
-std::string note_on(const load::OwnKernels& own) {
+std::string note_on(const load::GenerationOutcome& own) {
   std::string note;
   if (own.parts_too_large > 0)
     note = "note: " + count(own.parts_too_large, "part") + " too large to generate code for\n";
@@ -35,7 +35,7 @@ std::string note_on(const load::OwnKernels& own) {
 
 }  // namespace
 
-void add_options(CLI::App& command, OwnCode& wanted) {
+void add_options(CLI::App& command, GenerationOptions& wanted) {
   command.add_flag("--no-compile", wanted.none,
                    "Generate and load no code: parts for which the program brings none are "
                    "evaluated automatically");
@@ -46,13 +46,13 @@ void add_options(CLI::App& command, OwnCode& wanted) {
       ->check(CLI::Range(0.001, 86400.0));
 }
 
-void add_own_code(KernelTable& table, const Configuration& formulation, const Model& model,
-                  const TimeGrid& grid, const OwnCode& wanted, bool quiet) {
+void add_missing_code(KernelTable& table, const Configuration& formulation, const Model& model,
+                      const TimeGrid& grid, const GenerationOptions& wanted, bool quiet) {
   if (wanted.none) return;
   const std::chrono::duration<double> limit(wanted.compile_limit);
-  const load::OwnKernels own =
-      load::add_own_kernels(table, *formulation.variant, formulation.settings, model, grid,
-                            std::chrono::ceil<std::chrono::milliseconds>(limit));
+  const load::GenerationOutcome own =
+      load::add_generated_code(table, *formulation.variant, formulation.settings, model, grid,
+                               std::chrono::ceil<std::chrono::milliseconds>(limit));
   if (!quiet) std::fputs(note_on(own).c_str(), stderr);
 }
 

@@ -10,17 +10,17 @@
 namespace desmo::cli {
 
 /// Options of code generation.
-struct OwnCode {
+struct GenerationOptions {
   bool none = false;
   double compile_limit = 60;  // [s]
 };
 
 /// Adds the options that set `wanted`, which must outlive the command.
-void add_options(CLI::App& command, OwnCode& wanted);
+void add_options(CLI::App& command, GenerationOptions& wanted);
 
 /// Generates and loads the code that a formulation needs and the program lacks, and adds it to the
 /// table. Unless quiet, reports the result on standard error.
-void add_own_code(KernelTable& table, const Configuration& formulation, const Model& model,
-                  const TimeGrid& grid, const OwnCode& wanted, bool quiet);
+void add_missing_code(KernelTable& table, const Configuration& formulation, const Model& model,
+                      const TimeGrid& grid, const GenerationOptions& wanted, bool quiet);
 
 }  // namespace desmo::cli

@@ -27,7 +27,7 @@ struct TuneOptions {
   Level level = Level::position;
   double max_error = 0, budget = 0;
   bool write = false, quiet = false;
-  OwnCode own_code;
+  GenerationOptions own_code;
 
   accuracy::Goal goal() const { return {level, max_error, budget}; }
 };
@@ -89,7 +89,7 @@ void write_scene(const std::string& path, const std::string& id) {
 KernelTable make_kernels(const Plan& plan, const TimeGrid& grid, const TuneOptions& options) {
   KernelTable kernels;
   for (const char* id : {"group_symbolic_explicit/lanes:4", "block_symbolic_explicit/lanes:4"})
-    add_own_code(kernels, parse_id(id), plan.model, grid, options.own_code, options.quiet);
+    add_missing_code(kernels, parse_id(id), plan.model, grid, options.own_code, options.quiet);
   return kernels;
 }
 

@@ -95,7 +95,7 @@ std::string missing_code(const Formulation& f) {
 }
 
 std::span<const ReferenceInstant> ReferenceCache::get(const Model& m, const TimeGrid& grid) {
-  Reference& reference = cache_[{m.name, m.coordinates()}];
+  Reference& reference = cache_[{m.name, m.coordinates(), grid.start, grid.step, grid.instants}];
   if (reference.instants.empty()) {
     const int count = std::min(grid.instants, instants_compared);
     std::vector<double> times;

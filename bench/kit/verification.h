@@ -1,10 +1,10 @@
 #pragma once
 
+#include <compare>
 #include <cstddef>
 #include <map>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "bench/kit/delivery.h"
@@ -14,8 +14,8 @@
 
 namespace desmo::bench {
 
-/// Largest differences over all coordinates and compared instants, absolute: in m and rad, unlike
-/// the relative errors of formulations/verification.
+/// Largest differences over all coordinates and compared instants, absolute, in units of the case,
+/// unlike the relative errors of formulations/verification.
 struct Errors {
   int instants = 0;
   double position = 0, velocity = 0, acceleration = 0;
@@ -78,15 +78,22 @@ void require_agreement(const Model& model, const PerLevel<double>& floor);
 /// a part falls back to automatic equations, and is not to be timed under that id.
 std::string missing_code(const Formulation& formulation);
 
-/// Quadruple-precision references at instants spread over a motion, made once for each case and
-/// size and shared by all its formulations.
+/// Quadruple-precision references at instants spread over a motion, made once for each case, size
+/// and grid and shared by all formulations.
 class ReferenceCache {
  public:
   /// Throws std::runtime_error when there is none: see make_reference and require_agreement.
   std::span<const ReferenceInstant> get(const Model& model, const TimeGrid& grid);
 
  private:
-  std::map<std::pair<std::string, int>, Reference> cache_;
+  struct Key {
+    std::string case_name;
+    int coordinates;
+    double start, step;  // of the grid [s]
+    int instants;
+    auto operator<=>(const Key&) const = default;
+  };
+  std::map<Key, Reference> cache_;
 };
 
 }  // namespace desmo::bench

@@ -26,7 +26,7 @@ struct Case {
   int base_coordinates;  ///< coordinates(units) = base + per_unit · units
   int coordinates_per_unit;
   std::vector<int> sizes;        ///< numbers of coordinates in the paper's tables, ascending
-  std::vector<int> extra_sizes;  ///< further ones, for the sparse global references and FBL-TP only
+  std::vector<int> extra_sizes;  ///< further ones: sparse global references and generated code only
 };
 
 /// Returns every case, in the order of the paper's tables.

@@ -10,9 +10,9 @@
 
 namespace desmo {
 
-/// The functions below read and write the files that cases/files.md specifies. Values are converted
-/// to metres (or the mechanism's free unit) and radians. All throw InputError. file_name is used in
-/// messages.
+// The functions below read and write the files that cases/files.md specifies. Values are converted
+// to metres (or the mechanism's free unit) and radians. Whatever reads throws InputError for a
+// fault in a file. file_name is used in messages.
 
 /// Return a mechanism that has passed validate().
 Mechanism parse_mechanism(std::string_view text, const std::string& file_name);

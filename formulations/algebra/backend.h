@@ -26,7 +26,16 @@ struct Backend {
   /// Makes a solver in single precision; null for sparse libraries.
   std::unique_ptr<LinearSolver<float>> (*make_single_solver)(const Pattern&) = nullptr;
   bool allocates = false;  ///< takes memory from the heap in every factorisation
+  bool has_btf = false;    ///< offers Settings::btf
+  /// Generated eliminations fall back to it: dense, with pivots, without heap. One has it.
+  bool is_fallback = false;
+  std::string_view slow_reason{};         ///< see slow_reason(); empty: it is not slow …
+  std::string_view slow_blocks_reason{};  ///< … in any partition, or in blocks
 };
+
+/// Backend::slow_blocks_reason of libraries that have much to do before they factorise.
+inline constexpr std::string_view slow_in_blocks =
+    "a library's overhead is all there is in blocks this small";
 
 /// Returns a version as text: "5.10.1".
 inline std::string version_text(int major, int minor, int patch) {

@@ -48,6 +48,7 @@ const Backend eigen_backend{
     .make_solver = &make_dense_solver<EigenLu>,
     .version =
         [] { return version_text(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION); },
-    .make_single_solver = &make_single_dense_solver<EigenLu>};
+    .make_single_solver = &make_single_dense_solver<EigenLu>,
+    .is_fallback = true};
 
 }  // namespace desmo

@@ -7,11 +7,13 @@ namespace desmo {
 
 extern const Backend klu_backend;
 const Backend klu_backend{
-    "klu", false,
-    [](const Pattern& pattern,
-       const PartSettings& settings) -> std::unique_ptr<LinearSolver<double>> {
+    .name = "klu",
+    .dense = false,
+    .make_solver = [](const Pattern& pattern,
+                      const PartSettings& settings) -> std::unique_ptr<LinearSolver<double>> {
       return std::make_unique<KluFactors>(pattern, settings.btf);
     },
-    [] { return version_text(KLU_MAIN_VERSION, KLU_SUB_VERSION, KLU_SUBSUB_VERSION); }};
+    .version = [] { return version_text(KLU_MAIN_VERSION, KLU_SUB_VERSION, KLU_SUBSUB_VERSION); },
+    .has_btf = true};
 
 }  // namespace desmo

@@ -50,6 +50,7 @@ const Backend sparselu_backend{
     .make_solver = &make_sparse_solver<SparseLu>,
     .version =
         [] { return version_text(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION); },
-    .allocates = true};
+    .allocates = true,
+    .slow_blocks_reason = slow_in_blocks};
 
 }  // namespace desmo

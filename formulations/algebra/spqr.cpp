@@ -81,6 +81,7 @@ const Backend spqr_backend{
     .make_solver = &make_sparse_solver<Spqr>,
     .version =
         [] { return version_text(SPQR_MAIN_VERSION, SPQR_SUB_VERSION, SPQR_SUBSUB_VERSION); },
-    .allocates = true};
+    .allocates = true,
+    .slow_reason = "orthogonal factorisation serves accuracy, not speed"};
 
 }  // namespace desmo

@@ -71,6 +71,7 @@ const Backend umfpack_backend{.name = "umfpack",
                                     return version_text(UMFPACK_MAIN_VERSION, UMFPACK_SUB_VERSION,
                                                         UMFPACK_SUBSUB_VERSION);
                                   },
-                              .allocates = true};
+                              .allocates = true,
+                              .slow_blocks_reason = slow_in_blocks};
 
 }  // namespace desmo

@@ -70,12 +70,31 @@ struct MotionRow;
 struct OutputView;
 struct StepHistory;
 
+/// The further duties of a part, such as a batch, that keeps what it finds in a layout of its own
+/// from one instant to the next. It predicts from there, and writes to the state only what is
+/// observed there.
+class ResidentPart {
+ public:
+  virtual ~ResidentPart() = default;
+
+  /// Fixes, before a run, where results go. Until then all are written to the state.
+  virtual void bind(const PartOutputs& outputs) = 0;
+  /// Begins a step. history: of the instants solved, the last of which the part keeps; where it is
+  /// unknown, as after a failure, solve() starts from the positions in the state, which are then
+  /// complete, and leaves all of them there. row: begins with PartInputs::drivers at the instant to
+  /// come.
+  virtual void begin_step(const StepHistory& history, const MotionRow& row) = 0;
+  /// Writes the instant solved last to an output, up to `level`, as bound.
+  virtual void deliver(const OutputView& output, Level level) const = 0;
+  /// Writes the instant solved last to the state: unknowns, and drivers taken from the row.
+  virtual void store(State& state) const = 0;
+  /// Writes positions of the instant before the one solved last, or tried; nothing where that one
+  /// was not predicted from it.
+  virtual void restore(std::span<double> q) const = 0;
+};
+
 /// Solves its unknowns, given those of all earlier parts. Owns its workspace; never touches the
 /// heap after its construction, apart from what a library does inside.
-///
-/// A scalar part leaves what it finds in the state. A resident part (a batch) keeps it in a layout
-/// of its own from one instant to the next, predicts from there, and writes to the state only what
-/// is observed there; the functions from bind() to restore() are for it, and do nothing in others.
 class Part {
  public:
   virtual ~Part() = default;
@@ -90,25 +109,8 @@ class Part {
   /// of others.
   virtual PartInputs inputs(PartInputs equations) const { return equations; }
 
-  virtual bool is_resident() const { return false; }
-  /// Fixes, before a run, where results go. Until then all are written to the state.
-  virtual void bind(const PartOutputs& outputs) { static_cast<void>(outputs); }
-  /// Begins a step. history: of the instants solved, the last of which the part keeps; where it is
-  /// unknown, as after a failure, solve() starts from the positions in the state, which are then
-  /// complete, and leaves all of them there. row: begins with inputs().drivers at the instant to
-  /// come.
-  virtual void begin_step(const StepHistory& history, const MotionRow& row) {
-    static_cast<void>(history), static_cast<void>(row);
-  }
-  /// Writes the instant solved last to an output, up to `level`, as bound.
-  virtual void deliver(const OutputView& output, Level level) const {
-    static_cast<void>(output), static_cast<void>(level);
-  }
-  /// Writes the instant solved last to the state: unknowns, and drivers taken from the row.
-  virtual void store(State& state) const { static_cast<void>(state); }
-  /// Writes positions of the instant before the one solved last, or tried; nothing where that one
-  /// was not predicted from it.
-  virtual void restore(std::span<double> q) const { static_cast<void>(q); }
+  /// Returns the part as one that keeps what it finds; null: it leaves all in the state.
+  virtual ResidentPart* resident() { return nullptr; }
 
   /// Makes a chain of the first of `parts`, this one and as many as can be solved in one call; null
   /// where that is not worth while.

@@ -127,12 +127,12 @@ void Batch::for_numbers(std::span<const int> numbers, std::size_t lane, Visit&& 
 void Batch::begin_step(const StepHistory& history, const MotionRow& row) {
   predicted_ = kept_ && history.last;
   if (predicted_) state_.predict(history);
-  lanes_ == 8 ? drive<8>(row) : drive<4>(row);
+  lanes_ == 8 ? write_drivers<8>(row) : write_drivers<4>(row);
   is_driven_ = true;
 }
 
 template <std::size_t lanes>
-void Batch::drive(MotionRow row) {
+void Batch::write_drivers(MotionRow row) {
   for (const int n : driven_) {
     copy_in_registers<lanes>(row.z, &state_.now().q[n * lanes]);
     copy_in_registers<lanes>(row.zd, &state_.now().qd[n * lanes]);

@@ -56,7 +56,7 @@ class Batch {
   void forget() { assembled_ = kept_ = predicted_ = is_driven_ = false; }
 
   /// Solves positions, velocities and accelerations of all subsystems, where the kernels may go on;
-  /// otherwise none is accepted. What is not accepted is of no meaning.
+  /// otherwise none is accepted. Positions and rates that are not accepted are unspecified.
   const Step& solve(const State& state);
   /// Takes from the state what the subsystems have found by themselves.
   void take(const State& state);
@@ -77,7 +77,7 @@ class Batch {
  private:
   Scatter targets(std::span<const int> numbers, std::span<int> places) const;
   template <std::size_t lanes>
-  void drive(MotionRow row);
+  void write_drivers(MotionRow row);
   void store(std::span<const int> numbers, std::size_t subsystem, State& state) const;
   void scatter(const Scatter& targets, Level level, const OutputView& to) const;
   template <class Visit>
@@ -87,11 +87,11 @@ class Batch {
   std::vector<KernelBatch> stages_;
   std::size_t lanes_;
   LanePlaces places_;  // in the state, of all that a subsystem reads and writes: local inputs
-  std::vector<int> unknowns_, driven_;  // local, ascending …
-  std::vector<int> own_;                // … and both
-  Gather constants_, moving_;           // of others: once, and in every step
-  Gather undriven_;                     // of drivers, where no step was begun
-  Gather starts_;                       // of its own
+  std::vector<int> unknowns_, driven_;  // local inputs, ascending
+  std::vector<int> own_;                // unknowns and driven ones, ascending
+  Gather constants_, moving_;           // values of other parts, read once and in every step
+  Gather undriven_;                     // drivers, where no step was begun
+  Gather starts_;                       // unknowns and drivers from which a step starts
   Scatter observed_, delivered_;
   BatchState state_;
   LaneValues residuals2_;  // of each stage, for the most lanes

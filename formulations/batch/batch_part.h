@@ -11,7 +11,7 @@ namespace desmo {
 /// Equal subsystems, none of which needs another, solved in batches by explicit code on wide
 /// registers. A subsystem is one part, or several whose results stay in lanes. One that has no
 /// position yet, or of which the code refuses a part, is solved alone, by its own parts.
-class BatchPart final : public GuardedPart {
+class BatchPart final : public GuardedPart, public ResidentPart {
  public:
   /// kernels: one or more, each for more lanes than the one before. subsystems: two or more,
   /// alike as are_alike() says. kinds: of each position in the state.
@@ -22,7 +22,7 @@ class BatchPart final : public GuardedPart {
   /// Names as predicted the inputs of the subsystem that is left over, if one is: batches predict
   /// from what they keep.
   PartInputs inputs(PartInputs equations) const override;
-  bool is_resident() const override { return true; }
+  ResidentPart* resident() override { return this; }
   void bind(const PartOutputs& outputs) override;
   void begin_step(const StepHistory& history, const MotionRow& row) override;
   void deliver(const OutputView& output, Level level) const override;

@@ -17,9 +17,8 @@ class KernelBatch {
   KernelBatch(const LaneKernel& kernel, std::vector<ExplicitPart*> lanes, std::vector<int> in);
   KernelBatch(KernelBatch&&) = default;  // what the binding points to comes along
 
-  /// Solves positions, velocities and accelerations, which lanes hold side by side. residual2: as
-  /// many as lanes, ‖Φ‖₂² of each. What is not accepted leaves positions as they were, rates
-  /// unspecified.
+  /// Solves positions, velocities and accelerations, which lanes hold side by side. residual2:
+  /// ‖Φ‖₂² of each lane. Positions and rates of a lane that is not accepted are unspecified.
   LaneResult solve(LaneState& state, double* residual2) const {
     return kernel_.solve(state.q.data(), state.qd.data(), state.qdd.data(), binding_, residual2);
   }
@@ -28,7 +27,6 @@ class KernelBatch {
   void take_branches();
 
   bool assembled() const;
-  const LaneKernel& kernel() const { return kernel_; }
 
  private:
   const LaneKernel& kernel_;

@@ -70,7 +70,7 @@ std::optional<Summary> LaneExecutor::run(const TimeGrid& grid, const Request& re
   double max_residual2 = 0;
   for (int i = 0; i <= length; ++i) {  // up to the first instant of the next segment
     predict(grid.interval(), i);
-    drive(grid, length, i);
+    write_drivers(grid, length, i);
     const Step step = solve();
     if (!step.ok) return {};
     max_residual2 = std::max(max_residual2, *std::ranges::max_element(residual2_));
@@ -154,7 +154,7 @@ void LaneExecutor::predict(double h, int known) {
   state_.predict({h, h, solved(1), solved(2)});
 }
 
-void LaneExecutor::drive(const TimeGrid& grid, int length, int i) {
+void LaneExecutor::write_drivers(const TimeGrid& grid, int length, int i) {
   std::array<double, max_lanes> of_lanes;
   for (int l = 0; l < lanes_; ++l)
     of_lanes[l] = grid.time(std::min(l * length + i, grid.instants - 1));

@@ -55,7 +55,7 @@ class LaneExecutor final : public SegmentExecutor {
   void pack(int lane, const State& from);
   void take_branches();
   void predict(double h, int known);
-  void drive(const TimeGrid& grid, int length, int i);
+  void write_drivers(const TimeGrid& grid, int length, int i);
   Step solve();
   void solve_lane(Stage& stage, int lane, Step& step);
   bool meet() const;

@@ -5,16 +5,14 @@
 #include <cstddef>
 #include <utility>
 
+#include "formulations/scaling/scales.h"
+
 namespace desmo {
 
 namespace {
 
 /// Difference of segments that meet, relative to the size of what differs.
 constexpr double max_difference = 1e-6;
-
-bool is_length(const Entity& e) {
-  return e.kind == EntityKind::point || e.kind == EntityKind::distance;
-}
 
 /// An observer that keeps the instants of a motion, for one that needs them in order or lends no
 /// memory.
@@ -65,10 +63,10 @@ class MotionBuffer final : public Observer {
 bool segments_meet(const Model& m, std::span<const double> ended, std::span<const double> begun) {
   double length = 0;
   for (const Entity& e : m.entities)
-    for (int k = e.first; !e.fixed && is_length(e) && k < e.first + e.size; ++k)
+    for (int k = e.first; !e.fixed && is_length(e.kind) && k < e.first + e.size; ++k)
       length = std::max(length, std::abs(begun[k]));
   return std::ranges::all_of(m.entities, [&](const Entity& e) {
-    const double allowed = max_difference * (is_length(e) ? length : 1);
+    const double allowed = max_difference * (is_length(e.kind) ? length : 1);
     for (int k = e.first; !e.fixed && k < e.first + e.size; ++k)
       if (!(std::abs(ended[k] - begun[k]) <= allowed)) return false;
     return true;
@@ -76,7 +74,7 @@ bool segments_meet(const Model& m, std::span<const double> ended, std::span<cons
 }
 
 Segmented::Segmented(std::unique_ptr<TimeStepping> steps, std::unique_ptr<SegmentExecutor> executor)
-    : Formulation(steps->model(), steps->settings(), steps->tolerance()),
+    : SegmentSolver(steps->model(), steps->settings(), steps->tolerance()),
       steps_(std::move(steps)),
       executor_(std::move(executor)) {}
 

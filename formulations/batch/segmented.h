@@ -34,7 +34,7 @@ bool segments_meet(const Model& model, std::span<const double> ended,
 
 /// A formulation that solves the segments of a motion at once, in lanes or on threads, or, where
 /// they do not meet, the motion step by step after all. Single instants are solved by steps.
-class Segmented final : public Formulation {
+class Segmented final : public SegmentSolver {
  public:
   Segmented(std::unique_ptr<TimeStepping> steps, std::unique_ptr<SegmentExecutor> executor);
 

@@ -132,7 +132,8 @@ class ThreadExecutor::SegmentObserver final : public Observer {
   std::vector<int> instants_;  // for which memory is borrowed
 };
 
-ThreadExecutor::ThreadExecutor(std::vector<std::unique_ptr<Formulation>> workers, int min_instants)
+ThreadExecutor::ThreadExecutor(std::vector<std::unique_ptr<SegmentSolver>> workers,
+                               int min_instants)
     : workers_(std::move(workers)),
       segments_(workers_.size()),
       min_instants_(min_instants),
@@ -182,10 +183,7 @@ std::optional<Summary> ThreadExecutor::run(const TimeGrid& grid, const Request& 
   whole.time = grid.time(grid.instants - 1);
   whole.stopped = shared.stopped;
   if (whole.stopped) return whole;
-  const Formulation& last = *workers_[count - 1];
-  std::ranges::copy(last.q(), state.q.begin());
-  std::ranges::copy(last.qd(), state.qd.begin());
-  std::ranges::copy(last.qdd(), state.qdd.begin());
+  state = workers_[count - 1]->state();
   return whole;
 }
 
@@ -195,7 +193,7 @@ void ThreadExecutor::solve(int k, const TimeGrid& grid, const Request& request, 
   s.total.reset();
   s.error = nullptr;
   s.ended = false;
-  Formulation& worker = *workers_[k];
+  SegmentSolver& worker = *workers_[k];
   if (!worker.start_at(first.q, grid.time(s.begin))) return;
   s.entered.assign(worker.q().begin(), worker.q().end());
   s.total = worker.run_on(cut(grid, s.begin, s.end), request, observer);

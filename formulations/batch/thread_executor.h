@@ -15,9 +15,8 @@ namespace desmo {
 class ThreadExecutor final : public SegmentExecutor {
  public:
   /// workers: one for each thread, alike, of the model whose motion is solved; they share only what
-  /// is const.
-  /// min_instants: of a segment that is worth entering.
-  ThreadExecutor(std::vector<std::unique_ptr<Formulation>> workers, int min_instants);
+  /// is const. min_instants: shortest segment that is worth entering.
+  ThreadExecutor(std::vector<std::unique_ptr<SegmentSolver>> workers, int min_instants);
 
   std::optional<Summary> run(const TimeGrid& grid, const Request& request, State& state,
                              Observer& observer) override;
@@ -44,7 +43,7 @@ class ThreadExecutor final : public SegmentExecutor {
              Observer& observer);
   bool meet(int k) const;
 
-  std::vector<std::unique_ptr<Formulation>> workers_;
+  std::vector<std::unique_ptr<SegmentSolver>> workers_;
   std::vector<Segment> segments_;
   const int min_instants_;
   const long moving_unknowns_;

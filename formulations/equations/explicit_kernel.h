@@ -93,7 +93,7 @@ ExplicitRunResult solve_run(double* q, double* qd, double* qdd,
 struct ExplicitKernel {
   std::string_view name;                       ///< name of the group where it was first met
   std::string_view fingerprint;                ///< PartType::fingerprint
-  std::span<const std::string_view> branches;  ///< unknown that each root determines
+  std::span<const std::string_view> branches;  ///< unknown that each square root determines
   std::span<const int> unknowns;               ///< local inputs that are written
   std::span<const int> torn;                   ///< unknowns from which Newton–Raphson starts
   std::span<const int> angles;                 ///< unwrapped angles, each with an anchor

@@ -23,8 +23,8 @@ struct LaneResult {
 /// may be compiled for another processor than its caller. Rates are solved up to accelerations.
 struct LaneKernel {
   int lanes;
-  std::string_view fingerprint;   ///< PartType::fingerprint
-  std::span<const int> read;      ///< local inputs; of its unknowns the last positions
+  std::string_view fingerprint;  ///< PartType::fingerprint
+  std::span<const int> read;  ///< local inputs that it reads, its unknowns at their last positions
   std::span<const int> unknowns;  ///< local inputs it writes
   /// Solves the parts. residual2: (lanes), ExplicitResult::residual2 of each.
   LaneResult (*solve)(double* q, double* qd, double* qdd, const ExplicitBinding<double>& parts,

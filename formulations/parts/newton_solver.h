@@ -120,38 +120,46 @@ class NewtonSolver {
 
   PartResult position(Real* q, JacobianUpdate update) {
     PartResult result;
-    double before = 0;            // ‖Φ‖ an iteration ago
-    bool by_old_factors = false;  // so was φ corrected then
-    bool is_last = !at_rounding_;
+    double before = 0;             // ‖Φ‖ an iteration ago
+    bool by_old_factors = false;   // the last correction came from old factors
+    bool is_last = !at_rounding_;  // no correction follows where the tolerance is met
     for (;; ++result.iterations) {
       equations_->residual(q, b_.data());  // Φ
       const double residual = weights_.cwiseProduct(b_).norm();
       result.residual2 = residual * residual;
       const bool solved = residual < tolerance_;
-      if (solved && result.iterations >= min_iterations_ &&
-          (std::exchange(is_last, true) || result.iterations == max_iterations_))
-        return result;
-      const bool old_serve = update != JacobianUpdate::newton && has_factors_;
-      if (result.iterations == max_iterations_) {
-        result.status = std::isfinite(residual) ? Status::not_converged : Status::not_finite;
-      } else if (by_old_factors && !solved && !(residual < before)) {
-        each_unknown([&](int at, int i) { q[at] += correction_[i]; });
-        has_factors_ = by_old_factors = false;
-        continue;
-      } else if (!std::isfinite(residual)) {
-        result.status = Status::not_finite;
-      } else if (old_serve && (result.iterations == 0 || fast_enough(residual, before))) {
-        by_old_factors = true;
-      } else {
-        by_old_factors = false;
-        if (!factor_at(q)) result.status = Status::singular;
+      const bool is_over = result.iterations == max_iterations_;
+      if (solved && result.iterations >= min_iterations_) {
+        if (is_last || is_over) return result;
+        is_last = true;
       }
-      if (result.status != Status::converged) return result;
-      before = residual;
+      const bool is_worse = by_old_factors && !solved && !(residual < before);
+      if (is_over || (!is_worse && !std::isfinite(residual))) {
+        result.status = std::isfinite(residual) ? Status::not_converged : Status::not_finite;
+        return result;
+      }
+      if (is_worse) {
+        retract(q);
+        by_old_factors = false;
+        continue;
+      }
+      by_old_factors = update != JacobianUpdate::newton && has_factors_ &&
+                       (result.iterations == 0 || fast_enough(residual, before));
+      if (!by_old_factors && !factor_at(q)) {
+        result.status = Status::singular;
+        return result;
+      }
       equilibrated_.solve(*linear_solver_, b_.data());       // Φ_φ Δφ = Φ
       each_unknown([&](int at, int i) { q[at] -= b_[i]; });  // eq. (2)
       if (by_old_factors) b_.swap(correction_);
+      before = residual;
     }
+  }
+
+  /// Takes back a correction that old factors gave, and gives these up.
+  void retract(Real* q) {
+    each_unknown([&](int at, int i) { q[at] += correction_[i]; });
+    has_factors_ = false;
   }
 
   /// Returns whether corrections as slow as the last one still meet the tolerance in good time.

@@ -7,7 +7,7 @@
 
 namespace desmo {
 
-void drive(const Model& m, double t, State& state) {
+void write_drivers(const Model& m, double t, State& state) {
   for (const Driver& d : m.drivers) {
     const int i = m.entities[d.coordinate].first;
     const MotionSample<double> z = sample(d.motion, t);

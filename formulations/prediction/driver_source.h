@@ -13,7 +13,7 @@ namespace desmo {
 
 /// Writes the position, velocity and acceleration that the motions of all drivers have at time t
 /// [s] to the state.
-void drive(const Model& model, double t, State& state);
+void write_drivers(const Model& model, double t, State& state);
 
 /// The drivers of a model: z, ż and z̈ at one time after the other, all in one row, and from there
 /// written to the state. Their source is the motions of the model, known in advance, or values that
@@ -36,7 +36,7 @@ class DriverSource {
   bool is_live() const { return live_.is_handed_in(); }
 
   /// Samples all drivers at time t [s] and writes to the state those that are read there.
-  const MotionRow& drive(double t, State& state) {
+  const MotionRow& sample(double t, State& state) {
     row_ = live_.is_handed_in() ? live_.at(t) : motions_(t);
     write(written_, state);
     return row_;
@@ -45,7 +45,7 @@ class DriverSource {
   /// Writes all drivers to the state as they were sampled last, if they were.
   void write_all(State& state) const;
 
-  /// Sets which drivers drive() writes: those that are read in the state, or nowhere else.
+  /// Sets which drivers sample() writes: those that are read in the state, or nowhere else.
   /// read: of each position in the state.
   void set_observed(const std::vector<bool>& read);
 
@@ -63,7 +63,7 @@ class DriverSource {
 
   std::vector<bool> in_row_;  // of each position in the state: some reader takes it from the row
   std::vector<Driven> drivers_;
-  std::vector<Driven> written_;  // by drive()
+  std::vector<Driven> written_;  // by sample()
   MotionsAhead motions_;
   LiveDrivers live_;
   MotionRow row_{};

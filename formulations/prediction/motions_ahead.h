@@ -29,8 +29,8 @@ class MotionsAhead {
   /// motions: each as often as it is wanted; unchanged, they outlive this.
   explicit MotionsAhead(std::vector<const Motion*> motions);
 
-  /// From now on times are those of this grid, in order from the first. What comes between them is
-  /// sampled alone, and once they are left out, all that follow.
+  /// Announces that times are those of this grid, in order from the first. Times between them are
+  /// sampled singly. If an instant is skipped, so are all later ones.
   void expect(const TimeGrid& grid);
 
   /// At time t (s), until the next call.

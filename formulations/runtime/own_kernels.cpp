@@ -50,7 +50,7 @@ std::string digest_of(const std::vector<SampledType>& types, LibraryContents con
 std::shared_ptr<const KernelLibrary> make_library(const std::vector<SampledType>& types,
                                                   LibraryContents contents,
                                                   std::chrono::milliseconds compile_time,
-                                                  OwnKernels& told) {
+                                                  GenerationOutcome& told) {
   const Compiler compiler = Compiler::find(contents.lanes);
   told.compiler = compiler.file() + " (" + compiler.version() + ")";
   const Cache cache = Cache::open();
@@ -83,10 +83,10 @@ std::shared_ptr<const KernelLibrary> make_library(const std::vector<SampledType>
 
 }  // namespace
 
-OwnKernels add_own_kernels(KernelTable& table, const Variant& v, const Settings& settings,
-                           const Model& m, const TimeGrid& grid,
-                           std::chrono::milliseconds compile_time) {
-  OwnKernels told;
+GenerationOutcome add_generated_code(KernelTable& table, const Variant& v, const Settings& settings,
+                                     const Model& m, const TimeGrid& grid,
+                                     std::chrono::milliseconds compile_time) {
+  GenerationOutcome told;
   const Clock::time_point start = Clock::now();
   const int lanes = std::max(settings.lanes, settings.segments);
   const LibraryContents contents{v.explicit_order, has_lanes(lanes) ? lanes : 1};
@@ -109,7 +109,7 @@ namespace desmo {
 GeneratedCode generate_code(const Variant& variant, const Settings& settings, const Model& model,
                             const TimeGrid& grid, std::chrono::milliseconds compile_time) {
   const auto table = std::make_shared<KernelTable>();
-  return {load::add_own_kernels(*table, variant, settings, model, grid, compile_time), table};
+  return {load::add_generated_code(*table, variant, settings, model, grid, compile_time), table};
 }
 
 }  // namespace desmo

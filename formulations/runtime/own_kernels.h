@@ -12,8 +12,8 @@
 
 namespace desmo::load {
 
-// *Own kernels* are generated, compiled and loaded at run time for a user's mechanism. desmo was
-// built without kernels for its part types.
+// Code is generated, compiled and loaded at run time for a user's mechanism: desmo was built
+// without kernels for its part types.
 
 /// The parts of one type in a formulation.
 struct TypeUse {
@@ -22,8 +22,8 @@ struct TypeUse {
   int parts = 0;      ///< number of parts
 };
 
-/// The outcome of add_own_kernels.
-struct OwnKernels {
+/// The outcome of add_generated_code.
+struct GenerationOutcome {
   std::vector<TypeUse> types;    ///< part types that code was wanted for
   int parts_too_large = 0;       ///< number of parts too large for generated code
   bool compiled = false;         ///< compiled in this call, not found in the cache
@@ -38,9 +38,9 @@ struct OwnKernels {
 /// the user's cache, or generates and compiles them from samples of the motion over `grid`. Errors
 /// are reported in the result and leave the table unchanged. compile_time: limit for the compiler.
 /// The mechanism's names do not occur in the code; file names and arguments contain digests only.
-OwnKernels add_own_kernels(KernelTable& table, const Variant& variant, const Settings& settings,
-                           const Model& model, const TimeGrid& grid,
-                           std::chrono::milliseconds compile_time);
+GenerationOutcome add_generated_code(KernelTable& table, const Variant& variant,
+                                     const Settings& settings, const Model& model,
+                                     const TimeGrid& grid, std::chrono::milliseconds compile_time);
 
 }  // namespace desmo::load
 
@@ -52,13 +52,13 @@ namespace desmo {
 ///   const GeneratedCode code = generate_code(*c.variant, c.settings, model, scene.grid);
 ///   if (!code.problem.empty()) std::fprintf(stderr, "%s\n", code.problem.c_str());
 ///   const auto f = make_formulation(*c.variant, model, c.settings, nullptr, code.table.get());
-struct GeneratedCode : load::OwnKernels {
+struct GeneratedCode : load::GenerationOutcome {
   /// The code, and what desmo was built with. It outlives the formulations that are made with it.
   std::shared_ptr<const KernelTable> table;
 };
 
 /// Generates the code that a formulation needs for a model, as the program desmo does; see
-/// load::add_own_kernels. grid: of a motion that is typical, which decides pivots.
+/// load::add_generated_code. grid: of a motion that is typical, which decides pivots.
 GeneratedCode generate_code(const Variant& variant, const Settings& settings, const Model& model,
                             const TimeGrid& grid,
                             std::chrono::milliseconds compile_time = std::chrono::seconds(60));

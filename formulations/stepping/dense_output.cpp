@@ -118,7 +118,7 @@ void DenseOutput::keep(const Instant& solved) {
       std::copy(from.begin() + range.first, from.begin() + range.end, to->begin() + range.first);
 }
 
-Interpolated::Interpolated(std::unique_ptr<Formulation> inner, int stride)
+Interpolated::Interpolated(std::unique_ptr<SegmentSolver> inner, int stride)
     : Formulation(inner->model(), inner->settings(), inner->tolerance()),
       inner_(std::move(inner)),
       stride_(stride) {}

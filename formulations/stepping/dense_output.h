@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -9,7 +8,7 @@
 #include "formulations/base/index_range.h"
 #include "formulations/base/observer.h"
 #include "formulations/base/part.h"
-#include "formulations/formulation.h"
+#include "formulations/stepping/segment_solver.h"
 
 namespace desmo {
 
@@ -22,8 +21,8 @@ namespace desmo {
 /// velocities divided by h and into accelerations divided by h².
 class DenseOutput final : public Observer {
  public:
-  /// grid: of all instants. coordinates: how many there are, of which those are interpolated that
-  /// the request names. The observer must outlive this.
+  /// grid: of all instants. coordinates: their number in an instant; those that the request names
+  /// are interpolated. The observer outlives this.
   DenseOutput(const TimeGrid& grid, int stride, const Request& request, int coordinates,
               Observer& observer);
 
@@ -65,23 +64,19 @@ class DenseOutput final : public Observer {
 class Interpolated final : public Formulation {
  public:
   /// stride: 2 … max_stride.
-  Interpolated(std::unique_ptr<Formulation> inner, int stride);
+  Interpolated(std::unique_ptr<SegmentSolver> inner, int stride);
 
   Summary assemble(double t, Level level) override { return inner_->assemble(t, level); }
   Summary step(double t, Level level) override { return inner_->step(t, level); }
   Summary run(const TimeGrid& grid, const Request& request, Observer& observer) override;
-  bool start_at(std::span<const double> q, double t) override { return inner_->start_at(q, t); }
-  std::optional<Summary> run_on(const TimeGrid& grid, const Request& request,
-                                Observer& observer) override {
-    return inner_->run_on(grid, request, observer);
-  }
   void solve_only(std::span<const Level>) override {}
   long run_by_steps() const override { return inner_->run_by_steps(); }
   const std::vector<DefinedPart>& parts() const override { return inner_->parts(); }
-  const State& state() const override { return inner_->state(); }
 
  private:
-  std::unique_ptr<Formulation> inner_;
+  const State& state() const override { return inner_->state(); }
+
+  std::unique_ptr<SegmentSolver> inner_;
   int stride_;
 };
 

@@ -17,7 +17,7 @@ namespace desmo {
 /// Model::state_size() values.
 class DenseGroup {
  public:
-  /// The mechanism must outlive it.
+  /// The model outlives it.
   DenseGroup(const Model& model, const PartDefinition& group, const Magnitudes& magnitudes);
 
   const std::vector<int>& unknowns() const { return equations_.pattern().unknowns; }

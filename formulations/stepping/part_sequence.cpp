@@ -32,8 +32,9 @@ void PartSequence::make_stages() {
     (part.definition.constant ? constant_ : moving_)
         .push_back({part.solver.get(), part.level, static_cast<int>(i),
                     static_cast<int>(part.definition.unknowns.size())});
-    if (part.definition.constant || !part.solver->is_resident()) continue;
-    residents_.push_back({part.solver.get(), part.level, drivers_.size()});
+    ResidentPart* const resident = part.solver->resident();
+    if (part.definition.constant || !resident) continue;
+    residents_.push_back({resident, part.level, drivers_.size()});
     std::ranges::copy(inputs_[i].drivers, std::back_inserter(drivers_));
   }
   make_chains();
@@ -63,20 +64,12 @@ void PartSequence::make_chains() {
 
 // ---- The loop over structural groups of the paper's Fig. 2a ----
 
-/// Solves one part after the other; Fig. 2b is what a part does (NewtonSolver). A chain goes as far
-/// as it can in one call, and leaves the part where it stops to that part itself.
+/// Solves one part after the other; Fig. 2b is what a part does (NewtonSolver).
 PartSequence::Result PartSequence::solve_in_order(std::span<const Stage> stages, State& state,
                                                   std::span<const double> last, Level level) {
   Result result;
-  for (std::size_t i = 0; i < stages.size();) {
-    if (PartChain* const chain = stages[i].chain) {
-      const Stage& first = stages[i];
-      const PartChain::Result r = chain->solve(state, first.member, std::min(level, first.level));
-      result.add(r.residual2, r.iterations, r.all * first.unknowns);
-      i += r.solved;
-      if (first.member + r.solved == chain->size()) continue;
-    }
-    const Stage& stage = stages[i++];
+  while (!(stages = solve_chains(stages, state, level, result)).empty()) {
+    const Stage& stage = stages.front();
     const PartResult r = stage.solver->solve(state, last, std::min(level, stage.level));
     result.add(r.residual2, r.iterations, static_cast<long>(r.iterations) * stage.unknowns);
     if (r.status != Status::converged) {
@@ -84,8 +77,24 @@ PartSequence::Result PartSequence::solve_in_order(std::span<const Stage> stages,
       result.failed = stage.part;
       break;
     }
+    stages = stages.subspan(1);
   }
   return result;
+}
+
+/// Solves the chains with which the stages begin, each in one call. Returns the stages from the
+/// first that has to be solved by itself.
+[[gnu::always_inline]] inline std::span<const PartSequence::Stage> PartSequence::solve_chains(
+    std::span<const Stage> stages, State& state, Level level, Result& result) {
+  while (!stages.empty() && stages.front().chain) {
+    const Stage& first = stages.front();
+    const PartChain::Result r =
+        first.chain->solve(state, first.member, std::min(level, first.level));
+    result.add(r.residual2, r.iterations, r.all * first.unknowns);
+    stages = stages.subspan(static_cast<std::size_t>(r.solved));
+    if (first.member + r.solved < first.chain->size()) break;
+  }
+  return stages;
 }
 
 bool PartSequence::solve_positions(State& state, std::span<const double> last) const {
@@ -98,8 +107,7 @@ void PartSequence::bind(std::vector<bool>& observed, std::span<int> places) {
   for (const PartInputs& inputs : inputs_)
     for (const std::vector<int>* read : {&inputs.predicted, &inputs.unwrapped, &inputs.others})
       for (const int i : *read) observed[i] = true;
-  for (const DefinedPart& part : parts_)
-    if (!part.definition.constant) part.solver->bind({observed, places, part.level});
+  for (const Resident& r : residents_) r.part->bind({observed, places, r.level});
 }
 
 void PartSequence::begin_step(const StepHistory& history, const MotionRow& row) {
@@ -108,15 +116,15 @@ void PartSequence::begin_step(const StepHistory& history, const MotionRow& row) 
 }
 
 void PartSequence::deliver(const OutputView& output, Level level) const {
-  for (const Resident& part : residents_) part.solver->deliver(output, std::min(level, part.level));
+  for (const Resident& r : residents_) r.part->deliver(output, std::min(level, r.level));
 }
 
 void PartSequence::store(State& state) const {
-  for (const Resident& part : residents_) part.solver->store(state);
+  for (const Resident& r : residents_) r.part->store(state);
 }
 
 void PartSequence::restore(std::span<double> q) const {
-  for (const Resident& part : residents_) part.solver->restore(q);
+  for (const Resident& r : residents_) r.part->restore(q);
 }
 
 void PartSequence::forget() {

@@ -53,15 +53,13 @@ class PartSequence {
   /// Solves positions of the moving parts, each by itself. Returns whether all could be solved.
   bool solve_positions(State& state, std::span<const double> last) const;
 
-  /// Returns the inputs of a part, by its position.
-  const PartInputs& inputs(std::size_t part) const { return inputs_[part]; }
   /// Returns the driven coordinates that parts take from the driver row, in its order.
   std::span<const int> drivers() const { return drivers_; }
 
   /// Fixes where results go (see PartOutputs). observed: what others than parts read in the state;
   /// what parts read there is added.
   void bind(std::vector<bool>& observed, std::span<int> places);
-  /// See Part, of all moving parts.
+  /// Do as ResidentPart says, with every moving part that is resident.
   void begin_step(const StepHistory& history, const MotionRow& row);
   void deliver(const OutputView& output, Level level) const;
   void store(State& state) const;
@@ -78,18 +76,19 @@ class PartSequence {
     Part* solver;
     Level level;  // the highest level at which anyone asks for its unknowns
     int part, unknowns;
-    PartChain* chain = nullptr;  // of which it is a member, if any …
-    int member = 0;              // … and which
+    PartChain* chain = nullptr;  // the chain of which it is a member; null: none
+    int member = 0;              // its position in the chain
   };
-  /// A part that keeps what it finds.
   struct Resident {
-    Part* solver;
+    ResidentPart* part;
     Level level;
     std::size_t first_driver;  // in the row
   };
 
   static Result solve_in_order(std::span<const Stage> stages, State& state,
                                std::span<const double> last, Level level);
+  static std::span<const Stage> solve_chains(std::span<const Stage> stages, State& state,
+                                             Level level, Result& result);
   void make_stages();
   void make_chains();
 

@@ -37,10 +37,10 @@ void clear_rates(State& state) {
 }  // namespace
 
 TimeStepping::TimeStepping(const Model& m, std::vector<DefinedPart> parts, const Settings& settings)
-    : Formulation(m, settings, std::max(settings.tolerance, sum_of_tolerances(parts))),
+    : SegmentSolver(m, settings, std::max(settings.tolerance, sum_of_tolerances(parts))),
       sequence_(m, std::move(parts)),
       drivers_(m) {
-  for (State* s : {&state_, &before_})
+  for (State* s : {&now_.state, &before_.state})
     for (std::vector<double>* values : {&s->q, &s->qd, &s->qdd}) values->resize(m.state_size());
   start_.resize(m.state_size());
   prepare();
@@ -59,7 +59,7 @@ void TimeStepping::solve_only(std::span<const Level> needed) {
 
 void TimeStepping::forget() {
   sequence_.forget();
-  now_ = then_ = {};  // nothing to predict from
+  for (SolvedState* s : {&now_, &before_}) s->forget();
 }
 
 // ---- A motion, the paper's Fig. 2a ----
@@ -81,79 +81,87 @@ Summary TimeStepping::take_steps(const TimeGrid& grid, const Request& request, O
   drivers_.expect(grid);
   for (int i = 0; i < grid.instants; ++i) {
     const double t = grid.time(i);
-    const Summary step =
-        assembled_ ? solve_or_sub_step(t, request.level) : assemble_alone(t, request.level);
+    const Summary step = assemble_or_step(t, request.level);
     total.add(step);
     if (!step.ok()) return total;
     total.stopped = deliver(i, t, step, request.level, observer) == Flow::stop;
     if (total.stopped) break;
   }
-  if (grid.instants > 0) sequence_.store(state_);  // all, whatever was wanted
+  if (grid.instants > 0) sequence_.store(now_.state);  // all, whatever was wanted
   return total;
 }
 
-/// Leaves the last instant in before_. Until it is solved the rest of state_ is of the instant
-/// before, and of no meaning. Sines of drivers take longest and wait for nothing: they come first.
+/// Leaves the last instant in before_. Sines of drivers take longest and wait for nothing: they
+/// come first. Until it is predicted now_ holds the instant before the last one.
 Summary TimeStepping::solve_at(double t, Level level) {
-  const StepHistory history{t - now_.time, now_.time - then_.time, now_.level, then_.level};
-  std::swap(state_, before_);
-  const MotionRow& row = drivers_.drive(t, state_);  // z, ż, z̈
-  predict_(history, before_, state_, state_);
+  const StepHistory history{t - now_.time, now_.time - before_.time, now_.level, before_.level};
+  std::swap(now_, before_);
+  State& state = now_.state;
+  const State& last = before_.state;
+  const MotionRow& row = drivers_.sample(t, state);  // z, ż, z̈
+  predict_(history, last, state, state);
   sequence_.begin_step(history, row);
-  const PartSequence::Result result = sequence_.solve_moving(state_, before_.q, level);  // in order
+  const PartSequence::Result result = sequence_.solve_moving(state, last.q, level);  // in order
   Summary summary = summary_of(result, t);
+  now_.time = t;
+  now_.level = level;
   if (!summary.ok()) [[unlikely]] {
     find_culprit_of(result, summary);
-    std::ranges::copy(before_.q, state_.q.begin());
+    std::ranges::copy(last.q, state.q.begin());
+    now_.level.reset();
+    before_.forget();
   }
-  then_ = summary.ok() ? now_ : Solved{};
-  now_ = {t, summary.ok() ? std::optional(level) : std::nullopt};
   return summary;
 }
 
-/// Returns the summary of the whole step if sub-steps fail, too.
-Summary TimeStepping::solve_or_sub_step(double t, Level level) {
-  const Solved start = now_;
+/// Solves an instant, in sub-steps where it cannot be solved at once. Returns the summary of the
+/// whole step if sub-steps fail, too.
+Summary TimeStepping::assemble_or_step(double t, Level level, int max_sub_steps) {
+  if (!assembled_) return assemble_alone(t, level);
+  const double start = now_.time;
+  const bool is_known = now_.level || drivers_.is_live();
   Summary summary = solve_at(t, level);
-  if (!summary.ok() && (start.level || drivers_.is_live()) && start.time != t) [[unlikely]]
-    summary = sub_step(start.time, t, level, summary);
+  if (!summary.ok() && is_known && start != t) [[unlikely]]
+    summary = sub_step(start, t, level, max_sub_steps, summary);
   return summary;
 }
 
-/// Goes from the last instant to time t in sub-steps, after a failure to get there at once.
-Summary TimeStepping::sub_step(double from, double t, Level level, const Summary& at_once) {
-  start_ = state_.q;
-  Summary summary, total = at_once;
-  const bool arrived = go_in_sub_steps(from, t, max_sub_steps_, [&](double to) {
-    summary = solve_at(to, to == t ? level : Level::position);
+/// Goes from the last instant to time t in sub-steps, after a failure to get there at once. total:
+/// the summary of that failure.
+Summary TimeStepping::sub_step(double from, double t, Level level, int max_sub_steps,
+                               Summary total) {
+  start_ = now_.state.q;
+  Summary last = total;
+  const bool arrived = go_in_sub_steps(from, t, max_sub_steps, [&](double to) {
+    last = solve_at(to, to == t ? level : Level::position);
     ++total.sub_steps;
-    total.iterations += summary.iterations;
-    total.updates += summary.updates;
-    return summary.ok();
+    total.iterations += last.iterations;
+    total.updates += last.updates;
+    return last.ok();
   });
   if (!arrived) {
-    std::ranges::copy(start_, state_.q.begin());
-    summary = at_once;
-  } else {
-    summary.iterations = total.iterations;
-    summary.updates = total.updates;
+    std::ranges::copy(start_, now_.state.q.begin());
+    return total;
   }
-  summary.sub_steps = total.sub_steps;
-  return summary;
+  last.sub_steps = total.sub_steps;
+  last.iterations = total.iterations;
+  last.updates = total.updates;
+  return last;
 }
 
 /// Finds the group and the constraint that could not be solved, from the last positions of the
 /// part.
 void TimeStepping::find_culprit_of(const PartSequence::Result& result, Summary& summary) {
   const PartDefinition& failed = parts()[result.failed].definition;
-  sequence_.restore(before_.q);
-  drivers_.write_all(state_);
+  State &state = now_.state, &last = before_.state;
+  sequence_.restore(last.q);
+  drivers_.write_all(state);
   if (drivers_.is_live()) {
     if (failed.groups.size() == 1) summary.group = failed.groups.front();
     return;
   }
-  for (const int i : failed.unknowns) state_.q[i] = before_.q[i];
-  const Culprit culprit = find_culprit(model(), failed.groups, state_.q, settings());
+  for (const int i : failed.unknowns) state.q[i] = last.q[i];
+  const Culprit culprit = find_culprit(model(), failed.groups, state.q, settings());
   summary.group = culprit.group;
   summary.constraint = culprit.constraint;
 }
@@ -162,17 +170,14 @@ void TimeStepping::find_culprit_of(const PartSequence::Result& result, Summary& 
 
 Summary TimeStepping::step(double t, Level level) {
   want({});
-  return assembled_ ? solve_or_sub_step(t, level) : assemble_alone(t, level);
+  return assemble_or_step(t, level);
 }
 
 Summary TimeStepping::step(const LiveRow& row, Level level, int max_sub_steps) {
   want({});
   const double start = now_.time;
-  drivers_.hand_in(row, start, state_);
-  max_sub_steps_ = max_sub_steps;
-  const Summary summary =
-      assembled_ ? solve_or_sub_step(row.time, level) : assemble_alone(row.time, level);
-  max_sub_steps_ = unlimited;
+  drivers_.hand_in(row, start, now_.state);
+  const Summary summary = assemble_or_step(row.time, level, max_sub_steps);
   drivers_.hand_back();
   if (!summary.ok()) {
     forget();  // parts remember instants that are not to be gone on from
@@ -182,7 +187,7 @@ Summary TimeStepping::step(const LiveRow& row, Level level, int max_sub_steps) {
 }
 
 void TimeStepping::return_to(std::span<const double> q, double t) {
-  std::ranges::copy(q, state_.q.begin());
+  std::ranges::copy(q, now_.state.q.begin());
   assembled_ = !q.empty();
   forget();
   now_.time = t;
@@ -194,26 +199,27 @@ Summary TimeStepping::assemble(double t, Level level) {
 }
 
 Summary TimeStepping::assemble_alone(double t, Level level) {
-  std::ranges::copy(model().estimate, state_.q.begin());
-  std::ranges::copy(model().fixed_values, state_.q.begin() + model().coordinates());
-  for (State* s : {&state_, &before_}) clear_rates(*s);
-  std::ranges::copy(state_.q, before_.q.begin());
+  State &state = now_.state, &last = before_.state;
+  std::ranges::copy(model().estimate, state.q.begin());
+  std::ranges::copy(model().fixed_values, state.q.begin() + model().coordinates());
+  for (State* s : {&state, &last}) clear_rates(*s);
+  std::ranges::copy(state.q, last.q.begin());
   forget();
   assembled_ = false;
-  const PartSequence::Result constant = sequence_.solve_constant(state_, before_.q, level);
+  const PartSequence::Result constant = sequence_.solve_constant(state, last.q, level);
   Summary summary = summary_of(constant, t);
   if (!summary.ok()) {
     find_culprit_of(constant, summary);
     return summary;
   }
-  before_ = state_;  // what is solved once is in both
+  last = state;  // what is solved once is in both
   summary = solve_at(t, level);
   // The estimate may be far off: a fixed number of iterations is for steps.
   for (int i = 0; i < settings().max_iterations && summary.ok() &&
                   settings().fixed_iterations > 0 && summary.residual >= tolerance();
        ++i) {
     const Summary before = summary;
-    now_ = then_ = {};
+    for (SolvedState* s : {&now_, &before_}) s->forget();
     summary = solve_at(t, level);
     summary.iterations += before.iterations;
     summary.updates += before.updates;
@@ -225,27 +231,29 @@ Summary TimeStepping::assemble_alone(double t, Level level) {
 
 bool TimeStepping::start_at(std::span<const double> q, double t) {
   want({});
-  for (State* s : {&state_, &before_}) {
+  State &state = now_.state, &last = before_.state;
+  for (State* s : {&state, &last}) {
     std::ranges::copy(q, s->q.begin());
     clear_rates(*s);
   }
   forget();
-  const auto solve = [&](State& state, std::span<const double> last) {
-    return sequence_.solve_positions(state, last);
+  const auto solve = [&](State& to, std::span<const double> from) {
+    return sequence_.solve_positions(to, from);
   };
-  assembled_ = continue_drivers_to(model(), t, state_, solve);
+  assembled_ = continue_drivers_to(model(), t, state, solve);
   if (!assembled_) return false;
-  before_.q = state_.q;
-  drivers_.drive(t, state_);  // whole turns
-  assembled_ = sequence_.solve_positions(state_, before_.q);
+  last.q = state.q;
+  drivers_.sample(t, state);  // whole turns
+  assembled_ = sequence_.solve_positions(state, last.q);
   sequence_.end_assembly();
   return assembled_;
 }
 
 void TimeStepping::take(const State& solved, double t, Level level) {
-  state_ = solved;
+  now_.state = solved;
   forget();
-  now_ = {t, level};
+  now_.time = t;
+  now_.level = level;
 }
 
 // ---- What is read of each instant ----

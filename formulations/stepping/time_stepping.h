@@ -5,15 +5,15 @@
 #include <span>
 #include <vector>
 
-#include "formulations/formulation.h"
 #include "formulations/prediction/driver_source.h"
 #include "formulations/prediction/state_predictor.h"
 #include "formulations/stepping/part_sequence.h"
+#include "formulations/stepping/segment_solver.h"
 
 namespace desmo {
 
 /// The paper's Fig. 2a: instant after instant, drivers, prediction, and the parts in order.
-class TimeStepping final : public Formulation {
+class TimeStepping final : public SegmentSolver {
  public:
   /// settings: those that the parts were made with. The model outlives this.
   TimeStepping(const Model& model, std::vector<DefinedPart> parts, const Settings& settings);
@@ -29,7 +29,7 @@ class TimeStepping final : public Formulation {
                                 Observer& observer) override;
   void solve_only(std::span<const Level> needed) override;
   const std::vector<DefinedPart>& parts() const override { return sequence_.parts(); }
-  const State& state() const override { return state_; }
+  const State& state() const override { return now_.state; }
 
   /// Takes over an instant that was solved otherwise, up to `level`: steps go on from there.
   void take(const State& solved, double t, Level level);
@@ -37,10 +37,12 @@ class TimeStepping final : public Formulation {
  private:
   static constexpr int unlimited = std::numeric_limits<int>::max();
 
-  /// The level to which an instant was solved; nothing: it is unknown.
-  struct Solved {
-    double time = 0;  // s
-    std::optional<Level> level{};
+  /// An instant, and how far it was solved.
+  struct SolvedState {
+    State state{};
+    double time = 0;               // s
+    std::optional<Level> level{};  // nothing: rates are unknown, and nothing is predicted from it
+    void forget() { time = 0, level.reset(); }
   };
 
   /// The coordinates of each instant that others than parts read.
@@ -54,8 +56,8 @@ class TimeStepping final : public Formulation {
   void want(const Request& request, bool lent = false);
   Summary take_steps(const TimeGrid& grid, const Request& request, Observer& observer);
   Summary solve_at(double t, Level level);
-  Summary solve_or_sub_step(double t, Level level);
-  Summary sub_step(double from, double t, Level level, const Summary& at_once);
+  Summary assemble_or_step(double t, Level level, int max_sub_steps = unlimited);
+  Summary sub_step(double from, double t, Level level, int max_sub_steps, Summary total);
   Summary assemble_alone(double t, Level level);
   void find_culprit_of(const PartSequence::Result& result, Summary& summary);
   Flow deliver(int index, double t, const Summary& step, Level level, Observer& observer);
@@ -64,12 +66,9 @@ class TimeStepping final : public Formulation {
   DriverSource drivers_;
   StatePredictor predict_;
   std::optional<Wanted> wanted_;
-  OutputWriter output_;  // of what no part delivers
-  State state_;
-  State before_;               // the instant before that of state_
-  Solved now_, then_;          // what state_ and before_ hold
+  OutputWriter output_;        // of what no part delivers
+  SolvedState now_, before_;   // the instant solved last, and the one before it
   std::vector<double> start_;  // positions from which a step is tried again
-  int max_sub_steps_ = unlimited;
   bool assembled_ = false;
 };
 

@@ -15,7 +15,7 @@ struct DefinedPart {
   /// missing and automatic equations stand in for it.
   bool as_named = true;
   Level level = Level::acceleration;  ///< highest level at which its unknowns are requested
-  /// Tolerance on ‖Φ‖₂ of its weighted equations: its share, or the rounding level if larger.
+  /// Tolerance on ‖Φ‖₂ of its weighted equations: its share of the whole, or what rounding leaves.
   double tolerance = 0;
 };
 

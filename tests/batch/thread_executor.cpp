@@ -163,9 +163,10 @@ TEST(ThreadExecutor, IsGivenUpWhereSegmentsDoNotMeet) {
   Model other = m;
   for (Constraint& c : other.constraints)
     for (double& constant : c.constants) constant *= 1 + 1e-5;
-  std::vector<std::unique_ptr<Formulation>> workers;
-  workers.push_back(make(m, "group_automatic_eigen"));
-  workers.push_back(make(other, "group_automatic_eigen"));
+  std::vector<std::unique_ptr<SegmentSolver>> workers;
+  for (const Model* model : {&m, &other})
+    workers.emplace_back(
+        &dynamic_cast<SegmentSolver&>(*make(*model, "group_automatic_eigen").release()));
   ThreadExecutor motion(std::move(workers), 16);
   const auto f = make(m, "group_automatic_eigen");
   const TimeGrid grid = worth_three_threads(time_grid(1, 0.01), *f);

@@ -17,7 +17,7 @@ struct CacheTest : Loading {
   /// That what was compiled is made anew after this, and once.
   void expect_made_anew(const std::string& what) {
     const int before = compilations();
-    const OwnKernels own = load();
+    const GenerationOutcome own = load();
     EXPECT_EQ(own.problem, "") << what;
     EXPECT_EQ(compilations(), before + 1) << what;
     EXPECT_FALSE(load().compiled) << what;

@@ -18,7 +18,7 @@ namespace {
 struct CompilerTest : Loading {
   void expect_problem(const std::string& what) {
     KernelTable table;
-    const OwnKernels own = load(table);
+    const GenerationOutcome own = load(table);
     EXPECT_NE(own.problem.find(what), std::string::npos) << own.problem;
     EXPECT_FALSE(own.types.empty());
     const auto f =

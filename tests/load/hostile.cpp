@@ -33,7 +33,7 @@ using Hostile = Loading;
 TEST_F(Hostile, NamesDoNotGetIntoCodeOrItsName) {
   ASSERT_EQ(load().problem, "");
   model_ = renamed(std::move(model_), evil);
-  const OwnKernels own = load();
+  const GenerationOutcome own = load();
   EXPECT_EQ(own.problem, "");
   EXPECT_FALSE(own.compiled) << "it is the same code";
   ASSERT_EQ(cached("").size(), 2u);
@@ -65,7 +65,7 @@ TEST_F(Hostile, ValuesThatAreNoNumbersDoNoHarm) {
 struct Folders : Loading {
   void expect_refusal(const std::string& why) {
     KernelTable table;
-    const OwnKernels own = load(table);
+    const GenerationOutcome own = load(table);
     EXPECT_NE(own.problem.find(why), std::string::npos) << own.problem;
     EXPECT_NE(own.problem.find(folder_.string()), std::string::npos) << own.problem;
     EXPECT_EQ(compilations(), 0);

@@ -68,11 +68,11 @@ class Loading : public testing::Test {
     return {std::istreambuf_iterator<char>(in), {}};
   }
 
-  OwnKernels load(KernelTable& table, const std::string& id = "group_symbolic_inlined") {
+  GenerationOutcome load(KernelTable& table, const std::string& id = "group_symbolic_inlined") {
     const Configuration c = parse_id(id);
-    return add_own_kernels(table, *c.variant, c.settings, model_, scene_.grid, limit_);
+    return add_generated_code(table, *c.variant, c.settings, model_, scene_.grid, limit_);
   }
-  OwnKernels load() {
+  GenerationOutcome load() {
     KernelTable table;
     return load(table);
   }

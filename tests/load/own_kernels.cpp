@@ -41,7 +41,7 @@ struct OwnKernelsTest : Loading {
   /// With code that was made for it, against automatic equations.
   std::unique_ptr<Formulation> compare(const std::string& id) {
     const Configuration c = parse_id(id, exact);
-    const OwnKernels own = load(table_, id);
+    const GenerationOutcome own = load(table_, id);
     EXPECT_EQ(own.problem, "") << id;
     auto f = make_formulation(*c.variant, model_, c.settings, nullptr, &table_);
     EXPECT_TRUE(is_as_named(*f)) << id;
@@ -107,7 +107,7 @@ TEST_F(OwnKernelsTest, SolveInWiderRegistersWhereThereAreAny) {
 
 TEST_F(OwnKernelsTest, AreNamedByGroupAndCounted) {
   take(3);
-  const OwnKernels own = load(table_);
+  const GenerationOutcome own = load(table_);
   ASSERT_FALSE(own.types.empty());
   int plates = 0;
   for (const TypeUse& t : own.types) {
@@ -125,7 +125,7 @@ TEST_F(OwnKernelsTest, AreNamedByGroupAndCounted) {
 
 TEST_F(OwnKernelsTest, AreCompiledOnce) {
   EXPECT_TRUE(load().compiled);
-  const OwnKernels again = load(table_);
+  const GenerationOutcome again = load(table_);
   EXPECT_FALSE(again.compiled);
   EXPECT_EQ(again.problem, "");
   EXPECT_EQ(compilations(), 1);
@@ -159,7 +159,7 @@ TEST_F(OwnKernelsTest, AreNeitherMadeNorSoughtWhereTheProgramHasThem) {
   scene_ = library_scene("slider_crank");
   model_ = make_model(scene_);
   for (const char* id : {"group_symbolic_explicit/lanes:4", "block_symbolic_inlined"}) {
-    const OwnKernels own = load(table_, id);
+    const GenerationOutcome own = load(table_, id);
     EXPECT_TRUE(own.types.empty());
     EXPECT_EQ(own.problem, "");
   }

@@ -56,7 +56,7 @@ std::string assembly_error_text(const std::optional<AssemblyError>& d, const Mod
          (has_unit ? " " + m.length_unit : "");
 }
 
-/// Newton's method has failed, and there is no deficit.
+/// Newton's method has failed, and there is no assembly error.
 constexpr const char* not_reached = "a position exists, but was not found from the one before";
 
 /// A residual below which a position is found but for rounding: no step, however small, helps.

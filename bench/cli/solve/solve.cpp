@@ -30,7 +30,7 @@ constexpr const char* default_formulation = "block_symbolic_inlined";
 struct SolveOptions {
   std::string scene, output, format, formulation, drivers;
   bool explain = false, quiet = false, strict = false, past_failures = false, certify = false;
-  OwnCode own_code;
+  GenerationOptions own_code;
 };
 
 /// Returns the format that is asked for: by --format, or by how the name of the output ends.
@@ -96,7 +96,8 @@ void solve(const SolveOptions& options) {
   // For the program's own choice nobody waits for a compiler.
   const bool named = !options.formulation.empty() || !input.scene.formulation.empty();
   if (named)
-    add_own_code(kernels, chosen, plan.model, input.scene.grid, options.own_code, options.quiet);
+    add_missing_code(kernels, chosen, plan.model, input.scene.grid, options.own_code,
+                     options.quiet);
   const auto formulation = make_formulation(*variant, plan.model, settings, nullptr, &kernels);
   formulation->solve_only(plan.levels);
   if (!options.quiet) say(note_on_code(*formulation, named));

@@ -13,11 +13,12 @@ namespace desmo::accuracy {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double min_sample = 2e-3;   // s
-constexpr int dense_limit = 114;      // coordinates of a dense global solve, O(n³) a step
-constexpr double near_best = 1.6;     // formulations that other settings may yet make the fastest
-constexpr double perhaps_best = 1.5;  // times, of one sample each, that further ones may turn over
-constexpr double even = 1.25;         // times on the begin that may change places on the whole
+constexpr double min_sample = 2e-3;  // s
+constexpr int dense_limit = 114;     // coordinates of a dense global solve, O(n³) a step
+// Ratios of times within which the slower of two may yet prove the faster:
+constexpr double max_ratio_of_formulations = 1.6;  // with other settings
+constexpr double max_ratio_of_samples = 1.5;       // with further samples
+constexpr double max_ratio_of_motions = 1.25;      // on the whole motion instead of its begin
 constexpr std::size_t finalists = 16;
 constexpr std::size_t max_tried_on_whole = 100;  // the most accurate within a budget
 
@@ -41,7 +42,7 @@ class Searcher {
     for (Trial& t : trials) t.time(min_sample);
     std::vector<Trial*> hopeful;
     for (Trial& t : trials)
-      if (may_do(t)) hopeful.push_back(&t);
+      if (meets_goal(t)) hopeful.push_back(&t);
     decide(hopeful);
     for (const Trial& t : trials) tried_.push_back(tried(t, false));
     std::ranges::stable_sort(tried_, {}, &Tried::seconds);
@@ -76,7 +77,7 @@ class Searcher {
       double best = infinity;
       for (const Trial& t : trials) best = std::min(best, t.min_seconds());
       for (const Trial& t : trials)
-        if (t.min_seconds() <= near_best * best &&
+        if (t.min_seconds() <= max_ratio_of_formulations * best &&
             std::ranges::find(kept, t.configuration().variant) == kept.end())
           kept.push_back(t.configuration().variant);
     }
@@ -88,17 +89,17 @@ class Searcher {
   }
   bool is_accurate(const Trial& t) const { return error(t) <= goal_.max_error / safety; }
   bool is_cheap(double seconds) const { return seconds <= goal_.budget; }
-  bool may_do(const Trial& t) const {
+  bool meets_goal(const Trial& t) const {
     if (!t.is_verified()) return false;
     return goal_.budget > 0 ? is_cheap(t.min_seconds()) : is_accurate(t);
   }
 
-  /// Errors of the same size count as one: rounding makes them, and time then decides.
-  double wrong(const Trial& t) const { return std::round(2 * std::log10(error(t))); }
+  /// Returns the error in half decades: what rounding makes of it does not decide.
+  double error_class(const Trial& t) const { return std::round(2 * std::log10(error(t))); }
 
-  bool is_even(const Trial& best, const Trial& other) const {
-    return other.min_seconds() <= even * best.min_seconds() &&
-           (goal_.budget == 0 || wrong(other) <= wrong(best));
+  bool is_indistinct(const Trial& best, const Trial& other) const {
+    return other.min_seconds() <= max_ratio_of_motions * best.min_seconds() &&
+           (goal_.budget == 0 || error_class(other) <= error_class(best));
   }
 
   /// The best first, as far as their motion tells.
@@ -106,7 +107,7 @@ class Searcher {
     const auto time = [](const Trial* t) { return t->min_seconds(); };
     std::ranges::stable_sort(trials, {}, time);
     if (goal_.budget > 0)
-      std::ranges::stable_sort(trials, {}, [&](const Trial* t) { return wrong(*t); });
+      std::ranges::stable_sort(trials, {}, [&](const Trial* t) { return error_class(*t); });
   }
 
   /// Samples the times that decide once more, in turn, and tries the best on the whole motion until
@@ -127,7 +128,7 @@ class Searcher {
       for (int round = 0; round < effort_.rounds; ++round)
         for (Trial* t : batch) t->time(min_sample);
       sort(batch);
-      play_off(batch);
+      choose_on_whole(batch);
     }
   }
 
@@ -137,7 +138,7 @@ class Searcher {
     for (const Trial* t : hopeful) best = std::min(best, t->min_seconds());
     for (int round = 0; round < 2; ++round)
       for (Trial* t : hopeful)
-        if (t->min_seconds() <= perhaps_best * best) t->time(min_sample);
+        if (t->min_seconds() <= max_ratio_of_samples * best) t->time(min_sample);
   }
 
   Trial& try_on_whole(std::list<Trial>& trials, const Trial& on_begin) const {
@@ -153,21 +154,21 @@ class Searcher {
     std::vector<Trial*> kept;
     for (const Trial* t : std::span(hopeful).first(std::min(hopeful.size(), max_tried_on_whole))) {
       Trial& trial = try_on_whole(trials, *t);
-      if (may_do(trial)) kept.push_back(&trial);
+      if (meets_goal(trial)) kept.push_back(&trial);
     }
     return kept;
   }
 
   /// Chooses among those of a batch, best first, that hold the goal on the whole motion: the first,
   /// and what its begin cannot tell from it.
-  void play_off(const std::vector<Trial*>& batch) {
+  void choose_on_whole(const std::vector<Trial*>& batch) {
     std::list<Trial> trials;
     std::vector<Trial*> holding;
     const Trial* first = nullptr;
     for (const Trial* t : batch) {
-      if (first && !is_even(*first, *t)) break;
+      if (first && !is_indistinct(*first, *t)) break;
       Trial& trial = try_on_whole(trials, *t);
-      if (!may_do(trial)) continue;
+      if (!meets_goal(trial)) continue;
       holding.push_back(&trial);
       if (!first) first = t;
     }

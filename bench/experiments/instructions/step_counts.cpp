@@ -14,7 +14,6 @@ namespace desmo::instructions {
 
 namespace {
 
-constexpr int warm_up = 5;  // of desmo_steps, not counted
 constexpr int steps = 50;
 /// Steps where more than one instant is solved at once, or a run is monitored: assembly and entry
 /// are counted, too, and a long motion less a shorter one leaves steps. What monitors take is the
@@ -53,7 +52,9 @@ void count(StepCount& one, const std::string& desmo_steps) {
     return bench::count_steps(
         {desmo_steps, one.case_name, std::to_string(one.coordinates), id, std::to_string(taken)});
   };
-  const auto step = [&](const std::string& id) { return counted(id, warm_up + steps) / steps; };
+  const auto step = [&](const std::string& id) {
+    return counted(id, uncounted_steps + steps) / steps;
+  };
   const auto more = [&](const std::string& id) {  // all that a longer motion takes more
     return counted(id, long_motion) - counted(id, short_motion);
   };

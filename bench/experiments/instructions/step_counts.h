@@ -7,6 +7,10 @@
 
 namespace desmo::instructions {
 
+/// Steps of desmo_steps that are not counted, until pivots are chosen and positions near the
+/// solution.
+inline constexpr int uncounted_steps = 5;
+
 /// Ends the id of a formulation whose run is monitored: what that costs is part of what is counted.
 inline constexpr std::string_view monitored_suffix = "/monitored";
 

@@ -1,7 +1,7 @@
 // desmo_steps CASE COORDINATES ID STEPS [ITERATIONS [PERCENT]]: assembles and takes so many steps
 // of 10 ms, nothing else, for instruction counts and profilers. With ITERATIONS every step takes
 // exactly so many Newton iterations; 0: as many as it needs. PERCENT repeats that share of the
-// steps: a slowdown on purpose, for tests of what is to find one. The steps after the first five
+// steps: a slowdown on purpose, for tests of what is to find one. The steps after uncounted_steps
 // are all in desmo_counted_steps. With an id that solves more than one instant at once, or that
 // ends in /monitored, the whole motion is in it, assembly included.
 
@@ -14,13 +14,14 @@
 #include "bench/experiments/instructions/step_counts.h"
 #include "bench/kit/options.h"
 #include "bench/regression/candidate.h"
+#include "bench/regression/rounds.h"
 #include "formulations/verification/monitor/monitored_run.h"
 
 namespace {
 
 using desmo::regression::SteppedCandidate;
 
-constexpr int warm_up = 5;  // steps until pivots are chosen and positions near the solution
+static_assert(desmo::regression::uncounted_steps == desmo::instructions::uncounted_steps);
 
 /// Runs the whole motion under all monitors. Throws std::runtime_error where one of them finds
 /// something: that is not the motion whose instructions are asked for.
@@ -55,7 +56,7 @@ int main(int argc, char** argv) {
     const int steps = whole(argv[4]), repeated = argc > 6 ? whole(argv[6]) : 0;
     Settings settings;
     if (argc > 5) settings.fixed_iterations = whole(argv[5]);
-    const int first = std::min(warm_up, steps);
+    const int first = std::min(instructions::uncounted_steps, steps);
     const bool monitored = instructions::is_monitored(argv[3]);
     const std::string id(instructions::formulation_of(argv[3]));
     const bench::Problem problem = regression::problem_of({argv[1], whole(argv[2]), id}, steps + 1);

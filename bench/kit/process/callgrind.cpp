@@ -48,11 +48,11 @@ std::string counting_tool() {
   return version.substr(0, version.find('\n')) + ", glibc " + gnu_get_libc_version();
 }
 
-void count_on_all_cores(std::size_t count, const std::function<void(std::size_t)>& work) {
-  Progress progress("instruction counts", static_cast<double>(count));
+void count_on_all_cores(std::size_t n, const std::function<void(std::size_t)>& count) {
+  Progress progress("instruction counts", static_cast<double>(n));
   std::atomic<std::size_t> next = 0;
   const auto some = [&] {
-    for (std::size_t i; (i = next++) < count; progress.done()) work(i);
+    for (std::size_t i; (i = next++) < n; progress.done()) count(i);
   };
   std::vector<std::future<void>> workers;
   for (std::size_t i = 0; i < std::max<std::size_t>(1, usable_cores().size()); ++i)

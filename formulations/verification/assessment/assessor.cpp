@@ -72,7 +72,7 @@ Assessment Assessor::operator()(const Instant& instant, const Scales& scales) {
   Assessment a;
   motion_.take(instant);
   std::ranges::copy(instant.q, state_.begin());
-  if (!system_.factorise(state_)) {
+  if (!system_.factor(state_)) {
     a.condition = INFINITY;
     return undetermined(a, system_.singular_group());
   }
@@ -266,7 +266,7 @@ Instant Assessor::corrected(const Instant& instant) {
   double before = INFINITY;
   for (int i = 0; i < max_corrections; ++i) {
     std::ranges::copy(q, state_.begin());
-    if (!system_.factorise(state_)) return instant;
+    if (!system_.factor(state_)) return instant;
     motion_.take(result);
     const double correction = correct(Level::position, q);
     if (!(correction < before / 2)) break;

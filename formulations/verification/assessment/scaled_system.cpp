@@ -81,7 +81,7 @@ void ScaledSystem::lay_out() {
   values_.resize(pattern_.row.size());
 }
 
-bool ScaledSystem::factorise(std::span<const double> state) {
+bool ScaledSystem::factor(std::span<const double> state) {
   row_sums_.setZero();
   row_shares_.setZero();
   by_drivers_.setZero();

@@ -38,11 +38,11 @@ class ScaledSystem {
 
   /// Factorises A at a state (q followed by the fixed components). Returns false when A is singular
   /// in double precision.
-  bool factorise(std::span<const double> state);
-  /// Returns the group in which the last factorise() failed.
+  bool factor(std::span<const double> state);
+  /// Returns the group in which the last factor() failed.
   GroupId singular_group() const;
 
-  // The functions below refer to the last successful factorise().
+  // The functions below refer to the last successful factor().
 
   const Array& row_sums() const { return row_sums_; }
   /// Diagonals W (unknowns) and F (rows) that lead to the magnitudes of verification/condition.h:
@@ -58,7 +58,7 @@ class ScaledSystem {
   void solve_blocks_transposed(double* x);
   /// Returns the change of each unknown, in its magnitude and up to sign, when every driver moves
   /// by plus or minus its own magnitude. Solves in place: may be called once after each
-  /// factorise().
+  /// factor().
   const Array& sensitivities();
   /// Returns the sign of det A of each irreducible block, up to a constant sign of the block. A
   /// continuous motion changes it only by passing det A = 0.

@@ -24,7 +24,7 @@ void BranchSigns::declare(const Instant& first) {
     const int i = model_.entities[d.coordinate].first;
     state[i] = first.q[i];
   }
-  if (!system_.factorise(state)) return;
+  if (!system_.factor(state)) return;
   const auto declared = system_.orientation();
   signs_.assign(declared.begin(), declared.end());
 }

@@ -71,7 +71,7 @@ void ConditionMonitor::go_on(const Instant& instant) {
 
 void ConditionMonitor::look(const Instant& instant, ScaledSystem& system) {
   std::ranges::copy(instant.q, state_.begin());
-  if (system.factorise(state_)) {
+  if (system.factor(state_)) {
     take(system);
     if (!std::ranges::equal(system.orientation(), signs_)) growth_ = INFINITY;
     return;

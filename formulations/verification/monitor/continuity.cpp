@@ -138,7 +138,7 @@ void Continuity::predict(double t, const Instant& like, Assessor& assessor) {
     next_.state.qdd[i] = from.qdd[i];
   }
   next_.time = t;
-  drive(model_, t, next_.state);
+  write_drivers(model_, t, next_.state);
   const Instant solved = assessor.corrected(view_of(next_, like));
   std::ranges::copy(solved.q, next_.state.q.begin());
   std::ranges::copy(solved.qd, next_.state.qd.begin());
@@ -240,7 +240,7 @@ Instant Continuity::driven(const Instant& instant) {
   std::ranges::copy(instant.q, next_.state.q.begin());
   std::ranges::copy(instant.qd, next_.state.qd.begin());
   std::ranges::copy(instant.qdd, next_.state.qdd.begin());
-  drive(model_, instant.time, next_.state);
+  write_drivers(model_, instant.time, next_.state);
   return view_of(next_, instant);
 }
 

@@ -87,13 +87,28 @@ LiveSummary LiveRun::step(const LiveRow& row) {
   summary.time = row.time;
   summary.fault = fault_of(row);
   if (summary.fault != RowFault::none) {
-    summary.status = Status::not_finite;
+    summary.status =
+        summary.fault == RowFault::not_finite ? Status::not_finite : Status::not_converged;
     return summary;
   }
   std::ranges::copy(row.z, tried_.begin());
   static_cast<Summary&>(summary) = formulation_.step(row, options_.level, options_.max_sub_steps);
   if (summary.ok()) assess(row, summary);
   return summary;
+}
+
+std::string describe(const LiveSummary& s, const Model& m) {
+  switch (s.fault) {
+    case RowFault::none:
+      return describe(static_cast<const Summary&>(s), m);
+    case RowFault::wrong_size:
+      return "refused: there is not one value for each driver";
+    case RowFault::not_finite:
+      return "refused: a value or the time is not a finite number";
+    case RowFault::time_not_later:
+      return "refused: the time is not after the last good row";
+  }
+  return {};
 }
 
 /// Assesses a row that was solved, and makes it the last good one if it is good.

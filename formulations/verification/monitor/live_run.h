@@ -14,7 +14,8 @@ namespace desmo {
 
 struct LiveOptions {
   Level level = Level::acceleration;  ///< that is solved and assessed
-  std::span<const Level> levels{};    ///< as far as each coordinate is asked for; empty: all
+  std::span<const Level> levels{};    ///< level asked for of each coordinate; empty: all;
+                                      ///< read by the constructor alone
   /// The velocities and accelerations that bounds are relative to, which only the caller can know
   /// in advance; empty: the largest so far, which at the beginning may be small.
   std::optional<Scales> scales{};
@@ -37,7 +38,7 @@ struct LiveSummary : Summary {
   RowFault fault = RowFault::none;  ///< not none: the row was refused before anything was tried
   Assessment assessment{};          ///< of a row that was solved (MonitoredInstant)
   bool corrected = false;           ///< the values are better than the formulation's
-  bool degraded = false;            ///< conditioning lets it be no better than the bounds say
+  bool degraded = false;            ///< conditioning keeps the bounds above their limits
   std::optional<SingularityCrossing> crossing{};  ///< since the last good position
   int violated = -1;  ///< failed: the constraint that holds only on another branch (BranchMonitor)
 
@@ -45,6 +46,9 @@ struct LiveSummary : Summary {
     return !ok() ? Outcome::failed : degraded || crossing ? Outcome::degraded : Outcome::converged;
   }
 };
+
+/// Returns a sentence for people, like that of a Summary; of a row that was refused, why.
+std::string describe(const LiveSummary& summary, const Model& model);
 
 /// A run whose drivers are handed in at every step, for a controller, a simulator in a loop or an
 /// optimiser:

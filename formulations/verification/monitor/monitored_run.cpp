@@ -151,7 +151,7 @@ class Run final : Observer {
     state.q.assign(formulation_.q().begin(), formulation_.q().end());
     state.q.insert(state.q.end(), m.fixed_values.begin(), m.fixed_values.end());
     state.qd = state.qdd = state.q;
-    drive(m, summary_.time, state);
+    write_drivers(m, summary_.time, state);
     summary_.assembly_error = find_assembly_error(m, state.q, {.tolerance = options_.tolerance});
   }
 

@@ -84,7 +84,7 @@ void GlobalSolver<S>::solve_positions(double t) {
 
 template <class S>
 void GlobalSolver<S>::solve_rates() {
-  factorise();
+  factor();
   for (const int i : system_.unknowns()) state_[i].first = state_[i].second = S(0);
   for (int pass = 0; pass < 3; ++pass) {
     system_.template residual<Jet<S>>(state_, phi_);  // Φ, Φ̇ and Φ̈
@@ -97,7 +97,7 @@ void GlobalSolver<S>::solve_rates() {
 
 /// Factorises Φ_φ at the present positions.
 template <class S>
-void GlobalSolver<S>::factorise() {
+void GlobalSolver<S>::factor() {
   auto& [residual, entries, matrix, lu, analysed] = *linear_;
   if (residual.size() == 0) return;  // drivers only
   std::ranges::transform(state_, positions_.begin(), &Jet<S>::value);

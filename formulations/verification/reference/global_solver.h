@@ -56,7 +56,7 @@ class GlobalSolver {
  private:
   struct Linear;  // Φ_φ and its factors
 
-  void factorise();
+  void factor();
   double correct(S Jet<S>::*order);
 
   std::vector<S> coordinates(S Jet<S>::*order) const {
