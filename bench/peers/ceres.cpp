@@ -180,7 +180,7 @@ class CeresPeer final : public Peer {
 
   void solve(double t) {
     time_ = t;
-    drive(model_, t, state_);
+    write_drivers(model_, t, state_);
     ceres::Solver::Summary summary;
     ceres::Solve(options_, &problem_, &summary);
     if (summary.termination_type != ceres::USER_SUCCESS) throw std::runtime_error(summary.message);

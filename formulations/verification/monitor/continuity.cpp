@@ -187,7 +187,7 @@ void Continuity::interpolate(const Node& from, const Node& to, const Instant& li
     result.state.qd[i] = dp / h;
     result.state.qdd[i] = ddp / (h * h);
   }
-  drive(model_, result.time, result.state);
+  write_drivers(model_, result.time, result.state);
 }
 
 std::optional<Continuity::Passage> Continuity::pass(const Instant& singular, const Scales& scales,

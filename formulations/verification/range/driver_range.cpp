@@ -81,7 +81,7 @@ class Way {
 
 /// Returns the signs of the determinants of all blocks; none where one is singular.
 Signs Way::signs(const Point& point) {
-  if (!system_.factorise(point.state)) return {};
+  if (!system_.factor(point.state)) return {};
   return {system_.orientation().begin(), system_.orientation().end()};
 }
 

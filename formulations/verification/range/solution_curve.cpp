@@ -71,7 +71,7 @@ SolutionCurve::SolutionCurve(const Model& m, int driver)
 
 SolutionCurve::~SolutionCurve() = default;
 
-bool SolutionCurve::factorise(std::span<const double> state, const Eigen::VectorXd& border) {
+bool SolutionCurve::factor(std::span<const double> state, const Eigen::VectorXd& border) {
   auto& [matrix, lu, entries, analysed] = *factors_;
   entries.clear();
   row_sums_.setZero();
@@ -100,7 +100,7 @@ bool SolutionCurve::correct(std::vector<double>& state, const Eigen::VectorXd& b
   Settling<double> settled;
   double before = 2 * trusted;
   for (int iteration = 0; iteration < max_iterations; ++iteration) {
-    if (!factorise(state, border)) return false;
+    if (!factor(state, border)) return false;
     system_.residual<double>(state, phi_);
     Eigen::VectorXd change = Eigen::VectorXd::Zero(size() + 1);
     for (std::size_t r = 0; r < row_.size(); ++r)
@@ -122,7 +122,7 @@ std::optional<SolutionCurve::Point> SolutionCurve::settle(std::vector<double> st
                                                           const Eigen::VectorXd& along) {
   Eigen::VectorXd tangent = along;
   for (int pass = 0; pass < 2; ++pass) {  // the second with its own border, for the sign
-    if (!factorise(state, tangent)) return {};
+    if (!factor(state, tangent)) return {};
     Eigen::VectorXd unit = Eigen::VectorXd::Zero(size() + 1);
     unit[size()] = 1;
     tangent = scaled_to_one(factors_->lu.solve(unit));
@@ -193,7 +193,7 @@ SolutionCurve::Point SolutionCurve::reversed(Point point) {
 SolutionCurve::Forces SolutionCurve::forces(const Point& point) {
   constexpr double roundings = 4 * std::numeric_limits<double>::epsilon();  // of Φ over row sums
   Forces result{std::vector<double>(constraints_, 0), std::numeric_limits<double>::infinity()};
-  if (!factorise(point.state, point.tangent)) return result;
+  if (!factor(point.state, point.tangent)) return result;
   Eigen::VectorXd unit = Eigen::VectorXd::Zero(size() + 1);
   unit[size()] = 1;
   const Eigen::VectorXd left = factors_->lu.transpose().solve(unit).head(size());

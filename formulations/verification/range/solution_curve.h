@@ -77,7 +77,7 @@ class SolutionCurve {
   struct Factors;
 
   int size() const { return static_cast<int>(unknowns_.size()); }
-  bool factorise(std::span<const double> state, const Eigen::VectorXd& border);
+  bool factor(std::span<const double> state, const Eigen::VectorXd& border);
   bool correct(std::vector<double>& state, const Eigen::VectorXd& border, double trusted);
   std::optional<Point> settle(std::vector<double> state, const Eigen::VectorXd& along);
 

@@ -64,7 +64,7 @@ void GlobalSolver<S>::predict(const S& step) {
 
 template <class S>
 double GlobalSolver<S>::correct_positions() {
-  factorise();
+  factor();
   system_.template residual<S>(positions_, {linear_->residual.data(), phi_.size()});
   return correct(&Jet<S>::value);
 }
