@@ -164,7 +164,7 @@ TEST(ThreadExecutor, IsGivenUpWhereSegmentsDoNotMeet) {
   for (Constraint& c : other.constraints)
     for (double& constant : c.constants) constant *= 1 + 1e-5;
   std::vector<std::unique_ptr<SegmentSolver>> workers;
-  for (const Model* model : {&m, &other})
+  for (const Model* model : std::initializer_list<const Model*>{&m, &other})
     workers.emplace_back(
         &dynamic_cast<SegmentSolver&>(*make(*model, "group_automatic_eigen").release()));
   ThreadExecutor motion(std::move(workers), 16);
