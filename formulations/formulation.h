@@ -71,6 +71,12 @@ class Formulation {
   /// twice or one that does not exist.
   virtual Summary run(const TimeGrid& grid, const Request& request, Observer& observer) = 0;
 
+  /// Goes to time t [s] of the motion without solving the instants before, by continuation: drivers
+  /// move linearly from the positions q to where they are at t. q: Model::state_size() values,
+  /// solved at another instant. A step goes on from there. Returns false where the position cannot
+  /// be reached.
+  virtual bool start_at(std::span<const double> q, double t) = 0;
+
   /// Solves each part only to the highest level that is needed of its unknowns. needed: the level
   /// of each coordinate, as Plan::levels has them: a coordinate that a part reads must have the
   /// part's level or a higher one. Values above these levels are unspecified. A stride solves all

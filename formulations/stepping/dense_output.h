@@ -69,6 +69,7 @@ class Interpolated final : public Formulation {
   Summary assemble(double t, Level level) override { return inner_->assemble(t, level); }
   Summary step(double t, Level level) override { return inner_->step(t, level); }
   Summary run(const TimeGrid& grid, const Request& request, Observer& observer) override;
+  bool start_at(std::span<const double> q, double t) override { return inner_->start_at(q, t); }
   void solve_only(std::span<const Level>) override {}
   long run_by_steps() const override { return inner_->run_by_steps(); }
   const std::vector<DefinedPart>& parts() const override { return inner_->parts(); }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <span>
 
 #include "formulations/base/part.h"
 #include "formulations/formulation.h"
@@ -11,12 +10,6 @@ namespace desmo {
 /// A formulation that can also solve a segment in the middle of a motion.
 class SegmentSolver : public Formulation {
  public:
-  /// Goes to time t [s] of the motion without solving the instants before, by continuation: drivers
-  /// move linearly from the positions q to where they are at t. q: Model::state_size() values,
-  /// solved at another instant. A step or run_on() goes on from there. Returns false where the
-  /// position cannot be reached.
-  virtual bool start_at(std::span<const double> q, double t) = 0;
-
   /// Runs like run(), but starts at the position that start_at() reached. Returns nothing where an
   /// instant could not be solved or segments do not meet; all that the observer was given is then
   /// void.

@@ -44,7 +44,7 @@ inline constexpr std::array monitor_names{
 struct AccuracyMonitorOptions {
   static constexpr int usual_interval = 2000;
 
-  double tolerance = default_tolerance;  ///< of the formulation's Settings
+  double tolerance = default_tolerance;  ///< of Settings; run_monitored() takes the formulation's
   std::span<const Level> levels{};       ///< to which each coordinate is solved (Plan::levels)
   std::span<const Level> asked{};        ///< to which it is judged; empty: as far as solved
   int every = usual_interval;            ///< longest interval between assessments, in instants

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <stdexcept>
 
 #include "formulations/prediction/driver_source.h"
 #include "formulations/verification/monitor/branch_monitor.h"
@@ -18,6 +19,7 @@ AccuracyMonitorOptions monitor_options(const MonitoredRunOptions& options,
                                        std::span<const Level> levels, std::span<const Level> asked,
                                        const Formulation& f) {
   AccuracyMonitorOptions result = options;
+  result.tolerance = f.settings().tolerance;
   result.levels = levels;
   result.asked = asked;
   for (const DefinedPart& part : f.parts())
@@ -64,7 +66,7 @@ class Run final : Observer {
         options_(options),
         accuracy_(formulation.model(), grid,
                   monitor_options(options, levels_, asked_, formulation)),
-        branch_(formulation.model(), levels_, options.tolerance),
+        branch_(formulation.model(), levels_, formulation.settings().tolerance),
         output_(request, formulation.model().coordinates()),
         next_(observer) {
     if (!options.levels.empty() && levels_ != asked_) formulation.solve_only(levels_);
@@ -152,7 +154,8 @@ class Run final : Observer {
     state.q.insert(state.q.end(), m.fixed_values.begin(), m.fixed_values.end());
     state.qd = state.qdd = state.q;
     write_drivers(m, summary_.time, state);
-    summary_.assembly_error = find_assembly_error(m, state.q, {.tolerance = options_.tolerance});
+    summary_.assembly_error =
+        find_assembly_error(m, state.q, {.tolerance = formulation_.settings().tolerance});
   }
 
   /// From the instant that failed to the first that can be assembled again.
@@ -250,6 +253,8 @@ class Run final : Observer {
 MonitoredSummary run_monitored(Formulation& formulation, const TimeGrid& grid,
                                const Request& request, Observer& observer,
                                const MonitoredRunOptions& options) {
+  if (!request.coordinates.empty())
+    throw std::invalid_argument("a monitored run is asked for some coordinates; it needs all");
   return Run(formulation, grid, request, observer, options)();
 }
 

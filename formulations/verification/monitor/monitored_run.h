@@ -61,8 +61,8 @@ struct MonitoredRunOptions : AccuracyMonitorOptions {
 /// is as accurate as the summary states. The run ends, as a failure, at the first instant that
 /// cannot be assembled, is singular or lies on another branch. All instants before it were
 /// delivered. With `past_failures` it continues at the next instant that can be assembled from the
-/// model's initial estimate, which declares the branch. The request must be for all coordinates
-/// (name none), since the monitor needs them.
+/// model's initial estimate, which declares the branch. Throws std::invalid_argument for a request
+/// that names coordinates: the monitors need all.
 ///
 ///   const auto formulation = make_formulation(find_variant("block_symbolic_inlined"), model);
 ///   const MonitoredSummary s = run_monitored(*formulation, grid, {Level::acceleration}, observer);
