@@ -187,7 +187,7 @@ Summary TimeStepping::step(const LiveRow& row, Level level, int max_sub_steps) {
 }
 
 void TimeStepping::return_to(std::span<const double> q, double t) {
-  std::ranges::copy(q, now_.state.q.begin());
+  std::ranges::copy(q.first(std::min(q.size(), now_.state.q.size())), now_.state.q.begin());
   assembled_ = !q.empty();
   forget();
   now_.time = t;
@@ -242,8 +242,9 @@ bool TimeStepping::start_at(std::span<const double> q, double t) {
   };
   assembled_ = continue_drivers_to(model(), t, state, solve);
   if (!assembled_) return false;
+  now_.time = t;
   last.q = state.q;
-  drivers_.sample(t, state);  // whole turns
+  drivers_.sample(t, state);  // exactly, as a step samples them
   assembled_ = sequence_.solve_positions(state, last.q);
   sequence_.end_assembly();
   return assembled_;

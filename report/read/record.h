@@ -63,7 +63,7 @@ inline std::string name_of(const CandidateKey& key) {
   return key.case_name + "/" + std::to_string(key.coordinates) + "/" + key.id;
 }
 
-/// A number of parts of one size that a library solves.
+/// The algebra that was chosen for parts of similar size.
 struct Solver {
   std::string algebra;
   std::int64_t parts = 0;
@@ -75,8 +75,8 @@ struct Candidate {
   std::string message;  ///< why it failed or was not run
   Origin origin;
   Time time;  ///< of the whole analysis; has samples when ok only
-  std::optional<PerLevel>
-      verification;  ///< largest absolute differences from the reference;  ///< always when ok
+  /// Largest absolute differences from the reference; always when ok.
+  std::optional<PerLevel> verification;
   std::optional<double> setup_seconds;
   std::optional<double> iterations_per_step;
   std::vector<Solver> solvers;  ///< where they were chosen by measurement

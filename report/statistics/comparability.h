@@ -27,8 +27,8 @@ std::vector<Difference> different_work_reason(const Record& first, const Record&
 /// Tells whether the records are of two CPU models.
 bool are_of_two_machines(const Record& first, const Record& second);
 
-/// Why times of the two records cannot stand on one page, one beside the other; empty when they
-/// can: as above, but for the motions and what was timed. Only one of them may have an experiment.
+/// Returns why times of two records cannot stand on one page; empty when they can. Motions and
+/// what was timed may differ. An experiment that stands in both records is a reason, too.
 std::vector<Difference> why_apart(const Record& first, const Record& second);
 
 /// Times of one experiment by one clock.

@@ -47,7 +47,7 @@ struct CurveComparison {
   std::size_t sizes = 0;
   double smallest = 0, largest = 0;  ///< unknowns; where there are sizes
   bool second_faster_at_largest = false;
-  /// Empty where one is the faster at every size, or the first at the largest.
+  /// Empty where one curve is the faster at every size, or the first curve at the largest size.
   std::optional<BreakEven> break_even;
 };
 

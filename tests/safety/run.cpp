@@ -30,9 +30,8 @@ TEST(MonitoredRun, FindsOrdinaryMotionsConverged) {
     for (const auto& [m, grid] : every_motion()) {
       Discard observer;
       const MonitoredSummary s = run(m, grid, id, observer);
-      EXPECT_EQ(s.outcome(), Outcome::converged)
-          << m.name << ", " << id << ": "
-          << describe_accuracy(s.condition, s.bound, Level::acceleration);
+      EXPECT_EQ(s.outcome(), Outcome::converged) << m.name << ", " << id << ": " << describe(s, m);
+      EXPECT_EQ(describe(s, m).rfind("converged: ", 0), 0) << describe(s, m);
       EXPECT_EQ(s.instants, grid.instants);
       EXPECT_LT(s.assessed, 8 + s.instants / 4) << m.name << ", " << id;
     }
@@ -78,6 +77,10 @@ TEST(MonitoredRun, IsDegradedNearADeadPointAndRightToItsBounds) {
       EXPECT_NEAR(s.first_degraded->time, 0.25, 0.002);
       EXPECT_LT(s.degraded, 8);
       EXPECT_GT(s.condition, 0.2 / std::sqrt(distance));
+      EXPECT_EQ(describe(s, m).rfind(
+                    "degraded: instants " + std::to_string(s.degraded) + ", the first", 0),
+                0)
+          << describe(s, m);
       for (const Level level : levels)
         EXPECT_LE(measure.error()[level].max, s.bound[level]) << distance << ", " << id;
     }
@@ -104,6 +107,7 @@ TEST(MonitoredRun, StrictEndsAtTheFirstDegradedInstant) {
   EXPECT_EQ(s.outcome(), Outcome::failed);
   ASSERT_TRUE(s.first_degraded);
   EXPECT_EQ(s.instants, s.first_degraded->index);
+  EXPECT_EQ(describe(s, m).rfind("refused: ", 0), 0) << describe(s, m);
 }
 
 /// A crank that is told to swing 0.1 rad beyond its dead point, of 0.6 rad.

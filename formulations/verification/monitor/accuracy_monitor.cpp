@@ -85,8 +85,8 @@ struct AccuracyMonitor::State {
     std::optional<SingularityCrossing> jump;
     if (in_doubt && !instant.interpolated) jump = find_jump(j);
     const bool known_before = rates_are_known();
-    // A doubt that shorter steps have argued away is one: next to where solutions meet they too
-    // end anywhere.
+    // A doubt remains one even where shorter steps agree: next to where solutions meet, they too
+    // may end on another branch.
     const bool is_assessed = in_doubt || !statement.holds || is_due(signals);
     if (is_assessed)
       assess(j, signals, statement.assessment);

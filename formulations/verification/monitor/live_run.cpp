@@ -100,7 +100,8 @@ LiveSummary LiveRun::step(const LiveRow& row) {
 std::string describe(const LiveSummary& s, const Model& m) {
   switch (s.fault) {
     case RowFault::none:
-      return describe(static_cast<const Summary&>(s), m);
+      return s.violated >= 0 ? "another branch: constraint '" + m.constraints[s.violated].name + "'"
+                             : describe(static_cast<const Summary&>(s), m);
     case RowFault::wrong_size:
       return "refused: there is not one value for each driver";
     case RowFault::not_finite:

@@ -71,6 +71,10 @@ MonitoredSummary run_monitored(Formulation& formulation, const TimeGrid& grid,
                                const Request& request, Observer& observer,
                                const MonitoredRunOptions& options = {});
 
+/// Returns the outcome in a line: what failed when and where, or what was flagged first, and the
+/// accuracy of the instants. model: the formulation's.
+std::string describe(const MonitoredSummary& summary, const Model& model);
+
 /// Returns "condition 4.1e+02, errors up to 3.2e-13, 1.1e-11 in velocity, 7.3e-11 in acceleration"
 std::string describe_accuracy(double condition, const PerLevel<double>& bound, Level level);
 
