@@ -8,6 +8,7 @@
 #include "bench/experiments/promise/ids.h"
 #include "bench/experiments/promise/mechanisms.h"
 #include "bench/experiments/promise/run_verdict.h"
+#include "bench/experiments/promise/tally.h"
 #include "cases/io/files.h"
 #include "formulations/id.h"
 #include "formulations/modelling/modelling.h"
@@ -155,6 +156,15 @@ TEST(Promise, EveryFamilyCanBeModelled) {
     }
     EXPECT_EQ(modelled, 1) << family.name;
   }
+}
+
+/// Two links of a Peaucellier cell in line at the end of its motion: the corrected position has no
+/// factors, and what asks for the limit afterwards needs those of the solved one.
+TEST(Promise, CorrectionsToASingularPositionLeaveFactors) {
+  const SceneResult result =
+      verify_scene(1, 237, {"block_automatic_klu", "group_symbolic_klu", "global_automatic_klu"});
+  EXPECT_EQ(result.failure, "");
+  EXPECT_FALSE(result.wrong);
 }
 
 TEST(Promise, IdsAreAHundred) {

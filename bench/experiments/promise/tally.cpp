@@ -101,7 +101,8 @@ Json to_json(const SceneResult& r) {
 }
 
 SceneResult from_json(const Json& j) {
-  SceneResult r{.number = j["scene"]};
+  SceneResult r;
+  r.number = j["scene"];
   r.failure = j.value("failure", "");
   r.family = j["family"];
   r.aim = j["aim"];

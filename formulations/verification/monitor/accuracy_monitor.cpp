@@ -322,7 +322,10 @@ struct AccuracyMonitor::State {
 
   bool take_if_better(Instant& instant, const Instant& better) {
     const Assessment then = assessor(better, scales.with(better));
-    if (!(worst_share(then) < worst_share(last))) return false;
+    if (!(worst_share(then) < worst_share(last))) {
+      assessor(instant, scales.with(instant));  // its factors again: better has none if singular
+      return false;
+    }
     instant = better;
     last = then;
     ++corrected;
