@@ -69,7 +69,7 @@ TEST(LiveRun, GivesTheBitsOfTheKnownMotion) {
       }
       EXPECT_GT(compared, before + 50);
     }
-  EXPECT_LT(corrected, compared / 100);
+  EXPECT_LT(corrected, compared / 40);
 }
 
 /// A four-bar that locks, driven by its crank.

@@ -108,9 +108,35 @@ struct IntervalBlock::FunctionsOf {
   static constexpr Functions table{&residual, &jacobian, &motion, &jacobian_rates};
 };
 
+namespace {
+
+/// Returns the states that equations of a block depend on, in ascending order. Another component of
+/// an operand may belong to another row of the constraint, and be solved later.
+std::vector<int> states_of(const Model& m, const PartDefinition& block) {
+  std::vector<int> states;
+  const std::vector<Interval> any(3);  // the entries are those of all values
+  for (const Equation& equation : block.equations) {
+    const Constraint& c = m.constraints[equation.constraint];
+    std::vector<Interval> constants(c.constants.begin(), c.constants.end());
+    constants.emplace_back();  // never read; data() is not null
+    visit_kind(c.kind, [&]<class Kind>(Kind) {
+      std::array<const Interval*, Kind::operand_sizes.size()> x;
+      x.fill(any.data());
+      Kind::jacobian(x.data(), constants.data(), [&](int r, int operand, int i, const Interval&) {
+        if (r == equation.row) states.push_back(m.state_index(c.operands[operand]) + i);
+      });
+    });
+  }
+  std::ranges::sort(states);
+  states.erase(std::ranges::unique(states).begin(), states.end());
+  return states;
+}
+
+}  // namespace
+
 IntervalBlock::IntervalBlock(const Model& m, const PartDefinition& block)
     : unknowns_(block.unknowns) {
-  std::ranges::set_difference(states_read(m, block), unknowns_, std::back_inserter(inputs_));
+  std::ranges::set_difference(states_of(m, block), unknowns_, std::back_inserter(inputs_));
   std::erase_if(inputs_, [&](int i) { return i >= m.coordinates(); });  // fixed ones are exact
   const int n = static_cast<int>(block.equations.size());
   for (int row = 0; row < n; ++row)
