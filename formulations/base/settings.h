@@ -77,7 +77,7 @@ struct Settings {
 struct PartSettings : Settings {
   PartSettings(const Settings& settings) : Settings(settings) {}
 
-  /// Whether the tolerance is the rounding floor of the part, since the requested one is below it.
+  /// True where the requested tolerance is below the part's rounding floor, which replaces it.
   /// Newton's method then makes one more correction once it has met the tolerance.
   bool at_rounding = false;
 };

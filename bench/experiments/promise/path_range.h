@@ -8,7 +8,7 @@
 
 namespace desmo::promise {
 
-/// How far drivers can go straight from the nominal position.
+/// Ranges of drivers that go straight from the nominal position.
 struct PathRange {
   struct End {
     double at;      ///< path parameter, with the sign of the side

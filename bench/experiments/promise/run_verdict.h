@@ -23,7 +23,7 @@ struct SolvedScene {
   double tolerance;
 };
 
-/// What a run is worth.
+/// Verdict on a run.
 enum class Verdict {
   right,           ///< without a flag
   flagged,         ///< with one for which there is a cause
@@ -39,7 +39,7 @@ inline constexpr const char* verdict_letters = ".fFNW-";
 /// A verdict, and the number that it is about.
 struct RunVerdict {
   Verdict verdict = Verdict::right;
-  /// What is broken: "promise" (100 to 100³ times the tolerance), "bound" (that was stated),
+  /// Names what is broken: "promise" (100 to 100³ times the tolerance), "bound" (that was stated),
   /// "no answer" (a singular position, or out of reach). On the first instants of a run that
   /// failed ", then failed" follows. For flags: which.
   std::string what;

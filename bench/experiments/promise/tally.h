@@ -13,7 +13,7 @@
 
 namespace desmo::promise {
 
-/// What became of a scene: a line of the progress file.
+/// Result of a scene: a line of the progress file.
 struct SceneResult {
   int number = -1;
   std::string family, aim;

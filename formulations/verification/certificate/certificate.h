@@ -10,7 +10,7 @@
 
 namespace desmo {
 
-/// What is proven of one instant. Where `proven` is true, Φ(q, t) = 0 has exactly one solution
+/// Proof about one instant. Where `proven` is true, Φ(q, t) = 0 has exactly one solution
 /// within the radii of the positions around the delivered ones, and the rates of that solution are
 /// within the radii of the rates. The model's constants, its motions and the instant's time count
 /// as exact. Whether that solution lies on the branch that is meant is not part of the proof.

@@ -48,7 +48,7 @@ class CertifiedBlock {
 
  private:
   /// Errors of the block's rows at one level, side by side: unknowns, then inputs, then zeros.
-  /// Those of unknowns are zero while they are not known.
+  /// Errors of unknowns are zero while they are not known.
   struct Errors {
     std::vector<double> center, own, sum, radius;
   };

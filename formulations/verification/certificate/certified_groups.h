@@ -9,7 +9,7 @@
 
 namespace desmo {
 
-/// What a later group of a long chain reads of an earlier one.
+/// Coordinates of a group that a later group of a long chain reads.
 struct GroupInterface {
   std::vector<int> coordinates, rows;  ///< rows in the earlier group's ErrorRows
   ErrorBasis basis;                    ///< errors of all coordinates, one level after the other
