@@ -45,10 +45,10 @@ void Candidate::conclude(const Summary& summary, const Model& m, std::size_t exp
     return fail(std::move(wrong));
   iterations_per_step = static_cast<double>(summary.iterations) / summary.instants;
   residual = summary.residual;
-  state = Verdict::verified;
+  state = Readiness::verified;
 }
 
-void Candidate::stop(Verdict reached, std::string why) {
+void Candidate::stop(Readiness reached, std::string why) {
   state = reached;
   message = std::move(why);
   seconds.clear();
@@ -103,7 +103,7 @@ void FormulationCandidate::verify(ReferenceCache& references) {
 
 void FormulationCandidate::verify_against(
     const std::function<std::span<const ReferenceInstant>()>& reference) {
-  if (state != Verdict::unverified) return;
+  if (state != Readiness::unverified) return;
   if (const std::string reason = unavailable_reason(settings()); !reason.empty())
     return leave_out(reason);
   try {

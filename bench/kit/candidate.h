@@ -21,7 +21,7 @@ namespace desmo::bench {
 /// A formulation, or a peer, under measurement: verified first, and then timed.
 class Candidate {
  public:
-  enum class Verdict {
+  enum class Readiness {
     unverified,
     verified,  ///< may be timed
     failed,    ///< cannot be solved, or is wrong; `message` says where
@@ -42,13 +42,13 @@ class Candidate {
   /// Measures where the time goes, where that is shown. Needs verify().
   virtual void profile() {}
 
-  /// Runs the whole analysis, as timed. Needs Verdict::verified; a failure turns it into
-  /// Verdict::failed.
+  /// Runs the whole analysis, as timed. Needs Readiness::verified; a failure turns it into
+  /// Readiness::failed.
   virtual Summary analyse() = 0;
 
   /// Makes what is timed anew, analyses and discards it, on a fresh heap (see on_fresh_heap).
   /// Returns the seconds of the analysis; by the wall clock, which also runs while the system gives
-  /// a processor to somebody else, the least of some. Needs Verdict::verified.
+  /// a processor to somebody else, the least of some. Needs Readiness::verified.
   double time_afresh();
 
   /// Returns "/clock:wall" for one thread by the wall clock, which several are compared with; else
@@ -57,15 +57,15 @@ class Candidate {
     return clock == Clock::wall && threads == 1 ? "/clock:wall" : "";
   }
 
-  bool is_verified() const { return state == Verdict::verified; }
-  bool is_failed() const { return state == Verdict::failed; }
-  bool is_not_run() const { return state == Verdict::not_run; }
+  bool is_verified() const { return state == Readiness::verified; }
+  bool is_failed() const { return state == Readiness::failed; }
+  bool is_not_run() const { return state == Readiness::not_run; }
   bool is_timed() const { return is_verified() && !seconds.empty(); }
 
   const TimeGrid grid;
   const int threads;  ///< on which it is solved
   const Clock clock;  ///< of seconds, windows and analysis_seconds
-  Verdict state = Verdict::unverified;
+  Readiness state = Readiness::unverified;
   std::string message;          ///< why it failed or was not run
   std::string model;            ///< digest of the model it solves; empty: there is none
   std::string results;          ///< digest of what was compared with the reference, or empty
@@ -94,8 +94,8 @@ class Candidate {
   void wake_threads(const std::function<void()>& solve) const;
 
   /// Ends what is measured, without a time.
-  void fail(std::string why) { stop(Verdict::failed, std::move(why)); }
-  void leave_out(std::string why) { stop(Verdict::not_run, std::move(why)); }
+  void fail(std::string why) { stop(Readiness::failed, std::move(why)); }
+  void leave_out(std::string why) { stop(Readiness::not_run, std::move(why)); }
 
   /// Ends verify(), once `errors` are known: what solved the whole motion and agrees with its
   /// reference in all `expected_instants` is verified. times: what is allowed, over the usual.
@@ -103,7 +103,7 @@ class Candidate {
                 double times = 1);
 
  private:
-  void stop(Verdict reached, std::string why);
+  void stop(Readiness reached, std::string why);
 };
 
 /// A formulation that solves a problem.

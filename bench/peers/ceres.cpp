@@ -196,7 +196,7 @@ class CeresPeer final : public Peer {
     for (const auto& part : rates_->parts()) {
       if (part.definition.constant != constant) continue;
       const PartResult result = part.solver->solve(state_, state_.q, Level::acceleration);
-      if (result.status != Status::converged) throw std::runtime_error("singular Jacobian");
+      if (result.status != Status::solved) throw std::runtime_error("singular Jacobian");
       iterations = std::max(iterations, result.iterations);
     }
     return iterations;

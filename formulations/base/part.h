@@ -18,7 +18,7 @@ struct State {
 
 /// The outcome of one part in one step.
 struct PartResult {
-  Status status = Status::converged;
+  Status status = Status::solved;
   int iterations = 0;
   double residual2 = 0;  ///< ‖Φ‖₂² of the part's equations, each over its magnitude, at the end
 };

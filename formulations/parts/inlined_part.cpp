@@ -44,7 +44,7 @@ PartResult InlinedPart::solve(State& s, std::span<const double> last, Level leve
     double* acc = level == Level::acceleration ? s.qdd.data() : nullptr;
     good = bound_.kernel->rates(s.q.data(), s.qd.data(), acc, in, c);
   }
-  if (good) return {Status::converged, position.iterations, position.residual2};
+  if (good) return {Status::solved, position.iterations, position.residual2};
 
   ++fallbacks_;
   for (std::size_t i = 0; i < unknowns_.size(); ++i) s.q[unknowns_[i]] = start_[i];

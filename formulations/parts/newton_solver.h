@@ -88,7 +88,7 @@ class NewtonSolver {
       return attempt(q, qd, qdd, level, update_);
     remember_start(q);
     const PartResult result = attempt(q, qd, qdd, level, update_);
-    if (result.status == Status::converged) return result;
+    if (result.status == Status::solved) return result;
     restore_start(q);  // perhaps only the factors, or their pivots, had gone bad
     has_factors_ = false;
     linear_solver_->forget_pivots();
@@ -109,7 +109,7 @@ class NewtonSolver {
 
   PartResult attempt(Real* q, Real* qd, Real* qdd, Level level, JacobianUpdate update) {
     PartResult result = position(q, update);
-    if (result.status != Status::converged) return result;
+    if (result.status != Status::solved) return result;
     if (level == Level::position) {
       if (update == JacobianUpdate::step) has_factors_ = false;  // they serve one step
       return result;

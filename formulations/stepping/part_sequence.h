@@ -20,7 +20,7 @@ class PartSequence {
  public:
   /// The outcome of all parts in one step.
   struct Result {
-    Status status = Status::converged;
+    Status status = Status::solved;
     long iterations = 0;   ///< the most of any part
     long updates = 0;      ///< see Summary
     double residual2 = 0;  ///< ‖Φ‖₂² of all

@@ -87,7 +87,7 @@ TEST(Candidates, HaveWindowsThatAreAllOfTheirTime) {
     max_share = std::max(max_share, in_windows / seconds);
   }
   EXPECT_GE(max_share, 0.95);
-  EXPECT_EQ(candidate.state, Candidate::Verdict::verified);
+  EXPECT_EQ(candidate.state, Candidate::Readiness::verified);
   EXPECT_EQ(candidate.windows.samples().size(), static_cast<std::size_t>(taken) - 1);
 }
 
@@ -99,7 +99,7 @@ TEST(Candidates, AreVerifiedBeforeTheyAreTimed) {
                           o);
   EXPECT_EQ(candidate.name(), "truck_suspension/114/group_symbolic_klu");
   candidate.verify(references);
-  EXPECT_EQ(candidate.state, CaseCandidate::Verdict::verified) << candidate.message;
+  EXPECT_EQ(candidate.state, CaseCandidate::Readiness::verified) << candidate.message;
   EXPECT_EQ(candidate.errors.instants, 51);
   EXPECT_TRUE(candidate.analyse().ok());
 }
@@ -112,7 +112,7 @@ TEST(Candidates, FailWhenTheReferenceSaysOtherwise) {
   CaseCandidate candidate(find_case("four_bar"), 114, find_variant("group_symbolic_klu"), o,
                           {.fixed_iterations = 1});  // too few for steps as coarse
   candidate.verify(references);
-  EXPECT_EQ(candidate.state, CaseCandidate::Verdict::failed);
+  EXPECT_EQ(candidate.state, CaseCandidate::Readiness::failed);
   EXPECT_NE(candidate.message, "");
 }
 
@@ -120,7 +120,7 @@ TEST(Candidates, SayWhyDenseGlobalSolvesAreNotRun) {
   Options o;
   const CaseCandidate candidate(find_case("four_bar"), 558, find_variant("global_automatic_lapack"),
                                 o);
-  EXPECT_EQ(candidate.state, CaseCandidate::Verdict::not_run);
+  EXPECT_EQ(candidate.state, CaseCandidate::Readiness::not_run);
   EXPECT_NE(candidate.message.find("O(n^3)"), std::string::npos);
 }
 
@@ -137,7 +137,7 @@ TEST(Candidates, ShowWhereTheTimeOfKluAsOneBlockGoes) {
     EXPECT_EQ(candidate.settings().btf, BlockTriangularForm::off);
     ReferenceCache references;
     candidate.verify(references);
-    ASSERT_EQ(candidate.state, CaseCandidate::Verdict::verified) << candidate.message;
+    ASSERT_EQ(candidate.state, CaseCandidate::Readiness::verified) << candidate.message;
     candidate.profile();
     ASSERT_TRUE(candidate.phases) << name;
     EXPECT_GT(candidate.phases->total(), 0);

@@ -120,7 +120,7 @@ TEST(ResultDigests, AreTheSameForEveryRightFormulationAndNoWrongOne) {
                          "group_symbolic_lapack", "group_symbolic_inlined"}) {
     CaseCandidate candidate(find_case("truck_suspension"), 114, find_variant(id), o);
     candidate.verify(references);
-    ASSERT_EQ(candidate.state, CaseCandidate::Verdict::verified) << candidate.message;
+    ASSERT_EQ(candidate.state, CaseCandidate::Readiness::verified) << candidate.message;
     models.insert(candidate.model);
     results.insert(candidate.results);
   }

@@ -35,7 +35,7 @@ TEST(ParallelCandidates, OfSeveralThreadsAreTimedByTheWallClock) {
   ReferenceCache references;
   CaseCandidate candidate(find_case("truck_suspension"), 225, *c.variant, options, c.settings);
   candidate.verify(references);
-  ASSERT_EQ(candidate.state, Candidate::Verdict::verified) << candidate.message;
+  ASSERT_EQ(candidate.state, Candidate::Readiness::verified) << candidate.message;
   EXPECT_EQ(candidate.clock, Clock::wall);
   candidate.seconds.push_back(candidate.time_afresh());
   EXPECT_GT(candidate.seconds.front(), 0);

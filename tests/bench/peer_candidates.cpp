@@ -81,7 +81,7 @@ TEST_F(PeerCells, AreVerifiedInWhatTheyFind) {
   PeerCandidate candidate(find_case("truck_suspension"), 114, half, options);
   EXPECT_EQ(candidate.name(), "truck_suspension/114/peer:half");
   candidate.verify(references);
-  ASSERT_EQ(candidate.state, Candidate::Verdict::verified) << candidate.message;
+  ASSERT_EQ(candidate.state, Candidate::Readiness::verified) << candidate.message;
   EXPECT_EQ(candidate.compared, 57);
   EXPECT_EQ(candidate.setup, "half of ours");
   EXPECT_EQ(candidate.errors.instants, 51);

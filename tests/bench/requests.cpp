@@ -50,7 +50,7 @@ TEST_F(Requests, AreVerifiedBeforeTheyAreTimed) {
       continue;
     }
     ++verified;
-    EXPECT_EQ(candidate->state, Candidate::Verdict::verified)
+    EXPECT_EQ(candidate->state, Candidate::Readiness::verified)
         << candidate->name() << ": " << candidate->message;
     EXPECT_LE(candidate->difference, allowed_request_difference) << candidate->name();
     EXPECT_EQ(candidate->errors.instants, 51);
@@ -94,7 +94,7 @@ TEST_F(Requests, FailWhereTheWholeMechanismCannotBeSolved) {
   RequestCandidate candidate(std::make_shared<const PlannedRequest>("far", scene, options),
                              find_variant("global_automatic_klu"));
   candidate.verify(references);
-  EXPECT_EQ(candidate.state, Candidate::Verdict::failed);
+  EXPECT_EQ(candidate.state, Candidate::Readiness::failed);
   EXPECT_TRUE(candidate.message.starts_with("the whole mechanism: ")) << candidate.message;
   EXPECT_FALSE(candidate.is_timed());
 }

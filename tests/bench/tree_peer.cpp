@@ -33,7 +33,7 @@ TEST_P(TreePeersOfCase, AgreeWithTheQuadrupleReferenceAtEverySize) {
     for (const char* name : names) {
       paper::PeerCandidate candidate(c, n, find_peer(name), options);
       candidate.verify(references);
-      EXPECT_EQ(candidate.state, bench::Candidate::Verdict::verified)
+      EXPECT_EQ(candidate.state, bench::Candidate::Readiness::verified)
           << candidate.name() << ": " << candidate.message;
       EXPECT_EQ(candidate.compared, n) << candidate.name();
       EXPECT_EQ(candidate.errors.instants, 51) << candidate.name();

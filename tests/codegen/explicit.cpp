@@ -190,9 +190,9 @@ TEST(Explicit, IsRightWhereItsCodeRefuses) {
   s.q.insert(s.q.end(), m.fixed_values.begin(), m.fixed_values.end());
   s.qd.assign(s.q.size(), 0);
   s.qdd.assign(s.q.size(), 0);
-  ASSERT_EQ(bad.solve(s, s.q, Level::acceleration).status, Status::converged);
+  ASSERT_EQ(bad.solve(s, s.q, Level::acceleration).status, Status::solved);
   EXPECT_EQ(bad.fallbacks(), 0);  // the first position is found by iterating, as ever
-  ASSERT_EQ(bad.solve(s, s.q, Level::acceleration).status, Status::converged);
+  ASSERT_EQ(bad.solve(s, s.q, Level::acceleration).status, Status::solved);
   EXPECT_EQ(bad.fallbacks(), 1);
   EXPECT_EQ(bad.branch_changes(), 0);
 }

@@ -36,7 +36,7 @@ bench::ReferenceCache& references() {
 
 void expect_agreement(paper::CaseCandidate& cell) {
   cell.verify(references());
-  EXPECT_EQ(cell.state, paper::CaseCandidate::Verdict::verified)
+  EXPECT_EQ(cell.state, paper::CaseCandidate::Readiness::verified)
       << cell.name() << ": " << cell.message;
   EXPECT_GE(cell.errors.instants, std::min(cell.grid.instants, 50)) << cell.name();
   EXPECT_LE(cell.errors.position, 1e-9) << cell.name();
@@ -59,7 +59,7 @@ TEST_P(Sizes, EveryFormulationAgreesWithTheQuadrupleReference) {
   int verified = 0;
   for (const Variant& v : all) {
     paper::CaseCandidate cell(*definition, coordinates, v, options);
-    if (cell.state == paper::CaseCandidate::Verdict::not_run) continue;
+    if (cell.state == paper::CaseCandidate::Readiness::not_run) continue;
     expect_agreement(cell);
     ++verified;
   }
@@ -90,7 +90,7 @@ TEST_P(Sizes, DenseGlobalSolvesAgreeOverAShorterMotion) {
     if (!is_dense_global(v)) continue;
     paper::CaseCandidate cell(*definition, coordinates, v, options);
     cell.verify(references());
-    EXPECT_EQ(cell.state, paper::CaseCandidate::Verdict::verified)
+    EXPECT_EQ(cell.state, paper::CaseCandidate::Readiness::verified)
         << cell.name() << ": " << cell.message;
     ++verified;
   }

@@ -44,7 +44,7 @@ TEST_F(Ma27, FormulationsAgreeWithTheQuadrupleReference) {
     for (const char* id : ids) {
       paper::CaseCandidate cell(c, 114, find_variant(id), options);
       cell.verify(references);
-      EXPECT_EQ(cell.state, paper::CaseCandidate::Verdict::verified)
+      EXPECT_EQ(cell.state, paper::CaseCandidate::Readiness::verified)
           << cell.name() << ": " << cell.message;
       EXPECT_EQ(cell.errors.instants, 51) << cell.name();
       EXPECT_LE(cell.errors.position, 1e-9) << cell.name();

@@ -52,7 +52,7 @@ Trial::Trial(const Problem& problem, const Configuration& configuration)
 }
 
 void Trial::compare() {
-  if (state != Verdict::unverified) return;
+  if (state != Readiness::unverified) return;
   const Plan& plan = problem().plan;
   try {
     build();
@@ -67,7 +67,7 @@ void Trial::compare() {
     iterations_per_step = static_cast<double>(summary.iterations) /
                           static_cast<double>(std::max(1L, summary.instants));
     if (!summary.ok()) return fail(describe(summary, plan.model));
-    state = Verdict::verified;
+    state = Readiness::verified;
   } catch (const std::exception& e) {
     fail(e.what());
   }

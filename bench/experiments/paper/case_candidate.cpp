@@ -47,7 +47,7 @@ CaseCandidate::CaseCandidate(const Case& d, int n, const Variant& v, const Optio
 }
 
 void CaseCandidate::verify(ReferenceCache& references) {
-  if (state != Verdict::unverified) return;
+  if (state != Readiness::unverified) return;
   try {
     own_problem_ = std::make_unique<Problem>();
     Model& m = own_problem_->plan.model = make_model(describe(definition, coordinates));

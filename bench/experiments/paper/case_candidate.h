@@ -34,7 +34,7 @@ class CaseCandidate final : public FormulationCandidate {
 };
 
 /// Returns every candidate of the experiment but requests and peers, in the order of the tables.
-/// Dense global solves above the limit are there too, as Verdict::not_run, with the reason.
+/// Dense global solves above the limit are there too, as Readiness::not_run, with the reason.
 std::vector<std::unique_ptr<CaseCandidate>> make_case_candidates(const Options& options);
 
 }  // namespace desmo::paper

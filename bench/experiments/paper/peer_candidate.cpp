@@ -66,7 +66,7 @@ std::string PeerCandidate::name() const {
 }
 
 void PeerCandidate::verify(ReferenceCache& references) {
-  if (state != Verdict::unverified) return;
+  if (state != Readiness::unverified) return;
   try {
     scene_ = describe(definition, coordinates);
     model_ = std::make_unique<Model>(make_model(scene_));
@@ -93,7 +93,7 @@ void PeerCandidate::verify(ReferenceCache& references) {
       return fail(wrong);
     iterations_per_step = static_cast<double>(peer_->iterations()) / grid.instants;
     for (auto* delivered : {&q_, &qd_, &qdd_}) delivered->resize(compared);
-    state = Verdict::verified;
+    state = Readiness::verified;
   } catch (const std::exception& e) {
     fail(e.what());
   }

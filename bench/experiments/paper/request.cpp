@@ -148,7 +148,7 @@ std::string RequestCandidate::name() const {
 }
 
 void RequestCandidate::verify(ReferenceCache& references) {
-  if (state != Verdict::unverified) return;
+  if (state != Readiness::unverified) return;
   if (const std::string reason = unavailable_reason(settings()); !reason.empty())
     return leave_out(reason);
   try {
