@@ -20,7 +20,7 @@ class CheckProgram : public Program {
 
 TEST_F(CheckProgram, PassesWhatHasNotChanged) {
   EXPECT_EQ(check(check_sample().dump()), 0);
-  EXPECT_NE(out_.find("CheckVerdict: PASS"), std::string::npos) << out_;
+  EXPECT_NE(out_.find("Verdict: PASS"), std::string::npos) << out_;
   EXPECT_EQ(err_, "");
 }
 
