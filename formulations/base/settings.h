@@ -73,13 +73,4 @@ struct Settings {
   int stride = 1;
 };
 
-/// Settings of one part, with the tolerance on its own equations.
-struct PartSettings : Settings {
-  PartSettings(const Settings& settings) : Settings(settings) {}
-
-  /// True where the requested tolerance is below the part's rounding floor, which replaces it.
-  /// Newton's method then makes one more correction once it has met the tolerance.
-  bool at_rounding = false;
-};
-
 }  // namespace desmo

@@ -45,7 +45,7 @@ class ExplicitChain final : public PartChain {
 }  // namespace
 
 ExplicitPart::ExplicitPart(const ExplicitKernel& kernel, const BoundKernel& bound,
-                           std::span<const double> weights, const Settings& settings,
+                           std::span<const double> weights, const PartSettings& settings,
                            std::unique_ptr<Part> fallback)
     : kernel_(kernel),
       fallback_(std::move(fallback)),
@@ -67,10 +67,11 @@ ExplicitPart::ExplicitPart(const ExplicitKernel& kernel, const BoundKernel& boun
 
   const double tolerance2 = settings.tolerance * settings.tolerance;
   const ExplicitLimits limits =
-      settings.fixed_iterations > 0
-          ? ExplicitLimits{std::numeric_limits<double>::infinity(), 0, settings.fixed_iterations}
+      settings.analysis.fixed_iterations > 0
+          ? ExplicitLimits{std::numeric_limits<double>::infinity(), 0,
+                           settings.analysis.fixed_iterations}
           : ExplicitLimits{tolerance2, core_share * core_share * tolerance2,
-                           settings.max_iterations};
+                           settings.analysis.max_iterations};
   binding_ = {inputs_.data(), c, f, branch_, w, anchors_.data(), limits};
 }
 

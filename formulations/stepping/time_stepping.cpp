@@ -106,7 +106,8 @@ Summary TimeStepping::solve_at(double t, Level level) {
   now_.time = t;
   now_.level = level;
   if (!summary.ok()) [[unlikely]] {
-    find_culprit_of(result, summary);
+    sequence_.restore(before_.state.q);
+    note_failure(result.failed);
     std::ranges::copy(last.q, state.q.begin());
     now_.level.reset();
     before_.forget();
@@ -120,9 +121,12 @@ Summary TimeStepping::assemble_or_step(double t, Level level, int max_sub_steps)
   if (!assembled_) return assemble_alone(t, level);
   const double start = now_.time;
   const bool is_known = now_.level || drivers_.is_live();
+  failure_.part = -1;
   Summary summary = solve_at(t, level);
   if (!summary.ok() && is_known && start != t) [[unlikely]]
     summary = sub_step(start, t, level, max_sub_steps, summary);
+  if (!summary.ok()) [[unlikely]]
+    find_culprit_of_failure(summary);
   return summary;
 }
 
@@ -149,19 +153,25 @@ Summary TimeStepping::sub_step(double from, double t, Level level, int max_sub_s
   return last;
 }
 
+/// Keeps what a diagnosis of the first failure of a step needs, whatever sub-steps find.
+void TimeStepping::note_failure(int part) {
+  if (failure_.part >= 0) return;
+  failure_.part = part;
+  if (drivers_.is_live()) return;
+  drivers_.write_all(now_.state);
+  failure_.q = now_.state.q;
+  for (const int i : parts()[part].definition.unknowns) failure_.q[i] = before_.state.q[i];
+}
+
 /// Finds the group and the constraint that could not be solved, from the last positions of the
 /// part.
-void TimeStepping::find_culprit_of(const PartSequence::Result& result, Summary& summary) {
-  const PartDefinition& failed = parts()[result.failed].definition;
-  State &state = now_.state, &last = before_.state;
-  sequence_.restore(last.q);
-  drivers_.write_all(state);
+void TimeStepping::find_culprit_of_failure(Summary& summary) const {
+  const PartDefinition& failed = parts()[failure_.part].definition;
   if (drivers_.is_live()) {
     if (failed.groups.size() == 1) summary.group = failed.groups.front();
     return;
   }
-  for (const int i : failed.unknowns) state.q[i] = last.q[i];
-  const Culprit culprit = find_culprit(model(), failed.groups, state.q, settings());
+  const Culprit culprit = find_culprit(model(), failed.groups, failure_.q, settings());
   summary.group = culprit.group;
   summary.constraint = culprit.constraint;
 }
@@ -206,10 +216,12 @@ Summary TimeStepping::assemble_alone(double t, Level level) {
   std::ranges::copy(state.q, last.q.begin());
   forget();
   assembled_ = false;
+  failure_.part = -1;
   const PartSequence::Result constant = sequence_.solve_constant(state, last.q, level);
   Summary summary = summary_of(constant, t);
   if (!summary.ok()) {
-    find_culprit_of(constant, summary);
+    note_failure(constant.failed);
+    find_culprit_of_failure(summary);
     return summary;
   }
   last = state;  // what is solved once is in both
@@ -226,6 +238,7 @@ Summary TimeStepping::assemble_alone(double t, Level level) {
   }
   sequence_.end_assembly();
   assembled_ = summary.ok();
+  if (!assembled_) find_culprit_of_failure(summary);
   return summary;
 }
 

@@ -183,7 +183,7 @@ TEST(Explicit, IsRightWhereItsCodeRefuses) {
     return ExplicitRunResult{};
   };
   const auto reference = make_formulation(find_variant("group_automatic_eigen"), m);
-  ExplicitPart bad(refusing, bound, Magnitudes(m).weights(parts[1]), {.tolerance = 1e-12},
+  ExplicitPart bad(refusing, bound, Magnitudes(m).weights(parts[1]), Settings{.tolerance = 1e-12},
                    std::make_unique<Borrowed>(*reference->parts()[1].solver));
   State s;
   s.q = m.estimate;

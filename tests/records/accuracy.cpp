@@ -73,7 +73,7 @@ TEST(Trials, SeeTheErrorBetweenSolvedInstants) {
     for (const int stride : {1, 2, 4, 8, 16}) {
       Trial trial(p, {&find_variant("group_symbolic_inlined"), {.stride = stride}});
       trial.compare();
-      ASSERT_TRUE(trial.is_verified()) << trial.message;
+      ASSERT_TRUE(trial.is_verified()) << trial.message();
       EXPECT_EQ(trial.error.instants, compared);
       if (stride == 1)
         EXPECT_LT(trial.error.position.max, last);
@@ -131,7 +131,7 @@ double error_elsewhere(const Scene& scene, const Configuration& c, Level level) 
   const Problem p = problem(scene, seconds, 47);
   Trial trial(p, c);
   trial.compare();
-  EXPECT_TRUE(trial.is_verified()) << trial.message;
+  EXPECT_TRUE(trial.is_verified()) << trial.message();
   return trial.error[level].max;
 }
 

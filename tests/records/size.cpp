@@ -76,7 +76,7 @@ TEST(SizeCandidate, ComparesTheLargestWithDoublePrecision) {
   FormulationCandidate candidate(problem, "group_symbolic_inlined",
                                  {.tolerance = problem.tolerance});
   candidate.verify();
-  EXPECT_TRUE(candidate.is_verified()) << candidate.message;
+  EXPECT_TRUE(candidate.is_verified()) << candidate.message();
 }
 
 TEST(Cut, HasTheUnknownsAskedForAndCanBeSolved) {
@@ -95,7 +95,8 @@ TEST(Cut, HasTheUnknownsAskedForAndCanBeSolved) {
       for (const char* id : {"global_automatic_eigen", "global_automatic_klu"}) {
         FormulationCandidate candidate(problem, id, {.tolerance = problem.tolerance});
         candidate.verify();
-        EXPECT_TRUE(candidate.is_verified()) << c.name << ' ' << least << ' ' << candidate.message;
+        EXPECT_TRUE(candidate.is_verified())
+            << c.name << ' ' << least << ' ' << candidate.message();
       }
     }
     EXPECT_EQ(moving_unknowns(cut_to(whole, 1'000'000)), moving_unknowns(whole));

@@ -74,13 +74,13 @@ Json point_json(const AccuracySeries& series, const Trial& trial) {
   j["id"] = trial.id();
   j["status"] = trial.is_verified() ? "ok" : trial.is_not_run() ? "not_applicable" : "failed";
   if (!trial.is_verified()) {
-    j["message"] = trial.message;
+    j["message"] = trial.message();
     return j;
   }
   j["error"] = error_json(trial.error);
   j["violation"] = error_json(trial.violation);
-  j["iterations_per_step"] = rounded(trial.iterations_per_step);
-  j["time_per_step"] = bench::rounded_time_json(trial.seconds);
+  j["iterations_per_step"] = rounded(trial.verifying_run().iterations_per_step);
+  j["time_per_step"] = bench::rounded_time_json(trial.seconds());
   return j;
 }
 

@@ -28,9 +28,6 @@ class CaseCandidate final : public FormulationCandidate {
   const Case& definition;
   int groups = 0, degrees_of_freedom = 0;
   std::optional<PhaseTimes> phases;
-
- private:
-  std::unique_ptr<Problem> own_problem_;
 };
 
 /// Returns every candidate of the experiment but requests and peers, in the order of the tables.

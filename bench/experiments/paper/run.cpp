@@ -165,7 +165,7 @@ int run(const bench::CommandLine& line) {
   benchmark::Shutdown();
   if (recording)
     recording->write(chosen.front()->grid, all_lists,
-                     static_cast<int>(chosen.front()->windows.count()));
+                     static_cast<int>(chosen.front()->windows().count()));
   return failed ? 1 : 0;
 }
 

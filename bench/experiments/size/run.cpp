@@ -41,17 +41,17 @@ Json entry_json(const SizeSeries& series, const bench::Problem& problem,
             {"tolerance", problem.tolerance}};
   j["status"] = candidate.is_timed() ? "ok" : "failed";
   if (!candidate.is_timed()) {
-    j["message"] = candidate.message.empty() ? "not timed" : candidate.message;
+    j["message"] = candidate.message().empty() ? "not timed" : candidate.message();
     return j;
   }
   j["checked_against"] = problem.checked_against;
-  j["verification"] = bench::errors_json(candidate.errors);
-  j["iterations_per_step"] = candidate.iterations_per_step;
-  j["residual"] = candidate.residual;
+  j["verification"] = bench::errors_json(candidate.verifying_run().errors);
+  j["iterations_per_step"] = candidate.verifying_run().iterations_per_step;
+  j["residual"] = candidate.verifying_run().residual;
   // q, q̇ and q̈
   j["state_bytes"] = 3 * sizeof(double) * static_cast<std::size_t>(m.state_size());
-  if (candidate.bytes > 0) j["bytes"] = candidate.bytes;
-  j["time_per_step"] = bench::rounded_time_json(candidate.seconds);
+  if (candidate.verifying_run().bytes > 0) j["bytes"] = candidate.verifying_run().bytes;
+  j["time_per_step"] = bench::rounded_time_json(candidate.seconds());
   return j;
 }
 
@@ -70,7 +70,7 @@ bool measure(const SizeSeries& series, int repetitions, Json& list) {
     list.push_back(entry_json(series, problem, candidate));
     if (candidate.is_timed()) continue;
     right = false;
-    std::cerr << name_of(series.question) << '/' << candidate.name() << ": " << candidate.message
+    std::cerr << name_of(series.question) << '/' << candidate.name() << ": " << candidate.message()
               << '\n';
   }
   return right;
