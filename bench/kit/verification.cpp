@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "formulations/structure/defined_part.h"
+
 namespace desmo::bench {
 
 namespace {
@@ -99,13 +101,13 @@ void require_agreement(const Model& m, const PerLevel<double>& floor) {
 std::string missing_code(const Formulation& f) {
   int missing = 0;
   std::string first;
-  for (const auto& part : f.parts()) {
+  for (const auto& part : parts_of(f)) {
     if (part.as_named) continue;
     if (missing++ == 0) first = f.model().groups[part.definition.groups.front()].name;
   }
   if (missing == 0) return {};
   return "no generated code for " + std::to_string(missing) + " of " +
-         std::to_string(f.parts().size()) + " parts, first of group '" + first + "'";
+         std::to_string(parts_of(f).size()) + " parts, first of group '" + first + "'";
 }
 
 std::vector<double> spread_times(const TimeGrid& grid, int count) {

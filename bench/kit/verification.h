@@ -9,6 +9,7 @@
 
 #include "bench/kit/delivery.h"
 #include "bench/kit/digests.h"
+#include "formulations/base/part.h"
 #include "formulations/formulation.h"
 #include "formulations/verification/reference/reference.h"
 

@@ -111,6 +111,7 @@ Summary TimeStepping::solve_at(double t, Level level) {
     std::ranges::copy(last.q, state.q.begin());
     now_.level.reset();
     before_.forget();
+    is_continued_ = false;
   }
   return summary;
 }
@@ -120,7 +121,7 @@ Summary TimeStepping::solve_at(double t, Level level) {
 Summary TimeStepping::assemble_or_step(double t, Level level, int max_sub_steps) {
   if (!assembled_) return assemble_alone(t, level);
   const double start = now_.time;
-  const bool is_known = now_.level || drivers_.is_live();
+  const bool is_known = now_.level || is_continued_ || drivers_.is_live();
   failure_.part = -1;
   Summary summary = solve_at(t, level);
   if (!summary.ok() && is_known && start != t) [[unlikely]]
@@ -178,12 +179,12 @@ void TimeStepping::find_culprit_of_failure(Summary& summary) const {
 
 // ---- Single instants ----
 
-Summary TimeStepping::step(double t, Level level) {
+Summary TimeStepping::step_to(double t, Level level) {
   want({});
   return assemble_or_step(t, level);
 }
 
-Summary TimeStepping::step(const LiveRow& row, Level level, int max_sub_steps) {
+Summary TimeStepping::step_to_row(const LiveRow& row, Level level, int max_sub_steps) {
   want({});
   const double start = now_.time;
   drivers_.hand_in(row, start, now_.state);
@@ -203,7 +204,7 @@ void TimeStepping::return_to(std::span<const double> q, double t) {
   now_.time = t;
 }
 
-Summary TimeStepping::assemble(double t, Level level) {
+Summary TimeStepping::assemble_at(double t, Level level) {
   want({});
   return assemble_alone(t, level);
 }
@@ -215,7 +216,7 @@ Summary TimeStepping::assemble_alone(double t, Level level) {
   for (State* s : {&state, &last}) clear_rates(*s);
   std::ranges::copy(state.q, last.q.begin());
   forget();
-  assembled_ = false;
+  assembled_ = is_continued_ = false;
   failure_.part = -1;
   const PartSequence::Result constant = sequence_.solve_constant(state, last.q, level);
   Summary summary = summary_of(constant, t);
@@ -246,7 +247,8 @@ bool TimeStepping::start_at(std::span<const double> q, double t) {
   want({});
   State &state = now_.state, &last = before_.state;
   for (State* s : {&state, &last}) {
-    std::ranges::copy(q, s->q.begin());
+    std::ranges::copy(q.first(std::min(q.size(), s->q.size())), s->q.begin());
+    std::ranges::copy(model().fixed_values, s->q.begin() + model().coordinates());
     clear_rates(*s);
   }
   forget();
@@ -260,6 +262,7 @@ bool TimeStepping::start_at(std::span<const double> q, double t) {
   drivers_.sample(t, state);  // exactly, as a step samples them
   assembled_ = sequence_.solve_positions(state, last.q);
   sequence_.end_assembly();
+  is_continued_ = assembled_;
   return assembled_;
 }
 

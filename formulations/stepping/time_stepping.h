@@ -18,10 +18,10 @@ class TimeStepping final : public SegmentSolver {
   /// settings: those that the parts were made with. The model outlives this.
   TimeStepping(const Model& model, std::vector<DefinedPart> parts, const Settings& settings);
 
-  Summary assemble(double t, Level level) override;
-  Summary step(double t, Level level) override;
+  Summary assemble_at(double t, Level level) override;
+  Summary step_to(double t, Level level) override;
   bool is_live() const override { return true; }
-  Summary step(const LiveRow& row, Level level, int max_sub_steps) override;
+  Summary step_to_row(const LiveRow& row, Level level, int max_sub_steps) override;
   void return_to(std::span<const double> q, double t) override;
   Summary run(const TimeGrid& grid, const Request& request, Observer& observer) override;
   bool start_at(std::span<const double> q, double t) override;
@@ -78,6 +78,7 @@ class TimeStepping final : public SegmentSolver {
   std::vector<double> start_;  // positions from which a step is tried again
   Failure failure_;
   bool assembled_ = false;
+  bool is_continued_ = false;  // positions are those that start_at() reached
 };
 
 }  // namespace desmo

@@ -15,6 +15,7 @@
 #include "cases/generators/cases.h"
 #include "formulations/parts/explicit_part.h"
 #include "formulations/scaling/magnitudes.h"
+#include "formulations/structure/defined_part.h"
 #include "formulations/variants.h"
 #include "tests/borrowed_part.h"
 #include "tests/mechanisms.h"
@@ -45,7 +46,7 @@ class Pieces : public ::testing::Test {
     return std::make_unique<ExplicitPart>(
         kernel, bind_kernel(model_, definitions_[i]).value(),
         Magnitudes(model_).weights(definitions_[i]), Settings{.tolerance = 1e-11},
-        std::make_unique<Borrowed>(*reference_->parts()[i].solver));
+        std::make_unique<Borrowed>(*parts_of(*reference_)[i].solver));
   }
 
   const ExplicitKernel& kernel(std::size_t i) const {

@@ -16,6 +16,7 @@
 #include "formulations/parts/inlined_part.h"
 #include "formulations/parts/newton_part.h"
 #include "formulations/scaling/magnitudes.h"
+#include "formulations/structure/defined_part.h"
 #include "formulations/variants.h"
 #include "tests/dead_point.h"
 #include "tests/discard.h"
@@ -238,7 +239,7 @@ TEST(Inlined, NeedsNoFallbackOnTheCases) {
     const auto f = make_formulation(find_variant("group_symbolic_inlined"), m);
     Discard observer;
     ASSERT_TRUE(f->run(time_grid(3, 0.01), {}, observer).ok());
-    for (const auto& part : f->parts())
+    for (const auto& part : parts_of(*f))
       EXPECT_EQ(dynamic_cast<const InlinedPart&>(*part.solver).fallbacks(), 0)
           << m.groups[part.definition.groups.front()].name;
   }

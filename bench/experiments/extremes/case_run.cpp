@@ -11,6 +11,8 @@
 
 #include "bench/kit/memory.h"
 #include "bench/kit/verification.h"
+#include "formulations/structure/defined_part.h"
+#include "formulations/structure/partition.h"
 #include "formulations/verification/error.h"
 
 namespace desmo::extremes {
@@ -82,7 +84,7 @@ class Record final : public Observer {
  public:
   Record(const KnownCase& known, const Formulation& formulation, CaseRun& run)
       : case_(known), run_(run) {
-    for (const DefinedPart& part : formulation.parts())
+    for (const DefinedPart& part : parts_of(formulation))
       if (!part.definition.constant) unknowns_ += std::ssize(part.definition.unknowns);
     for (const Answers& answers : known.answers) run.errors.emplace_back(answers.right.size());
     run.stated.resize(known.compared.size());

@@ -14,6 +14,7 @@
 #include "cases/io/files.h"
 #include "cases/library/library.h"
 #include "formulations/modelling/modelling.h"
+#include "formulations/structure/defined_part.h"
 
 namespace desmo::paper {
 
@@ -174,8 +175,8 @@ std::string RequestCandidate::compare_with_whole() {
   const auto whole = make_formulation(variant(), request_->whole, own);
   // Each part stops at tolerance/√parts: the same residual in both, so that equal parts do the
   // same.
-  own.tolerance *= std::sqrt(static_cast<double>(formulation_->parts().size()) /
-                             static_cast<double>(whole->parts().size()));
+  own.tolerance *= std::sqrt(static_cast<double>(parts_of(*formulation_).size()) /
+                             static_cast<double>(parts_of(*whole).size()));
   const auto kept = make_formulation(variant(), request_->plan.model, own);
   kept->solve_only(request_->plan.levels);
   const Errors largest =

@@ -5,7 +5,9 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "formulations/algebra/linear_solver.h"
 #include "formulations/prediction/driver_source.h"
+#include "formulations/structure/defined_part.h"
 #include "formulations/verification/monitor/branch_monitor.h"
 
 namespace desmo {
@@ -22,7 +24,7 @@ AccuracyMonitorOptions monitor_options(const MonitoredRunOptions& options,
   result.tolerance = f.settings().tolerance;
   result.levels = levels;
   result.asked = asked;
-  for (const DefinedPart& part : f.parts())
+  for (const DefinedPart& part : parts_of(f))
     if (part.solver->reuses_pivots()) {
       result.reuses_pivots = true;
       const auto* pivots = dynamic_cast<const PivotReuse*>(part.solver.get());
