@@ -15,7 +15,7 @@ struct DefinedPart;  // structure/defined_part.h, which is not installed
 struct State;        // base/part.h, which is not installed
 
 /// A way of solving the kinematics of a mechanism: an ordered list of parts, and the order in which
-/// they solve the instants of a motion. make_formulation() (variants.h) makes one:
+/// they solve the instants of a motion. make_formulation() makes one:
 ///
 ///   const Model model = make_model(scene);
 ///   const auto formulation = make_formulation(find_variant("group_symbolic_explicit"), model);
@@ -92,8 +92,7 @@ class Formulation {
   const Settings& settings() const { return settings_; }
 
   /// Returns the bound on ‖Φ‖₂ of the whole mechanism that instants meet: the one of the settings,
-  /// or what rounding leaves if that is more, as in long chains and far from the origin
-  /// (Magnitudes::rounding).
+  /// or what rounding leaves if that is more, as in long chains and far from the origin.
   double tolerance() const { return tolerance_; }
 
   /// Returns how often, in all parts, an order of pivots that was to be kept had gone bad and was

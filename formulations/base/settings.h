@@ -42,8 +42,7 @@ inline constexpr int max_stride = 64;
 inline constexpr int max_threads = 64;
 
 /// Settings of an analysis, as in Settings{.guess = Guess::hermite5, .lanes = 4}. The defaults are
-/// the paper's. Not every formulation offers every combination (see unsupported_reason in
-/// variants.h).
+/// the paper's. Not every formulation offers every combination (see unsupported_reason()).
 struct Settings {
   /// Limit of ‖Φ‖₂ of the whole model, each equation divided by its natural magnitude, such as the
   /// mechanism's size for a difference of points: a relative error of position to first order,

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "formulations/batch/layout.h"
-#include "formulations/stepping/continuation.h"
+#include "formulations/stepping/driver_continuation.h"
 
 namespace desmo {
 

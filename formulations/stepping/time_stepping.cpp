@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "formulations/stepping/continuation.h"
 #include "formulations/stepping/diagnosis.h"
+#include "formulations/stepping/driver_continuation.h"
 #include "formulations/stepping/sub_steps.h"
 
 namespace desmo {
