@@ -32,6 +32,9 @@ class PartSequence {
       iterations = std::max(iterations, part_iterations);
       updates += part_updates;
     }
+
+    /// Returns the summary of an instant at time t [s], without what a failure was due to.
+    Summary summary(double t) const;
   };
 
   /// The model outlives the sequence.
