@@ -1,7 +1,6 @@
 #include "formulations/stepping/part_sequence.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <utility>
@@ -61,17 +60,6 @@ void PartSequence::make_chains() {
     if (chain) chains_.push_back(std::move(chain));
     first += members;
   }
-}
-
-Summary PartSequence::Result::summary(double t) const {
-  Summary summary;
-  summary.status = status;
-  summary.instants = summary.ok();
-  summary.iterations = iterations;
-  summary.updates = updates;
-  summary.residual = std::sqrt(residual2);
-  summary.time = t;
-  return summary;
 }
 
 // ---- The loop over structural groups of the paper's Fig. 2a ----

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <span>
 #include <vector>
@@ -34,7 +35,16 @@ class PartSequence {
     }
 
     /// Returns the summary of an instant at time t [s], without what a failure was due to.
-    Summary summary(double t) const;
+    Summary summary(double t) const {
+      Summary summary;
+      summary.status = status;
+      summary.instants = summary.ok();
+      summary.iterations = iterations;
+      summary.updates = updates;
+      summary.residual = std::sqrt(residual2);
+      summary.time = t;
+      return summary;
+    }
   };
 
   /// The model outlives the sequence.
