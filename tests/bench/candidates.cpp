@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -89,6 +90,13 @@ TEST(Candidates, HaveWindowsThatAreAllOfTheirTime) {
   EXPECT_GE(max_share, 0.95);
   EXPECT_EQ(candidate.readiness(), Candidate::Readiness::verified);
   EXPECT_EQ(candidate.windows().samples().size(), static_cast<std::size_t>(taken) - 1);
+}
+
+TEST(Candidates, HaveNoSamplesBeforeTheyAreVerified) {
+  CaseCandidate candidate(find_case("four_bar"), 24, find_variant("group_automatic_klu"), {});
+  EXPECT_EQ(candidate.readiness(), Candidate::Readiness::unverified);
+  EXPECT_THROW(candidate.add_sample(1), std::logic_error);
+  EXPECT_FALSE(candidate.is_timed());
 }
 
 TEST(Candidates, AreVerifiedBeforeTheyAreTimed) {
