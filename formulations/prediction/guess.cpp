@@ -30,6 +30,12 @@ const GuessKind& kind_of(Guess guess) { return kinds[static_cast<std::size_t>(gu
 
 std::string_view guess_name(Guess guess) { return kind_of(guess).name; }
 
+std::vector<std::string_view> guess_names() {
+  std::vector<std::string_view> names;
+  for (const GuessKind& kind : kinds) names.push_back(kind.name);
+  return names;
+}
+
 Guess best_guess(Guess wanted, const StepHistory& history) {
   const bool apart = std::abs(history.h) < max_step_growth * std::abs(history.h_before);
   for (const Guess guess : {Guess::hermite5, Guess::hermite3, Guess::quadratic, Guess::linear}) {
