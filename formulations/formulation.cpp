@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "formulations/base/part.h"
+#include "formulations/structure/defined_part.h"
 
 namespace desmo {
 
@@ -18,8 +19,10 @@ std::span<const double> coordinates(const Model& m, const std::vector<double>& v
 
 }  // namespace
 
-Summary Formulation::step(const LiveRow&, Level, int) { refuse_live_drivers(); }
+Summary Formulation::step_to_row(const LiveRow&, Level, int) { refuse_live_drivers(); }
 void Formulation::return_to(std::span<const double>, double) { refuse_live_drivers(); }
+
+const std::vector<DefinedPart>& parts_of(const Formulation& f) { return f.parts(); }
 
 long Formulation::refactorisations() const {
   long sum = 0;

@@ -8,16 +8,14 @@
 #include "formulations/base/settings.h"
 #include "formulations/base/summary.h"
 #include "formulations/model/model.h"
-#include "formulations/structure/defined_part.h"
 
 namespace desmo {
 
-// Not installed: users of the library only see their names.
-struct DefinedPart;
-struct State;
+struct DefinedPart;  // structure/defined_part.h, which is not installed
+struct State;        // base/part.h, which is not installed
 
 /// A way of solving the kinematics of a mechanism: an ordered list of parts, and the order in which
-/// they solve the instants of a motion. make_formulation() (variants.h) makes one:
+/// they solve the instants of a motion. make_formulation() makes one:
 ///
 ///   const Model model = make_model(scene);
 ///   const auto formulation = make_formulation(find_variant("group_symbolic_explicit"), model);
@@ -41,13 +39,13 @@ class Formulation {
 
   /// Assembles the mechanism at time t [s] from the model's estimate; forgets what was solved
   /// before. level: the highest that is solved.
-  virtual Summary assemble(double t, Level level = Level::acceleration) = 0;
+  Summary assemble(double t, Level level = Level::acceleration) { return assemble_at(t, level); }
 
   /// Solves the instant at time t [s], from the prediction or, where that fails, in sub-steps.
   /// Assembles where nothing was solved before. After a failure positions are those before the
   /// call, so that a later step can go on from there; rates are unspecified. Where earlier instants
   /// were solved to lower levels than Settings::guess needs, a simpler guess replaces it.
-  virtual Summary step(double t, Level level = Level::acceleration) = 0;
+  Summary step(double t, Level level = Level::acceleration) { return step_to(t, level); }
 
   /// Returns whether drivers may be handed in step by step. Settings that need a motion known in
   /// advance (segments, threads, stride) do not allow it: both functions below then throw
@@ -57,7 +55,9 @@ class Formulation {
   /// most max_sub_steps sub-steps, in which drivers move linearly from their last positions to the
   /// row. Takes nothing from the heap; so a failure names the group at most, and no constraint.
   /// The row is not checked: LiveRun checks rows and assesses results.
-  virtual Summary step(const LiveRow& row, Level level, int max_sub_steps);
+  Summary step(const LiveRow& row, Level level, int max_sub_steps) {
+    return step_to_row(row, level, max_sub_steps);
+  }
   /// Returns to positions q that were solved before, at time t [s]; the next live step starts
   /// there. Rates become unknown. q: Model::coordinates() values or more; empty: the next step
   /// assembles.
@@ -72,9 +72,9 @@ class Formulation {
   virtual Summary run(const TimeGrid& grid, const Request& request, Observer& observer) = 0;
 
   /// Goes to time t [s] of the motion without solving the instants before, by continuation: drivers
-  /// move linearly from the positions q to where they are at t. q: Model::state_size() values,
-  /// solved at another instant. A step goes on from there. Returns false where the position cannot
-  /// be reached.
+  /// move linearly from the positions q to where they are at t. q: Model::coordinates() values or
+  /// more, solved at another instant. A step goes on from there, in sub-steps where it has to.
+  /// Returns false where the position cannot be reached; the next step then assembles.
   virtual bool start_at(std::span<const double> q, double t) = 0;
 
   /// Solves each part only to the highest level that is needed of its unknowns. needed: the level
@@ -86,17 +86,13 @@ class Formulation {
   /// Returns how often a motion that was to be solved in segments was solved step by step instead.
   virtual long run_by_steps() const { return 0; }
 
-  /// Returns the parts in the order of solution, for programs built in this tree.
-  virtual const std::vector<DefinedPart>& parts() const = 0;
-
   const Model& model() const { return model_; }
 
   /// Returns the settings that the formulation was made with.
   const Settings& settings() const { return settings_; }
 
   /// Returns the bound on ‖Φ‖₂ of the whole mechanism that instants meet: the one of the settings,
-  /// or what rounding leaves if that is more, as in long chains and far from the origin
-  /// (Magnitudes::rounding).
+  /// or what rounding leaves if that is more, as in long chains and far from the origin.
   double tolerance() const { return tolerance_; }
 
   /// Returns how often, in all parts, an order of pivots that was to be kept had gone bad and was
@@ -113,8 +109,15 @@ class Formulation {
   Formulation(const Model& model, const Settings& settings, double tolerance)
       : model_(model), settings_(settings), tolerance_(tolerance) {}
 
+  virtual Summary assemble_at(double t, Level level) = 0;
+  virtual Summary step_to(double t, Level level) = 0;
+  virtual Summary step_to_row(const LiveRow& row, Level level, int max_sub_steps);
+
   /// Returns the instant solved last, the fixed entities included.
   virtual const State& state() const = 0;
+  /// Returns the parts in the order of solution.
+  virtual const std::vector<DefinedPart>& parts() const = 0;
+  friend const std::vector<DefinedPart>& parts_of(const Formulation& formulation);
 
  private:
   const Model& model_;

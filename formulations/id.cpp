@@ -18,13 +18,6 @@ namespace desmo {
 
 namespace {
 
-constexpr std::array jacobian_names{"newton", "step", "chord"};
-constexpr std::array factorisation_names{"shared", "per_level"};
-constexpr std::array btf_names{"on", "off"};
-constexpr std::array scalar_names{"double", "float", "mixed"};
-constexpr std::array guesses{Guess::previous, Guess::linear,   Guess::quadratic,
-                             Guess::hermite3, Guess::hermite5, Guess::adams8};
-
 /// The shortest text that reads back to the same number, the exponent without zeros: 1e-6.
 std::string shortest(double value) {
   std::array<char, 32> text;
@@ -111,25 +104,18 @@ Suffix tolerance() {
 
 /// In the order in which they stand in an id.
 const std::vector<Suffix>& suffixes() {
-  static const std::vector<Suffix> all = [] {
-    std::vector<std::string_view> guess_names;
-    for (const Guess guess : guesses) guess_names.push_back(guess_name(guess));
-    const auto names = [](const auto& list) {
-      return std::vector<std::string_view>(list.begin(), list.end());
-    };
-    return std::vector<Suffix>{
-        choice("guess", &Settings::guess, guess_names),
-        choice("jacobian", &Settings::jacobian, names(jacobian_names)),
-        choice("factorisation", &Settings::factorisation, names(factorisation_names)),
-        choice("btf", &Settings::btf, names(btf_names)),
-        choice("scalar", &Settings::scalar, names(scalar_names)),
-        at_once("lanes", &Settings::lanes),
-        at_once("segments", &Settings::segments),
-        whole_number("threads", &Settings::threads, max_threads),
-        whole_number("stride", &Settings::stride, max_stride),
-        whole_number("iterations", &Settings::fixed_iterations, 1000),
-        tolerance()};
-  }();
+  static const std::vector<Suffix> all{
+      choice("guess", &Settings::guess, guess_names()),
+      choice("jacobian", &Settings::jacobian, {"newton", "step", "chord"}),
+      choice("factorisation", &Settings::factorisation, {"shared", "per_level"}),
+      choice("btf", &Settings::btf, {"on", "off"}),
+      choice("scalar", &Settings::scalar, {"double", "float", "mixed"}),
+      at_once("lanes", &Settings::lanes),
+      at_once("segments", &Settings::segments),
+      whole_number("threads", &Settings::threads, max_threads),
+      whole_number("stride", &Settings::stride, max_stride),
+      whole_number("iterations", &Settings::fixed_iterations, 1000),
+      tolerance()};
   return all;
 }
 

@@ -7,15 +7,12 @@
 #include <utility>
 #include <vector>
 
-#include "formulations/base/part.h"
 #include "formulations/formulation.h"
 #include "formulations/model/model.h"
-#include "formulations/parts/profile.h"
-#include "formulations/structure/partition.h"
 
 namespace desmo {
 
-// Not installed: users of the library only see their names.
+// Users of the library see their names alone.
 enum class Partition;
 enum class Evaluation;
 struct Profile;

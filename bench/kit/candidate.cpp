@@ -38,20 +38,38 @@ void Candidate::wake_threads(const std::function<void()>& solve) const {
   while (clock == Clock::wall && now(clock) - begin < long_enough) solve();
 }
 
-void Candidate::conclude(const Summary& summary, const Model& m, std::size_t expected_instants,
-                         double times) {
-  if (!summary.ok()) return fail(describe(summary, m));
-  if (std::string wrong = verification_failure(errors, expected_instants, times); !wrong.empty())
-    return fail(std::move(wrong));
-  iterations_per_step = static_cast<double>(summary.iterations) / summary.instants;
-  residual = summary.residual;
-  state = Verdict::verified;
+void Candidate::verify_by(const std::function<std::string(VerifyingRun&)>& check) {
+  if (readiness_ != Readiness::unverified) return;
+  std::string wrong;
+  try {
+    wrong = check(verifying_run_);
+  } catch (const std::exception& e) {
+    wrong = e.what();
+  }
+  if (!wrong.empty())
+    fail(std::move(wrong));
+  else if (readiness_ == Readiness::unverified)
+    readiness_ = Readiness::verified;
 }
 
-void Candidate::stop(Verdict reached, std::string why) {
-  state = reached;
-  message = std::move(why);
-  seconds.clear();
+void Candidate::measure(const std::function<void()>& measurement) {
+  if (!is_verified()) return;
+  try {
+    measurement();
+  } catch (const std::exception& e) {
+    fail(e.what());
+  }
+}
+
+void Candidate::add_sample(double seconds) {
+  if (!is_verified()) throw std::logic_error(name() + ": a sample of what is not verified");
+  seconds_.push_back(seconds);
+}
+
+void Candidate::stop(Readiness reached, std::string why) {
+  readiness_ = reached;
+  message_ = std::move(why);
+  seconds_.clear();
 }
 
 FormulationCandidate::FormulationCandidate(const Problem& problem, const Configuration& c)
@@ -66,21 +84,28 @@ FormulationCandidate::FormulationCandidate(const Problem& problem, std::string_v
     : Candidate(problem.grid, c.settings.threads),
       coordinates(problem.plan.model.coordinates()),
       asked_{problem.level(), {}},
-      problem_(&problem),
+      problem_(std::shared_ptr<void>(), &problem),
       case_name_(problem.plan.model.name),
       id_(id),
       configuration_(c),
-      delivery_(delivered(), asked_.level, windows) {}
+      delivery_(delivered(), asked_.level, measured_windows()) {}
 
 FormulationCandidate::FormulationCandidate(const TimeGrid& instants, std::string_view case_name,
-                                           int n, const Configuration& c, Clock by, Request asked)
+                                           int n, const Configuration& c, Clock by,
+                                           ProblemSource problem, Request asked)
     : Candidate(instants, c.settings.threads, by),
       coordinates(n),
       asked_(std::move(asked)),
+      source_(std::move(problem)),
       case_name_(case_name),
       id_(id_with(*c.variant, c.settings)),
       configuration_(c),
-      delivery_(delivered(), asked_.level, windows) {}
+      delivery_(delivered(), asked_.level, measured_windows()) {}
+
+const Problem& FormulationCandidate::problem() const {
+  if (!problem_) problem_ = source_();
+  return *problem_;
+}
 
 std::string FormulationCandidate::name() const {
   return case_name_ + "/" + std::to_string(coordinates) + "/" + id();
@@ -93,41 +118,47 @@ void FormulationCandidate::build() {
 }
 
 void FormulationCandidate::verify() {
-  verify_against([&] { return std::span<const ReferenceInstant>(problem().reference.instants); });
+  verify_by([&](VerifyingRun& found) {
+    return compare_with(
+        [&] { return std::span<const ReferenceInstant>(problem().reference.instants); }, found);
+  });
   discard();
 }
 
 void FormulationCandidate::verify(ReferenceCache& references) {
-  verify_against([&] { return references.get(problem().plan.model, grid); });
+  verify_by([&](VerifyingRun& found) {
+    return compare_with(
+        [&] { return references.get(problem().plan.model, grid, settings().stride); }, found);
+  });
 }
 
-void FormulationCandidate::verify_against(
-    const std::function<std::span<const ReferenceInstant>()>& reference) {
-  if (state != Verdict::unverified) return;
-  if (const std::string reason = unavailable_reason(settings()); !reason.empty())
-    return leave_out(reason);
-  try {
-    const std::size_t bytes_before = heap_in_use();
-    const double before_setup = cpu_now();
-    build();
-    setup_seconds = cpu_now() - before_setup;
-    bytes = static_cast<long>(heap_in_use() - bytes_before);
-    if (const std::string missing = missing_code(*formulation_); !missing.empty())
-      return fail(missing);
-
-    const std::span<const ReferenceInstant> right = reference();
-    const auto observer = comparing(right);
-    const double start = now(clock);
-    const Summary summary = formulation_->run(grid, asked_, *observer);
-    analysis_seconds = now(clock) - start;
-    const Comparison found = observer->compare();
-    errors = found.errors;
-    results = found.results;
-    conclude(summary, problem().plan.model, right.size(),
-             std::max(1.0, problem().tolerance / Settings{}.tolerance));
-  } catch (const std::exception& e) {
-    fail(e.what());
+std::string FormulationCandidate::compare_with(const ReferenceSource& reference,
+                                               VerifyingRun& found) {
+  if (const std::string reason = unavailable_reason(settings()); !reason.empty()) {
+    leave_out(reason);
+    return {};
   }
+  const Model& model = problem().plan.model;
+  const std::size_t bytes_before = heap_in_use();
+  const double before_setup = cpu_now();
+  build();
+  found.setup_seconds = cpu_now() - before_setup;
+  found.bytes = static_cast<long>(heap_in_use() - bytes_before);
+  if (std::string missing = missing_code(*formulation_); !missing.empty()) return missing;
+
+  const std::span<const ReferenceInstant> right = reference();
+  const auto observer = comparing(right);
+  const double start = now(clock);
+  const Summary summary = formulation_->run(grid, asked_, *observer);
+  found.analysis_seconds = now(clock) - start;
+  const Comparison comparison = observer->compare();
+  found.errors = comparison.errors;
+  found.results = comparison.results;
+  if (!summary.ok()) return describe(summary, model);
+  found.iterations_per_step = static_cast<double>(summary.iterations) / summary.instants;
+  found.residual = summary.residual;
+  return verification_failure(found.errors, right.size(),
+                              std::max(1.0, problem().tolerance / Settings{}.tolerance));
 }
 
 std::unique_ptr<ComparingObserver> FormulationCandidate::comparing(
@@ -143,23 +174,20 @@ void FormulationCandidate::make() {
 }
 
 Summary FormulationCandidate::analyse() {
-  windows.begin();
+  measured_windows().begin();
   const Summary summary = formulation_->run(grid, asked_, delivery_);
   if (!summary.ok()) fail(describe(summary, problem().plan.model));
   return summary;
 }
 
 void FormulationCandidate::sample_afresh(double duration) {
-  if (!is_verified()) return;
-  try {
+  measure([&] {
     on_fresh_heap([&] {
       make();
-      seconds.push_back(step_seconds(duration));
+      add_sample(step_seconds(duration));
       discard();
     });
-  } catch (const std::exception& e) {
-    fail(e.what());
-  }
+  });
 }
 
 double FormulationCandidate::step_seconds(double duration) {
@@ -177,7 +205,7 @@ double FormulationCandidate::step_seconds(double duration) {
 }
 
 double FormulationCandidate::min_seconds() const {
-  return seconds.empty() ? std::numeric_limits<double>::infinity() : std::ranges::min(seconds);
+  return seconds().empty() ? std::numeric_limits<double>::infinity() : std::ranges::min(seconds());
 }
 
 }  // namespace desmo::bench

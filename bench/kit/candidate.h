@@ -18,14 +18,28 @@
 
 namespace desmo::bench {
 
-/// A formulation, or a peer, under measurement: verified first, and then timed.
+/// The run that verifies a candidate: what is found and measured.
+struct VerifyingRun {
+  std::string model{};          ///< digest of the model that was solved; empty: there is none
+  std::string results{};        ///< digest of what was compared with the reference, or empty
+  Errors errors{};              ///< from the reference
+  double setup_seconds = 0;     ///< CPU: analysis, ordering, allocation
+  double analysis_seconds = 0;  ///< of the analysis that was verified, by the candidate's clock
+  double iterations_per_step = 0, residual = 0;
+  /// Bytes that a formulation keeps on the heap, with what libraries keep for it: no step touches
+  /// more. 0: not known.
+  long bytes = 0;
+};
+
+/// A formulation, or a peer, under measurement: verified first, and then timed. Only what is
+/// verified has samples, and what is not says why.
 class Candidate {
  public:
-  enum class Verdict {
+  enum class Readiness {
     unverified,
     verified,  ///< may be timed
-    failed,    ///< cannot be solved, or is wrong; `message` says where
-    not_run,   ///< does not exist, or would take too long; `message` says why
+    failed,    ///< cannot be solved, or is wrong; message() says where
+    not_run,   ///< does not exist, or would take too long; message() says why
   };
 
   virtual ~Candidate() = default;
@@ -35,21 +49,24 @@ class Candidate {
   /// Returns the name of the benchmark: <case>/<coordinates>/<id>, and what else tells it apart.
   virtual std::string name() const = 0;
 
-  /// Builds what is timed and checks it over the whole motion; what goes wrong ends in `message`.
+  /// Builds what is timed and checks it over the whole motion; what goes wrong ends in message().
   /// Done once.
   virtual void verify(ReferenceCache& references) = 0;
 
   /// Measures where the time goes, where that is shown. Needs verify().
   virtual void profile() {}
 
-  /// Runs the whole analysis, as timed. Needs Verdict::verified; a failure turns it into
-  /// Verdict::failed.
+  /// Runs the whole analysis, as timed. Needs Readiness::verified; a failure turns it into
+  /// Readiness::failed.
   virtual Summary analyse() = 0;
 
   /// Makes what is timed anew, analyses and discards it, on a fresh heap (see on_fresh_heap).
   /// Returns the seconds of the analysis; by the wall clock, which also runs while the system gives
-  /// a processor to somebody else, the least of some. Needs Verdict::verified.
+  /// a processor to somebody else, the least of some. Needs Readiness::verified.
   double time_afresh();
+
+  /// Adds a sample [s]. Throws std::logic_error unless it is verified.
+  void add_sample(double seconds);
 
   /// Returns "/clock:wall" for one thread by the wall clock, which several are compared with; else
   /// nothing.
@@ -57,24 +74,22 @@ class Candidate {
     return clock == Clock::wall && threads == 1 ? "/clock:wall" : "";
   }
 
-  bool is_verified() const { return state == Verdict::verified; }
-  bool is_failed() const { return state == Verdict::failed; }
-  bool is_not_run() const { return state == Verdict::not_run; }
-  bool is_timed() const { return is_verified() && !seconds.empty(); }
+  Readiness readiness() const { return readiness_; }
+  bool is_verified() const { return readiness_ == Readiness::verified; }
+  bool is_failed() const { return readiness_ == Readiness::failed; }
+  bool is_not_run() const { return readiness_ == Readiness::not_run; }
+  bool is_timed() const { return is_verified() && !seconds_.empty(); }
+
+  /// Returns why it failed or was not run.
+  const std::string& message() const { return message_; }
+  /// Returns what verify() found, as far as it came.
+  const VerifyingRun& verifying_run() const { return verifying_run_; }
+  const std::vector<double>& seconds() const { return seconds_; }  ///< samples
+  const TimingWindows& windows() const { return windows_; }        ///< of all analyses
 
   const TimeGrid grid;
   const int threads;  ///< on which it is solved
-  const Clock clock;  ///< of seconds, windows and analysis_seconds
-  Verdict state = Verdict::unverified;
-  std::string message;          ///< why it failed or was not run
-  std::string model;            ///< digest of the model it solves; empty: there is none
-  std::string results;          ///< digest of what was compared with the reference, or empty
-  std::vector<double> seconds;  ///< samples
-  TimingWindows windows;        ///< of all analyses
-  double analysis_seconds = 0;  ///< of the one that was verified
-  Errors errors;                ///< from the reference
-  double setup_seconds = 0;     ///< CPU: analysis, ordering, allocation
-  double iterations_per_step = 0, residual = 0;
+  const Clock clock;  ///< of seconds, windows and the verified analysis
 
  protected:
   /// Several threads are timed by the wall clock, whatever `by` says.
@@ -82,11 +97,18 @@ class Candidate {
       : grid(instants),
         threads(on_threads),
         clock(on_threads > 1 ? Clock::wall : by),
-        windows(instants.instants, clock) {}
+        windows_(instants.instants, clock) {}
 
   /// Makes what analyse() runs and assembles it once.
   virtual void make() = 0;
   virtual void discard() = 0;
+
+  /// Verifies it by a check, once. check: fills in what it finds, and returns what is wrong; empty:
+  /// nothing. It may call leave_out(). What it throws is wrong, too.
+  void verify_by(const std::function<std::string(VerifyingRun&)>& check);
+
+  /// Runs a measurement of what is verified; nothing otherwise. What it throws makes it fail.
+  void measure(const std::function<void()>& measurement);
 
   /// Solves, where the wall clock measures, until threads and their processors are awake: from
   /// asleep that may take as long as a motion, and longer where the processors are not the system's
@@ -94,16 +116,19 @@ class Candidate {
   void wake_threads(const std::function<void()>& solve) const;
 
   /// Ends what is measured, without a time.
-  void fail(std::string why) { stop(Verdict::failed, std::move(why)); }
-  void leave_out(std::string why) { stop(Verdict::not_run, std::move(why)); }
+  void fail(std::string why) { stop(Readiness::failed, std::move(why)); }
+  void leave_out(std::string why) { stop(Readiness::not_run, std::move(why)); }
 
-  /// Ends verify(), once `errors` are known: what solved the whole motion and agrees with its
-  /// reference in all `expected_instants` is verified. times: what is allowed, over the usual.
-  void conclude(const Summary& summary, const Model& model, std::size_t expected_instants,
-                double times = 1);
+  TimingWindows& measured_windows() { return windows_; }
 
  private:
-  void stop(Verdict reached, std::string why);
+  void stop(Readiness reached, std::string why);
+
+  Readiness readiness_ = Readiness::unverified;
+  std::string message_;
+  VerifyingRun verifying_run_;
+  std::vector<double> seconds_;
+  TimingWindows windows_;
 };
 
 /// A formulation that solves a problem.
@@ -138,25 +163,27 @@ class FormulationCandidate : public Candidate {
   /// Tells whether it has two samples and its motion takes longer than that, in seconds: no more
   /// are worth it.
   bool is_sampled(double dear_seconds) const {
-    return seconds.size() >= 2 && min_seconds() * grid.instants > dear_seconds;
+    return seconds().size() >= 2 && min_seconds() * grid.instants > dear_seconds;
   }
 
   const int coordinates;
-  /// Bytes that the formulation keeps on the heap, with what libraries keep for it: no step touches
-  /// more. 0: not known.
-  long bytes = 0;
 
  protected:
-  /// Leaves the problem, of a case with so many coordinates, for later (see solve()). asked: is
-  /// delivered.
+  /// A problem that is made when it is first needed: those of all candidates would be too many.
+  using ProblemSource = std::function<std::shared_ptr<const Problem>()>;
+
+  /// case_name, coordinates: of the problem. asked: is delivered.
   FormulationCandidate(const TimeGrid& instants, std::string_view case_name, int coordinates,
-                       const Configuration& configuration, Clock by, Request asked = {});
-  void solve(const Problem& problem) { problem_ = &problem; }
+                       const Configuration& configuration, Clock by, ProblemSource problem,
+                       Request asked = {});
 
-  const Problem& problem() const { return *problem_; }
+  /// Returns the problem. Throws what its source throws.
+  const Problem& problem() const;
 
-  /// Solves the whole motion and compares it with a reference, where state is unverified.
-  void verify_against(const std::function<std::span<const ReferenceInstant>()>& reference);
+  using ReferenceSource = std::function<std::span<const ReferenceInstant>()>;
+  /// Solves the whole motion and compares it with a reference. Returns what is wrong, as
+  /// verify_by() takes it.
+  std::string compare_with(const ReferenceSource& reference, VerifyingRun& found);
   /// Returns what compares what is delivered with the reference; by default, of all coordinates.
   virtual std::unique_ptr<ComparingObserver> comparing(
       std::span<const ReferenceInstant> reference) const;
@@ -179,13 +206,14 @@ class FormulationCandidate : public Candidate {
     return asked_.coordinates.empty() ? coordinates : asked_.coordinates.size();
   }
 
-  const Problem* problem_ = nullptr;
+  const ProblemSource source_;
+  mutable std::shared_ptr<const Problem> problem_;  // null: not yet made
   const std::string case_name_, id_;
   const Configuration configuration_;
   WindowedDelivery delivery_;
 };
 
-/// Allowed difference of the answers of a request from those of the whole mechanism, both converged
+/// Allowed difference of the answers of a request from those of the whole mechanism, both solved
 /// as far as double precision goes.
 inline constexpr double allowed_request_difference = 1e-12;
 

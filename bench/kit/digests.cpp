@@ -8,6 +8,8 @@
 #include <string_view>
 #include <variant>
 
+#include "formulations/constraints/constraints.h"
+
 namespace desmo::bench {
 
 namespace {

@@ -1,10 +1,8 @@
 #include "bench/kit/problem.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <map>
-#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -17,26 +15,11 @@ namespace {
 /// Limit of coordinates above which a reference in quadruple precision takes minutes.
 constexpr int max_quadruple = 12'000;
 
-/// Returns one time of each of count − 1 equal pieces of the grid, and its last; the first of them
-/// all. The place in a piece goes by multiples of the golden ratio, which fall everywhere: at
-/// regular distances all might be multiples of a stride, where nothing is interpolated.
-std::vector<double> spread(const TimeGrid& grid, int count) {
-  const long last = grid.instants - 1, pieces = count - 1;
-  std::vector<double> times;
-  for (long i = 0; i < pieces; ++i) {
-    const long begin = i * last / pieces, end = (i + 1) * last / pieces;
-    const double turns = static_cast<double>(i) * std::numbers::phi;
-    const double part = (turns - std::floor(turns)) * static_cast<double>(end - begin);
-    times.push_back(grid.time(static_cast<int>(begin + static_cast<long>(part))));
-  }
-  times.push_back(grid.time(static_cast<int>(last)));
-  return times;
-}
-
 }  // namespace
 
 Problem make_problem(Plan plan, const TimeGrid& grid, int compared) {
-  Reference reference = make_reference(plan.model, spread(grid, std::min(grid.instants, compared)));
+  Reference reference =
+      make_reference(plan.model, spread_times(grid, std::min(grid.instants, compared)));
   return {.plan = std::move(plan), .grid = grid, .reference = std::move(reference)};
 }
 

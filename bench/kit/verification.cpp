@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
+
+#include "formulations/structure/defined_part.h"
 
 namespace desmo::bench {
 
@@ -29,11 +32,24 @@ void widen(double& largest, double a, double b) {
   if (!(d <= largest)) largest = std::isnan(d) ? INFINITY : d;
 }
 
+ComparingObserver::ComparingObserver(std::size_t coordinates, Level level,
+                                     std::span<const ReferenceInstant> reference)
+    : Delivery(coordinates, level), reference_(reference), copies_(reference.size()) {
+  for (auto& [was_delivered, state] : copies_) {
+    state.q.resize(coordinates);
+    if (level >= Level::velocity) state.qd.resize(coordinates);
+    if (level >= Level::acceleration) state.qdd.resize(coordinates);
+  }
+}
+
 Flow ComparingObserver::observe(const Instant& i) noexcept {
   const auto r = std::ranges::lower_bound(reference_, i.time, {}, &ReferenceInstant::time);
   if (r != reference_.end() && r->time == i.time) {
-    const auto copy = [](std::span<const double> v) { return std::vector(v.begin(), v.end()); };
-    came_[r - reference_.begin()] = {copy(i.q), copy(i.qd), copy(i.qdd)};
+    auto& [was_delivered, state] = copies_[r - reference_.begin()];
+    was_delivered = true;
+    std::ranges::copy(i.q, state.q.begin());
+    std::ranges::copy(i.qd, state.qd.begin());
+    std::ranges::copy(i.qdd, state.qdd.begin());
   }
   return Delivery::observe(i);
 }
@@ -85,24 +101,43 @@ void require_agreement(const Model& m, const PerLevel<double>& floor) {
 std::string missing_code(const Formulation& f) {
   int missing = 0;
   std::string first;
-  for (const auto& part : f.parts()) {
+  for (const auto& part : parts_of(f)) {
     if (part.as_named) continue;
     if (missing++ == 0) first = f.model().groups[part.definition.groups.front()].name;
   }
   if (missing == 0) return {};
   return "no generated code for " + std::to_string(missing) + " of " +
-         std::to_string(f.parts().size()) + " parts, first of group '" + first + "'";
+         std::to_string(parts_of(f).size()) + " parts, first of group '" + first + "'";
 }
 
-std::span<const ReferenceInstant> ReferenceCache::get(const Model& m, const TimeGrid& grid) {
-  Reference& reference = cache_[{m.name, m.coordinates(), grid.start, grid.step, grid.instants}];
+std::vector<double> spread_times(const TimeGrid& grid, int count) {
+  const long last = grid.instants - 1, pieces = count - 1;
+  std::vector<double> times;
+  for (long i = 0; i < pieces; ++i) {
+    const long begin = i * last / pieces, end = (i + 1) * last / pieces;
+    const double turns = static_cast<double>(i) * std::numbers::phi;  // falls everywhere
+    const double part = (turns - std::floor(turns)) * static_cast<double>(end - begin);
+    times.push_back(grid.time(static_cast<int>(begin + static_cast<long>(part))));
+  }
+  times.push_back(grid.time(static_cast<int>(last)));
+  return times;
+}
+
+std::span<const ReferenceInstant> ReferenceCache::get(const Model& m, const TimeGrid& grid,
+                                                      int stride) {
+  const bool is_strided = stride > 1;
+  Reference& reference =
+      cache_[{model_digest(m), grid.start, grid.step, grid.instants, is_strided}];
   if (reference.instants.empty()) {
     const int count = std::min(grid.instants, instants_compared);
     std::vector<double> times;
-    for (int i = 0; i < count; ++i)
-      times.push_back(grid.time(
-          count == 1 ? 0
-                     : static_cast<int>(static_cast<long>(i) * (grid.instants - 1) / (count - 1))));
+    if (is_strided && count > 1) {
+      times = spread_times(grid, count);
+    } else {
+      const long last = grid.instants - 1, pieces = std::max(1, count - 1);
+      for (long i = 0; i < count; ++i)
+        times.push_back(grid.time(static_cast<int>(i * last / pieces)));
+    }
     Reference made = make_reference(m, times);
     require_agreement(m, made.floor);
     reference = std::move(made);

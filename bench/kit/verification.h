@@ -9,6 +9,7 @@
 
 #include "bench/kit/delivery.h"
 #include "bench/kit/digests.h"
+#include "formulations/base/part.h"
 #include "formulations/formulation.h"
 #include "formulations/verification/reference/reference.h"
 
@@ -37,9 +38,9 @@ struct Comparison {
 /// A delivery that also copies the results q, q̇, q̈ at the times of a reference, to compare them.
 class ComparingObserver : public Delivery {
  public:
+  /// coordinates: those of the request. The reference outlives this.
   ComparingObserver(std::size_t coordinates, Level level,
-                    std::span<const ReferenceInstant> reference)
-      : Delivery(coordinates, level), reference_(reference), came_(reference.size()) {}
+                    std::span<const ReferenceInstant> reference);
 
   Flow observe(const Instant& instant) noexcept override;
   virtual Comparison compare() const = 0;
@@ -48,13 +49,18 @@ class ComparingObserver : public Delivery {
   /// Calls compare(reference, results) for each instant of the reference that was delivered.
   template <class Compare>
   void for_each(Compare&& compare) const {
-    for (std::size_t r = 0; r < came_.size(); ++r)
-      if (!came_[r].q.empty()) compare(reference_[r], came_[r]);
+    for (std::size_t r = 0; r < copies_.size(); ++r)
+      if (copies_[r].was_delivered) compare(reference_[r], copies_[r].state);
   }
 
  private:
+  struct Copy {
+    bool was_delivered = false;
+    State state{};
+  };
+
   std::span<const ReferenceInstant> reference_;
-  std::vector<State> came_;  // empty: not yet
+  std::vector<Copy> copies_;  // of each instant of the reference
 };
 
 /// Compares a whole mechanism with a reference.
@@ -78,19 +84,25 @@ void require_agreement(const Model& model, const PerLevel<double>& floor);
 /// a part falls back to automatic equations, and is not to be timed under that id.
 std::string missing_code(const Formulation& formulation);
 
-/// Quadruple-precision references at instants spread over a motion, made once for each case, size
-/// and grid and shared by all formulations.
+/// Returns one time of each of count − 1 equal pieces of the grid, and its last; the first of them
+/// all. count: 2 or more. They lie in no regular distances, where all might be multiples of a
+/// stride: nothing that is interpolated would be compared.
+std::vector<double> spread_times(const TimeGrid& grid, int count);
+
+/// Quadruple-precision references at instants spread over a motion, made once for each model and
+/// grid and shared by all formulations.
 class ReferenceCache {
  public:
+  /// Returns the reference of a formulation that solves every stride-th instant (Settings::stride).
   /// Throws std::runtime_error when there is none: see make_reference and require_agreement.
-  std::span<const ReferenceInstant> get(const Model& model, const TimeGrid& grid);
+  std::span<const ReferenceInstant> get(const Model& model, const TimeGrid& grid, int stride = 1);
 
  private:
   struct Key {
-    std::string case_name;
-    int coordinates;
+    std::string model;   // model_digest()
     double start, step;  // of the grid [s]
     int instants;
+    bool is_strided;
     auto operator<=>(const Key&) const = default;
   };
   std::map<Key, Reference> cache_;

@@ -11,9 +11,11 @@
 #include <string>
 
 #include "bench/peers/peer.h"
+#include "formulations/constraints/constraints.h"
 #include "formulations/prediction/driver_source.h"
 #include "formulations/prediction/guess.h"
 #include "formulations/scaling/magnitudes.h"
+#include "formulations/structure/defined_part.h"
 #include "formulations/variants.h"
 
 namespace desmo {
@@ -112,7 +114,8 @@ class CeresPeer final : public Peer {
   explicit CeresPeer(const Model& m)
       : model_(m),
         rates_(make_formulation(find_variant(formulation_of_rates), m, settings_)),
-        stop_(0.99 * settings_.tolerance / std::sqrt(static_cast<double>(rates_->parts().size()))),
+        stop_(0.99 * settings_.tolerance /
+              std::sqrt(static_cast<double>(parts_of(*rates_).size()))),
         options_(newton(stop_, settings_.max_iterations)),
         problem_(problem_options()) {
     for (auto* values : {&state_.q, &state_.qd, &state_.qdd}) values->resize(m.state_size());
@@ -123,7 +126,7 @@ class CeresPeer final : public Peer {
     const Magnitudes magnitudes(m);
     for (int c = 0; c < static_cast<int>(m.constraints.size()); ++c)
       if (!m.groups[m.constraints[c].group].constant) add(c, magnitudes);
-    for (const auto& part : rates_->parts())  // global: one that moves
+    for (const auto& part : parts_of(*rates_))  // global: one that moves
       if (!part.definition.constant) runs_ = ranges_of(part.definition.unknowns);
     answer_.coordinates.resize(m.coordinates());
     for (int i = 0; i < m.coordinates(); ++i) answer_.coordinates[i] = i;
@@ -193,10 +196,10 @@ class CeresPeer final : public Peer {
   /// iterations that a part has found necessary.
   int solve_parts(bool constant) {
     int iterations = 0;
-    for (const auto& part : rates_->parts()) {
+    for (const auto& part : parts_of(*rates_)) {
       if (part.definition.constant != constant) continue;
       const PartResult result = part.solver->solve(state_, state_.q, Level::acceleration);
-      if (result.status != Status::converged) throw std::runtime_error("singular Jacobian");
+      if (result.status != Status::solved) throw std::runtime_error("singular Jacobian");
       iterations = std::max(iterations, result.iterations);
     }
     return iterations;

@@ -27,14 +27,14 @@ Json verified(const std::string& name, int instants, bench::ReferenceCache& refe
     candidate.verify(references);
     if (!candidate.is_verified()) {
       j["status"] = candidate.is_failed() ? "failed" : "not_run";
-      j["message"] = candidate.message;
+      j["message"] = candidate.message();
       return j;
     }
     j["status"] = "ok";
     j["machine"] = bench::processor_name();
     j["model"] = bench::model_digest(problem.plan.model);
-    j["results"] = candidate.results;
-    j["verification"] = bench::errors_json(candidate.errors);
+    j["results"] = candidate.verifying_run().results;
+    j["verification"] = bench::errors_json(candidate.verifying_run().errors);
   } catch (const std::invalid_argument& e) {
     const std::string message = e.what();  // the lines that follow list what there is
     j["status"] = "not_run";

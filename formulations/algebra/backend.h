@@ -19,7 +19,7 @@ struct Backend {
   /// Makes a solver of systems with this pattern, as the settings say; with Scalar::mixed its
   /// factors are in single precision. Throws std::invalid_argument when the library cannot analyse
   /// the pattern.
-  std::unique_ptr<LinearSolver<double>> (*make_solver)(const Pattern&, const PartSettings&);
+  std::unique_ptr<LinearSolver<double>> (*make_solver)(const Pattern&, const Settings&);
   std::string (*version)();
   bool squares_condition = false;  ///< solves normal equations, so that errors grow with κ²
   Absence (*absence)() = nullptr;  ///< null: it is linked, so always present
@@ -44,8 +44,7 @@ inline std::string version_text(int major, int minor, int patch) {
 
 /// Makes a solver of a class whose constructor takes only the pattern.
 template <class Solver>
-std::unique_ptr<LinearSolver<double>> make_sparse_solver(const Pattern& pattern,
-                                                         const PartSettings&) {
+std::unique_ptr<LinearSolver<double>> make_sparse_solver(const Pattern& pattern, const Settings&) {
   return std::make_unique<Solver>(pattern);
 }
 

@@ -81,7 +81,7 @@ class Dense final : public LinearSolver<Real> {
 /// Makes a dense LU solver, with double or single factors.
 template <template <class> class Lu>
 std::unique_ptr<LinearSolver<double>> make_dense_solver(const Pattern& pattern,
-                                                        const PartSettings& settings) {
+                                                        const Settings& settings) {
   if (settings.scalar == Scalar::mixed) return std::make_unique<Dense<double, float, Lu>>(pattern);
   return std::make_unique<Dense<double, double, Lu>>(pattern);
 }

@@ -16,10 +16,22 @@ struct State {
   std::vector<double> q, qd, qdd;
 };
 
+/// Settings of one part.
+struct PartSettings {
+  PartSettings(const Settings& settings) : analysis(settings), tolerance(settings.tolerance) {}
+
+  Settings analysis;  ///< in which the tolerance is not the part's
+  double tolerance;   ///< limit of ‖Φ‖₂ of the part's own equations, each over its magnitude
+  /// True where the requested tolerance is below the part's rounding floor, which replaces it.
+  /// Newton's method then makes one more correction once it has met the tolerance. Explicit
+  /// parts need none: their cores are iterated to a fraction of the tolerance.
+  bool at_rounding = false;
+};
+
 /// The outcome of one part in one step.
 struct PartResult {
-  Status status = Status::converged;
-  int iterations = 0;
+  Status status = Status::solved;
+  int iterations = 0;  ///< of Newton's method, those of failed attempts included
   double residual2 = 0;  ///< ‖Φ‖₂² of the part's equations, each over its magnitude, at the end
 };
 

@@ -4,7 +4,7 @@
 
 namespace desmo {
 
-/// The prediction from which Newton–Raphson starts in a step (see formulations/prediction/guess.h).
+/// The prediction from which Newton–Raphson starts in a step.
 enum class Guess {
   previous,   ///< q of the last instant
   linear,     ///< its tangent, from q̇
@@ -14,7 +14,8 @@ enum class Guess {
   adams8,     ///< from the last q, the polynomial through q̇ and q̈ of the last four
 };
 
-/// When Φ_φ is factorised (see formulations/parts/newton_solver.h).
+/// When Φ_φ, the Jacobian of a part by its unknowns, is factorised. Positions are accepted by the
+/// tolerance alone, whatever the factors.
 enum class JacobianUpdate {
   newton,  ///< in every iteration, and at the solved position for velocity and acceleration
   step,    ///< at the solved position, for velocity, acceleration and the next step's iterations
@@ -41,12 +42,11 @@ inline constexpr int max_stride = 64;
 inline constexpr int max_threads = 64;
 
 /// Settings of an analysis, as in Settings{.guess = Guess::hermite5, .lanes = 4}. The defaults are
-/// the paper's. Not every formulation offers every combination (see unsupported_reason in
-/// formulations/variants.h).
+/// the paper's. Not every formulation offers every combination (see unsupported_reason()).
 struct Settings {
-  /// Limit of ‖Φ‖₂ of the whole model, each equation divided by its natural magnitude (see
-  /// formulations/scaling/magnitudes.h): a relative error of position to first order, whatever the
-  /// units are.
+  /// Limit of ‖Φ‖₂ of the whole model, each equation divided by its natural magnitude, such as the
+  /// mechanism's size for a difference of points: a relative error of position to first order,
+  /// whatever the units are.
   double tolerance = default_tolerance;
   int max_iterations = 25;  ///< limit of Newton–Raphson iterations in a step
   Guess guess = Guess::previous;
@@ -68,18 +68,9 @@ struct Settings {
   /// advance; short motions use fewer. 1: all is done on the caller's thread.
   int threads = 1;
   /// Distance of the instants of a run that are solved, 1 … max_stride: every stride-th and the
-  /// last; the others are interpolated (see formulations/stepping/dense_output.h). 1: all are
-  /// solved. step() and assemble() always solve.
+  /// last; the others are on the quintic through q, q̇ and q̈ of the two solved about them. 1: all
+  /// are solved. step() and assemble() always solve.
   int stride = 1;
-};
-
-/// Settings of one part, with the tolerance on its own equations.
-struct PartSettings : Settings {
-  PartSettings(const Settings& settings) : Settings(settings) {}
-
-  /// True where the requested tolerance is below the part's rounding floor, which replaces it.
-  /// Newton's method then makes one more correction once it has met the tolerance.
-  bool at_rounding = false;
 };
 
 }  // namespace desmo

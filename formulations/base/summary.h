@@ -7,7 +7,7 @@
 namespace desmo {
 
 enum class Status {
-  converged,
+  solved,
   not_converged,  ///< the tolerance was not met in the iterations allowed
   singular,       ///< Φ_φ could not be factorised
   not_finite,     ///< Φ is not a finite number
@@ -18,7 +18,7 @@ enum class Status {
 ///   const Summary summary = formulation->step(0.01);
 ///   if (!summary.ok()) std::puts(describe(summary, model).c_str());
 struct Summary {
-  Status status = Status::converged;
+  Status status = Status::solved;
   long instants = 0;    ///< number of instants solved or interpolated
   long iterations = 0;  ///< Newton iterations of the slowest part, summed over instants
   /// Updates of single unknowns by Newton's method: unknowns times iterations, summed over parts
@@ -32,7 +32,7 @@ struct Summary {
   int constraint = -1;   ///< on failure, the constraint most concerned; -1: unknown
   double time = 0;       ///< time of the last instant tried [s]
   bool stopped = false;  ///< the observer ended the run
-  bool ok() const { return status == Status::converged; }
+  bool ok() const { return status == Status::solved; }
 
   /// Adds the summary of the next instant. If that failed, takes over its status, group, constraint
   /// and residual.

@@ -75,8 +75,8 @@ void BatchPart::solve_alone(Subsystem& subsystem, State& s, std::span<const doub
     const PartResult r = member->solve(s, last, level);
     all.residual2 += r.residual2;
     all.iterations = std::max(all.iterations, r.iterations);
-    if (r.status == Status::converged) continue;
-    if (all.status == Status::converged) all.status = r.status;
+    if (r.status == Status::solved) continue;
+    if (all.status == Status::solved) all.status = r.status;
     return;
   }
 }

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "formulations/batch/layout.h"
-#include "formulations/stepping/continuation.h"
+#include "formulations/stepping/driver_continuation.h"
 
 namespace desmo {
 
@@ -130,7 +130,7 @@ bool LaneExecutor::are_assembled() const {
 
 bool LaneExecutor::solve_alone(int lane, State& state, std::span<const double> last) {
   for (const Stage& stage : stages_)
-    if (stage.members[lane]->solve(state, last, Level::position).status != Status::converged)
+    if (stage.members[lane]->solve(state, last, Level::position).status != Status::solved)
       return false;
   return true;
 }
@@ -198,7 +198,7 @@ void LaneExecutor::solve_lane(Stage& stage, int lane, Step& step) {
   if (stage.together)
     for (const int k : stage.unknowns) alone_.q[k] = last_alone_[k];
   const PartResult r = stage.members[lane]->solve(alone_, last_alone_, Level::acceleration);
-  step.ok = step.ok && r.status == Status::converged;
+  step.ok = step.ok && r.status == Status::solved;
   step.iterations = std::max(step.iterations, r.iterations);
   residual2_[lane] += r.residual2;
   for (const int k : stage.unknowns) {

@@ -38,8 +38,8 @@ class Segmented final : public SegmentSolver {
  public:
   Segmented(std::unique_ptr<TimeStepping> steps, std::unique_ptr<SegmentExecutor> executor);
 
-  Summary assemble(double t, Level level) override { return steps_->assemble(t, level); }
-  Summary step(double t, Level level) override { return steps_->step(t, level); }
+  Summary assemble_at(double t, Level level) override { return steps_->assemble(t, level); }
+  Summary step_to(double t, Level level) override { return steps_->step(t, level); }
   Summary run(const TimeGrid& grid, const Request& request, Observer& observer) override;
   bool start_at(std::span<const double> q, double t) override { return steps_->start_at(q, t); }
   std::optional<Summary> run_on(const TimeGrid& grid, const Request& request,

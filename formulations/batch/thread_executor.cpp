@@ -22,7 +22,7 @@ constexpr long min_work = 100'000;
 
 long moving_unknowns(const Formulation& f) {
   long sum = 0;
-  for (const DefinedPart& part : f.parts())
+  for (const DefinedPart& part : parts_of(f))
     if (!part.definition.constant) sum += static_cast<long>(part.definition.unknowns.size());
   return sum;
 }

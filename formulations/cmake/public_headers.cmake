@@ -1,18 +1,8 @@
-# Writes the public headers: each is some headers of the project, in the order of their includes,
-# with the private ones that they need and no public header before it has.
-#
-#   cmake -DSOURCE=<project> -DOUTPUT=<folder> -P public_headers.cmake
-#
-# An include of what another public header has becomes one of that header; one of a hidden header
-# is left out.
+# The headers that are installed: true files, in their folders below include/desmo, and for each
+# concept a header <desmo/NAME.h> that includes those of its own.
 
-cmake_minimum_required(VERSION 3.25)
-
-set(public
-  mechanism scene files cases model settings summary observer formulation assessment certificate live_run range
-  generated_code reference)
-set(scene_h cases/mechanism/motion.h cases/mechanism/scene.h)
 set(mechanism_h cases/mechanism/mechanism.h cases/mechanism/builder.h)
+set(scene_h cases/mechanism/motion.h cases/mechanism/scene.h)
 set(files_h cases/io/files.h)
 set(cases_h cases/generators/cases.h cases/library/library.h)
 set(model_h formulations/model/model.h formulations/modelling/modelling.h formulations/planning/plan.h)
@@ -27,57 +17,24 @@ set(range_h formulations/verification/range/driver_range.h)
 set(generated_code_h formulations/runtime/own_kernels.h)
 set(reference_h formulations/verification/condition.h formulations/verification/error.h
   formulations/verification/reference/reference.h)
-# Headers of what users do not see: public ones name it at most.
-set(hidden
-  formulations/base/part.h formulations/constraints/constraints.h formulations/parts/profile.h
-  formulations/equations/kernel_table.h formulations/structure/defined_part.h formulations/structure/partition.h)
+# What these include.
+set(installed_headers cases/io/input_error.h cases/mechanism/level.h
+  formulations/base/lane_values.h formulations/base/live_row.h formulations/base/output.h
+  formulations/base/per_level.h formulations/base/reference_instant.h formulations/scaling/scales.h
+  formulations/verification/assessment/assembly_error.h
+  formulations/verification/assessment/assessment.h
+  formulations/verification/monitor/accuracy_monitor.h)
 
-file(REMOVE_RECURSE ${OUTPUT}/desmo)
-foreach(name IN LISTS public)
-  foreach(header IN LISTS ${name}_h)
-    set_property(GLOBAL PROPERTY "owner ${header}" ${name})
-  endforeach()
+set(include_directory ${CMAKE_INSTALL_INCLUDEDIR}/desmo)
+foreach(name mechanism scene files cases model settings summary observer formulation assessment
+    certificate live_run range generated_code reference)
+  list(APPEND installed_headers ${${name}_h})
+  list(JOIN ${name}_h "\"\n#include \"" includes)
+  set(header ${PROJECT_BINARY_DIR}/include/desmo/${name}.h)
+  file(CONFIGURE OUTPUT ${header} CONTENT "#pragma once\n\n#include \"${includes}\"\n" @ONLY)
+  install(FILES ${header} DESTINATION ${include_directory})
 endforeach()
-
-# Appends a header to the text of a public one, after what it includes.
-function(append_header header name)
-  if(header IN_LIST hidden)
-    return()
-  endif()
-  get_property(owner GLOBAL PROPERTY "owner ${header}")
-  if(owner AND NOT owner STREQUAL name)
-    set_property(GLOBAL APPEND PROPERTY "includes ${name}" ${owner})
-    return()
-  endif()
-  get_property(done GLOBAL PROPERTY "done ${header}")
-  if(done)
-    return()
-  endif()
-  set_property(GLOBAL PROPERTY "done ${header}" TRUE)
-  set_property(GLOBAL PROPERTY "owner ${header}" ${name})
-  file(READ ${SOURCE}/${header} text)
-  string(REGEX MATCHALL "#include \"[^\"]+\"" includes "${text}")
-  foreach(include IN LISTS includes)
-    string(REGEX REPLACE "#include \"(.*)\"" "\\1" include "${include}")
-    append_header(${include} ${name})
-  endforeach()
-  string(REGEX REPLACE "#include \"[^\"]+\"\n" "" text "${text}")
-  string(REPLACE "#pragma once\n" "" text "${text}")
-  set_property(GLOBAL APPEND_STRING PROPERTY "text ${name}" "${text}\n")
-endfunction()
-
-foreach(name IN LISTS public)
-  foreach(header IN LISTS ${name}_h)
-    append_header(${header} ${name})
-  endforeach()
-  get_property(includes GLOBAL PROPERTY "includes ${name}")
-  list(REMOVE_DUPLICATES includes)
-  list(SORT includes)
-  set(text "#pragma once\n\n")
-  foreach(include IN LISTS includes)
-    string(APPEND text "#include \"desmo/${include}.h\"\n")
-  endforeach()
-  get_property(body GLOBAL PROPERTY "text ${name}")
-  string(REGEX REPLACE "\n\n\n+" "\n\n" body "${body}")
-  file(CONFIGURE OUTPUT ${OUTPUT}/desmo/${name}.h CONTENT "${text}${body}" @ONLY)
+foreach(header IN LISTS installed_headers)
+  get_filename_component(folder ${header} DIRECTORY)
+  install(FILES ${PROJECT_SOURCE_DIR}/${header} DESTINATION ${include_directory}/${folder})
 endforeach()

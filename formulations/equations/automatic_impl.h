@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "formulations/constraints/constraints.h"
 #include "formulations/equations/automatic.h"
 
 namespace desmo {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "formulations/constraints/constraints.h"
 #include "formulations/groupwise/wide_state.h"
 #include "formulations/model/model.h"
 #include "formulations/structure/partition.h"

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <unordered_set>
 
+#include "formulations/constraints/constraints.h"
+
 namespace desmo {
 
 namespace {

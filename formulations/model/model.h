@@ -9,12 +9,11 @@
 #include <vector>
 
 #include "cases/mechanism/motion.h"
-#include "formulations/constraints/constraints.h"
 
 namespace desmo {
 
 template <class Kind>
-constexpr int kind_index();  // constraints.h
+constexpr int kind_index();  // constraints/constraints.h, which is not installed
 
 using EntityId = int;  ///< position in Model::entities
 using GroupId = int;   ///< position in Model::groups

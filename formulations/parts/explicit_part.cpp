@@ -45,7 +45,7 @@ class ExplicitChain final : public PartChain {
 }  // namespace
 
 ExplicitPart::ExplicitPart(const ExplicitKernel& kernel, const BoundKernel& bound,
-                           std::span<const double> weights, const Settings& settings,
+                           std::span<const double> weights, const PartSettings& settings,
                            std::unique_ptr<Part> fallback)
     : kernel_(kernel),
       fallback_(std::move(fallback)),
@@ -67,10 +67,11 @@ ExplicitPart::ExplicitPart(const ExplicitKernel& kernel, const BoundKernel& boun
 
   const double tolerance2 = settings.tolerance * settings.tolerance;
   const ExplicitLimits limits =
-      settings.fixed_iterations > 0
-          ? ExplicitLimits{std::numeric_limits<double>::infinity(), 0, settings.fixed_iterations}
+      settings.analysis.fixed_iterations > 0
+          ? ExplicitLimits{std::numeric_limits<double>::infinity(), 0,
+                           settings.analysis.fixed_iterations}
           : ExplicitLimits{tolerance2, core_share * core_share * tolerance2,
-                           settings.max_iterations};
+                           settings.analysis.max_iterations};
   binding_ = {inputs_.data(), c, f, branch_, w, anchors_.data(), limits};
 }
 
@@ -79,7 +80,7 @@ PartResult ExplicitPart::solve(State& s, std::span<const double> last, Level lev
   ExplicitKernel::Solve* const solve = kernel_.solve[static_cast<std::size_t>(level)];
   const ExplicitRunResult r = solve(s.q.data(), s.qd.data(), s.qdd.data(), &binding_, 1);
   if (r.accepted == 0) return solve_refused(s, last, level);
-  return {Status::converged, r.iterations, r.residual2};
+  return {Status::solved, r.iterations, r.residual2};
 }
 
 /// Apart, for the registers that it needs would have to be saved in every step.
@@ -97,7 +98,7 @@ PartResult ExplicitPart::solve(State& s, std::span<const double> last, Level lev
   for (const int input : kernel_.unknowns) s.q[inputs_[input]] = last[inputs_[input]];
   const PartResult result = fallback_->solve(s, last, level);
   // After a fixed number of iterations a position may still be on its way to a branch.
-  if (result.status == Status::converged && result.residual2 < tolerance_ * tolerance_) {
+  if (result.status == Status::solved && result.residual2 < tolerance_ * tolerance_) {
     kernel_.find_branches(s.q.data(), binding_.in, binding_.c, branch_);
     std::ranges::fill(anchors_, 0.0);
     assembled_ = true;

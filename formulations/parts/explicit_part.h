@@ -19,10 +19,9 @@ namespace desmo {
 class ExplicitPart final : public GuardedPart {
  public:
   /// bound: inputs and dimensions of the part, as for its other kernel. weights: 1/magnitude of
-  /// each equation (see magnitudes.h); settings: with the tolerance on ‖Φ‖₂ of the part's own
-  /// equations, so weighted.
+  /// each equation (see magnitudes.h).
   ExplicitPart(const ExplicitKernel& kernel, const BoundKernel& bound,
-               std::span<const double> weights, const Settings& settings,
+               std::span<const double> weights, const PartSettings& settings,
                std::unique_ptr<Part> fallback);
 
   PartResult solve(State& state, std::span<const double> last, Level level) override;

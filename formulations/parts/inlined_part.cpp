@@ -10,15 +10,15 @@ InlinedPart::InlinedPart(BoundKernel bound, std::vector<double> weights,
     : bound_(std::move(bound)),
       weights_(std::move(weights)),
       tolerance2_(settings.tolerance * settings.tolerance),
-      max_iterations_(settings.max_iterations),
+      max_iterations_(settings.analysis.max_iterations),
       accepted2_(tolerance2_),
       at_rounding_(settings.at_rounding),
       fallback_(std::move(fallback)),
       unknowns_(std::move(unknowns)),
       start_(unknowns_.size()) {
-  if (settings.fixed_iterations == 0) return;
+  if (settings.analysis.fixed_iterations == 0) return;
   tolerance2_ = 0;
-  max_iterations_ = settings.fixed_iterations;
+  max_iterations_ = settings.analysis.fixed_iterations;
   accepted2_ = std::numeric_limits<double>::infinity();
 }
 
@@ -44,11 +44,13 @@ PartResult InlinedPart::solve(State& s, std::span<const double> last, Level leve
     double* acc = level == Level::acceleration ? s.qdd.data() : nullptr;
     good = bound_.kernel->rates(s.q.data(), s.qd.data(), acc, in, c);
   }
-  if (good) return {Status::converged, position.iterations, position.residual2};
+  if (good) return {Status::solved, position.iterations, position.residual2};
 
   ++fallbacks_;
   for (std::size_t i = 0; i < unknowns_.size(); ++i) s.q[unknowns_[i]] = start_[i];
-  return fallback_->solve(s, last, level);
+  PartResult result = fallback_->solve(s, last, level);
+  result.iterations += position.iterations;
+  return result;
 }
 
 }  // namespace desmo

@@ -13,8 +13,7 @@ namespace desmo {
 /// not converge, the step is left to `fallback`, which pivots; fallbacks() counts these steps.
 class InlinedPart final : public GuardedPart {
  public:
-  /// weights: 1/magnitude of each equation (see magnitudes.h); settings: with the tolerance on ‖Φ‖₂
-  /// of the part's own equations, so weighted.
+  /// weights: 1/magnitude of each equation (see magnitudes.h).
   InlinedPart(BoundKernel bound, std::vector<double> weights, const PartSettings& settings,
               std::unique_ptr<Part> fallback, std::vector<int> unknowns);
 

@@ -28,7 +28,7 @@ struct PartContext {
   /// Kernels of the symbolic equations, by bind_kernels(). Without them the equations are
   /// automatic.
   std::optional<std::vector<BoundKernel>> kernels;
-  PartSettings settings;       ///< with the tolerance on ‖Φ‖₂ of the part's own equations
+  PartSettings settings;
   Profile* profile = nullptr;  ///< where phases are measured, or null for the timed code
   std::shared_ptr<SinglePrecisionState> single{};  ///< where the scalar is single
   std::vector<double> magnitudes{};                ///< of the unknowns; none: all are 1

@@ -24,7 +24,8 @@ struct Plan {
     int blocks = 0, kept_blocks = 0;         ///< irreducible blocks
     Level level = Level::position;           ///< highest level that is needed of it
     std::vector<std::string> kept, dropped;  ///< names of its entities
-    /// First requested entity that needs it, when it is kept only in part or for others.
+    /// Name of the requested entity for which the first entity is kept that was not requested
+    /// itself; empty: all that is kept was requested.
     std::string serves;
   };
 

@@ -1,59 +1,45 @@
 #include "formulations/prediction/guess.h"
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace desmo {
 
 namespace {
 
-/// The levels to which the last instant and the one before must have been solved.
-struct Needs {
+/// A guess, and the levels to which the last instant and the one before must have been solved.
+struct GuessKind {
+  std::string_view name;
   Level last;
   std::optional<Level> before{};
 };
 
-Needs needs(Guess guess) {
-  switch (guess) {
-    case Guess::previous:
-      return {Level::position};
-    case Guess::linear:
-      return {Level::velocity};
-    case Guess::quadratic:
-      return {Level::acceleration};
-    case Guess::hermite3:
-      return {Level::velocity, Level::velocity};
-    case Guess::hermite5:
-    case Guess::adams8:
-      return {Level::acceleration, Level::acceleration};
-  }
-  return {};
-}
+constexpr std::array kinds{
+    // in the order of Guess
+    GuessKind{"previous", Level::position},
+    GuessKind{"linear", Level::velocity},
+    GuessKind{"quadratic", Level::acceleration},
+    GuessKind{"hermite3", Level::velocity, Level::velocity},
+    GuessKind{"hermite5", Level::acceleration, Level::acceleration},
+    GuessKind{"adams8", Level::acceleration, Level::acceleration},
+};
+
+const GuessKind& kind_of(Guess guess) { return kinds[static_cast<std::size_t>(guess)]; }
 
 }  // namespace
 
-std::string_view guess_name(Guess guess) {
-  switch (guess) {
-    case Guess::previous:
-      return "previous";
-    case Guess::linear:
-      return "linear";
-    case Guess::quadratic:
-      return "quadratic";
-    case Guess::hermite3:
-      return "hermite3";
-    case Guess::hermite5:
-      return "hermite5";
-    case Guess::adams8:
-      return "adams8";
-  }
-  return {};
+std::string_view guess_name(Guess guess) { return kind_of(guess).name; }
+
+std::vector<std::string_view> guess_names() {
+  std::vector<std::string_view> names;
+  for (const GuessKind& kind : kinds) names.push_back(kind.name);
+  return names;
 }
 
 Guess best_guess(Guess wanted, const StepHistory& history) {
   const bool apart = std::abs(history.h) < max_step_growth * std::abs(history.h_before);
   for (const Guess guess : {Guess::hermite5, Guess::hermite3, Guess::quadratic, Guess::linear}) {
-    const auto [last, before] = needs(guess);
+    const auto& [name, last, before] = kind_of(guess);
     if (guess <= wanted && history.last >= last && (!before || (apart && history.before >= before)))
       return guess;
   }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "formulations/base/index_range.h"
 #include "formulations/base/part.h"
@@ -13,6 +14,8 @@ namespace desmo {
 /// Returns a guess as ids write it: "previous", "linear", "quadratic", "hermite3", "hermite5",
 /// "adams8".
 std::string_view guess_name(Guess guess);
+/// Returns the names of all guesses, in the order of Guess.
+std::vector<std::string_view> guess_names();
 
 /// Ratio of a step to the one before it, above which earlier instants no longer predict it:
 /// at 4 the quintic magnifies the errors of their positions 10,000 times, and at 10 a million

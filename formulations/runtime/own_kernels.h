@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "cases/mechanism/motion.h"
-#include "formulations/equations/kernel_table.h"
 #include "formulations/model/model.h"
 #include "formulations/variants.h"
 

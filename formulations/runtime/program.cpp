@@ -15,7 +15,6 @@
 #include <system_error>
 
 #include "formulations/runtime/descriptor.h"
-#include "formulations/runtime/file_actions.h"
 
 namespace desmo::load {
 
@@ -46,6 +45,15 @@ std::vector<char*> pointers(const std::vector<std::string>& texts) {
   result.push_back(nullptr);
   return result;
 }
+
+/// An owned list of descriptor actions for posix_spawn.
+struct FileActions {
+  FileActions() { ::posix_spawn_file_actions_init(&list); }
+  FileActions(const FileActions&) = delete;
+  FileActions& operator=(const FileActions&) = delete;
+  ~FileActions() { ::posix_spawn_file_actions_destroy(&list); }
+  posix_spawn_file_actions_t list;
+};
 
 /// A process group of its own, so that what it starts ends with it, and signals as they are for a
 /// program that was started by hand.

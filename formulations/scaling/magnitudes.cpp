@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "formulations/constraints/constraints.h"
 #include "formulations/scaling/characteristic_lengths.h"
 #include "formulations/scaling/scales.h"
 

@@ -66,8 +66,8 @@ class Interpolated final : public Formulation {
   /// stride: 2 … max_stride.
   Interpolated(std::unique_ptr<SegmentSolver> inner, int stride);
 
-  Summary assemble(double t, Level level) override { return inner_->assemble(t, level); }
-  Summary step(double t, Level level) override { return inner_->step(t, level); }
+  Summary assemble_at(double t, Level level) override { return inner_->assemble(t, level); }
+  Summary step_to(double t, Level level) override { return inner_->step(t, level); }
   Summary run(const TimeGrid& grid, const Request& request, Observer& observer) override;
   bool start_at(std::span<const double> q, double t) override { return inner_->start_at(q, t); }
   void solve_only(std::span<const Level>) override {}

@@ -72,7 +72,7 @@ PartSequence::Result PartSequence::solve_in_order(std::span<const Stage> stages,
     const Stage& stage = stages.front();
     const PartResult r = stage.solver->solve(state, last, std::min(level, stage.level));
     result.add(r.residual2, r.iterations, static_cast<long>(r.iterations) * stage.unknowns);
-    if (r.status != Status::converged) {
+    if (r.status != Status::solved) {
       result.status = r.status;
       result.failed = stage.part;
       break;
@@ -99,7 +99,7 @@ PartSequence::Result PartSequence::solve_in_order(std::span<const Stage> stages,
 
 bool PartSequence::solve_positions(State& state, std::span<const double> last) const {
   return std::ranges::all_of(moving_, [&](const Stage& stage) {
-    return stage.solver->solve(state, last, Level::position).status == Status::converged;
+    return stage.solver->solve(state, last, Level::position).status == Status::solved;
   });
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <span>
 #include <vector>
@@ -20,7 +21,7 @@ class PartSequence {
  public:
   /// The outcome of all parts in one step.
   struct Result {
-    Status status = Status::converged;
+    Status status = Status::solved;
     long iterations = 0;   ///< the most of any part
     long updates = 0;      ///< see Summary
     double residual2 = 0;  ///< ‖Φ‖₂² of all
@@ -31,6 +32,18 @@ class PartSequence {
       residual2 += part_residual2;
       iterations = std::max(iterations, part_iterations);
       updates += part_updates;
+    }
+
+    /// Returns the summary of an instant at time t [s], without what a failure was due to.
+    Summary summary(double t) const {
+      Summary summary;
+      summary.status = status;
+      summary.instants = summary.ok();
+      summary.iterations = iterations;
+      summary.updates = updates;
+      summary.residual = std::sqrt(residual2);
+      summary.time = t;
+      return summary;
     }
   };
 

@@ -4,6 +4,7 @@
 
 #include "formulations/base/part.h"
 #include "formulations/formulation.h"
+#include "formulations/structure/defined_part.h"
 
 namespace desmo {
 
@@ -17,6 +18,7 @@ class SegmentSolver : public Formulation {
                                         Observer& observer) = 0;
 
   const State& state() const override = 0;
+  const std::vector<DefinedPart>& parts() const override = 0;
 
  protected:
   using Formulation::Formulation;

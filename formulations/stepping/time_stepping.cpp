@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "formulations/stepping/continuation.h"
 #include "formulations/stepping/diagnosis.h"
 #include "formulations/stepping/sub_steps.h"
 
@@ -16,22 +15,6 @@ double sum_of_tolerances(const std::vector<DefinedPart>& parts) {
   double norm = 0;
   for (const DefinedPart& part : parts) norm = std::hypot(norm, part.tolerance);
   return norm;
-}
-
-Summary summary_of(const PartSequence::Result& result, double t) {
-  Summary summary;
-  summary.status = result.status;
-  summary.instants = summary.ok();
-  summary.iterations = result.iterations;
-  summary.updates = result.updates;
-  summary.residual = std::sqrt(result.residual2);
-  summary.time = t;
-  return summary;
-}
-
-void clear_rates(State& state) {
-  std::ranges::fill(state.qd, 0.0);
-  std::ranges::fill(state.qdd, 0.0);
 }
 
 }  // namespace
@@ -102,14 +85,16 @@ Summary TimeStepping::solve_at(double t, Level level) {
   predict_(history, last, state, state);
   sequence_.begin_step(history, row);
   const PartSequence::Result result = sequence_.solve_moving(state, last.q, level);  // in order
-  Summary summary = summary_of(result, t);
+  Summary summary = result.summary(t);
   now_.time = t;
   now_.level = level;
   if (!summary.ok()) [[unlikely]] {
-    find_culprit_of(result, summary);
+    sequence_.restore(before_.state.q);
+    note_failure(result.failed);
     std::ranges::copy(last.q, state.q.begin());
     now_.level.reset();
     before_.forget();
+    is_continued_ = false;
   }
   return summary;
 }
@@ -119,10 +104,13 @@ Summary TimeStepping::solve_at(double t, Level level) {
 Summary TimeStepping::assemble_or_step(double t, Level level, int max_sub_steps) {
   if (!assembled_) return assemble_alone(t, level);
   const double start = now_.time;
-  const bool is_known = now_.level || drivers_.is_live();
+  const bool is_known = now_.level || is_continued_ || drivers_.is_live();
+  failure_.part = -1;
   Summary summary = solve_at(t, level);
   if (!summary.ok() && is_known && start != t) [[unlikely]]
     summary = sub_step(start, t, level, max_sub_steps, summary);
+  if (!summary.ok()) [[unlikely]]
+    find_culprit_of_failure(summary);
   return summary;
 }
 
@@ -149,112 +137,27 @@ Summary TimeStepping::sub_step(double from, double t, Level level, int max_sub_s
   return last;
 }
 
+/// Keeps what a diagnosis of the first failure of a step needs, whatever sub-steps find.
+void TimeStepping::note_failure(int part) {
+  if (failure_.part >= 0) return;
+  failure_.part = part;
+  if (drivers_.is_live()) return;
+  drivers_.write_all(now_.state);
+  failure_.q = now_.state.q;
+  for (const int i : parts()[part].definition.unknowns) failure_.q[i] = before_.state.q[i];
+}
+
 /// Finds the group and the constraint that could not be solved, from the last positions of the
 /// part.
-void TimeStepping::find_culprit_of(const PartSequence::Result& result, Summary& summary) {
-  const PartDefinition& failed = parts()[result.failed].definition;
-  State &state = now_.state, &last = before_.state;
-  sequence_.restore(last.q);
-  drivers_.write_all(state);
+void TimeStepping::find_culprit_of_failure(Summary& summary) const {
+  const PartDefinition& failed = parts()[failure_.part].definition;
   if (drivers_.is_live()) {
     if (failed.groups.size() == 1) summary.group = failed.groups.front();
     return;
   }
-  for (const int i : failed.unknowns) state.q[i] = last.q[i];
-  const Culprit culprit = find_culprit(model(), failed.groups, state.q, settings());
+  const Culprit culprit = find_culprit(model(), failed.groups, failure_.q, settings());
   summary.group = culprit.group;
   summary.constraint = culprit.constraint;
-}
-
-// ---- Single instants ----
-
-Summary TimeStepping::step(double t, Level level) {
-  want({});
-  return assemble_or_step(t, level);
-}
-
-Summary TimeStepping::step(const LiveRow& row, Level level, int max_sub_steps) {
-  want({});
-  const double start = now_.time;
-  drivers_.hand_in(row, start, now_.state);
-  const Summary summary = assemble_or_step(row.time, level, max_sub_steps);
-  drivers_.hand_back();
-  if (!summary.ok()) {
-    forget();  // parts remember instants that are not to be gone on from
-    now_.time = start;
-  }
-  return summary;
-}
-
-void TimeStepping::return_to(std::span<const double> q, double t) {
-  std::ranges::copy(q.first(std::min(q.size(), now_.state.q.size())), now_.state.q.begin());
-  assembled_ = !q.empty();
-  forget();
-  now_.time = t;
-}
-
-Summary TimeStepping::assemble(double t, Level level) {
-  want({});
-  return assemble_alone(t, level);
-}
-
-Summary TimeStepping::assemble_alone(double t, Level level) {
-  State &state = now_.state, &last = before_.state;
-  std::ranges::copy(model().estimate, state.q.begin());
-  std::ranges::copy(model().fixed_values, state.q.begin() + model().coordinates());
-  for (State* s : {&state, &last}) clear_rates(*s);
-  std::ranges::copy(state.q, last.q.begin());
-  forget();
-  assembled_ = false;
-  const PartSequence::Result constant = sequence_.solve_constant(state, last.q, level);
-  Summary summary = summary_of(constant, t);
-  if (!summary.ok()) {
-    find_culprit_of(constant, summary);
-    return summary;
-  }
-  last = state;  // what is solved once is in both
-  summary = solve_at(t, level);
-  // The estimate may be far off: a fixed number of iterations is for steps.
-  for (int i = 0; i < settings().max_iterations && summary.ok() &&
-                  settings().fixed_iterations > 0 && summary.residual >= tolerance();
-       ++i) {
-    const Summary before = summary;
-    for (SolvedState* s : {&now_, &before_}) s->forget();
-    summary = solve_at(t, level);
-    summary.iterations += before.iterations;
-    summary.updates += before.updates;
-  }
-  sequence_.end_assembly();
-  assembled_ = summary.ok();
-  return summary;
-}
-
-bool TimeStepping::start_at(std::span<const double> q, double t) {
-  want({});
-  State &state = now_.state, &last = before_.state;
-  for (State* s : {&state, &last}) {
-    std::ranges::copy(q, s->q.begin());
-    clear_rates(*s);
-  }
-  forget();
-  const auto solve = [&](State& to, std::span<const double> from) {
-    return sequence_.solve_positions(to, from);
-  };
-  assembled_ = continue_drivers_to(model(), t, state, solve);
-  if (!assembled_) return false;
-  now_.time = t;
-  last.q = state.q;
-  drivers_.sample(t, state);  // exactly, as a step samples them
-  assembled_ = sequence_.solve_positions(state, last.q);
-  sequence_.end_assembly();
-  return assembled_;
-}
-
-void TimeStepping::take(const State& solved, double t, Level level) {
-  now_.state = solved;
-  forget();
-  now_.time = t;
-  now_.level = level;
 }
 
 // ---- What is read of each instant ----

@@ -18,10 +18,10 @@ class TimeStepping final : public SegmentSolver {
   /// settings: those that the parts were made with. The model outlives this.
   TimeStepping(const Model& model, std::vector<DefinedPart> parts, const Settings& settings);
 
-  Summary assemble(double t, Level level) override;
-  Summary step(double t, Level level) override;
+  Summary assemble_at(double t, Level level) override;
+  Summary step_to(double t, Level level) override;
   bool is_live() const override { return true; }
-  Summary step(const LiveRow& row, Level level, int max_sub_steps) override;
+  Summary step_to_row(const LiveRow& row, Level level, int max_sub_steps) override;
   void return_to(std::span<const double> q, double t) override;
   Summary run(const TimeGrid& grid, const Request& request, Observer& observer) override;
   bool start_at(std::span<const double> q, double t) override;
@@ -45,6 +45,12 @@ class TimeStepping final : public SegmentSolver {
     void forget() { time = 0, level.reset(); }
   };
 
+  /// The first part of a step that could not be solved.
+  struct Failure {
+    int part = -1;
+    std::vector<double> q{};  // positions in the state from which it is solved again
+  };
+
   /// The coordinates of each instant that others than parts read.
   struct Wanted {
     std::vector<int> coordinates;  // empty: all …
@@ -59,7 +65,8 @@ class TimeStepping final : public SegmentSolver {
   Summary assemble_or_step(double t, Level level, int max_sub_steps = unlimited);
   Summary sub_step(double from, double t, Level level, int max_sub_steps, Summary total);
   Summary assemble_alone(double t, Level level);
-  void find_culprit_of(const PartSequence::Result& result, Summary& summary);
+  void note_failure(int part);
+  void find_culprit_of_failure(Summary& summary) const;
   Flow deliver(int index, double t, const Summary& step, Level level, Observer& observer);
 
   PartSequence sequence_;
@@ -69,7 +76,9 @@ class TimeStepping final : public SegmentSolver {
   OutputWriter output_;        // of what no part delivers
   SolvedState now_, before_;   // the instant solved last, and the one before it
   std::vector<double> start_;  // positions from which a step is tried again
+  Failure failure_;
   bool assembled_ = false;
+  bool is_continued_ = false;  // positions are those that start_at() reached
 };
 
 }  // namespace desmo

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "formulations/base/part.h"
 #include "formulations/structure/partition.h"
@@ -18,5 +19,10 @@ struct DefinedPart {
   /// Tolerance on ‖Φ‖₂ of its weighted equations: its share of the whole, or what rounding leaves.
   double tolerance = 0;
 };
+
+class Formulation;
+
+/// Returns the parts of a formulation in the order of solution.
+const std::vector<DefinedPart>& parts_of(const Formulation& formulation);
 
 }  // namespace desmo

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "formulations/constraints/constraints.h"
 #include "formulations/model/model.h"
 
 namespace desmo {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "formulations/constraints/constraints.h"
+
 namespace desmo {
 
 namespace {

@@ -25,25 +25,26 @@ void exclude(CheckOutcome& j, const CheckRecord& check, const Record& then) {
 }
 
 template <class Findings>
-bool any(const Findings& findings, Outcome outcome) {
+bool any(const Findings& findings, Finding outcome) {
   return std::ranges::any_of(findings, [&](const auto& f) { return f.outcome == outcome; });
 }
 
 /// The verdict, and nothing of what is wrong but that it is.
-Verdict overall(CheckOutcome& j) {
+CheckVerdict overall(CheckOutcome& j) {
   for (const Excluded& wrong : j.invalid)
     std::erase_if(j.work.candidates,
                   [&](const WorkFinding& f) { return f.candidate == wrong.candidate; });
 
   const auto& times = j.time.candidates;
   const auto& works = j.work.candidates;
-  if (!j.invalid.empty() || !j.missing.empty()) return Verdict::invalid;
-  if (any(times, Outcome::regression) || any(works, Outcome::regression))
-    return Verdict::regression;
-  if (!j.differences.empty() || !j.work.differences.empty()) return Verdict::incomparable;
-  if (times.empty() && works.empty()) return Verdict::incomparable;
-  if (any(times, Outcome::unconfirmed) || any(times, Outcome::noisy)) return Verdict::inconclusive;
-  return Verdict::pass;
+  if (!j.invalid.empty() || !j.missing.empty()) return CheckVerdict::invalid;
+  if (any(times, Finding::regression) || any(works, Finding::regression))
+    return CheckVerdict::regression;
+  if (!j.differences.empty() || !j.work.differences.empty()) return CheckVerdict::incomparable;
+  if (times.empty() && works.empty()) return CheckVerdict::incomparable;
+  if (any(times, Finding::unconfirmed) || any(times, Finding::noisy))
+    return CheckVerdict::inconclusive;
+  return CheckVerdict::pass;
 }
 
 bool has_times(const Record& record) {
@@ -72,8 +73,8 @@ std::vector<Pending> pending(const CheckOutcome& found) {
   const auto& control = found.time.control;
   const bool first_unsteady = control && is_unsteady(*control);
   for (const TimeFinding& f : found.time.candidates) {
-    if (f.outcome != Outcome::unconfirmed && f.outcome != Outcome::noisy) continue;
-    const bool first = f.outcome == Outcome::noisy && (first_unsteady || !f.second);
+    if (f.outcome != Finding::unconfirmed && f.outcome != Finding::noisy) continue;
+    const bool first = f.outcome == Finding::noisy && (first_unsteady || !f.second);
     all.push_back({first ? "first" : "second", f.candidate});
     // A ratio needs both its times in the same rounds; the control is in all of them.
     if (!f.reference.empty() && f.reference != control_name)

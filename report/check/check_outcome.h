@@ -11,7 +11,13 @@
 namespace desmo::report {
 
 /// Exit codes of `desmo_report check`.
-enum class Verdict { pass = 0, regression = 1, invalid = 2, inconclusive = 3, incomparable = 4 };
+enum class CheckVerdict {
+  pass = 0,
+  regression = 1,
+  invalid = 2,
+  inconclusive = 3,
+  incomparable = 4
+};
 inline constexpr std::array verdict_names{"pass", "regression", "invalid", "inconclusive",
                                           "incomparable"};
 
@@ -21,7 +27,7 @@ struct Excluded {
 };
 
 struct CheckOutcome {
-  Verdict verdict = Verdict::pass;
+  CheckVerdict verdict = CheckVerdict::pass;
   std::vector<Excluded> invalid;        ///< head's answers are wrong
   std::vector<std::string> missing;     ///< candidates of the baseline that head has not
   std::vector<Excluded> excluded;       ///< there is nothing to compare with
@@ -31,7 +37,7 @@ struct CheckOutcome {
 };
 
 /// Compares head with base, or with head of a stored baseline, which is a check of one tree, too. A
-/// check of head alone without a baseline is Verdict::incomparable.
+/// check of head alone without a baseline is CheckVerdict::incomparable.
 CheckOutcome compare_sides(const CheckRecord& check, const CheckRecord* baseline = nullptr);
 
 /// A measurement that a final verdict still needs.

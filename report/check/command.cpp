@@ -11,7 +11,7 @@ namespace {
 
 constexpr int usage_error = 64;
 
-int code(Verdict verdict) { return static_cast<int>(verdict); }
+int code(CheckVerdict verdict) { return static_cast<int>(verdict); }
 
 /// Runs a command. Returns its exit code, or that of a file that cannot be used, with a message.
 template <class Work>
@@ -25,11 +25,11 @@ int reporting_errors(const Work& work) {
   } catch (const UnreadableRecord& error) {
     return failed(error, usage_error);
   } catch (const MixedRecord& error) {
-    return failed(error, code(Verdict::incomparable));
+    return failed(error, code(CheckVerdict::incomparable));
   } catch (const UnsupportedVersion& error) {
-    return failed(error, code(Verdict::incomparable));
+    return failed(error, code(CheckVerdict::incomparable));
   } catch (const InputError& error) {
-    return failed(error, code(Verdict::invalid));
+    return failed(error, code(CheckVerdict::invalid));
   }
 }
 
@@ -45,7 +45,7 @@ int run(const CheckCommand& command) {
       std::string lines;
       for (const Pending& p : pending(found)) lines += p.pass + " " + p.candidate + "\n";
       write_standard_output(lines);
-      return code(Verdict::pass);
+      return code(CheckVerdict::pass);
     }
     write_standard_output(printed(verdict_document(check, found), {command.format}));
     return code(found.verdict);
@@ -56,12 +56,12 @@ int run(const CertificateCommand& command) {
   return reporting_errors([&] {
     if (!command.added.empty()) {
       add_trial(command.file, command.added);
-      return code(Verdict::pass);
+      return code(CheckVerdict::pass);
     }
     const Certificate certificate = read_certificate(command.file);
     write_standard_output(printed(certificate.document, {command.format}));
-    if (certificate.holds) return code(Verdict::pass);
-    return code(certificate.refuted ? Verdict::regression : Verdict::inconclusive);
+    if (certificate.holds) return code(CheckVerdict::pass);
+    return code(certificate.refuted ? CheckVerdict::regression : CheckVerdict::inconclusive);
   });
 }
 

@@ -12,10 +12,10 @@ struct CheckCommand {
   bool pending = false;  ///< only list what has still to be measured, "PASS CELL" a line
 };
 
-/// Prints the verdict on standard output. Returns the exit code: that of the Verdict;
-/// Verdict::invalid for a file that is no whole results file, Verdict::incomparable for one that
-/// mixes machines or is of an unknown version, 64 when it cannot be read, with a message. Throws
-/// OutputError.
+/// Prints the verdict on standard output. Returns the exit code: that of the CheckVerdict;
+/// CheckVerdict::invalid for a file that is no whole results file, CheckVerdict::incomparable for
+/// one that mixes machines or is of an unknown version, 64 when it cannot be read, with a message.
+/// Throws OutputError.
 int run(const CheckCommand& command);
 
 struct CertificateCommand {

@@ -23,7 +23,7 @@ inline constexpr double steady_control = 1.02;
 /// Work: an alarm from this change on, in percent rounded to the tenth that is shown.
 inline constexpr double alarming_percent = 1.0;
 
-enum class Outcome {
+enum class Finding {
   same,
   improvement,
   regression,
@@ -34,14 +34,14 @@ enum class Outcome {
 
 /// Returns the finding of a time, from its changes in the first pass and, where there was one, the
 /// second.
-Outcome outcome_of_time(const Change& first, const std::optional<Change>& second);
+Finding finding_of_time(const Change& first, const std::optional<Change>& second);
 
 /// Returns whether the machine, and not what was measured, changed so much that no time can be
 /// judged.
 bool is_unsteady(const Change& control);
 
 /// Returns the finding of a change of instructions in percent, rounded to a tenth.
-Outcome outcome_of_work(double percent);
+Finding finding_of_work(double percent);
 
 struct TimeFinding {
   std::string candidate;
@@ -49,7 +49,7 @@ struct TimeFinding {
   double base_seconds = 0, head_seconds = 0;  ///< medians over the rounds; base 0 without one
   Change first;
   std::optional<Change> second;
-  Outcome outcome = Outcome::same;
+  Finding outcome = Finding::same;
 };
 
 struct TimeFindings {
@@ -69,7 +69,7 @@ struct WorkFinding {
   std::string candidate;
   std::int64_t base = 0, head = 0;  ///< instructions
   double percent = 0;               ///< change, rounded to a tenth
-  Outcome outcome = Outcome::same;
+  Finding outcome = Finding::same;
 };
 
 struct WorkFindings {

@@ -60,7 +60,7 @@ std::vector<TimeFinding> compare_candidates(const Pass& first, const Pass& secon
     if (second.contains(candidate) &&
         (finding.reference.empty() || second.contains(finding.reference)))
       finding.second = change(second, candidate);
-    finding.outcome = outcome_of_time(finding.first, finding.second);
+    finding.outcome = finding_of_time(finding.first, finding.second);
     findings.push_back(std::move(finding));
   }
   return findings;
@@ -78,22 +78,22 @@ std::string reference_of(const std::string& candidate, const Pass& pass) {
 
 }  // namespace
 
-Outcome outcome_of_time(const Change& first, const std::optional<Change>& second) {
+Finding finding_of_time(const Change& first, const std::optional<Change>& second) {
   const int seen = direction(first);
-  if (seen == 0) return is_undecided(first) ? Outcome::noisy : Outcome::same;
-  if (!second) return Outcome::unconfirmed;
-  if (direction(*second) == seen) return seen > 0 ? Outcome::regression : Outcome::improvement;
-  return is_undecided(*second) ? Outcome::noisy : Outcome::refuted;
+  if (seen == 0) return is_undecided(first) ? Finding::noisy : Finding::same;
+  if (!second) return Finding::unconfirmed;
+  if (direction(*second) == seen) return seen > 0 ? Finding::regression : Finding::improvement;
+  return is_undecided(*second) ? Finding::noisy : Finding::refuted;
 }
 
 bool is_unsteady(const Change& control) {
   return is_wide(control) || beyond(control.ratio, steady_control);
 }
 
-Outcome outcome_of_work(double percent) {
-  if (percent >= alarming_percent) return Outcome::regression;
-  if (percent <= -alarming_percent) return Outcome::improvement;
-  return Outcome::same;
+Finding finding_of_work(double percent) {
+  if (percent >= alarming_percent) return Finding::regression;
+  if (percent <= -alarming_percent) return Finding::improvement;
+  return Finding::same;
 }
 
 TimeFindings find_times(const CheckRecord& check) {
@@ -109,7 +109,7 @@ TimeFindings find_times(const CheckRecord& check) {
   const bool second_unsteady =
       !check.second.empty() && is_unsteady(paired(check.second, control_name));
   for (TimeFinding& finding : findings.candidates)
-    if (first_unsteady || (second_unsteady && finding.second)) finding.outcome = Outcome::noisy;
+    if (first_unsteady || (second_unsteady && finding.second)) finding.outcome = Finding::noisy;
   return findings;
 }
 

@@ -37,7 +37,7 @@ Trial read_trial(const RecordValue& line) {
 }
 
 template <class Findings>
-void add_candidates(Json& line, const char* key, const Findings& findings, Outcome outcome) {
+void add_candidates(Json& line, const char* key, const Findings& findings, Finding outcome) {
   for (const auto& finding : findings)
     if (finding.outcome == outcome) line[key].push_back(finding.candidate);
 }
@@ -61,9 +61,9 @@ Json read_what(const RecordValue& trial) {
 
 Json trial_line(const Json& what, const CheckOutcome& found) {
   Json line{{"trial", what}, {"verdict", verdict_names[static_cast<std::size_t>(found.verdict)]}};
-  add_candidates(line, "slower", found.time.candidates, Outcome::regression);
-  add_candidates(line, "faster", found.time.candidates, Outcome::improvement);
-  add_candidates(line, "more_work", found.work.candidates, Outcome::regression);
+  add_candidates(line, "slower", found.time.candidates, Finding::regression);
+  add_candidates(line, "faster", found.time.candidates, Finding::improvement);
+  add_candidates(line, "more_work", found.work.candidates, Finding::regression);
   return line;
 }
 

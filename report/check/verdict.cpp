@@ -24,7 +24,7 @@ Entry change_entry(const std::optional<Change>& c) {
   return {middle + " % [" + low + ", " + high + "]", {middle, low, high}, {}};
 }
 
-std::string outcome_word(Outcome outcome) {
+std::string outcome_word(Finding outcome) {
   constexpr std::array names{"outcomes.same",        "outcomes.gain",    "outcomes.regression",
                              "outcomes.unconfirmed", "outcomes.refuted", "outcomes.noisy"};
   return sentence(names[static_cast<std::size_t>(outcome)]);
@@ -68,7 +68,7 @@ std::vector<std::string> summary(const CheckOutcome& j) {
   const auto say = [&](const char* name, const TextValues& values = {}) {
     lines.push_back(sentence(std::string("verdict.") + name, values));
   };
-  const auto say_candidates = [&](const char* name, const auto& findings, Outcome outcome) {
+  const auto say_candidates = [&](const char* name, const auto& findings, Finding outcome) {
     std::string list;
     for (const auto& f : findings)
       if (f.outcome == outcome) list += (list.empty() ? "" : ", ") + f.candidate;
@@ -83,15 +83,16 @@ std::vector<std::string> summary(const CheckOutcome& j) {
   for (const Excluded& e : j.invalid)
     say("wrong", {{"candidate", e.candidate}, {"reason", e.reason}});
   for (const std::string& name : j.missing) say("missing", {{"candidate", name}});
-  say_candidates("slower", times, Outcome::regression);
-  say_candidates("more_work", works, Outcome::regression);
-  say_candidates("faster", times, Outcome::improvement);
-  say_candidates("less_work", works, Outcome::improvement);
-  say_candidates("unconfirmed", times, Outcome::unconfirmed);
-  say_candidates("noisy", times, Outcome::noisy);
+  say_candidates("slower", times, Finding::regression);
+  say_candidates("more_work", works, Finding::regression);
+  say_candidates("faster", times, Finding::improvement);
+  say_candidates("less_work", works, Finding::improvement);
+  say_candidates("unconfirmed", times, Finding::unconfirmed);
+  say_candidates("noisy", times, Finding::noisy);
   say_differences("times_differ", j.differences);
   say_differences("counts_differ", j.work.differences);
-  if (j.verdict == Verdict::incomparable && j.differences.empty() && j.work.differences.empty())
+  if (j.verdict == CheckVerdict::incomparable && j.differences.empty() &&
+      j.work.differences.empty())
     say("nothing");
   for (const Excluded& e : j.excluded)
     say("not_compared", {{"candidate", e.candidate}, {"reason", e.reason}});

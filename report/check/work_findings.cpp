@@ -47,7 +47,7 @@ WorkFindings find_works(const CheckRecord& check, const CheckRecord* baseline) {
                        base = baseline ? *before->second.head : *before->second.base;
     const double exact = 100 * (static_cast<double>(head) / static_cast<double>(base) - 1);
     const double percent = std::round(10 * exact) / 10;
-    found.candidates.push_back({candidate, base, head, percent, outcome_of_work(percent)});
+    found.candidates.push_back({candidate, base, head, percent, finding_of_work(percent)});
   }
   return found;
 }

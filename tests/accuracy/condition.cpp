@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iostream>
 
+#include "formulations/constraints/constraints.h"
 #include "formulations/variants.h"
 #include "formulations/verification/error.h"
 #include "formulations/verification/reference/reference.h"

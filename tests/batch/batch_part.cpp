@@ -15,6 +15,7 @@
 #include "cases/generators/cases.h"
 #include "formulations/parts/explicit_part.h"
 #include "formulations/scaling/magnitudes.h"
+#include "formulations/structure/defined_part.h"
 #include "formulations/variants.h"
 #include "tests/borrowed_part.h"
 #include "tests/mechanisms.h"
@@ -45,7 +46,7 @@ class Pieces : public ::testing::Test {
     return std::make_unique<ExplicitPart>(
         kernel, bind_kernel(model_, definitions_[i]).value(),
         Magnitudes(model_).weights(definitions_[i]), Settings{.tolerance = 1e-11},
-        std::make_unique<Borrowed>(*reference_->parts()[i].solver));
+        std::make_unique<Borrowed>(*parts_of(*reference_)[i].solver));
   }
 
   const ExplicitKernel& kernel(std::size_t i) const {
@@ -156,7 +157,7 @@ class Pieces : public ::testing::Test {
         for (const auto& parts : copies)
           for (const std::size_t p : parts)
             for (const int k : definitions_[p].unknowns) s.qd[k] = s.qdd[k] = 17;
-      ASSERT_EQ(together.solve(s, expected.q, Level::acceleration).status, Status::converged);
+      ASSERT_EQ(together.solve(s, expected.q, Level::acceleration).status, Status::solved);
     }
     for (const ExplicitPart* const p : seen) EXPECT_EQ(p->fallbacks(), p == other ? 2 : 0);
     EXPECT_EQ(together.fallbacks(), 2);
@@ -169,7 +170,7 @@ class Pieces : public ::testing::Test {
       spoil(copies, together, s);
       const std::vector<double> last = s.q;
       together.begin_step({0.01, 0.01, Level::acceleration, Level::acceleration}, drivers.row());
-      ASSERT_EQ(together.solve(s, last, Level::acceleration).status, Status::converged);
+      ASSERT_EQ(together.solve(s, last, Level::acceleration).status, Status::solved);
     }
     EXPECT_EQ(together.fallbacks(), 4);
     std::vector<double> last = s.q;
@@ -225,13 +226,13 @@ TEST_F(Pieces, LeaveInTheStateWhatIsReadThere) {
   State s = solved();
   const State expected = s;
   for (int i = 0; i < 2; ++i)
-    ASSERT_EQ(together.solve(s, s.q, Level::acceleration).status, Status::converged);
+    ASSERT_EQ(together.solve(s, s.q, Level::acceleration).status, Status::solved);
   EXPECT_EQ(together.fallbacks(), 0);
 
   spoil(copies, together, s);
   const Driven drivers(together, expected);
   together.begin_step({0.01, 0.01, Level::acceleration}, drivers.row());
-  ASSERT_EQ(together.solve(s, s.q, Level::acceleration).status, Status::converged);
+  ASSERT_EQ(together.solve(s, s.q, Level::acceleration).status, Status::solved);
   for (const int k : unknowns(copies)) {
     EXPECT_NEAR(s.q[k], k == there ? expected.q[k] : 17, 1e-10) << k;
     EXPECT_NEAR(s.qdd[k], k == there ? expected.qdd[k] : 17, 1e-7) << k;
@@ -242,7 +243,7 @@ TEST_F(Pieces, LeaveInTheStateWhatIsReadThere) {
   for (const int k : unknowns(copies))
     if (k != there) s.q[k] += 1e-7;
   together.begin_step({0.01, 0.01, std::nullopt}, drivers.row());
-  ASSERT_EQ(together.solve(s, s.q, Level::acceleration).status, Status::converged);
+  ASSERT_EQ(together.solve(s, s.q, Level::acceleration).status, Status::solved);
   for (const int k : unknowns(copies)) EXPECT_NEAR(s.q[k], expected.q[k], 1e-10) << k;
 }
 

@@ -21,6 +21,7 @@
 #include "formulations/id.h"
 #include "formulations/prediction/motion_sampler.h"
 #include "formulations/prediction/motions_ahead.h"
+#include "formulations/structure/defined_part.h"
 #include "formulations/variants.h"
 #include "tests/everything.h"
 #include "tests/lanes_here.h"
@@ -71,9 +72,9 @@ TEST(Lanes, WriteWhatIsAskedForAndAllForThoseWhoTakeSteps) {
 TEST(Lanes, TakeTwinsAndAxlesTogether) {
   const Model m = truck_model(2);
   const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, on_lanes);
-  ASSERT_EQ(f->parts().size(), 4u);  // y1, two axles, four levers, four dampers
+  ASSERT_EQ(parts_of(*f).size(), 4u);  // y1, two axles, four levers, four dampers
   int unknowns = 0;
-  for (const auto& p : f->parts()) unknowns += static_cast<int>(p.definition.unknowns.size());
+  for (const auto& p : parts_of(*f)) unknowns += static_cast<int>(p.definition.unknowns.size());
   EXPECT_EQ(unknowns, 3 + 2 * (39 + 2 * 19 + 2 * 16));
 }
 
@@ -96,9 +97,8 @@ TEST(Lanes, StandInTheIdAndAreRefusedWhereThereIsNoCode) {
 TEST(Lanes, TakeWholeAxlesAsCopies) {
   const auto parts = [](int axles, int lanes) {
     const Model m = truck_model(axles);
-    return make_formulation(find_variant("group_symbolic_explicit"), m, {.lanes = lanes})
-        ->parts()
-        .size();
+    const auto f = make_formulation(find_variant("group_symbolic_explicit"), m, {.lanes = lanes});
+    return parts_of(*f).size();
   };
   EXPECT_EQ(parts(4, 4), 2u);  // y1, and all
   EXPECT_EQ(parts(5, 4), 5u);  // y1, four axles, and of the fifth itself, its levers, its dampers

@@ -178,7 +178,7 @@ TEST(LaneExecutor, ThatGiveUpLeaveNoTrace) {
   auto parts = make_partition(m, Partition::group);
   const auto g = make_formulation(find_variant("group_automatic_eigen"), m);
   std::vector<DefinedPart> borrowed;
-  for (const auto& p : g->parts())
+  for (const auto& p : parts_of(*g))
     borrowed.push_back({p.definition, std::make_unique<Borrowed>(*p.solver)});
   Segmented f(std::make_unique<TimeStepping>(m, std::move(borrowed), Settings{}),
               std::make_unique<Reluctant>());

@@ -32,7 +32,7 @@ std::unique_ptr<Formulation> make(const Model& m, const std::string& id) {
 
 int moving_unknowns(const Formulation& f) {
   std::size_t sum = 0;
-  for (const DefinedPart& p : f.parts())
+  for (const DefinedPart& p : parts_of(f))
     if (!p.definition.constant) sum += p.definition.unknowns.size();
   return static_cast<int>(sum);
 }
@@ -131,7 +131,7 @@ TEST(ThreadExecutor, LeavesOutWhatNobodyAsksFor) {
   const TimeGrid grid = worth_three_threads(time_grid(2, 0.01), *f);
   Everything observer(grid.instants);
   ASSERT_TRUE(f->run(grid, {}, observer).ok());
-  for (const DefinedPart& part : f->parts())
+  for (const DefinedPart& part : parts_of(*f))
     for (const int k : part.definition.unknowns) EXPECT_EQ(f->qdd()[k], 0) << k;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -80,15 +81,22 @@ TEST(Candidates, HaveWindowsThatAreAllOfTheirTime) {
   double max_share = 0;
   int taken = 0;
   while (taken++ < max_samples && max_share < 0.95) {
-    const double least_before = sum(candidate.windows.least()), seconds = candidate.time_afresh();
-    const double in_windows = sum(candidate.windows.samples().back());
+    const double least_before = sum(candidate.windows().least()), seconds = candidate.time_afresh();
+    const double in_windows = sum(candidate.windows().samples().back());
     EXPECT_LE(in_windows, seconds);
-    EXPECT_LE(sum(candidate.windows.least()), std::min(least_before, in_windows));
+    EXPECT_LE(sum(candidate.windows().least()), std::min(least_before, in_windows));
     max_share = std::max(max_share, in_windows / seconds);
   }
   EXPECT_GE(max_share, 0.95);
-  EXPECT_EQ(candidate.state, Candidate::Verdict::verified);
-  EXPECT_EQ(candidate.windows.samples().size(), static_cast<std::size_t>(taken) - 1);
+  EXPECT_EQ(candidate.readiness(), Candidate::Readiness::verified);
+  EXPECT_EQ(candidate.windows().samples().size(), static_cast<std::size_t>(taken) - 1);
+}
+
+TEST(Candidates, HaveNoSamplesBeforeTheyAreVerified) {
+  CaseCandidate candidate(find_case("four_bar"), 24, find_variant("group_automatic_klu"), {});
+  EXPECT_EQ(candidate.readiness(), Candidate::Readiness::unverified);
+  EXPECT_THROW(candidate.add_sample(1), std::logic_error);
+  EXPECT_FALSE(candidate.is_timed());
 }
 
 TEST(Candidates, AreVerifiedBeforeTheyAreTimed) {
@@ -99,8 +107,8 @@ TEST(Candidates, AreVerifiedBeforeTheyAreTimed) {
                           o);
   EXPECT_EQ(candidate.name(), "truck_suspension/114/group_symbolic_klu");
   candidate.verify(references);
-  EXPECT_EQ(candidate.state, CaseCandidate::Verdict::verified) << candidate.message;
-  EXPECT_EQ(candidate.errors.instants, 51);
+  EXPECT_EQ(candidate.readiness(), CaseCandidate::Readiness::verified) << candidate.message();
+  EXPECT_EQ(candidate.verifying_run().errors.instants, 51);
   EXPECT_TRUE(candidate.analyse().ok());
 }
 
@@ -112,16 +120,16 @@ TEST(Candidates, FailWhenTheReferenceSaysOtherwise) {
   CaseCandidate candidate(find_case("four_bar"), 114, find_variant("group_symbolic_klu"), o,
                           {.fixed_iterations = 1});  // too few for steps as coarse
   candidate.verify(references);
-  EXPECT_EQ(candidate.state, CaseCandidate::Verdict::failed);
-  EXPECT_NE(candidate.message, "");
+  EXPECT_EQ(candidate.readiness(), CaseCandidate::Readiness::failed);
+  EXPECT_NE(candidate.message(), "");
 }
 
 TEST(Candidates, SayWhyDenseGlobalSolvesAreNotRun) {
   Options o;
   const CaseCandidate candidate(find_case("four_bar"), 558, find_variant("global_automatic_lapack"),
                                 o);
-  EXPECT_EQ(candidate.state, CaseCandidate::Verdict::not_run);
-  EXPECT_NE(candidate.message.find("O(n^3)"), std::string::npos);
+  EXPECT_EQ(candidate.readiness(), CaseCandidate::Readiness::not_run);
+  EXPECT_NE(candidate.message().find("O(n^3)"), std::string::npos);
 }
 
 TEST(Candidates, ShowWhereTheTimeOfKluAsOneBlockGoes) {
@@ -137,7 +145,7 @@ TEST(Candidates, ShowWhereTheTimeOfKluAsOneBlockGoes) {
     EXPECT_EQ(candidate.settings().btf, BlockTriangularForm::off);
     ReferenceCache references;
     candidate.verify(references);
-    ASSERT_EQ(candidate.state, CaseCandidate::Verdict::verified) << candidate.message;
+    ASSERT_EQ(candidate.readiness(), CaseCandidate::Readiness::verified) << candidate.message();
     candidate.profile();
     ASSERT_TRUE(candidate.phases) << name;
     EXPECT_GT(candidate.phases->total(), 0);

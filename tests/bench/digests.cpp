@@ -120,9 +120,9 @@ TEST(ResultDigests, AreTheSameForEveryRightFormulationAndNoWrongOne) {
                          "group_symbolic_lapack", "group_symbolic_inlined"}) {
     CaseCandidate candidate(find_case("truck_suspension"), 114, find_variant(id), o);
     candidate.verify(references);
-    ASSERT_EQ(candidate.state, CaseCandidate::Verdict::verified) << candidate.message;
-    models.insert(candidate.model);
-    results.insert(candidate.results);
+    ASSERT_EQ(candidate.readiness(), CaseCandidate::Readiness::verified) << candidate.message();
+    models.insert(candidate.verifying_run().model);
+    results.insert(candidate.verifying_run().results);
   }
   EXPECT_EQ(models.size(), 1u);
   EXPECT_EQ(results.size(), 1u);

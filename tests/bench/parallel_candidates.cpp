@@ -35,10 +35,10 @@ TEST(ParallelCandidates, OfSeveralThreadsAreTimedByTheWallClock) {
   ReferenceCache references;
   CaseCandidate candidate(find_case("truck_suspension"), 225, *c.variant, options, c.settings);
   candidate.verify(references);
-  ASSERT_EQ(candidate.state, Candidate::Verdict::verified) << candidate.message;
+  ASSERT_EQ(candidate.readiness(), Candidate::Readiness::verified) << candidate.message();
   EXPECT_EQ(candidate.clock, Clock::wall);
-  candidate.seconds.push_back(candidate.time_afresh());
-  EXPECT_GT(candidate.seconds.front(), 0);
+  candidate.add_sample(candidate.time_afresh());
+  EXPECT_GT(candidate.seconds().front(), 0);
   const std::string record = lists_of({&candidate}).dump();
   EXPECT_NE(record.find("\"threads\":2"), std::string::npos);
   EXPECT_NE(record.find("\"time\":{\"clock\":\"wall\","), std::string::npos);

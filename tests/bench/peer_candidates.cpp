@@ -81,13 +81,13 @@ TEST_F(PeerCells, AreVerifiedInWhatTheyFind) {
   PeerCandidate candidate(find_case("truck_suspension"), 114, half, options);
   EXPECT_EQ(candidate.name(), "truck_suspension/114/peer:half");
   candidate.verify(references);
-  ASSERT_EQ(candidate.state, Candidate::Verdict::verified) << candidate.message;
+  ASSERT_EQ(candidate.readiness(), Candidate::Readiness::verified) << candidate.message();
   EXPECT_EQ(candidate.compared, 57);
   EXPECT_EQ(candidate.setup, "half of ours");
-  EXPECT_EQ(candidate.errors.instants, 51);
-  EXPECT_GT(candidate.errors.position, 0);
-  EXPECT_LT(candidate.errors.position, 1e-9);
-  EXPECT_GT(candidate.iterations_per_step, 1);
+  EXPECT_EQ(candidate.verifying_run().errors.instants, 51);
+  EXPECT_GT(candidate.verifying_run().errors.position, 0);
+  EXPECT_LT(candidate.verifying_run().errors.position, 1e-9);
+  EXPECT_GT(candidate.verifying_run().iterations_per_step, 1);
   EXPECT_TRUE(candidate.analyse().ok());
 }
 
@@ -96,7 +96,7 @@ TEST_F(PeerCells, FailWithAWrongAnswer) {
   PeerCandidate candidate(find_case("truck_suspension"), 114, wrong, options);
   candidate.verify(references);
   EXPECT_TRUE(candidate.is_failed());
-  EXPECT_NE(candidate.message.find("acceleration"), std::string::npos) << candidate.message;
+  EXPECT_NE(candidate.message().find("acceleration"), std::string::npos) << candidate.message();
 }
 
 TEST_F(PeerCells, FailWithTheLibrarysOwnWords) {
@@ -104,7 +104,7 @@ TEST_F(PeerCells, FailWithTheLibrarysOwnWords) {
   PeerCandidate candidate(find_case("four_bar"), 114, lost, options);
   candidate.verify(references);
   EXPECT_TRUE(candidate.is_failed());
-  EXPECT_EQ(candidate.message, "lost its way");
+  EXPECT_EQ(candidate.message(), "lost its way");
 }
 
 TEST_F(PeerCells, AreLeftOutWhenTheyTakeTooLong) {
@@ -113,8 +113,8 @@ TEST_F(PeerCells, AreLeftOutWhenTheyTakeTooLong) {
   PeerCandidate candidate(find_case("four_bar"), 114, half, options);
   candidate.verify(references);
   EXPECT_TRUE(candidate.is_not_run());
-  EXPECT_NE(candidate.message.find("the whole motion would take"), std::string::npos)
-      << candidate.message;
+  EXPECT_NE(candidate.message().find("the whole motion would take"), std::string::npos)
+      << candidate.message();
   EXPECT_NE(candidate.setup, "");
 }
 

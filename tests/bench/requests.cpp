@@ -44,16 +44,16 @@ TEST_F(Requests, AreVerifiedBeforeTheyAreTimed) {
     candidate->verify(references);
     if (candidate
             ->is_not_run()) {  // this build has not the code, or this processor not the registers
-      EXPECT_TRUE(candidate->message == unavailable_reason(candidate->settings()) ||
-                  candidate->message.find("no generated code") != std::string::npos)
-          << candidate->name() << ": " << candidate->message;
+      EXPECT_TRUE(candidate->message() == unavailable_reason(candidate->settings()) ||
+                  candidate->message().find("no generated code") != std::string::npos)
+          << candidate->name() << ": " << candidate->message();
       continue;
     }
     ++verified;
-    EXPECT_EQ(candidate->state, Candidate::Verdict::verified)
-        << candidate->name() << ": " << candidate->message;
+    EXPECT_EQ(candidate->readiness(), Candidate::Readiness::verified)
+        << candidate->name() << ": " << candidate->message();
     EXPECT_LE(candidate->difference, allowed_request_difference) << candidate->name();
-    EXPECT_EQ(candidate->errors.instants, 51);
+    EXPECT_EQ(candidate->verifying_run().errors.instants, 51);
     EXPECT_LT(candidate->request().unknowns, candidate->request().all_unknowns);
     EXPECT_TRUE(candidate->analyse().ok());
   }
@@ -94,8 +94,8 @@ TEST_F(Requests, FailWhereTheWholeMechanismCannotBeSolved) {
   RequestCandidate candidate(std::make_shared<const PlannedRequest>("far", scene, options),
                              find_variant("global_automatic_klu"));
   candidate.verify(references);
-  EXPECT_EQ(candidate.state, Candidate::Verdict::failed);
-  EXPECT_TRUE(candidate.message.starts_with("the whole mechanism: ")) << candidate.message;
+  EXPECT_EQ(candidate.readiness(), Candidate::Readiness::failed);
+  EXPECT_TRUE(candidate.message().starts_with("the whole mechanism: ")) << candidate.message();
   EXPECT_FALSE(candidate.is_timed());
 }
 

@@ -33,12 +33,13 @@ TEST_P(TreePeersOfCase, AgreeWithTheQuadrupleReferenceAtEverySize) {
     for (const char* name : names) {
       paper::PeerCandidate candidate(c, n, find_peer(name), options);
       candidate.verify(references);
-      EXPECT_EQ(candidate.state, bench::Candidate::Verdict::verified)
-          << candidate.name() << ": " << candidate.message;
+      EXPECT_EQ(candidate.readiness(), bench::Candidate::Readiness::verified)
+          << candidate.name() << ": " << candidate.message();
       EXPECT_EQ(candidate.compared, n) << candidate.name();
-      EXPECT_EQ(candidate.errors.instants, 51) << candidate.name();
+      EXPECT_EQ(candidate.verifying_run().errors.instants, 51) << candidate.name();
       for (const double error :
-           {candidate.errors.position, candidate.errors.velocity, candidate.errors.acceleration})
+           {candidate.verifying_run().errors.position, candidate.verifying_run().errors.velocity,
+            candidate.verifying_run().errors.acceleration})
         EXPECT_LT(error, 1e-9) << candidate.name();
       EXPECT_TRUE(candidate.analyse().ok()) << candidate.name();
     }

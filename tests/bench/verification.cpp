@@ -4,9 +4,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <vector>
+
+#include "cases/generators/cases.h"
+#include "formulations/modelling/modelling.h"
 
 namespace desmo::bench::verification_test {
 namespace {
@@ -72,6 +77,30 @@ TEST_F(Verification, ComparesInstantsInAnyOrder) {
 TEST_F(Verification, RefusesInstantsThatWereNeverSeen) {
   observe(0, 0, {1, 2});
   EXPECT_NE(verification_failure(observer.compare().errors, 2), "");
+}
+
+/// Every fourth of 201 instants is solved; every fourth of the ordinary times is among these.
+TEST(References, OfStridesHaveInstantsThatAreInterpolated) {
+  const Model m = make_model(four_bar(1));
+  const TimeGrid grid{0, 0.01, 201};
+  const auto interpolated = [&](std::span<const ReferenceInstant> reference) {
+    return std::ranges::count_if(reference, [&](const ReferenceInstant& r) {
+      return std::lround(r.time / grid.step) % 4 != 0;
+    });
+  };
+  ReferenceCache references;
+  EXPECT_EQ(interpolated(references.get(m, grid)), 0);
+  EXPECT_GT(interpolated(references.get(m, grid, 4)), 20);
+}
+
+/// Two models of one name and size may differ in a dimension.
+TEST(References, AreThoseOfTheModel) {
+  const TimeGrid grid{0, 0.01, 3};
+  Model m = make_model(four_bar(1));
+  ReferenceCache references;
+  const double before = references.get(m, grid).back().q.front();
+  for (Driver& driver : m.drivers) driver.motion = Polynomial{{0.1, 2}};
+  EXPECT_NE(references.get(m, grid).back().q.front(), before);
 }
 
 }  // namespace

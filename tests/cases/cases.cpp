@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "formulations/constraints/constraints.h"
 #include "tests/mechanisms.h"
 
 namespace desmo::cases_test {

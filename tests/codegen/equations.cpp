@@ -7,8 +7,10 @@
 #include <random>
 
 #include "cases/generators/cases.h"
+#include "formulations/constraints/constraints.h"
 #include "formulations/equations/automatic.h"
 #include "formulations/equations/symbolic.h"
+#include "formulations/structure/defined_part.h"
 #include "formulations/structure/part_type.h"
 #include "formulations/structure/partition.h"
 #include "formulations/variants.h"
@@ -162,7 +164,7 @@ TEST(Kernels, AreMissingVisibly) {
   EXPECT_EQ(find_kernel(describe_type(m, part).fingerprint), nullptr);
   EXPECT_FALSE(bind_kernel(m, part));
   const auto f = make_formulation(find_variant("group_symbolic_eigen"), m);
-  EXPECT_FALSE(f->parts().front().as_named);
+  EXPECT_FALSE(parts_of(*f).front().as_named);
 }
 
 TEST(Partition, RefusesAGroupThatNeedsALaterOne) {

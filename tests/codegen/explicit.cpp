@@ -20,6 +20,7 @@
 #include "formulations/id.h"
 #include "formulations/parts/explicit_part.h"
 #include "formulations/scaling/magnitudes.h"
+#include "formulations/structure/defined_part.h"
 #include "formulations/variants.h"
 #include "tests/borrowed_part.h"
 #include "tests/discard.h"
@@ -78,12 +79,12 @@ TEST(ExplicitOrder, TearsNoMoreThanTheFreedomsOfAPlatform) {
 }
 
 const ExplicitPart& part(const Formulation& f, std::size_t i) {
-  return dynamic_cast<const ExplicitPart&>(*f.parts()[i].solver);
+  return dynamic_cast<const ExplicitPart&>(*parts_of(f)[i].solver);
 }
 
 long fallbacks(const Formulation& f) {
   long sum = 0;
-  for (const auto& p : f.parts()) sum += dynamic_cast<const GuardedPart&>(*p.solver).fallbacks();
+  for (const auto& p : parts_of(f)) sum += dynamic_cast<const GuardedPart&>(*p.solver).fallbacks();
   return sum;
 }
 
@@ -95,7 +96,7 @@ TEST(Explicit, NeedsNoFallbackOnTheCases) {
       Discard observer;
       ASSERT_TRUE(f->run(time_grid(3, 0.01), {}, observer).ok());
       EXPECT_EQ(fallbacks(*f), 0) << c.name;
-      for (const auto& p : f->parts()) EXPECT_TRUE(p.as_named);
+      for (const auto& p : parts_of(*f)) EXPECT_TRUE(p.as_named);
     }
 }
 
@@ -183,16 +184,16 @@ TEST(Explicit, IsRightWhereItsCodeRefuses) {
     return ExplicitRunResult{};
   };
   const auto reference = make_formulation(find_variant("group_automatic_eigen"), m);
-  ExplicitPart bad(refusing, bound, Magnitudes(m).weights(parts[1]), {.tolerance = 1e-12},
-                   std::make_unique<Borrowed>(*reference->parts()[1].solver));
+  ExplicitPart bad(refusing, bound, Magnitudes(m).weights(parts[1]), Settings{.tolerance = 1e-12},
+                   std::make_unique<Borrowed>(*parts_of(*reference)[1].solver));
   State s;
   s.q = m.estimate;
   s.q.insert(s.q.end(), m.fixed_values.begin(), m.fixed_values.end());
   s.qd.assign(s.q.size(), 0);
   s.qdd.assign(s.q.size(), 0);
-  ASSERT_EQ(bad.solve(s, s.q, Level::acceleration).status, Status::converged);
+  ASSERT_EQ(bad.solve(s, s.q, Level::acceleration).status, Status::solved);
   EXPECT_EQ(bad.fallbacks(), 0);  // the first position is found by iterating, as ever
-  ASSERT_EQ(bad.solve(s, s.q, Level::acceleration).status, Status::converged);
+  ASSERT_EQ(bad.solve(s, s.q, Level::acceleration).status, Status::solved);
   EXPECT_EQ(bad.fallbacks(), 1);
   EXPECT_EQ(bad.branch_changes(), 0);
 }

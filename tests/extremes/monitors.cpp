@@ -31,7 +31,7 @@ class EveryMonitor : public testing::TestWithParam<Found> {
                                               .cases = std::regex(found.cases),
                                               .without = without});
     EXPECT_FALSE(results.empty());
-    return count(results, Verdict::defect);
+    return count(results, ExtremeVerdict::defect);
   }
 };
 

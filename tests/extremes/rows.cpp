@@ -38,9 +38,9 @@ TEST_P(EveryExtreme, IsAsExpected) {
   std::set<std::string> cases, as_expected;
   for (const Result& r : results) {
     cases.insert(r.case_name);
-    if (r.verification.verdict == Verdict::as_expected) as_expected.insert(r.case_name);
-    EXPECT_TRUE(r.verification.verdict == Verdict::as_expected ||
-                r.verification.verdict == Verdict::not_applicable)
+    if (r.verification.verdict == ExtremeVerdict::as_expected) as_expected.insert(r.case_name);
+    EXPECT_TRUE(r.verification.verdict == ExtremeVerdict::as_expected ||
+                r.verification.verdict == ExtremeVerdict::not_applicable)
         << r.case_name << ", " << r.id << ": " << r.verification.reason;
   }
   EXPECT_FALSE(cases.empty());

@@ -93,7 +93,7 @@ void limit_time() {
   ::alarm(wall_limit);
 }
 
-using Try = std::function<Outcome(long)>;
+using Try = std::function<TrialOutcome(long)>;
 
 [[noreturn]] void be_child(long first, long last, const Try& attempt_input, const Shared& board,
                            const Log& log) {

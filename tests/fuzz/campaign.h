@@ -31,7 +31,7 @@ struct Campaign {
     long first = 0;      ///< index of the first such input
     std::string detail;  ///< detail of its finding
   };
-  std::array<long, outcome_names.size()> outcomes{};  ///< number of inputs by Outcome
+  std::array<long, outcome_names.size()> outcomes{};  ///< number of inputs by TrialOutcome
   std::map<std::string, Kind> findings;               ///< by class
   double slowest = 0;                                 ///< largest CPU time of an input [s]
   long slowest_input = 0;                             ///< its index

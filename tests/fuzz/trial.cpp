@@ -185,15 +185,15 @@ const Variant& affordable(const Variant& variant, const Model& mechanism) {
 
 }  // namespace
 
-Outcome attempt(std::string_view text, const std::filesystem::path& folder,
-                const Variant& variant) {
+TrialOutcome attempt(std::string_view text, const std::filesystem::path& folder,
+                     const Variant& variant) {
   Scene scene;
   const bool is_scene = names_scene(text);
   if (!passes<InputError>("file", folder, [&] {
         scene = is_scene ? parse_scene(text, file_name, folder)
                          : at_rest(parse_mechanism(text, file_name));
       }))
-    return Outcome::refused_as_file;
+    return TrialOutcome::refused_as_file;
   passes<void>("writer", folder, [&] { check_writer(scene.mechanism); });
 
   Model whole;
@@ -203,7 +203,7 @@ Outcome attempt(std::string_view text, const std::filesystem::path& folder,
         for (const LeftOut& l : modelled.left_out) check_message(l.equation, "model");
         if (!is_scene) rest_where_measured(whole);
       }))
-    return Outcome::refused_as_mechanism;
+    return TrialOutcome::refused_as_mechanism;
   passes<void>("model", folder, [&] { validate(whole); });
 
   Plan plan;
@@ -217,9 +217,9 @@ Outcome attempt(std::string_view text, const std::filesystem::path& folder,
         formulation = make_formulation(affordable(variant, plan.model), plan.model,
                                        Settings{scene.tolerance});
       }))
-    return Outcome::refused_by_formulation;
+    return TrialOutcome::refused_by_formulation;
 
-  Outcome outcome = Outcome::solved;
+  TrialOutcome outcome = TrialOutcome::solved;
   passes<void>("solution", folder, [&] {
     formulation->solve_only(plan.levels);
     const Level level = plan.level();
@@ -228,14 +228,14 @@ Outcome attempt(std::string_view text, const std::filesystem::path& folder,
       const Summary s = i == 0 ? formulation->assemble(t, level) : formulation->step(t, level);
       if (!s.ok()) {
         check_message(describe(s, plan.model), "summary");
-        outcome = Outcome::not_solved;
+        outcome = TrialOutcome::not_solved;
         return;
       }
       check_residual(s, formulation->tolerance());
       check_delivered(plan, *formulation, t);
     }
   });
-  if (outcome == Outcome::solved)
+  if (outcome == TrialOutcome::solved)
     passes<void>("code", folder, [&] {
       const TimeGrid begin{scene.grid.start, scene.grid.step, max_instants};
       check_code(variant, plan.model, begin);

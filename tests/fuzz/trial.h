@@ -11,7 +11,7 @@
 namespace desmo::fuzz {
 
 /// The permitted outcomes of an input, by how far it got.
-enum class Outcome {
+enum class TrialOutcome {
   refused_as_file,
   refused_as_mechanism,    ///< by model()
   refused_by_formulation,  ///< by make_formulation()
@@ -31,6 +31,7 @@ class Finding : public std::runtime_error {
 
 /// Reads a mechanism or scene file, models it, plans its requests and solves a few instants. Throws
 /// Finding. folder: location of the files that it refers to.
-Outcome attempt(std::string_view text, const std::filesystem::path& folder, const Variant& variant);
+TrialOutcome attempt(std::string_view text, const std::filesystem::path& folder,
+                     const Variant& variant);
 
 }  // namespace desmo::fuzz

@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "formulations/structure/defined_part.h"
 #include "tests/load/loading.h"
 
 namespace desmo::load::cache_test {
@@ -144,7 +145,7 @@ TEST_F(CacheTest, ServesSeveralProcessesAtOnce) {
     const bool good = load(table).problem.empty();
     const auto f =
         make_formulation(find_variant("group_symbolic_inlined"), model_, {}, nullptr, &table);
-    return good && f->parts().back().as_named && f->assemble(0).ok();
+    return good && parts_of(*f).back().as_named && f->assemble(0).ok();
   };
   std::vector<pid_t> children;
   for (int i = 0; i < 3; ++i) {

@@ -10,6 +10,7 @@
 
 #include "formulations/runtime/descriptor.h"
 #include "formulations/runtime/program.h"
+#include "formulations/structure/defined_part.h"
 #include "tests/load/loading.h"
 
 namespace desmo::load::compiler_test {
@@ -23,7 +24,7 @@ struct CompilerTest : Loading {
     EXPECT_FALSE(own.types.empty());
     const auto f =
         make_formulation(find_variant("group_symbolic_inlined"), model_, {}, nullptr, &table);
-    EXPECT_FALSE(f->parts().back().as_named);
+    EXPECT_FALSE(parts_of(*f).back().as_named);
     EXPECT_TRUE(f->assemble(0).ok());
     if (fs::exists(cache())) {
       EXPECT_EQ(cached("").size(), cached(".cpp").size()) << "no library";

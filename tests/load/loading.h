@@ -15,6 +15,7 @@
 
 #include "cases/generators/cases.h"
 #include "cases/io/files.h"
+#include "formulations/equations/kernel_table.h"
 #include "formulations/id.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/runtime/own_kernels.h"

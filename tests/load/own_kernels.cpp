@@ -4,6 +4,7 @@
 
 #include "formulations/batch/batch_part.h"
 #include "formulations/parts/explicit_part.h"
+#include "formulations/structure/defined_part.h"
 #include "tests/load/loading.h"
 
 namespace desmo::load::own_kernels_test {
@@ -27,12 +28,12 @@ std::vector<double> run(Formulation& f, const TimeGrid& grid) {
 }
 
 bool is_as_named(const Formulation& f) {
-  return std::ranges::all_of(f.parts(), &DefinedPart::as_named);
+  return std::ranges::all_of(parts_of(f), &DefinedPart::as_named);
 }
 
 template <class P>
 bool has(const Formulation& f) {
-  return std::ranges::any_of(f.parts(), [](const DefinedPart& part) {
+  return std::ranges::any_of(parts_of(f), [](const DefinedPart& part) {
     return dynamic_cast<const P*>(part.solver.get()) != nullptr;
   });
 }
@@ -91,7 +92,7 @@ TEST_F(OwnKernelsTest, SolveTwinsInLanes) {
 TEST_F(OwnKernelsTest, SolveSegmentsOfTheMotionInLanes) {
   const auto f = compare("group_symbolic_explicit/segments:4");
   EXPECT_EQ(f->run_by_steps(), 0);
-  for (const DefinedPart& part : f->parts())
+  for (const DefinedPart& part : parts_of(*f))
     if (const auto* solver = dynamic_cast<const ExplicitPart*>(part.solver.get())) {
       EXPECT_NE(table_.find_lane_kernel(solver->kernel().fingerprint, 4), nullptr);
     }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "formulations/constraints/constraints.h"
 #include "tests/describing.h"
 #include "tests/mechanisms.h"
 

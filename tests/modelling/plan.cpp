@@ -9,6 +9,7 @@
 #include <set>
 
 #include "cases/generators/cases.h"
+#include "formulations/structure/defined_part.h"
 #include "formulations/variants.h"
 #include "tests/every_variant.h"
 #include "tests/mechanisms.h"
@@ -284,10 +285,10 @@ TEST(Plan, LeavesOutLevelsOfPartsThatNobodyAsksFor) {
       whole(), asked_of(whole(), {"", {{"axle1/phi6", position}, {"axle1/s12", acceleration}}}));
   for (const char* id : {"group_automatic_lapack", "block_automatic_klu"}) {
     const auto f = make_formulation(find_variant(id), plan.model);
-    for (const DefinedPart& p : f->parts()) EXPECT_EQ(p.level, acceleration);
+    for (const DefinedPart& p : parts_of(*f)) EXPECT_EQ(p.level, acceleration);
     f->solve_only(plan.levels);
     std::set<Level> seen;
-    for (const DefinedPart& p : f->parts()) {
+    for (const DefinedPart& p : parts_of(*f)) {
       const Group& g = plan.model.groups[p.definition.groups.front()];
       const bool lever = g.bodies == std::vector<std::string>{"axle1/6", "axle1/8"};
       EXPECT_EQ(p.level, lever ? position : acceleration) << id << ", " << g.name;
@@ -298,7 +299,7 @@ TEST(Plan, LeavesOutLevelsOfPartsThatNobodyAsksFor) {
   // All at once there is one part, and it goes as far as anyone asks.
   const auto global = make_formulation(find_variant("global_automatic_klu"), plan.model);
   global->solve_only(plan.levels);
-  for (const DefinedPart& p : global->parts()) EXPECT_EQ(p.level, acceleration);
+  for (const DefinedPart& p : parts_of(*global)) EXPECT_EQ(p.level, acceleration);
 }
 
 TEST(Plan, OfAPositionSolvesPositionsOnly) {
@@ -307,10 +308,10 @@ TEST(Plan, OfAPositionSolvesPositionsOnly) {
        {"global_automatic_eigen", "group_automatic_klu", "block_automatic_lapack"}) {
     const auto f = make_formulation(find_variant(id), plan.model);
     f->solve_only(plan.levels);
-    for (const DefinedPart& p : f->parts()) EXPECT_EQ(p.level, Level::position) << id;
+    for (const DefinedPart& p : parts_of(*f)) EXPECT_EQ(p.level, Level::position) << id;
     // Asked for more, they still go no further.
     ASSERT_TRUE(f->step(0.1).ok());
-    for (const DefinedPart& p : f->parts())
+    for (const DefinedPart& p : parts_of(*f))
       for (const int i : p.definition.unknowns) EXPECT_EQ(f->qdd()[i], 0) << id;
   }
 }

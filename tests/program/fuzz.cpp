@@ -50,7 +50,7 @@ TEST(Fuzz, SizesBeyondTheLimitsAreRefused) {
                             R"({"generator": "truck_suspension", "axles": 4294967297})"}) {
     const std::string scene =
         R"({"format": "desmo-scene", "version": 1, "mechanism": )" + std::string(model) + "}";
-    EXPECT_EQ(attempt(scene, corpus, variants().front()), Outcome::refused_as_file) << model;
+    EXPECT_EQ(attempt(scene, corpus, variants().front()), TrialOutcome::refused_as_file) << model;
   }
 }
 
@@ -62,8 +62,8 @@ TEST(Fuzz, SpoiltFilesAreRefusedOrSolvedAndReachEveryStage) {
   EXPECT_TRUE(c.findings.empty()) << report(c);
   // A mutator whose inputs never get far tests a parser only.
   EXPECT_GT(c.outcomes.back(), options.inputs / 10) << report(c);
-  for (const Outcome outcome :
-       {Outcome::refused_as_file, Outcome::refused_as_mechanism, Outcome::not_solved})
+  for (const TrialOutcome outcome : {TrialOutcome::refused_as_file,
+                                     TrialOutcome::refused_as_mechanism, TrialOutcome::not_solved})
     EXPECT_GT(c.outcomes[static_cast<std::size_t>(outcome)], options.inputs / 100) << report(c);
 }
 

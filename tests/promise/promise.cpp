@@ -102,7 +102,7 @@ TEST(Promise, TruthAgreesWithTheReferenceAwayFromSingularPositions) {
 TEST(Promise, JudgeFindsWhatIsPlanted) {
   DrawnScene s = scott_russell_through_its_change_point();
   SolvedScene right = truth_as_solution(s);
-  EXPECT_EQ(verify(s, right).verdict, Verdict::right) << verify(s, right).what;
+  EXPECT_EQ(verify(s, right).verdict, PromiseVerdict::right) << verify(s, right).what;
 
   const int c = s.model.entities[s.model.find("C")].first + 1;
   SolvedScene wrong = right;
@@ -111,13 +111,13 @@ TEST(Promise, JudgeFindsWhatIsPlanted) {
   wrong.instants[12].qd[c] = right.instants[12].qd[c] + 1e-11;
   EXPECT_EQ(verify(s, wrong).what, "bound");
   wrong.summary.bound.velocity = 1e-10;
-  EXPECT_EQ(verify(s, wrong).verdict, Verdict::right);
+  EXPECT_EQ(verify(s, wrong).verdict, PromiseVerdict::right);
 
   SolvedScene other_branch = right;  // after the change point, where C may rest
   other_branch.instants[12].q[c] = 0;
-  EXPECT_EQ(verify(s, other_branch).verdict, Verdict::wrong);
+  EXPECT_EQ(verify(s, other_branch).verdict, PromiseVerdict::wrong);
   other_branch.summary.crossing = {0.375, 0.625, 0, SingularityCrossing::Kind::passed};
-  EXPECT_EQ(verify(s, other_branch).verdict, Verdict::flagged);
+  EXPECT_EQ(verify(s, other_branch).verdict, PromiseVerdict::flagged);
   other_branch.summary.status = Status::singular;
   other_branch.instants[2].q[c] = 0;  // before it
   EXPECT_EQ(verify(s, other_branch).what, "promise, then failed");
@@ -131,10 +131,10 @@ TEST(Promise, JudgeFindsWhatIsPlanted) {
   needless.instants.resize(4);
   needless.summary.instants = 4;
   needless.summary.status = Status::not_converged;
-  EXPECT_EQ(verify(s, needless).verdict, Verdict::false_failure);
-  needless.summary.status = Status::converged;
+  EXPECT_EQ(verify(s, needless).verdict, PromiseVerdict::false_failure);
+  needless.summary.status = Status::solved;
   needless.summary.crossing = {-0.25, -0.125, 0, SingularityCrossing::Kind::jumped};
-  EXPECT_EQ(verify(s, needless).verdict, Verdict::false_flag);
+  EXPECT_EQ(verify(s, needless).verdict, PromiseVerdict::false_flag);
 }
 
 TEST(Promise, ScenesAreDrawnAgainFromTheirNumber) {

@@ -73,7 +73,7 @@ TEST(Trials, SeeTheErrorBetweenSolvedInstants) {
     for (const int stride : {1, 2, 4, 8, 16}) {
       Trial trial(p, {&find_variant("group_symbolic_inlined"), {.stride = stride}});
       trial.compare();
-      ASSERT_TRUE(trial.is_verified()) << trial.message;
+      ASSERT_TRUE(trial.is_verified()) << trial.message();
       EXPECT_EQ(trial.error.instants, compared);
       if (stride == 1)
         EXPECT_LT(trial.error.position.max, last);
@@ -116,14 +116,14 @@ TEST(Trials, HaveNoTimeWithoutAnError) {
   refused.compare();
   refused.time(0);
   EXPECT_TRUE(refused.is_not_run());
-  EXPECT_TRUE(refused.seconds.empty());
-  EXPECT_FALSE(refused.message.empty());
+  EXPECT_TRUE(refused.seconds().empty());
+  EXPECT_FALSE(refused.message().empty());
 
   Trial failing(p, {&find_variant("global_automatic_klu"), {.max_iterations = 1}});
   failing.compare();
   failing.time(0);
   EXPECT_TRUE(failing.is_failed());
-  EXPECT_TRUE(failing.seconds.empty());
+  EXPECT_TRUE(failing.seconds().empty());
 }
 
 /// At instants that the search has not looked at.
@@ -131,7 +131,7 @@ double error_elsewhere(const Scene& scene, const Configuration& c, Level level) 
   const Problem p = problem(scene, seconds, 47);
   Trial trial(p, c);
   trial.compare();
-  EXPECT_TRUE(trial.is_verified()) << trial.message;
+  EXPECT_TRUE(trial.is_verified()) << trial.message();
   return trial.error[level].max;
 }
 

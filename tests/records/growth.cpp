@@ -10,6 +10,7 @@
 #include "cases/generators/cases.h"
 #include "cases/io/files.h"
 #include "formulations/modelling/modelling.h"
+#include "formulations/structure/partition.h"
 #include "formulations/variants.h"
 
 namespace desmo::growth_test {

@@ -37,15 +37,15 @@ TEST(SizeCandidate, IsVerifiedBeforeItIsTimed) {
   FormulationCandidate right(problem, "group_symbolic_explicit/lanes:4",
                              {.tolerance = problem.tolerance});
   right.sample_afresh(0);
-  EXPECT_TRUE(right.seconds.empty());
+  EXPECT_TRUE(right.seconds().empty());
   right.verify();
-  EXPECT_TRUE(right.is_verified()) << right.message;
-  EXPECT_EQ(right.errors.instants, 3);
+  EXPECT_TRUE(right.is_verified()) << right.message();
+  EXPECT_EQ(right.verifying_run().errors.instants, 3);
   right.sample_afresh(0);
   right.sample_afresh(0);
-  EXPECT_EQ(right.seconds.size(), 2u);
-  EXPECT_GT(right.seconds[0], 0);
-  EXPECT_GT(right.iterations_per_step, 1);
+  EXPECT_EQ(right.seconds().size(), 2u);
+  EXPECT_GT(right.seconds()[0], 0);
+  EXPECT_GT(right.verifying_run().iterations_per_step, 1);
 }
 
 TEST(SizeCandidate, ThatIsWrongHasNoTime) {
@@ -56,15 +56,15 @@ TEST(SizeCandidate, ThatIsWrongHasNoTime) {
   inexact.verify();
   inexact.sample_afresh(0);
   EXPECT_FALSE(inexact.is_verified());
-  EXPECT_NE(inexact.message.find("differs from the reference"), std::string::npos)
-      << inexact.message;
-  EXPECT_TRUE(inexact.seconds.empty());
+  EXPECT_NE(inexact.message().find("differs from the reference"), std::string::npos)
+      << inexact.message();
+  EXPECT_TRUE(inexact.seconds().empty());
   Problem undefined = problem;
   undefined.plan.model.drivers.front().motion = Polynomial{{NAN}};
   FormulationCandidate failing(undefined, "global_automatic_klu",
                                {.tolerance = undefined.tolerance});
   failing.verify();
-  EXPECT_NE(failing.message.find("not finite"), std::string::npos) << failing.message;
+  EXPECT_NE(failing.message().find("not finite"), std::string::npos) << failing.message();
   EXPECT_THROW(FormulationCandidate(problem, "global_automatic_abacus", Settings{}),
                std::invalid_argument);
 }
@@ -76,7 +76,7 @@ TEST(SizeCandidate, ComparesTheLargestWithDoublePrecision) {
   FormulationCandidate candidate(problem, "group_symbolic_inlined",
                                  {.tolerance = problem.tolerance});
   candidate.verify();
-  EXPECT_TRUE(candidate.is_verified()) << candidate.message;
+  EXPECT_TRUE(candidate.is_verified()) << candidate.message();
 }
 
 TEST(Cut, HasTheUnknownsAskedForAndCanBeSolved) {
@@ -95,7 +95,8 @@ TEST(Cut, HasTheUnknownsAskedForAndCanBeSolved) {
       for (const char* id : {"global_automatic_eigen", "global_automatic_klu"}) {
         FormulationCandidate candidate(problem, id, {.tolerance = problem.tolerance});
         candidate.verify();
-        EXPECT_TRUE(candidate.is_verified()) << c.name << ' ' << least << ' ' << candidate.message;
+        EXPECT_TRUE(candidate.is_verified())
+            << c.name << ' ' << least << ' ' << candidate.message();
       }
     }
     EXPECT_EQ(moving_unknowns(cut_to(whole, 1'000'000)), moving_unknowns(whole));

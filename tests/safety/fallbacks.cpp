@@ -4,6 +4,7 @@
 
 #include "cases/library/library.h"
 #include "formulations/parts/guarded_part.h"
+#include "formulations/structure/defined_part.h"
 #include "formulations/variants.h"
 #include "formulations/verification/monitor/monitored_run.h"
 #include "tests/discard.h"
@@ -29,7 +30,7 @@ long fallbacks(const Variant& v, const Model& m, const Scene& scene) {
   const Summary s = f->run(scene.grid, {}, observer);
   EXPECT_TRUE(s.ok()) << m.name << ", " << v.id;
   long steps = 0, guarded_parts = 0;
-  for (const DefinedPart& part : f->parts())
+  for (const DefinedPart& part : parts_of(*f))
     if (const auto* guarded = dynamic_cast<const GuardedPart*>(part.solver.get())) {
       steps += guarded->fallbacks();
       ++guarded_parts;

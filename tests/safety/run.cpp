@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "formulations/constraints/constraints.h"
 #include "formulations/variants.h"
 #include "formulations/verification/error.h"
 #include "formulations/verification/monitor/monitored_run.h"

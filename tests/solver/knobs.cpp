@@ -13,6 +13,7 @@
 #include "formulations/algebra/blas.h"
 #include "formulations/equations/automatic.h"
 #include "formulations/id.h"
+#include "formulations/parts/profile.h"
 #include "formulations/scaling/magnitudes.h"
 #include "formulations/verification/reference/reference.h"
 #include "tests/dead_point.h"

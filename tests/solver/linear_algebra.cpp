@@ -41,7 +41,7 @@ TEST_P(EveryBackend, VelocityHasASmallBackwardError) {
     for (auto* v : {&s.q, &s.qd, &s.qdd}) v->resize(m.state_size(), 0.0);
     std::copy(m.fixed_values.begin(), m.fixed_values.end(), s.q.begin() + m.coordinates());
     const auto solver = make_newton_part(context(m, part, {.tolerance = 1e-8}), *GetParam());
-    ASSERT_EQ(solver->solve(s, s.q, Level::velocity).status, Status::converged);
+    ASSERT_EQ(solver->solve(s, s.q, Level::velocity).status, Status::solved);
 
     std::vector<double> values(p.size());
     equations.constant_jacobian(values.data());
@@ -95,7 +95,7 @@ AtTheFold velocity_at_the_fold(const Backend& backend, const Settings& settings)
 /// The normal equations may lose the last zero to rounding, but not more than that.
 TEST_P(EveryBackend, NeverCallsASingularPositionSolved) {
   const AtTheFold fold = velocity_at_the_fold(*GetParam(), {});
-  if (GetParam()->squares_condition && fold.result.status == Status::converged)
+  if (GetParam()->squares_condition && fold.result.status == Status::solved)
     EXPECT_GT(std::abs(fold.psi_rate), 1e6);
   else
     EXPECT_EQ(fold.result.status, Status::singular);

@@ -8,6 +8,7 @@
 
 #include "cases/generators/cases.h"
 #include "formulations/modelling/groups/structure.h"
+#include "formulations/structure/partition.h"
 #include "tests/describing.h"
 #include "tests/mechanisms.h"
 #include "tests/structure/linkages.h"

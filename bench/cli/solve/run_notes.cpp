@@ -6,6 +6,7 @@
 
 #include "bench/cli/text.h"
 #include "formulations/parts/guarded_part.h"
+#include "formulations/structure/defined_part.h"
 
 namespace desmo::cli {
 
@@ -90,10 +91,10 @@ std::string crossing_text(const SingularityCrossing& c, const Model& m) {
 }
 
 std::string note_on_code(const Formulation& f, bool named) {
-  const auto without = std::ranges::count(f.parts(), false, &DefinedPart::as_named);
+  const auto without = std::ranges::count(parts_of(f), false, &DefinedPart::as_named);
   if (without == 0) return "";
   return "note: no generated code for " + std::to_string(without) + " of " +
-         count(static_cast<long>(f.parts().size()), "part") +
+         count(static_cast<long>(parts_of(f).size()), "part") +
          (without == 1 ? "; it is evaluated automatically" : "; they are evaluated automatically") +
          (named ? "\n" : " (a formulation that is named, with --formulation, has it made)\n");
 }
@@ -110,7 +111,7 @@ std::string note_on_tolerance(const Formulation& f, double asked) {
 
 std::string note_on_refusals(const Formulation& f) {
   long steps = 0, parts = 0, changes = 0;
-  for (const DefinedPart& part : f.parts())
+  for (const DefinedPart& part : parts_of(f))
     if (const auto* guarded = dynamic_cast<const GuardedPart*>(part.solver.get())) {
       steps += guarded->fallbacks();
       parts += guarded->fallbacks() > 0;

@@ -48,7 +48,7 @@ Json error_json(const Error& error) {
   return j;
 }
 
-Json motion_json(const Series& series) {
+Json motion_json(const AccuracySeries& series) {
   return {{"case", series.definition->name},
           {"coordinates", series.coordinates},
           {"step_seconds", series.step},
@@ -56,7 +56,7 @@ Json motion_json(const Series& series) {
 }
 
 /// Returns an entry of `floors` in the record: what is known of a problem apart from its trials.
-Json floor_json(const Series& series, const Problem& problem) {
+Json floor_json(const AccuracySeries& series, const Problem& problem) {
   Json j = motion_json(series);
   j["compared"] = problem.reference.instants.size();
   j["reference"] = per_level(problem.reference.floor);
@@ -69,24 +69,24 @@ Json floor_json(const Series& series, const Problem& problem) {
 }
 
 /// Returns an entry of `points` in the record: a point of the work–precision diagram.
-Json point_json(const Series& series, const Trial& trial) {
+Json point_json(const AccuracySeries& series, const Trial& trial) {
   Json j = motion_json(series);
   j["id"] = trial.id();
   j["status"] = trial.is_verified() ? "ok" : trial.is_not_run() ? "not_applicable" : "failed";
   if (!trial.is_verified()) {
-    j["message"] = trial.message;
+    j["message"] = trial.message();
     return j;
   }
   j["error"] = error_json(trial.error);
   j["violation"] = error_json(trial.violation);
-  j["iterations_per_step"] = rounded(trial.iterations_per_step);
-  j["time_per_step"] = bench::rounded_time_json(trial.seconds);
+  j["iterations_per_step"] = rounded(trial.verifying_run().iterations_per_step);
+  j["time_per_step"] = bench::rounded_time_json(trial.seconds());
   return j;
 }
 
 /// Compares every configuration, then times them in turn, so that whatever slows the machine down
 /// for a while meets them all.
-void measure(const Series& series, const Problem& problem, int repetitions, Json& points,
+void measure(const AccuracySeries& series, const Problem& problem, int repetitions, Json& points,
              bench::Progress& progress) {
   std::list<Trial> trials;
   for (const Configuration& c : series.configurations) {
@@ -102,18 +102,18 @@ void measure(const Series& series, const Problem& problem, int repetitions, Json
 }
 
 void measure_all(const bench::CommonOptions& options, const bench::CommandLine& line) {
-  const std::vector<Series> all =
+  const std::vector<AccuracySeries> all =
       matching(options.quick ? quick_series() : all_series(), std::regex(options.filter));
   if (all.empty()) throw std::invalid_argument("no configuration matches " + options.filter);
   bench::Recording recording = begin_record(options, line);
   const int repetitions = options.repetitions > 0 ? options.repetitions : usual_repetitions;
   std::size_t trials = 0;
-  for (const Series& series : all) trials += series.configurations.size();
+  for (const AccuracySeries& series : all) trials += series.configurations.size();
   bench::Progress progress("comparisons and samples",
                            static_cast<double>(trials) * (1 + repetitions));
   Json lists = {{"floors", Json::array()}, {"points", Json::array()}};
   TimeGrid usual;
-  for (const Series& series : all) {
+  for (const AccuracySeries& series : all) {
     const Model whole = make_model(describe(*series.definition, series.coordinates));
     const TimeGrid grid = time_grid(series.step * (series.instants - 1), series.step);
     if (&series == &all.front()) usual = grid;

@@ -51,7 +51,7 @@ std::vector<Settings> table_settings() {
 /// Adds configurations, each id once.
 class Adder {
  public:
-  explicit Adder(Series& series) : series_(series) {}
+  explicit Adder(AccuracySeries& series) : series_(series) {}
   void operator()(const Variant& variant, const std::vector<Settings>& all) {
     for (const Settings& settings : all)
       if (ids_.insert(id_with(variant, settings)).second)
@@ -59,15 +59,15 @@ class Adder {
   }
 
  private:
-  Series& series_;
+  AccuracySeries& series_;
   std::set<std::string> ids_;
 };
 
 int instants_of(double step) { return static_cast<int>(std::lround(seconds / step)) + 1; }
 
-void add_size(std::vector<Series>& all, const Case& c, int coordinates, bool largest) {
-  Series usual{&c, coordinates, usual_step, instants_of(usual_step), {}};
-  Series dense{&c, coordinates, usual_step, dense_instants, {}};
+void add_size(std::vector<AccuracySeries>& all, const Case& c, int coordinates, bool largest) {
+  AccuracySeries usual{&c, coordinates, usual_step, instants_of(usual_step), {}};
+  AccuracySeries dense{&c, coordinates, usual_step, dense_instants, {}};
   Adder add_usual(usual), add_dense(dense);
   for (const Variant& v : variants()) {
     if (is_dense_global(v))
@@ -84,9 +84,9 @@ void add_size(std::vector<Series>& all, const Case& c, int coordinates, bool lar
   all.push_back(std::move(dense));
 }
 
-void add_steps(std::vector<Series>& all, const Case& c, int coordinates) {
+void add_steps(std::vector<AccuracySeries>& all, const Case& c, int coordinates) {
   for (const double step : {0.001, 0.002, 0.005, 0.02}) {
-    Series series{&c, coordinates, step, instants_of(step), {}};
+    AccuracySeries series{&c, coordinates, step, instants_of(step), {}};
     Adder add(series);
     for (const Variant& v : variants())
       if (is_in_table_2(v)) add(v, {Settings{}});
@@ -96,8 +96,8 @@ void add_steps(std::vector<Series>& all, const Case& c, int coordinates) {
 
 }  // namespace
 
-std::vector<Series> all_series() {
-  std::vector<Series> all;
+std::vector<AccuracySeries> all_series() {
+  std::vector<AccuracySeries> all;
   for (const Case& c : cases()) {
     for (const int n : c.sizes) add_size(all, c, n, n == c.sizes.back());
     add_steps(all, c, c.sizes.back());
@@ -105,21 +105,22 @@ std::vector<Series> all_series() {
   return all;
 }
 
-std::vector<Series> quick_series() {
-  std::vector<Series> all;
+std::vector<AccuracySeries> quick_series() {
+  std::vector<AccuracySeries> all;
   for (const Case& c : cases()) add_size(all, c, c.sizes.front(), false);
   return all;
 }
 
-std::vector<Series> matching(std::vector<Series> all, const std::regex& expression) {
-  for (Series& series : all) {
+std::vector<AccuracySeries> matching(std::vector<AccuracySeries> all,
+                                     const std::regex& expression) {
+  for (AccuracySeries& series : all) {
     const std::string place =
         std::string(series.definition->name) + "/" + std::to_string(series.coordinates) + "/";
     std::erase_if(series.configurations, [&](const Configuration& c) {
       return !std::regex_search(place + id_with(*c.variant, c.settings), expression);
     });
   }
-  std::erase_if(all, [](const Series& series) { return series.configurations.empty(); });
+  std::erase_if(all, [](const AccuracySeries& series) { return series.configurations.empty(); });
   return all;
 }
 

@@ -9,7 +9,7 @@
 namespace desmo::accuracy {
 
 /// Configurations that solve the same motion and are timed in turn.
-struct Series {
+struct AccuracySeries {
   const Case* definition;
   int coordinates;
   double step;   ///< s
@@ -22,13 +22,13 @@ struct Series {
 ///   O(n³), with the minimal one and over fewer instants;
 /// - at the largest size of the tables, some formulations with the full grid, and those of the
 ///   paper's Table 2 with each tolerance and guess, and with each time step.
-std::vector<Series> all_series();
+std::vector<AccuracySeries> all_series();
 
 /// Returns the same at the smallest size only, and without the full grid.
-std::vector<Series> quick_series();
+std::vector<AccuracySeries> quick_series();
 
 /// Returns the series without the configurations in whose <case>/<coordinates>/<id> the expression
 /// is not found; series with none are left out.
-std::vector<Series> matching(std::vector<Series> all, const std::regex& expression);
+std::vector<AccuracySeries> matching(std::vector<AccuracySeries> all, const std::regex& expression);
 
 }  // namespace desmo::accuracy

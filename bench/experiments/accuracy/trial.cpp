@@ -1,7 +1,6 @@
 #include "bench/experiments/accuracy/trial.h"
 
 #include <algorithm>
-#include <exception>
 #include <string>
 #include <utility>
 #include <vector>
@@ -52,9 +51,8 @@ Trial::Trial(const Problem& problem, const Configuration& configuration)
 }
 
 void Trial::compare() {
-  if (state != Verdict::unverified) return;
-  const Plan& plan = problem().plan;
-  try {
+  verify_by([&](bench::VerifyingRun& found) -> std::string {
+    const Plan& plan = problem().plan;
     build();
     const Reference& reference = problem().reference;
     const std::vector<double> times = some_times(reference);
@@ -64,22 +62,14 @@ void Trial::compare() {
     const Summary summary = formulation_->run(grid, asked_, both);
     error = errors.error();
     violation = violations.violation();
-    iterations_per_step = static_cast<double>(summary.iterations) /
-                          static_cast<double>(std::max(1L, summary.instants));
-    if (!summary.ok()) return fail(describe(summary, plan.model));
-    state = Verdict::verified;
-  } catch (const std::exception& e) {
-    fail(e.what());
-  }
+    found.iterations_per_step = static_cast<double>(summary.iterations) /
+                                static_cast<double>(std::max(1L, summary.instants));
+    return summary.ok() ? "" : describe(summary, plan.model);
+  });
 }
 
 void Trial::time(double duration) {
-  if (!is_verified()) return;
-  try {
-    seconds.push_back(step_seconds(duration));
-  } catch (const std::exception& e) {
-    fail(e.what());
-  }
+  measure([&] { add_sample(step_seconds(duration)); });
 }
 
 }  // namespace desmo::accuracy

@@ -11,6 +11,8 @@
 
 #include "bench/kit/memory.h"
 #include "bench/kit/verification.h"
+#include "formulations/structure/defined_part.h"
+#include "formulations/structure/partition.h"
 #include "formulations/verification/error.h"
 
 namespace desmo::extremes {
@@ -82,7 +84,7 @@ class Record final : public Observer {
  public:
   Record(const KnownCase& known, const Formulation& formulation, CaseRun& run)
       : case_(known), run_(run) {
-    for (const DefinedPart& part : formulation.parts())
+    for (const DefinedPart& part : parts_of(formulation))
       if (!part.definition.constant) unknowns_ += std::ssize(part.definition.unknowns);
     for (const Answers& answers : known.answers) run.errors.emplace_back(answers.right.size());
     run.stated.resize(known.compared.size());
@@ -180,25 +182,25 @@ class Record final : public Observer {
 
 }  // namespace
 
-Outcome CaseRun::outcome() const {
+CaseOutcome CaseRun::outcome() const {
   if (unsolved) return *unsolved;
   Flag worst = Flag::none;
   for (const Step& step : steps) worst = std::max(worst, step.flag);
-  return worst == Flag::failed ? Outcome::failed
-         : worst == Flag::none ? Outcome::converged
-                               : Outcome::degraded;
+  return worst == Flag::failed ? CaseOutcome::failed
+         : worst == Flag::none ? CaseOutcome::converged
+                               : CaseOutcome::degraded;
 }
 
 CaseRun run_case(const KnownCase& known, const Configuration& configuration, unsigned without) {
   CaseRun a;
-  const auto stop = [&](Outcome outcome, std::string why) {
+  const auto stop = [&](CaseOutcome outcome, std::string why) {
     a.unsolved = outcome;
     a.message = std::move(why);
     return a;
   };
-  if (!known.modelled) return stop(Outcome::refused, known.refusal);
+  if (!known.modelled) return stop(CaseOutcome::refused, known.refusal);
   if (std::string why = unsupported(configuration, known); !why.empty())
-    return stop(Outcome::not_applicable, std::move(why));
+    return stop(CaseOutcome::not_applicable, std::move(why));
 
   const ExtremeCase& c = *known.definition;
   std::optional<Model> started;  // its estimate changes from start to start
@@ -208,10 +210,10 @@ CaseRun run_case(const KnownCase& known, const Configuration& configuration, uns
   try {
     f = make_formulation(*configuration.variant, m, configuration.settings);
   } catch (const std::invalid_argument& error) {
-    return stop(Outcome::refused, error.what());
+    return stop(CaseOutcome::refused, error.what());
   }
   if (std::string why = bench::missing_code(*f); !why.empty())
-    return stop(Outcome::not_applicable, std::move(why));
+    return stop(CaseOutcome::not_applicable, std::move(why));
 
   Record record(known, *f, a);
   MonitoredRunOptions options;

@@ -11,7 +11,7 @@
 
 namespace desmo::extremes {
 
-enum class Outcome {
+enum class CaseOutcome {
   converged,       ///< numbers everywhere, without a flag
   degraded,        ///< with one: no better than their bounds, or in doubt
   failed,          ///< no numbers at one instant at least
@@ -38,11 +38,11 @@ struct CaseRun {
   };
 
   /// Returns the worst of the flags, or why there are none.
-  Outcome outcome() const;
+  CaseOutcome outcome() const;
 
-  std::optional<Outcome> unsolved;  ///< refused, not_applicable; nothing: see steps
-  std::string message;              ///< of the first flag, or why not
-  std::vector<Step> steps;          ///< of the instants, or starts, tried: from the first on
+  std::optional<CaseOutcome> unsolved;  ///< refused, not_applicable; nothing: see steps
+  std::string message;                  ///< of the first flag, or why not
+  std::vector<Step> steps;              ///< of the instants, or starts, tried: from the first on
   long iterations = 0;
   /// Errors for each of the case's answers, at each instant compared; nothing where there are no
   /// numbers or nothing is known.

@@ -94,7 +94,7 @@ bool measure(const Options& options, const bench::CommandLine& line) {
     lists["rows"].push_back(row_json(*row));
     for (const Result& result : results) lists["results"].push_back(result_json(result));
     std::cout << summary(*row, results) << std::flush;
-    defects += count(results, Verdict::defect);
+    defects += count(results, ExtremeVerdict::defect);
   }
   if (lists["results"].empty()) throw std::invalid_argument("nothing matches --filter and --case");
   recording.write(time_grid(30, 0.01), lists);

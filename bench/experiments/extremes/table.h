@@ -35,7 +35,7 @@ struct Selection {
 std::vector<Result> row_results(const Extreme& row, const Selection& selection);
 
 /// Returns the number of results with a verdict.
-std::size_t count(const std::vector<Result>& results, Verdict verdict);
+std::size_t count(const std::vector<Result>& results, ExtremeVerdict verdict);
 
 /// Returns a row for people: a line with the number of each verdict, and one for each case and
 /// reason that it is not as expected, with the formulations concerned counted and the first named.

@@ -137,33 +137,35 @@ Verification verify(const KnownCase& p, const CaseRun& a, const Yardsticks& yard
   const ExtremeCase& c = *p.definition;
   Verification j;
   j.outcome = a.outcome();
-  const auto end = [&](Verdict verdict, std::string reason) {
+  const auto end = [&](ExtremeVerdict verdict, std::string reason) {
     j.verdict = verdict;
     j.reason = std::move(reason);
     return j;
   };
-  if (j.outcome == Outcome::not_applicable) return end(Verdict::not_applicable, a.message);
-  if (j.outcome == Outcome::refused) return c.is_refused ? j : end(Verdict::missed, a.message);
+  if (j.outcome == CaseOutcome::not_applicable)
+    return end(ExtremeVerdict::not_applicable, a.message);
+  if (j.outcome == CaseOutcome::refused)
+    return c.is_refused ? j : end(ExtremeVerdict::missed, a.message);
   if (!p.no_answer.empty()) {
-    j.outcome = Outcome::not_applicable;
-    return end(Verdict::not_applicable, "nothing to compare with: " + p.no_answer);
+    j.outcome = CaseOutcome::not_applicable;
+    return end(ExtremeVerdict::not_applicable, "nothing to compare with: " + p.no_answer);
   }
   j.instants = static_cast<long>(a.steps.size());
   j.iterations = a.iterations;
   j.refactorisations = a.refactorisations;
   if (c.is_refused)
-    return j.outcome == Outcome::failed && j.instants == 1
+    return j.outcome == CaseOutcome::failed && j.instants == 1
                ? j
-               : end(Verdict::defect, "numbers for what is no mechanism");
+               : end(ExtremeVerdict::defect, "numbers for what is no mechanism");
   const WorstErrors errors = errors_of(p, a, yardsticks);
   j.worst = errors.worst;
   // The gravest first.
-  for (auto& [why, verdict] : {std::pair{errors.defect, Verdict::defect},
-                               {unflagged(p, a), Verdict::defect},
-                               {needless_flag(p, a), Verdict::missed},
-                               {understated_condition(p, a), Verdict::defect},
-                               {errors.inexact, Verdict::missed},
-                               {shortcoming(p, a, yardsticks), Verdict::missed}})
+  for (auto& [why, verdict] : {std::pair{errors.defect, ExtremeVerdict::defect},
+                               {unflagged(p, a), ExtremeVerdict::defect},
+                               {needless_flag(p, a), ExtremeVerdict::missed},
+                               {understated_condition(p, a), ExtremeVerdict::defect},
+                               {errors.inexact, ExtremeVerdict::missed},
+                               {shortcoming(p, a, yardsticks), ExtremeVerdict::missed}})
     if (!why.empty()) return end(verdict, why);
   return j;
 }

@@ -7,7 +7,7 @@
 
 namespace desmo::extremes {
 
-enum class Verdict {
+enum class ExtremeVerdict {
   as_expected,
   missed,          ///< less than expected: it failed, is less exact, or does not say what it should
   defect,          ///< without a flag, numbers where there is no answer, or wrong by more than the
@@ -17,8 +17,8 @@ enum class Verdict {
 
 /// The verification of a case in one formulation.
 struct Verification {
-  Outcome outcome = Outcome::converged;
-  Verdict verdict = Verdict::as_expected;
+  CaseOutcome outcome = CaseOutcome::converged;
+  ExtremeVerdict verdict = ExtremeVerdict::as_expected;
   std::string reason;  ///< when not as expected
   /// The errors that are the most of what is allowed, where numbers were compared; at a level
   /// where no error is allowed, the largest.

@@ -8,6 +8,7 @@
 #include "bench/kit/process/callgrind.h"
 #include "cases/generators/cases.h"
 #include "formulations/id.h"
+#include "formulations/structure/partition.h"
 #include "formulations/variants.h"
 
 namespace desmo::instructions {

@@ -1,7 +1,6 @@
 #include "bench/experiments/paper/case_candidate.h"
 
 #include <algorithm>
-#include <exception>
 
 #include "bench/experiments/paper/extended_ids.h"
 #include "bench/kit/digests.h"
@@ -41,24 +40,24 @@ std::string too_costly(const Variant& v, int n, const Options& options) {
 
 CaseCandidate::CaseCandidate(const Case& d, int n, const Variant& v, const Options& options,
                              const Settings& s, Clock by)
-    : FormulationCandidate(chosen_grid(d.describe(1).grid, options), d.name, n, {&v, s}, by),
+    : FormulationCandidate(chosen_grid(d.describe(1).grid, options), d.name, n, {&v, s}, by,
+                           [&d, n] {
+                             const auto problem = std::make_shared<Problem>();
+                             problem->plan.model = make_model(describe(d, n));
+                             return problem;
+                           }),
       definition(d) {
   if (const std::string reason = too_costly(v, n, options); !reason.empty()) leave_out(reason);
 }
 
 void CaseCandidate::verify(ReferenceCache& references) {
-  if (state != Verdict::unverified) return;
-  try {
-    own_problem_ = std::make_unique<Problem>();
-    Model& m = own_problem_->plan.model = make_model(describe(definition, coordinates));
-    model = model_digest(m);
+  verify_by([&](VerifyingRun& found) {
+    const Model& m = problem().plan.model;
+    found.model = model_digest(m);
     groups = m.structural_groups();
     degrees_of_freedom = m.degrees_of_freedom();
-    solve(*own_problem_);
-  } catch (const std::exception& e) {
-    return fail(e.what());
-  }
-  FormulationCandidate::verify(references);
+    return compare_with([&] { return references.get(m, grid, settings().stride); }, found);
+  });
 }
 
 void CaseCandidate::profile() {

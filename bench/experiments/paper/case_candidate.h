@@ -28,13 +28,10 @@ class CaseCandidate final : public FormulationCandidate {
   const Case& definition;
   int groups = 0, degrees_of_freedom = 0;
   std::optional<PhaseTimes> phases;
-
- private:
-  std::unique_ptr<Problem> own_problem_;
 };
 
 /// Returns every candidate of the experiment but requests and peers, in the order of the tables.
-/// Dense global solves above the limit are there too, as Verdict::not_run, with the reason.
+/// Dense global solves above the limit are there too, as Readiness::not_run, with the reason.
 std::vector<std::unique_ptr<CaseCandidate>> make_case_candidates(const Options& options);
 
 }  // namespace desmo::paper

@@ -31,21 +31,21 @@ using Json = nlohmann::ordered_json;
 /// results, how right it is, the time, and what belongs to it. A candidate without a time has less.
 Json with_measurement(Json j, const Candidate& c, Level level = Level::acceleration) {
   j["status"] = c.is_timed() ? "ok" : c.is_not_run() ? "not_run" : "failed";
-  if (!c.is_timed()) j["message"] = c.message.empty() ? "not timed" : c.message;
+  if (!c.is_timed()) j["message"] = c.message().empty() ? "not timed" : c.message();
   if (c.is_not_run()) return j;
   j["machine"] = processor_name();
-  if (!c.model.empty()) j["model"] = c.model;
-  if (!c.results.empty()) j["results"] = c.results;
+  if (!c.verifying_run().model.empty()) j["model"] = c.verifying_run().model;
+  if (!c.verifying_run().results.empty()) j["results"] = c.verifying_run().results;
   if (!c.is_timed()) return j;
   if (const auto* request = dynamic_cast<const RequestCandidate*>(&c))
     j["difference"] = request->difference;
-  j["verification"] = errors_json(c.errors, level);
+  j["verification"] = errors_json(c.verifying_run().errors, level);
   if (c.threads > 1) j["threads"] = c.threads;
-  j["time"] = time_json(c.seconds, c.clock);
-  if (c.clock == Clock::cpu) j["time"]["windows"] = windows_json(c.windows);
-  j["setup_time"] = time_json({c.setup_seconds});
-  j["iterations_per_step"] = c.iterations_per_step;
-  if (!dynamic_cast<const PeerCandidate*>(&c)) j["residual"] = c.residual;
+  j["time"] = time_json(c.seconds(), c.clock);
+  if (c.clock == Clock::cpu) j["time"]["windows"] = windows_json(c.windows());
+  j["setup_time"] = time_json({c.verifying_run().setup_seconds});
+  j["iterations_per_step"] = c.verifying_run().iterations_per_step;
+  if (!dynamic_cast<const PeerCandidate*>(&c)) j["residual"] = c.verifying_run().residual;
   return j;
 }
 
@@ -147,9 +147,9 @@ class CollectingReporter final : public benchmark::ConsoleReporter {
     std::vector<Run> shown;
     for (const Run& run : runs) {
       const auto it = candidates_.find(run.run_name.function_name);
-      if (it != candidates_.end() && run.run_type == Run::RT_Iteration && !run.error_occurred)
-        it->second->seconds.push_back(run.real_accumulated_time /
-                                      static_cast<double>(run.iterations));
+      if (it != candidates_.end() && it->second->is_verified() &&
+          run.run_type == Run::RT_Iteration && !run.error_occurred)
+        it->second->add_sample(run.real_accumulated_time / static_cast<double>(run.iterations));
       if (run.error_occurred || run.repetitions == 1 || run.aggregate_name == "median" ||
           run.aggregate_name == "cv")
         shown.push_back(shown_as_cpu_time(run));
@@ -167,13 +167,13 @@ class CollectingReporter final : public benchmark::ConsoleReporter {
 
 /// Takes one of so many repetitions.
 void run_timed(benchmark::State& state, Candidate& candidate, int repetitions, Progress& progress) {
-  if (!candidate.is_verified()) return state.SkipWithError(candidate.message.c_str());
+  if (!candidate.is_verified()) return state.SkipWithError(candidate.message().c_str());
   for (auto _ : state) {
     state.SetIterationTime(candidate.time_afresh());
-    if (candidate.is_failed()) return state.SkipWithError(candidate.message.c_str());
+    if (candidate.is_failed()) return state.SkipWithError(candidate.message().c_str());
   }
-  state.counters["iterations/step"] = candidate.iterations_per_step;
-  state.counters["residual"] = candidate.residual;
+  state.counters["iterations/step"] = candidate.verifying_run().iterations_per_step;
+  state.counters["residual"] = candidate.verifying_run().residual;
   progress.done(1.0 / repetitions);
 }
 
@@ -181,7 +181,8 @@ void run_timed(benchmark::State& state, Candidate& candidate, int repetitions, P
 /// be slow for seconds. What takes long itself needs less.
 int worth_repeating(const Candidate& candidate) {
   constexpr double seconds = 2;
-  const double needed = std::ceil(seconds / std::max(candidate.analysis_seconds, 1e-9));
+  const double needed =
+      std::ceil(seconds / std::max(candidate.verifying_run().analysis_seconds, 1e-9));
   return static_cast<int>(std::clamp<double>(needed, 3, 20));
 }
 
@@ -218,7 +219,7 @@ Json measure(const std::vector<Candidate*>& all, std::optional<int> asked_repeti
     progress.done(candidate->is_verified() ? 1 : work_of_candidate);
     if (!candidate->is_verified()) {
       progress.clear();
-      std::cerr << candidate->name() << ": " << candidate->message << '\n';
+      std::cerr << candidate->name() << ": " << candidate->message() << '\n';
     }
     if (candidate->is_not_run()) continue;
     const int repetitions = asked_repetitions.value_or(worth_repeating(*candidate));

@@ -66,14 +66,13 @@ std::string PeerCandidate::name() const {
 }
 
 void PeerCandidate::verify(ReferenceCache& references) {
-  if (state != Verdict::unverified) return;
-  try {
+  verify_by([&](VerifyingRun& found) -> std::string {
     scene_ = describe(definition, coordinates);
     model_ = std::make_unique<Model>(make_model(scene_));
-    model = model_digest(*model_);
+    found.model = model_digest(*model_);
     const double before_setup = cpu_now();
     peer_ = peer.make(scene_, *model_);
-    setup_seconds = cpu_now() - before_setup;
+    found.setup_seconds = cpu_now() - before_setup;
     setup = peer_->setup();
     compared = static_cast<int>(peer_->answer().coordinates.size());
 
@@ -81,22 +80,20 @@ void PeerCandidate::verify(ReferenceCache& references) {
     const double start = cpu_now();
     for (int i = 0; i < grid.instants; ++i) {
       solve(*peer_, grid, i);
-      const std::size_t next = errors.instants;
+      const std::size_t next = found.errors.instants;
       if (next < reference.size() && reference[next].time == grid.time(i))
-        compare(errors, peer_->answer(), reference[next]);
+        compare(found.errors, peer_->answer(), reference[next]);
       if (i + 1 != instants_of_estimate) continue;
       const double whole = (cpu_now() - start) / instants_of_estimate * grid.instants;
-      if (whole > limit_) return leave_out(too_long(whole, limit_));
+      if (whole <= limit_) continue;
+      leave_out(too_long(whole, limit_));
+      return {};
     }
-    analysis_seconds = cpu_now() - start;
-    if (const std::string wrong = verification_failure(errors, reference.size()); !wrong.empty())
-      return fail(wrong);
-    iterations_per_step = static_cast<double>(peer_->iterations()) / grid.instants;
+    found.analysis_seconds = cpu_now() - start;
+    found.iterations_per_step = static_cast<double>(peer_->iterations()) / grid.instants;
     for (auto* delivered : {&q_, &qd_, &qdd_}) delivered->resize(compared);
-    state = Verdict::verified;
-  } catch (const std::exception& e) {
-    fail(e.what());
-  }
+    return verification_failure(found.errors, reference.size());
+  });
 }
 
 void PeerCandidate::make() {
@@ -106,14 +103,14 @@ void PeerCandidate::make() {
 
 Summary PeerCandidate::analyse() {
   Summary summary;
-  windows.begin();
+  measured_windows().begin();
   try {
     for (int i = 0; i < grid.instants; ++i) {
       solve(*peer_, grid, i);
       std::ranges::copy(peer_->answer().q, q_.begin());
       std::ranges::copy(peer_->answer().qd, qd_.begin());
       std::ranges::copy(peer_->answer().qdd, qdd_.begin());
-      windows.passed();
+      measured_windows().passed();
     }
     summary.instants = grid.instants;
   } catch (const std::exception& e) {

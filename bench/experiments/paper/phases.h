@@ -4,6 +4,7 @@
 
 #include "bench/experiments/paper/options.h"
 #include "cases/mechanism/motion.h"
+#include "formulations/parts/profile.h"
 #include "formulations/variants.h"
 
 namespace desmo::paper {

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <exception>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -15,6 +14,7 @@
 #include "cases/io/files.h"
 #include "cases/library/library.h"
 #include "formulations/modelling/modelling.h"
+#include "formulations/structure/defined_part.h"
 
 namespace desmo::paper {
 
@@ -138,29 +138,30 @@ Errors max_differences(Formulation& whole, Formulation& kept, std::span<const As
 RequestCandidate::RequestCandidate(std::shared_ptr<const PlannedRequest> request, const Variant& v,
                                    const Settings& s, Clock by)
     : FormulationCandidate(request->grid, request->definition.name, request->whole.coordinates(),
-                           {&v, s}, by, {request->plan.level(), request->coordinates}),
-      request_(std::move(request)) {
-  solve(*request_);
-}
+                           {&v, s}, by, [request] { return request; },
+                           {request->plan.level(), request->coordinates}),
+      request_(std::move(request)) {}
 
 std::string RequestCandidate::name() const {
   return FormulationCandidate::name() + "/request:" + request_->name;
 }
 
 void RequestCandidate::verify(ReferenceCache& references) {
-  if (state != Verdict::unverified) return;
-  if (const std::string reason = unavailable_reason(settings()); !reason.empty())
-    return leave_out(reason);
-  try {
-    model = model_digest(request_->whole);
-    build();
-    if (const std::string missing = missing_code(*formulation_); !missing.empty())
-      return leave_out(missing);
-    if (const std::string wrong = compare_with_whole(); !wrong.empty()) return fail(wrong);
-  } catch (const std::exception& e) {
-    return fail(e.what());
-  }
-  verify_against([&] { return references.get(request_->whole, grid); });
+  verify_by([&](VerifyingRun& found) -> std::string {
+    std::string reason = unavailable_reason(settings());
+    if (reason.empty()) {
+      found.model = model_digest(request_->whole);
+      build();
+      reason = missing_code(*formulation_);
+    }
+    if (!reason.empty()) {
+      leave_out(std::move(reason));
+      return {};
+    }
+    if (std::string wrong = compare_with_whole(); !wrong.empty()) return wrong;
+    return compare_with([&] { return references.get(request_->whole, grid, settings().stride); },
+                        found);
+  });
 }
 
 std::unique_ptr<ComparingObserver> RequestCandidate::comparing(
@@ -174,8 +175,8 @@ std::string RequestCandidate::compare_with_whole() {
   const auto whole = make_formulation(variant(), request_->whole, own);
   // Each part stops at tolerance/√parts: the same residual in both, so that equal parts do the
   // same.
-  own.tolerance *= std::sqrt(static_cast<double>(formulation_->parts().size()) /
-                             static_cast<double>(whole->parts().size()));
+  own.tolerance *= std::sqrt(static_cast<double>(parts_of(*formulation_).size()) /
+                             static_cast<double>(parts_of(*whole).size()));
   const auto kept = make_formulation(variant(), request_->plan.model, own);
   kept->solve_only(request_->plan.levels);
   const Errors largest =

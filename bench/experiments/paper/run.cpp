@@ -64,19 +64,19 @@ void require_one_grid(const std::vector<Candidate*>& all) {
 }
 
 /// Candidates that are compared with each other: all of one case and size.
-struct Series {
+struct ComparedCandidates {
   std::string name;  ///< "truck_suspension/558"
   std::vector<Candidate*> candidates;
 };
 
 /// Returns the series of all candidates; together: as one.
-std::vector<Series> series_of(const std::vector<Candidate*>& all, bool together) {
+std::vector<ComparedCandidates> series_of(const std::vector<Candidate*>& all, bool together) {
   if (together) return {{"desmo_bench", all}};
-  std::vector<Series> series;
+  std::vector<ComparedCandidates> series;
   for (Candidate* candidate : all) {
     const std::string name = candidate->name();
     const std::string of = name.substr(0, name.find('/', name.find('/') + 1));
-    auto it = std::ranges::find(series, of, &Series::name);
+    auto it = std::ranges::find(series, of, &ComparedCandidates::name);
     if (it == series.end()) it = series.insert(it, {of, {}});
     it->candidates.push_back(candidate);
   }
@@ -147,9 +147,9 @@ int run(const bench::CommandLine& line) {
   Json all_lists;
   bool failed = false;
   {
-    const std::vector<Series> all_series = series_of(chosen, together);
+    const std::vector<ComparedCandidates> all_series = series_of(chosen, together);
     Progress progress("benchmarks", work_of_candidate * static_cast<double>(chosen.size()));
-    for (const Series& series : all_series) {
+    for (const ComparedCandidates& series : all_series) {
       const bool first = &series == &all_series.front();
       const Json measured = in_own_process(series.name, [&] {
         return measure(series.candidates, asked_repetitions, first, progress);
@@ -165,7 +165,7 @@ int run(const bench::CommandLine& line) {
   benchmark::Shutdown();
   if (recording)
     recording->write(chosen.front()->grid, all_lists,
-                     static_cast<int>(chosen.front()->windows.count()));
+                     static_cast<int>(chosen.front()->windows().count()));
   return failed ? 1 : 0;
 }
 

@@ -13,6 +13,7 @@
 #include "bench/experiments/promise/path_range.h"
 #include "cases/io/files.h"
 #include "formulations/modelling/modelling.h"
+#include "formulations/parts/profile.h"
 #include "formulations/scaling/scales.h"
 
 namespace desmo::promise {

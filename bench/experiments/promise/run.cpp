@@ -145,7 +145,7 @@ int run(const bench::CommandLine& line) {
   const std::vector<SceneResult> results = progress.results(options.scenes);
   print(std::cout, results, ids, options.seed);
   if (recording) recording->write(no_grid, record_lists(results, ids));
-  return tally(results, ids).all[static_cast<int>(Verdict::wrong)] == 0 ? 0 : 1;
+  return tally(results, ids).all[static_cast<int>(PromiseVerdict::wrong)] == 0 ? 0 : 1;
 }
 
 }  // namespace

@@ -69,8 +69,8 @@ void compare(Worst& worst, const PerLevel<double>& errors, const PerLevel<double
     const double limit = 1.01 * allowed[level] + floor[level];
     if (!(errors[level] > worst.ratio * limit)) continue;
     worst.ratio = errors[level] / limit;
-    worst.details = {Verdict::wrong,     what,           level, errors[level], allowed[level],
-                     truth.instant.time, truth.condition};
+    worst.details = {PromiseVerdict::wrong, what,           level, errors[level], allowed[level],
+                     truth.instant.time,    truth.condition};
   }
 }
 
@@ -85,8 +85,8 @@ std::optional<RunVerdict> find_wrong(const DrawnScene& scene, const SolvedScene&
     if (is_doubtful(solved.summary, truth.instant.time)) continue;
     if (!has_answer(truth)) {
       if (d.degraded || scene.overconstrained) continue;
-      return RunVerdict{Verdict::wrong,     "no answer",    Level::position, INFINITY, 0,
-                        truth.instant.time, truth.condition};
+      return RunVerdict{PromiseVerdict::wrong, "no answer",    Level::position, INFINITY, 0,
+                        truth.instant.time,    truth.condition};
     }
     const PerLevel<double> errors = errors_of(scene.model, truth.instant, d, scales);
     if (!d.degraded) compare(promise, errors, limit, truth, "promise");
@@ -120,7 +120,7 @@ RunVerdict verify_flags(const DrawnScene& scene, const SolvedScene& solved) {
   if (s.outcome() == Outcome::failed) {
     const int at = static_cast<int>(s.instants);
     const bool is_false = is_regular(scene, at - 1, at);
-    return {is_false ? Verdict::false_failure : Verdict::flagged,
+    return {is_false ? PromiseVerdict::false_failure : PromiseVerdict::flagged,
             s.violated >= 0                     ? "another branch"
             : s.status == Status::singular      ? "singular"
             : s.status == Status::not_converged ? "not converged"
@@ -131,7 +131,7 @@ RunVerdict verify_flags(const DrawnScene& scene, const SolvedScene& solved) {
             s.time,
             at < std::ssize(scene.truth) ? scene.truth[at].condition : 0};
   }
-  RunVerdict j{Verdict::flagged, s.crossing ? "crossing" : "degraded"};
+  RunVerdict j{PromiseVerdict::flagged, s.crossing ? "crossing" : "degraded"};
   if (s.crossing) {
     static constexpr const char* kinds[] = {"passed", "jumped", "not declared"};
     j.what = kinds[static_cast<int>(s.crossing->kind)];
@@ -139,7 +139,7 @@ RunVerdict verify_flags(const DrawnScene& scene, const SolvedScene& solved) {
     const int to = index(s.crossing->before), from = index(s.crossing->after);
     j.condition = scene.truth[to].condition;
     if (is_regular(scene, from - 1, to + 1) && all_right(scene, solved))
-      j.verdict = Verdict::false_flag;
+      j.verdict = PromiseVerdict::false_flag;
   } else {
     j.time = s.first_degraded->time;
     const int at = index(j.time);
@@ -153,7 +153,8 @@ RunVerdict verify_flags(const DrawnScene& scene, const SolvedScene& solved) {
     if (d != solved.instants.end() && has_answer(scene.truth[at]))
       j.error =
           errors_of(scene.model, scene.truth[at].instant, *d, scales_of(scene, solved))[j.level];
-    if (is_regular(scene, at, at) && all_right(scene, solved)) j.verdict = Verdict::false_flag;
+    if (is_regular(scene, at, at) && all_right(scene, solved))
+      j.verdict = PromiseVerdict::false_flag;
   }
   return j;
 }
@@ -200,7 +201,7 @@ RunVerdict verify_id(const DrawnScene& scene, const std::string& id) {
     c = parse_id(id, {.tolerance = scene.scene.tolerance});
     f = make_formulation(*c->variant, scene.model, c->settings);
   } catch (const std::invalid_argument& error) {
-    return {Verdict::not_applicable, error.what()};
+    return {PromiseVerdict::not_applicable, error.what()};
   }
   SolvedScene solved{{}, {}, c->settings.tolerance};
   Collector collector(solved);

@@ -23,8 +23,8 @@ struct SolvedScene {
   double tolerance;
 };
 
-/// Verdict on a run.
-enum class Verdict {
+/// PromiseVerdict on a run.
+enum class PromiseVerdict {
   right,           ///< without a flag
   flagged,         ///< with one for which there is a cause
   false_flag,      ///< with one for which there is none: κ < 1e6, and all numbers are right
@@ -38,7 +38,7 @@ inline constexpr const char* verdict_letters = ".fFNW-";
 
 /// A verdict, and the number that it is about.
 struct RunVerdict {
-  Verdict verdict = Verdict::right;
+  PromiseVerdict verdict = PromiseVerdict::right;
   /// Names what is broken: "promise" (100 to 100³ times the tolerance), "bound" (that was stated),
   /// "no answer" (a singular position, or out of reach). On the first instants of a run that
   /// failed ", then failed" follows. For flags: which.

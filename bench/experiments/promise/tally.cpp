@@ -31,7 +31,8 @@ Json finding_json(const SceneResult::Finding& f) {
           {"condition", rounded(j.condition)}};
 }
 
-std::optional<SceneResult::Finding> finding(const Json& j, const char* name, Verdict verdict) {
+std::optional<SceneResult::Finding> finding(const Json& j, const char* name,
+                                            PromiseVerdict verdict) {
   if (!j.contains(name)) return std::nullopt;
   const Json& f = j[name];
   return SceneResult::Finding{f["id"],
@@ -81,9 +82,10 @@ SceneResult verify_scene(std::uint64_t seed, int number, const std::vector<std::
   for (const std::string& id : ids) {
     const RunVerdict j = verify_id(*scene, id);
     r.verdicts += letters[static_cast<int>(j.verdict)];
-    if (j.verdict == Verdict::wrong && (!r.wrong || is_worse(j, r.wrong->details)))
+    if (j.verdict == PromiseVerdict::wrong && (!r.wrong || is_worse(j, r.wrong->details)))
       r.wrong = {id, j};
-    const bool is_flag = j.verdict == Verdict::false_flag || j.verdict == Verdict::false_failure;
+    const bool is_flag =
+        j.verdict == PromiseVerdict::false_flag || j.verdict == PromiseVerdict::false_failure;
     if (is_flag && !r.flag) r.flag = {id, j};
   }
   return r;
@@ -107,8 +109,8 @@ SceneResult from_json(const Json& j) {
   r.family = j["family"];
   r.aim = j["aim"];
   r.verdicts = j["verdicts"];
-  r.wrong = finding(j, "wrong", Verdict::wrong);
-  r.flag = finding(j, "flag", Verdict::false_flag);
+  r.wrong = finding(j, "wrong", PromiseVerdict::wrong);
+  r.flag = finding(j, "flag", PromiseVerdict::false_flag);
   return r;
 }
 

@@ -26,13 +26,13 @@ constexpr int usual_repetitions = 5;
 constexpr double min_seconds = 0.02;  // of a sample
 constexpr double dear_seconds = 1;    // a motion that takes longer has two samples only
 
-double work_of(const Series& series) {
+double work_of(const SizeSeries& series) {
   return series.size * static_cast<double>(series.ids.size());
 }
 
 /// Returns a candidate's entry in `growth` or `break_even` of the record
 /// (results/record.schema.json).
-Json entry_json(const Series& series, const bench::Problem& problem,
+Json entry_json(const SizeSeries& series, const bench::Problem& problem,
                 const FormulationCandidate& candidate) {
   const Model& m = problem.plan.model;
   Json j = {{"case", series.definition->name},       {"coordinates", m.coordinates()},
@@ -41,23 +41,23 @@ Json entry_json(const Series& series, const bench::Problem& problem,
             {"tolerance", problem.tolerance}};
   j["status"] = candidate.is_timed() ? "ok" : "failed";
   if (!candidate.is_timed()) {
-    j["message"] = candidate.message.empty() ? "not timed" : candidate.message;
+    j["message"] = candidate.message().empty() ? "not timed" : candidate.message();
     return j;
   }
   j["checked_against"] = problem.checked_against;
-  j["verification"] = bench::errors_json(candidate.errors);
-  j["iterations_per_step"] = candidate.iterations_per_step;
-  j["residual"] = candidate.residual;
+  j["verification"] = bench::errors_json(candidate.verifying_run().errors);
+  j["iterations_per_step"] = candidate.verifying_run().iterations_per_step;
+  j["residual"] = candidate.verifying_run().residual;
   // q, q̇ and q̈
   j["state_bytes"] = 3 * sizeof(double) * static_cast<std::size_t>(m.state_size());
-  if (candidate.bytes > 0) j["bytes"] = candidate.bytes;
-  j["time_per_step"] = bench::rounded_time_json(candidate.seconds);
+  if (candidate.verifying_run().bytes > 0) j["bytes"] = candidate.verifying_run().bytes;
+  j["time_per_step"] = bench::rounded_time_json(candidate.seconds());
   return j;
 }
 
 /// Verifies every formulation, then times them in turn, so that whatever slows the machine down for
 /// a while meets them all. Names what is wrong, and returns whether nothing is.
-bool measure(const Series& series, int repetitions, Json& list) {
+bool measure(const SizeSeries& series, int repetitions, Json& list) {
   const bench::Problem problem = series.problem();
   std::list<FormulationCandidate> candidates;
   for (const std::string_view id : series.ids)
@@ -70,7 +70,7 @@ bool measure(const Series& series, int repetitions, Json& list) {
     list.push_back(entry_json(series, problem, candidate));
     if (candidate.is_timed()) continue;
     right = false;
-    std::cerr << name_of(series.question) << '/' << candidate.name() << ": " << candidate.message
+    std::cerr << name_of(series.question) << '/' << candidate.name() << ": " << candidate.message()
               << '\n';
   }
   return right;
@@ -86,17 +86,17 @@ int run(const bench::CommandLine& line) {
                      .repetitions = std::to_string(usual_repetitions)});
   if (!read(parser, line)) return 0;
 
-  const std::vector<Series> all =
+  const std::vector<SizeSeries> all =
       matching(options.quick ? quick_series() : all_series(), std::regex(options.filter));
   if (all.empty()) throw std::invalid_argument("nothing matches " + options.filter);
   bench::Recording recording = begin_record(options, line);
   const int repetitions = options.repetitions > 0 ? options.repetitions : usual_repetitions;
   double work = 0;
-  for (const Series& series : all) work += work_of(series);
+  for (const SizeSeries& series : all) work += work_of(series);
   bench::Progress progress("sizes", work);
   Json lists;
   bool right = true;
-  for (const Series& series : all) {
+  for (const SizeSeries& series : all) {
     right &= measure(series, repetitions, lists[std::string(name_of(series.question))]);
     progress.done(work_of(series));
   }

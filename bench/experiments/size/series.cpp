@@ -67,7 +67,7 @@ std::optional<Model> needed_by_first(const Model& whole, int count) {
 Model largest(const Case& c) { return make_model(describe(c, c.sizes.back())); }
 
 /// Each number of unknowns once: the first entities may need more than they were asked for.
-void add_break_even(std::vector<Series>& all, const Case& c, int max_unknowns) {
+void add_break_even(std::vector<SizeSeries>& all, const Case& c, int max_unknowns) {
   const Model whole = largest(c);
   int last = 0;
   for (const int least : unknowns) {
@@ -77,8 +77,8 @@ void add_break_even(std::vector<Series>& all, const Case& c, int max_unknowns) {
   }
 }
 
-std::vector<Series> series_up_to(int max_coordinates, int max_unknowns) {
-  std::vector<Series> all;
+std::vector<SizeSeries> series_up_to(int max_coordinates, int max_unknowns) {
+  std::vector<SizeSeries> all;
   for (const Case& c : cases()) {
     for (const int n : coordinates)
       if (n <= max_coordinates)
@@ -94,7 +94,7 @@ std::string_view name_of(Question question) {
   return question == Question::growth ? "growth" : "break_even";
 }
 
-bench::Problem Series::problem() const {
+bench::Problem SizeSeries::problem() const {
   if (question == Question::growth)
     return bench::make_problem(make_model(describe(*definition, size)),
                                begin_of(*definition, growth_instants), tolerance_of(size));
@@ -117,12 +117,12 @@ Model cut_to(const Model& whole, int min_unknowns) {
   return all ? whole : *needed_by_first(whole, first);
 }
 
-std::vector<Series> all_series() { return series_up_to(any_number, any_number); }
+std::vector<SizeSeries> all_series() { return series_up_to(any_number, any_number); }
 
-std::vector<Series> quick_series() { return series_up_to(quick_coordinates, quick_unknowns); }
+std::vector<SizeSeries> quick_series() { return series_up_to(quick_coordinates, quick_unknowns); }
 
-std::vector<Series> matching(std::vector<Series> all, const std::regex& expression) {
-  for (Series& series : all) {
+std::vector<SizeSeries> matching(std::vector<SizeSeries> all, const std::regex& expression) {
+  for (SizeSeries& series : all) {
     const std::string place = std::string(name_of(series.question)) + "/" +
                               std::string(series.definition->name) + "/" +
                               std::to_string(series.size) + "/";
@@ -130,7 +130,7 @@ std::vector<Series> matching(std::vector<Series> all, const std::regex& expressi
       return !std::regex_search(place + std::string(id), expression);
     });
   }
-  std::erase_if(all, [](const Series& series) { return series.ids.empty(); });
+  std::erase_if(all, [](const SizeSeries& series) { return series.ids.empty(); });
   return all;
 }
 

@@ -16,7 +16,7 @@ enum class Question {
 std::string_view name_of(Question question);
 
 /// Formulations that solve the same problem and are timed in turn.
-struct Series {
+struct SizeSeries {
   Question question;
   const Case* definition;
   int size;  ///< coordinates of growth; unknowns of break_even
@@ -27,14 +27,14 @@ struct Series {
 
 /// Returns both cases from the smallest of the paper's sizes to a hundred thousand coordinates, and
 /// with 10 to 500 unknowns.
-std::vector<Series> all_series();
+std::vector<SizeSeries> all_series();
 
 /// Returns both cases up to 336 coordinates and 100 unknowns.
-std::vector<Series> quick_series();
+std::vector<SizeSeries> quick_series();
 
 /// Returns the series without the formulations in whose <growth|break_even>/<case>/<size>/<id> the
 /// expression is not found; series with none are left out.
-std::vector<Series> matching(std::vector<Series> all, const std::regex& expression);
+std::vector<SizeSeries> matching(std::vector<SizeSeries> all, const std::regex& expression);
 
 /// Returns what finding `min_unknowns` or more of a mechanism takes, and no more than it must: what
 /// the first of its entities need, of all of them if it has fewer.

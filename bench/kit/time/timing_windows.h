@@ -8,36 +8,35 @@
 
 namespace desmo::bench {
 
-/// Number of equal windows of a motion, and instants that each has at least where two can have as
-/// many: reading the clock is to cost little compared with solving them.
+/// Equal windows that a motion has at most. Motions of fewer than max_windows · min_instants
+/// instants have fewer windows, but two. Reading the clock then costs little compared with solving.
 inline constexpr int max_windows = 25, min_instants = 20;
 
-/// The time that analyses of a motion took for each of its windows, without that of reading
-/// the clock, and the work that was done in it; assembly belongs to the first. What else the
-/// machine does slows some windows of some analyses: what the same work takes undisturbed shows in
-/// the others.
+/// Time and work of each window of a motion, analysis by analysis. The time of reading the clock is
+/// left out; assembly belongs to the first window. Other work of the machine slows some windows of
+/// some analyses; the least time of each window over all analyses is the undisturbed one.
 class TimingWindows {
  public:
   explicit TimingWindows(int instants, Clock clock = Clock::cpu);
 
-  /// An analysis begins. What one that did not come to its end has left is dropped.
+  /// Begins an analysis. Drops what an unfinished one has left.
   void begin();
-  /// Says that all instants so far are void: their time is part of the first window.
+  /// Tells that all instants so far are void: their time becomes part of the first window.
   void restart();
-  /// An instant has been delivered: every one of the motion, in whatever order, with the updates
-  /// that it took (see Summary) where somebody counts. From several threads they come in another
-  /// order every time, so that their work is not that of a window: it is not counted.
+  /// Tells that an instant was delivered. Every instant of the motion comes once, in any order.
+  /// updates: its work (Summary::updates). By the wall clock work is not counted: several threads
+  /// deliver in another order every time, so that it is not that of a window.
   void passed(long updates = 0) {
     if (clock_ == Clock::cpu) sum_ += updates;
     if (passed_++ == last_instants_[next_]) end();
   }
 
   std::size_t count() const { return last_instants_.size() - 1; }
-  /// Seconds of every whole analysis, in the order of the motion.
+  /// Returns the seconds of each window, for every whole analysis.
   const std::vector<std::vector<double>>& samples() const { return samples_; }
-  /// Their least; infinite before the first whole analysis.
+  /// Returns the least seconds of each window; infinite before the first whole analysis.
   std::vector<double> least() const;
-  /// Returns the updates of the last analysis, in the order of the motion; zeros if uncounted.
+  /// Returns the updates of each window in the last analysis; zeros if uncounted.
   const std::vector<long>& updates() const { return updates_; }
 
  private:
@@ -54,7 +53,7 @@ class TimingWindows {
   double began_ = 0, analysis_began_ = 0;
 };
 
-/// Delivers and tells the windows.
+/// A delivery that tells the windows of each instant.
 class WindowedDelivery final : public Delivery {
  public:
   WindowedDelivery(std::size_t coordinates, Level level, TimingWindows& windows)

@@ -79,8 +79,9 @@ std::optional<ClosedForm> solve_angle(const Task& task);
 /// Solves a task by the first rule that applies; nullopt when none does.
 std::optional<ClosedForm> solve_closed(const Task& task);
 
-/// Sets form.first and form.second by J ẋ = −Φ̇ and J ẍ = −Φ̈. On the right, the unknowns' own
-/// rates of that order are zero. solve: returns x with J x = b.
+/// Sets the rates of a closed form: form.first = ẋ by J ẋ = −Φ̇, and form.second = ẍ by J ẍ = −Φ̈,
+/// with J = ∂Φ/∂x. Φ̇ on the right is that of ẋ = 0, and Φ̈ that of ẍ = 0. equations: Φ. solve:
+/// returns x with J x = b.
 void rates_by_equations(ClosedForm& form, std::vector<Expr> equations,
                         std::function<std::vector<Expr>(const std::vector<Expr>& b)> solve);
 

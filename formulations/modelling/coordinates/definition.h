@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "formulations/constraints/constraints.h"
 #include "formulations/modelling/equations/equation_writer.h"
 
 namespace desmo {

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "formulations/constraints/constraints.h"
 #include "formulations/modelling/equations/candidates.h"
 
 namespace desmo {

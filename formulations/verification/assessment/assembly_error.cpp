@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "formulations/constraints/constraints.h"
 #include "formulations/scaling/magnitudes.h"
 #include "formulations/scaling/scales.h"
 #include "formulations/stepping/diagnosis.h"

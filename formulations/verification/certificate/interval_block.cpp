@@ -4,6 +4,7 @@
 #include <tuple>
 #include <utility>
 
+#include "formulations/constraints/constraints.h"
 #include "formulations/groupwise/jet.h"
 
 namespace desmo {

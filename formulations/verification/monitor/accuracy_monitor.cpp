@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "formulations/algebra/linear_solver.h"
 #include "formulations/verification/assessment/assessor.h"
 #include "formulations/verification/assessment/backward_error.h"
 #include "formulations/verification/assessment/expectation.h"

@@ -8,14 +8,15 @@
 #include <vector>
 
 #include "cases/mechanism/motion.h"
-#include "formulations/algebra/linear_solver.h"
+#include "cases/mechanism/scene.h"
 #include "formulations/base/observer.h"
-#include "formulations/base/part.h"
 #include "formulations/model/model.h"
 #include "formulations/scaling/scales.h"
 #include "formulations/verification/assessment/assessment.h"
 
 namespace desmo {
+
+class PivotReuse;  // algebra/linear_solver.h, which is not installed
 
 /// Signal that makes the accuracy monitor assess an instant, or check of the assessment.
 enum class Monitor : unsigned {

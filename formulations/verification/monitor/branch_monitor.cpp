@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "formulations/constraints/constraints.h"
+
 namespace desmo {
 
 namespace {

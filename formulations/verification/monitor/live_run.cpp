@@ -8,6 +8,7 @@
 
 #include "formulations/planning/plan.h"
 #include "formulations/stepping/diagnosis.h"
+#include "formulations/structure/defined_part.h"
 #include "formulations/verification/monitor/branch_monitor.h"
 
 namespace desmo {
@@ -216,7 +217,7 @@ void LiveRun::restart() {
       AccuracyMonitorOptions{.tolerance = formulation_.settings().tolerance,
                              .levels = monitors_->plan.levels,
                              .every = options_.every,
-                             .reuses_pivots = std::ranges::any_of(formulation_.parts(), reuses),
+                             .reuses_pivots = std::ranges::any_of(parts_of(formulation_), reuses),
                              .scales = options_.scales,
                              .max_steps = options_.max_sub_steps,
                              .max_degradations = 0});

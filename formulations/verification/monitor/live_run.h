@@ -60,6 +60,7 @@ std::string describe(const LiveSummary& summary, const Model& model);
 ///     if (answer.outcome() != Outcome::failed) use(run.q(), run.qd(), run.qdd());
 ///   }
 ///
+/// The motions of the model's drivers are not used: any will do.
 /// The first row is assembled from the model's estimate. Every other is solved as
 /// Formulation::step() does it: from the prediction, or by sub-steps on the straight way from the
 /// last good row. Every answer is monitored like those of run_monitored() (AccuracyMonitor):

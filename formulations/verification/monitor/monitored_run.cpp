@@ -5,7 +5,9 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "formulations/algebra/linear_solver.h"
 #include "formulations/prediction/driver_source.h"
+#include "formulations/structure/defined_part.h"
 #include "formulations/verification/monitor/branch_monitor.h"
 
 namespace desmo {
@@ -22,7 +24,7 @@ AccuracyMonitorOptions monitor_options(const MonitoredRunOptions& options,
   result.tolerance = f.settings().tolerance;
   result.levels = levels;
   result.asked = asked;
-  for (const DefinedPart& part : f.parts())
+  for (const DefinedPart& part : parts_of(f))
     if (part.solver->reuses_pivots()) {
       result.reuses_pivots = true;
       const auto* pivots = dynamic_cast<const PivotReuse*>(part.solver.get());
@@ -78,7 +80,7 @@ class Run final : Observer {
     tried_ = static_cast<int>(summary_.instants);             // all before it were handed on
     // A stride was too long, or the formulation could not go on, or has gone elsewhere.
     if (is_astray_ || !summary_.ok()) {
-      summary_.status = Status::converged;
+      summary_.status = Status::solved;
       is_astray_ = true;
       go_on(tried_, From::last);
     }
@@ -172,7 +174,7 @@ class Run final : Observer {
     gap.ends = again < grid_.instants;
     if (gap.ends) gap.to = last_solved(grid_.time(again), grid_.time(again - 1));
     summary_.gaps.push_back(gap);
-    summary_.status = Status::converged;
+    summary_.status = Status::solved;
     summary_.group = summary_.constraint = -1;
     summary_.residual = max_residual_;
     summary_.assembly_error.reset();

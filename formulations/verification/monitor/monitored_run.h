@@ -27,7 +27,8 @@ struct Gap {
   std::optional<AssemblyError> assembly_error;
 };
 
-/// Outcome of a monitored run and accuracy of its instants.
+/// Outcome of a monitored run and accuracy of its instants. outcome() says whether its answers may
+/// be used; ok() says only whether the last instant tried was solved.
 struct MonitoredSummary : Summary {
   bool refused = false;  ///< a strict run ended at `first_degraded` or `crossing`
   int violated = -1;     ///< constraint that the last instant violates, since it lies on another

@@ -19,11 +19,12 @@ class SensitivityMonitor {
   SensitivityMonitor(const Model& model, std::span<const Level> levels,
                      std::span<const double> magnitudes);
 
-  /// Returns the growth, at least 1; instants come in order of time. Where no driver moves it
-  /// returns infinity at the first such instant and 1 at the others, which equal the first.
+  /// Returns the growth since reset(), at least 1; instants come in order of time. Drivers that
+  /// stop leave nothing to compare with: the first instant at which none moves has infinite growth.
+  /// Those after it have 1, since they equal it.
   double growth(const Instant& instant);
-  /// Returns by how much the drivers' motion has grown since then, at least 1 (position: 1): their
-  /// rates and, for accelerations, their squares or the second derivatives.
+  /// Returns the growth of the drivers' motion since reset(), at least 1. Position: 1. Velocity: of
+  /// their rates. Acceleration: of the squares of these or of the second derivatives.
   const PerLevel<double>& driver_growth() const { return driver_growth_; }
   /// Makes the instant of the last growth() the one to compare with. system: factorised at it.
   void reset(const Instant& instant, ScaledSystem& system);

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "formulations/constraints/constraints.h"
 #include "formulations/model/model.h"
 
 namespace desmo {

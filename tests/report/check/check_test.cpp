@@ -12,11 +12,11 @@ namespace {
 
 CheckOutcome judged(const Json& json) { return compare_sides(check_from(json)); }
 
-Outcome outcome_of(const CheckOutcome& j, const std::string& candidate) {
+Finding outcome_of(const CheckOutcome& j, const std::string& candidate) {
   for (const TimeFinding& f : j.time.candidates)
     if (f.candidate == candidate) return f.outcome;
   ADD_FAILURE() << candidate << " is not judged";
-  return Outcome::same;
+  return Finding::same;
 }
 
 std::vector<std::string> pending_lines(const CheckOutcome& j) {
@@ -27,10 +27,10 @@ std::vector<std::string> pending_lines(const CheckOutcome& j) {
 
 TEST(Check, AnUnchangedTreePasses) {
   const CheckOutcome j = judged(check_sample());
-  EXPECT_EQ(j.verdict, Verdict::pass);
+  EXPECT_EQ(j.verdict, CheckVerdict::pass);
   ASSERT_EQ(j.time.candidates.size(), 3u);
   for (const TimeFinding& f : j.time.candidates) {
-    EXPECT_EQ(f.outcome, Outcome::same) << f.candidate;
+    EXPECT_EQ(f.outcome, Finding::same) << f.candidate;
     EXPECT_NEAR(f.first.ratio, 1, 0.004) << f.candidate;
     EXPECT_EQ(f.first.rounds, 25u);
   }
@@ -40,17 +40,17 @@ TEST(Check, AnUnchangedTreePasses) {
 TEST(Check, ASlowdownIsARegressionOnceConfirmed) {
   Json check = check_sample();
   slow_down(check, watched, 1.10);
-  EXPECT_EQ(judged(check).verdict, Verdict::inconclusive);
-  EXPECT_EQ(outcome_of(judged(check), watched), Outcome::unconfirmed);
+  EXPECT_EQ(judged(check).verdict, CheckVerdict::inconclusive);
+  EXPECT_EQ(outcome_of(judged(check), watched), Finding::unconfirmed);
   EXPECT_EQ(pending_lines(judged(check)),
             (std::vector<std::string>{std::string("second ") + watched}));
   confirm(check, watched, 1.09);
   const CheckOutcome j = judged(check);
-  EXPECT_EQ(j.verdict, Verdict::regression);
-  EXPECT_EQ(outcome_of(j, watched), Outcome::regression);
+  EXPECT_EQ(j.verdict, CheckVerdict::regression);
+  EXPECT_EQ(outcome_of(j, watched), Finding::regression);
   EXPECT_TRUE(pending(j).empty());
   for (const TimeFinding& f : j.time.candidates)
-    EXPECT_EQ(f.outcome, f.candidate == watched ? Outcome::regression : Outcome::same)
+    EXPECT_EQ(f.outcome, f.candidate == watched ? Finding::regression : Finding::same)
         << f.candidate;
 }
 
@@ -58,10 +58,10 @@ TEST(Check, ASecondPassThatSaysOtherwiseRefutesTheFirst) {
   Json check = check_sample();
   slow_down(check, watched, 1.10);
   confirm(check, watched, 1.01);
-  EXPECT_EQ(judged(check).verdict, Verdict::pass);
-  EXPECT_EQ(outcome_of(judged(check), watched), Outcome::refuted);
+  EXPECT_EQ(judged(check).verdict, CheckVerdict::pass);
+  EXPECT_EQ(outcome_of(judged(check), watched), Finding::refuted);
   confirm(check, watched, 0.90);  // faster does not confirm slower
-  EXPECT_NE(judged(check).verdict, Verdict::regression);
+  EXPECT_NE(judged(check).verdict, CheckVerdict::regression);
 }
 
 TEST(Check, AGainIsReportedAsOneAndPasses) {
@@ -69,13 +69,13 @@ TEST(Check, AGainIsReportedAsOneAndPasses) {
   slow_down(check, watched, 0.90);
   confirm(check, watched, 0.91);
   const CheckOutcome j = judged(check);
-  EXPECT_EQ(j.verdict, Verdict::pass);
-  EXPECT_EQ(outcome_of(j, watched), Outcome::improvement);
+  EXPECT_EQ(j.verdict, CheckVerdict::pass);
+  EXPECT_EQ(outcome_of(j, watched), Finding::improvement);
 }
 
 TEST(Check, FivePercentAreNoAlarmAndALittleMoreIs) {
   for (const auto& [factor, expected] :
-       {std::pair{1.045, Outcome::same}, {1.055, Outcome::unconfirmed}}) {
+       {std::pair{1.045, Finding::same}, {1.055, Finding::unconfirmed}}) {
     Json check = check_sample();
     slow_down(check, watched, factor);
     EXPECT_EQ(outcome_of(judged(check), watched), expected) << factor;
@@ -94,7 +94,7 @@ TEST(Check, AMedianWithoutItsIntervalIsTooNoisy) {
   const CheckOutcome j = judged(check);
   EXPECT_GT(j.time.candidates[2].first.ratio, 1.05);
   EXPECT_LT(j.time.candidates[2].first.low, 1.02);
-  EXPECT_EQ(j.verdict, Verdict::inconclusive);
+  EXPECT_EQ(j.verdict, CheckVerdict::inconclusive);
   EXPECT_EQ(pending_lines(j), (std::vector<std::string>{std::string("first ") + watched}));
 }
 
@@ -103,7 +103,7 @@ TEST(Check, AControlThatChangesMakesTimesInconclusive) {
   for (Json& seconds : check["control"]["head"]) seconds = seconds.get<double>() * 1.03;
   slow_down(check, watched, 1.10);
   confirm(check, watched, 1.10);
-  EXPECT_EQ(judged(check).verdict, Verdict::inconclusive);
+  EXPECT_EQ(judged(check).verdict, CheckVerdict::inconclusive);
   EXPECT_EQ(pending(judged(check)).size(), 3u);
   EXPECT_EQ(pending(judged(check)).front().pass, "first");
 }
@@ -111,20 +111,20 @@ TEST(Check, AControlThatChangesMakesTimesInconclusive) {
 TEST(Check, InstructionsAlarmFromOnePercentOn) {
   struct Row {
     int head;
-    Verdict verdict;
-    Outcome outcome;
+    CheckVerdict verdict;
+    Finding outcome;
   };
-  for (const Row& row :
-       {Row{1'000'000, Verdict::pass, Outcome::same}, Row{1'009'000, Verdict::pass, Outcome::same},
-        Row{1'010'000, Verdict::regression, Outcome::regression},
-        Row{990'000, Verdict::pass, Outcome::improvement}}) {
+  for (const Row& row : {Row{1'000'000, CheckVerdict::pass, Finding::same},
+                         Row{1'009'000, CheckVerdict::pass, Finding::same},
+                         Row{1'010'000, CheckVerdict::regression, Finding::regression},
+                         Row{990'000, CheckVerdict::pass, Finding::improvement}}) {
     Json check = check_sample();
     check["work"]["instructions"][watched]["head"] = row.head;
     const CheckOutcome j = judged(check);
     EXPECT_EQ(j.verdict, row.verdict) << row.head;
     ASSERT_EQ(j.work.candidates.size(), 3u);
     for (const WorkFinding& f : j.work.candidates)
-      EXPECT_EQ(f.outcome, f.candidate == watched ? row.outcome : Outcome::same) << row.head;
+      EXPECT_EQ(f.outcome, f.candidate == watched ? row.outcome : Finding::same) << row.head;
   }
 }
 
@@ -135,7 +135,7 @@ TEST(Check, WrongNumericsShowNoTimeWhateverElseIsThere) {
   fail_head(check, "truck_suspension/114/group_symbolic_inlined");
   const CheckRecord record = check_from(check);
   const CheckOutcome j = compare_sides(record);
-  EXPECT_EQ(j.verdict, Verdict::invalid);
+  EXPECT_EQ(j.verdict, CheckVerdict::invalid);
   for (const TimeFinding& f : j.time.candidates) EXPECT_FALSE(f.candidate.ends_with("inlined"));
   fail_head(check, watched);
   for (const WorkFinding& f : judged(check).work.candidates)
@@ -148,7 +148,7 @@ TEST(Check, WrongNumericsShowNoTimeWhateverElseIsThere) {
 TEST(Check, ACellThatExceedsWhatIsAllowedIsWrong) {
   Json check = check_sample();
   check["head"]["paper"]["cells"][0]["verification"]["velocity"] = 1e-3;
-  EXPECT_EQ(judged(check).verdict, Verdict::invalid);
+  EXPECT_EQ(judged(check).verdict, CheckVerdict::invalid);
 }
 
 TEST(Check, OtherMachinesCompilersFlagsBlasAndModelsAreIncomparable) {
@@ -170,7 +170,7 @@ TEST(Check, OtherMachinesCompilersFlagsBlasAndModelsAreIncomparable) {
     Json check = check_sample();
     change(check["head"]);
     const CheckOutcome j = judged(check);
-    EXPECT_EQ(j.verdict, Verdict::incomparable) << what;
+    EXPECT_EQ(j.verdict, CheckVerdict::incomparable) << what;
     EXPECT_TRUE(j.time.candidates.empty()) << what;
     ASSERT_FALSE(j.differences.empty()) << what;
     EXPECT_EQ(j.differences[0].what, what);
@@ -183,7 +183,7 @@ TEST(Check, NewCellsAreSaidAndNotJudged) {
   leave_out(check, "base", candidate);
   check["work"]["instructions"].erase(candidate);
   const CheckOutcome j = judged(check);
-  EXPECT_EQ(j.verdict, Verdict::pass);
+  EXPECT_EQ(j.verdict, CheckVerdict::pass);
   EXPECT_EQ(j.time.candidates.size(), 2u);
   ASSERT_EQ(j.excluded.size(), 1u);
   EXPECT_NE(j.excluded[0].reason.find("new"), std::string::npos);
@@ -192,7 +192,7 @@ TEST(Check, NewCellsAreSaidAndNotJudged) {
 TEST(Check, WorkAloneIsACheck) {
   Json check = check_sample();
   take_no_times(check);
-  EXPECT_EQ(judged(check).verdict, Verdict::pass);
+  EXPECT_EQ(judged(check).verdict, CheckVerdict::pass);
   EXPECT_TRUE(judged(check).excluded.empty());
 }
 
@@ -203,7 +203,7 @@ TEST(Check, ACellOfTheBaselineThatHeadHasNotIsInvalid) {
   now["head"]["paper"]["cells"].erase(0);
   const CheckRecord check = check_from(now);
   const CheckOutcome j = compare_sides(check, &baseline);
-  EXPECT_EQ(j.verdict, Verdict::invalid);
+  EXPECT_EQ(j.verdict, CheckVerdict::invalid);
   EXPECT_EQ(j.missing.size(), 1u);
   EXPECT_EQ(verdict_document(check, j).sections[0].paragraphs[0],
             "Not measured, but in the baseline: truck_suspension/114/global_automatic_klu.");
@@ -215,10 +215,10 @@ TEST(Check, AgainstABaselineRatiosWithinARunAreCompared) {
   for (Json& candidate : now["head"]["paper"]["cells"])  // a slower day
     for (Json& seconds : candidate["time"]["seconds"]) seconds = seconds.get<double>() * 1.2;
   for (Json& seconds : now["control"]["head"]) seconds = seconds.get<double>() * 1.2;
-  EXPECT_EQ(compare_sides(check_from(now), &baseline).verdict, Verdict::pass);
+  EXPECT_EQ(compare_sides(check_from(now), &baseline).verdict, CheckVerdict::pass);
   slow_down(now, watched, 1.10);
   const CheckOutcome j = compare_sides(check_from(now), &baseline);
-  EXPECT_EQ(outcome_of(j, watched), Outcome::unconfirmed);
+  EXPECT_EQ(outcome_of(j, watched), Finding::unconfirmed);
   EXPECT_EQ(pending_lines(j),
             (std::vector<std::string>{std::string("second ") + watched,
                                       "second truck_suspension/114/global_automatic_klu"}));
@@ -226,7 +226,7 @@ TEST(Check, AgainstABaselineRatiosWithinARunAreCompared) {
     now["second"][candidate["case"].get<std::string>() + "/114/" +
                   candidate["id"].get<std::string>()] = {{"head", candidate["time"]["seconds"]}};
   now["second"]["control"] = now["control"];
-  EXPECT_EQ(compare_sides(check_from(now), &baseline).verdict, Verdict::regression);
+  EXPECT_EQ(compare_sides(check_from(now), &baseline).verdict, CheckVerdict::regression);
 }
 
 TEST(Check, OnAnotherProcessorOnlyInstructionsAreComparedWithABaseline) {
@@ -236,13 +236,13 @@ TEST(Check, OnAnotherProcessorOnlyInstructionsAreComparedWithABaseline) {
   now["head"]["record"]["blas"]["core"] = "other";
   now["head"]["record"]["libraries"]["lapack"] = "OpenBLAS 0.3.21 for another core";
   for (Json& candidate : now["head"]["paper"]["cells"]) candidate["machine"] = "other";
-  EXPECT_EQ(compare_sides(check_from(now), &baseline).verdict, Verdict::incomparable);
+  EXPECT_EQ(compare_sides(check_from(now), &baseline).verdict, CheckVerdict::incomparable);
   now["work"]["instructions"][watched]["head"] = 1'020'000;
   const CheckOutcome j = compare_sides(check_from(now), &baseline);
-  EXPECT_EQ(j.verdict, Verdict::regression);
+  EXPECT_EQ(j.verdict, CheckVerdict::regression);
   EXPECT_TRUE(j.time.candidates.empty());
   now["work"]["tool"] = "valgrind-9";
-  EXPECT_EQ(compare_sides(check_from(now), &baseline).verdict, Verdict::incomparable);
+  EXPECT_EQ(compare_sides(check_from(now), &baseline).verdict, CheckVerdict::incomparable);
 }
 
 TEST(CheckReader, RefusesWhatIsNotAWholeCheck) {

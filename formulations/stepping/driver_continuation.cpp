@@ -1,4 +1,4 @@
-#include "formulations/stepping/continuation.h"
+#include "formulations/stepping/driver_continuation.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,166 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "formulations/algebra/equilibration.h"
+#include "formulations/algebra/linear_solver.h"
+#include "formulations/algebra/refinement.h"
+#include "formulations/base/settings.h"
+#include "formulations/equations/equations.h"
+
+namespace desmo {
+
+/// The Jacobian of a part, its factors, and the decision when they are made anew (JacobianUpdate):
+///
+/// - newton: in every iteration, and at the solved position.
+/// - step: at the solved position. The next step iterates with them, and converges linearly. Steps
+///   that end at the level of positions make them in their first iteration.
+/// - chord: where the factors at hand have become too slow. Velocity and acceleration are solved
+///   with old factors, refined with the Jacobian of the solved position (Refinement) until they are
+///   as accurate. Where that would take more sweeps than new factors cost, it is factorised.
+///
+/// Old factors are watched by the rate ρ = ‖Φ‖ / ‖Φ‖ before. They are replaced where
+/// LinearSolver::break_even_solves more corrections at that rate would not meet the tolerance.
+/// (‖Φ‖ is what is compared with the tolerance, it has one unit, and its rate is known one solve
+/// earlier than that of ‖Δφ‖.)
+template <class Real>
+class JacobianFactors {
+ public:
+  using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
+
+  /// equations: of the part; they outlive this. weights: 1/magnitude of each equation, referenced
+  /// for the lifetime of this object. magnitudes: of the unknowns; empty: all are 1. tolerance: on
+  /// ‖Φ‖. solver: of the equations' pattern.
+  JacobianFactors(const Equations<Real>& equations, std::span<const double> weights,
+                  const Vector& rounded_weights, std::span<const double> magnitudes,
+                  JacobianUpdate update, double tolerance,
+                  std::unique_ptr<LinearSolver<Real>> solver)
+      : equations_(equations),
+        equilibrated_(equations.pattern(), weights, magnitudes),
+        solver_(std::move(solver)),
+        break_even_solves_(solver_->break_even_solves()),
+        rounds_(solver_->rounds_factors()),
+        update_(update),
+        tolerance_(tolerance),
+        values_(equations.pattern().size(), Real(0)),
+        refinement_(rounded_weights, refines()) {
+    equations_.constant_jacobian(values_.data());
+  }
+
+  const LinearSolver<Real>& solver() const { return *solver_; }
+  /// Returns Φ_φ and Φ_h where they were evaluated last, laid out by the pattern.
+  const Real* values() const { return values_.data(); }
+
+  /// Begins the iterations of a position.
+  void begin_position(JacobianUpdate update) {
+    now_ = update;
+    corrected_with_old_ = false;
+    is_first_ = true;
+  }
+
+  /// Returns whether the last correction came from old factors and led away from the solution.
+  bool led_away(double residual) const {
+    return corrected_with_old_ && !(residual < tolerance_) && !(residual < before_);
+  }
+
+  /// Gives the factors up that led away.
+  void give_up() { has_factors_ = corrected_with_old_ = false; }
+
+  /// Chooses the factors of the next correction: those at hand, or new ones at q. Returns false
+  /// where Φ_φ is singular.
+  [[gnu::always_inline]] bool prepare_correction(const Real* q, double residual) {
+    corrected_with_old_ =
+        now_ != JacobianUpdate::newton && has_factors_ && (is_first_ || are_fast_enough(residual));
+    is_first_ = false;
+    before_ = residual;
+    return corrected_with_old_ || factor_at(q);
+  }
+  /// Returns whether the correction comes from old factors.
+  bool corrects_with_old() const { return corrected_with_old_; }
+
+  /// Ends a step at the level of positions: factors of JacobianUpdate::step serve one step.
+  void end_at_position() {
+    if (now_ == JacobianUpdate::step) has_factors_ = false;
+  }
+
+  /// Prepares solve_rates() at the solved position. Returns false where Φ_φ is singular.
+  bool prepare_rates(const Real* q) {
+    if (now_ != JacobianUpdate::chord || !has_factors_) return factor_at(q);
+    equations_.jacobian(q, values_.data());
+    factors_are_old_ = true;
+    return true;
+  }
+
+  // Parts are small and these are called in every iteration: the compiler is told to inline them,
+  // since it decides otherwise as soon as the surroundings change.
+  /// Evaluates Φ_φ at q and factorises it. Returns false where it is singular.
+  [[gnu::always_inline]] bool factor_at(const Real* q) {
+    equations_.jacobian(q, values_.data());
+    return factor();
+  }
+
+  /// Evaluates Φ_h at q.
+  void evaluate_known(const Real* q) { equations_.known_jacobian(q, values_.data()); }
+
+  /// Overwrites b with Φ_φ⁻¹ b by the factors at hand.
+  void solve(Vector& b) { equilibrated_.solve(*solver_, b.data()); }
+
+  /// Overwrites b with Φ_φ⁻¹ b for Φ_φ as evaluated last, whatever was factorised. Returns false
+  /// where it is singular.
+  bool solve_rates(Vector& b) {
+    if (refines() && (rounds_ || factors_are_old_)) {
+      if (solve_refined(b)) return true;
+      if (!factors_are_old_ || !factor()) return false;
+      if (rounds_) return solve_refined(b);
+    }
+    solve(b);
+    return true;
+  }
+
+  /// Discards the factors and the order of their pivots.
+  void forget() {
+    has_factors_ = false;
+    solver_->forget_pivots();
+  }
+
+ private:
+  bool refines() const { return rounds_ || update_ == JacobianUpdate::chord; }
+
+  /// Returns whether corrections as slow as the last one still meet the tolerance in good time.
+  bool are_fast_enough(double residual) const {
+    return residual * std::pow(residual / before_, break_even_solves_) < tolerance_;
+  }
+
+  [[gnu::always_inline]] bool factor() {
+    factors_are_old_ = false;
+    return has_factors_ = solver_->factor(equilibrated_.matrix(values_.data()));
+  }
+
+  bool solve_refined(Vector& b) {
+    return refinement_.solve(
+        equations_.pattern(), values_.data(), [this](Real* x) { equilibrated_.solve(*solver_, x); },
+        break_even_solves_, b);
+  }
+
+  const Equations<Real>& equations_;
+  Equilibration<Real> equilibrated_;
+  std::unique_ptr<LinearSolver<Real>> solver_;
+  int break_even_solves_;
+  bool rounds_;  // see LinearSolver::rounds_factors
+  JacobianUpdate update_, now_{};
+  double tolerance_;
+  std::vector<Real> values_;
+  bool has_factors_ = false;
+  bool factors_are_old_ = false;  // the values are of another position than the factors
+  bool corrected_with_old_ = false, is_first_ = true;
+  double before_ = 0;  // ‖Φ‖ an iteration ago
+  Refinement<Real> refinement_;
+};
+
+}  // namespace desmo

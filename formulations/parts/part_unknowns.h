@@ -1,0 +1,40 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "formulations/base/index_range.h"
+
+namespace desmo {
+
+/// The places of a part's unknowns in the state.
+class PartUnknowns {
+ public:
+  /// unknowns: their places, ascending; they outlive this.
+  explicit PartUnknowns(std::span<const int> unknowns)
+      : unknowns_(unknowns), ranges_(ranges_of(unknowns)) {
+    constexpr std::size_t min_mean = 8;  // loops over shorter ranges would cost more
+    if (ranges_.size() * min_mean > unknowns.size()) ranges_.clear();
+  }
+
+  /// Calls with the place of each unknown in the state, and its own. Loops over long ranges fit
+  /// wide registers.
+  template <class Call>
+  [[gnu::always_inline]] void for_each(Call call) const {
+    const int n = static_cast<int>(unknowns_.size());
+    if (ranges_.empty())
+      for (int i = 0; i < n; ++i) call(unknowns_[i], i);
+    int i = 0;
+    for (const IndexRange range : ranges_) {
+      const int shift = i - range.first;
+      for (int at = range.first; at < range.end; ++at) call(at, at + shift);
+      i += range.end - range.first;
+    }
+  }
+
+ private:
+  std::span<const int> unknowns_;
+  std::vector<IndexRange> ranges_;
+};
+
+}  // namespace desmo
