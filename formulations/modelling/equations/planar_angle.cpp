@@ -47,11 +47,11 @@ void define_from_x_axis(const Definition& definition) {
 void define_between_lines(const Definition& definition, double ratio) {
   const auto& [w, c, value] = definition;
   if (const auto shared = shared_end(c.of, c.from))
-    definition.as<PlanarTurnAtPoint>(
+    definition.as<PlanarTurn<Between::lines_at_point>>(
         {w.point(shared->at), w.point(shared->of), w.point(shared->from), value},
         {shared->same_sense ? ratio : -ratio});
   else
-    definition.as<PlanarTurn<true, true>>(
+    definition.as<PlanarTurn<Between::line_and_line>>(
         {w.point(c.of.from), w.point(c.of.to), w.point(c.from.from), w.point(c.from.to), value},
         {ratio});
 }
@@ -66,14 +66,14 @@ void define_planar_angle(const Definition& definition) {
   if (c.of.is_line() && c.from.is_line())
     define_between_lines(definition, ratio);
   else if (c.of.is_line())
-    definition.as<PlanarTurn<true, false>>(
+    definition.as<PlanarTurn<Between::line_and_vector>>(
         {w.point(c.of.from), w.point(c.of.to), w.vector(c.from.vector), value}, {ratio});
   else if (c.from.is_line())
-    definition.as<PlanarTurn<false, true>>(
+    definition.as<PlanarTurn<Between::vector_and_line>>(
         {w.vector(c.of.vector), w.point(c.from.from), w.point(c.from.to), value}, {ratio});
   else
-    definition.as<PlanarTurn<false, false>>({w.vector(c.of.vector), w.vector(c.from.vector), value},
-                                            {ratio});
+    definition.as<PlanarTurn<Between::vector_and_vector>>(
+        {w.vector(c.of.vector), w.vector(c.from.vector), value}, {ratio});
 }
 
 }  // namespace desmo

@@ -17,7 +17,7 @@ namespace {
 bool make_scalar(Constraint& constraint) {
   bool shorter = false;
   visit_kind(constraint.kind, [&]<class Kind>(Kind) {
-    using Scalar = typename ScalarDefinition<Kind>::type;
+    using Scalar = ScalarDefinition<Kind>;
     if constexpr (!std::is_void_v<Scalar>) {
       constraint.kind = kind_index<Scalar>();
       constraint.constants.resize(Scalar::constants);
