@@ -34,7 +34,7 @@ Adjugate::Adjugate(const std::vector<std::vector<Expr>>& m) {
       cofactors_[i].push_back(value);
       if (i > 0) continue;
       determinant_ = determinant_ + m[0][j] * value;
-      magnitude_ = magnitude_ + abs(m[0][j]) * size;
+      magnitude_ = magnitude_ + (n == 2 ? abs(m[0][j] * value) : abs(m[0][j]) * size);
     }
   if (determinant_.is_zero()) throw std::invalid_argument("the Jacobian is structurally singular");
   reciprocal_ = Expr(1) / determinant_;

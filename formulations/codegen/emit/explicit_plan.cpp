@@ -67,14 +67,4 @@ std::vector<int> ExplicitPlan::angles() const {
   return result;
 }
 
-void ExplicitPlan::load(std::ostream& out, const std::vector<Expr>& expressions,
-                        const std::string& declaration, std::set<int>& declared) const {
-  for (const int id : Emitter::inputs_of(expressions)) {
-    const auto at = places.find(id);
-    if (at == places.end() || !declared.insert(id).second) continue;
-    out << "  " << declaration << " " << Graph::current().node(id).name << " = " << at->second
-        << ";\n";
-  }
-}
-
 }  // namespace desmo::generate

@@ -31,10 +31,6 @@ struct ExplicitPlan {
   /// their last positions.
   std::vector<int> torn() const;
   std::vector<int> angles() const;
-
-  /// Declares the inputs that expressions read, except those in `declared`, and adds them to it.
-  void load(std::ostream& out, const std::vector<Expr>& expressions, const std::string& declaration,
-            std::set<int>& declared) const;
 };
 
 }  // namespace desmo::generate

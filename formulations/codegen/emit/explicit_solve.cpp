@@ -108,7 +108,9 @@ class SolveWriter {
   const std::string& place(Expr e) const { return plan_.places.at(e.id()); }
 
   /// Declares what is read of other parts.
-  void load(const Expressions& expressions) { plan_.load(out_, expressions, "const T", declared_); }
+  void load(const Expressions& expressions) {
+    declare_inputs(out_, expressions, "const T", plan_.places, declared_);
+  }
 
   /// Each position goes where it belongs at once: kept for the end it would have to leave the
   /// registers twice.

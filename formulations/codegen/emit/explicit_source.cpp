@@ -32,7 +32,7 @@ void write_branches(std::ostream& out, const ExplicitPlan& plan) {
   for (const Root& root : plan.roots) pivots.push_back(root.pivot);
   out << "void find_branches(const double* q, const int* in, const double* c, double* branch) {\n";
   std::set<int> declared;
-  plan.load(out, pivots, "const double", declared);
+  declare_inputs(out, pivots, "const double", plan.places, declared);
   Emitter emitter(out, "  ", pivots);
   emitter.prepare(pivots);
   for (std::size_t k = 0; k < pivots.size(); ++k)

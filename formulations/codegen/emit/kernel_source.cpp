@@ -189,14 +189,8 @@ class KernelWriter {
   }
   void close() { out_ << "}\n\n"; }
 
-  /// Declares the inputs that the expressions read and that were not declared before.
   void load(const Expressions& expressions, const char* declaration) {
-    for (const int id : Emitter::inputs_of(expressions)) {
-      const auto source = source_.find(id);  // dimensions are read where they are used
-      if (source == source_.end() || !loaded_.insert(id).second) continue;
-      out_ << "  " << declaration << " " << Graph::current().node(id).name << " = "
-           << source->second << ";\n";
-    }
+    declare_inputs(out_, expressions, declaration, source_, loaded_);
   }
 
   Emitter begin(const Expressions& outputs) {

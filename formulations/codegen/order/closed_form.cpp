@@ -27,14 +27,9 @@ std::optional<ClosedForm> solve_closed(const Task& task) {
 
 void rates_by_equations(ClosedForm& form, std::vector<Expr> equations,
                         std::function<std::vector<Expr>(const std::vector<Expr>&)> solve) {
-  form.first = [equations, solve](const Rates& rates) {
+  form.rates = [=](const Rates& rates, Level level) {
     std::vector<Expr> b;
-    for (const Expr e : equations) b.push_back(-rates.first(e));
-    return solve(b);
-  };
-  form.second = [equations, solve](const Rates& rates) {
-    std::vector<Expr> b;
-    for (const Expr e : equations) b.push_back(-rates.second(e));
+    for (const Expr e : equations) b.push_back(-rates.of(level, e));
     return solve(b);
   };
 }
@@ -46,12 +41,12 @@ ClosedForm angle_by_bearing(std::string rule, ClosedForm::Bearing bearing, Expr 
   form.rule = std::move(rule);
   form.bearing = bearing;
   form.cost = 4;
-  form.first = [=](const Rates& r) {
-    return std::vector<Expr>{(x * r.first(y) - y * r.first(x)) * inverse};
-  };
-  form.second = [=](const Rates& r) {
-    const Expr rate = (x * r.first(y) - y * r.first(x)) * inverse;
-    const Expr changes = x * r.second(y) - y * r.second(x) - rate * r.first(radius2);
+  form.rates = [=](const Rates& r, Level level) {
+    const Expr y1 = r.of(Level::velocity, y), x1 = r.of(Level::velocity, x);
+    const Expr rate = (x * y1 - y * x1) * inverse;
+    if (level == Level::velocity) return std::vector<Expr>{rate};
+    const Expr changes =
+        x * r.of(level, y) - y * r.of(level, x) - rate * r.of(Level::velocity, radius2);
     return std::vector<Expr>{changes * inverse};
   };
   return form;

@@ -4,28 +4,9 @@
 #include <cmath>
 
 #include "formulations/codegen/record/inputs.h"
+#include "formulations/groupwise/dense_lu.h"
 
 namespace desmo::generate {
-
-namespace {
-
-/// |det|, by elimination with pivoting.
-double determinant(std::vector<std::vector<double>> a) {
-  double result = 1;
-  for (std::size_t k = 0; k < a.size(); ++k) {
-    const auto largest = std::max_element(
-        a.begin() + k, a.end(),
-        [&](const auto& l, const auto& r) { return std::abs(l[k]) < std::abs(r[k]); });
-    std::iter_swap(a.begin() + k, largest);
-    result *= std::abs(a[k][k]);
-    if (!(result > 0)) return 0;
-    for (std::size_t i = k + 1; i < a.size(); ++i)
-      for (std::size_t j = a.size(); j-- > k;) a[i][j] -= a[i][k] / a[k][k] * a[k][j];
-  }
-  return result;
-}
-
-}  // namespace
 
 Matcher::Matcher(std::vector<Expr> equations, std::vector<Expr> unknowns, const Facts& facts)
     : equations_(std::move(equations)), unknowns_(std::move(unknowns)), facts_(facts) {
@@ -63,17 +44,18 @@ double Matcher::quality(const std::vector<int>& unknowns, const std::vector<int>
   const std::size_t samples = slopes_[equations[0]].begin()->second.size(), n = unknowns.size();
   double worst = 1;
   for (std::size_t s = 0; s < samples; ++s) {
-    std::vector<std::vector<double>> rows(n, std::vector<double>(n, 0));
+    std::vector<double> matrix(n * n, 0);
     for (std::size_t r = 0; r < n; ++r) {
       double norm2 = 0;
       for (const auto& [i, slope] : slopes_[equations[r]]) {
         norm2 += slope[s] * slope[s];
         const auto at = std::ranges::find(unknowns, i);
-        if (at != unknowns.end()) rows[r][at - unknowns.begin()] = slope[s];
+        if (at != unknowns.end()) matrix[r * n + (at - unknowns.begin())] = slope[s];
       }
-      for (double& v : rows[r]) v /= std::sqrt(norm2);
+      for (std::size_t c = 0; c < n; ++c) matrix[r * n + c] /= std::sqrt(norm2);
     }
-    worst = std::min(worst, determinant(std::move(rows)));
+    const double size = std::exp(DenseLu<double>(std::move(matrix), n).determinant().log);
+    worst = std::isnan(size) ? 0 : std::min(worst, size);
   }
   return worst;
 }

@@ -1,5 +1,4 @@
-#include "formulations/codegen/order/opposite.h"
-
+#include "formulations/codegen/order/closed_form.h"
 #include "formulations/codegen/record/inputs.h"
 
 namespace desmo::generate {
@@ -46,14 +45,9 @@ std::optional<ClosedForm> as_earlier_or_opposite(const ClosedForm& form, const C
   result.rule = form.rule + " again";
   result.values = signed_all(x);
   result.roots = form.roots;
-  result.first = [=](const Rates& rates) {
+  result.rates = [=](const Rates& rates, Level level) {
     std::vector<Expr> of_x;
-    for (const Expr e : x) of_x.push_back(rates.first(e));
-    return signed_all(of_x);
-  };
-  result.second = [=](const Rates& rates) {
-    std::vector<Expr> of_x;
-    for (const Expr e : x) of_x.push_back(rates.second(e));
+    for (const Expr e : x) of_x.push_back(rates.of(level, e));
     return signed_all(of_x);
   };
   return result;

@@ -13,8 +13,8 @@ struct Affine {
   Expr constant;
 };
 
-/// A quadratic expression of some inputs x: Σ scale (a · b) + rest. Products stay as recorded:
-/// (x − g)² is not multiplied out, because that would lose digits far from the origin.
+/// A quadratic expression of some nodes x, inputs or others: Σ scale (a · b) + rest. Products stay
+/// as recorded: (x − g)² is not multiplied out, because that would lose digits far from the origin.
 struct Quadratic {
   struct Product {  ///< scale · a · b
     Expr scale;

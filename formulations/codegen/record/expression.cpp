@@ -109,6 +109,7 @@ int Graph::unary(Op op, int a) {
   const Node n = nodes_[a];
   if (n.op == Op::constant) return constant(apply(op, n.value, 0));
   if (op == Op::negate && n.op == Op::negate) return n.a;
+  if (op == Op::magnitude && n.op == Op::negate) return unary(op, n.a);
   return find_or_add(op, a, -1);
 }
 

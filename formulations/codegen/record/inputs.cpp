@@ -18,28 +18,29 @@ Expr replaced(Expr e, std::map<int, Expr>& done) {
   return done.emplace(e.id(), result).first->second;
 }
 
-void collect(int id, std::set<int>& seen, std::set<int>& inputs) {
+/// Adds the nodes that an expression contains and that move.
+void collect(int id, std::set<int>& seen) {
   const Node& n = Graph::current().node(id);
   if (!n.moves || !seen.insert(id).second) return;
-  if (n.op == Op::input) inputs.insert(id);
-  if (n.a >= 0) collect(n.a, seen, inputs);
-  if (n.b >= 0) collect(n.b, seen, inputs);
+  if (n.a >= 0) collect(n.a, seen);
+  if (n.b >= 0) collect(n.b, seen);
 }
 
 }  // namespace
 
 std::vector<Expr> moving_inputs(Expr e) {
-  std::set<int> seen, inputs;
-  collect(e.id(), seen, inputs);
+  std::set<int> seen;
+  collect(e.id(), seen);
   std::vector<Expr> result;
-  for (const int id : inputs) result.push_back(Expr::node(id));
+  for (const int id : seen)
+    if (Graph::current().node(id).op == Op::input) result.push_back(Expr::node(id));
   return result;
 }
 
-bool reads(Expr e, const std::vector<Expr>& inputs) {
-  return std::ranges::any_of(moving_inputs(e), [&](Expr i) {
-    return std::ranges::find(inputs, i.id(), &Expr::id) != inputs.end();
-  });
+bool reads(Expr e, const std::vector<Expr>& nodes) {
+  std::set<int> seen;
+  collect(e.id(), seen);
+  return std::ranges::any_of(nodes, [&](Expr node) { return seen.contains(node.id()); });
 }
 
 Expr substitute(Expr e, const std::map<int, Expr>& by_input) {

@@ -11,8 +11,9 @@ namespace desmo::generate {
 /// node.
 std::vector<Expr> moving_inputs(Expr e);
 
-/// Returns whether an expression reads one of these inputs, which must be positions or rates.
-bool reads(Expr e, const std::vector<Expr>& inputs);
+/// Returns whether an expression contains one of these nodes, which must depend on positions or
+/// rates.
+bool reads(Expr e, const std::vector<Expr>& nodes);
 
 /// Returns the expression with some inputs replaced. by_input: replacement by node of the input.
 Expr substitute(Expr e, const std::map<int, Expr>& by_input);
