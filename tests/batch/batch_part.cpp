@@ -49,7 +49,8 @@ class Pieces : public ::testing::Test {
   }
 
   const ExplicitKernel& kernel(std::size_t i) const {
-    return *find_explicit_kernel(bind_kernel(model_, definitions_[i])->kernel->fingerprint);
+    return *KernelTable::built_in().find_explicit_kernel(
+        bind_kernel(model_, definitions_[i])->kernel->fingerprint);
   }
 
   Subsystem copy(const std::vector<std::size_t>& parts) {
@@ -122,7 +123,7 @@ class Pieces : public ::testing::Test {
     static const LaneKernel* sound = nullptr;
     SubsystemKernels kernels;
     for (const std::size_t i : copies.front())
-      kernels.push_back(find_lane_kernel(kernel(i).fingerprint, 4));
+      kernels.push_back(KernelTable::built_in().find_lane_kernel(kernel(i).fingerprint, 4));
     sound = kernels.back();
     ASSERT_NE(sound, nullptr);
     LaneKernel refusing = *sound;
@@ -214,7 +215,7 @@ TEST_F(Pieces, LeaveInTheStateWhatIsReadThere) {
   for (const std::size_t lever : of_size(lever_size)) {
     copies.push_back({lever});
     members.push_back(copy({lever}));
-    kernels = {find_lane_kernel(kernel(lever).fingerprint, 4)};
+    kernels = {KernelTable::built_in().find_lane_kernel(kernel(lever).fingerprint, 4)};
   }
   BatchPart together({kernels}, std::move(members), kinds(), Guess::previous);
   std::vector<bool> read(model_.state_size(), false);

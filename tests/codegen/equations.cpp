@@ -159,7 +159,7 @@ TEST(Kernels, AreMissingVisibly) {
   m.constrain<Length<2>>(0, "to v", {v, p}, {4});
   m.constrain<Rigid<2, 0>>(0, "place", {v, a}, {});
   const PartDefinition part = make_partition(m, Partition::group).front();
-  EXPECT_EQ(find_kernel(describe_type(m, part).fingerprint), nullptr);
+  EXPECT_EQ(KernelTable::built_in().find_kernel(describe_type(m, part).fingerprint), nullptr);
   EXPECT_FALSE(bind_kernel(m, part));
   const auto f = make_formulation(find_variant("group_symbolic_eigen"), m);
   EXPECT_FALSE(f->parts().front().as_named);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <stdexcept>
 #include <utility>
 
@@ -73,6 +74,20 @@ int count_freedoms(int dimension, const Basis& basis) {
   return translations + (directions < 2 ? 2 * directions : 3);
 }
 
+/// Their squares, and the rounding of these, are normal numbers.
+constexpr double shortest = 1e-152, longest = 1e152;
+
+void require_representable(double length, const std::string& body) {
+  if (length == 0 || !std::isfinite(length) || (length >= shortest && length <= longest)) return;
+  char text[120];
+  std::snprintf(
+      text, sizeof text,
+      "': the square of a length of %.0e on it is beyond double precision; choose another "
+      "unit of length",
+      length);
+  throw std::invalid_argument("body '" + body + text);
+}
+
 /// Lists what bodies carry, each once, one rigid body after the other.
 class Carried {
  public:
@@ -132,6 +147,17 @@ bool follows_from_points(const Mechanism& d, const RigidBody& body, int vector) 
     return std::ranges::find(body.points, point) != body.points.end();
   };
   return along && carries((*along)[0]) && carries((*along)[1]);
+}
+
+void require_representable(const Mechanism& d) {
+  for (const Mechanism::Body& body : d.bodies) {
+    if (&body == &d.bodies.front()) continue;  // its points are where they are
+    if (body.length) require_representable(*body.length, body.name);
+    for (const int p : body.points) {
+      const Mechanism::Vec &a = d.points[body.points.front()].position, &b = d.points[p].position;
+      require_representable(std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]), body.name);
+    }
+  }
 }
 
 RigidBodies find_rigid_bodies(const Mechanism& d) {

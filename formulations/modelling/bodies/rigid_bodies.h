@@ -44,6 +44,10 @@ struct RigidBodies {
 /// Returns whether a vector is declared along two points of this body and so follows from them.
 bool follows_from_points(const Mechanism& mechanism, const RigidBody& body, int vector);
 
+/// Throws std::invalid_argument, naming the body, when the square of a length on a body over- or
+/// underflows in double precision. Equations contain such squares.
+void require_representable(const Mechanism& mechanism);
+
 /// Merges fixed bodies and chooses their bases. Vectors that do not follow from points are taken
 /// first, in the mechanism's order, then lines from the body's first point. A direction within
 /// 6° of the span of earlier ones is taken only as a last resort. Throws std::invalid_argument,

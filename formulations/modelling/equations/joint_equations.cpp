@@ -1,6 +1,5 @@
-#include "formulations/modelling/equations/joint_equations.h"
-
 #include "formulations/modelling/coordinates/declared_slides.h"
+#include "formulations/modelling/equations/equation_writer.h"
 
 namespace desmo {
 
