@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "formulations/modelling/independence/refusal.h"
-#include "formulations/modelling/independence/row_space.h"
 
 namespace desmo {
 
@@ -27,7 +26,7 @@ bool assemble(std::vector<double>& state, const GroupSystem& s, Lineariser& line
     if (phi.size() == 0) return true;
     const double before = std::exchange(largest, phi.lpNorm<Eigen::Infinity>());
     if (largest < 1e-13 || (largest < vanishes && !(largest < before / 2))) return true;
-    const VectorXd step = SmallestCorrection(jacobian)(phi);
+    const VectorXd step = smallest_correction(jacobian, phi);
     lineariser.move(state, s, -step);
     if (!(step.norm() > 1e-14)) break;
   }
@@ -43,7 +42,7 @@ std::optional<std::vector<double>> perturb(std::vector<double> state, double amo
     const Eigen::MatrixXd jacobian = lineariser.at(state, s).jacobian;
     VectorXd step(s.columns.size());
     for (double& x : step) x = amount * (random() / 2147483648.0 - 1);
-    if (jacobian.size() > 0) step -= SmallestCorrection(jacobian)(jacobian * step);
+    if (jacobian.size() > 0) step -= smallest_correction(jacobian, jacobian * step);
     lineariser.move(state, s, step);
     if (!assemble(state, s, lineariser)) return std::nullopt;
   }

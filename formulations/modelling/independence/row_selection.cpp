@@ -5,7 +5,6 @@
 #include <type_traits>
 #include <utility>
 
-#include "formulations/modelling/independence/row_space.h"
 #include "formulations/structure/incidence.h"
 
 namespace desmo {
