@@ -5,11 +5,18 @@
 #include <cstddef>
 #include <vector>
 
-#include "formulations/groupwise/wide_state.h"
 #include "formulations/model/model.h"
 #include "formulations/structure/partition.h"
 
 namespace desmo {
+
+/// q, q̇ and q̈ of a whole model, each followed by the fixed entities, in any scalar.
+template <class S>
+struct WideState {
+  std::vector<S> q, qd, qdd;
+
+  explicit WideState(int size) : q(size, S(0)), qd(size, S(0)), qdd(size, S(0)) {}
+};
 
 /// The n equations of one part as a dense matrix and vectors in any scalar, from the functions of
 /// the constraint kinds.

@@ -1,9 +1,8 @@
-#include "formulations/codegen/emit/explicit_motion.h"
-
 #include <algorithm>
 #include <map>
 
 #include "formulations/codegen/eliminate/adjugate.h"
+#include "formulations/codegen/emit/explicit_plan.h"
 
 namespace desmo::generate {
 

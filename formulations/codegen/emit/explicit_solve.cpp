@@ -1,12 +1,11 @@
-#include "formulations/codegen/emit/explicit_solve.h"
-
 #include <algorithm>
 #include <set>
 #include <sstream>
 
 #include "formulations/codegen/eliminate/monitors.h"
 #include "formulations/codegen/emit/emission.h"
-#include "formulations/codegen/order/order_text.h"
+#include "formulations/codegen/emit/explicit_plan.h"
+#include "formulations/codegen/order/explicit_order.h"
 #include "formulations/codegen/record/inputs.h"
 
 namespace desmo::generate {

@@ -1,13 +1,11 @@
-#include "formulations/codegen/emit/explicit_source.h"
-
 #include <algorithm>
 #include <set>
 #include <sstream>
 
 #include "formulations/codegen/emit/emission.h"
 #include "formulations/codegen/emit/explicit_plan.h"
-#include "formulations/codegen/emit/explicit_solve.h"
-#include "formulations/codegen/order/order_text.h"
+#include "formulations/codegen/emit/kernel_source.h"
+#include "formulations/codegen/order/explicit_order.h"
 
 namespace desmo::generate {
 

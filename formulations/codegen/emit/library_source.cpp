@@ -4,7 +4,6 @@
 #include <initializer_list>
 #include <sstream>
 
-#include "formulations/codegen/emit/explicit_source.h"
 #include "formulations/codegen/emit/kernel_source.h"
 
 namespace desmo::generate {

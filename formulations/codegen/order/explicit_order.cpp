@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <set>
 
-#include "formulations/codegen/order/angle_separation.h"
 #include "formulations/codegen/order/tearing.h"
 #include "formulations/codegen/order/type_blocks.h"
 #include "formulations/codegen/record/inputs.h"

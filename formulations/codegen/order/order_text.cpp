@@ -1,7 +1,7 @@
-#include "formulations/codegen/order/order_text.h"
-
 #include <set>
 #include <string_view>
+
+#include "formulations/codegen/order/explicit_order.h"
 
 namespace desmo::generate {
 
