@@ -31,14 +31,16 @@ class BatchPart final : public GuardedPart, public ResidentPart {
   void forget() override;
 
   /// Return the sums over its members.
-  long fallbacks() const override;
-  long branch_changes() const override;
+  long fallbacks() const override { return sum(&GuardedPart::fallbacks); }
+  long branch_changes() const override { return sum(&GuardedPart::branch_changes); }
 
  private:
   void solve(Batch& batch, State& state, std::span<const double> last, Level level,
              PartResult& all);
   static void solve_alone(Subsystem& subsystem, State& state, std::span<const double> last,
                           Level level, PartResult& all);
+
+  long sum(long (GuardedPart::*of_member)() const) const;
 
   std::vector<Subsystem> subsystems_;
   std::vector<Batch> batches_;

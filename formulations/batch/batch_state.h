@@ -14,6 +14,13 @@
 
 namespace desmo {
 
+/// Copies number i of a state with its rates to number j of another; either may be in lanes.
+void copy_number(const auto& from, std::size_t i, auto& to, std::size_t j) {
+  to.q[j] = from.q[i];
+  to.qd[j] = from.qd[i];
+  to.qdd[j] = from.qdd[i];
+}
+
 /// The state of a batch at the last two instants, the lanes of each number side by side, and the
 /// prediction of the next.
 class BatchState {

@@ -51,9 +51,6 @@ class LaneExecutor final : public SegmentExecutor {
   Stage make_stage(std::size_t part, const KernelTable& table) const;
   bool enter(const TimeGrid& grid, int length, const State& first);
   bool solve_alone(int lane, State& state, std::span<const double> last);
-  bool are_assembled() const;
-  void pack(int lane, const State& from);
-  void take_branches();
   void predict(double h, int known);
   void write_drivers(const TimeGrid& grid, int length, int i);
   Step solve();

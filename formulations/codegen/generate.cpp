@@ -1,7 +1,6 @@
 // desmo_generate FOLDER: writes the kernels of every type of group and block, as three C++ files
 // for each set of mechanisms (see kernel_sets.h): FOLDER/cases_kernels.cpp,
 // cases_explicit_kernels.cpp, cases_lane_kernels.cpp, and library_… likewise.
-// desmo_generate --order: prints the explicit order of each type.
 
 #include <algorithm>
 #include <cctype>
@@ -104,15 +103,6 @@ void write(std::ostream& out, const KernelFile& file, const std::string& set, Ty
       << ") { return all; }\n\n}  // namespace desmo\n";
 }
 
-void print_orders(const std::vector<SampledType>& types) {
-  for (const SampledType& f : types) {
-    const Graph graph(static_cast<int>(f.samples.size()));
-    const auto unknowns = std::ranges::count(f.type.inputs, Role::unknown, &PartType::Input::role);
-    std::cout << f.name << ", " << unknowns << " unknowns\n"
-              << describe(f.type, explicit_order(f.type, record(f.type, f.samples)));
-  }
-}
-
 bool write_set(const std::string& folder, const std::string& set, Types types) {
   for (const KernelFile& file : kernel_files) {
     const std::string path = folder + "/" + set + "_" + file.kind + ".cpp";
@@ -133,7 +123,7 @@ bool write_set(const std::string& folder, const std::string& set, Types types) {
 int main(int argc, char** argv) {
   using namespace desmo;
   if (argc != 2) {
-    std::cerr << "usage: desmo_generate FOLDER | --order\n";
+    std::cerr << "usage: desmo_generate FOLDER\n";
     return 64;
   }
   const std::string folder = argv[1];
@@ -146,10 +136,8 @@ int main(int argc, char** argv) {
     for (const LibraryMechanism& l : library())
       generate::collect(parse_scene(l.scene, std::string(l.name), {}), types);
     const std::span<const generate::SampledType> all = types;
-    if (folder == "--order")
-      generate::print_orders(types);
-    else if (!generate::write_set(folder, "cases", all.first(of_cases)) ||
-             !generate::write_set(folder, "library", all.subspan(of_cases)))
+    if (!generate::write_set(folder, "cases", all.first(of_cases)) ||
+        !generate::write_set(folder, "library", all.subspan(of_cases)))
       return 74;
   } catch (const std::exception& e) {
     std::cerr << "desmo_generate: " << e.what() << '\n';

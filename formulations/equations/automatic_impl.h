@@ -56,13 +56,9 @@ struct BasicAutomaticEquations<S>::Batch {
 
 template <class S>
 struct BasicAutomaticEquations<S>::Batches {
-  template <class Tuple>
-  struct TupleOf;
   template <class... Kinds>
-  struct TupleOf<std::tuple<Kinds...>> {
-    using type = std::tuple<Batch<Kinds>...>;
-  };
-  typename TupleOf<ConstraintKinds>::type of_kinds;
+  static std::tuple<Batch<Kinds>...> of(std::tuple<Kinds...>);
+  decltype(of(std::declval<ConstraintKinds>())) of_kinds;
 };
 
 template <class S>

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "formulations/base/index_range.h"
 #include "formulations/model/model.h"
 #include "formulations/structure/partition.h"
 
@@ -65,7 +66,7 @@ struct PartSystem {
       Kind::jacobian(x.data(), constants.data(), [&](int r, int operand, int i, const S& value) {
         const int at = first[operand] + i;
         if (place[r] < 0) return;
-        if (const int j = column(at); j >= 0) {
+        if (const int j = position_in(part_.unknowns, at); j >= 0) {
           jacobian[place[r] * n + j] = value;
         } else {
           velocity[place[r]] -= value * state_.qd[at];
@@ -74,13 +75,6 @@ struct PartSystem {
       });
     });
     return row;
-  }
-
-  /// Returns the column of a state component; -1: the part takes it as known.
-  int column(int at) const {
-    const auto it = std::ranges::lower_bound(part_.unknowns, at);
-    return it != part_.unknowns.end() && *it == at ? static_cast<int>(it - part_.unknowns.begin())
-                                                   : -1;
   }
 
   const Model& m_;

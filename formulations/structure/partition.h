@@ -1,5 +1,6 @@
 #pragma once
 
+#include <compare>
 #include <span>
 #include <string>
 #include <vector>
@@ -29,7 +30,7 @@ enum class Evaluation {
 struct Equation {
   int constraint;  ///< position in Model::constraints
   int row;         ///< row within that constraint
-  bool operator==(const Equation&) const = default;
+  auto operator<=>(const Equation&) const = default;
 };
 
 /// The definition of a part: n unknowns and n scalar equations.
@@ -38,6 +39,9 @@ struct PartDefinition {
   std::vector<int> unknowns;        ///< coordinates solved for, ascending
   std::vector<Equation> equations;  ///< ascending
   bool constant = false;            ///< depends on no driver: solved once, at assembly
+
+  /// Appends the groups, unknowns and equations of another part; does not sort them.
+  void append(const PartDefinition& part);
 };
 
 /// Returns the parts of a partition in solution order. Constant groups come first, each a part of

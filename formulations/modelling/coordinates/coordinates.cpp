@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "formulations/modelling/coordinates/declared_slides.h"
 #include "formulations/modelling/coordinates/placement.h"
 
 namespace desmo {
@@ -103,9 +102,8 @@ class Modeller {
   /// Relative coordinates: those declared, and the distances of spatial sliding joints.
   void place_coordinates() {
     result_.measured = d_.coordinates;
-    const DeclaredSlides declared(d_);
     for (const Mechanism::Joint& j : d_.joints)
-      if (d_.dimension == 3 && DeclaredSlides::slides(j) && !declared.contain(j)) {
+      if (d_.dimension == 3 && slides(j) && !declares_distance(d_, j)) {
         Mechanism::Coordinate& c = result_.measured.emplace_back();
         c.name = j.name + "/distance";
         c.type = Mechanism::CoordinateType::along;
@@ -208,6 +206,17 @@ class Modeller {
 };
 
 }  // namespace
+
+bool slides(const Mechanism::Joint& j) {
+  return j.points.size() == 2;  // a point of each body
+}
+
+bool declares_distance(const Mechanism& d, const Mechanism::Joint& j) {
+  return slides(j) && std::ranges::any_of(d.coordinates, [&](const Mechanism::Coordinate& c) {
+           return c.type == Mechanism::CoordinateType::along && c.vector == j.vectors[0] &&
+                  std::minmax({c.of.from, c.of.to}) == std::minmax({j.points[0], j.points[1]});
+         });
+}
 
 Coordinates make_coordinates(const Mechanism& d, const RigidBodies& rigid,
                              const Structure& structure, const std::vector<Motion>& motions) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <queue>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -28,7 +29,24 @@ struct Components {
 class Matching {
  public:
   /// Computes the matching. restrictions must outlive it.
-  Matching(const RigidBodies& rigid, const std::vector<Restriction>& restrictions);
+  Matching(const RigidBodies& rigid, const std::vector<Restriction>& restrictions)
+      : all_(restrictions), bodies_(rigid.list.size()) {
+    std::vector<int> first_freedom{0};
+    for (const RigidBody& body : rigid.list) {
+      body_of_freedom_.resize(first_freedom.back() + body.freedoms,
+                              static_cast<int>(first_freedom.size()) - 1);
+      first_freedom.push_back(static_cast<int>(body_of_freedom_.size()));
+    }
+    std::vector<std::pair<int, int>> ones;
+    for (std::size_t r = 0; r < all_.size(); ++r)
+      for (int i = 0; i < all_[r].count; ++i) {
+        for (const int b : all_[r].bodies)
+          for (int j = first_freedom[b]; j < first_freedom[b + 1]; ++j)
+            ones.emplace_back(restriction_of_row_.size(), j);
+        restriction_of_row_.push_back(static_cast<int>(r));
+      }
+    form_ = decompose(static_cast<int>(restriction_of_row_.size()), first_freedom.back(), ones);
+  }
 
   /// Returns the number of freedoms that nothing determines.
   int undetermined() const { return form_->cc[1]; }
@@ -37,93 +55,51 @@ class Matching {
 
   /// Returns a component for each irreducible block. Over-constrained bodies that a restriction
   /// connects form one component.
-  Components components() const;
+  Components components() const {
+    Components result{0, std::vector<int>(bodies_, -1), std::vector<int>(all_.size(), -1)};
+    add_irreducible(result);
+    add_surplus(result);
+    return result;
+  }
 
  private:
-  void add_irreducible(Components& components) const;
-  void add_surplus(Components& components) const;
-  std::vector<int> bodies_of_columns(int begin, int end) const;
+  void add_irreducible(Components& c) const {
+    for (int block = 0; block < form_->nb; ++block) {
+      if (form_->s[block] < form_->cc[2] || form_->s[block] >= form_->cc[3]) continue;
+      for (int j = form_->s[block]; j < form_->s[block + 1]; ++j)
+        c.of_body[body_of_freedom_[form_->q[j]]] = c.count;
+      for (int i = form_->r[block]; i < form_->r[block + 1]; ++i)
+        c.of_restriction[restriction_of_row_[form_->p[i]]] = c.count;
+      ++c.count;
+    }
+  }
+
+  void add_surplus(Components& c) const {
+    DisjointSets joined(bodies_);  // bodies that one surplus restriction concerns
+    std::vector<int> restrictions;
+    for (int i = form_->rr[2]; i < form_->rr[4]; ++i)
+      restrictions.push_back(restriction_of_row_[form_->p[i]]);
+    for (const int r : restrictions)
+      for (const int b : all_[r].bodies) joined.unite(b, all_[r].bodies.front());
+    for (const int b : bodies_of_columns(form_->cc[3], form_->cc[4])) {
+      int& of_all = c.of_body[joined.find(b)];
+      if (of_all < 0) of_all = c.count++;
+      c.of_body[b] = of_all;
+    }
+    for (const int r : restrictions) c.of_restriction[r] = c.of_body[all_[r].bodies.front()];
+  }
+
+  std::vector<int> bodies_of_columns(int begin, int end) const {
+    std::set<int> bodies;
+    for (int j = begin; j < end; ++j) bodies.insert(body_of_freedom_[form_->q[j]]);
+    return {bodies.begin(), bodies.end()};
+  }
 
   const std::vector<Restriction>& all_;
-  int bodies_;
+  std::size_t bodies_;
   std::vector<int> body_of_freedom_, restriction_of_row_;
   CSparseForm form_;
 };
-
-/// Restrictions × freedoms.
-CSparseMatrix incidence(const std::vector<Restriction>& all,
-                        const std::vector<int>& first_freedom) {
-  int rows = 0;
-  std::size_t entries = 1;
-  for (const Restriction& r : all) {
-    rows += r.count;
-    for (const int b : r.bodies)
-      entries += static_cast<std::size_t>(r.count) * (first_freedom[b + 1] - first_freedom[b]);
-  }
-  CSparseMatrix triplets(
-      cs_di_spalloc(rows, first_freedom.back(), static_cast<int>(entries), 1, 1));
-  if (!triplets) throw std::bad_alloc();
-  int row = 0;
-  for (const Restriction& r : all)
-    for (int i = 0; i < r.count; ++i, ++row)
-      for (const int b : r.bodies)
-        for (int j = first_freedom[b]; j < first_freedom[b + 1]; ++j)
-          cs_di_entry(triplets.get(), row, j, 1);
-  return triplets;
-}
-
-Matching::Matching(const RigidBodies& rigid, const std::vector<Restriction>& all)
-    : all_(all), bodies_(static_cast<int>(rigid.list.size())) {
-  std::vector<int> first_freedom(bodies_ + 1, 0);
-  for (int b = 0; b < bodies_; ++b) {
-    first_freedom[b + 1] = first_freedom[b] + rigid.list[b].freedoms;
-    body_of_freedom_.insert(body_of_freedom_.end(), rigid.list[b].freedoms, b);
-  }
-  for (std::size_t r = 0; r < all.size(); ++r)
-    restriction_of_row_.insert(restriction_of_row_.end(), all[r].count, static_cast<int>(r));
-  form_ = decompose(incidence(all, first_freedom));
-}
-
-Components Matching::components() const {
-  Components result{0, std::vector<int>(bodies_, -1), std::vector<int>(all_.size(), -1)};
-  add_irreducible(result);
-  add_surplus(result);
-  return result;
-}
-
-void Matching::add_irreducible(Components& c) const {
-  for (int block = 0; block < form_->nb; ++block) {
-    if (form_->s[block] < form_->cc[2] || form_->s[block] >= form_->cc[3]) continue;
-    for (int j = form_->s[block]; j < form_->s[block + 1]; ++j)
-      c.of_body[body_of_freedom_[form_->q[j]]] = c.count;
-    for (int i = form_->r[block]; i < form_->r[block + 1]; ++i)
-      c.of_restriction[restriction_of_row_[form_->p[i]]] = c.count;
-    ++c.count;
-  }
-}
-
-void Matching::add_surplus(Components& c) const {
-  DisjointSets joined(bodies_);  // bodies that one surplus restriction concerns
-  std::vector<int> restrictions;
-  for (int i = form_->rr[2]; i < form_->rr[4]; ++i)
-    restrictions.push_back(restriction_of_row_[form_->p[i]]);
-  for (const int r : restrictions)
-    for (const int b : all_[r].bodies) joined.unite(b, all_[r].bodies.front());
-  for (const int b : bodies_of_columns(form_->cc[3], form_->cc[4])) {
-    int& of_all = c.of_body[joined.find(b)];
-    if (of_all < 0) of_all = c.count++;
-    c.of_body[b] = of_all;
-  }
-  for (const int r : restrictions) c.of_restriction[r] = c.of_body[all_[r].bodies.front()];
-}
-
-std::vector<int> Matching::bodies_of_columns(int begin, int end) const {
-  std::vector<int> result;
-  for (int j = begin; j < end; ++j) result.push_back(body_of_freedom_[form_->q[j]]);
-  std::ranges::sort(result);
-  result.erase(std::unique(result.begin(), result.end()), result.end());
-  return result;
-}
 
 /// Returns the components as structural groups in solution order. A group comes after the groups
 /// whose bodies its restrictions involve. Ties are broken by the groups' first bodies.
