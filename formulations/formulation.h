@@ -8,7 +8,7 @@
 #include "formulations/base/settings.h"
 #include "formulations/base/summary.h"
 #include "formulations/model/model.h"
-#include "formulations/structure/defined_part.h"
+#include "formulations/structure/partition.h"
 
 namespace desmo {
 

@@ -4,7 +4,9 @@
 #include <vector>
 
 #include "formulations/batch/batch.h"
+#include "formulations/equations/kernel_table.h"
 #include "formulations/parts/guarded_part.h"
+#include "formulations/structure/partition.h"
 
 namespace desmo {
 
@@ -47,5 +49,13 @@ class BatchPart final : public GuardedPart, public ResidentPart {
   Subsystem* left_over_ = nullptr;  // a subsystem that would be alone in a batch
   std::vector<double> last_;  // positions of the instant before, where a subsystem is solved alone
 };
+
+/// Joins parts in explicit order to batches of up to settings.lanes: equal subsystems that need
+/// nothing of each other, or, where that takes fewer calls of kernels, parts of one type that do
+/// not need each other. type_ends: the end of each range of such parts (see gather_types). Parts
+/// without code for lanes stay alone.
+std::vector<DefinedPart> make_batches(const Model& model, std::vector<DefinedPart> parts,
+                                      const std::vector<int>& type_ends, const Settings& settings,
+                                      const KernelTable& table);
 
 }  // namespace desmo

@@ -4,7 +4,6 @@
 #include <optional>
 #include <vector>
 
-#include "formulations/batch/batch_state.h"
 #include "formulations/batch/kernel_batch.h"
 #include "formulations/batch/segmented.h"
 #include "formulations/equations/kernel_table.h"

@@ -1,5 +1,3 @@
-#include "formulations/batch/make_batches.h"
-
 #include <algorithm>
 #include <cmath>
 #include <map>

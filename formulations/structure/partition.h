@@ -1,6 +1,7 @@
 #pragma once
 
 #include <compare>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -42,6 +43,18 @@ struct PartDefinition {
 
   /// Appends the groups, unknowns and equations of another part; does not sort them.
   void append(const PartDefinition& part);
+};
+
+/// A part of a formulation: its definition (unknowns, equations) and its solver.
+struct DefinedPart {
+  PartDefinition definition;
+  std::unique_ptr<Part> solver;
+  /// The solver is of the kind that the formulation's id names. False when generated code was
+  /// missing and automatic equations stand in for it.
+  bool as_named = true;
+  Level level = Level::acceleration;  ///< highest level at which its unknowns are requested
+  /// Tolerance on ‖Φ‖₂ of its weighted equations: its share of the whole, or what rounding leaves.
+  double tolerance = 0;
 };
 
 /// Returns the parts of a partition in solution order. Constant groups come first, each a part of

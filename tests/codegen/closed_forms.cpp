@@ -9,7 +9,7 @@
 
 #include "formulations/codegen/order/closed_form.h"
 #include "formulations/codegen/order/tearing.h"
-#include "formulations/codegen/record/inputs.h"
+#include "formulations/codegen/record/expression.h"
 
 namespace desmo::generate::closed_forms_test {
 namespace {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "formulations/codegen/record/expansion.h"
-#include "formulations/codegen/record/inputs.h"
+#include "formulations/codegen/record/expression.h"
 
 namespace desmo::generate {
 

@@ -6,7 +6,7 @@
 #include "formulations/codegen/emit/emission.h"
 #include "formulations/codegen/emit/explicit_plan.h"
 #include "formulations/codegen/order/explicit_order.h"
-#include "formulations/codegen/record/inputs.h"
+#include "formulations/codegen/record/expression.h"
 
 namespace desmo::generate {
 

@@ -1,5 +1,5 @@
 #include "formulations/codegen/order/closed_form.h"
-#include "formulations/codegen/record/inputs.h"
+#include "formulations/codegen/record/expression.h"
 
 namespace desmo::generate {
 

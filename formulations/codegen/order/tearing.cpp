@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "formulations/codegen/record/inputs.h"
+#include "formulations/codegen/record/expression.h"
 #include "formulations/groupwise/dense_lu.h"
 
 namespace desmo::generate {

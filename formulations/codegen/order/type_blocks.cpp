@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "formulations/codegen/record/expansion.h"
-#include "formulations/codegen/record/inputs.h"
+#include "formulations/codegen/record/expression.h"
 #include "formulations/structure/csparse.h"
 
 namespace desmo::generate {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "formulations/codegen/record/inputs.h"
+#include "formulations/codegen/record/expression.h"
 
 namespace desmo::generate {
 

@@ -10,7 +10,6 @@
 
 #include "cases/mechanism/disjoint_sets.h"
 #include "formulations/modelling/groups/idle_freedoms.h"
-#include "formulations/modelling/groups/restrictions.h"
 #include "formulations/structure/csparse.h"
 
 namespace desmo {

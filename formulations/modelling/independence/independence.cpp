@@ -6,7 +6,6 @@
 #include <optional>
 #include <utility>
 
-#include "formulations/modelling/independence/judged_positions.h"
 #include "formulations/modelling/independence/refusal.h"
 #include "formulations/modelling/independence/row_selection.h"
 #include "formulations/scaling/characteristic_lengths.h"

@@ -1,11 +1,10 @@
-#include "formulations/modelling/independence/judged_positions.h"
-
 #include <cmath>
 #include <optional>
 #include <random>
 #include <utility>
 
 #include "formulations/modelling/independence/refusal.h"
+#include "formulations/modelling/independence/row_selection.h"
 
 namespace desmo {
 

@@ -1,13 +1,10 @@
-// Definitions, instantiated once for each scalar: automatic_double.cpp, automatic_float.cpp.
-#pragma once
+#include "formulations/equations/automatic.h"
 
 #include <algorithm>
 #include <array>
 #include <tuple>
 #include <utility>
 #include <vector>
-
-#include "formulations/equations/automatic.h"
 
 namespace desmo {
 
@@ -187,5 +184,8 @@ template <class S>
 void BasicAutomaticEquations<S>::quadratic(const S* state, const S* rate, S* gamma) const {
   for (const Loops* l : loops_) l->quadratic(*batches_, state, rate, gamma);
 }
+
+template class BasicAutomaticEquations<double>;
+template class BasicAutomaticEquations<float>;
 
 }  // namespace desmo
