@@ -6,7 +6,6 @@
 
 #include "formulations/modelling/bodies/rigid_bodies.h"
 #include "formulations/modelling/equations/candidates.h"
-#include "formulations/modelling/groups/idle_freedoms.h"
 #include "formulations/modelling/groups/structure.h"
 #include "formulations/modelling/independence/independence.h"
 

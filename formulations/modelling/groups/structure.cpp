@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "cases/mechanism/disjoint_sets.h"
-#include "formulations/modelling/groups/idle_freedoms.h"
 #include "formulations/structure/csparse.h"
 
 namespace desmo {
