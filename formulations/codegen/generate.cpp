@@ -16,7 +16,7 @@
 #include "cases/library/library.h"
 #include "formulations/codegen/emit/kernel_source.h"
 #include "formulations/codegen/order/explicit_order.h"
-#include "formulations/codegen/record/sampled_type.h"
+#include "formulations/codegen/record/recording.h"
 #include "formulations/groupwise/double_solution.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/planning/plan.h"

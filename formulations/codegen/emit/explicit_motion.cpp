@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <map>
 
-#include "formulations/codegen/eliminate/adjugate.h"
+#include "formulations/codegen/eliminate/elimination.h"
 #include "formulations/codegen/emit/explicit_plan.h"
 
 namespace desmo::generate {
