@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "formulations/base/part.h"
-#include "formulations/structure/defined_part.h"
+#include "formulations/structure/partition.h"
 
 namespace desmo {
 

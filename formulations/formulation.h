@@ -11,8 +11,9 @@
 
 namespace desmo {
 
-struct DefinedPart;  // structure/defined_part.h, which is not installed
-struct State;        // base/part.h, which is not installed
+// Not installed: users of the library only see their names.
+struct DefinedPart;
+struct State;
 
 /// A way of solving the kinematics of a mechanism: an ordered list of parts, and the order in which
 /// they solve the instants of a motion. make_formulation() makes one:

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "formulations/algebra/backend.h"
+#include "formulations/batch/batch_part.h"
 #include "formulations/batch/lane_executor.h"
-#include "formulations/batch/make_batches.h"
 #include "formulations/batch/segmented.h"
 #include "formulations/batch/thread_executor.h"
 #include "formulations/id.h"
@@ -17,7 +17,7 @@
 #include "formulations/scaling/magnitudes.h"
 #include "formulations/stepping/dense_output.h"
 #include "formulations/stepping/time_stepping.h"
-#include "formulations/structure/schedule.h"
+#include "formulations/structure/part_type.h"
 #include "formulations/variants.h"
 
 namespace desmo {

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "formulations/structure/defined_part.h"
+#include "formulations/structure/partition.h"
 
 namespace desmo::bench {
 

@@ -15,7 +15,7 @@
 #include "formulations/prediction/driver_source.h"
 #include "formulations/prediction/guess.h"
 #include "formulations/scaling/magnitudes.h"
-#include "formulations/structure/defined_part.h"
+#include "formulations/structure/partition.h"
 #include "formulations/variants.h"
 
 namespace desmo {

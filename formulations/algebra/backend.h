@@ -5,12 +5,17 @@
 #include <string>
 #include <string_view>
 
-#include "formulations/algebra/absence.h"
 #include "formulations/algebra/linear_solver.h"
 #include "formulations/base/settings.h"
 #include "formulations/equations/pattern.h"
 
 namespace desmo {
+
+/// Reason why a library that is loaded at run time is absent.
+struct Absence {
+  std::string reason;   ///< text for unsupported_reason; empty: it is present
+  bool faulty = false;  ///< a library was found or named, but cannot be used
+};
 
 /// Library that solves linear systems.
 struct Backend {

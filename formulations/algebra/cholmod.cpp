@@ -4,7 +4,6 @@
 
 #include <cholmod.h>
 
-#include <numeric>
 #include <stdexcept>
 
 #include "formulations/algebra/backend.h"
@@ -29,12 +28,6 @@ cholmod_sparse view(NormalEquations& normal) {
   return a;
 }
 
-std::vector<int> identity(int n) {
-  std::vector<int> p(n);
-  std::iota(p.begin(), p.end(), 0);
-  return p;
-}
-
 /// Normal equations, and the operations that CHOLMOD counts for their factorisation.
 struct Choice {
   NormalForm form;
@@ -44,7 +37,7 @@ struct Choice {
 
 /// The fill-reducing order that CHOLMOD itself finds best.
 Choice fill_reducing_order(const Pattern& pattern, NormalForm form) {
-  NormalEquations normal(pattern, form, identity(pattern.n));
+  NormalEquations normal(pattern, form);
   cholmod_common common;
   cholmod_start(&common);
   cholmod_sparse a = view(normal);

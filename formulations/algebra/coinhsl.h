@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "formulations/algebra/absence.h"
+#include "formulations/algebra/backend.h"
 
 namespace desmo {
 

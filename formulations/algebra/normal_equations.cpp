@@ -1,14 +1,18 @@
 #include "formulations/algebra/normal_equations.h"
 
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace desmo {
 
-NormalEquations::NormalEquations(const Pattern& p, NormalForm form,
-                                 const std::vector<int>& permutation)
-    : n_(p.n), form_(form), permutation_(permutation) {
+NormalEquations::NormalEquations(const Pattern& p, NormalForm form, std::vector<int> permutation)
+    : n_(p.n), form_(form), permutation_(std::move(permutation)) {
   using Pair = SumsOfProducts::Pair;
+  if (permutation_.empty()) {
+    permutation_.resize(n_);
+    std::iota(permutation_.begin(), permutation_.end(), 0);
+  }
   std::vector<int> new_index(n_);
   for (int k = 0; k < n_; ++k) new_index[permutation_[k]] = k;
 

@@ -17,8 +17,8 @@ enum class NormalForm {
 /// of products of entries of Φ_φ, so that refilling needs no search.
 class NormalEquations {
  public:
-  /// permutation[k]: column or row of Φ_φ that becomes column k of N.
-  NormalEquations(const Pattern& pattern, NormalForm form, const std::vector<int>& permutation);
+  /// permutation[k]: column or row of Φ_φ that becomes column k of N; empty: they keep their order.
+  NormalEquations(const Pattern& pattern, NormalForm form, std::vector<int> permutation = {});
 
   int n() const { return n_; }
   std::vector<int>& column_start() { return column_start_; }  ///< (n + 1)

@@ -42,22 +42,12 @@ class SumsOfProducts {
           c[*target] = sum;
         }
       };
-      switch (run.length) {  // short ones without a loop
-        case 1:
-          add(std::integral_constant<int, 1>());
-          break;
-        case 2:
-          add(std::integral_constant<int, 2>());
-          break;
-        case 3:
-          add(std::integral_constant<int, 3>());
-          break;
-        case 4:
-          add(std::integral_constant<int, 4>());
-          break;
-        default:
-          add(run.length);
-      }
+      // Short ones without a loop.
+      const auto is_short = [&]<int... length>(std::integer_sequence<int, length...>) {
+        return ((run.length == length && (add(std::integral_constant<int, length>()), true)) ||
+                ...);
+      };
+      if (!is_short(std::integer_sequence<int, 1, 2, 3, 4>())) add(run.length);
     }
   }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -18,6 +19,12 @@ inline std::vector<IndexRange> ranges_of(std::span<const int> indices) {
     ++ranges.back().end;
   }
   return ranges;
+}
+
+/// Returns the position of an index among ascending ones, or −1.
+inline int position_in(std::span<const int> ascending, int index) {
+  const auto it = std::ranges::lower_bound(ascending, index);
+  return it != ascending.end() && *it == index ? static_cast<int>(it - ascending.begin()) : -1;
 }
 
 }  // namespace desmo

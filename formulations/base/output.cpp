@@ -22,6 +22,15 @@ std::vector<int> places_of(std::span<const int> requested, int coordinates) {
   return places;
 }
 
+/// Copies numbers that were written a moment ago. The call that std::copy_n makes reads the last of
+/// them first, and waits until they are stored.
+void copy_range(const double* from, std::size_t size, double* to) {
+  constexpr std::size_t together = 16;
+  for (; size >= together; size -= together, from += together, to += together)
+    copy_in_registers<together>(from, to);
+  for (; size > 0; --size) *to++ = *from++;
+}
+
 }  // namespace
 
 std::vector<int> requested_coordinates(const Request& request, int coordinates) {
@@ -60,8 +69,7 @@ void OutputWriter::write(Instant& instant) const {
   const auto write_level = [&](std::span<const double>& values, double* to) {
     if (values.empty()) return;
     if (to)
-      for (const auto& [first, place, size] : ranges_)
-        std::copy_n(values.begin() + first, size, to + place);
+      for (const auto& [first, place, size] : ranges_) copy_range(&values[first], size, to + place);
     values = {to, to ? size_ : 0};
   };
   write_level(instant.q, instant.output.q);

@@ -27,10 +27,6 @@ std::vector<int> states_of(std::span<const ExplicitPart* const> subsystem) {
   return {states.begin(), states.end()};
 }
 
-int position_in(std::span<const int> ascending, int value) {
-  return static_cast<int>(std::ranges::lower_bound(ascending, value) - ascending.begin());
-}
-
 /// For each state of the first subsystem that which stands in its place in another. Nothing where
 /// one stands in two places.
 std::optional<std::vector<int>> places_in(std::span<const ExplicitPart* const> other,
@@ -173,9 +169,7 @@ void Batch::take(const State& s) {
     constants_.gather<1>({s.q.data()}, {values->q.data()});
   for (std::size_t l = 0; l < lanes_; ++l)
     for_numbers(own_, l, [&](std::size_t in_lane, int place) {
-      state_.now().q[in_lane] = s.q[place];
-      state_.now().qd[in_lane] = s.qd[place];
-      state_.now().qdd[in_lane] = s.qdd[place];
+      copy_number(s, place, state_.now(), in_lane);
     });
   std::ranges::for_each(stages_, &KernelBatch::take_branches);
   assembled_ = std::ranges::all_of(stages_, &KernelBatch::assembled);
@@ -192,9 +186,7 @@ void Batch::write_observed(State& s, Level level) const {
 
 void Batch::store(std::span<const int> numbers, std::size_t subsystem, State& s) const {
   for_numbers(numbers, subsystem, [&](std::size_t in_lane, int place) {
-    s.q[place] = state_.now().q[in_lane];
-    s.qd[place] = state_.now().qd[in_lane];
-    s.qdd[place] = state_.now().qdd[in_lane];
+    copy_number(state_.now(), in_lane, s, place);
   });
 }
 

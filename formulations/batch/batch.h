@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "formulations/base/output.h"
-#include "formulations/batch/batch_state.h"
 #include "formulations/batch/kernel_batch.h"
 #include "formulations/batch/layout.h"
 #include "formulations/prediction/guess.h"

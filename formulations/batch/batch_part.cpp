@@ -135,17 +135,10 @@ void BatchPart::forget() {
     for (const auto& member : subsystem) member->forget();
 }
 
-long BatchPart::fallbacks() const {
+long BatchPart::sum(long (GuardedPart::*of_member)() const) const {
   long sum = 0;
   for (const Subsystem& subsystem : subsystems_)
-    for (const auto& member : subsystem) sum += member->fallbacks();
-  return sum;
-}
-
-long BatchPart::branch_changes() const {
-  long sum = 0;
-  for (const Subsystem& subsystem : subsystems_)
-    for (const auto& member : subsystem) sum += member->branch_changes();
+    for (const auto& member : subsystem) sum += ((*member).*of_member)();
   return sum;
 }
 

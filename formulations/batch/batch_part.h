@@ -4,7 +4,9 @@
 #include <vector>
 
 #include "formulations/batch/batch.h"
+#include "formulations/equations/kernel_table.h"
 #include "formulations/parts/guarded_part.h"
+#include "formulations/structure/partition.h"
 
 namespace desmo {
 
@@ -31,8 +33,8 @@ class BatchPart final : public GuardedPart, public ResidentPart {
   void forget() override;
 
   /// Return the sums over its members.
-  long fallbacks() const override;
-  long branch_changes() const override;
+  long fallbacks() const override { return sum(&GuardedPart::fallbacks); }
+  long branch_changes() const override { return sum(&GuardedPart::branch_changes); }
 
  private:
   void solve(Batch& batch, State& state, std::span<const double> last, Level level,
@@ -40,10 +42,20 @@ class BatchPart final : public GuardedPart, public ResidentPart {
   static void solve_alone(Subsystem& subsystem, State& state, std::span<const double> last,
                           Level level, PartResult& all);
 
+  long sum(long (GuardedPart::*of_member)() const) const;
+
   std::vector<Subsystem> subsystems_;
   std::vector<Batch> batches_;
   Subsystem* left_over_ = nullptr;  // a subsystem that would be alone in a batch
   std::vector<double> last_;  // positions of the instant before, where a subsystem is solved alone
 };
+
+/// Joins parts in explicit order to batches of up to settings.lanes: equal subsystems that need
+/// nothing of each other, or, where that takes fewer calls of kernels, parts of one type that do
+/// not need each other. type_ends: the end of each range of such parts (see gather_types). Parts
+/// without code for lanes stay alone.
+std::vector<DefinedPart> make_batches(const Model& model, std::vector<DefinedPart> parts,
+                                      const std::vector<int>& type_ends, const Settings& settings,
+                                      const KernelTable& table);
 
 }  // namespace desmo

@@ -84,12 +84,8 @@ std::optional<Summary> LaneExecutor::run(const TimeGrid& grid, const Request& re
   if (!meet()) return {};
   total.time = grid.time(grid.instants - 1);
   total.residual = std::sqrt(max_residual2);
-  for (std::size_t k = 0; k < state.q.size(); ++k) {
-    const std::size_t last = (k + 1) * lanes_ - 1;
-    state.q[k] = state_.now().q[last];
-    state.qd[k] = state_.now().qd[last];
-    state.qdd[k] = state_.now().qdd[last];
-  }
+  for (std::size_t k = 0; k < state.q.size(); ++k)
+    copy_number(state_.now(), (k + 1) * lanes_ - 1, state, k);
   return total;
 }
 
@@ -101,11 +97,15 @@ bool LaneExecutor::enter(const TimeGrid& grid, int length, const State& first) {
     for (const DefinedPart& part : parts_[l]) part.solver->forget();
     alone_ = first;
     if (!solve_alone(l, alone_, first.q)) return false;  // finds the branches
-    pack(l, alone_);
+    for (std::size_t k = 0; k < alone_.q.size(); ++k)    // some never move
+      state_.now().q[k * lanes_ + l] = state_.before().q[k * lanes_ + l] = alone_.q[k];
     changes_[l] = driver_changes(model_, first, grid.time(l * length));
   }
-  take_branches();
-  if (!are_assembled()) return false;
+  for (Stage& stage : stages_) {
+    if (!stage.together) continue;
+    stage.together->take_branches();
+    if (!stage.together->assembled()) return false;
+  }
   constexpr double step = 1.0 / continuation_steps;
   for (int i = 0; i <= continuation_steps; ++i) {
     predict(step, i);
@@ -123,27 +123,11 @@ bool LaneExecutor::enter(const TimeGrid& grid, int length, const State& first) {
   return true;
 }
 
-bool LaneExecutor::are_assembled() const {
-  return std::ranges::all_of(
-      stages_, [](const Stage& stage) { return !stage.together || stage.together->assembled(); });
-}
-
 bool LaneExecutor::solve_alone(int lane, State& state, std::span<const double> last) {
   for (const Stage& stage : stages_)
     if (stage.members[lane]->solve(state, last, Level::position).status != Status::solved)
       return false;
   return true;
-}
-
-void LaneExecutor::pack(int lane, const State& from) {
-  for (std::size_t k = 0; k < from.q.size(); ++k)
-    state_.now().q[k * lanes_ + lane] = state_.before().q[k * lanes_ + lane] =
-        from.q[k];  // some never move
-}
-
-void LaneExecutor::take_branches() {
-  for (Stage& stage : stages_)
-    if (stage.together) stage.together->take_branches();
 }
 
 /// known: how many instants were solved, h apart.
@@ -188,12 +172,8 @@ LaneExecutor::Step LaneExecutor::solve() {
 
 /// A lane that the code has refused starts from its last position; others were predicted.
 void LaneExecutor::solve_lane(Stage& stage, int lane, Step& step) {
-  for (std::size_t k = 0; k < alone_.q.size(); ++k) {
-    const std::size_t in_lane = k * lanes_ + lane;
-    alone_.q[k] = state_.now().q[in_lane];
-    alone_.qd[k] = state_.now().qd[in_lane];
-    alone_.qdd[k] = state_.now().qdd[in_lane];
-  }
+  for (std::size_t k = 0; k < alone_.q.size(); ++k)
+    copy_number(state_.now(), k * lanes_ + lane, alone_, k);
   for (const int k : stage.unknowns) last_alone_[k] = state_.before().q[k * lanes_ + lane];
   if (stage.together)
     for (const int k : stage.unknowns) alone_.q[k] = last_alone_[k];
@@ -201,12 +181,8 @@ void LaneExecutor::solve_lane(Stage& stage, int lane, Step& step) {
   step.ok = step.ok && r.status == Status::solved;
   step.iterations = std::max(step.iterations, r.iterations);
   residual2_[lane] += r.residual2;
-  for (const int k : stage.unknowns) {
-    const std::size_t in_lane = static_cast<std::size_t>(k) * lanes_ + lane;
-    state_.now().q[in_lane] = alone_.q[k];
-    state_.now().qd[in_lane] = alone_.qd[k];
-    state_.now().qdd[in_lane] = alone_.qdd[k];
-  }
+  for (const int k : stage.unknowns)
+    copy_number(alone_, k, state_.now(), static_cast<std::size_t>(k) * lanes_ + lane);
 }
 
 /// Each segment ended where the next had begun.

@@ -4,7 +4,6 @@
 #include <optional>
 #include <vector>
 
-#include "formulations/batch/batch_state.h"
 #include "formulations/batch/kernel_batch.h"
 #include "formulations/batch/segmented.h"
 #include "formulations/equations/kernel_table.h"
@@ -51,9 +50,6 @@ class LaneExecutor final : public SegmentExecutor {
   Stage make_stage(std::size_t part, const KernelTable& table) const;
   bool enter(const TimeGrid& grid, int length, const State& first);
   bool solve_alone(int lane, State& state, std::span<const double> last);
-  bool are_assembled() const;
-  void pack(int lane, const State& from);
-  void take_branches();
   void predict(double h, int known);
   void write_drivers(const TimeGrid& grid, int length, int i);
   Step solve();

@@ -6,7 +6,6 @@
 #include <immintrin.h>
 #endif
 
-#include "formulations/batch/wide_scatter.h"
 #include "formulations/equations/lane_kernel.h"
 
 namespace desmo {

@@ -1,5 +1,3 @@
-#include "formulations/batch/make_batches.h"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -21,18 +19,11 @@ using Positions = std::vector<int>;
 PartDefinition join(const std::vector<DefinedPart>& parts) {
   PartDefinition all;
   all.constant = parts.front().definition.constant;
-  for (const DefinedPart& p : parts) {
-    const PartDefinition& d = p.definition;
-    all.groups.insert(all.groups.end(), d.groups.begin(), d.groups.end());
-    all.unknowns.insert(all.unknowns.end(), d.unknowns.begin(), d.unknowns.end());
-    all.equations.insert(all.equations.end(), d.equations.begin(), d.equations.end());
-  }
+  for (const DefinedPart& p : parts) all.append(p.definition);
   std::ranges::sort(all.groups);
   all.groups.erase(std::ranges::unique(all.groups).begin(), all.groups.end());
   std::ranges::sort(all.unknowns);
-  std::ranges::sort(all.equations, {}, [](const Equation& e) {
-    return std::pair{e.constraint, e.row};
-  });
+  std::ranges::sort(all.equations);
   return all;
 }
 

@@ -1,4 +1,4 @@
-#include "formulations/batch/wide_scatter.h"
+#include "formulations/batch/layout.h"
 
 #if defined(__x86_64__) && defined(__GNUC__)
 

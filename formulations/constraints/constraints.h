@@ -37,19 +37,20 @@ namespace desmo {
 
 /// List of all kinds, over which evaluation, recording and tests iterate. A constraint stores its
 /// kind as a position in this list.
-using ConstraintKinds =
-    std::tuple<Length<2>, Length<3>, Unit<3>, Dot<3>, Projection<3>, Rigid<3, 0>, Rigid<3, 1>,
-               Rigid<3, 2>, Rigid<3, 3>, Along<3>, Component<3, 2>, PlanarAngle,
-               FrameAngle<-1, true>, Unit<2>, Rigid<2, 0>, Rigid<2, 1>, Combination<3, 1>,
-               Combination<3, 2>, Combination<3, 3>, Combination<3, 4>, PlanarRelation<true, false>,
-               PlanarRelation<true, true>, PlanarRelation<false, false>,
-               PlanarRelation<false, true>, Along<2>, Offset, Component<2, 0>, Component<2, 1>,
-               Component<3, 0>, Component<3, 1>, Distance<2>, Distance<3>, PlanarDirection,
-               PlanarTurn<false, false>, PlanarTurn<false, true>, PlanarTurn<true, false>,
-               PlanarTurn<true, true>, PlanarTurnAtPoint, FrameAngle<-1, false>,
-               FrameAngle<1, true>, FrameAngle<1, false>, Reach<2>, Reach<3>, PlanarBearing<false>,
-               PlanarBearing<true>, PlanarBearingFrom<false, false>, PlanarBearingFrom<false, true>,
-               PlanarBearingFrom<true, false>, PlanarBearingFrom<true, true>, PlanarBearingAtPoint>;
+using ConstraintKinds = std::tuple<
+    Length<2>, Length<3>, Unit<3>, Dot<3>, Projection<3>, Rigid<3, 0>, Rigid<3, 1>, Rigid<3, 2>,
+    Rigid<3, 3>, Along<3>, Component<3, 2>, PlanarAngle, FrameAngle<-1, true>, Unit<2>, Rigid<2, 0>,
+    Rigid<2, 1>, Combination<3, 1>, Combination<3, 2>, Combination<3, 3>, Combination<3, 4>,
+    PlanarRelation<true, false>, PlanarRelation<true, true>, PlanarRelation<false, false>,
+    PlanarRelation<false, true>, Along<2>, Offset, Component<2, 0>, Component<2, 1>,
+    Component<3, 0>, Component<3, 1>, Distance<2>, Distance<3>, PlanarDirection,
+    PlanarTurn<Between::vector_and_vector>, PlanarTurn<Between::vector_and_line>,
+    PlanarTurn<Between::line_and_vector>, PlanarTurn<Between::line_and_line>,
+    PlanarTurn<Between::lines_at_point>, FrameAngle<-1, false>, FrameAngle<1, true>,
+    FrameAngle<1, false>, Reach<2>, Reach<3>, PlanarBearing<false>, PlanarBearing<true>,
+    PlanarBearingFrom<Between::vector_and_vector>, PlanarBearingFrom<Between::vector_and_line>,
+    PlanarBearingFrom<Between::line_and_vector>, PlanarBearingFrom<Between::line_and_line>,
+    PlanarBearingFrom<Between::lines_at_point>>;
 
 inline constexpr int constraint_kind_count = std::tuple_size_v<ConstraintKinds>;
 

@@ -13,15 +13,14 @@ namespace desmo {
 
 /// A scalar coordinate equal to component Axis of a point: p_Axis − h = 0. Operands p, h.
 template <int D, int Axis>
-struct Component {
+struct Component : LinearKind<1> {
   static constexpr std::string_view name = [] {
     constexpr std::string_view names[2][3] = {{"component2_x", "component2_y", ""},
                                               {"component3_x", "component3_y", "component3_z"}};
     return names[D - 2][Axis];
   }();
   static constexpr std::array operand_sizes{D, 1};
-  static constexpr int constants = 0, rows = 1, entries = 2;
-  static constexpr bool linear = true;
+  static constexpr int constants = 0, entries = 2;
 
   template <class S>
   static void residual(const S* const* x, const S*, S* phi) {
@@ -31,10 +30,6 @@ struct Component {
   static void jacobian(const S* const*, const S*, Entry&& entry) {
     entry(0, 0, Axis, S(1));
     entry(0, 1, 0, S(-1));
-  }
-  template <class S>
-  static void quadratic(const S* const*, const S* const*, const S*, S* gamma) {
-    gamma[0] = S(0);
   }
 };
 
@@ -78,15 +73,13 @@ struct PlanarAngle {
 
   template <class S>
   static void residual(const S* const* x, const S* c, S* phi) {
-    using std::cos;
-    using std::sin;
+    using std::cos, std::sin;
     phi[0] = x[1][0] - x[0][0] - c[0] * cos(x[2][0]);
     phi[1] = x[1][1] - x[0][1] - c[0] * sin(x[2][0]);
   }
   template <class S, class Entry>
   static void jacobian(const S* const* x, const S* c, Entry&& entry) {
-    using std::cos;
-    using std::sin;
+    using std::cos, std::sin;
     for (int i = 0; i < 2; ++i) {
       entry(i, 0, i, S(-1));
       entry(i, 1, i, S(1));
@@ -96,8 +89,7 @@ struct PlanarAngle {
   }
   template <class S>
   static void quadratic(const S* const* x, const S* const* v, const S* c, S* gamma) {
-    using std::cos;
-    using std::sin;
+    using std::cos, std::sin;
     const S rate2 = v[2][0] * v[2][0];
     gamma[0] = c[0] * cos(x[2][0]) * rate2;
     gamma[1] = c[0] * sin(x[2][0]) * rate2;
@@ -114,15 +106,13 @@ struct PlanarDirection {
 
   template <class S>
   static void residual(const S* const* x, const S*, S* phi) {
-    using std::cos;
-    using std::sin;
+    using std::cos, std::sin;
     phi[0] = x[0][0] - cos(x[1][0]);
     phi[1] = x[0][1] - sin(x[1][0]);
   }
   template <class S, class Entry>
   static void jacobian(const S* const* x, const S*, Entry&& entry) {
-    using std::cos;
-    using std::sin;
+    using std::cos, std::sin;
     entry(0, 0, 0, S(1));
     entry(1, 0, 1, S(1));
     entry(0, 1, 0, sin(x[1][0]));
@@ -130,8 +120,7 @@ struct PlanarDirection {
   }
   template <class S>
   static void quadratic(const S* const* x, const S* const* v, const S*, S* gamma) {
-    using std::cos;
-    using std::sin;
+    using std::cos, std::sin;
     const S rate2 = v[1][0] * v[1][0];
     gamma[0] = cos(x[1][0]) * rate2;
     gamma[1] = sin(x[1][0]) * rate2;
@@ -146,8 +135,7 @@ struct Turn {
   S cosine, sine;  ///< r cos θ, r sin θ
 
   Turn(const S& ratio, const S& angle) {
-    using std::cos;
-    using std::sin;
+    using std::cos, std::sin;
     cosine = ratio * cos(angle);
     sine = ratio * sin(angle);
   }
@@ -169,44 +157,84 @@ void quadratic_of_turn(const std::array<S, 2>& f, const std::array<S, 2>& g, con
 
 }  // namespace vec
 
+/// The plane directions d and e between which an angle is measured, from e to d, as they stand
+/// among the operands of a kind. A direction is one vector, or the two points of a line, start
+/// first.
+enum class Between {
+  vector_and_vector,  ///< d, e, θ
+  vector_and_line,    ///< d, start of e, end of e, θ
+  line_and_vector,    ///< start of d, end of d, e, θ
+  line_and_line,      ///< start of d, end of d, start of e, end of e, θ: four different points
+  lines_at_point,     ///< common start of both lines, end of d, end of e, θ
+};
+
+namespace vec {
+
+/// The operands d, e and θ of an angle.
+template <Between between>
+struct AngleOperands {
+  static constexpr bool at_point = between == Between::lines_at_point;
+  static constexpr bool of_line = between >= Between::line_and_vector;
+  static constexpr bool from_line =
+      between == Between::vector_and_line || between >= Between::line_and_line;
+  /// Index of the first operand of e that d does not have, and of θ.
+  static constexpr int first_of_e = direction_operands<of_line>;
+  static constexpr int theta = first_of_e + (from_line && !at_point ? 2 : 1);
+  static constexpr auto operand_sizes = sizes_and_scalar<theta>(2);
+
+  template <class S>
+  static std::array<S, 2> d(const S* const* x) {
+    return direction<2, of_line>(x);
+  }
+  template <class S>
+  static std::array<S, 2> e(const S* const* x) {
+    if constexpr (at_point)
+      return difference<2>(x[0], x[theta - 1]);
+    else
+      return direction<2, from_line>(x + first_of_e);
+  }
+};
+
+}  // namespace vec
+
 /// Angle θ of a plane direction d from a direction e, counter-clockwise: d − r R(θ) e = 0, two
-/// equations. R(θ) turns by θ, and r is the constant ratio ‖d‖/‖e‖. Operands d, e, θ; c = {r}. A
-/// direction is one vector or, with OfLine (d) and FromLine (e), the two points of a line,
-/// start first. All operands must differ: lines with a common start use PlanarTurnAtPoint.
-template <bool OfLine, bool FromLine>
-struct PlanarTurn {
-  static constexpr std::string_view name =
-      OfLine ? (FromLine ? "planar_turn_segment_from_segment" : "planar_turn_segment_from_vector")
-             : (FromLine ? "planar_turn_vector_from_segment" : "planar_turn_vector_from_vector");
-  /// Index of the first operand of e, and of θ.
-  static constexpr int e = vec::direction_operands<OfLine>;
-  static constexpr int theta = e + vec::direction_operands<FromLine>;
-  static constexpr std::array<int, theta + 1> operand_sizes = [] {
-    std::array<int, theta + 1> sizes{};
-    sizes.fill(2);
-    sizes[theta] = 1;
-    return sizes;
-  }();
+/// equations. R(θ) turns by θ; c = {r}, the constant ratio ‖d‖/‖e‖.
+template <Between between>
+struct PlanarTurn : vec::AngleOperands<between> {
+  using Operands = vec::AngleOperands<between>;
+  using Operands::theta;
+  static constexpr std::string_view name = std::array<std::string_view, 5>{
+      "planar_turn_vector_from_vector", "planar_turn_vector_from_segment",
+      "planar_turn_segment_from_vector", "planar_turn_segment_from_segment",
+      "planar_turn_at_point"}[static_cast<int>(between)];
   static constexpr int constants = 1, rows = 2;
-  static constexpr int entries = 2 * ((OfLine ? 2 : 1) + (FromLine ? 4 : 2) + 1);
+  static constexpr int entries =
+      2 * ((Operands::of_line ? 2 : 1) + (Operands::from_line ? 4 : 2) + 1) -
+      (Operands::at_point ? 2 : 0);
   static constexpr bool linear = false;
 
   template <class S>
   static void residual(const S* const* x, const S* c, S* phi) {
     const vec::Turn<S> turn(c[0], x[theta][0]);
-    const auto d = vec::direction<2, OfLine>(x);
-    const auto f = turn(vec::direction<2, FromLine>(x + e));
+    const auto d = Operands::d(x);
+    const auto f = turn(Operands::e(x));
     for (int i = 0; i < 2; ++i) phi[i] = d[i] - f[i];
   }
   template <class S, class Entry>
   static void jacobian(const S* const* x, const S* c, Entry&& entry) {
+    constexpr int e = Operands::first_of_e;
     const vec::Turn<S> turn(c[0], x[theta][0]);
-    const auto f = turn(vec::direction<2, FromLine>(x + e));
+    const auto f = turn(Operands::e(x));
     for (int i = 0; i < 2; ++i) {
       const int other = 1 - i;
-      if constexpr (OfLine) entry(i, 0, i, S(-1));
+      if constexpr (Operands::at_point) {
+        entry(i, 0, i, turn.cosine - S(1));
+        entry(i, 0, other, turn.across(i));
+      } else if constexpr (Operands::of_line) {
+        entry(i, 0, i, S(-1));
+      }
       entry(i, e - 1, i, S(1));
-      if constexpr (FromLine) {
+      if constexpr (Operands::from_line && !Operands::at_point) {
         entry(i, e, i, turn.cosine);
         entry(i, e, other, turn.across(i));
       }
@@ -219,46 +247,7 @@ struct PlanarTurn {
   template <class S>
   static void quadratic(const S* const* x, const S* const* v, const S* c, S* gamma) {
     const vec::Turn<S> turn(c[0], x[theta][0]);
-    vec::quadratic_of_turn(turn(vec::direction<2, FromLine>(x + e)),
-                           turn(vec::direction<2, FromLine>(v + e)), v[theta][0], gamma);
-  }
-};
-
-/// Angle θ between two lines from one point o, to b and to a: (b − o) − r R(θ) (a − o) = 0, two
-/// equations. Operands o, b, a, θ; c = {r}, the constant ratio ‖b − o‖/‖a − o‖.
-struct PlanarTurnAtPoint {
-  static constexpr std::string_view name = "planar_turn_at_point";
-  static constexpr std::array operand_sizes{2, 2, 2, 1};
-  static constexpr int constants = 1, rows = 2, entries = 12;
-  static constexpr bool linear = false;
-
-  template <class S>
-  static void residual(const S* const* x, const S* c, S* phi) {
-    const vec::Turn<S> turn(c[0], x[3][0]);
-    const auto d = vec::difference<2>(x[0], x[1]);
-    const auto f = turn(vec::difference<2>(x[0], x[2]));
-    for (int i = 0; i < 2; ++i) phi[i] = d[i] - f[i];
-  }
-  template <class S, class Entry>
-  static void jacobian(const S* const* x, const S* c, Entry&& entry) {
-    const vec::Turn<S> turn(c[0], x[3][0]);
-    const auto f = turn(vec::difference<2>(x[0], x[2]));
-    for (int i = 0; i < 2; ++i) {
-      const int other = 1 - i;
-      entry(i, 0, i, turn.cosine - S(1));
-      entry(i, 0, other, turn.across(i));
-      entry(i, 1, i, S(1));
-      entry(i, 2, i, -turn.cosine);
-      entry(i, 2, other, -turn.across(i));
-    }
-    entry(0, 3, 0, f[1]);
-    entry(1, 3, 0, -f[0]);
-  }
-  template <class S>
-  static void quadratic(const S* const* x, const S* const* v, const S* c, S* gamma) {
-    const vec::Turn<S> turn(c[0], x[3][0]);
-    vec::quadratic_of_turn(turn(vec::difference<2>(x[0], x[2])),
-                           turn(vec::difference<2>(v[0], v[2])), v[3][0], gamma);
+    vec::quadratic_of_turn(turn(Operands::e(x)), turn(Operands::e(v)), v[theta][0], gamma);
   }
 };
 
@@ -273,27 +262,20 @@ struct FrameAngle {
                : (Line ? "frame_angle_from_x" : "frame_angle_from_x_of_vector");
   /// Index of operand φ.
   static constexpr int angle = 2 + vec::direction_operands<Line>;
-  static constexpr std::array<int, angle + 1> operand_sizes = [] {
-    std::array<int, angle + 1> sizes{};
-    sizes.fill(3);
-    sizes[angle] = 1;
-    return sizes;
-  }();
+  static constexpr auto operand_sizes = vec::sizes_and_scalar<angle>(3);
   static constexpr int constants = 0, rows = 1, entries = 3 * angle + 1;
   static constexpr bool linear = false, modulo_pi = true;
 
   template <class S>
   static void residual(const S* const* q, const S*, S* phi) {
-    using std::cos;
-    using std::sin;
+    using std::cos, std::sin;
     const auto w = vec::direction<3, Line>(q + 2);
     phi[0] = cos(q[angle][0]) * vec::dot<3>(q[1], w.data()) +
              opposite(sin(q[angle][0])) * vec::dot<3>(q[0], w.data());
   }
   template <class S, class Entry>
   static void jacobian(const S* const* q, const S*, Entry&& entry) {
-    using std::cos;
-    using std::sin;
+    using std::cos, std::sin;
     const S cosine = cos(q[angle][0]), sine = sin(q[angle][0]);
     const auto w = vec::direction<3, Line>(q + 2);
     for (int i = 0; i < 3; ++i) {
@@ -308,8 +290,7 @@ struct FrameAngle {
   }
   template <class S>
   static void quadratic(const S* const* q, const S* const* v, const S*, S* gamma) {
-    using std::cos;
-    using std::sin;
+    using std::cos, std::sin;
     const S cosine = cos(q[angle][0]), sine = sin(q[angle][0]), rate = v[angle][0];
     const auto w = vec::direction<3, Line>(q + 2);
     const auto w_rate = vec::direction<3, Line>(v + 2);

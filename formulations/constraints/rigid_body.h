@@ -116,19 +116,14 @@ struct Projection {
 /// Rigid combination: p − o − Σ cᵢ vᵢ = 0 for T vectors, D equations. Operands p, o, v₁ … v_T;
 /// c = {c₁ … c_T}. With T = 0, p coincides with o (a point, or a vector held in a direction).
 template <int D, int T>
-struct Rigid {
+struct Rigid : LinearKind<D> {
   static constexpr std::string_view name = [] {
     constexpr std::string_view names[2][4] = {{"rigid2_0", "rigid2_1", "rigid2_2", "rigid2_3"},
                                               {"rigid3_0", "rigid3_1", "rigid3_2", "rigid3_3"}};
     return names[D - 2][T];
   }();
-  static constexpr std::array<int, T + 2> operand_sizes = [] {
-    std::array<int, T + 2> sizes{};
-    sizes.fill(D);
-    return sizes;
-  }();
-  static constexpr int constants = T, rows = D, entries = D * (T + 2);
-  static constexpr bool linear = true;
+  static constexpr auto operand_sizes = vec::sizes<T + 2>(D);
+  static constexpr int constants = T, entries = D * (T + 2);
 
   template <class S>
   static void residual(const S* const* x, const S* c, S* phi) {
@@ -145,29 +140,20 @@ struct Rigid {
       for (int k = 0; k < T; ++k) entry(i, k + 2, i, -c[k]);
     }
   }
-  template <class S>
-  static void quadratic(const S* const*, const S* const*, const S*, S* gamma) {
-    for (int i = 0; i < D; ++i) gamma[i] = S(0);
-  }
 };
 
 /// Combination of T vectors or points: p − Σ cᵢ eᵢ = 0, D equations. Operands p, e₁ … e_T;
 /// c = {c₁ … c_T}. A point is a combination of points when Σ cᵢ = 1.
 template <int D, int T>
-struct Combination {
+struct Combination : LinearKind<D> {
   static constexpr std::string_view name = [] {
     constexpr std::string_view names[2][4] = {
         {"combination2_1", "combination2_2", "combination2_3", "combination2_4"},
         {"combination3_1", "combination3_2", "combination3_3", "combination3_4"}};
     return names[D - 2][T - 1];
   }();
-  static constexpr std::array<int, T + 1> operand_sizes = [] {
-    std::array<int, T + 1> sizes{};
-    sizes.fill(D);
-    return sizes;
-  }();
-  static constexpr int constants = T, rows = D, entries = D * (T + 1);
-  static constexpr bool linear = true;
+  static constexpr auto operand_sizes = vec::sizes<T + 1>(D);
+  static constexpr int constants = T, entries = D * (T + 1);
 
   template <class S>
   static void residual(const S* const* x, const S* c, S* phi) {
@@ -183,10 +169,6 @@ struct Combination {
       for (int k = 0; k < T; ++k) entry(i, k + 1, i, -c[k]);
     }
   }
-  template <class S>
-  static void quadratic(const S* const*, const S* const*, const S*, S* gamma) {
-    for (int i = 0; i < D; ++i) gamma[i] = S(0);
-  }
 };
 
 /// A point or a vector p of a planar body by a direction d of that body, two equations. J is the
@@ -196,20 +178,14 @@ struct Combination {
 /// Operands p, then the origin a (of a point), then d: a vector x; or, with Line, the points a
 /// and b, d = b − a. The line of a point starts at its origin, which is listed once: p, a, b.
 template <bool Point, bool Line>
-struct PlanarRelation {
+struct PlanarRelation : LinearKind<2> {
   static constexpr std::string_view name =
       Point ? (Line ? "planar_point_by_segment" : "planar_point_by_vector")
             : (Line ? "planar_vector_by_segment" : "planar_vector_by_vector");
   /// Operand that is the vector, or the start of the line.
   static constexpr int first = Point && !Line ? 2 : 1;
-  static constexpr std::array<int, first + vec::direction_operands<Line>> operand_sizes = [] {
-    std::array<int, first + vec::direction_operands<Line>> sizes{};
-    sizes.fill(2);
-    return sizes;
-  }();
-  static constexpr int constants = 2, rows = 2;
-  static constexpr int entries = Line ? 10 : Point ? 8 : 6;
-  static constexpr bool linear = true;
+  static constexpr auto operand_sizes = vec::sizes<first + vec::direction_operands<Line>>(2);
+  static constexpr int constants = 2, entries = Line ? 10 : Point ? 8 : 6;
 
   template <class S>
   static void residual(const S* const* x, const S* c, S* phi) {
@@ -234,11 +210,6 @@ struct PlanarRelation {
       entry(i, last, i, -c[0]);
       entry(i, last, other, across);
     }
-  }
-  template <class S>
-  static void quadratic(const S* const*, const S* const*, const S*, S* gamma) {
-    gamma[0] = S(0);
-    gamma[1] = S(0);
   }
 };
 

@@ -79,12 +79,7 @@ template <bool Line>
 struct PlanarBearing {
   static constexpr std::string_view name = Line ? "planar_bearing" : "planar_bearing_of_vector";
   static constexpr int theta = vec::direction_operands<Line>;
-  static constexpr std::array<int, theta + 1> operand_sizes = [] {
-    std::array<int, theta + 1> sizes{};
-    sizes.fill(2);
-    sizes[theta] = 1;
-    return sizes;
-  }();
+  static constexpr auto operand_sizes = vec::sizes_and_scalar<theta>(2);
   static constexpr int constants = 0, rows = 1, entries = 2 * theta + 1;
   static constexpr bool linear = false, modulo_pi = true;
 
@@ -109,24 +104,21 @@ struct PlanarBearing {
  private:
   template <class S>
   static vec::Parallel<S> parallel(const S* const* x) {
-    using std::cos;
-    using std::sin;
+    using std::cos, std::sin;
     return {{cos(x[theta][0]), sin(x[theta][0])}, vec::direction<2, Line>(x)};
   }
 };
 
 /// Angle θ of a plane direction d from a direction e, counter-clockwise: r R(θ) e × d = 0.
 /// Operands, r and R(θ) as in PlanarTurn; c = {r}. It holds modulo π.
-template <bool OfLine, bool FromLine>
-struct PlanarBearingFrom {
-  static constexpr std::string_view name =
-      OfLine
-          ? (FromLine ? "planar_bearing_segment_from_segment"
-                      : "planar_bearing_segment_from_vector")
-          : (FromLine ? "planar_bearing_vector_from_segment" : "planar_bearing_vector_from_vector");
-  using Turn = PlanarTurn<OfLine, FromLine>;
-  static constexpr int e = Turn::e, theta = Turn::theta;
-  static constexpr auto operand_sizes = Turn::operand_sizes;
+template <Between between>
+struct PlanarBearingFrom : vec::AngleOperands<between> {
+  using Operands = vec::AngleOperands<between>;
+  using Operands::theta;
+  static constexpr std::string_view name = std::array<std::string_view, 5>{
+      "planar_bearing_vector_from_vector", "planar_bearing_vector_from_segment",
+      "planar_bearing_segment_from_vector", "planar_bearing_segment_from_segment",
+      "planar_bearing_at_point"}[static_cast<int>(between)];
   static constexpr int constants = 1, rows = 1, entries = 2 * theta + 1;
   static constexpr bool linear = false, modulo_pi = true;
 
@@ -136,93 +128,45 @@ struct PlanarBearingFrom {
   }
   template <class S, class Entry>
   static void jacobian(const S* const* x, const S* c, Entry&& entry) {
+    constexpr int e = Operands::first_of_e;
     const vec::Turn<S> turn(c[0], x[theta][0]);
     const vec::Parallel<S> p = parallel(x, turn);
     for (int i = 0; i < 2; ++i) {
-      if constexpr (OfLine) entry(0, 0, i, -p.of_d(i));
+      const S of_e = p.of_e(turn, i);
+      if constexpr (Operands::at_point)
+        entry(0, 0, i, -p.of_d(i) - of_e);
+      else if constexpr (Operands::of_line)
+        entry(0, 0, i, -p.of_d(i));
       entry(0, e - 1, i, p.of_d(i));
-      if constexpr (FromLine) entry(0, e, i, -p.of_e(turn, i));
-      entry(0, theta - 1, i, p.of_e(turn, i));
+      if constexpr (Operands::from_line && !Operands::at_point) entry(0, e, i, -of_e);
+      entry(0, theta - 1, i, of_e);
     }
     entry(0, theta, 0, p.of_theta());
   }
   template <class S>
   static void quadratic(const S* const* x, const S* const* v, const S* c, S* gamma) {
     const vec::Turn<S> turn(c[0], x[theta][0]);
-    gamma[0] = parallel(x, turn).quadratic(turn(vec::direction<2, FromLine>(v + e)),
-                                           vec::direction<2, OfLine>(v), v[theta][0]);
+    gamma[0] = parallel(x, turn).quadratic(turn(Operands::e(v)), Operands::d(v), v[theta][0]);
   }
 
  private:
   template <class S>
   static vec::Parallel<S> parallel(const S* const* x, const vec::Turn<S>& turn) {
-    return {turn(vec::direction<2, FromLine>(x + e)), vec::direction<2, OfLine>(x)};
+    return {turn(Operands::e(x)), Operands::d(x)};
   }
 };
 
-/// Angle θ between two lines from one point o, to b and to a: r R(θ) (a − o) × (b − o) = 0.
-/// Operands o, b, a, θ; c = {r}, as in PlanarTurnAtPoint. It holds modulo π.
-struct PlanarBearingAtPoint {
-  static constexpr std::string_view name = "planar_bearing_at_point";
-  static constexpr std::array operand_sizes{2, 2, 2, 1};
-  static constexpr int constants = 1, rows = 1, entries = 7;
-  static constexpr bool linear = false, modulo_pi = true;
-
-  template <class S>
-  static void residual(const S* const* x, const S* c, S* phi) {
-    phi[0] = parallel(x, vec::Turn<S>(c[0], x[3][0])).residual();
-  }
-  template <class S, class Entry>
-  static void jacobian(const S* const* x, const S* c, Entry&& entry) {
-    const vec::Turn<S> turn(c[0], x[3][0]);
-    const vec::Parallel<S> p = parallel(x, turn);
-    for (int i = 0; i < 2; ++i) {
-      const S of_e = p.of_e(turn, i);
-      entry(0, 0, i, -p.of_d(i) - of_e);
-      entry(0, 1, i, p.of_d(i));
-      entry(0, 2, i, of_e);
-    }
-    entry(0, 3, 0, p.of_theta());
-  }
-  template <class S>
-  static void quadratic(const S* const* x, const S* const* v, const S* c, S* gamma) {
-    const vec::Turn<S> turn(c[0], x[3][0]);
-    gamma[0] = parallel(x, turn).quadratic(turn(vec::difference<2>(v[0], v[2])),
-                                           vec::difference<2>(v[0], v[1]), v[3][0]);
-  }
-
- private:
-  template <class S>
-  static vec::Parallel<S> parallel(const S* const* x, const vec::Turn<S>& turn) {
-    return {turn(vec::difference<2>(x[0], x[2])), vec::difference<2>(x[0], x[1])};
-  }
-};
-
-/// Single-equation kind that replaces Kind, with the same operands and the first of its constants,
-/// where other equations imply the rest. void: there is none.
-template <class Kind>
-struct ScalarDefinition {
-  using type = void;
-};
+/// Returns the kind of one equation that replaces a kind, with the same operands and the first of
+/// its constants, where other equations imply the rest. void: there is none.
+void scalar_definition(...);
 template <int D>
-struct ScalarDefinition<Along<D>> {
-  using type = Reach<D>;
-};
-template <>
-struct ScalarDefinition<PlanarAngle> {
-  using type = PlanarBearing<true>;
-};
-template <>
-struct ScalarDefinition<PlanarDirection> {
-  using type = PlanarBearing<false>;
-};
-template <bool OfLine, bool FromLine>
-struct ScalarDefinition<PlanarTurn<OfLine, FromLine>> {
-  using type = PlanarBearingFrom<OfLine, FromLine>;
-};
-template <>
-struct ScalarDefinition<PlanarTurnAtPoint> {
-  using type = PlanarBearingAtPoint;
-};
+Reach<D> scalar_definition(Along<D>);
+PlanarBearing<true> scalar_definition(PlanarAngle);
+PlanarBearing<false> scalar_definition(PlanarDirection);
+template <Between between>
+PlanarBearingFrom<between> scalar_definition(PlanarTurn<between>);
+
+template <class Kind>
+using ScalarDefinition = decltype(scalar_definition(Kind{}));
 
 }  // namespace desmo

@@ -39,8 +39,39 @@ std::array<S, D> direction(const S* const* x) {
   }
 }
 
+/// Returns the sizes of operands that have D components each …
+template <int operands>
+constexpr std::array<int, operands> sizes(int D) {
+  std::array<int, operands> result{};
+  result.fill(D);
+  return result;
+}
+/// … and of such operands with a scalar after them.
+template <int operands>
+constexpr std::array<int, operands + 1> sizes_and_scalar(int D) {
+  std::array<int, operands + 1> result = sizes<operands + 1>(D);
+  result[operands] = 1;
+  return result;
+}
+
 /// Number of operands of a direction.
 template <bool Line>
 inline constexpr int direction_operands = Line ? 2 : 1;
 
 }  // namespace desmo::vec
+
+namespace desmo {
+
+/// What all linear kinds have in common.
+template <int Rows>
+struct LinearKind {
+  static constexpr int rows = Rows;
+  static constexpr bool linear = true;
+
+  template <class S>
+  static void quadratic(const S* const*, const S* const*, const S*, S* gamma) {
+    for (int i = 0; i < rows; ++i) gamma[i] = S(0);
+  }
+};
+
+}  // namespace desmo

@@ -1,10 +1,17 @@
-#include "formulations/equations/tables_of.h"
+#include "formulations/equations/kernel_sets.h"
 
 namespace desmo {
 
-std::span<const KernelTables> built_in_kernels() {
-  static const KernelTables tables[] = {tables_of<KernelSet::cases>()};
-  return tables;
+std::span<const KernelLibrary> built_in_kernels() {
+  static const KernelLibrary libraries[] = {
+      cases_kernels(),
+      cases_explicit_kernels(),
+      cases_lane_kernels(FourLanes()),
+#ifdef DESMO_WIDE_LANES
+      cases_lane_kernels(EightLanes()),
+#endif
+  };
+  return libraries;
 }
 
 }  // namespace desmo

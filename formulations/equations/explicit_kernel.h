@@ -112,7 +112,4 @@ struct ExplicitKernel {
   std::array<Solve*, 3> solve;  ///< indexed by Level
 };
 
-/// Returns the explicit kernel that desmo was built with for a fingerprint, or null.
-const ExplicitKernel* find_explicit_kernel(std::string_view fingerprint);
-
 }  // namespace desmo

@@ -1,25 +1,19 @@
 #pragma once
 
-#include <cstddef>
+#include <span>
 
 #include "formulations/equations/explicit_kernel.h"
 #include "formulations/equations/kernel.h"
+#include "formulations/equations/lane_kernel.h"
 
 namespace desmo {
 
-struct LaneKernel;
-
-template <class Kernel>
-struct KernelList {
-  const Kernel* first = nullptr;
-  std::size_t size = 0;
-};
-
-/// Content of a file of compiled kernels: the type of its exported object `desmo_kernels`.
+/// Compiled kernels: of a set that desmo was built with, or of a file that it loads, whose exported
+/// object `desmo_kernels` has this type.
 struct KernelLibrary {
-  KernelList<Kernel> kernels;
-  KernelList<ExplicitKernel> explicit_kernels;
-  KernelList<LaneKernel> lane_kernels;
+  std::span<const Kernel> kernels;
+  std::span<const ExplicitKernel> explicit_kernels;
+  std::span<const LaneKernel> lane_kernels;
 };
 
 }  // namespace desmo

@@ -1,54 +1,33 @@
 #pragma once
 
 #include <span>
+#include <type_traits>
 
-#include "formulations/equations/explicit_kernel.h"
-#include "formulations/equations/kernel.h"
-#include "formulations/equations/lane_kernel.h"
+#include "formulations/equations/kernel_library.h"
 
 namespace desmo {
 
-/// Mechanisms whose kernels are generated together when desmo is built. A type of group that occurs
-/// in both sets has its kernels in the first.
-enum class KernelSet {
-  cases,    ///< the paper's two cases and the requests in cases/requests
-  library,  ///< the mechanisms of cases/library
-};
+// Kernels that are generated when desmo is built, by the set of mechanisms that they come from and,
+// for batches, the number of lanes. A type of group that occurs in both sets has its kernels in the
+// first. Kernels for 8 lanes exist only in builds with DESMO_WIDE_LANES. References are returned,
+// not libraries: what these functions are compiled for, their caller's processor may lack.
+using FourLanes = std::integral_constant<int, 4>;
+using EightLanes = std::integral_constant<int, 8>;
 
-/// Return the generated kernels of a set. Kernels for 8 lanes exist only in builds with
-/// DESMO_WIDE_LANES.
-template <KernelSet>
-std::span<const Kernel> kernels();
-template <KernelSet>
-std::span<const ExplicitKernel> explicit_kernels();
-template <KernelSet, int lanes>
-std::span<const LaneKernel> lane_kernels();
-template <>
-std::span<const Kernel> kernels<KernelSet::cases>();
-template <>
-std::span<const ExplicitKernel> explicit_kernels<KernelSet::cases>();
-template <>
-std::span<const LaneKernel> lane_kernels<KernelSet::cases, 4>();
-template <>
-std::span<const LaneKernel> lane_kernels<KernelSet::cases, 8>();
-template <>
-std::span<const Kernel> kernels<KernelSet::library>();
-template <>
-std::span<const ExplicitKernel> explicit_kernels<KernelSet::library>();
-template <>
-std::span<const LaneKernel> lane_kernels<KernelSet::library, 4>();
-template <>
-std::span<const LaneKernel> lane_kernels<KernelSet::library, 8>();
+/// Return the kernels of the paper's two cases and of the requests in cases/requests.
+const KernelLibrary& cases_kernels();
+const KernelLibrary& cases_explicit_kernels();
+const KernelLibrary& cases_lane_kernels(FourLanes);
+const KernelLibrary& cases_lane_kernels(EightLanes);
 
-/// Tables of one set.
-struct KernelTables {
-  std::span<const Kernel> kernels;
-  std::span<const ExplicitKernel> explicit_kernels;
-  std::span<const LaneKernel> four_lanes, eight_lanes;
-};
+/// Return the kernels of the mechanisms of cases/library.
+const KernelLibrary& library_kernels();
+const KernelLibrary& library_explicit_kernels();
+const KernelLibrary& library_lane_kernels(FourLanes);
+const KernelLibrary& library_lane_kernels(EightLanes);
 
-/// Returns the tables of all sets that the program was linked with. A program links either
-/// desmo_kernels (both sets) or desmo_case_kernels (the first alone).
-std::span<const KernelTables> built_in_kernels();
+/// Returns the kernels that the program was linked with: of both sets (built_in_all.cpp) or of the
+/// first alone (built_in_cases.cpp).
+std::span<const KernelLibrary> built_in_kernels();
 
 }  // namespace desmo

@@ -1,21 +1,22 @@
 #include "formulations/equations/kernel_table.h"
 
 #include <algorithm>
-#include <span>
 #include <utility>
 
-#include "formulations/equations/lane_kernel.h"
-#include "formulations/equations/symbolic.h"
+#include "formulations/equations/kernel_sets.h"
 
 namespace desmo {
 
-namespace {
-
-auto is_named(std::string_view fingerprint) {
-  return [=](const auto& kernel) { return kernel.fingerprint == fingerprint; };
+bool has_lanes(int lanes) {
+  if (lanes == 4) return true;  // what everything is compiled for, or what the compiler makes of it
+#ifdef DESMO_WIDE_LANES
+  if (lanes == 8)  // x86-64-v4
+    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+           __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
+           __builtin_cpu_supports("avx512vl");
+#endif
+  return false;
 }
-
-}  // namespace
 
 const KernelTable& KernelTable::built_in() {
   static const KernelTable table{};
@@ -27,31 +28,33 @@ void KernelTable::add(std::shared_ptr<const KernelLibrary> library) {
 }
 
 template <class K, class IsWanted>
-const K* KernelTable::find_added(KernelList<K> KernelLibrary::*list,
-                                 const IsWanted& is_wanted) const {
-  for (const auto& library : added_) {
-    const KernelList<K>& kernels = (*library).*list;
-    const std::span<const K> all(kernels.first, kernels.size);
-    const auto it = std::ranges::find_if(all, is_wanted);
-    if (it != all.end()) return &*it;
-  }
+const K* KernelTable::find(std::span<const K> KernelLibrary::*list,
+                           const IsWanted& is_wanted) const {
+  const auto find_in = [&](const KernelLibrary& library) {
+    const std::span<const K> kernels = library.*list;
+    const auto it = std::ranges::find_if(kernels, is_wanted);
+    return it == kernels.end() ? nullptr : &*it;
+  };
+  for (const KernelLibrary& library : built_in_kernels())
+    if (const K* const kernel = find_in(library)) return kernel;
+  for (const auto& library : added_)
+    if (const K* const kernel = find_in(*library)) return kernel;
   return nullptr;
 }
 
 const Kernel* KernelTable::find_kernel(std::string_view fingerprint) const {
-  const Kernel* built = desmo::find_kernel(fingerprint);
-  return built ? built : find_added(&KernelLibrary::kernels, is_named(fingerprint));
+  return find(&KernelLibrary::kernels,
+              [&](const Kernel& kernel) { return kernel.fingerprint == fingerprint; });
 }
 
 const ExplicitKernel* KernelTable::find_explicit_kernel(std::string_view fingerprint) const {
-  const ExplicitKernel* built = desmo::find_explicit_kernel(fingerprint);
-  return built ? built : find_added(&KernelLibrary::explicit_kernels, is_named(fingerprint));
+  return find(&KernelLibrary::explicit_kernels,
+              [&](const ExplicitKernel& kernel) { return kernel.fingerprint == fingerprint; });
 }
 
 const LaneKernel* KernelTable::find_lane_kernel(std::string_view fingerprint, int lanes) const {
-  const LaneKernel* built = desmo::find_lane_kernel(fingerprint, lanes);
-  if (built || !has_lanes(lanes)) return built;
-  return find_added(&KernelLibrary::lane_kernels, [&](const LaneKernel& kernel) {
+  if (!has_lanes(lanes)) return nullptr;
+  return find(&KernelLibrary::lane_kernels, [&](const LaneKernel& kernel) {
     return kernel.lanes == lanes && kernel.fingerprint == fingerprint;
   });
 }

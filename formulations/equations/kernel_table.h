@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -26,7 +27,7 @@ class KernelTable {
 
  private:
   template <class K, class IsWanted>
-  const K* find_added(KernelList<K> KernelLibrary::*list, const IsWanted& is_wanted) const;
+  const K* find(std::span<const K> KernelLibrary::*list, const IsWanted& is_wanted) const;
 
   std::vector<std::shared_ptr<const KernelLibrary>> added_;
 };

@@ -34,8 +34,4 @@ struct LaneKernel {
 /// Returns whether this build has code for a number of lanes and this processor the registers.
 bool has_lanes(int lanes);
 
-/// Returns the kernel that desmo was built with for a fingerprint and a number of lanes. Null when
-/// there is none, or the processor lacks such registers.
-const LaneKernel* find_lane_kernel(std::string_view fingerprint, int lanes);
-
 }  // namespace desmo

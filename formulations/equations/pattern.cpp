@@ -5,6 +5,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "formulations/base/index_range.h"
+
 namespace desmo {
 
 PatternWithSlots make_pattern(const Model& m, const PartDefinition& part,
@@ -17,9 +19,8 @@ PatternWithSlots make_pattern(const Model& m, const PartDefinition& part,
   const auto rank = [&](const JacobianEntry& e) {
     constexpr std::array unread{2, 0, 0};
     if (e.row < 0) return unread;
-    const auto column = std::ranges::lower_bound(p.unknowns, e.state);
-    if (column != p.unknowns.end() && *column == e.state)
-      return std::array{0, static_cast<int>(column - p.unknowns.begin()), e.row};
+    if (const int column = position_in(p.unknowns, e.state); column >= 0)
+      return std::array{0, column, e.row};
     return e.resting ? unread : std::array{1, e.row, e.state};
   };
   std::vector<std::array<int, 3>> ranks;

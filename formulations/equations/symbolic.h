@@ -1,19 +1,14 @@
 #pragma once
 
 #include <optional>
-#include <string_view>
 #include <vector>
 
 #include "formulations/equations/equations.h"
-#include "formulations/equations/kernel.h"
 #include "formulations/equations/kernel_table.h"
 #include "formulations/model/model.h"
 #include "formulations/structure/partition.h"
 
 namespace desmo {
-
-/// Returns the kernel that desmo was built with for a fingerprint, or null.
-const Kernel* find_kernel(std::string_view fingerprint);
 
 /// A generated kernel bound to a group of a model, or to a block of a group.
 struct BoundKernel {

@@ -1,7 +1,6 @@
 #include "formulations/groupwise/double_solution.h"
 
 #include "formulations/groupwise/groupwise_solver_impl.h"
-#include "formulations/groupwise/walk.h"
 
 namespace desmo {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "formulations/groupwise/wide_state.h"
+#include "formulations/groupwise/part_system.h"
 #include "formulations/model/model.h"
 #include "formulations/structure/partition.h"
 

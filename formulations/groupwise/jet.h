@@ -27,13 +27,11 @@ struct Jet {
             a.second * b.value + S(2) * (a.first * b.first) + a.value * b.second};
   }
   friend Jet sin(const Jet& a) {
-    using std::cos;
-    using std::sin;
+    using std::cos, std::sin;
     return chain(a, sin(a.value), cos(a.value), -sin(a.value));
   }
   friend Jet cos(const Jet& a) {
-    using std::cos;
-    using std::sin;
+    using std::cos, std::sin;
     return chain(a, cos(a.value), -sin(a.value), -cos(a.value));
   }
 

@@ -5,12 +5,20 @@
 #include <cstddef>
 #include <vector>
 
+#include "formulations/base/index_range.h"
 #include "formulations/constraints/constraints.h"
-#include "formulations/groupwise/wide_state.h"
 #include "formulations/model/model.h"
 #include "formulations/structure/partition.h"
 
 namespace desmo {
+
+/// q, q̇ and q̈ of a whole model, each followed by the fixed entities, in any scalar.
+template <class S>
+struct WideState {
+  std::vector<S> q, qd, qdd;
+
+  explicit WideState(int size) : q(size, S(0)), qd(size, S(0)), qdd(size, S(0)) {}
+};
 
 /// The n equations of one part as a dense matrix and vectors in any scalar, from the functions of
 /// the constraint kinds.
@@ -59,7 +67,7 @@ struct PartSystem {
       Kind::jacobian(x.data(), constants.data(), [&](int r, int operand, int i, const S& value) {
         const int at = first[operand] + i;
         if (place[r] < 0) return;
-        if (const int j = column(at); j >= 0) {
+        if (const int j = position_in(part_.unknowns, at); j >= 0) {
           jacobian[place[r] * n + j] = value;
         } else {
           velocity[place[r]] -= value * state_.qd[at];
@@ -68,13 +76,6 @@ struct PartSystem {
       });
     });
     return row;
-  }
-
-  /// Returns the column of a state component; -1: the part takes it as known.
-  int column(int at) const {
-    const auto it = std::ranges::lower_bound(part_.unknowns, at);
-    return it != part_.unknowns.end() && *it == at ? static_cast<int>(it - part_.unknowns.begin())
-                                                   : -1;
   }
 
   const Model& m_;

@@ -4,10 +4,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "formulations/modelling/bodies/representable.h"
 #include "formulations/modelling/bodies/rigid_bodies.h"
 #include "formulations/modelling/equations/candidates.h"
-#include "formulations/modelling/groups/idle_freedoms.h"
 #include "formulations/modelling/groups/structure.h"
 #include "formulations/modelling/independence/independence.h"
 

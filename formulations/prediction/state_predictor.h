@@ -8,7 +8,7 @@
 #include "formulations/base/part.h"
 #include "formulations/base/settings.h"
 #include "formulations/prediction/predictor.h"
-#include "formulations/structure/defined_part.h"
+#include "formulations/structure/partition.h"
 
 namespace desmo {
 

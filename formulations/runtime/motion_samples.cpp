@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "formulations/codegen/record/sampled_type.h"
+#include "formulations/codegen/record/recording.h"
 #include "formulations/variants.h"
 
 namespace desmo::load {

@@ -31,47 +31,40 @@ double reach(const Model& m, EntityId e, const double* x, double length) {
   return norm + (is_length(entity.kind) ? length : 1);
 }
 
-/// Of each row of a constraint, whose lengths are about `length`: u Σⱼ |∂Φ/∂qⱼ| |qⱼ|.
+/// What the rows of a constraint are measured by.
+template <std::size_t rows>
+struct RowSizes {
+  std::array<double, rows> magnitude{};
+  std::array<double, rows> rounding{};  // u Σⱼ |∂Φ/∂qⱼ| |qⱼ|
+};
+
+/// Of a constraint whose lengths are about `length`.
 template <class Kind>
-std::array<double, Kind::rows> roundings(Kind, const Model& m, const Constraint& c,
-                                         const std::vector<double>& state, double length) {
+RowSizes<Kind::rows> row_sizes(Kind, const Model& m, const Constraint& c,
+                               const std::vector<double>& state, double length) {
   constexpr std::size_t operands = Kind::operand_sizes.size();
   constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
-  std::array<double, operands> change;
-  std::array<const double*, operands> x;
-  for (std::size_t k = 0; k < operands; ++k) {
-    x[k] = state.data() + m.state_index(c.operands[k]);
-    change[k] = unit_roundoff * reach(m, c.operands[k], x[k], length);
-  }
-  std::array<double, Kind::rows> result{};
-  Kind::jacobian(x.data(), c.constants.data(), [&](int row, int operand, int, double value) {
-    result[row] += std::abs(value) * change[operand];
-  });
-  return result;
-}
-
-/// Of each row of a constraint, whose lengths are about `length`.
-template <class Kind>
-std::array<double, Kind::rows> magnitudes(Kind, const Model& m, const Constraint& c,
-                                          const std::vector<double>& state, double length) {
-  constexpr std::size_t operands = Kind::operand_sizes.size();
-  std::array<double, operands> size;
+  std::array<double, operands> size, change;
   std::array<std::array<double, 3>, operands> move;  // a little of everything, to and fro
   std::array<const double*, operands> x, v;
   for (std::size_t k = 0; k < operands; ++k) {
+    x[k] = state.data() + m.state_index(c.operands[k]);
+    change[k] = unit_roundoff * reach(m, c.operands[k], x[k], length);
     size[k] = is_length(m.entities[c.operands[k]].kind) ? length : 1;
     move[k].fill((k % 2 == 0 ? size[k] : -size[k]) / std::sqrt(Kind::operand_sizes[k]));
-    x[k] = state.data() + m.state_index(c.operands[k]);
     v[k] = move[k].data();
   }
-  std::array<double, Kind::rows> result{}, second;
+  RowSizes<Kind::rows> result;
+  std::array<double, Kind::rows> second;
   Kind::jacobian(x.data(), c.constants.data(), [&](int row, int operand, int, double value) {
-    result[row] = std::hypot(result[row], value * size[operand]);
+    result.magnitude[row] = std::hypot(result.magnitude[row], value * size[operand]);
+    result.rounding[row] += std::abs(value) * change[operand];
   });
   Kind::quadratic(x.data(), v.data(), c.constants.data(), second.data());
   for (int row = 0; row < Kind::rows; ++row) {
-    result[row] = std::max(result[row], min_share * std::abs(second[row]) / 2);
-    if (!(result[row] > 0) || !std::isfinite(result[row])) result[row] = 1;
+    double& magnitude = result.magnitude[row];
+    magnitude = std::max(magnitude, min_share * std::abs(second[row]) / 2);
+    if (!(magnitude > 0) || !std::isfinite(magnitude)) magnitude = 1;
   }
   return result;
 }
@@ -85,8 +78,7 @@ Magnitudes::Magnitudes(const Model& m) {
   for (const Constraint& c : m.constraints) {
     first_row_.push_back(static_cast<int>(magnitude_.size()));
     visit_kind(c.kind, [&](auto kind) {
-      const auto rows = magnitudes(kind, m, c, state, lengths.of(c));
-      const auto rounded = roundings(kind, m, c, state, lengths.of(c));
+      const auto [rows, rounded] = row_sizes(kind, m, c, state, lengths.of(c));
       magnitude_.insert(magnitude_.end(), rows.begin(), rows.end());
       rounding_.insert(rounding_.end(), rounded.begin(), rounded.end());
     });

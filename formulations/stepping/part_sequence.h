@@ -10,7 +10,7 @@
 #include "formulations/base/part.h"
 #include "formulations/prediction/guess.h"
 #include "formulations/prediction/motions_ahead.h"
-#include "formulations/structure/defined_part.h"
+#include "formulations/structure/partition.h"
 
 namespace desmo {
 

@@ -4,7 +4,7 @@
 
 #include "formulations/base/part.h"
 #include "formulations/formulation.h"
-#include "formulations/structure/defined_part.h"
+#include "formulations/structure/partition.h"
 
 namespace desmo {
 

@@ -38,13 +38,13 @@ std::vector<PartDefinition> whole_groups(const Model& m) {
   return parts;
 }
 
-void append(PartDefinition& to, const PartDefinition& part) {
-  to.groups.insert(to.groups.end(), part.groups.begin(), part.groups.end());
-  to.unknowns.insert(to.unknowns.end(), part.unknowns.begin(), part.unknowns.end());
-  to.equations.insert(to.equations.end(), part.equations.begin(), part.equations.end());
-}
-
 }  // namespace
+
+void PartDefinition::append(const PartDefinition& part) {
+  groups.insert(groups.end(), part.groups.begin(), part.groups.end());
+  unknowns.insert(unknowns.end(), part.unknowns.begin(), part.unknowns.end());
+  equations.insert(equations.end(), part.equations.begin(), part.equations.end());
+}
 
 std::vector<PartDefinition> make_partition(const Model& m, Partition partition) {
   require_solution_order(m);
@@ -58,7 +58,7 @@ std::vector<PartDefinition> make_partition(const Model& m, Partition partition) 
     } else if (partition == Partition::group || moving.empty()) {
       moving.push_back(std::move(group));
     } else {
-      append(moving.front(), group);
+      moving.front().append(group);
     }
   }
   if (partition == Partition::global && !moving.empty()) std::ranges::sort(moving.front().unknowns);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <compare>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -29,7 +31,7 @@ enum class Evaluation {
 struct Equation {
   int constraint;  ///< position in Model::constraints
   int row;         ///< row within that constraint
-  bool operator==(const Equation&) const = default;
+  auto operator<=>(const Equation&) const = default;
 };
 
 /// The definition of a part: n unknowns and n scalar equations.
@@ -38,7 +40,27 @@ struct PartDefinition {
   std::vector<int> unknowns;        ///< coordinates solved for, ascending
   std::vector<Equation> equations;  ///< ascending
   bool constant = false;            ///< depends on no driver: solved once, at assembly
+
+  /// Appends the groups, unknowns and equations of another part; does not sort them.
+  void append(const PartDefinition& part);
 };
+
+/// A part of a formulation: its definition (unknowns, equations) and its solver.
+struct DefinedPart {
+  PartDefinition definition;
+  std::unique_ptr<Part> solver;
+  /// The solver is of the kind that the formulation's id names. False when generated code was
+  /// missing and automatic equations stand in for it.
+  bool as_named = true;
+  Level level = Level::acceleration;  ///< highest level at which its unknowns are requested
+  /// Tolerance on ‖Φ‖₂ of its weighted equations: its share of the whole, or what rounding leaves.
+  double tolerance = 0;
+};
+
+class Formulation;
+
+/// Returns the parts of a formulation in the order of solution.
+const std::vector<DefinedPart>& parts_of(const Formulation& formulation);
 
 /// Returns the parts of a partition in solution order. Constant groups come first, each a part of
 /// its own; groups of drivers only are omitted. Throws std::invalid_argument when a group needs a

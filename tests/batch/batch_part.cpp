@@ -15,7 +15,7 @@
 #include "cases/generators/cases.h"
 #include "formulations/parts/explicit_part.h"
 #include "formulations/scaling/magnitudes.h"
-#include "formulations/structure/defined_part.h"
+#include "formulations/structure/partition.h"
 #include "formulations/variants.h"
 #include "tests/borrowed_part.h"
 #include "tests/mechanisms.h"
@@ -50,7 +50,8 @@ class Pieces : public ::testing::Test {
   }
 
   const ExplicitKernel& kernel(std::size_t i) const {
-    return *find_explicit_kernel(bind_kernel(model_, definitions_[i])->kernel->fingerprint);
+    return *KernelTable::built_in().find_explicit_kernel(
+        bind_kernel(model_, definitions_[i])->kernel->fingerprint);
   }
 
   Subsystem copy(const std::vector<std::size_t>& parts) {
@@ -123,7 +124,7 @@ class Pieces : public ::testing::Test {
     static const LaneKernel* sound = nullptr;
     SubsystemKernels kernels;
     for (const std::size_t i : copies.front())
-      kernels.push_back(find_lane_kernel(kernel(i).fingerprint, 4));
+      kernels.push_back(KernelTable::built_in().find_lane_kernel(kernel(i).fingerprint, 4));
     sound = kernels.back();
     ASSERT_NE(sound, nullptr);
     LaneKernel refusing = *sound;
@@ -215,7 +216,7 @@ TEST_F(Pieces, LeaveInTheStateWhatIsReadThere) {
   for (const std::size_t lever : of_size(lever_size)) {
     copies.push_back({lever});
     members.push_back(copy({lever}));
-    kernels = {find_lane_kernel(kernel(lever).fingerprint, 4)};
+    kernels = {KernelTable::built_in().find_lane_kernel(kernel(lever).fingerprint, 4)};
   }
   BatchPart together({kernels}, std::move(members), kinds(), Guess::previous);
   std::vector<bool> read(model_.state_size(), false);

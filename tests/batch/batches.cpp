@@ -21,7 +21,7 @@
 #include "formulations/id.h"
 #include "formulations/prediction/motion_sampler.h"
 #include "formulations/prediction/motions_ahead.h"
-#include "formulations/structure/defined_part.h"
+#include "formulations/structure/partition.h"
 #include "formulations/variants.h"
 #include "tests/everything.h"
 #include "tests/lanes_here.h"

@@ -256,18 +256,18 @@ TEST(Meaning, OfAPlanarDirection) {
 TEST(Meaning, OfAPlanarTurnIsTheAngleCounterClockwise) {
   // e = (2, 1) turned by π/2 and stretched by 3 is d = (−3, 6).
   const Vec d{-3, 6}, e{2, 1}, a{1, 1}, b{-2, 7}, p{5, 5}, q{7, 6}, quarter{right};
-  expect_residual<PlanarTurn<false, false>>({{d, e, quarter}}, {3}, {0, 0});
-  expect_residual<PlanarTurn<false, true>>({{d, p, q, quarter}}, {3}, {0, 0});
-  expect_residual<PlanarTurn<true, false>>({{a, b, e, quarter}}, {3}, {0, 0});
-  expect_residual<PlanarTurn<true, true>>({{a, b, p, q, quarter}}, {3}, {0, 0});
-  expect_residual<PlanarTurnAtPoint>({{p, {2, 11}, q, quarter}}, {3}, {0, 0});
+  expect_residual<PlanarTurn<Between::vector_and_vector>>({{d, e, quarter}}, {3}, {0, 0});
+  expect_residual<PlanarTurn<Between::vector_and_line>>({{d, p, q, quarter}}, {3}, {0, 0});
+  expect_residual<PlanarTurn<Between::line_and_vector>>({{a, b, e, quarter}}, {3}, {0, 0});
+  expect_residual<PlanarTurn<Between::line_and_line>>({{a, b, p, q, quarter}}, {3}, {0, 0});
+  expect_residual<PlanarTurn<Between::lines_at_point>>({{p, {2, 11}, q, quarter}}, {3}, {0, 0});
   // The other way round it would be −d.
   const Vec back{-right};
-  expect_residual<PlanarTurn<false, false>>({{d, e, back}}, {3}, {-6, 12});
-  expect_residual<PlanarTurn<false, true>>({{d, p, q, back}}, {3}, {-6, 12});
-  expect_residual<PlanarTurn<true, false>>({{a, b, e, back}}, {3}, {-6, 12});
-  expect_residual<PlanarTurn<true, true>>({{a, b, p, q, back}}, {3}, {-6, 12});
-  expect_residual<PlanarTurnAtPoint>({{p, {2, 11}, q, back}}, {3}, {-6, 12});
+  expect_residual<PlanarTurn<Between::vector_and_vector>>({{d, e, back}}, {3}, {-6, 12});
+  expect_residual<PlanarTurn<Between::vector_and_line>>({{d, p, q, back}}, {3}, {-6, 12});
+  expect_residual<PlanarTurn<Between::line_and_vector>>({{a, b, e, back}}, {3}, {-6, 12});
+  expect_residual<PlanarTurn<Between::line_and_line>>({{a, b, p, q, back}}, {3}, {-6, 12});
+  expect_residual<PlanarTurn<Between::lines_at_point>>({{p, {2, 11}, q, back}}, {3}, {-6, 12});
 }
 
 TEST(Meaning, OfAReach) {
@@ -309,13 +309,13 @@ TEST(Meaning, OfABearingIsAnAngleModuloPi) {
 
   // As in PlanarTurn: e = (2, 1)/10 turned by π/2 and stretched by 3 is d = (−3, 6)/10.
   const Vec d{-0.3, 0.6}, e{0.2, 0.1}, b{0.7, 1.6}, p{0, 0}, q{0.2, 0.1}, end{-0.3, 0.6};
-  expect_modulo_pi<PlanarBearingFrom<false, false>>({{d, e, none}}, {3}, right);
-  expect_modulo_pi<PlanarBearingFrom<false, true>>({{d, p, q, none}}, {3}, right);
-  expect_modulo_pi<PlanarBearingFrom<true, false>>({{a, b, e, none}}, {3}, right);
-  expect_modulo_pi<PlanarBearingFrom<true, true>>({{a, b, p, q, none}}, {3}, right);
-  expect_modulo_pi<PlanarBearingAtPoint>({{p, end, q, none}}, {3}, right);
-  expect_modulo_pi<PlanarBearingAtPoint>({{p, end, q, none}}, {-3}, -right);
-  expect_residual<PlanarBearingFrom<false, false>>({{d, e, {0}}}, {3}, {0.45});
+  expect_modulo_pi<PlanarBearingFrom<Between::vector_and_vector>>({{d, e, none}}, {3}, right);
+  expect_modulo_pi<PlanarBearingFrom<Between::vector_and_line>>({{d, p, q, none}}, {3}, right);
+  expect_modulo_pi<PlanarBearingFrom<Between::line_and_vector>>({{a, b, e, none}}, {3}, right);
+  expect_modulo_pi<PlanarBearingFrom<Between::line_and_line>>({{a, b, p, q, none}}, {3}, right);
+  expect_modulo_pi<PlanarBearingFrom<Between::lines_at_point>>({{p, end, q, none}}, {3}, right);
+  expect_modulo_pi<PlanarBearingFrom<Between::lines_at_point>>({{p, end, q, none}}, {-3}, -right);
+  expect_residual<PlanarBearingFrom<Between::vector_and_vector>>({{d, e, {0}}}, {3}, {0.45});
 }
 
 TEST(Meaning, OfAFrameAngle) {

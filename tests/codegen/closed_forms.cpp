@@ -8,9 +8,8 @@
 #include <random>
 
 #include "formulations/codegen/order/closed_form.h"
-#include "formulations/codegen/order/opposite.h"
 #include "formulations/codegen/order/tearing.h"
-#include "formulations/codegen/record/inputs.h"
+#include "formulations/codegen/record/expression.h"
 
 namespace desmo::generate::closed_forms_test {
 namespace {
@@ -55,25 +54,26 @@ class ClosedForms : public testing::TestWithParam<unsigned> {
     Rates rates;
     for (const Expr e : task.equations)
       for (const Expr i : moving_inputs(e)) {
-        rates.set_first(i, input());
-        rates.set_second(i, input());
+        rates.set(Level::velocity, i, input());
+        rates.set(Level::acceleration, i, input());
       }
     for (const Expr x : task.x) {
-      rates.set_first(x, 0);
-      rates.set_second(x, 0);
+      rates.set(Level::velocity, x, 0);
+      rates.set(Level::acceleration, x, 0);
     }
-    const std::vector<Expr> first = form->first(rates);
-    for (std::size_t i = 0; i < first.size(); ++i) rates.set_first(task.x[i], first[i]);
-    const std::vector<Expr> second = form->second(rates);
-    for (std::size_t i = 0; i < second.size(); ++i) rates.set_second(task.x[i], second[i]);
+    const std::vector<Expr> first = form->rates(rates, Level::velocity);
+    for (std::size_t i = 0; i < first.size(); ++i) rates.set(Level::velocity, task.x[i], first[i]);
+    const std::vector<Expr> second = form->rates(rates, Level::acceleration);
+    for (std::size_t i = 0; i < second.size(); ++i)
+      rates.set(Level::acceleration, task.x[i], second[i]);
     // Near-singular samples have large rates, whose terms cancel.
     double largest = 1;
     for (const auto* level : {&first, &second})
       for (const Expr e : *level)
         for (const double v : e.samples()) largest = std::max(largest, std::abs(v));
     for (const Expr e : task.equations) {
-      expect_equal(rates.first(e), 0, 1e-11 * largest);
-      expect_equal(rates.second(e), 0, 1e-9 * largest);
+      expect_equal(rates.of(Level::velocity, e), 0, 1e-11 * largest);
+      expect_equal(rates.of(Level::acceleration, e), 0, 1e-9 * largest);
     }
   }
 };
@@ -195,13 +195,14 @@ TEST_P(ClosedForms, AreWrittenByEarlierOnesOfWhichTheyAreOppositesOrEquals) {
     ASSERT_TRUE(again);
     Rates rates;
     for (const Expr x : n) {
-      rates.set_first(x, input());
-      rates.set_second(x, input());
+      rates.set(Level::velocity, x, input());
+      rates.set(Level::acceleration, x, input());
     }
     for (std::size_t i = 0; i < 3; ++i) {
       expect_equal(again->values[i], m[i]);
-      expect_equal(again->first(rates)[i], side * rates.first(n[i]));
-      expect_equal(again->second(rates)[i], side * rates.second(n[i]));
+      expect_equal(again->rates(rates, Level::velocity)[i], side * rates.of(Level::velocity, n[i]));
+      expect_equal(again->rates(rates, Level::acceleration)[i],
+                   side * rates.of(Level::acceleration, n[i]));
     }
   }
   EXPECT_FALSE(as_earlier_or_opposite(solved(normal(c, 1), c), first, n));
@@ -243,13 +244,14 @@ TEST_P(ClosedForms, DerivativesAreThoseOfDifferences) {
   const Expr x = constant_input(x_at(t0)), y = constant_input(y_at(t0));
   const Expr f = x * x / y - sin(x * y) + y * cos(x) - x;
   Rates rates;
-  rates.set_first(x, std::cos(t0));
-  rates.set_first(y, t0);
-  rates.set_second(x, -std::sin(t0));
-  rates.set_second(y, 1);
-  EXPECT_NEAR(rates.first(f).samples()[0], (f_at(t0 + h) - f_at(t0 - h)) / (2 * h), 1e-6);
-  EXPECT_NEAR(rates.second(f).samples()[0], (f_at(t0 + h) - 2 * f_at(t0) + f_at(t0 - h)) / (h * h),
-              1e-5);
+  rates.set(Level::velocity, x, std::cos(t0));
+  rates.set(Level::velocity, y, t0);
+  rates.set(Level::acceleration, x, -std::sin(t0));
+  rates.set(Level::acceleration, y, 1);
+  EXPECT_NEAR(rates.of(Level::velocity, f).samples()[0], (f_at(t0 + h) - f_at(t0 - h)) / (2 * h),
+              1e-6);
+  EXPECT_NEAR(rates.of(Level::acceleration, f).samples()[0],
+              (f_at(t0 + h) - 2 * f_at(t0) + f_at(t0 - h)) / (h * h), 1e-5);
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, ClosedForms, testing::Range(1u, 9u));

@@ -10,7 +10,6 @@
 #include "formulations/constraints/constraints.h"
 #include "formulations/equations/automatic.h"
 #include "formulations/equations/symbolic.h"
-#include "formulations/structure/defined_part.h"
 #include "formulations/structure/part_type.h"
 #include "formulations/structure/partition.h"
 #include "formulations/variants.h"
@@ -161,7 +160,7 @@ TEST(Kernels, AreMissingVisibly) {
   m.constrain<Length<2>>(0, "to v", {v, p}, {4});
   m.constrain<Rigid<2, 0>>(0, "place", {v, a}, {});
   const PartDefinition part = make_partition(m, Partition::group).front();
-  EXPECT_EQ(find_kernel(describe_type(m, part).fingerprint), nullptr);
+  EXPECT_EQ(KernelTable::built_in().find_kernel(describe_type(m, part).fingerprint), nullptr);
   EXPECT_FALSE(bind_kernel(m, part));
   const auto f = make_formulation(find_variant("group_symbolic_eigen"), m);
   EXPECT_FALSE(parts_of(*f).front().as_named);

@@ -20,7 +20,7 @@
 #include "formulations/id.h"
 #include "formulations/parts/explicit_part.h"
 #include "formulations/scaling/magnitudes.h"
-#include "formulations/structure/defined_part.h"
+#include "formulations/structure/partition.h"
 #include "formulations/variants.h"
 #include "tests/borrowed_part.h"
 #include "tests/discard.h"

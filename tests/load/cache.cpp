@@ -5,7 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "formulations/structure/defined_part.h"
+#include "formulations/structure/partition.h"
 #include "tests/load/loading.h"
 
 namespace desmo::load::cache_test {

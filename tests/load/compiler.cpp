@@ -10,7 +10,7 @@
 
 #include "formulations/runtime/descriptor.h"
 #include "formulations/runtime/program.h"
-#include "formulations/structure/defined_part.h"
+#include "formulations/structure/partition.h"
 #include "tests/load/loading.h"
 
 namespace desmo::load::compiler_test {

@@ -4,7 +4,7 @@
 
 #include "formulations/batch/batch_part.h"
 #include "formulations/parts/explicit_part.h"
-#include "formulations/structure/defined_part.h"
+#include "formulations/structure/partition.h"
 #include "tests/load/loading.h"
 
 namespace desmo::load::own_kernels_test {

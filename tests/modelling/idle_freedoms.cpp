@@ -1,7 +1,5 @@
 // Freedoms that move nothing are named; what they do move is under-constrained.
 
-#include "formulations/modelling/groups/idle_freedoms.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <vector>
 
 #include "cases/io/files.h"
+#include "formulations/modelling/groups/structure.h"
 #include "formulations/modelling/modelling.h"
 #include "tests/modelling/common.h"
 

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "cases/generators/cases.h"
-#include "formulations/structure/defined_part.h"
+#include "formulations/structure/partition.h"
 #include "formulations/variants.h"
 #include "tests/every_variant.h"
 #include "tests/mechanisms.h"

@@ -4,7 +4,7 @@
 
 #include "cases/library/library.h"
 #include "formulations/parts/guarded_part.h"
-#include "formulations/structure/defined_part.h"
+#include "formulations/structure/partition.h"
 #include "formulations/variants.h"
 #include "formulations/verification/monitor/monitored_run.h"
 #include "tests/discard.h"

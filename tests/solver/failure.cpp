@@ -16,7 +16,7 @@
 #include "formulations/parts/inlined_part.h"
 #include "formulations/parts/newton_part.h"
 #include "formulations/scaling/magnitudes.h"
-#include "formulations/structure/defined_part.h"
+#include "formulations/structure/partition.h"
 #include "formulations/variants.h"
 #include "tests/dead_point.h"
 #include "tests/discard.h"

@@ -6,7 +6,7 @@
 
 #include "bench/cli/text.h"
 #include "formulations/parts/guarded_part.h"
-#include "formulations/structure/defined_part.h"
+#include "formulations/structure/partition.h"
 
 namespace desmo::cli {
 

@@ -11,7 +11,6 @@
 
 #include "bench/kit/memory.h"
 #include "bench/kit/verification.h"
-#include "formulations/structure/defined_part.h"
 #include "formulations/structure/partition.h"
 #include "formulations/verification/error.h"
 

@@ -14,7 +14,7 @@
 #include "cases/io/files.h"
 #include "cases/library/library.h"
 #include "formulations/modelling/modelling.h"
-#include "formulations/structure/defined_part.h"
+#include "formulations/structure/partition.h"
 
 namespace desmo::paper {
 

@@ -11,12 +11,6 @@ struct Along {
   Expr w, scale;
 };
 
-bool is_zero(const std::vector<Expr>& all) {
-  for (const Expr e : all)
-    if (!e.is_zero()) return false;
-  return true;
-}
-
 /// The unknown that this is, and nothing else.
 std::optional<int> as_unknown(const Affine& a) {
   std::optional<int> found;
@@ -31,7 +25,7 @@ std::optional<int> as_unknown(const Affine& a) {
 /// An equation with a single product, of two of the unknowns. Which of them is the length, other
 /// equations tell.
 std::optional<Along> as_along(const Quadratic& q, int row) {
-  if (q.products.size() != 1 || !is_zero(q.rest.coefficient)) return std::nullopt;
+  if (q.products.size() != 1 || !q.rest.is_constant()) return std::nullopt;
   const Quadratic::Product& p = q.products[0];
   const std::optional<int> i = as_unknown(p.a), j = as_unknown(p.b);
   if (!i || !j || *i == *j || !p.scale.is_constant()) return std::nullopt;
@@ -40,7 +34,7 @@ std::optional<Along> as_along(const Quadratic& q, int row) {
 
 /// ρ² of Σ dᵢ² = ρ², each of these unknowns once and no other.
 std::optional<Expr> as_radius2(const Quadratic& q, const std::vector<Along>& along) {
-  if (q.products.size() != along.size() || !is_zero(q.rest.coefficient)) return std::nullopt;
+  if (q.products.size() != along.size() || !q.rest.is_constant()) return std::nullopt;
   std::vector<int> seen(q.rest.coefficient.size(), 0);
   for (const Quadratic::Product& p : q.products) {
     const std::optional<int> i = as_unknown(p.a), j = as_unknown(p.b);

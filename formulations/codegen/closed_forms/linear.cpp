@@ -2,7 +2,7 @@
 
 #include "formulations/codegen/order/closed_form.h"
 #include "formulations/codegen/record/expansion.h"
-#include "formulations/codegen/record/inputs.h"
+#include "formulations/codegen/record/expression.h"
 
 namespace desmo::generate {
 

@@ -4,21 +4,15 @@
 #include <utility>
 
 #include "formulations/codegen/record/expansion.h"
-#include "formulations/codegen/record/inputs.h"
+#include "formulations/codegen/record/expression.h"
 
 namespace desmo::generate {
 
 namespace {
 
-bool is_constant(const Affine& a) {
-  for (const Expr c : a.coefficient)
-    if (!c.is_zero()) return false;
-  return true;
-}
-
 /// A sum of squares, each along one axis and all of one scale.
 std::optional<Sphere> as_sphere(const Quadratic& q, std::size_t n) {
-  if (!is_constant(q.rest)) return std::nullopt;
+  if (!q.rest.is_constant()) return std::nullopt;
   Sphere s{Vector(n), 0, 0};
   std::vector<bool> found(n, false);
   for (const Quadratic::Product& p : q.products) {

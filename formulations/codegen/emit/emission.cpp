@@ -152,12 +152,15 @@ std::string Emitter::text(int id) const {
   return {};
 }
 
-std::vector<int> Emitter::inputs_of(const std::vector<Expr>& expressions) {
-  std::vector<int> uses(Graph::current().size(), 0), result;
+void declare_inputs(std::ostream& out, const std::vector<Expr>& expressions,
+                    const std::string& declaration, const std::map<int, std::string>& places,
+                    std::set<int>& declared) {
+  std::vector<int> uses(Graph::current().size(), 0);
   for (const Expr e : expressions) count_uses(e.id(), uses);
-  for (int id = 0; id < Graph::current().size(); ++id)
-    if (uses[id] && Graph::current().node(id).op == Op::input) result.push_back(id);
-  return result;
+  for (const auto& [id, place] : places)
+    if (uses[id] && Graph::current().node(id).op == Op::input && declared.insert(id).second)
+      out << "  " << declaration << " " << Graph::current().node(id).name << " = " << place
+          << ";\n";
 }
 
 }  // namespace desmo::generate

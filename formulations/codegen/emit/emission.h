@@ -47,8 +47,6 @@ class Emitter {
   void prepare(const std::vector<Expr>& expressions);
   /// Returns the text of an expression; call prepare() first.
   std::string text(Expr e) const;
-  /// Returns the nodes of the inputs that the expressions read, in graph order.
-  static std::vector<int> inputs_of(const std::vector<Expr>& expressions);
 
  private:
   void declare(int id);
@@ -70,6 +68,14 @@ class Emitter {
   std::vector<Expr> folded_;
   mutable Readiness readiness_;  // caches what it computes
 };
+
+/// Declares the inputs that expressions read, in graph order: those that have a place and are not
+/// `declared` yet, to which it adds them.
+/// - declaration: what stands before a name, as "const double"
+/// - places: text that reads an input, by its node, as "q[in[3]]"
+void declare_inputs(std::ostream& out, const std::vector<Expr>& expressions,
+                    const std::string& declaration, const std::map<int, std::string>& places,
+                    std::set<int>& declared);
 
 /// Returns a double as C++ source that reads back to the same value.
 std::string literal(double value);

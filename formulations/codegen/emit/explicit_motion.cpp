@@ -1,9 +1,8 @@
-#include "formulations/codegen/emit/explicit_motion.h"
-
 #include <algorithm>
 #include <map>
 
-#include "formulations/codegen/order/core_system.h"
+#include "formulations/codegen/eliminate/elimination.h"
+#include "formulations/codegen/emit/explicit_plan.h"
 
 namespace desmo::generate {
 
@@ -28,21 +27,48 @@ Vector scaled(Vector rows, const Vector& scales) {
   return rows;
 }
 
+/// The linear system of a core, recorded once. A core of two unknowns is solved by its adjugate,
+/// whose latency is short; any other by elimination.
+class CoreSystem {
+ public:
+  explicit CoreSystem(std::vector<std::map<int, Expr>> m) {
+    if (m.size() == 2)
+      adjugate_.emplace(std::vector<Vector>{{m[0][0], m[0][1]}, {m[1][0], m[1][1]}});
+    else
+      elimination_.emplace(std::move(m));
+  }
+
+  Vector solve(const Vector& b) const {
+    return adjugate_ ? adjugate_->solve(b) : elimination_->solve(b);
+  }
+
+  /// The conditions under which a solution is trusted.
+  void add_monitors(SectionMotion& motion) const {
+    if (adjugate_)
+      motion.sizes = {{abs(adjugate_->determinant()), 1e-6, adjugate_->magnitude()}};
+    else
+      motion.pivots = elimination_->monitors();
+  }
+
+ private:
+  std::optional<Adjugate> adjugate_;
+  std::optional<Elimination> elimination_;
+};
+
 class Differentiator {
  public:
   explicit Differentiator(const RecordedPart& part) : part_(part) {
     for (std::size_t i = 0; i < part.q.size(); ++i) {
-      known_.set_first(part.q[i], part.qd[i]);
-      known_.set_second(part.q[i], part.qdd[i]);
+      known_.set(Level::velocity, part.q[i], part.qd[i]);
+      known_.set(Level::acceleration, part.q[i], part.qdd[i]);
     }
   }
 
   /// Rates of the unknowns are zero until they are found.
   void forget(const std::vector<int>& unknowns) {
-    for (const int i : unknowns) {
-      known_.set_first(part_.q[i], 0);
-      known_.set_second(part_.q[i], 0);
-    }
+    for (const int i : unknowns)
+      for (const Level level : {Level::velocity, Level::acceleration})
+        known_.set(level, part_.q[i], 0);
   }
 
   SectionMotion differentiate(const OrderSection& s) {
@@ -53,64 +79,45 @@ class Differentiator {
     std::vector<std::map<int, Expr>> matrix(torn);
     for (std::size_t k = 0; k < torn; ++k) {
       Rates along;
-      along.set_first(part_.q[s.torn[k]], 1);
-      slopes.push_back(first(s, along));
+      along.set(Level::velocity, part_.q[s.torn[k]], 1);
+      slopes.push_back(rates_of_definitions(s, along, Level::velocity));
       for (std::size_t r = 0; r < torn; ++r)
-        if (const Expr slope = along.first(s.residuals[r]); !slope.is_zero())
+        if (const Expr slope = along.of(Level::velocity, s.residuals[r]); !slope.is_zero())
           matrix[r].emplace(static_cast<int>(k), slope);
     }
     // Lengths have rows of twice something: what waits for them does not wait for the doubling.
     const Vector scales = take_factors(matrix);
     const CoreSystem core(matrix);
     motion.increments = core.solve(scaled(s.residuals, scales));
-    motion.pivots = core.pivots();
-    motion.sizes = core.sizes();
+    core.add_monitors(motion);
 
     const std::vector<int> unknowns = unknowns_of(s);
-    const auto complete = [&](const Vector& held, Vector residual_rates, const Vector& named) {
-      for (Expr& r : residual_rates) r = -r;
-      Vector rates = core.solve(scaled(residual_rates, scales));
+    const auto solve = [&](Level level, const Vector& named) {
+      Rates rates = known_;
+      const Vector held = rates_of_definitions(s, rates, level);
+      Vector right;
+      for (const Expr r : s.residuals) right.push_back(-rates.of(level, r));
+      Vector result = core.solve(scaled(right, scales));
       for (std::size_t i = 0; i < held.size(); ++i) {
         Expr sum = held[i];
         for (std::size_t k = 0; k < torn; ++k) sum = sum + slopes[k][i] * named[s.torn[k]];
-        rates.push_back(sum);
+        result.push_back(sum);
       }
-      return rates;
+      for (const int i : unknowns) known_.set(level, part_.q[i], named[i]);
+      return result;
     };
-    Rates velocities = known_;
-    const Vector v = first(s, velocities);
-    motion.velocities = complete(v, all(s.residuals, velocities, &Rates::first), part_.qd);
-    for (const int i : unknowns) known_.set_first(part_.q[i], part_.qd[i]);
-    Rates accelerations = known_;
-    const Vector a = second(s, accelerations);
-    motion.accelerations = complete(a, all(s.residuals, accelerations, &Rates::second), part_.qdd);
-    for (const int i : unknowns) known_.set_second(part_.q[i], part_.qdd[i]);
+    motion.velocities = solve(Level::velocity, part_.qd);
+    motion.accelerations = solve(Level::acceleration, part_.qdd);
     return motion;
   }
 
  private:
-  static Vector all(const Vector& expressions, const Rates& rates,
-                    Expr (Rates::*level)(Expr) const) {
-    Vector result;
-    for (const Expr e : expressions) result.push_back((rates.*level)(e));
-    return result;
-  }
-
   /// Rates of what is defined, one definition after the other; `rates` takes them up.
-  Vector first(const OrderSection& s, Rates& rates) const {
+  Vector rates_of_definitions(const OrderSection& s, Rates& rates, Level level) const {
     Vector all;
     for (const Definition& d : s.definitions) {
-      const Vector x = d.form.first(rates);
-      for (std::size_t i = 0; i < x.size(); ++i) rates.set_first(part_.q[d.unknowns[i]], x[i]);
-      all.insert(all.end(), x.begin(), x.end());
-    }
-    return all;
-  }
-  Vector second(const OrderSection& s, Rates& rates) const {
-    Vector all;
-    for (const Definition& d : s.definitions) {
-      const Vector x = d.form.second(rates);
-      for (std::size_t i = 0; i < x.size(); ++i) rates.set_second(part_.q[d.unknowns[i]], x[i]);
+      const Vector x = d.form.rates(rates, level);
+      for (std::size_t i = 0; i < x.size(); ++i) rates.set(level, part_.q[d.unknowns[i]], x[i]);
       all.insert(all.end(), x.begin(), x.end());
     }
     return all;

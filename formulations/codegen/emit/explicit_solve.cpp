@@ -1,13 +1,12 @@
-#include "formulations/codegen/emit/explicit_solve.h"
-
 #include <algorithm>
 #include <set>
 #include <sstream>
 
 #include "formulations/codegen/eliminate/monitors.h"
 #include "formulations/codegen/emit/emission.h"
-#include "formulations/codegen/order/order_text.h"
-#include "formulations/codegen/record/inputs.h"
+#include "formulations/codegen/emit/explicit_plan.h"
+#include "formulations/codegen/order/explicit_order.h"
+#include "formulations/codegen/record/expression.h"
 
 namespace desmo::generate {
 
@@ -108,7 +107,9 @@ class SolveWriter {
   const std::string& place(Expr e) const { return plan_.places.at(e.id()); }
 
   /// Declares what is read of other parts.
-  void load(const Expressions& expressions) { plan_.load(out_, expressions, "const T", declared_); }
+  void load(const Expressions& expressions) {
+    declare_inputs(out_, expressions, "const T", plan_.places, declared_);
+  }
 
   /// Each position goes where it belongs at once: kept for the end it would have to leave the
   /// registers twice.
@@ -211,24 +212,17 @@ class SolveWriter {
 
   /// Divisors and square roots of a section, against what they are made of.
   void add_monitors(std::size_t index) {
-    const auto add_sizes = [&](const std::vector<SizeMonitor>& sizes) {
-      emitter_.prepare(monitored(sizes));
-      sound(conditions(emitter_, sizes));
-    };
-    const auto add_pivots = [&](const std::vector<PivotMonitor>& pivots) {
-      emitter_.prepare(monitored(pivots));
-      sound(conditions(emitter_, pivots));
+    const auto add = [&](const auto& monitors) {
+      emitter_.prepare(monitored(monitors));
+      for (const std::string& c : conditions(emitter_, monitors))
+        out_ << "  sound &= " << c << ";\n";
     };
     for (const Definition& d : plan_.order[index].definitions) {
-      add_sizes(d.form.sizes);
-      add_pivots(d.form.pivots);
+      add(d.form.sizes);
+      add(d.form.pivots);
     }
-    add_sizes(plan_.motion[index].sizes);
-    add_pivots(plan_.motion[index].pivots);
-  }
-
-  void sound(const std::vector<std::string>& conditions) {
-    for (const std::string& c : conditions) out_ << "  sound &= " << c << ";\n";
+    add(plan_.motion[index].sizes);
+    add(plan_.motion[index].pivots);
   }
 
   void rates(std::size_t index, const std::string& array, const std::string& level,

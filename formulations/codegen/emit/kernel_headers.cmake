@@ -3,12 +3,12 @@
 set(DESMO_EMBEDDED_TEXTS "")
 set(DESMO_HEADER_TABLE "")
 foreach(header IN ITEMS cases/mechanism/level.h formulations/equations/kernel.h
-    formulations/equations/explicit_kernel.h formulations/equations/kernel_library.h
-    formulations/equations/elementary.h formulations/equations/turned_angle.h
-    formulations/equations/lane_kernel.h formulations/equations/lanes.h)
+    formulations/equations/explicit_kernel.h formulations/equations/lane_kernel.h
+    formulations/equations/kernel_library.h formulations/equations/elementary.h
+    formulations/equations/turned_angle.h formulations/equations/lanes.h)
   get_filename_component(name ${header} NAME_WE)
   set(for_lanes false)
-  if(name MATCHES "^lane")
+  if(name STREQUAL "lanes")
     set(for_lanes true)
   endif()
   desmo_embed(${name}_header ${PROJECT_SOURCE_DIR}/${header})

@@ -46,37 +46,26 @@ class KernelWriter {
     out_ << "}};\n\n";
   }
 
-  void residual() {
-    open("void residual(const double* q, const int* in, const double* c, double* phi)");
-    Emitter emitter = begin(g_.phi);
-    emitter.prepare(g_.phi);
+  /// Writes a function with one value for each equation.
+  void of_rows(const char* signature, const std::string& array, const Expressions& values) {
+    open(signature);
+    Emitter emitter = begin(values);
+    emitter.prepare(values);
     for (int r = 0; r < type_.rows(); ++r)
-      assign(emitter, "phi[" + std::to_string(r) + "]", g_.phi[r], type_.row_names[r]);
+      assign(emitter, array + "[" + std::to_string(r) + "]", values[r], type_.row_names[r]);
     close();
   }
 
-  void constant_entries() {
-    open("void constant(const double* c, const int* slot, double* values)");
-    write_values(g_.constant, 0);
-    close();
-  }
-
-  void jacobian_entries(const char* function, const std::vector<RecordedEntry>& list,
-                        std::size_t first) {
-    open(std::string("void ") + function +
-         "(const double* q, const int* in, const double* c, const int* slot, double* values)");
-    write_values(list, first);
-    close();
-  }
-
-  void quadratic() {
-    open(
-        "void quadratic(const double* q, const double* qd, const int* in, const double* c, "
-        "double* gamma)");
-    Emitter emitter = begin(g_.gamma);
-    emitter.prepare(g_.gamma);
-    for (int r = 0; r < type_.rows(); ++r)
-      assign(emitter, "gamma[" + std::to_string(r) + "]", g_.gamma[r], type_.row_names[r]);
+  /// Writes a function with one value for each of these entries, the first of which has that place.
+  void of_entries(const std::string& signature, const std::vector<RecordedEntry>& list,
+                  std::size_t first) {
+    open(signature);
+    const Expressions outputs = values_of(list);
+    Emitter emitter = begin(outputs);
+    emitter.prepare(outputs);
+    for (std::size_t e = 0; e < list.size(); ++e)
+      assign(emitter, "values[slot[" + std::to_string(first + e) + "]]", list[e].value,
+             type_.row_names[list[e].row] + ", " + type_.inputs[list[e].input].name);
     close();
   }
 
@@ -189,28 +178,13 @@ class KernelWriter {
   }
   void close() { out_ << "}\n\n"; }
 
-  /// Declares the inputs that the expressions read and that were not declared before.
   void load(const Expressions& expressions, const char* declaration) {
-    for (const int id : Emitter::inputs_of(expressions)) {
-      const auto source = source_.find(id);  // dimensions are read where they are used
-      if (source == source_.end() || !loaded_.insert(id).second) continue;
-      out_ << "  " << declaration << " " << Graph::current().node(id).name << " = "
-           << source->second << ";\n";
-    }
+    declare_inputs(out_, expressions, declaration, source_, loaded_);
   }
 
   Emitter begin(const Expressions& outputs) {
     load(outputs, "const double");
     return Emitter(out_, "  ", outputs);
-  }
-
-  void write_values(const std::vector<RecordedEntry>& list, std::size_t first) {
-    const Expressions outputs = values_of(list);
-    Emitter emitter = begin(outputs);
-    emitter.prepare(outputs);
-    for (std::size_t e = 0; e < list.size(); ++e)
-      assign(emitter, "values[slot[" + std::to_string(first + e) + "]]", list[e].value,
-             type_.row_names[list[e].row] + ", " + type_.inputs[list[e].input].name);
   }
 
   void assign(const Emitter& emitter, const std::string& target, Expr value,
@@ -237,11 +211,19 @@ void write_kernel(std::ostream& out, const std::string& name, const PartType& ty
   writer.entries("constant_entries", group.constant);
   writer.entries("dependent_entries", group.dependent);
   writer.entries("known_entries", group.known);
-  writer.constant_entries();
-  writer.residual();
-  writer.jacobian_entries("dependent", group.dependent, group.constant.size());
-  writer.jacobian_entries("known", group.known, group.constant.size() + group.dependent.size());
-  writer.quadratic();
+  writer.of_entries("void constant(const double* c, const int* slot, double* values)",
+                    group.constant, 0);
+  writer.of_rows("void residual(const double* q, const int* in, const double* c, double* phi)",
+                 "phi", group.phi);
+  const std::string arguments =
+      "(const double* q, const int* in, const double* c, const int* slot, double* values)";
+  writer.of_entries("void dependent" + arguments, group.dependent, group.constant.size());
+  writer.of_entries("void known" + arguments, group.known,
+                    group.constant.size() + group.dependent.size());
+  writer.of_rows(
+      "void quadratic(const double* q, const double* qd, const int* in, const double* c, "
+      "double* gamma)",
+      "gamma", group.gamma);
   writer.position();
   writer.rates();
   out << "}  // namespace " << name << "\n\n";

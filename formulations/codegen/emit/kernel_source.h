@@ -17,4 +17,15 @@ void write_kernel(std::ostream& out, const std::string& name, const PartType& ty
 /// Writes the Kernel of a kernel already written, as a table row.
 void write_table_row(std::ostream& out, const std::string& name, const PartType& type);
 
+/// Writes the functions of a type's explicit kernel (see ExplicitKernel) as C++ in namespace
+/// `name`. The same type and samples give the same bytes.
+void write_explicit_kernel(std::ostream& out, const std::string& name, const PartType& type,
+                           const std::vector<SamplePoint>& samples);
+
+/// Writes the ExplicitKernel of a kernel already written, as a table row.
+void write_explicit_table_row(std::ostream& out, const std::string& name, const PartType& type);
+
+/// Writes the LaneKernel of a kernel already written, as a table row.
+void write_lane_table_row(std::ostream& out, const std::string& name, const PartType& type);
+
 }  // namespace desmo::generate

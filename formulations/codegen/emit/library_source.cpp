@@ -4,7 +4,6 @@
 #include <initializer_list>
 #include <sstream>
 
-#include "formulations/codegen/emit/explicit_source.h"
 #include "formulations/codegen/emit/kernel_source.h"
 
 namespace desmo::generate {
@@ -37,13 +36,12 @@ struct Section {
   }
 };
 
-/// The table of that name, and the text of the KernelList of it.
+/// Writes the table of that name. Returns the text by which it is initialised from outside.
 std::string write_table(std::ostream& out, const char* row, const char* space, const char* name,
                         const std::ostringstream& rows) {
   if (rows.view().empty()) return "{}";
   out << "constexpr " << row << " " << name << "[] = {\n" << rows.view() << "};\n\n";
-  const std::string place = std::string("desmo::") + space + "::" + name;
-  return "{" + place + ", std::size(" + place + ")}";
+  return std::string("desmo::") + space + "::" + name;
 }
 
 }  // namespace
@@ -64,7 +62,7 @@ std::string library_source(const std::vector<SampledType>& types, LibraryContent
   if (contents.lanes > 1) out << "#define DESMO_LANES " << contents.lanes << "\n\n";
   for (const KernelHeader& header : kernel_headers())
     if (contents.lanes > 1 || !header.for_lanes) write_header(out, header.text);
-  out << "#include <array>\n#include <cmath>\n#include <iterator>\n\n"
+  out << "#include <array>\n#include <cmath>\n\n"
          "#ifndef __GLIBCXX__\n"
          "#error \"desmo was built with the GNU C++ library, and so must be what it loads\"\n"
          "#endif\n\n"

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "formulations/codegen/record/sampled_type.h"
+#include "formulations/codegen/record/recording.h"
 
 namespace desmo::generate {
 

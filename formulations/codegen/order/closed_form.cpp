@@ -2,7 +2,31 @@
 
 #include <utility>
 
+#include "formulations/codegen/record/expression.h"
+
 namespace desmo::generate {
+
+namespace {
+
+/// The values if its only branch were another.
+std::vector<Expr> values_on(const ClosedForm& form, Expr branch) {
+  std::vector<Expr> result;
+  for (const Expr v : form.values)
+    result.push_back(substitute(v, {{form.roots.front().branch.id(), branch}}));
+  return result;
+}
+
+bool are_equal(const std::vector<Expr>& a, const std::vector<Expr>& b, double sign) {
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (a[i].id() != (sign * b[i]).id()) return false;
+  return a.size() == b.size();
+}
+
+bool has_one_root_and_no_angle(const ClosedForm& form) {
+  return form.roots.size() == 1 && !form.bearing;
+}
+
+}  // namespace
 
 void Facts::learn(Expr e) {
   const Node n = Graph::current().node(e.id());
@@ -27,14 +51,9 @@ std::optional<ClosedForm> solve_closed(const Task& task) {
 
 void rates_by_equations(ClosedForm& form, std::vector<Expr> equations,
                         std::function<std::vector<Expr>(const std::vector<Expr>&)> solve) {
-  form.first = [equations, solve](const Rates& rates) {
+  form.rates = [=](const Rates& rates, Level level) {
     std::vector<Expr> b;
-    for (const Expr e : equations) b.push_back(-rates.first(e));
-    return solve(b);
-  };
-  form.second = [equations, solve](const Rates& rates) {
-    std::vector<Expr> b;
-    for (const Expr e : equations) b.push_back(-rates.second(e));
+    for (const Expr e : equations) b.push_back(-rates.of(level, e));
     return solve(b);
   };
 }
@@ -46,12 +65,12 @@ ClosedForm angle_by_bearing(std::string rule, ClosedForm::Bearing bearing, Expr 
   form.rule = std::move(rule);
   form.bearing = bearing;
   form.cost = 4;
-  form.first = [=](const Rates& r) {
-    return std::vector<Expr>{(x * r.first(y) - y * r.first(x)) * inverse};
-  };
-  form.second = [=](const Rates& r) {
-    const Expr rate = (x * r.first(y) - y * r.first(x)) * inverse;
-    const Expr changes = x * r.second(y) - y * r.second(x) - rate * r.first(radius2);
+  form.rates = [=](const Rates& r, Level level) {
+    const Expr y1 = r.of(Level::velocity, y), x1 = r.of(Level::velocity, x);
+    const Expr rate = (x * y1 - y * x1) * inverse;
+    if (level == Level::velocity) return std::vector<Expr>{rate};
+    const Expr changes =
+        x * r.of(level, y) - y * r.of(level, x) - rate * r.of(Level::velocity, radius2);
     return std::vector<Expr>{changes * inverse};
   };
   return form;
@@ -71,6 +90,34 @@ Expr magnitude(Expr e) {
   if (n.op == Op::multiply) return magnitude(Expr::node(n.a)) * magnitude(Expr::node(n.b));
   if (n.op == Op::negate) return magnitude(Expr::node(n.a));
   return abs(e);
+}
+
+std::optional<ClosedForm> as_earlier_or_opposite(const ClosedForm& form, const ClosedForm& earlier,
+                                                 const std::vector<Expr>& x) {
+  if (!has_one_root_and_no_angle(form) || !has_one_root_and_no_angle(earlier) ||
+      form.values.size() != earlier.values.size())
+    return std::nullopt;
+  const Expr branch = form.roots.front().branch, its_branch = earlier.roots.front().branch;
+  if (!are_equal(values_on(earlier, -its_branch), earlier.values, -1)) return std::nullopt;
+  const std::vector<Expr> on_this = values_on(earlier, branch);
+  const bool same = are_equal(form.values, on_this, 1);
+  if (!same && !are_equal(form.values, on_this, -1)) return std::nullopt;
+
+  const Expr sign = (same ? 1 : -1) * (branch * its_branch);
+  const auto signed_all = [sign](std::vector<Expr> values) {
+    for (Expr& v : values) v = sign * v;
+    return values;
+  };
+  ClosedForm result;
+  result.rule = form.rule + " again";
+  result.values = signed_all(x);
+  result.roots = form.roots;
+  result.rates = [=](const Rates& rates, Level level) {
+    std::vector<Expr> of_x;
+    for (const Expr e : x) of_x.push_back(rates.of(level, e));
+    return signed_all(of_x);
+  };
+  return result;
 }
 
 }  // namespace desmo::generate

@@ -43,9 +43,9 @@ struct ClosedForm {
   /// Expressions that the values simplify, with their values, such as the square of a square root.
   std::vector<std::pair<Expr, Expr>> consequences;
 
-  /// Functions that return velocities (first) or accelerations (second) of the unknowns. In their
-  /// argument, the unknowns' own rates of that order must be zero.
-  std::function<std::vector<Expr>(const Rates&)> first, second;
+  /// Returns the velocities or the accelerations of the unknowns. In its argument, the unknowns'
+  /// own rates of that level must be zero.
+  std::function<std::vector<Expr>(const Rates&, Level)> rates;
 };
 
 /// Values of expressions that equations already solved imply, such as u·u = 1.
@@ -79,9 +79,8 @@ std::optional<ClosedForm> solve_angle(const Task& task);
 /// Solves a task by the first rule that applies; nullopt when none does.
 std::optional<ClosedForm> solve_closed(const Task& task);
 
-/// Sets the rates of a closed form: form.first = ẋ by J ẋ = −Φ̇, and form.second = ẍ by J ẍ = −Φ̈,
-/// with J = ∂Φ/∂x. Φ̇ on the right is that of ẋ = 0, and Φ̈ that of ẍ = 0. equations: Φ. solve:
-/// returns x with J x = b.
+/// Sets form.rates by J ẋ = −Φ̇ and J ẍ = −Φ̈. On the right, the unknowns' own rates of that level
+/// are zero. solve: returns x with J x = b.
 void rates_by_equations(ClosedForm& form, std::vector<Expr> equations,
                         std::function<std::vector<Expr>(const std::vector<Expr>& b)> solve);
 
@@ -91,6 +90,12 @@ ClosedForm angle_by_bearing(std::string rule, ClosedForm::Bearing bearing, Expr 
 
 /// Adds an input ±1 for the sign of a root's pivot; at each sample point it has the pivot's sign.
 Expr branch_of(Expr pivot);
+
+/// Returns `form` written as +x or −x, with its rates, where x are the unknowns of an earlier
+/// closed form. The values must agree up to sign on every branch, as for two vectors normal to the
+/// same two others. Returns nullopt otherwise.
+std::optional<ClosedForm> as_earlier_or_opposite(const ClosedForm& form, const ClosedForm& earlier,
+                                                 const std::vector<Expr>& x);
 
 /// Returns e with the absolute value of each term, as a measure of its rounding errors.
 Expr magnitude(Expr e);

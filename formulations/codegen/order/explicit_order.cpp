@@ -2,31 +2,24 @@
 
 #include <algorithm>
 #include <set>
+#include <string_view>
 
-#include "formulations/codegen/order/angle_separation.h"
-#include "formulations/codegen/order/opposite.h"
 #include "formulations/codegen/order/tearing.h"
 #include "formulations/codegen/order/type_blocks.h"
-#include "formulations/codegen/record/inputs.h"
+#include "formulations/codegen/record/expression.h"
 
 namespace desmo::generate {
 
 namespace {
 
-/// Inputs that some expressions need.
-class Needs {
- public:
-  explicit Needs(const std::vector<Expr>& wanted) {
-    for (const Expr e : wanted) add(e);
-  }
-  void add(Expr e) {
-    for (const Expr input : moving_inputs(e)) inputs_.insert(input.id());
-  }
-  bool include(Expr input) const { return inputs_.contains(input.id()); }
-
- private:
-  std::set<int> inputs_;
-};
+/// Each once.
+std::string list(const std::vector<std::string>& names) {
+  std::string result;
+  std::set<std::string_view> seen;
+  for (const std::string& name : names)
+    if (seen.insert(name).second) result += (result.empty() ? "" : "; ") + name;
+  return result;
+}
 
 struct Solved {
   ClosedForm form;
@@ -95,19 +88,24 @@ class OrderMaker {
       core.residual_names.push_back(names(block.equations[e].rows));
     }
     // Backwards: what the residuals need belongs to the core, the rest follows it.
-    Needs needs(core.residuals);
+    std::set<int> needed_inputs;
+    const auto need = [&](const std::vector<Expr>& expressions) {
+      for (const Expr e : expressions)
+        for (const Expr input : moving_inputs(e)) needed_inputs.insert(input.id());
+    };
+    need(core.residuals);
     std::vector<Definition> after;
     for (auto p = torn.placed.rbegin(); p != torn.placed.rend(); ++p) {
       Definition d{std::move(p->form), {}, {}};
       bool needed = false;
       for (const int u : p->unknowns) {
         d.unknowns.push_back(block.unknowns[u]);
-        needed = needed || needs.include(part_.q[d.unknowns.back()]);
+        needed = needed || needed_inputs.contains(part_.q[d.unknowns.back()].id());
       }
       for (const int e : p->equations) d.because.push_back(names(block.equations[e].rows));
       if (needed) {
-        for (const int e : p->equations) needs.add(block.equations[e].equation);
-        for (const Expr v : d.form.values) needs.add(v);
+        for (const int e : p->equations) need({block.equations[e].equation});
+        need(d.form.values);
       }
       (needed ? core.definitions : after).push_back(std::move(d));
     }
@@ -134,6 +132,25 @@ class OrderMaker {
 
 std::vector<OrderSection> explicit_order(const PartType& type, const RecordedPart& part) {
   return OrderMaker(type, part).make();
+}
+
+std::string names_of(const PartType& type, const std::vector<int>& inputs) {
+  std::string result;
+  for (const int i : inputs) result += (result.empty() ? "" : ", ") + type.inputs[i].name;
+  return result;
+}
+
+std::string describe(const PartType& type, const std::vector<OrderSection>& order) {
+  std::string text;
+  for (const OrderSection& s : order) {
+    if (!s.torn.empty())
+      text += "  core of " + std::to_string(s.torn.size()) + ": " + names_of(type, s.torn) + "\n";
+    for (const Definition& d : s.definitions)
+      text += std::string(s.torn.empty() ? "  " : "    ") + names_of(type, d.unknowns) + ": " +
+              d.form.rule + " (" + list(d.because) + ")\n";
+    if (!s.torn.empty()) text += "    left to Newton: " + list(s.residual_names) + "\n";
+  }
+  return text;
 }
 
 }  // namespace desmo::generate

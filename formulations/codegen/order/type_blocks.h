@@ -1,7 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "formulations/codegen/order/explicit_order.h"
 #include "formulations/codegen/record/recording.h"
 
 namespace desmo::generate {
@@ -21,5 +23,18 @@ struct Block {
 /// Returns the irreducible blocks of a part's equations in solution order. Throws
 /// std::invalid_argument when the equations are structurally singular.
 std::vector<Block> blocks_of(const PartType& type, const RecordedPart& part);
+
+/// An angle eliminated from two equations of a block.
+struct SeparatedAngle {
+  Said rest;         ///< the equation ‖c‖² − R² = 0, which replaces the two
+  Definition angle;  ///< the angle, once c is known
+};
+
+/// Eliminates an angle θ from the two equations of a block that contain it. Their form must be
+/// M (cos θ, sin θ)ᵀ + c = 0. M is a known rotation or reflection times R; c does not contain θ.
+/// Then ‖c‖ = R, and the direction of c gives θ. Returns nullopt when there are no two such
+/// equations. angle: an unknown of the block.
+std::optional<SeparatedAngle> separate_angle(const Block& block, int angle, const PartType& type,
+                                             const RecordedPart& part);
 
 }  // namespace desmo::generate

@@ -96,12 +96,13 @@ class QuadraticTerm {
 
 Expr partial(Expr e, Expr input) {
   Rates rates;
-  rates.set_first(input, 1);
-  return rates.first(e);
+  rates.set(Level::velocity, input, 1);
+  return rates.of(Level::velocity, e);
 }
 
-Expr Rates::first(Expr e) const { return Linear(first_)(e); }
-
-Expr Rates::second(Expr e) const { return Linear(second_)(e) + 2 * QuadraticTerm(first_)(e); }
+Expr Rates::of(Level level, Expr e) const {
+  if (level == Level::velocity) return Linear(velocities_)(e);
+  return Linear(accelerations_)(e) + 2 * QuadraticTerm(velocities_)(e);
+}
 
 }  // namespace desmo::generate

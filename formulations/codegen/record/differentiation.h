@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "cases/mechanism/level.h"
 #include "formulations/codegen/record/expression.h"
 
 namespace desmo::generate {
@@ -13,14 +14,16 @@ Expr partial(Expr e, Expr input);
 /// were not set are zero.
 class Rates {
  public:
-  void set_first(Expr input, Expr rate) { first_.insert_or_assign(input.id(), rate); }
-  void set_second(Expr input, Expr rate) { second_.insert_or_assign(input.id(), rate); }
+  /// Sets the rate of an input at a level: its velocity or its acceleration.
+  void set(Level level, Expr input, Expr rate) {
+    (level == Level::velocity ? velocities_ : accelerations_).insert_or_assign(input.id(), rate);
+  }
 
-  Expr first(Expr e) const;   ///< ė
-  Expr second(Expr e) const;  ///< ë
+  /// Returns the rate of an expression at such a level: ė or ë.
+  Expr of(Level level, Expr e) const;
 
  private:
-  std::map<int, Expr> first_, second_;
+  std::map<int, Expr> velocities_, accelerations_;
 };
 
 }  // namespace desmo::generate

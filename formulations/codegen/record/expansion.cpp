@@ -1,6 +1,8 @@
 #include "formulations/codegen/record/expansion.h"
 
-#include "formulations/codegen/record/inputs.h"
+#include <algorithm>
+
+#include "formulations/codegen/record/expression.h"
 
 namespace desmo::generate {
 
@@ -39,12 +41,11 @@ std::optional<Quadratic> expand(Expr e, const std::vector<Expr>& x) {
     q.rest.constant = e;
     return q;
   }
-  const Node n = Graph::current().node(e.id());
-  if (n.op == Op::input) {
-    for (std::size_t i = 0; i < x.size(); ++i)
-      if (x[i].id() == e.id()) q.rest.coefficient[i] = 1;
+  if (const auto at = std::ranges::find(x, e.id(), &Expr::id); at != x.end()) {
+    q.rest.coefficient[at - x.begin()] = 1;
     return q;
   }
+  const Node n = Graph::current().node(e.id());
   const Expr a = Expr::node(n.a), b = n.b < 0 ? Expr(0) : Expr::node(n.b);
   const std::optional<Quadratic> l = expand(a, x), r = expand(b, x);
   if (!l || !r) return std::nullopt;
@@ -68,33 +69,12 @@ std::optional<Quadratic> expand(Expr e, const std::vector<Expr>& x) {
 }
 
 std::optional<Trigonometric> expand_angle(Expr e, Expr theta) {
-  if (!reads(e, {theta})) return Trigonometric{0, 0, e};
-  const Node n = Graph::current().node(e.id());
-  if (n.op == Op::input) return std::nullopt;
-  if (n.op == Op::cosine || n.op == Op::sine) {
-    if (n.a != theta.id()) return std::nullopt;
-    return n.op == Op::cosine ? Trigonometric{1, 0, 0} : Trigonometric{0, 1, 0};
-  }
-  const Expr a = Expr::node(n.a), b = n.b < 0 ? Expr(0) : Expr::node(n.b);
-  const std::optional<Trigonometric> l = expand_angle(a, theta), r = expand_angle(b, theta);
-  if (!l || !r) return std::nullopt;
-  const auto times = [](const Trigonometric& t, Expr by) {
-    return Trigonometric{t.cosine * by, t.sine * by, t.rest * by};
-  };
-  switch (n.op) {
-    case Op::add:
-      return Trigonometric{l->cosine + r->cosine, l->sine + r->sine, l->rest + r->rest};
-    case Op::subtract:
-      return Trigonometric{l->cosine - r->cosine, l->sine - r->sine, l->rest - r->rest};
-    case Op::negate:
-      return times(*l, -1);
-    case Op::multiply:
-      if (!reads(a, {theta})) return times(*r, a);
-      if (!reads(b, {theta})) return times(*l, b);
-      return std::nullopt;
-    default:
-      return std::nullopt;
-  }
+  const std::optional<Quadratic> q = expand(e, {cos(theta), sin(theta)});
+  if (!q || !q->products.empty()) return std::nullopt;
+  const auto& [coefficient, rest] = q->rest;
+  for (const Expr part : {coefficient[0], coefficient[1], rest})
+    if (reads(part, {theta})) return std::nullopt;
+  return Trigonometric{coefficient[0], coefficient[1], rest};
 }
 
 }  // namespace desmo::generate

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -11,10 +12,12 @@ namespace desmo::generate {
 struct Affine {
   std::vector<Expr> coefficient;
   Expr constant;
+
+  bool is_constant() const { return std::ranges::all_of(coefficient, &Expr::is_zero); }
 };
 
-/// A quadratic expression of some inputs x: Σ scale (a · b) + rest. Products stay as recorded:
-/// (x − g)² is not multiplied out, because that would lose digits far from the origin.
+/// A quadratic expression of some nodes x, inputs or others: Σ scale (a · b) + rest. Products stay
+/// as recorded: (x − g)² is not multiplied out, because that would lose digits far from the origin.
 struct Quadratic {
   struct Product {  ///< scale · a · b
     Expr scale;

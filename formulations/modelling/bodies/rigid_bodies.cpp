@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <stdexcept>
 #include <utility>
 
@@ -10,6 +11,36 @@
 namespace desmo {
 
 namespace nominal {
+
+Vec operator-(const Vec& a, const Vec& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+double dot(const Vec& a, const Vec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+double norm(const Vec& a) { return std::sqrt(dot(a, a)); }
+
+Vec direction(const Mechanism& d, const Mechanism::Direction& direction) {
+  return direction.is_line() ? d.points[direction.to].position - d.points[direction.from].position
+                             : d.vectors[direction.vector].direction;
+}
+
+double value(const Mechanism& d, const Mechanism::Coordinate& c) {
+  using enum Mechanism::CoordinateType;
+  if (c.type == component) return d.points[c.point].position[c.axis];
+  const Vec w = direction(d, c.of);
+  if (c.type == distance) return norm(w);
+  if (c.type == along) return dot(w, d.vectors[c.vector].direction);
+  if (d.dimension == 3) {
+    const double cosine = dot(w, direction(d, c.from));
+    return std::atan2(dot(w, direction(d, c.towards)), c.opposite ? -cosine : cosine);
+  }
+  const Vec x = c.from.is_given() ? direction(d, c.from) : Vec{1, 0, 0};
+  return std::atan2(x[0] * w[1] - x[1] * w[0], dot(x, w));
+}
+
+double size(const Mechanism& d) {
+  double largest = 0;
+  for (const Mechanism::Point& p : d.points)
+    largest = std::max(largest, norm(p.position - d.points.front().position));
+  return largest > 0 ? largest : 1;
+}
 
 Vec direction(const Mechanism& d, const RigidBody& body, const Mechanism::Direction& line) {
   Vec v = direction(d, line);
@@ -73,6 +104,20 @@ int count_freedoms(int dimension, const Basis& basis) {
   return translations + (directions < 2 ? 2 * directions : 3);
 }
 
+/// Their squares, and the rounding of these, are normal numbers.
+constexpr double shortest = 1e-152, longest = 1e152;
+
+void require_representable(double length, const std::string& body) {
+  if (length == 0 || !std::isfinite(length) || (length >= shortest && length <= longest)) return;
+  char text[120];
+  std::snprintf(
+      text, sizeof text,
+      "': the square of a length of %.0e on it is beyond double precision; choose another "
+      "unit of length",
+      length);
+  throw std::invalid_argument("body '" + body + text);
+}
+
 /// Lists what bodies carry, each once, one rigid body after the other.
 class Carried {
  public:
@@ -132,6 +177,17 @@ bool follows_from_points(const Mechanism& d, const RigidBody& body, int vector) 
     return std::ranges::find(body.points, point) != body.points.end();
   };
   return along && carries((*along)[0]) && carries((*along)[1]);
+}
+
+void require_representable(const Mechanism& d) {
+  for (const Mechanism::Body& body : d.bodies) {
+    if (&body == &d.bodies.front()) continue;  // its points are where they are
+    if (body.length) require_representable(*body.length, body.name);
+    for (const int p : body.points) {
+      const Mechanism::Vec &a = d.points[body.points.front()].position, &b = d.points[p].position;
+      require_representable(std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]), body.name);
+    }
+  }
 }
 
 RigidBodies find_rigid_bodies(const Mechanism& d) {

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "cases/mechanism/mechanism.h"
-#include "formulations/modelling/coordinates/nominal.h"
 
 namespace desmo {
 
@@ -44,6 +43,10 @@ struct RigidBodies {
 /// Returns whether a vector is declared along two points of this body and so follows from them.
 bool follows_from_points(const Mechanism& mechanism, const RigidBody& body, int vector);
 
+/// Throws std::invalid_argument, naming the body, when the square of a length on a body over- or
+/// underflows in double precision. Equations contain such squares.
+void require_representable(const Mechanism& mechanism);
+
 /// Merges fixed bodies and chooses their bases. Vectors that do not follow from points are taken
 /// first, in the mechanism's order, then lines from the body's first point. A direction within
 /// 6° of the span of earlier ones is taken only as a last resort. Throws std::invalid_argument,
@@ -52,8 +55,20 @@ bool follows_from_points(const Mechanism& mechanism, const RigidBody& body, int 
 /// - a declared length is not the nominal one, although a fixed joint adds points to the body.
 RigidBodies find_rigid_bodies(const Mechanism& mechanism);
 
+/// Geometry of a mechanism in its nominal position.
 namespace nominal {
 
+using Vec = Mechanism::Vec;
+
+Vec operator-(const Vec& a, const Vec& b);
+double dot(const Vec& a, const Vec& b);
+double norm(const Vec& a);
+/// Returns a direction: a vector as declared, or a line with its length.
+Vec direction(const Mechanism& mechanism, const Mechanism::Direction& d);
+/// Returns the value of a relative coordinate: an angle [rad] or a length.
+double value(const Mechanism& mechanism, const Mechanism::Coordinate& coordinate);
+/// Returns the largest distance of a point from the first one; 1 for a mechanism without extent.
+double size(const Mechanism& mechanism);
 /// Returns a direction on a rigid body. A line has the length that the body declares for its two
 /// points, if any, otherwise its nominal length.
 Vec direction(const Mechanism& mechanism, const RigidBody& body, const Mechanism::Direction& d);

@@ -2,19 +2,54 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <set>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
-#include "formulations/modelling/coordinates/declared_slides.h"
 #include "formulations/modelling/coordinates/placement.h"
-#include "formulations/modelling/groups/group_names.h"
 
 namespace desmo {
 
 namespace {
+
+/// I, II, III, IV, …
+std::string roman(int n) {
+  if (n >= 4000) return std::to_string(n);
+  static constexpr std::pair<int, const char*> digits[] = {
+      {1000, "M"}, {900, "CM"}, {500, "D"}, {400, "CD"}, {100, "C"}, {90, "XC"}, {50, "L"},
+      {40, "XL"},  {10, "X"},   {9, "IX"},  {5, "V"},    {4, "IV"},  {1, "I"}};
+  std::string text;
+  for (const auto& [value, digit] : digits)
+    for (; n >= value; n -= value) text += digit;
+  return text;
+}
+
+/// What the names of the bodies have in common up to a "/": "axle1/".
+std::string common_prefix(const std::vector<std::string>& names) {
+  std::string prefix = names.front();
+  for (const std::string& name : names)
+    prefix.resize(std::ranges::mismatch(prefix, name).in1 - prefix.begin());
+  const std::size_t slash = prefix.rfind('/');
+  return slash == std::string::npos ? "" : prefix.substr(0, slash + 1);
+}
+
+/// A generator of the paper's group names: SG-I, SG-II, …. The common prefix of the bodies' names,
+/// up to a "/", precedes the name: "axle1/SG-I".
+class GroupNames {
+ public:
+  /// Returns the next name for a group with these bodies (at least one).
+  std::string next(const std::vector<std::string>& bodies) {
+    const std::string prefix = common_prefix(bodies);
+    return prefix + "SG-" + roman(++numbers_[prefix]);
+  }
+
+ private:
+  std::map<std::string, int> numbers_;  // by prefix
+};
 
 using nominal::Vec;
 
@@ -67,9 +102,8 @@ class Modeller {
   /// Relative coordinates: those declared, and the distances of spatial sliding joints.
   void place_coordinates() {
     result_.measured = d_.coordinates;
-    const DeclaredSlides declared(d_);
     for (const Mechanism::Joint& j : d_.joints)
-      if (d_.dimension == 3 && DeclaredSlides::slides(j) && !declared.contain(j)) {
+      if (d_.dimension == 3 && slides(j) && !declares_distance(d_, j)) {
         Mechanism::Coordinate& c = result_.measured.emplace_back();
         c.name = j.name + "/distance";
         c.type = Mechanism::CoordinateType::along;
@@ -172,6 +206,17 @@ class Modeller {
 };
 
 }  // namespace
+
+bool slides(const Mechanism::Joint& j) {
+  return j.points.size() == 2;  // a point of each body
+}
+
+bool declares_distance(const Mechanism& d, const Mechanism::Joint& j) {
+  return slides(j) && std::ranges::any_of(d.coordinates, [&](const Mechanism::Coordinate& c) {
+           return c.type == Mechanism::CoordinateType::along && c.vector == j.vectors[0] &&
+                  std::minmax({c.of.from, c.of.to}) == std::minmax({j.points[0], j.points[1]});
+         });
+}
 
 Coordinates make_coordinates(const Mechanism& d, const RigidBodies& rigid,
                              const Structure& structure, const std::vector<Motion>& motions) {

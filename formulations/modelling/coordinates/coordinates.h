@@ -19,6 +19,11 @@ struct Coordinates {
   std::vector<EntityId> coordinates;  ///< entity of each relative coordinate
 };
 
+/// Returns whether a joint slides (see JointForm), so that the distance along it can define it.
+bool slides(const Mechanism::Joint& joint);
+/// Returns whether the mechanism declares the distance along a sliding joint as a coordinate.
+bool declares_distance(const Mechanism& mechanism, const Mechanism::Joint& joint);
+
 /// Makes the coordinates of a mechanism. Ground points are constants. A ground vector that moving
 /// bodies share is a coordinate vector of a constant group, as in the paper; others are constants.
 /// place_entities() assigns entities to groups, GroupNames names the groups. motions: one per

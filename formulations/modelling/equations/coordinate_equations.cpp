@@ -1,8 +1,11 @@
-#include "formulations/modelling/equations/coordinate_equations.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
 #include <stdexcept>
 
-#include "formulations/modelling/coordinates/definition.h"
+#include "formulations/modelling/equations/equation_writer.h"
 
 namespace desmo {
 
@@ -10,6 +13,113 @@ namespace {
 
 using nominal::Vec;
 using nominal::operator-;
+
+/// The definition of a relative coordinate: a constraint between it and points or vectors.
+struct Definition {
+  EquationWriter& writer;
+  const Mechanism::Coordinate& coordinate;
+  EntityId value;  ///< entity of the coordinate
+
+  /// Writes the definition as a constraint of this kind.
+  template <class Kind>
+  void as(const std::array<EntityId, Kind::operand_sizes.size()>& operands,
+          const std::array<double, Kind::constants>& constants = {}) const {
+    writer.constrain<Kind>(Origin::coordinate, coordinate.name + ": definition", operands,
+                           constants);
+  }
+};
+
+using Direction = Mechanism::Direction;
+
+struct SharedEnd {
+  int at, of, from;  // points
+  bool same_sense;   // both lines start there, or both end there
+};
+
+std::optional<SharedEnd> shared_end(const Direction& of, const Direction& from) {
+  if (of.from == from.from) return SharedEnd{of.from, of.to, from.to, true};
+  if (of.to == from.to) return SharedEnd{of.to, of.from, from.from, true};
+  if (of.from == from.to) return SharedEnd{of.from, of.to, from.from, false};
+  if (of.to == from.from) return SharedEnd{of.to, of.from, from.to, false};
+  return std::nullopt;
+}
+
+/// Of a vector 1; of a line its length, which one body must keep constant.
+double constant_length(const Definition& definition, const Direction& d) {
+  if (!d.is_line()) return 1;
+  const EquationWriter& w = definition.writer;
+  for (const int r : w.rigid.of_point[d.from])
+    if (std::ranges::binary_search(w.rigid.of_point[d.to], r))
+      return nominal::norm(nominal::direction(w.mechanism, w.rigid.list[r], d));
+  throw std::invalid_argument("coordinate '" + definition.coordinate.name +
+                              "': no body carries both points of " + w.text(d) +
+                              "; an angle needs a line of constant length");
+}
+
+void define_from_x_axis(const Definition& definition) {
+  const auto& [w, c, value] = definition;
+  const double length = constant_length(definition, c.of);
+  if (c.of.is_line())
+    definition.as<PlanarAngle>({w.point(c.of.from), w.point(c.of.to), value}, {length});
+  else
+    definition.as<PlanarDirection>({w.vector(c.of.vector), value});
+}
+
+void define_between_lines(const Definition& definition, double ratio) {
+  const auto& [w, c, value] = definition;
+  if (const auto shared = shared_end(c.of, c.from))
+    definition.as<PlanarTurn<Between::lines_at_point>>(
+        {w.point(shared->at), w.point(shared->of), w.point(shared->from), value},
+        {shared->same_sense ? ratio : -ratio});
+  else
+    definition.as<PlanarTurn<Between::line_and_line>>(
+        {w.point(c.of.from), w.point(c.of.to), w.point(c.from.from), w.point(c.from.to), value},
+        {ratio});
+}
+
+void define_planar_angle(const Definition& definition) {
+  const auto& [w, c, value] = definition;
+  if (!c.from.is_given()) return define_from_x_axis(definition);
+  const double length = constant_length(definition, c.of);
+  const double ratio = length / constant_length(definition, c.from);
+  if (c.of.is_line() && c.from.is_line())
+    define_between_lines(definition, ratio);
+  else if (c.of.is_line())
+    definition.as<PlanarTurn<Between::line_and_vector>>(
+        {w.point(c.of.from), w.point(c.of.to), w.vector(c.from.vector), value}, {ratio});
+  else if (c.from.is_line())
+    definition.as<PlanarTurn<Between::vector_and_line>>(
+        {w.vector(c.of.vector), w.point(c.from.from), w.point(c.from.to), value}, {ratio});
+  else
+    definition.as<PlanarTurn<Between::vector_and_vector>>(
+        {w.vector(c.of.vector), w.vector(c.from.vector), value}, {ratio});
+}
+
+void require_in_plane(const EquationWriter& w, const Mechanism::Coordinate& c) {
+  const Mechanism& d = w.mechanism;
+  const Vec u = nominal::direction(d, c.of), x = nominal::direction(d, c.from),
+            z = nominal::direction(d, c.towards);
+  const Vec normal{x[1] * z[2] - x[2] * z[1], x[2] * z[0] - x[0] * z[2], x[0] * z[1] - x[1] * z[0]};
+  if (std::abs(nominal::dot(normal, u)) > 1e-6 * nominal::norm(u))
+    throw std::invalid_argument("coordinate '" + c.name + "': " + w.text(c.of) +
+                                " is not in the plane of " + w.text(c.from) + " and " +
+                                w.text(c.towards) + " in the nominal position");
+}
+
+void define_spatial_angle(const Definition& definition) {
+  const auto& [w, c, value] = definition;
+  require_in_plane(w, c);
+  const EntityId from = w.vector(c.from.vector), towards = w.vector(c.towards.vector);
+  if (c.of.is_line()) {
+    const std::array operands{from, towards, w.point(c.of.from), w.point(c.of.to), value};
+    c.opposite ? definition.as<FrameAngle<-1, true>>(operands)
+               : definition.as<FrameAngle<1, true>>(operands);
+  } else {
+    const std::array operands{from, towards, w.vector(c.of.vector), value};
+    c.opposite ? definition.as<FrameAngle<-1, false>>(operands)
+               : definition.as<FrameAngle<1, false>>(operands);
+  }
+}
 
 void require_along(const EquationWriter& w, const Mechanism::Coordinate& c) {
   const Mechanism& d = w.mechanism;

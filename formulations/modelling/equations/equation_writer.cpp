@@ -17,6 +17,14 @@ double max_coordinate(const Mechanism& d) {
   return largest;
 }
 
+template <int D>
+Candidates write_all(EquationWriter& w) {
+  write_body_equations<D>(w);
+  write_joint_equations(w);
+  write_coordinate_equations<D>(w);
+  return w.take();
+}
+
 }  // namespace
 
 EquationWriter::EquationWriter(const Mechanism& d, const RigidBodies& bodies,
@@ -67,6 +75,12 @@ GroupId EquationWriter::last_group(const std::vector<EntityId>& operands) const 
 
 double snap(double value, double magnitude) {
   return std::abs(value) <= 16 * std::numeric_limits<double>::epsilon() * magnitude ? 0 : value;
+}
+
+Candidates make_candidates(const Mechanism& d, const RigidBodies& rigid, const Structure& structure,
+                           const std::vector<Motion>& motions) {
+  EquationWriter w(d, rigid, make_coordinates(d, rigid, structure, motions));
+  return d.dimension == 2 ? write_all<2>(w) : write_all<3>(w);
 }
 
 }  // namespace desmo

@@ -62,4 +62,21 @@ class EquationWriter {
 /// Returns zero for a value at rounding level, |value| ≤ 16 ε · magnitude, otherwise the value.
 double snap(double value, double magnitude);
 
+/// Writes the equations within the bodies of a D-dimensional mechanism. Ground vectors that are
+/// coordinates are held constant. Every other body keeps the scalar products of its basis; its
+/// other points and vectors are linear functions of the basis (basis_relation.h).
+template <int D>
+void write_body_equations(EquationWriter& writer);
+
+/// Writes the equations of joints between different rigid bodies: offsets of planar sliding joints
+/// whose distance is not declared, and angles of universal joints. Shared points and vectors and
+/// relative coordinates imply all others.
+void write_joint_equations(EquationWriter& writer);
+
+/// Writes the definitions of all relative coordinates, in D dimensions. Throws
+/// std::invalid_argument, naming the coordinate, when a definition does not fit the nominal
+/// position or cannot be written.
+template <int D>
+void write_coordinate_equations(EquationWriter& writer);
+
 }  // namespace desmo

@@ -1,6 +1,4 @@
-#include "formulations/modelling/equations/joint_equations.h"
-
-#include "formulations/modelling/coordinates/declared_slides.h"
+#include "formulations/modelling/equations/equation_writer.h"
 
 namespace desmo {
 
@@ -32,11 +30,10 @@ void keep_angle(EquationWriter& w, const Mechanism::Joint& j) {
 }  // namespace
 
 void write_joint_equations(EquationWriter& w) {
-  const DeclaredSlides declared(w.mechanism);
   for (const Mechanism::Joint& j : w.mechanism.joints) {
     if (w.rigid.of_body[j.bodies[0]] == w.rigid.of_body[j.bodies[1]]) continue;
     if (w.mechanism.dimension == 2) {
-      if (DeclaredSlides::slides(j) && !declared.contain(j)) keep_offset(w, j);
+      if (slides(j) && !declares_distance(w.mechanism, j)) keep_offset(w, j);
     } else if (j.type == Mechanism::JointType::universal) {
       keep_angle(w, j);
     }

@@ -1,6 +1,6 @@
-#include "formulations/modelling/groups/idle_freedoms.h"
-
 #include <algorithm>
+
+#include "formulations/modelling/groups/structure.h"
 
 namespace desmo {
 

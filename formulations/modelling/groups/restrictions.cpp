@@ -1,10 +1,9 @@
-#include "formulations/modelling/groups/restrictions.h"
-
 #include <algorithm>
 #include <iterator>
 #include <stdexcept>
 
 #include "cases/mechanism/joint_forms.h"
+#include "formulations/modelling/groups/structure.h"
 
 namespace desmo {
 

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "formulations/modelling/bodies/rigid_bodies.h"
+#include "formulations/modelling/modelling.h"
 
 namespace desmo {
 
@@ -21,6 +23,22 @@ struct Structure {
   std::vector<int> of_body;             ///< group of each rigid body; -1: the ground
 };
 
+/// The effect of a joint or driver on the freedoms of bodies.
+struct Restriction {
+  std::vector<int> bodies;  ///< rigid bodies that it connects, without the ground, ascending
+  int count;                ///< number of freedoms that it removes
+};
+
+/// Returns the restrictions of all joints between different rigid bodies, then those of the
+/// drivers. Throws std::invalid_argument, naming the driver, when a driver measures nothing that
+/// can move.
+std::vector<Restriction> find_restrictions(const Mechanism& mechanism, const RigidBodies& rigid);
+
+/// Returns the rigid bodies, without the ground, whose relative position a coordinate measures,
+/// ascending. When several bodies carry a point, the first counts; for a distance along a vector,
+/// the first that also carries the vector.
+std::vector<int> bodies_related(const RigidBodies& rigid, const Mechanism::Coordinate& coordinate);
+
 /// Finds the structural groups of a mechanism: strong components of a maximum matching between
 /// freedoms of bodies and restrictions by joints and drivers (Dulmage & Mendelsohn 1958; paper,
 /// eq. 1). Over-constrained bodies that are connected form one group; the structure
@@ -28,5 +46,14 @@ struct Structure {
 /// naming bodies and coordinates, when nothing determines some bodies (a driver is missing), or
 /// when no body moves.
 Structure find_structure(const Mechanism& mechanism, const RigidBodies& rigid);
+
+/// Returns the idle freedoms of spatial bodies, in the order of the bodies. A body has one when all
+/// its points and vectors lie along one line, or when it carries a single point. (A joint that
+/// prevents the spin gives the body a vector across the line.)
+std::vector<IdleFreedom> find_idle_freedoms(const Mechanism& mechanism, const RigidBodies& rigid);
+
+/// Returns the axis about which an under-constrained rigid body can spin, if its only joints are
+/// spherical and have two centres; otherwise an empty string.
+std::string undetermined_spin(const Mechanism& mechanism, const RigidBodies& rigid, int body);
 
 }  // namespace desmo

@@ -1,5 +1,6 @@
 #include "formulations/modelling/independence/linearisation.h"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +11,43 @@
 #include "formulations/scaling/scales.h"
 
 namespace desmo {
+
+namespace {
+
+std::vector<GroupSystem> list_columns(const Model& m) {
+  const std::vector<bool> independent = independent_coordinates(m);
+  std::vector<GroupSystem> systems(m.groups.size());
+  for (GroupId g = 0; g < static_cast<GroupId>(systems.size()); ++g) systems[g].group = g;
+  std::vector<std::vector<int>> drivers(m.groups.size());
+  for (const Entity& e : m.entities)
+    for (int i = e.first; !e.fixed && i < e.first + e.size; ++i)
+      (independent[i] ? drivers[e.group] : systems[e.group].columns).push_back(i);
+  for (GroupSystem& s : systems) {
+    s.unknowns = static_cast<int>(s.columns.size());
+    s.columns.insert(s.columns.end(), drivers[s.group].begin(), drivers[s.group].end());
+  }
+  return systems;
+}
+
+}  // namespace
+
+std::vector<GroupSystem> group_systems(const Model& m) {
+  std::vector<GroupSystem> systems = list_columns(m);
+  int c = 0;
+  for (GroupSystem& s : systems) {
+    s.first_constraint = c;
+    while (c < static_cast<int>(m.constraints.size()) && m.constraints[c].group == s.group) ++c;
+    s.end_constraint = c;
+    list_rows(m, s);
+  }
+  return systems;
+}
+
+void list_rows(const Model& m, GroupSystem& s) {
+  s.rows.clear();
+  for (int c = s.first_constraint; c < s.end_constraint; ++c)
+    for (int r = 0; r < rows(m.constraints[c]); ++r) s.rows.emplace_back(c, r);
+}
 
 Lineariser::Lineariser(const Model& model)
     : m_(model), scale_(model.state_size(), 1.0), column_(model.state_size(), -1) {
@@ -60,6 +98,22 @@ void Lineariser::move(std::vector<double>& state, const GroupSystem& s,
                       const Eigen::VectorXd& step) const {
   for (std::size_t j = 0; j < s.columns.size(); ++j)
     state[s.columns[j]] += scale_[s.columns[j]] * step[j];
+}
+
+bool RowSpace::add(Eigen::VectorXd row) {
+  if (rank_ == basis_.cols()) return false;
+  for (int pass = 0; pass < 2; ++pass)  // the second removes what rounding left
+    row -= basis_.leftCols(rank_) * (basis_.leftCols(rank_).transpose() * row);
+  const double rest = row.norm();
+  if (!(rest > dependent_below)) return false;
+  basis_.col(rank_++) = row / rest;
+  return true;
+}
+
+Eigen::MatrixXd smallest_correction(const Eigen::MatrixXd& jacobian, const Eigen::MatrixXd& phi) {
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
+  decomposition.setThreshold(dependent_below);
+  return decomposition.compute(jacobian).solve(phi);
 }
 
 }  // namespace desmo

@@ -1,11 +1,30 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <utility>
 #include <vector>
 
-#include "formulations/modelling/independence/group_system.h"
+#include "formulations/model/model.h"
 
 namespace desmo {
+
+/// The system of a group: its candidate equations are rows; its unknowns, then drivers, are
+/// columns.
+struct GroupSystem {
+  GroupId group;
+  int first_constraint = 0, end_constraint = 0;
+  std::vector<int> columns;               ///< coordinates
+  int unknowns = 0;                       ///< number of columns that are unknowns
+  std::vector<std::pair<int, int>> rows;  ///< constraint and its row
+
+  int drivers() const { return static_cast<int>(columns.size()) - unknowns; }
+};
+
+/// Returns the systems of all groups, in group order.
+std::vector<GroupSystem> group_systems(const Model& model);
+
+/// Updates system.rows after constraints of the group have changed.
+void list_rows(const Model& model, GroupSystem& system);
 
 /// Scaled Φ and Φ_q of a group's candidates. Columns are multiplied by natural magnitudes: for
 /// points and distances the power of two next to their characteristic length, else 1. Rows are
@@ -33,5 +52,27 @@ class Lineariser {
   std::vector<double> scale_;  // natural magnitude of each component of the state
   std::vector<int> column_;    // column of each component in the current system, or -1
 };
+
+/// A row of length 1 depends on others when its component orthogonal to them is not longer than
+/// this.
+inline constexpr double dependent_below = 1e-6;
+
+/// The span of independent rows, added one by one.
+class RowSpace {
+ public:
+  explicit RowSpace(int columns) : basis_(columns, columns) {}
+
+  /// Adds a row of length ≤ 1 if it is independent of the rows before. Returns whether it was.
+  bool add(Eigen::VectorXd row);
+  int rank() const { return rank_; }
+
+ private:
+  Eigen::MatrixXd basis_;
+  int rank_ = 0;
+};
+
+/// Returns the minimum-norm least-squares solution x of J x = φ, which also serves dependent
+/// equations. phi: one φ or several, side by side.
+Eigen::MatrixXd smallest_correction(const Eigen::MatrixXd& jacobian, const Eigen::MatrixXd& phi);
 
 }  // namespace desmo

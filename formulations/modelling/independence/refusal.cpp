@@ -5,7 +5,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "formulations/modelling/independence/row_space.h"
 #include "formulations/scaling/scales.h"
 
 namespace desmo {
@@ -50,15 +49,12 @@ int mobility(const GroupSystem& s, const SelectedRows& selected) {
 /// The entity that moves most when all candidates and drivers hold.
 std::string loosest(const Model& m, const GroupSystem& s, const SelectedRows& selected) {
   const MatrixXd j = selected.jacobians[1].leftCols(s.unknowns);
-  VectorXd best = VectorXd::Zero(s.unknowns);
-  const SmallestCorrection correction(j);
-  for (int k = 0; k < s.unknowns; ++k) {
-    VectorXd move = VectorXd::Unit(s.unknowns, k);
-    if (j.size() > 0) move -= correction(j * move);
-    if (move.norm() > best.norm()) best = move;
-  }
+  MatrixXd moves = MatrixXd::Identity(s.unknowns, s.unknowns);  // by one unknown each
+  if (j.size() > 0) moves -= smallest_correction(j, j);
+  Eigen::Index loosest = 0;
+  moves.colwise().norm().maxCoeff(&loosest);
   Eigen::Index largest = 0;
-  best.cwiseAbs().maxCoeff(&largest);
+  moves.col(loosest).cwiseAbs().maxCoeff(&largest);
   return m.entities[entity_of_coordinate(m)[s.columns[largest]]].name;
 }
 

@@ -2,10 +2,16 @@
 
 #include <optional>
 
-#include "formulations/modelling/independence/contradiction.h"
 #include "formulations/modelling/independence/row_selection.h"
 
 namespace desmo {
+
+/// A contradiction: equations of a group that cannot hold together once its drivers have moved.
+struct Contradiction {
+  int constraint;  ///< constraint with the largest residual at the least-squares position
+  double amount;   ///< the residual: a length if the constraint has lengths, else a number or [rad]
+  double moved;    ///< displacement of the drivers, in natural magnitudes
+};
 
 /// Throws std::invalid_argument, naming group, bodies and the constraint with the largest |Φ|.
 [[noreturn]] void refuse_assembly(const Model& model, const GroupSystem& system,

@@ -1,23 +1,64 @@
 #include "formulations/modelling/independence/row_selection.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
+#include <random>
 #include <tuple>
 #include <type_traits>
 #include <utility>
 
-#include "formulations/modelling/independence/row_space.h"
+#include "formulations/modelling/independence/refusal.h"
 #include "formulations/structure/incidence.h"
 
 namespace desmo {
 
 namespace {
 
+using Eigen::VectorXd;
+
+/// Gauss–Newton with the smallest correction, over unknowns and drivers: assembles from an
+/// estimate even where equations depend on each other. Returns whether Φ vanishes, as far as
+/// rounding lets it, which is the less the farther from the origin a group is.
+bool assemble(std::vector<double>& state, const GroupSystem& s, Lineariser& lineariser) {
+  constexpr int most = 100;
+  constexpr double vanishes = 1e-9;
+  double largest = INFINITY;
+  for (int iteration = 0; iteration < most; ++iteration) {
+    const auto [phi, jacobian] = lineariser.at(state, s);
+    if (!phi.allFinite() || !jacobian.allFinite()) return false;
+    if (phi.size() == 0) return true;
+    const double before = std::exchange(largest, phi.lpNorm<Eigen::Infinity>());
+    if (largest < 1e-13 || (largest < vanishes && !(largest < before / 2))) return true;
+    const VectorXd step = smallest_correction(jacobian, phi);
+    lineariser.move(state, s, -step);
+    if (!(step.norm() > 1e-14)) break;
+  }
+  return largest < vanishes;
+}
+
+/// Moves every group a little along its freedoms and assembles it anew.
+std::optional<std::vector<double>> perturb(std::vector<double> state, double amount, int seed,
+                                           const std::vector<GroupSystem>& systems,
+                                           Lineariser& lineariser) {
+  std::mt19937 random(seed);
+  for (const GroupSystem& s : systems) {
+    const Eigen::MatrixXd jacobian = lineariser.at(state, s).jacobian;
+    VectorXd step(s.columns.size());
+    for (double& x : step) x = amount * (random() / 2147483648.0 - 1);
+    if (jacobian.size() > 0) step -= smallest_correction(jacobian, jacobian * step);
+    lineariser.move(state, s, step);
+    if (!assemble(state, s, lineariser)) return std::nullopt;
+  }
+  return state;
+}
+
 /// Whether the constraint is a definition of several equations, replaced by the one that says the
 /// same.
 bool make_scalar(Constraint& constraint) {
   bool shorter = false;
   visit_kind(constraint.kind, [&]<class Kind>(Kind) {
-    using Scalar = typename ScalarDefinition<Kind>::type;
+    using Scalar = ScalarDefinition<Kind>;
     if constexpr (!std::is_void_v<Scalar>) {
       constraint.kind = kind_index<Scalar>();
       constraint.constants.resize(Scalar::constants);
@@ -106,6 +147,25 @@ bool RowSelector::shorten_definitions(const GroupSystem& s, const std::vector<bo
   for (int c = s.first_constraint; c < s.end_constraint; ++c)
     if (rows_taken[c - s.first_constraint] == 1) any = make_scalar(m_.constraints[c]) || any;
   return any;
+}
+
+JudgedPositions assemble_positions(const Model& m, const std::vector<GroupSystem>& systems,
+                                   Lineariser& lineariser) {
+  JudgedPositions positions;
+  std::vector<double>& nominal = positions[0];
+  nominal = m.estimate;
+  nominal.insert(nominal.end(), m.fixed_values.begin(), m.fixed_values.end());
+  for (const GroupSystem& s : systems)
+    if (!assemble(nominal, s, lineariser)) refuse_assembly(m, s, lineariser.at(nominal, s).phi);
+  for (std::size_t p = 1; p < positions.size(); ++p) {
+    positions[p] = nominal;
+    for (double amount = 0.02; amount > 0.002; amount /= 2)
+      if (auto state = perturb(nominal, amount, static_cast<int>(p), systems, lineariser)) {
+        positions[p] = std::move(*state);
+        break;
+      }
+  }
+  return positions;
 }
 
 }  // namespace desmo

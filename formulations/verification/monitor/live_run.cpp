@@ -8,7 +8,7 @@
 
 #include "formulations/planning/plan.h"
 #include "formulations/stepping/diagnosis.h"
-#include "formulations/structure/defined_part.h"
+#include "formulations/structure/partition.h"
 #include "formulations/verification/monitor/branch_monitor.h"
 
 namespace desmo {

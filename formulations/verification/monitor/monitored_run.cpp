@@ -7,7 +7,7 @@
 
 #include "formulations/algebra/linear_solver.h"
 #include "formulations/prediction/driver_source.h"
-#include "formulations/structure/defined_part.h"
+#include "formulations/structure/partition.h"
 #include "formulations/verification/monitor/branch_monitor.h"
 
 namespace desmo {

@@ -5,7 +5,6 @@
 
 #include "formulations/groupwise/double_solution.h"
 #include "formulations/groupwise/groupwise_solver.h"
-#include "formulations/groupwise/walk.h"
 #include "formulations/verification/reference/disagreement.h"
 #include "formulations/verification/reference/global_solver.h"
 

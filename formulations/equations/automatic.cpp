@@ -1,5 +1,4 @@
-// Definitions, instantiated once for each scalar: automatic_double.cpp, automatic_float.cpp.
-#pragma once
+#include "formulations/equations/automatic.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +7,6 @@
 #include <vector>
 
 #include "formulations/constraints/constraints.h"
-#include "formulations/equations/automatic.h"
 
 namespace desmo {
 
@@ -57,13 +55,9 @@ struct BasicAutomaticEquations<S>::Batch {
 
 template <class S>
 struct BasicAutomaticEquations<S>::Batches {
-  template <class Tuple>
-  struct TupleOf;
   template <class... Kinds>
-  struct TupleOf<std::tuple<Kinds...>> {
-    using type = std::tuple<Batch<Kinds>...>;
-  };
-  typename TupleOf<ConstraintKinds>::type of_kinds;
+  static std::tuple<Batch<Kinds>...> of(std::tuple<Kinds...>);
+  decltype(of(std::declval<ConstraintKinds>())) of_kinds;
 };
 
 template <class S>
@@ -192,5 +186,8 @@ template <class S>
 void BasicAutomaticEquations<S>::quadratic(const S* state, const S* rate, S* gamma) const {
   for (const Loops* l : loops_) l->quadratic(*batches_, state, rate, gamma);
 }
+
+template class BasicAutomaticEquations<double>;
+template class BasicAutomaticEquations<float>;
 
 }  // namespace desmo
