@@ -280,6 +280,13 @@ int JsonValue::whole_number(int least, int most) const {
   return static_cast<int>(value);
 }
 
+std::size_t JsonValue::choose(const std::string& kind,
+                              std::span<const std::string_view> known) const {
+  const auto found = std::ranges::find(known, text());
+  if (found != known.end()) return found - known.begin();
+  complain("unknown " + kind + " " + in_quotes(text()) + "; " + suggestion(text(), known));
+}
+
 bool JsonValue::boolean() const {
   expect(JsonDocument::Kind::boolean, "true or false");
   return node().number != 0;

@@ -1,5 +1,5 @@
 #include "cases/io/files.h"
-#include "cases/io/mechanism_reader.h"
+#include "cases/io/readers.h"
 #include "cases/io/text_file.h"
 #include "cases/mechanism/error.h"
 #include "cases/mechanism/names.h"
@@ -119,13 +119,7 @@ Mechanism parse_mechanism(std::string_view text, const std::string& file_name) {
 }
 
 Mechanism read_mechanism(const std::filesystem::path& file) {
-  std::string text;
-  try {
-    text = read_text(file);
-  } catch (const UnreadableFile& error) {
-    throw InputError(printable(file.string(), 300) + ": " + error.what());
-  }
-  return parse_mechanism(text, file.string());
+  return parse_mechanism(read_input(file), file.string());
 }
 
 }  // namespace desmo

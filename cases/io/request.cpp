@@ -1,10 +1,8 @@
-#include "cases/io/request.h"
-
 #include <algorithm>
 #include <array>
 #include <functional>
 
-#include "cases/io/name_table.h"
+#include "cases/io/readers.h"
 #include "cases/mechanism/carriers.h"
 #include "cases/mechanism/names.h"
 
@@ -15,13 +13,6 @@ using Kind = Wanted::Kind;
 
 constexpr int max_patterns = 100;  // each is compared with every name
 constexpr int not_wanted = -1;
-
-template <class Entry>
-std::vector<bool> carried(const std::vector<Entry>& entries, const Carriers& carriers) {
-  std::vector<bool> result(entries.size(), false);
-  for (const Carriers::Pair& pair : carriers.pairs()) result[pair.entity] = true;
-  return result;
-}
 
 // One key of a request: what can be asked for under it, by name and position.
 class Selection {
@@ -35,6 +26,7 @@ class Selection {
 
   const std::string& key() const { return key_; }
   bool has(std::string_view name) const { return table_.position(name).has_value(); }
+  const std::vector<int>& positions() const { return positions_; }
   int find(const JsonValue& value) const { return positions_[table_.find(value)]; }
 
   std::vector<int> match(const JsonValue& pattern) const {
@@ -57,8 +49,6 @@ class RequestReader {
  public:
   explicit RequestReader(const Mechanism& d)
       : d_(d),
-        point_is_carried_(carried(d.points, Carriers(d, &Mechanism::Body::points))),
-        vector_is_carried_(carried(d.vectors, Carriers(d, &Mechanism::Body::vectors))),
         levels_{std::vector<int>(d.points.size(), not_wanted),
                 std::vector<int>(d.vectors.size(), not_wanted),
                 std::vector<int>(d.coordinates.size(), not_wanted)},
@@ -78,10 +68,13 @@ class RequestReader {
  private:
   void fill_selections() {
     using enum Mechanism::CoordinateType;
+    const Carriers points(d_, &Mechanism::Body::points), vectors(d_, &Mechanism::Body::vectors);
     for (std::size_t i = 0; i < d_.points.size(); ++i)
-      if (point_is_carried_[i]) points_.add(d_.points[i].name, static_cast<int>(i));
+      if (points.is_carried(static_cast<int>(i)))
+        points_.add(d_.points[i].name, static_cast<int>(i));
     for (std::size_t i = 0; i < d_.vectors.size(); ++i)
-      if (vector_is_carried_[i]) vectors_.add(d_.vectors[i].name, static_cast<int>(i));
+      if (vectors.is_carried(static_cast<int>(i)))
+        vectors_.add(d_.vectors[i].name, static_cast<int>(i));
     for (std::size_t i = 0; i < d_.coordinates.size(); ++i)
       (d_.coordinates[i].type == angle ? angles_ : distances_)
           .add(d_.coordinates[i].name, static_cast<int>(i));
@@ -115,10 +108,7 @@ class RequestReader {
 
   static int read_level(const JsonValue& value) {
     constexpr std::array<std::string_view, 3> names{"position", "velocity", "acceleration"};
-    const auto found = std::ranges::find(names, value.text());
-    if (found != names.end()) return static_cast<int>(found - names.begin());
-    value.complain("unknown level " + in_quotes(value.text()) + "; " +
-                   suggestion(value.text(), names));
+    return static_cast<int>(value.choose("level", names));
   }
 
   void read_names(const JsonValue& entry, const Selection& selection,
@@ -177,16 +167,13 @@ class RequestReader {
   void want_everything(int level) {
     if (everything_level_ >= level) return;
     everything_level_ = level;
-    for (int i = 0; i < static_cast<int>(d_.points.size()); ++i)
-      if (point_is_carried_[i]) want(Kind::point, i, level);
-    for (int i = 0; i < static_cast<int>(d_.vectors.size()); ++i)
-      if (vector_is_carried_[i]) want(Kind::vector, i, level);
+    for (const int i : points_.positions()) want(Kind::point, i, level);
+    for (const int i : vectors_.positions()) want(Kind::vector, i, level);
     for (int i = 0; i < static_cast<int>(d_.coordinates.size()); ++i)
       want(Kind::coordinate, i, level);
   }
 
   const Mechanism& d_;
-  std::vector<bool> point_is_carried_, vector_is_carried_;
   std::array<std::vector<int>, 3> levels_;  // by Kind
   std::vector<int> body_levels_;
   int everything_level_ = not_wanted;

@@ -1,7 +1,6 @@
 #include <array>
-#include <optional>
 
-#include "cases/io/mechanism_reader.h"
+#include "cases/io/readers.h"
 #include "cases/mechanism/directions.h"
 #include "cases/mechanism/names.h"
 

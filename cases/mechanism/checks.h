@@ -31,9 +31,6 @@ void check_vectors_along(const Mechanism& mechanism, const Carriers& points,
 /// Checks that joints have the entities that their type requires, carried by their bodies.
 void check_joints(const Mechanism& mechanism, const Carriers& points, const Carriers& vectors);
 
-/// Checks that joints connect all bodies that carry the same point or vector there.
-void check_sharing(const Mechanism& mechanism, const Carriers& points, const Carriers& vectors);
-
 void check_coordinates(const Mechanism& mechanism, const Carriers& points, const Carriers& vectors);
 
 }  // namespace desmo

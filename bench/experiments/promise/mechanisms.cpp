@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "bench/experiments/promise/drawn_families.h"
 #include "cases/io/files.h"

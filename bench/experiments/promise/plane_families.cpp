@@ -1,6 +1,5 @@
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <string>
 #include <vector>
 

@@ -1,6 +1,5 @@
 #include <cmath>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "bench/experiments/promise/drawn_families.h"
