@@ -150,11 +150,7 @@ void solve(const SolveOptions& options) {
 void add_solve(CLI::App& program) {
   CLI::App* command = program.add_subcommand("solve", "Solve a scene and write what it asks for");
   const auto options = std::make_shared<SolveOptions>();
-  command
-      ->add_option("scene", options->scene,
-                   "Scene file, - for standard input, library mechanism (its scene), or scalable "
-                   "case with its units, such as truck_suspension:5")
-      ->required();
+  add_scene(*command, options->scene);
   command
       ->add_option("-o,--output", options->output,
                    "Write to this file, whole or not at all, instead of standard output")

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,14 +38,6 @@ struct KnownCase {
   /// Returns the largest condition number of what is compared; 0: not known.
   double condition() const;
 };
-
-/// Returns the answers of the case's chain of that index, by the closed form. Where the chain
-/// cannot be solved, neither can the case.
-Answers chain_answers(KnownCase& known, std::size_t index);
-
-/// Returns the answers of the whole mechanism, by two formulations in quadruple precision. Throws
-/// std::runtime_error where they do not converge or do not agree.
-Answers reference_answers(const KnownCase& known);
 
 /// Returns a case with its answers. The definition must outlive it.
 KnownCase make_known_case(const ExtremeCase& definition);

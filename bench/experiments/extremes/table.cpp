@@ -1,12 +1,12 @@
 #include "bench/experiments/extremes/table.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <map>
 #include <utility>
 
 #include "bench/experiments/extremes/case_run.h"
 #include "bench/experiments/extremes/known_case.h"
+#include "cases/mechanism/formatted.h"
 #include "formulations/id.h"
 
 namespace desmo::extremes {
@@ -88,13 +88,11 @@ std::size_t count(const std::vector<Result>& results, Verdict verdict) {
 }
 
 std::string summary(const Extreme& row, const std::vector<Result>& results) {
-  char head[160];
-  std::snprintf(head, sizeof head,
-                "%2d %-22.*s as expected %4zu, missed %4zu, DEFECT %4zu, n/a %4zu\n", row.number,
+  std::string text =
+      formatted("%2d %-22.*s as expected %4zu, missed %4zu, DEFECT %4zu, n/a %4zu\n", row.number,
                 static_cast<int>(row.name.size()), row.name.data(),
                 count(results, Verdict::as_expected), count(results, Verdict::missed),
                 count(results, Verdict::defect), count(results, Verdict::not_applicable));
-  std::string text = head;
   using Kind = std::pair<std::string, Verdict>;
   std::map<Kind, std::vector<const Result*>> found;
   for (const Result& r : results)
