@@ -1,7 +1,6 @@
-#include "bench/experiments/promise/ids.h"
-
 #include <initializer_list>
 
+#include "bench/experiments/promise/tally.h"
 #include "formulations/variants.h"
 
 namespace desmo::promise {

@@ -15,7 +15,6 @@
 #include <vector>
 
 #include "bench/experiments/experiments.h"
-#include "bench/experiments/promise/ids.h"
 #include "bench/experiments/promise/tally.h"
 #include "bench/kit/record/record.h"
 #include "formulations/algebra/blas.h"
