@@ -105,6 +105,7 @@ void solve_rows(const Task& task, Formulation& formulation, const SeriesHeading&
   solve_live(
       {task.input.source, o.drivers, task.whole, task.plan, o.strict, o.past_failures, o.quiet},
       formulation, heading, format, task.output);
+  task.output.finish();
 }
 
 void solve_motion(const Task& task, Formulation& formulation, const SeriesHeading& heading,

@@ -141,6 +141,8 @@ Json measure_all(const std::vector<Series>& all, std::size_t candidates,
   return result;
 }
 
+}  // namespace
+
 int run(const bench::CommandLine& line) {
   std::vector<std::string> arguments = line.arguments;
   for (const std::string_view a : arguments)
@@ -180,8 +182,4 @@ int run(const bench::CommandLine& line) {
   return measured["failed"] ? 1 : 0;
 }
 
-}  // namespace
-
 }  // namespace desmo::paper
-
-int desmo::bench::run_paper(const CommandLine& line) { return desmo::paper::run(line); }
