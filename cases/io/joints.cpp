@@ -4,7 +4,6 @@
 
 #include "cases/io/readers.h"
 #include "cases/mechanism/joint_forms.h"
-#include "cases/mechanism/names.h"
 
 namespace desmo {
 namespace {

@@ -57,24 +57,18 @@ void check_sharing(const Mechanism& d, const Carriers& points, const Carriers& v
 }  // namespace
 
 void refuse(const Mechanism& d, Part part, int index, const std::string& what) {
-  const auto named = [&](const char* kind, const std::string& name) {
-    return MechanismError(part, index, std::string(kind) + " " + in_quotes(name) + ": " + what);
-  };
-  switch (part) {
-    case Part::point:
-      throw named("point", d.points[index].name);
-    case Part::vector:
-      throw named("vector", d.vectors[index].name);
-    case Part::body:
-      throw named("body", d.bodies[index].name);
-    case Part::joint:
-      throw named("joint", d.joints[index].name);
-    case Part::coordinate:
-      throw named("coordinate", d.coordinates[index].name);
-    case Part::description:
-      break;
-  }
-  throw named("mechanism", d.name);
+  // In the order of Part.
+  static constexpr const char* kinds[] = {"mechanism", "point", "vector",
+                                          "body",      "joint", "coordinate"};
+  const std::string& name = part == Part::point        ? d.points[index].name
+                            : part == Part::vector     ? d.vectors[index].name
+                            : part == Part::body       ? d.bodies[index].name
+                            : part == Part::joint      ? d.joints[index].name
+                            : part == Part::coordinate ? d.coordinates[index].name
+                                                       : d.name;
+  throw MechanismError(
+      part, index,
+      std::string(kinds[static_cast<int>(part)]) + " " + in_quotes(name) + ": " + what);
 }
 
 void validate(const Mechanism& d) {

@@ -94,7 +94,7 @@ double end_between(ChainSolution& solution, double from, double to) {
 Answers chain_answers(KnownCase& p, std::size_t index) {
   const ExtremeCase& c = *p.definition;
   const DyadChain& chain = c.chains[index];
-  Answers a{.model = alone(p, index), .coordinate = {}, .right = {}, .floor = {}, .scales = {}};
+  Answers a{.model = alone(p, index)};
   a.coordinate = coordinates_of(a.model, p.modelled->model);
   const double size = nominal_size(a.model), longest = max_link(chain);
   const std::size_t links = std::max<std::size_t>(1, chain.dyads.size());
@@ -135,7 +135,7 @@ Answers chain_answers(KnownCase& p, std::size_t index) {
 /// std::runtime_error where they do not converge or do not agree.
 Answers reference_answers(const KnownCase& p) {
   const ExtremeCase& c = *p.definition;
-  Answers a{.model = p.modelled->model, .coordinate = {}, .right = {}, .floor = {}, .scales = {}};
+  Answers a{.model = p.modelled->model};
   a.coordinate.resize(a.model.coordinates());
   std::iota(a.coordinate.begin(), a.coordinate.end(), 0);
   std::vector<double> times;
@@ -193,15 +193,7 @@ double KnownCase::condition() const {
 }
 
 KnownCase make_known_case(const ExtremeCase& c) {
-  KnownCase p{.definition = &c,
-              .modelled = {},
-              .refusal = {},
-              .no_answer = {},
-              .answers = {},
-              .compared = compared_instants(c),
-              .solvable = {},
-              .ends = {},
-              .starts = {}};
+  KnownCase p{.definition = &c, .compared = compared_instants(c)};
   p.solvable.assign(c.starts ? c.starts->count : c.scene.grid.instants, true);
   if (c.ends_singular) p.solvable.back() = false;
   try {

@@ -12,9 +12,9 @@ namespace desmo::promise {
 /// A mechanism with random dimensions.
 struct Drawn {
   Mechanism mechanism;
-  std::vector<double> direction;  ///< of each driver for a unit of the path
-  double reach = 3;               ///< longest path, both ways
-  bool exact = false;             ///< its singular positions are exact in double precision
+  std::vector<double> direction = {};  ///< of each driver for a unit of the path
+  double reach = 3;                    ///< longest path, both ways
+  bool exact = false;                  ///< its singular positions are exact in double precision
 };
 
 /// A family of mechanisms. Families of the library keep their dimensions, but not size and place.
