@@ -1,7 +1,7 @@
 #include "cases/io/files.h"
 #include "cases/io/readers.h"
 #include "cases/io/text_file.h"
-#include "cases/mechanism/error.h"
+#include "cases/mechanism/checks.h"
 
 namespace desmo {
 namespace {
