@@ -21,6 +21,15 @@ inline std::string refuse_nan(const std::string& text) {
   return std::isnan(std::strtod(text.c_str(), nullptr)) ? "is not a number" : "";
 }
 
+/// Adds the required argument of a command that takes a scene.
+inline void add_scene(CLI::App& command, std::string& scene) {
+  command
+      .add_option("scene", scene,
+                  "Scene file, - for standard input, library mechanism (its scene), or scalable "
+                  "case with its units, such as truck_suspension:5")
+      ->required();
+}
+
 AddCommand add_list, add_show, add_inspect, add_solve, add_view, add_range, add_tune;
 inline constexpr AddCommand* commands[] = {add_list, add_show,  add_inspect, add_solve,
                                            add_view, add_range, add_tune};

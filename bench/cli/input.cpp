@@ -129,10 +129,4 @@ ModellingResult model_mechanism(const Input& input) {
   }
 }
 
-std::vector<std::string_view> library_names() {
-  std::vector<std::string_view> names;
-  for (const LibraryMechanism& m : library()) names.push_back(m.name);
-  return names;
-}
-
 }  // namespace desmo::cli

@@ -2,8 +2,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
-#include <vector>
 
 #include "cases/mechanism/scene.h"
 #include "formulations/modelling/modelling.h"
@@ -28,8 +26,5 @@ Input load_mechanism(const std::string& argument);
 
 /// Makes the model of an input. Throws InputError, naming the source.
 ModellingResult model_mechanism(const Input& input);
-
-/// Returns the names of the library, in alphabetical order.
-std::vector<std::string_view> library_names();
 
 }  // namespace desmo::cli

@@ -8,6 +8,7 @@
 #include "bench/cli/text.h"
 #include "cases/generators/cases.h"
 #include "cases/io/new_files.h"
+#include "cases/library/library.h"
 #include "cases/mechanism/names.h"
 #include "formulations/variants.h"
 

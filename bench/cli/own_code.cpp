@@ -6,6 +6,7 @@
 
 #include "bench/cli/commands.h"
 #include "bench/cli/text.h"
+#include "cases/mechanism/formatted.h"
 #include "cases/mechanism/names.h"
 
 namespace desmo::cli {
@@ -25,12 +26,11 @@ std::string note_on(const load::GenerationOutcome& own) {
                     (t.parts > 1 ? ", " + count(t.parts, "part") : "") + ")");
   const std::string of = " for " + enumerate(types, 8) + ": ";
   if (!own.problem.empty()) return note + "note: no code" + of + printable(own.problem, 600) + "\n";
-  char compiling[40] = "", time[40];
-  if (own.compiled) std::snprintf(compiling, sizeof compiling, " in %.2f s", own.seconds_compiling);
-  std::snprintf(time, sizeof time, " (%.2f s in all)\n", own.seconds);
   return note + "note: code" + of +
-         (own.compiled ? "compiled by " + own.compiler : "from " + printable(own.folder, 300)) +
-         compiling + time;
+         (own.compiled
+              ? "compiled by " + own.compiler + formatted(" in %.2f s", own.seconds_compiling)
+              : "from " + printable(own.folder, 300)) +
+         formatted(" (%.2f s in all)\n", own.seconds);
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 
 #include "bench/cli/commands.h"
 #include "bench/cli/errors.h"
-#include "bench/cli/input.h"
 #include "cases/io/new_files.h"
 #include "cases/library/library.h"
 #include "cases/mechanism/names.h"

@@ -15,6 +15,7 @@
 #include "cases/io/new_files.h"
 #include "cases/io/scene_text.h"
 #include "cases/io/text_file.h"
+#include "cases/mechanism/formatted.h"
 #include "formulations/verification/condition.h"
 
 namespace desmo::cli {
@@ -32,13 +33,7 @@ struct TuneOptions {
   accuracy::Goal goal() const { return {level, max_error, budget}; }
 };
 
-std::string number(const char* format, double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
-
-std::string microseconds(double seconds) { return number("%.4g us", 1e6 * seconds); }
+std::string microseconds(double seconds) { return formatted("%.4g us", 1e6 * seconds); }
 
 /// The best error that was reached at each time: what is cheaper is less accurate.
 std::string evidence(const accuracy::Found& found) {
@@ -47,7 +42,7 @@ std::string evidence(const accuracy::Found& found) {
   for (const accuracy::Tried& t : found.tried) {
     if (!(t.error < best)) continue;
     best = t.error;
-    rows.push_back({number("%.4g", 1e6 * t.seconds), number("%.2g", t.error),
+    rows.push_back({formatted("%.4g", 1e6 * t.seconds), formatted("%.2g", t.error),
                     t.whole ? "whole" : "begin", t.id});
   }
   if (rows.size() > rows_shown) rows.resize(rows_shown);
@@ -67,14 +62,14 @@ std::string evidence(const accuracy::Found& found) {
     text += "nothing takes at most " + microseconds(options.budget) + " a step here";
   else
     text += "nothing holds a relative " + std::string(bench::level_names[options.level]) +
-            " error of " + number("%.2g", options.max_error);
+            " error of " + formatted("%.2g", options.max_error);
   if (nearest)
     text += "; the " + std::string(budget ? "fastest" : "most accurate") + " is " + nearest->id +
-            " with " + number("%.2g", nearest->error) + " in " + microseconds(nearest->seconds);
+            " with " + formatted("%.2g", nearest->error) + " in " + microseconds(nearest->seconds);
   if (!budget)
     text += "; conditioning sets a floor of the order of " +
-            number("%.1g", accuracy_limit(accuracy::max_condition(whole),
-                                          std::ldexp(1, -53))[options.level]);
+            formatted("%.1g", accuracy_limit(accuracy::max_condition(whole),
+                                             std::ldexp(1, -53))[options.level]);
   throw Error(not_solved, text + "; ask for " + (budget ? "more time" : "a larger error"));
 }
 
@@ -118,13 +113,13 @@ void tune(const TuneOptions& options) {
 
   const std::string id = id_with(*found.choice->variant, found.choice->settings);
   std::string text = id + "\n";
-  text += "relative error over the motion: position " + number("%.2g", found.error.position.max);
+  text += "relative error over the motion: position " + formatted("%.2g", found.error.position.max);
   if (found.error.velocity.compared > 0)
-    text += ", velocity " + number("%.2g", found.error.velocity.max);
+    text += ", velocity " + formatted("%.2g", found.error.velocity.max);
   if (found.error.acceleration.compared > 0)
-    text += ", acceleration " + number("%.2g", found.error.acceleration.max);
+    text += ", acceleration " + formatted("%.2g", found.error.acceleration.max);
   text += " (at " + count(found.error.instants, "instant") + ")\n" + microseconds(found.seconds) +
-          " a step, " + number("%.2f", found.usual_seconds / found.seconds) +
+          " a step, " + formatted("%.2f", found.usual_seconds / found.seconds) +
           " times faster than " + found.choice->variant->id + " with the usual settings\n\n" +
           evidence(found);
   if (options.write) {
@@ -140,10 +135,7 @@ void add_tune(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
       "tune", "Find the cheapest formulation and settings that are accurate enough for a scene");
   const auto options = std::make_shared<TuneOptions>();
-  command
-      ->add_option("scene", options->scene,
-                   "Scene file, library mechanism (its scene), or scalable case with its units")
-      ->required();
+  add_scene(*command, options->scene);
   command
       ->add_option("--max-error", options->max_error,
                    "Largest error, relative to the size (speed, acceleration) of the mechanism")

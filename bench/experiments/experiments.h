@@ -12,7 +12,7 @@ class App;
 namespace desmo::bench {
 
 /// The table of experiments, the paper's first: each name with one line of help. NAME is measured
-/// by run_NAME in experiments/NAME/run.cpp.
+/// by run() of namespace NAME in experiments/NAME/run.cpp.
 #define DESMO_EXPERIMENTS(X)                                                           \
   X(paper, "CPU time of every case, size and formulation: the paper's Tables 1 and 2") \
   X(accuracy, "Time against error of formulations and their settings")                 \
@@ -28,13 +28,6 @@ struct CommandLine {
   std::string program;                 ///< its path, as Google Benchmark wants it
   std::vector<std::string> arguments;  ///< without program and experiment
 };
-
-/// Each measures, and returns the exit code: 0, or 1 where something that was measured is wrong.
-/// Throws std::invalid_argument and std::regex_error for a mistake in the command line, any other
-/// exception where something cannot be measured or written.
-#define DESMO_DECLARE(name, help) int run_##name(const CommandLine&);
-DESMO_EXPERIMENTS(DESMO_DECLARE)
-#undef DESMO_DECLARE
 
 /// Options that mean the same in every experiment that has them.
 struct CommonOptions {
@@ -57,9 +50,9 @@ void add_common(CLI::App& parser, CommonOptions& options, const CommonHelp& help
 /// Refuses what is no positive number, for CLI::Option::check. Returns the message.
 std::string refuse_not_positive(const std::string& text);
 
-/// Reads the whole command line. Returns false after printing the help that was asked for. Throws
+/// Reads all arguments. Returns false after printing the help that was asked for. Throws
 /// std::invalid_argument for an argument that is unknown or unusable.
-bool read(CLI::App& parser, const CommandLine& line);
+bool read(CLI::App& parser, const std::vector<std::string>& arguments);
 
 /// Begins the record of an experiment. Throws what Recording throws.
 inline Recording begin_record(const CommonOptions& options, const CommandLine& line) {
@@ -67,3 +60,13 @@ inline Recording begin_record(const CommonOptions& options, const CommandLine& l
 }
 
 }  // namespace desmo::bench
+
+/// Each measures, and returns the exit code: 0, or 1 where something that was measured is wrong.
+/// Throws std::invalid_argument and std::regex_error for a mistake in the command line, any other
+/// exception where something cannot be measured or written.
+#define DESMO_DECLARE(name, help)     \
+  namespace desmo::name {             \
+  int run(const bench::CommandLine&); \
+  }
+DESMO_EXPERIMENTS(DESMO_DECLARE)
+#undef DESMO_DECLARE

@@ -25,7 +25,7 @@ struct Experiment {
 };
 
 constexpr Experiment all_experiments[] = {
-#define DESMO_EXPERIMENT(name, help) {#name, help, run_##name},
+#define DESMO_EXPERIMENT(name, help) {#name, help, desmo::name::run},
     DESMO_EXPERIMENTS(DESMO_EXPERIMENT)
 #undef DESMO_EXPERIMENT
 };

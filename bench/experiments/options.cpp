@@ -29,8 +29,8 @@ std::string refuse_not_positive(const std::string& text) {
   return value > 0 && std::isfinite(value) ? "" : "'" + text + "' is not a positive number";
 }
 
-bool read(CLI::App& parser, const CommandLine& line) {
-  std::vector<std::string> last_first(line.arguments.rbegin(), line.arguments.rend());
+bool read(CLI::App& parser, const std::vector<std::string>& arguments) {
+  std::vector<std::string> last_first(arguments.rbegin(), arguments.rend());
   try {
     parser.parse(last_first);
     return true;

@@ -1,25 +1,52 @@
+#include <Eigen/Core>
 #include <array>
+#include <stdexcept>
 
 #include "bench/peers/peer.h"
+#include "bench/peers/tree/tree_peer.h"
 
 namespace desmo {
 
-// Each is defined in the file that solves by it.
-extern const std::array<PeerDefinition, 2> tree_peers;
+namespace {
+
+std::string version_of_eigen() {
+  return std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." +
+         std::to_string(EIGEN_MINOR_VERSION);
+}
+
+/// Makes the model that an expert would write by hand for one of the cases.
+template <Guess guess>
+std::unique_ptr<Peer> make_tree(const Scene& scene, const Model& model) {
+  if (scene.mechanism.name == "four_bar") return tree::make_four_bar(scene, model);
+  if (scene.mechanism.name == "truck_suspension") return tree::make_truck(scene, model, guess);
+  throw std::invalid_argument("tree: no model of '" + scene.mechanism.name + "'");
+}
+
+constexpr std::string_view by_hand = "by hand with Eigen",
+                           tree_method =
+                               "relative coordinates of a tree for this mechanism alone, loop "
+                               "after loop: closed forms, and Newton's method on two angles of "
+                               "each axle until our tolerance is met";
+
+}  // namespace
+
 #ifdef DESMO_PEERS
+// Each is defined in the file that solves by it.
 extern const std::array<PeerDefinition, 2> simbody_peers;
 extern const PeerDefinition ceres_peer;
 #endif
 
 std::span<const PeerDefinition> peers() {
-  static const std::vector<PeerDefinition> table = [] {
-    std::vector<PeerDefinition> all(tree_peers.begin(), tree_peers.end());
+  static const std::vector<PeerDefinition> table{
+      {"tree", by_hand, &version_of_eigen, tree_method, &make_tree<Guess::quadratic>},
+      {"tree_adams8", by_hand, &version_of_eigen, tree_method, &make_tree<Guess::adams8>,
+       Guess::adams8},
 #ifdef DESMO_PEERS
-    all.insert(all.end(), simbody_peers.begin(), simbody_peers.end());
-    all.push_back(ceres_peer);
+      simbody_peers[0],
+      simbody_peers[1],
+      ceres_peer,
 #endif
-    return all;
-  }();
+  };
   return table;
 }
 

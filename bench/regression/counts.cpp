@@ -43,17 +43,15 @@ std::int64_t count(const Side& side, const std::string& name) {
   }
 }
 
-/// Returns the place of each name in the history's cells. Adds those that are missing.
-std::vector<std::size_t> places_of(const std::vector<std::string>& names, Json& history) {
-  std::vector<std::size_t> places;
+/// Returns the place of a name in the history's cells. Adds one that is missing.
+std::size_t place_of(const std::string& name, Json& history) {
   Json& known = history["cells"];
-  for (const std::string& name : names) {
-    places.push_back(std::find(known.begin(), known.end(), name) - known.begin());
-    if (places.back() < known.size()) continue;
+  const std::size_t place = std::find(known.begin(), known.end(), name) - known.begin();
+  if (place == known.size()) {
     known.push_back(name);
     for (Json& point : history["points"]) point["instructions"].push_back(nullptr);
   }
-  return places;
+  return place;
 }
 
 void print_changes(const Json& names, const Json& before, const Json& point) {
@@ -86,16 +84,16 @@ void add_point(Json& history, const Side& programs, const Commit& commit,
     history = {{"schema", 1}, {"cells", Json::array()}, {"points", Json::array()}};
   if (history.value("schema", Json()) != 1)
     throw std::runtime_error("the file to add to is not a history");
-  const std::vector<std::size_t> places = places_of(names, history);
-  std::vector<std::size_t> there;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    if (exists(programs, names[i])) there.push_back(i);
   std::vector<std::string> counted;
-  for (const std::size_t i : there) counted.push_back(names[i]);
+  for (const std::string& name : names) {
+    place_of(name, history);
+    if (exists(programs, name)) counted.push_back(name);
+  }
   const std::vector<std::int64_t> counts = count_all(counted, {programs});
 
   Json instructions(history["cells"].size(), nullptr);
-  for (std::size_t i = 0; i < there.size(); ++i) instructions[places[there[i]]] = counts[i];
+  for (std::size_t i = 0; i < counted.size(); ++i)
+    instructions[place_of(counted[i], history)] = counts[i];
   const Json point = {{"commit", commit.name},
                       {"date", commit.date},
                       {"subject", commit.message},

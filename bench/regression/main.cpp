@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdint>
-#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
@@ -51,9 +51,7 @@ std::string asked(const Side& side, std::vector<std::string> question) {
 /// Returns the names of what can be measured, by head's table of variants.
 Names all_names(const Side& head) {
   std::istringstream answer(asked(head, {"names"}));
-  Names names;
-  for (std::string name; answer >> name;) names.push_back(name);
-  return names;
+  return {std::istream_iterator<std::string>(answer), {}};
 }
 
 void require_known(const Names& all, const std::string& name, const std::string& option) {
@@ -116,14 +114,15 @@ void add_times(Json& check, const std::string& pass, const Times& times) {
       for (const auto& [side, seconds] : by_side) append(check["second"][candidate][side], seconds);
     return;
   }
-  for (const auto& [side, seconds] : times.at(control)) append(check[control][side], seconds);
-  for (const auto& [side, ignored] : times.at(control))
+  for (const auto& [side, seconds] : times.at(control)) {
+    append(check[control][side], seconds);
     for (Json& candidate : check[side]["paper"]["cells"]) {
       const auto timed = times.find(name_of(candidate));
       if (timed == times.end()) continue;
       candidate["time"]["clock"] = "cpu";
       append(candidate["time"]["seconds"], timed->second.at(side));
     }
+  }
 }
 
 /// Marks what is right and was not timed, for whatever reason.
@@ -156,9 +155,9 @@ Json load(const std::string& path) {
   }
 }
 
-void save(const Json& check, const std::string& path) {
+void save(const std::string& text, const std::string& path) {
   OutputFile output(path);
-  output.write(check.dump() + '\n');
+  output.write(text);
   output.finish();
 }
 
@@ -175,7 +174,7 @@ void measure(const Options& o) {
   if (o.work) check["work"] = counted(names, sides);
   if (o.time) add_times(check, "first", time_rounds(sides, names, rounds, o.seed));
   mark_untimed(check, sides);
-  save(check, o.file);
+  save(check.dump() + '\n', o.file);
 }
 
 /// Adds rounds of some candidates, in the first pass or in the second, which confirms it.
@@ -185,15 +184,13 @@ void measure_more(Options o) {
   const std::uint64_t seed = check["settings"]["seed"];
   const std::uint64_t added = check.dump().size();  // another order whenever something was added
   add_times(check, o.pass, time_rounds(sides_of(o), o.names, rounds, seed + added));
-  save(check, o.file);
+  save(check.dump() + '\n', o.file);
 }
 
 void add_commit(const Options& o) {
   Json history = std::filesystem::exists(o.file) ? load(o.file) : Json{};
   add_point(history, sides_of(o).back(), o.commit, o.names);
-  OutputFile file(o.file);
-  file.write(text_of(history));
-  file.finish();
+  save(text_of(history), o.file);
 }
 
 int run(int argc, char** argv) {

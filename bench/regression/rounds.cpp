@@ -4,7 +4,6 @@
 #include <limits>
 #include <memory>
 #include <random>
-#include <stdexcept>
 #include <utility>
 
 #include "bench/kit/process/progress.h"

@@ -1,5 +1,4 @@
 // Row 10: invalid mechanisms, and drivers that stop being finite numbers.
-#include <cmath>
 #include <limits>
 #include <numbers>
 #include <string>
@@ -16,29 +15,19 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double start = std::numbers::pi / 3;
 constexpr TimeGrid grid{0, 0.1, 41};
 
-ExtremeCase refused(std::string name, const DyadChain& chain) {
-  ExtremeCase c = case_of(std::move(name), chain, 1, grid);
+using Dyad = DyadChain::Dyad;
+
+ExtremeCase refused(ExtremeCase c) {
   c.chains.clear();  // there is no answer
   c.is_refused = true;
   return c;
 }
 
-ExtremeCase with_rocker(std::string name, double length) {
+/// The last dyad is what `damage` makes of it.
+ExtremeCase damaged(std::string name, void (*damage)(Dyad&)) {
   DyadChain chain = usual_chain(2, start);
-  chain.dyads.back().rocker = length;
-  return refused(std::move(name), chain);
-}
-
-ExtremeCase with_pivot(std::string name, const Mechanism::Vec& at) {
-  DyadChain chain = usual_chain(2, start);
-  chain.dyads.back().pivot = at;
-  return refused(std::move(name), chain);
-}
-
-ExtremeCase coincident_pivots() {
-  DyadChain chain = usual_chain(2, start);
-  chain.dyads.back().pivot = chain.dyads.back().joint;
-  return refused("a rocker's pivots coincide", chain);
+  damage(chain.dyads.back());
+  return refused(case_of(std::move(name), chain, 1, grid));
 }
 
 ExtremeCase driven_by(std::string name, Motion motion) {
@@ -61,25 +50,21 @@ Motion infinite_after_a_second() {
   return Polynomial{std::move(coefficients)};
 }
 
-ExtremeCase undefined_motion() {
-  ExtremeCase c = driven_by("a motion with NaN", Polynomial{{start, nan}});
-  c.is_refused = true;
-  c.chains.clear();
-  return c;
-}
-
 }  // namespace
 
 std::vector<ExtremeCase> bad_input(Extent) {
   ExtremeCase infinite = driven_by("a driver infinite after 1 s", infinite_after_a_second());
   infinite.scene.grid = {0, 0.4, 6};
-  return {with_rocker("a length NaN", nan),
-          with_rocker("an infinite length", infinity),
-          with_rocker("a length of zero", 0),
-          with_rocker("a negative length", -6),
-          with_pivot("a point at NaN", {nan, 0, 0}),
-          coincident_pivots(),
-          undefined_motion(),
+  return {damaged("a length NaN", [](Dyad& d) { d.rocker = nan; }),
+          damaged("an infinite length", [](Dyad& d) { d.rocker = infinity; }),
+          damaged("a length of zero", [](Dyad& d) { d.rocker = 0; }),
+          damaged("a negative length", [](Dyad& d) { d.rocker = -6; }),
+          damaged("a point at NaN",
+                  [](Dyad& d) {
+                    d.pivot = {nan, 0, 0};
+                  }),
+          damaged("a rocker's pivots coincide", [](Dyad& d) { d.pivot = d.joint; }),
+          refused(driven_by("a motion with NaN", Polynomial{{start, nan}})),
           driven_by("a driver NaN after 1.75 s", not_a_number_from(1.75)),
           infinite};
 }

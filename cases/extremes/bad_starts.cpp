@@ -1,10 +1,10 @@
 // Row 9: estimates that are exact, or far off.
-#include <cstdio>
 #include <numbers>
 #include <string>
 
 #include "cases/extremes/rows.h"
 #include "cases/io/files.h"
+#include "cases/mechanism/formatted.h"
 
 namespace desmo::extremes {
 
@@ -13,9 +13,7 @@ namespace {
 constexpr TimeGrid only_start{0, 1, 1};
 
 ExtremeCase off_by(ExtremeCase c, double off, int count) {
-  char text[32];
-  std::snprintf(text, sizeof text, ", %g %% off", 100 * off);
-  c.name += text;
+  c.name += formatted(", %g %% off", 100 * off);
   c.starts = {count, off};
   c.may_fail = off > 0;  // an exact start is never made worse
   return c;

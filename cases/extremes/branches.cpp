@@ -1,5 +1,4 @@
 // Row 5: steps so large, or starts so far off, that another branch is near.
-#include <cstdio>
 #include <numbers>
 #include <string>
 #include <string_view>
@@ -7,6 +6,7 @@
 
 #include "cases/extremes/rows.h"
 #include "cases/io/files.h"
+#include "cases/mechanism/formatted.h"
 
 namespace desmo::extremes {
 
@@ -17,10 +17,8 @@ ExtremeCase may_fail(ExtremeCase c) {
   return c;
 }
 
-std::string steps(std::string_view of, double step, const char* unit) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%s, steps of %g %s", std::string(of).c_str(), step, unit);
-  return text;
+std::string steps(const char* of, double step, const char* unit) {
+  return formatted("%s, steps of %g %s", of, step, unit);
 }
 
 ExtremeCase four_bar_in(double step) {
@@ -49,11 +47,10 @@ ExtremeCase platform_beneath(double step) {
 
 /// Four equal links. In 0.01 rad from π, where it turns back, both branches are nearly one.
 ExtremeCase folding_rhombus(double step) {
-  DyadChain chain{.crank = 2, .start = 2, .dyads = {}};
-  chain.dyads = {closed_dyad(crank_pin(chain), {2, 0, 0}, 2, 2, 1)};
   const Motion there_and_back = HarmonicSum{2, {{1.13, 1, 0}}};
-  ExtremeCase c = may_fail(case_of(steps("folding rhombus", step, "s"), std::vector{chain},
-                                   {there_and_back}, {0, step, 31}));
+  ExtremeCase c =
+      may_fail(case_of(steps("folding rhombus", step, "s"), std::vector{one_dyad(2, 2, 2, 2, 2)},
+                       {there_and_back}, {0, step, 31}));
   c.factor = 100;  // what is promised
   return c;
 }

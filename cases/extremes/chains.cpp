@@ -18,14 +18,22 @@ ExtremeCase case_of(std::string name, const DyadChain& chain, double rate, const
   return case_of(std::move(name), std::vector{chain}, {Polynomial{{chain.start, rate}}}, grid);
 }
 
+void add_dyad(DyadChain& chain, double pivot, double coupler, double rocker, int side) {
+  const Mechanism::Vec from = chain.dyads.empty() ? crank_pin(chain) : chain.dyads.back().joint;
+  chain.dyads.push_back(closed_dyad(from, {pivot, 0, 0}, coupler, rocker, side));
+}
+
+DyadChain one_dyad(double crank, double start, double pivot, double coupler, double rocker,
+                   int side) {
+  DyadChain chain{.crank = crank, .start = start, .dyads = {}};
+  add_dyad(chain, pivot, coupler, rocker, side);
+  return chain;
+}
+
 DyadChain usual_chain(int dyads, double start, double scale) {
   DyadChain chain{.crank = 2 * scale, .start = start, .dyads = {}};
   chain.dyads.reserve(dyads);
-  Mechanism::Vec from = crank_pin(chain);
-  for (int k = 1; k <= dyads; ++k) {
-    chain.dyads.push_back(closed_dyad(from, {6 * scale * k, 0, 0}, 6 * scale, 6 * scale, 1));
-    from = chain.dyads.back().joint;
-  }
+  for (int k = 1; k <= dyads; ++k) add_dyad(chain, 6 * scale * k, 6 * scale, 6 * scale);
   return chain;
 }
 

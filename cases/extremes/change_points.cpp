@@ -1,10 +1,9 @@
 // Row 15: a crank arrives at, leaves, touches or rests next to the position in which coupler and
 // rocker are stretched, where the joint may go on to either side.
-#include <cstdio>
 #include <numbers>
-#include <string>
 
 #include "cases/extremes/rows.h"
+#include "cases/mechanism/formatted.h"
 
 namespace desmo::extremes {
 
@@ -12,12 +11,10 @@ namespace {
 
 /// Coupler and rocker of 5 and 3 are stretched over 8 at θ = π, to the last bit.
 ExtremeCase beside(const char* family, double distance, const Motion& crank, const TimeGrid& grid) {
-  DyadChain chain{.crank = 2, .start = sample(crank, grid.start).position, .dyads = {}};
-  chain.dyads = {closed_dyad(crank_pin(chain), {6, 0, 0}, 5, 3, 1)};
-  char name[64];
-  std::snprintf(name, sizeof name, "%s, %.0e rad beside, steps of 1/%.0f s", family, distance,
-                1 / grid.step);
-  ExtremeCase c = case_of(name, std::vector{chain}, {crank}, grid);
+  const DyadChain chain = one_dyad(2, sample(crank, grid.start).position, 6, 5, 3);
+  ExtremeCase c =
+      case_of(formatted("%s, %.0e rad beside, steps of 1/%.0f s", family, distance, 1 / grid.step),
+              std::vector{chain}, {crank}, grid);
   c.may_fail = true;
   c.factor = 1000;  // more than is promised, which degraded runs may need
   return c;
@@ -25,11 +22,8 @@ ExtremeCase beside(const char* family, double distance, const Motion& crank, con
 
 /// A crank of 2 · 10⁻ᵏ turns between links of 6.
 ExtremeCase small_crank(double scale) {
-  DyadChain chain{.crank = 2 * scale, .start = chain_start, .dyads = {}};
-  chain.dyads = {closed_dyad(crank_pin(chain), {6, 0, 0}, 6, 6, 1)};
-  char name[64];
-  std::snprintf(name, sizeof name, "a crank %.0e as long as the links", scale / 3);
-  ExtremeCase c = case_of(name, chain, 1, {0, 0.125, 33});
+  ExtremeCase c = case_of(formatted("a crank %.0e as long as the links", scale / 3),
+                          one_dyad(2 * scale, chain_start, 6, 6, 6), 1, {0, 0.125, 33});
   c.may_fail = true;
   return c;
 }

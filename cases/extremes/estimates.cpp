@@ -14,17 +14,15 @@ namespace {
 
 /// In small steps, by which the condition number grows a thousandfold.
 ExtremeCase approaching_a_dead_point() {
-  DyadChain chain{.crank = 2, .start = std::numbers::pi - 0.5, .dyads = {}};
-  chain.dyads = {closed_dyad(crank_pin(chain), {6, 0, 0}, 5, 3 + 1e-10, 1)};
+  const DyadChain chain = one_dyad(2, std::numbers::pi - 0.5, 6, 5, 3 + 1e-10);
   return case_of("approaching a dead point", chain, 0.5, {0, 0.002, 501});
 }
 
 /// Parallel cranks go on parallel where the other branch is the declared one: the joint changes
 /// sides when they are in line, which their rates do not tell.
 ExtremeCase through_a_change_point() {
-  DyadChain chain{.crank = 1, .start = -1.0003, .dyads = {}};
-  chain.dyads = {closed_dyad(crank_pin(chain), {2, 0, 0}, 2, 1, -1)};
-  ExtremeCase c = case_of("through a change point", chain, 1, {0, 0.001, 3001});
+  ExtremeCase c =
+      case_of("through a change point", one_dyad(1, -1.0003, 2, 2, 1, -1), 1, {0, 0.001, 3001});
   c.settings = "/guess:quadratic";
   c.may_fail = true;
   return c;

@@ -1,6 +1,4 @@
 // Row 4: from an instant on the third of four groups cannot be closed; later it can again.
-#include <array>
-
 #include "cases/extremes/rows.h"
 
 namespace desmo::extremes {
@@ -10,9 +8,8 @@ namespace {
 /// The second dyad reaches over 10.5, its ends are up to 11.3 apart.
 DyadChain locking() {
   DyadChain chain = usual_chain(1, 0.25);
-  for (const auto& [pivot, coupler, rocker] :
-       {std::array{12.0, 6.0, 4.5}, std::array{17.0, 6.0, 6.0}})
-    chain.dyads.push_back(closed_dyad(chain.dyads.back().joint, {pivot, 0, 0}, coupler, rocker, 1));
+  add_dyad(chain, 12, 6, 4.5);
+  add_dyad(chain, 17, 6, 6);
   return chain;
 }
 

@@ -1,6 +1,5 @@
 // Row 1: growth of the error with the number of groups.
 #include <cmath>
-#include <numbers>
 #include <string>
 
 #include "cases/extremes/rows.h"
@@ -13,13 +12,11 @@ namespace {
 /// that any number of dyads can follow.
 DyadChain unequal(int dyads) {
   DyadChain chain{.crank = 2, .start = chain_start, .dyads = {}};
-  Mechanism::Vec from = crank_pin(chain);
   double pivot = 0;
   for (int k = 1; k <= dyads; ++k) {
     const double length = k == 1 ? 6 : 6 + 2.5 * std::sin(k);
     pivot += length;
-    chain.dyads.push_back(closed_dyad(from, {pivot, 0, 0}, length, 6, 1));
-    from = chain.dyads.back().joint;
+    add_dyad(chain, pivot, length, 6);
   }
   return chain;
 }

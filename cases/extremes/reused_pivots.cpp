@@ -7,8 +7,7 @@
 namespace desmo::extremes {
 
 std::vector<ExtremeCase> reused_pivots(Extent) {
-  DyadChain chain{.crank = 2, .start = 1, .dyads = {}};
-  chain.dyads = {closed_dyad(crank_pin(chain), {6, 0, 0}, 5, 3 + 1e-5, 1)};
+  const DyadChain chain = one_dyad(2, 1, 6, 5, 3 + 1e-5);
   std::vector<ExtremeCase> all;
   for (const char* settings : {"", "/jacobian:step", "/jacobian:chord"}) {
     ExtremeCase c = case_of("a revolution" + std::string(settings), chain, 1, {0, 6.25e-4, 10'001});

@@ -19,6 +19,13 @@ ExtremeCase case_of(std::string name, std::vector<DyadChain> chains, std::vector
 /// Makes a case of one chain, whose crank turns at a constant rate [rad/s].
 ExtremeCase case_of(std::string name, const DyadChain& chain, double rate, const TimeGrid& grid);
 
+/// Adds a dyad that follows the last one, or the crank, and is closed there (closed_dyad).
+void add_dyad(DyadChain& chain, double pivot, double coupler, double rocker, int side = 1);
+
+/// Makes a chain of one dyad. pivot: of the rocker, on the x axis.
+DyadChain one_dyad(double crank, double start, double pivot, double coupler, double rocker,
+                   int side = 1);
+
 /// Initial angle of the crank of dyad chains, unless a case says otherwise [rad].
 inline constexpr double chain_start = std::numbers::pi / 3;
 

@@ -1,10 +1,6 @@
 // Row 7: the same mechanism in other units, and mechanisms of different size in one model.
-#include <cstdio>
-#include <numbers>
-#include <string>
-#include <utility>
-
 #include "cases/extremes/rows.h"
+#include "cases/mechanism/formatted.h"
 
 namespace desmo::extremes {
 
@@ -19,9 +15,8 @@ ExtremeCase as_first(ExtremeCase c) {
 }
 
 ExtremeCase scaled(double scale) {
-  char name[16];
-  std::snprintf(name, sizeof name, "× %.0e", scale);
-  return as_first(case_of(name, usual_chain(3, chain_start, scale), 1, scale_grid));
+  return as_first(
+      case_of(formatted("× %.0e", scale), usual_chain(3, chain_start, scale), 1, scale_grid));
 }
 
 ExtremeCase both() {

@@ -20,22 +20,11 @@ ExtremeCase to_zero(std::string name, const DyadChain& chain) {
   return c;
 }
 
-/// Coupler and rocker of 5 and 3 are stretched over 8.
-DyadChain dead_point() {
-  DyadChain chain{.crank = 2, .start = -1, .dyads = {}};
-  chain.dyads = {closed_dyad(crank_pin(chain), {-6, 0, 0}, 5, 3, 1)};
-  return chain;
-}
-
 /// The N-four-bar of the benchmark literature: parallel cranks one after the other, all of them in
 /// one line at the end.
 DyadChain aligned(int dyads) {
   DyadChain chain{.crank = 1, .start = -1, .dyads = {}};
-  Mechanism::Vec from = crank_pin(chain);
-  for (int k = 1; k <= dyads; ++k) {
-    chain.dyads.push_back(closed_dyad(from, {2.0 * k, 0, 0}, 2, 1, -1));
-    from = chain.dyads.back().joint;
-  }
+  for (int k = 1; k <= dyads; ++k) add_dyad(chain, 2.0 * k, 2, 1, -1);
   return chain;
 }
 
@@ -74,7 +63,9 @@ ExtremeCase yawing_platform() {
 }  // namespace
 
 std::vector<ExtremeCase> singular_positions(Extent) {
-  return {to_zero("dead point", dead_point()), to_zero("parallel cranks in line", aligned(1)),
+  // Coupler and rocker of 5 and 3 are stretched over 8.
+  return {to_zero("dead point", one_dyad(2, -1, -6, 5, 3)),
+          to_zero("parallel cranks in line", aligned(1)),
           to_zero("8 parallel cranks in line", aligned(8)), yawing_platform()};
 }
 

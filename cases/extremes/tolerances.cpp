@@ -1,5 +1,4 @@
 // Row 13: tolerances from coarse ones to some beyond double precision.
-#include <cstdio>
 #include <numbers>
 #include <string>
 

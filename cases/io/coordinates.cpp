@@ -1,6 +1,6 @@
 #include <array>
 
-#include "cases/io/mechanism_reader.h"
+#include "cases/io/readers.h"
 #include "cases/mechanism/names.h"
 
 namespace desmo {
@@ -65,10 +65,9 @@ class CoordinateReader {
     value.allow({"component", "axis", "estimate"});
     c.type = Type::component;
     c.point = names_.points.find(value["component"]);
+    constexpr std::array<std::string_view, 3> axes{"x", "y", "z"};
     const JsonValue axis = value["axis"];
-    const std::string_view name = axis.text();
-    c.axis = name == "x" ? 0 : name == "y" ? 1 : name == "z" ? 2 : -1;
-    if (c.axis < 0) axis.complain("unknown axis " + in_quotes(name) + "; there are 'x', 'y', 'z'");
+    c.axis = static_cast<int>(axis.choose("axis", axes));
     if (c.axis >= dimension_)
       axis.complain("there is no z in the plane; give 'x' or 'y', or the mechanism dimension 3");
   }

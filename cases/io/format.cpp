@@ -1,10 +1,9 @@
-#include "cases/io/format.h"
-
 #include <algorithm>
 #include <array>
 #include <numbers>
 #include <span>
 
+#include "cases/io/readers.h"
 #include "cases/mechanism/names.h"
 
 namespace desmo {

@@ -2,21 +2,18 @@
 #include <map>
 #include <set>
 
-#include "cases/io/mechanism_reader.h"
+#include "cases/io/readers.h"
 #include "cases/mechanism/joint_forms.h"
-#include "cases/mechanism/names.h"
 
 namespace desmo {
 namespace {
 
 Mechanism::JointType read_type(const JsonValue& value) {
-  const auto form = std::ranges::find(joint_forms(), value.text(), &JointForm::name);
-  if (form != joint_forms().end()) return form->type;
   std::vector<std::string_view> names;
   for (const JointForm& known : joint_forms())
     if (std::ranges::find(names, known.name) == names.end()) names.push_back(known.name);
-  value.complain("unknown type of joint " + in_quotes(value.text()) + "; " +
-                 suggestion(value.text(), names));
+  const std::string_view name = names[value.choose("type of joint", names)];
+  return std::ranges::find(joint_forms(), name, &JointForm::name)->type;
 }
 
 Mechanism::Joint read_joint(const JsonValue& value, const Names& names) {

@@ -78,16 +78,7 @@ std::string syntax_error(std::string_view text, std::size_t at, int library_id,
 }
 
 std::string pointer_token(std::string_view key) {
-  std::string token;
-  for (const char c : printable(key)) {
-    if (c == '~')
-      token += "~0";
-    else if (c == '/')
-      token += "~1";
-    else
-      token += c;
-  }
-  return "/" + token;
+  return (nlohmann::json::json_pointer() / printable(key)).to_string();
 }
 
 }  // namespace
@@ -280,6 +271,13 @@ int JsonValue::whole_number(int least, int most) const {
   return static_cast<int>(value);
 }
 
+std::size_t JsonValue::choose(const std::string& kind,
+                              std::span<const std::string_view> known) const {
+  const auto found = std::ranges::find(known, text());
+  if (found != known.end()) return found - known.begin();
+  complain("unknown " + kind + " " + in_quotes(text()) + "; " + suggestion(text(), known));
+}
+
 bool JsonValue::boolean() const {
   expect(JsonDocument::Kind::boolean, "true or false");
   return node().number != 0;
@@ -291,24 +289,12 @@ void JsonValue::complain(const std::string& what) const {
 
 void JsonValue::expect(JsonDocument::Kind expected, const char* what) const {
   if (kind() == expected) return;
-  const auto name = [this]() -> const char* {
-    switch (kind()) {
-      case JsonDocument::Kind::null:
-        return "null";
-      case JsonDocument::Kind::boolean:
-        return node().number != 0 ? "true" : "false";
-      case JsonDocument::Kind::number:
-        return "a number";
-      case JsonDocument::Kind::string:
-        return "a text";
-      case JsonDocument::Kind::array:
-        return "a list";
-      case JsonDocument::Kind::object:
-        return "an object";
-    }
-    return "something else";
-  };
-  complain(std::string("is ") + name() + "; give " + what);
+  // In the order of Kind.
+  static constexpr const char* names[] = {"null",   "false",  "a number",
+                                          "a text", "a list", "an object"};
+  const bool is_true = kind() == JsonDocument::Kind::boolean && node().number != 0;
+  complain(std::string("is ") + (is_true ? "true" : names[static_cast<int>(kind())]) + "; give " +
+           what);
 }
 
 }  // namespace desmo

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -73,6 +74,9 @@ class JsonValue {
   std::string_view line() const;  ///< non-empty text of one line and at most 200 characters
   double number() const;          ///< at most 1e100 in magnitude, so that squares are finite
   int whole_number(int least, int most) const;
+  /// Returns the position of the text in a list; kind: "level", for the message when it is not
+  /// there.
+  std::size_t choose(const std::string& kind, std::span<const std::string_view> known) const;
   bool boolean() const;
 
   /// Throws InputError. what: "<what is wrong>; <remedy>".

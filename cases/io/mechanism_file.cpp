@@ -1,8 +1,7 @@
 #include "cases/io/files.h"
-#include "cases/io/mechanism_reader.h"
+#include "cases/io/readers.h"
 #include "cases/io/text_file.h"
-#include "cases/mechanism/error.h"
-#include "cases/mechanism/names.h"
+#include "cases/mechanism/checks.h"
 
 namespace desmo {
 namespace {
@@ -45,21 +44,14 @@ std::vector<Mechanism::Body> read_bodies(const JsonValue& root, double unit, Nam
 
 // Where the file describes what validate() refuses.
 JsonValue place_of(const JsonValue& root, const Mechanism& d, const MechanismError& error) {
+  using Part = MechanismError::Part;
   const int i = error.index();
-  switch (error.part()) {
-    case MechanismError::Part::point:
-      return root["points"][d.points[i].name];
-    case MechanismError::Part::vector:
-      return root["vectors"][d.vectors[i].name];
-    case MechanismError::Part::body:
-      return i == 0 ? root["ground"] : root["bodies"][d.bodies[i].name];
-    case MechanismError::Part::joint:
-      return root["joints"].elements()[i];
-    case MechanismError::Part::coordinate:
-      return root["coordinates"][d.coordinates[i].name];
-    case MechanismError::Part::description:
-      break;
-  }
+  const Part part = error.part();
+  if (part == Part::point) return root["points"][d.points[i].name];
+  if (part == Part::vector) return root["vectors"][d.vectors[i].name];
+  if (part == Part::body) return i == 0 ? root["ground"] : root["bodies"][d.bodies[i].name];
+  if (part == Part::joint) return root["joints"].elements()[i];
+  if (part == Part::coordinate) return root["coordinates"][d.coordinates[i].name];
   return root;
 }
 
@@ -119,13 +111,7 @@ Mechanism parse_mechanism(std::string_view text, const std::string& file_name) {
 }
 
 Mechanism read_mechanism(const std::filesystem::path& file) {
-  std::string text;
-  try {
-    text = read_text(file);
-  } catch (const UnreadableFile& error) {
-    throw InputError(printable(file.string(), 300) + ": " + error.what());
-  }
-  return parse_mechanism(text, file.string());
+  return parse_mechanism(read_input(file), file.string());
 }
 
 }  // namespace desmo

@@ -1,12 +1,9 @@
-#include "cases/io/motions.h"
-
 #include <array>
-#include <cstdio>
 #include <numbers>
-#include <optional>
 #include <stdexcept>
 
-#include "cases/io/name_table.h"
+#include "cases/io/readers.h"
+#include "cases/mechanism/formatted.h"
 #include "cases/mechanism/names.h"
 
 namespace desmo {
@@ -74,10 +71,7 @@ Motion read_harmonic(const JsonValue& value, double unit, const Units& units) {
 SplineEnds read_ends(const JsonValue& value) {
   constexpr std::array<std::string_view, 3> names{"natural", "clamped", "periodic"};
   constexpr std::array ends{SplineEnds::natural, SplineEnds::clamped, SplineEnds::periodic};
-  for (std::size_t i = 0; i < names.size(); ++i)
-    if (value.text() == names[i]) return ends[i];
-  value.complain("unknown ends " + in_quotes(value.text()) + "; " +
-                 suggestion(value.text(), names));
+  return ends[value.choose("ends", names)];
 }
 
 Motion read_table(const JsonValue& value, double unit) {
@@ -117,21 +111,24 @@ std::vector<int> driven_coordinates(const Mechanism& mechanism) {
   value.complain("is not driven; leave it out");
 }
 
-}  // namespace
-
 Motion read_motion(const JsonValue& value, Mechanism::CoordinateType coordinate,
                    const Units& units) {
   const double unit = coordinate == Mechanism::CoordinateType::angle ? angle_unit(value, units)
                                                                      : length_unit(value, units);
-  const JsonValue type = value["type"];
-  const std::string_view name = type.text();
-  if (name == "constant") return read_constant(value, unit);
-  if (name == "polynomial") return read_polynomial(value, unit);
-  if (name == "harmonic") return read_harmonic(value, unit, units);
-  if (name == "table") return read_table(value, unit);
   constexpr std::array<std::string_view, 4> types{"constant", "polynomial", "harmonic", "table"};
-  type.complain("unknown type of motion " + in_quotes(name) + "; " + suggestion(name, types));
+  switch (value["type"].choose("type of motion", types)) {
+    case 0:
+      return read_constant(value, unit);
+    case 1:
+      return read_polynomial(value, unit);
+    case 2:
+      return read_harmonic(value, unit, units);
+    default:
+      return read_table(value, unit);
+  }
 }
+
+}  // namespace
 
 std::vector<Motion> read_motions(const JsonValue& root, const Mechanism& mechanism,
                                  const Units& units, std::vector<Motion> known) {
@@ -167,11 +164,10 @@ void check_tables(const JsonValue& root, const Mechanism& mechanism,
                     grid.time(grid.instants - 1) <= spline->last_time() + rounding))
       continue;
     const std::string& name = mechanism.coordinates[driven[i]].name;
-    char range[80];
-    std::snprintf(range, sizeof range, "from %g s to %g s", spline->first_time(),
-                  spline->last_time());
-    root.find("time").value_or(root).complain("the table of " + in_quotes(name) + " reaches only " +
-                                              range + "; analyse no other times or extend it");
+    root.find("time").value_or(root).complain(
+        "the table of " + in_quotes(name) +
+        formatted(" reaches only from %g s to %g s; analyse no other times or extend it",
+                  spline->first_time(), spline->last_time()));
   }
 }
 

@@ -1,10 +1,11 @@
-#include "cases/io/request.h"
-
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <map>
+#include <optional>
+#include <utility>
 
-#include "cases/io/name_table.h"
+#include "cases/io/readers.h"
 #include "cases/mechanism/carriers.h"
 #include "cases/mechanism/names.h"
 
@@ -14,14 +15,6 @@ namespace {
 using Kind = Wanted::Kind;
 
 constexpr int max_patterns = 100;  // each is compared with every name
-constexpr int not_wanted = -1;
-
-template <class Entry>
-std::vector<bool> carried(const std::vector<Entry>& entries, const Carriers& carriers) {
-  std::vector<bool> result(entries.size(), false);
-  for (const Carriers::Pair& pair : carriers.pairs()) result[pair.entity] = true;
-  return result;
-}
 
 // One key of a request: what can be asked for under it, by name and position.
 class Selection {
@@ -35,6 +28,7 @@ class Selection {
 
   const std::string& key() const { return key_; }
   bool has(std::string_view name) const { return table_.position(name).has_value(); }
+  const std::vector<int>& positions() const { return positions_; }
   int find(const JsonValue& value) const { return positions_[table_.find(value)]; }
 
   std::vector<int> match(const JsonValue& pattern) const {
@@ -55,14 +49,7 @@ class Selection {
 
 class RequestReader {
  public:
-  explicit RequestReader(const Mechanism& d)
-      : d_(d),
-        point_is_carried_(carried(d.points, Carriers(d, &Mechanism::Body::points))),
-        vector_is_carried_(carried(d.vectors, Carriers(d, &Mechanism::Body::vectors))),
-        levels_{std::vector<int>(d.points.size(), not_wanted),
-                std::vector<int>(d.vectors.size(), not_wanted),
-                std::vector<int>(d.coordinates.size(), not_wanted)},
-        body_levels_(d.bodies.size(), not_wanted) {
+  explicit RequestReader(const Mechanism& d) : d_(d), body_levels_(d.bodies.size()) {
     fill_selections();
   }
 
@@ -70,18 +57,19 @@ class RequestReader {
     const std::vector<JsonValue> entries = list.elements();
     if (entries.empty()) list.complain("asks for nothing; leave it out to ask for everything");
     for (const JsonValue& entry : entries) read_entry(entry);
-    for (Wanted& wanted : wanted_)
-      wanted.level = static_cast<Level>(levels_[static_cast<int>(wanted.kind)][wanted.index]);
     return std::move(wanted_);
   }
 
  private:
   void fill_selections() {
     using enum Mechanism::CoordinateType;
+    const Carriers points(d_, &Mechanism::Body::points), vectors(d_, &Mechanism::Body::vectors);
     for (std::size_t i = 0; i < d_.points.size(); ++i)
-      if (point_is_carried_[i]) points_.add(d_.points[i].name, static_cast<int>(i));
+      if (points.is_carried(static_cast<int>(i)))
+        points_.add(d_.points[i].name, static_cast<int>(i));
     for (std::size_t i = 0; i < d_.vectors.size(); ++i)
-      if (vector_is_carried_[i]) vectors_.add(d_.vectors[i].name, static_cast<int>(i));
+      if (vectors.is_carried(static_cast<int>(i)))
+        vectors_.add(d_.vectors[i].name, static_cast<int>(i));
     for (std::size_t i = 0; i < d_.coordinates.size(); ++i)
       (d_.coordinates[i].type == angle ? angles_ : distances_)
           .add(d_.coordinates[i].name, static_cast<int>(i));
@@ -92,7 +80,7 @@ class RequestReader {
   void read_entry(const JsonValue& entry) {
     entry.allow({"points", "vectors", "angles", "distances", "bodies", "everything", "level"});
     const auto level_given = entry.find("level");
-    const int level = level_given ? read_level(*level_given) : static_cast<int>(Level::position);
+    const Level level = level_given ? read_level(*level_given) : Level::position;
     if (const auto everything = entry.find("everything")) {
       if (!everything->boolean()) everything->complain("is false; make it true or leave it out");
       if (entry.members().size() > (level_given ? 2u : 1u))
@@ -113,12 +101,9 @@ class RequestReader {
     read_names(entry, bodies_, [&](int i) { want_body(i, level); });
   }
 
-  static int read_level(const JsonValue& value) {
+  static Level read_level(const JsonValue& value) {
     constexpr std::array<std::string_view, 3> names{"position", "velocity", "acceleration"};
-    const auto found = std::ranges::find(names, value.text());
-    if (found != names.end()) return static_cast<int>(found - names.begin());
-    value.complain("unknown level " + in_quotes(value.text()) + "; " +
-                   suggestion(value.text(), names));
+    return static_cast<Level>(value.choose("level", names));
   }
 
   void read_names(const JsonValue& entry, const Selection& selection,
@@ -160,38 +145,36 @@ class RequestReader {
                     " is carried by no body and has no motion; list it in a body");
   }
 
-  void want(Kind kind, int index, int level) {
-    int& known = levels_[static_cast<int>(kind)][index];
-    if (known == not_wanted) wanted_.push_back({kind, index, Level::position});
+  void want(Kind kind, int index, Level level) {
+    const auto [place, is_new] = places_.try_emplace({kind, index}, wanted_.size());
+    if (is_new) wanted_.push_back({kind, index, level});
+    Level& known = wanted_[place->second].level;
     known = std::max(known, level);
   }
 
   // Once at each level: a request can name a body with many points many times.
-  void want_body(int body, int level) {
+  void want_body(int body, Level level) {
     if (body_levels_[body] >= level) return;
     body_levels_[body] = level;
     for (const int point : d_.bodies[body].points) want(Kind::point, point, level);
     for (const int vector : d_.bodies[body].vectors) want(Kind::vector, vector, level);
   }
 
-  void want_everything(int level) {
+  void want_everything(Level level) {
     if (everything_level_ >= level) return;
     everything_level_ = level;
-    for (int i = 0; i < static_cast<int>(d_.points.size()); ++i)
-      if (point_is_carried_[i]) want(Kind::point, i, level);
-    for (int i = 0; i < static_cast<int>(d_.vectors.size()); ++i)
-      if (vector_is_carried_[i]) want(Kind::vector, i, level);
+    for (const int i : points_.positions()) want(Kind::point, i, level);
+    for (const int i : vectors_.positions()) want(Kind::vector, i, level);
     for (int i = 0; i < static_cast<int>(d_.coordinates.size()); ++i)
       want(Kind::coordinate, i, level);
   }
 
   const Mechanism& d_;
-  std::vector<bool> point_is_carried_, vector_is_carried_;
-  std::array<std::vector<int>, 3> levels_;  // by Kind
-  std::vector<int> body_levels_;
-  int everything_level_ = not_wanted;
+  std::vector<std::optional<Level>> body_levels_;
+  std::optional<Level> everything_level_;
   int patterns_ = 0;
   std::vector<Wanted> wanted_;
+  std::map<std::pair<Kind, int>, std::size_t> places_;  // in it, of what is wanted
   Selection points_{"points", "point"}, vectors_{"vectors", "vector"}, angles_{"angles", "angle"},
       distances_{"distances", "distance"}, bodies_{"bodies", "body"};
 };

@@ -3,9 +3,7 @@
 
 #include "cases/generators/cases.h"
 #include "cases/io/files.h"
-#include "cases/io/mechanism_reader.h"
-#include "cases/io/motions.h"
-#include "cases/io/request.h"
+#include "cases/io/readers.h"
 #include "cases/io/text_file.h"
 #include "cases/library/library.h"
 #include "cases/mechanism/names.h"
@@ -37,19 +35,13 @@ Scene scene_from(const JsonValue& root, const std::filesystem::path& folder, Lib
 
 Start from_library(const JsonValue& value, LibraryGives gives) {
   value.allow({"library"});
-  const JsonValue name = value["library"];
-  const LibraryMechanism* const found = find_library(name.text());
-  if (!found) {
-    std::vector<std::string_view> names;
-    for (const LibraryMechanism& known : library()) names.push_back(known.name);
-    name.complain("unknown library mechanism " + in_quotes(name.text()) + "; " +
-                  suggestion(name.text(), names));
-  }
-  const std::string file_name = "library/" + std::string(found->name);
-  const JsonDocument mechanism(found->mechanism, file_name + ".json");
+  const LibraryMechanism& found =
+      library()[value["library"].choose("library mechanism", library_names())];
+  const std::string file_name = "library/" + std::string(found.name);
+  const JsonDocument mechanism(found.mechanism, file_name + ".json");
   Start start = without_motion(mechanism_from(mechanism.root()));
   if (gives == LibraryGives::mechanism) return start;
-  const JsonDocument document(found->scene, file_name + ".scene.json");
+  const JsonDocument document(found.scene, file_name + ".scene.json");
   Scene scene = scene_from(document.root(), {}, LibraryGives::mechanism);
   start.motions = std::move(scene.motions);
   start.grid = scene.grid;
@@ -57,25 +49,19 @@ Start from_library(const JsonValue& value, LibraryGives gives) {
 }
 
 Start from_generator(const JsonValue& value) {
-  const JsonValue name = value["generator"];
   std::vector<std::string_view> names;
-  for (const Case& c : cases()) {
-    names.push_back(c.name);
-    if (c.name != name.text()) continue;
-    value.allow({"generator", c.unit_name});
-    const JsonValue units = value[c.unit_name];
-    const int count = units.whole_number(1, max_units);
-    try {
-      Scene scene = c.describe(count);
-      Units units;
-      units.length_unit = units.length_name = scene.mechanism.length_unit;
-      return {std::move(scene.mechanism), units, std::move(scene.motions), scene.grid};
-    } catch (const std::invalid_argument& error) {
-      units.complain(std::string(error.what()) + "; choose another number");
-    }
+  for (const Case& c : cases()) names.push_back(c.name);
+  const Case& c = cases()[value["generator"].choose("generator", names)];
+  value.allow({"generator", c.unit_name});
+  const JsonValue count = value[c.unit_name];
+  try {
+    Scene scene = c.describe(count.whole_number(1, max_units));
+    Units units;
+    units.length_unit = units.length_name = scene.mechanism.length_unit;
+    return {std::move(scene.mechanism), units, std::move(scene.motions), scene.grid};
+  } catch (const std::invalid_argument& error) {
+    count.complain(std::string(error.what()) + "; choose another number");
   }
-  name.complain("unknown generator " + in_quotes(name.text()) + "; " +
-                suggestion(name.text(), names));
 }
 
 ReadMechanism from_file(const JsonValue& value, const std::filesystem::path& folder) {
@@ -188,22 +174,14 @@ Scene parse_scene(std::string_view text, const std::string& file_name,
 }
 
 Scene read_scene(const std::filesystem::path& file) {
-  std::string text;
-  try {
-    text = read_text(file);
-  } catch (const UnreadableFile& error) {
-    throw InputError(printable(file.string(), 300) + ": " + error.what());
-  }
-  return parse_scene(text, file.string(), file.parent_path());
+  return parse_scene(read_input(file), file.string(), file.parent_path());
 }
 
 Scene library_scene(std::string_view name) {
-  const LibraryMechanism* found = find_library(name);
-  if (found) return parse_scene(found->scene, std::string(name), {});
-  std::vector<std::string_view> known;
-  for (const LibraryMechanism& l : library()) known.push_back(l.name);
+  if (const LibraryMechanism* found = find_library(name))
+    return parse_scene(found->scene, std::string(name), {});
   throw std::invalid_argument("the library has no mechanism " + in_quotes(name) + "; " +
-                              suggestion(name, known));
+                              suggestion(name, library_names()));
 }
 
 }  // namespace desmo

@@ -5,6 +5,9 @@
 #include <cstring>
 #include <fstream>
 
+#include "cases/io/input_error.h"
+#include "cases/mechanism/names.h"
+
 namespace desmo {
 namespace {
 
@@ -43,6 +46,12 @@ std::string read_text(const std::filesystem::path& file) {
   }
   if (stream.bad()) throw UnreadableFile("cannot be read to its end; check the disk");
   return text;
+}
+
+std::string read_input(const std::filesystem::path& file) try {
+  return read_text(file);
+} catch (const UnreadableFile& error) {
+  throw InputError(printable(file.string(), 300) + ": " + error.what());
 }
 
 }  // namespace desmo

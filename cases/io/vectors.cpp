@@ -1,7 +1,8 @@
+#include <algorithm>
 #include <array>
-#include <optional>
+#include <map>
 
-#include "cases/io/mechanism_reader.h"
+#include "cases/io/readers.h"
 #include "cases/mechanism/directions.h"
 #include "cases/mechanism/names.h"
 
@@ -32,7 +33,7 @@ class VectorReader {
     int vector;
     JsonValue place;
     std::array<Direction, 2> of;
-    int open = 0;  // vectors it waits for
+    bool is_waiting = false;  // for another
   };
 
   void read(int i, const JsonValue& value) {
@@ -75,30 +76,30 @@ class VectorReader {
     return d.is_line() ? line(place, d.from, d.to) : vectors_[d.vector].direction;
   }
 
-  // In the order of what depends on what, which is of any depth: not by recursion.
+  // What a normal is defined by comes before it. That is of any depth: not by recursion.
   void resolve_normals() {
-    constexpr int known = -1;
-    std::vector<int> defined_by(vectors_.size(), known);
-    for (int n = 0; n < static_cast<int>(normals_.size()); ++n) defined_by[normals_[n].vector] = n;
-    std::vector<std::vector<int>> waiting(normals_.size());
-    std::vector<int> ready;
-    for (int n = 0; n < static_cast<int>(normals_.size()); ++n) {
-      for (const Direction& d : normals_[n].of)
-        if (!d.is_line() && defined_by[d.vector] != known) {
-          waiting[defined_by[d.vector]].push_back(n);
-          ++normals_[n].open;
-        }
-      if (normals_[n].open == 0) ready.push_back(n);
+    std::map<int, Normal*> normal_of;  // of each vector that is not resolved
+    for (Normal& normal : normals_) normal_of[normal.vector] = &normal;
+    const auto next = [&](const Normal& normal) -> Normal* {  // that it waits for
+      for (const Direction& d : normal.of)
+        if (const auto found = normal_of.find(d.vector); found != normal_of.end())
+          return found->second;
+      return nullptr;
+    };
+    std::vector<Normal*> path;  // each waits for the next
+    while (!normal_of.empty()) {
+      if (path.empty()) path.push_back(normal_of.begin()->second);
+      Normal& last = *path.back();
+      last.is_waiting = true;
+      if (Normal* before = next(last)) {
+        if (before->is_waiting) complain_of_cycle(std::ranges::find(path, before), path.end());
+        path.push_back(before);
+      } else {
+        resolve(last);
+        normal_of.erase(last.vector);
+        path.pop_back();
+      }
     }
-    std::size_t resolved = 0;
-    for (; !ready.empty(); ++resolved) {
-      const int n = ready.back();
-      ready.pop_back();
-      resolve(normals_[n]);
-      for (const int next : waiting[n])
-        if (--normals_[next].open == 0) ready.push_back(next);
-    }
-    if (resolved < normals_.size()) complain_of_cycle(defined_by);
   }
 
   void resolve(const Normal& normal) {
@@ -111,25 +112,16 @@ class VectorReader {
     vectors_[normal.vector].direction = *unit;
   }
 
-  // Whoever still waits, waits for one that still waits: going on, one comes round again.
-  [[noreturn]] void complain_of_cycle(const std::vector<int>& defined_by) const {
-    const auto waits_for = [&](int n) {
-      for (const Direction& d : normals_[n].of)
-        if (!d.is_line() && defined_by[d.vector] >= 0 && normals_[defined_by[d.vector]].open > 0)
-          return defined_by[d.vector];
-      return n;
-    };
-    int n = 0;
-    while (normals_[n].open == 0) ++n;
-    for (std::size_t i = 0; i < normals_.size(); ++i) n = waits_for(n);
+  // Each of them waits for the next, and the last for the first.
+  [[noreturn]] void complain_of_cycle(std::vector<Normal*>::iterator first,
+                                      std::vector<Normal*>::iterator end) const {
     constexpr int max_shown = 5;
-    std::string cycle = in_quotes(vectors_[normals_[n].vector].name);
-    int next = waits_for(n);
-    for (int shown = 1; next != n && shown < max_shown; ++shown, next = waits_for(next))
-      cycle += " of " + in_quotes(vectors_[normals_[next].vector].name);
-    cycle += next == n ? " of " + in_quotes(vectors_[normals_[n].vector].name) : " and so on";
-    normals_[n].place.complain("is defined by itself, a normal " + cycle +
-                               "; give one of them by components");
+    const auto name = [&](const Normal* n) { return in_quotes(vectors_[n->vector].name); };
+    std::string cycle = name(*first);
+    for (auto n = first + 1; n != end && n - first < max_shown; ++n) cycle += " of " + name(*n);
+    cycle += end - first <= max_shown ? " of " + name(*first) : " and so on";
+    (*first)->place.complain("is defined by itself, a normal " + cycle +
+                             "; give one of them by components");
   }
 
   int dimension_;

@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace desmo {
 
@@ -14,6 +15,9 @@ struct LibraryMechanism {
 
 /// Returns all mechanisms of the library, in alphabetical order.
 std::span<const LibraryMechanism> library();
+
+/// Returns their names, in the same order.
+std::vector<std::string_view> library_names();
 
 /// Returns the mechanism of that name, or null.
 const LibraryMechanism* find_library(std::string_view name);

@@ -1,13 +1,30 @@
-// The steps of validate(const Mechanism&). Each throws MechanismError and relies on the previous
-// steps.
+// The steps of validate(const Mechanism&), and the error that each throws. Each relies on the
+// previous steps.
 #pragma once
 
+#include <stdexcept>
 #include <string>
 
 #include "cases/mechanism/carriers.h"
-#include "cases/mechanism/error.h"
 
 namespace desmo {
+
+/// Error that validate(const Mechanism&) throws. It names the wrong entry, so that a parser can
+/// point at its position in the file.
+class MechanismError : public std::invalid_argument {
+ public:
+  enum class Part { description, point, vector, body, joint, coordinate };
+
+  MechanismError(Part part, int index, const std::string& message)
+      : std::invalid_argument(message), part_(part), index_(index) {}
+
+  Part part() const { return part_; }
+  int index() const { return index_; }  ///< index in the part's list
+
+ private:
+  Part part_;
+  int index_;
+};
 
 /// Throws MechanismError "joint 'J1': <what>" for an entry of the mechanism.
 [[noreturn]] void refuse(const Mechanism& mechanism, MechanismError::Part part, int index,
@@ -30,9 +47,6 @@ void check_vectors_along(const Mechanism& mechanism, const Carriers& points,
 
 /// Checks that joints have the entities that their type requires, carried by their bodies.
 void check_joints(const Mechanism& mechanism, const Carriers& points, const Carriers& vectors);
-
-/// Checks that joints connect all bodies that carry the same point or vector there.
-void check_sharing(const Mechanism& mechanism, const Carriers& points, const Carriers& vectors);
 
 void check_coordinates(const Mechanism& mechanism, const Carriers& points, const Carriers& vectors);
 

@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <string_view>
-
 #include "cases/mechanism/checks.h"
 #include "cases/mechanism/directions.h"
 #include "cases/mechanism/joint_forms.h"

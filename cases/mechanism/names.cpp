@@ -1,11 +1,15 @@
 #include "cases/mechanism/names.h"
 
 #include <algorithm>
-#include <cstdio>
+#include <boost/locale/utf.hpp>
 #include <numeric>
+
+#include "cases/mechanism/formatted.h"
 
 namespace desmo {
 namespace {
+
+namespace utf = boost::locale::utf;
 
 constexpr int max_distance = 3;
 constexpr std::size_t max_suggestions = 3;
@@ -34,28 +38,6 @@ int edit_distance(std::string_view a, std::string_view b, int limit) {
     }
   }
   return std::min(distance[columns], limit + 1);
-}
-
-struct CodePoint {
-  char32_t value = 0;
-  std::size_t bytes = 0;  // 0: not UTF-8
-};
-
-CodePoint decode(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char lead = byte(0);
-  if (lead < 0x80) return {lead, 1};
-  const std::size_t bytes = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
-  if (lead < 0xc2 || lead > 0xf4 || text.size() < bytes) return {};
-  char32_t value = lead & (0x7f >> bytes);
-  for (std::size_t i = 1; i < bytes; ++i) {
-    if ((byte(i) & 0xc0) != 0x80) return {};
-    value = value << 6 | (byte(i) & 0x3f);
-  }
-  constexpr char32_t smallest[] = {0, 0, 0x80, 0x800, 0x10000};
-  const bool surrogate = value >= 0xd800 && value <= 0xdfff;
-  if (value < smallest[bytes] || value > 0x10ffff || surrogate) return {};
-  return {value, bytes};
 }
 
 // Control characters, and those that show nothing or reverse the direction of writing.
@@ -130,14 +112,16 @@ std::string printable(std::string_view text, std::size_t limit) {
   std::string shown;
   for (std::size_t characters = 0; !text.empty(); ++characters) {
     if (characters == limit) return shown + "...";
-    const CodePoint c = decode(text);
-    const std::size_t bytes = std::max<std::size_t>(c.bytes, 1);
-    char escape[16] = "";
-    if (c.bytes == 0)
-      std::snprintf(escape, sizeof escape, "\\x%02x", static_cast<unsigned char>(text[0]));
-    else if (misleads(c.value))
-      std::snprintf(escape, sizeof escape, "\\u%04x", static_cast<unsigned>(c.value));
-    shown += *escape ? std::string_view(escape) : text.substr(0, bytes);
+    const char* next = text.data();
+    const utf::code_point c = utf::utf_traits<char>::decode(next, text.data() + text.size());
+    const bool is_valid = utf::is_valid_codepoint(c);
+    const std::size_t bytes = is_valid ? next - text.data() : 1;
+    if (!is_valid)
+      shown += formatted("\\x%02x", static_cast<unsigned char>(text[0]));
+    else if (misleads(c))
+      shown += formatted("\\u%04x", static_cast<unsigned>(c));
+    else
+      shown += text.substr(0, bytes);
     text.remove_prefix(bytes);
   }
   return shown;

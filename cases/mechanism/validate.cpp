@@ -1,30 +1,74 @@
 #include "cases/mechanism/checks.h"
-#include "cases/mechanism/mechanism.h"
+#include "cases/mechanism/disjoint_sets.h"
+#include "cases/mechanism/joint_forms.h"
 #include "cases/mechanism/names.h"
 
 namespace desmo {
 
+namespace {
+
 using Part = MechanismError::Part;
 
-void refuse(const Mechanism& d, Part part, int index, const std::string& what) {
-  const auto named = [&](const char* kind, const std::string& name) {
-    return MechanismError(part, index, std::string(kind) + " " + in_quotes(name) + ": " + what);
-  };
-  switch (part) {
-    case Part::point:
-      throw named("point", d.points[index].name);
-    case Part::vector:
-      throw named("vector", d.vectors[index].name);
-    case Part::body:
-      throw named("body", d.bodies[index].name);
-    case Part::joint:
-      throw named("joint", d.joints[index].name);
-    case Part::coordinate:
-      throw named("coordinate", d.coordinates[index].name);
-    case Part::description:
-      break;
+// Bodies that move as one.
+DisjointSets fixed_bodies(const Mechanism& d) {
+  DisjointSets fixed(d.bodies.size());
+  for (const Mechanism::Joint& joint : d.joints)
+    if (joint.type == Mechanism::JointType::fixed) fixed.unite(joint.bodies[0], joint.bodies[1]);
+  return fixed;
+}
+
+// The parts of an entity's carriers that joints connect must be one part.
+void check(const Mechanism& d, Part part, const Carriers& carriers,
+           std::vector<int> Mechanism::Joint::*joined, int JointForm::*common,
+           DisjointSets& fixed) {
+  const auto pairs = carriers.pairs();
+  DisjointSets shared(pairs.size());
+  for (const Mechanism::Joint& joint : d.joints) {
+    const JointForm& form = *find_joint_form(joint.type, d.dimension);
+    for (int k = 0; k < form.*common; ++k) {
+      const int entity = (joint.*joined)[k];
+      shared.unite(carriers.find({entity, joint.bodies[0]}),
+                   carriers.find({entity, joint.bodies[1]}));
+    }
   }
-  throw named("mechanism", d.name);
+  std::vector<int> last(d.bodies.size(), -1);  // pair of a fixed set of bodies
+  for (int i = 0; i < static_cast<int>(pairs.size()); ++i) {
+    int& previous = last[fixed.find(pairs[i].body)];
+    if (previous >= 0 && pairs[previous].entity == pairs[i].entity) shared.unite(previous, i);
+    previous = i;
+  }
+  for (int i = 1; i < static_cast<int>(pairs.size()); ++i) {
+    if (pairs[i].entity != pairs[i - 1].entity || shared.find(i) == shared.find(i - 1)) continue;
+    refuse(d, part, pairs[i].entity,
+           "is carried by " + in_quotes(d.bodies[pairs[i - 1].body].name) + " and " +
+               in_quotes(d.bodies[pairs[i].body].name) +
+               ", but no joints say that these share it; add a joint there, or give each body " +
+               (part == Part::point ? "a point" : "a vector") + " of its own");
+  }
+}
+
+// Joints must connect all bodies that carry the same point or vector there.
+void check_sharing(const Mechanism& d, const Carriers& points, const Carriers& vectors) {
+  DisjointSets fixed = fixed_bodies(d);
+  check(d, Part::point, points, &Mechanism::Joint::points, &JointForm::common_points, fixed);
+  check(d, Part::vector, vectors, &Mechanism::Joint::vectors, &JointForm::common_vectors, fixed);
+}
+
+}  // namespace
+
+void refuse(const Mechanism& d, Part part, int index, const std::string& what) {
+  // In the order of Part.
+  static constexpr const char* kinds[] = {"mechanism", "point", "vector",
+                                          "body",      "joint", "coordinate"};
+  const std::string& name = part == Part::point        ? d.points[index].name
+                            : part == Part::vector     ? d.vectors[index].name
+                            : part == Part::body       ? d.bodies[index].name
+                            : part == Part::joint      ? d.joints[index].name
+                            : part == Part::coordinate ? d.coordinates[index].name
+                                                       : d.name;
+  throw MechanismError(
+      part, index,
+      std::string(kinds[static_cast<int>(part)]) + " " + in_quotes(name) + ": " + what);
 }
 
 void validate(const Mechanism& d) {

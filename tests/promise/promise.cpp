@@ -5,7 +5,6 @@
 #include <cmath>
 #include <string>
 
-#include "bench/experiments/promise/ids.h"
 #include "bench/experiments/promise/mechanisms.h"
 #include "bench/experiments/promise/run_verdict.h"
 #include "bench/experiments/promise/tally.h"

@@ -1,7 +1,6 @@
 #include <algorithm>
 
 #include "bench/cli/inspect/inspection.h"
-#include "bench/cli/text.h"
 
 namespace desmo::cli {
 namespace {

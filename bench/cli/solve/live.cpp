@@ -7,6 +7,7 @@
 #include "bench/cli/solve/driver_rows.h"
 #include "bench/cli/solve/run_notes.h"
 #include "bench/cli/text.h"
+#include "cases/mechanism/formatted.h"
 #include "formulations/verification/monitor/live_run.h"
 
 namespace desmo::cli {
@@ -33,14 +34,10 @@ MonitoredSummary as_motion(const LiveSummary& s) {
 
 std::string reason_of(const LiveSummary& s, const LiveRun& run, const Plan& plan) {
   if (s.fault == RowFault::not_finite) return "a number is not finite; leave such rows out";
-  if (s.fault == RowFault::time_not_later) {
-    char text[160];
-    std::snprintf(
-        text, sizeof text,
+  if (s.fault == RowFault::time_not_later)
+    return formatted(
         "t = %.9g s is not after the last row that was solved, t = %.9g s; let time go on", s.time,
         run.time());
-    return text;
-  }
   if (s.ok()) return refusal_text(as_motion(s), plan.level(), plan.model);
   MonitoredSummary failure = as_motion(s);
   if (s.violated >= 0) return failure_text(failure, plan.model);

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "bench/cli/text.h"
+#include "cases/mechanism/formatted.h"
 
 namespace desmo::cli {
 
@@ -31,16 +31,13 @@ void Proof::add(const Instant& instant) {
 }
 
 std::string Proof::note(Level level) const {
-  char text[200];
-  std::snprintf(text, sizeof text, "proof: %ld of %ld instants", proven_, instants_);
-  std::string note = text;
+  std::string note = formatted("proof: %ld of %ld instants", proven_, instants_);
   const char* names[] = {"; errors at most %.1e", ", %.1e in velocity", ", %.1e in acceleration"};
   for (const Level l : levels) {
     if (proven_ == 0 || l > level) break;
     const double bound = std::max(relative(length_[l], scales_.now().length[l]),
                                   relative(rotation_[l], scales_.now().rotation[l]));
-    std::snprintf(text, sizeof text, names[static_cast<int>(l)], bound);
-    note += text;
+    note += formatted(names[static_cast<int>(l)], bound);
   }
   note += '\n';
   if (!is_complete())
@@ -50,10 +47,8 @@ std::string Proof::note(Level level) const {
 }
 
 std::string Proof::reason() const {
-  char moment[40];
-  std::snprintf(moment, sizeof moment, "t = %.9g s", first_);
   return "group '" + m_.groups[group_].name + "' (" + enumerate(m_.groups[group_].bodies, 8) +
-         "), " + moment +
+         formatted("), t = %.9g s", first_) +
          ": the position is too near a singular one, or too far off, to prove that a solution is "
          "near";
 }

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "bench/cli/inspect/inspection.h"
 #include "bench/cli/text.h"
+#include "bench/kit/problem.h"
+#include "cases/mechanism/formatted.h"
 #include "formulations/parts/guarded_part.h"
 #include "formulations/structure/partition.h"
 
@@ -12,19 +14,12 @@ namespace desmo::cli {
 
 namespace {
 
-std::string moment(double time) {
-  char text[40];
-  std::snprintf(text, sizeof text, "t = %.9g s", time);
-  return text;
-}
+std::string moment(double time) { return formatted("t = %.9g s", time); }
 
 /// "t = 1 s to 2 s"; one moment where both are the same in print.
 std::string interval(double from, double to) {
-  char first[24], last[24];
-  std::snprintf(first, sizeof first, "%.12g", from);
-  std::snprintf(last, sizeof last, "%.12g", to);
-  const std::string begin = "t = " + std::string(first) + " s";
-  return std::string_view(first) == last ? begin : begin + " to " + last + " s";
+  const std::string first = formatted("%.12g s", from), last = formatted("%.12g s", to);
+  return "t = " + (first == last ? first : first + " to " + last);
 }
 
 std::string group_text(GroupId group, const Model& m) {
@@ -50,11 +45,9 @@ const char* limit_text(Limit limit) {
 
 std::string assembly_error_text(const std::optional<AssemblyError>& d, const Model& m) {
   if (!d || d->constraint < 0) return "";
-  char amount[24];
-  std::snprintf(amount, sizeof amount, "%.1e", d->amount);
   const bool has_unit = d->is_length && m.length_unit != "1";
-  return "; at the nearest to it '" + m.constraints[d->constraint].name + "' is off by " + amount +
-         (has_unit ? " " + m.length_unit : "");
+  return "; at the nearest to it '" + m.constraints[d->constraint].name + "' is off by " +
+         formatted("%.1e", d->amount) + (has_unit ? " " + m.length_unit : "");
 }
 
 /// Newton's method has failed, and there is no assembly error.
@@ -71,7 +64,53 @@ std::string branch_text(int constraint, double time, const Model& m) {
          "in another way";
 }
 
+constexpr std::size_t names_shown = 8;
+
+std::string fraction(int kept, int all, const std::string& noun) {
+  return std::to_string(kept) + " of " + count(all, noun);
+}
+
+std::string use_text(const Plan::GroupUse& use) {
+  std::string text = use.name + ": keeps " + fraction(use.kept_unknowns, use.unknowns, "unknown") +
+                     " in " + fraction(use.kept_blocks, use.blocks, "block") + ", to " +
+                     bench::level_names[use.level];
+  if (!use.serves.empty()) text += "; serves " + use.serves;
+  text += "; kept: " + enumerate(use.kept, names_shown);
+  if (!use.dropped.empty()) text += "; dropped: " + enumerate(use.dropped, names_shown);
+  return text;
+}
+
+std::vector<std::string> drivers_not_needed(const Plan& plan, const Model& whole) {
+  const std::vector<std::string> kept = driver_names(plan.model);
+  std::vector<std::string> names = driver_names(whole);
+  std::erase_if(names, [&](const std::string& name) { return std::ranges::count(kept, name) > 0; });
+  return names;
+}
+
 }  // namespace
+
+std::string explain(const Plan& plan, const Model& whole) {
+  int kept = 0, all = 0;
+  std::string groups;
+  std::vector<std::string> not_needed;
+  for (const Plan::GroupUse& use : plan.groups) {
+    kept += use.kept_unknowns;
+    all += use.unknowns;
+    if (use.kept.empty())
+      not_needed.push_back(use.name);
+    else
+      groups += "  " + wrap(use_text(use), 4) + "\n";
+  }
+  if (!not_needed.empty())
+    groups += "  " + wrap("groups not needed: " + enumerate(not_needed, names_shown), 4) + "\n";
+  std::string text =
+      "solved: " + fraction(kept, all, "unknown") + ", " +
+      fraction(plan.model.degrees_of_freedom(), whole.degrees_of_freedom(), "driver") + "\n" +
+      groups;
+  if (const auto unused = drivers_not_needed(plan, whole); !unused.empty())
+    text += "  " + wrap("drivers not needed: " + enumerate(unused, names_shown), 4) + "\n";
+  return text;
+}
 
 std::string degradation_text(const Degradation& d, Level level, const Model& m) {
   return group_text(d.assessment.group, m) + moment(d.time) + ": " +
@@ -101,12 +140,9 @@ std::string note_on_code(const Formulation& f, bool named) {
 
 std::string note_on_tolerance(const Formulation& f, double asked) {
   if (f.tolerance() < 1.01 * asked) return "";
-  char numbers[160];
-  std::snprintf(numbers, sizeof numbers,
-                "note: the tolerance %.2g is below what rounding leaves; positions were solved to "
-                "%.2g\n",
-                asked, f.tolerance());
-  return numbers;
+  return formatted(
+      "note: the tolerance %.2g is below what rounding leaves; positions were solved to %.2g\n",
+      asked, f.tolerance());
 }
 
 std::string note_on_refusals(const Formulation& f) {
@@ -183,9 +219,9 @@ std::string failure_text(const MonitoredSummary& s, const Model& m) {
           : Reason{"the equations are not finite", "check the motion and the estimates"};
   std::string place = group_text(s.group, m);
   if (s.constraint >= 0) place += "constraint '" + m.constraints[s.constraint].name + "', ";
-  char residual[40] = "";  // none where an instant between those solved is not right
-  if (std::isfinite(s.residual))
-    std::snprintf(residual, sizeof residual, " (residual %.1e)", s.residual);
+  // There is none where an instant between those solved is not right.
+  const std::string residual =
+      std::isfinite(s.residual) ? formatted(" (residual %.1e)", s.residual) : "";
   return place + moment(s.time) + ": " + reason.what + residual +
          assembly_error_text(s.assembly_error, m) + "; " + reason.remedy;
 }

@@ -73,12 +73,81 @@ void say(const std::string& text) {
   std::fflush(stderr);
 }
 
-[[noreturn]] void fail(const std::string& what, long instants, const Input& input,
-                       const OutputFile& output) {
-  std::string text = input.source + ": " + what;
-  if (output.is_standard_output())
-    text += "\ndesmo: instants before it, on standard output: " + std::to_string(instants);
-  throw Error(not_solved, text);
+/// What is solved, how, and where the answers go.
+struct Task {
+  const SolveOptions& options;
+  const Input& input;
+  const Configuration& chosen;
+  const Model& whole;
+  const Plan& plan;
+  OutputFile& output;
+  bool named;  // the formulation is the user's choice, not the program's
+};
+
+std::unique_ptr<Formulation> make_solver(const Task& task) {
+  KernelTable kernels;
+  // For the program's own choice nobody waits for a compiler.
+  if (task.named)
+    add_missing_code(kernels, task.chosen, task.plan.model, task.input.scene.grid,
+                     task.options.own_code, task.options.quiet);
+  auto formulation = make_formulation(*task.chosen.variant, task.plan.model, task.chosen.settings,
+                                      nullptr, &kernels);
+  formulation->solve_only(task.plan.levels);
+  if (!task.options.quiet) say(note_on_code(*formulation, task.named));
+  return formulation;
+}
+
+void solve_rows(const Task& task, Formulation& formulation, const SeriesHeading& heading,
+                const SeriesFormat& format) {
+  const SolveOptions& o = task.options;
+  if (const std::string reason = unsupported_live_reason(formulation); !reason.empty())
+    throw Error(usage_error, "--drivers with " + heading.formulation + ": " + reason);
+  solve_live(
+      {task.input.source, o.drivers, task.whole, task.plan, o.strict, o.past_failures, o.quiet},
+      formulation, heading, format, task.output);
+  task.output.finish();
+}
+
+void solve_motion(const Task& task, Formulation& formulation, const SeriesHeading& heading,
+                  std::unique_ptr<SeriesFormat> format) {
+  const SolveOptions& o = task.options;
+  const Plan& plan = task.plan;
+  const TimeGrid& grid = task.input.scene.grid;
+  const double tolerance = task.chosen.settings.tolerance;
+  const bool in_the_way = task.output.is_standard_output() && ::isatty(STDOUT_FILENO) == 1;
+  std::optional<bench::Progress> progress;
+  if (!o.quiet && !in_the_way) progress.emplace("instants", grid.instants, true);
+  SeriesWriter writer(heading, std::move(format), task.output, progress ? &*progress : nullptr);
+  MonitoredRunOptions monitoring{
+      {.tolerance = tolerance, .levels = plan.levels}, o.strict, o.past_failures};
+  std::optional<Proof> proof;
+  if (o.certify) {
+    proof.emplace(plan.model, grid, plan.levels);
+    monitoring.monitored = [&](const MonitoredInstant& i) { proof->add(i.instant); };
+  }
+  const MonitoredSummary summary =
+      run_monitored(formulation, grid, Request{plan.level()}, writer, monitoring);
+  const std::string overflow = writer.overflow();
+  progress.reset();
+  const auto fail = [&](const std::string& what, long instants) {
+    std::string text = task.input.source + ": " + what;
+    if (task.output.is_standard_output())
+      text += "\ndesmo: instants before it, on standard output: " + std::to_string(instants);
+    throw Error(not_solved, text);
+  };
+  const bool all = summary.outcome() != Outcome::failed && overflow.empty();
+  if (all || task.output.is_standard_output()) writer.flush();
+  if (!overflow.empty()) fail(overflow, summary.instants - 1);
+  if (summary.refused) fail(refusal_text(summary, plan.level(), plan.model), summary.instants);
+  if (!all) fail(failure_text(summary, plan.model), summary.instants);
+  if (o.strict && proof && !proof->is_complete())
+    fail(proof->reason() + "; solve without --strict", summary.instants);
+  task.output.finish();
+  if (!o.quiet)
+    say(note_on_tolerance(formulation, tolerance) + note_on_refusals(formulation) +
+        note_on_steps(formulation) + note_on_gaps(summary, plan.model) +
+        note_on_accuracy(summary, plan.level(), plan.model) +
+        (proof ? proof->note(plan.level()) : ""));
 }
 
 void solve(const SolveOptions& options) {
@@ -87,62 +156,20 @@ void solve(const SolveOptions& options) {
   std::unique_ptr<SeriesFormat> format = series_format(format_name(options));
   const Input input = load_scene(options.scene);
   const Configuration chosen = choose_formulation(options, input);
-  const auto& [variant, settings] = chosen;
   OutputFile output(options.output, remove_when_interrupted);
   const Model whole = model_mechanism(input).model;
   const Plan plan = make_plan(whole, asked_by(input.scene, whole));
   if (options.explain) say(explain(plan, whole));
-  KernelTable kernels;
-  // For the program's own choice nobody waits for a compiler.
   const bool named = !options.formulation.empty() || !input.scene.formulation.empty();
-  if (named)
-    add_missing_code(kernels, chosen, plan.model, input.scene.grid, options.own_code,
-                     options.quiet);
-  const auto formulation = make_formulation(*variant, plan.model, settings, nullptr, &kernels);
-  formulation->solve_only(plan.levels);
-  if (!options.quiet) say(note_on_code(*formulation, named));
-
-  const SeriesHeading heading{whole.name, input.scene.name, id_with(*variant, settings),
+  const Task task{options, input, chosen, whole, plan, output, named};
+  const auto formulation = make_solver(task);
+  const SeriesHeading heading{whole.name, input.scene.name,
+                              id_with(*chosen.variant, chosen.settings),
                               make_columns(plan, input.scene), !options.drivers.empty()};
-  if (!options.drivers.empty()) {
-    if (const std::string reason = unsupported_live_reason(*formulation); !reason.empty())
-      throw Error(usage_error, "--drivers with " + heading.formulation + ": " + reason);
-    solve_live({input.source, options.drivers, whole, plan, options.strict, options.past_failures,
-                options.quiet},
-               *formulation, heading, *format, output);
-    output.finish();
-    return;
-  }
-  const bool in_the_way = output.is_standard_output() && ::isatty(STDOUT_FILENO) == 1;
-  std::optional<bench::Progress> progress;
-  if (!options.quiet && !in_the_way) progress.emplace("instants", input.scene.grid.instants, true);
-  SeriesWriter writer(heading, std::move(format), output, progress ? &*progress : nullptr);
-  MonitoredRunOptions monitoring{{.tolerance = settings.tolerance, .levels = plan.levels},
-                                 options.strict,
-                                 options.past_failures};
-  std::optional<Proof> proof;
-  if (options.certify) {
-    proof.emplace(plan.model, input.scene.grid, plan.levels);
-    monitoring.monitored = [&](const MonitoredInstant& i) { proof->add(i.instant); };
-  }
-  const MonitoredSummary summary =
-      run_monitored(*formulation, input.scene.grid, Request{plan.level()}, writer, monitoring);
-  const std::string overflow = writer.overflow();
-  progress.reset();
-  const bool all = summary.outcome() != Outcome::failed && overflow.empty();
-  if (all || output.is_standard_output()) writer.flush();
-  if (!overflow.empty()) fail(overflow, summary.instants - 1, input, output);
-  if (summary.refused)
-    fail(refusal_text(summary, plan.level(), plan.model), summary.instants, input, output);
-  if (!all) fail(failure_text(summary, plan.model), summary.instants, input, output);
-  if (options.strict && proof && !proof->is_complete())
-    fail(proof->reason() + "; solve without --strict", summary.instants, input, output);
-  output.finish();
-  if (!options.quiet)
-    say(note_on_tolerance(*formulation, settings.tolerance) + note_on_refusals(*formulation) +
-        note_on_steps(*formulation) + note_on_gaps(summary, plan.model) +
-        note_on_accuracy(summary, plan.level(), plan.model) +
-        (proof ? proof->note(plan.level()) : ""));
+  if (options.drivers.empty())
+    solve_motion(task, *formulation, heading, std::move(format));
+  else
+    solve_rows(task, *formulation, heading, *format);
 }
 
 }  // namespace
@@ -150,11 +177,7 @@ void solve(const SolveOptions& options) {
 void add_solve(CLI::App& program) {
   CLI::App* command = program.add_subcommand("solve", "Solve a scene and write what it asks for");
   const auto options = std::make_shared<SolveOptions>();
-  command
-      ->add_option("scene", options->scene,
-                   "Scene file, - for standard input, library mechanism (its scene), or scalable "
-                   "case with its units, such as truck_suspension:5")
-      ->required();
+  add_scene(*command, options->scene);
   command
       ->add_option("-o,--output", options->output,
                    "Write to this file, whole or not at all, instead of standard output")

@@ -124,6 +124,8 @@ void measure_all(const bench::CommonOptions& options, const bench::CommandLine& 
   recording.write(usual, lists);
 }
 
+}  // namespace
+
 int run(const bench::CommandLine& line) {
   bench::CommonOptions options;
   CLI::App parser("desmo_bench accuracy: time against error of formulations and their settings.");
@@ -131,13 +133,9 @@ int run(const bench::CommandLine& line) {
                     {.quick = "the smallest sizes only, with the reduced grid",
                      .filtered = "<case>/<coordinates>/<id>",
                      .repetitions = std::to_string(usual_repetitions)});
-  if (!read(parser, line)) return 0;
+  if (!bench::read(parser, line.arguments)) return 0;
   measure_all(options, line);
   return 0;
 }
 
-}  // namespace
-
 }  // namespace desmo::accuracy
-
-int desmo::bench::run_accuracy(const CommandLine& line) { return desmo::accuracy::run(line); }

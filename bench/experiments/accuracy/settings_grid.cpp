@@ -61,22 +61,20 @@ std::vector<Settings> reduced_settings() {
 
 std::vector<Settings> full_settings(const Variant& variant) {
   std::vector<Settings> all;
-  for (const Guess guess : guesses)
-    for (const JacobianUpdate update : updates)
-      for (Settings s : stops()) {
-        s.guess = guess;
-        s.jacobian = update;
-        all.push_back(s);
-      }
-  for (const Scalar scalar : {Scalar::mixed, Scalar::single_precision})
-    for (const Guess guess : {Guess::previous, Guess::hermite5})
-      for (const JacobianUpdate update : {JacobianUpdate::newton, JacobianUpdate::step})
+  const auto add = [&](Scalar scalar, std::span<const Guess> from,
+                       std::span<const JacobianUpdate> by) {
+    for (const Guess guess : from)
+      for (const JacobianUpdate update : by)
         for (Settings s : stops()) {
           s.scalar = scalar;
           s.guess = guess;
           s.jacobian = update;
           all.push_back(s);
         }
+  };
+  add(Settings{}.scalar, guesses, updates);
+  for (const Scalar scalar : {Scalar::mixed, Scalar::single_precision})
+    add(scalar, std::array{Guess::previous, Guess::hermite5}, std::span(updates).first(2));
   for (const Settings& s : solved_from()) add_strides(all, s, strides);
   if (!variant.explicit_order) return all;
   std::vector<Settings> with_lanes = all;

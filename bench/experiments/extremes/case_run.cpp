@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <memory>
 #include <numbers>
 #include <span>
@@ -11,6 +10,7 @@
 
 #include "bench/kit/memory.h"
 #include "bench/kit/verification.h"
+#include "cases/mechanism/formatted.h"
 #include "formulations/structure/partition.h"
 #include "formulations/verification/error.h"
 
@@ -159,15 +159,11 @@ class Record final : public Observer {
   static std::string describe(const SingularityCrossing& c) {
     static constexpr const char* what[] = {"passes a singular position", "jumps",
                                            "not assembled as declared"};
-    char text[120];
-    std::snprintf(text, sizeof text, "%s between t = %.9g s and %.9g s",
-                  what[static_cast<int>(c.kind)], c.after, c.before);
-    return text;
+    return formatted("%s between t = %.9g s and %.9g s", what[static_cast<int>(c.kind)], c.after,
+                     c.before);
   }
   static std::string describe(const Degradation& d) {
-    char text[60];
-    std::snprintf(text, sizeof text, "degraded from t = %.9g s on: ", d.time);
-    return text +
+    return formatted("degraded from t = %.9g s on: ", d.time) +
            describe_accuracy(d.assessment.condition, d.assessment.bound, Level::acceleration);
   }
 

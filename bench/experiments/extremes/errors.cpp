@@ -1,9 +1,9 @@
-#include "bench/experiments/extremes/errors.h"
-
 #include <algorithm>
 #include <limits>
 
+#include "bench/experiments/extremes/verification.h"
 #include "bench/kit/problem.h"
+#include "cases/mechanism/formatted.h"
 
 namespace desmo::extremes {
 
@@ -40,7 +40,8 @@ PerLevel<double> measured(const KnownCase& known, const CaseRun& run,
 /// yardsticks. All must outlive it.
 class Allowed {
  public:
-  Allowed(const KnownCase& known, const CaseRun& run, const Yardsticks& yardsticks);
+  Allowed(const KnownCase& known, const CaseRun& run, const Yardsticks& yardsticks)
+      : case_(known), run_(run), measured_(measured(known, run, yardsticks)) {}
 
   /// Returns that of answers `part`, of the compared instant `next`.
   double operator()(Level level, std::size_t part, std::size_t next) const;
@@ -50,9 +51,6 @@ class Allowed {
   const CaseRun& run_;
   PerLevel<double> measured_;  // the worst error of the yardstick, if the bound has one
 };
-
-Allowed::Allowed(const KnownCase& known, const CaseRun& run, const Yardsticks& yardsticks)
-    : case_(known), run_(run), measured_(measured(known, run, yardsticks)) {}
 
 double Allowed::operator()(Level level, std::size_t part, std::size_t next) const {
   const ExtremeCase& c = *case_.definition;

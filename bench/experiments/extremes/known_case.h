@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,11 +14,12 @@ namespace desmo::extremes {
 
 /// The right answers for a part of a mechanism whose errors are relative to its own size.
 struct Answers {
-  Model model;                          ///< of the part alone
-  std::vector<int> coordinate;          ///< in the whole, of each of the part
-  std::vector<ReferenceInstant> right;  ///< one for each instant compared; no q where there is none
-  std::vector<PerLevel<double>> floor;  ///< of each
-  Scales scales;
+  Model model;                       ///< of the part alone
+  std::vector<int> coordinate = {};  ///< in the whole, of each of the part
+  std::vector<ReferenceInstant> right =
+      {};  ///< one for each instant compared; no q where there is none
+  std::vector<PerLevel<double>> floor = {};  ///< of each
+  Scales scales = {};
   double condition = 0;     ///< the largest of those compared
   double chain_length = 0;  ///< links × longest link, over the size; 0: no chain
 };
@@ -27,26 +27,18 @@ struct Answers {
 /// A case of an extreme with what is known of it.
 struct KnownCase {
   const ExtremeCase* definition;
-  std::optional<ModellingResult> modelled;  ///< nothing: refused
-  std::string refusal;
-  std::string no_answer;  ///< why nothing is known to compare with; then answers is empty
-  std::vector<Answers> answers;
-  std::vector<int> compared;                ///< instants of the grid, or starts, ascending
-  std::vector<bool> solvable;               ///< each instant of the grid, or start
-  std::vector<double> ends;                 ///< times between them at which answers end or begin
-  std::vector<std::vector<double>> starts;  ///< estimates, where it is solved from them
+  std::optional<ModellingResult> modelled = {};  ///< nothing: refused
+  std::string refusal = {};
+  std::string no_answer = {};  ///< why nothing is known to compare with; then answers is empty
+  std::vector<Answers> answers = {};
+  std::vector<int> compared = {};   ///< instants of the grid, or starts, ascending
+  std::vector<bool> solvable = {};  ///< each instant of the grid, or start
+  std::vector<double> ends = {};    ///< times between them at which answers end or begin
+  std::vector<std::vector<double>> starts = {};  ///< estimates, where it is solved from them
 
   /// Returns the largest condition number of what is compared; 0: not known.
   double condition() const;
 };
-
-/// Returns the answers of the case's chain of that index, by the closed form. Where the chain
-/// cannot be solved, neither can the case.
-Answers chain_answers(KnownCase& known, std::size_t index);
-
-/// Returns the answers of the whole mechanism, by two formulations in quadruple precision. Throws
-/// std::runtime_error where they do not converge or do not agree.
-Answers reference_answers(const KnownCase& known);
 
 /// Returns a case with its answers. The definition must outlive it.
 KnownCase make_known_case(const ExtremeCase& definition);

@@ -101,6 +101,8 @@ bool measure(const Options& options, const bench::CommandLine& line) {
   return defects == 0;
 }
 
+}  // namespace
+
 int run(const bench::CommandLine& line) {
   Options options;
   CLI::App parser("desmo_bench extremes: every formulation in the table of extremes");
@@ -124,12 +126,8 @@ int run(const bench::CommandLine& line) {
           },
           "Leave a monitor out, to see what it finds")
       ->check(CLI::IsMember(monitors));
-  if (!read(parser, line)) return 0;
+  if (!bench::read(parser, line.arguments)) return 0;
   return measure(options, line) ? 0 : 1;
 }
 
-}  // namespace
-
 }  // namespace desmo::extremes
-
-int desmo::bench::run_extremes(const CommandLine& line) { return desmo::extremes::run(line); }

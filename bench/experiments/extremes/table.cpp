@@ -1,12 +1,12 @@
 #include "bench/experiments/extremes/table.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <map>
 #include <utility>
 
 #include "bench/experiments/extremes/case_run.h"
 #include "bench/experiments/extremes/known_case.h"
+#include "cases/mechanism/formatted.h"
 #include "formulations/id.h"
 
 namespace desmo::extremes {
@@ -88,13 +88,11 @@ std::size_t count(const std::vector<Result>& results, ExtremeVerdict verdict) {
 }
 
 std::string summary(const Extreme& row, const std::vector<Result>& results) {
-  char head[160];
-  std::snprintf(
-      head, sizeof head, "%2d %-22.*s as expected %4zu, missed %4zu, DEFECT %4zu, n/a %4zu\n",
-      row.number, static_cast<int>(row.name.size()), row.name.data(),
+  std::string text = formatted(
+      "%2d %-22.*s as expected %4zu, missed %4zu, DEFECT %4zu, n/a %4zu\n", row.number,
+      static_cast<int>(row.name.size()), row.name.data(),
       count(results, ExtremeVerdict::as_expected), count(results, ExtremeVerdict::missed),
       count(results, ExtremeVerdict::defect), count(results, ExtremeVerdict::not_applicable));
-  std::string text = head;
   using Kind = std::pair<std::string, ExtremeVerdict>;
   std::map<Kind, std::vector<const Result*>> found;
   for (const Result& r : results)

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "bench/experiments/extremes/errors.h"
 #include "bench/kit/problem.h"
+#include "cases/mechanism/formatted.h"
 
 namespace desmo::extremes {
 

@@ -66,6 +66,8 @@ void measure(const Options& options, const bench::CommandLine& line) {
   if (recording) recording->write(cases().front().describe(1).grid, counts_json(counts, tool));
 }
 
+}  // namespace
+
 int run(const bench::CommandLine& line) {
   Options options;
   CLI::App parser("desmo_bench instructions: instructions a step, counted by callgrind");
@@ -78,14 +80,8 @@ int run(const bench::CommandLine& line) {
                   "Of both cases (the largest of the paper's sizes)")
       ->type_name("N")
       ->check(bench::refuse_not_positive);
-  if (read(parser, line)) measure(options, line);
+  if (bench::read(parser, line.arguments)) measure(options, line);
   return 0;
 }
 
-}  // namespace
-
 }  // namespace desmo::instructions
-
-int desmo::bench::run_instructions(const CommandLine& line) {
-  return desmo::instructions::run(line);
-}

@@ -74,19 +74,19 @@ void CaseCandidate::profile() {
 std::vector<std::unique_ptr<CaseCandidate>> make_case_candidates(const Options& options) {
   std::vector<std::unique_ptr<CaseCandidate>> candidates;
   for (const Case& c : cases()) {
+    const auto make = [&](int n, const Variant& v, const Settings& settings = {},
+                          Clock clock = Clock::cpu) {
+      candidates.push_back(std::make_unique<CaseCandidate>(c, n, v, options, settings, clock));
+    };
     for (const int n : c.sizes)
-      for (const Variant& v : variants())
-        candidates.push_back(std::make_unique<CaseCandidate>(c, n, v, options));
+      for (const Variant& v : variants()) make(n, v);
     for (const int n : c.extra_sizes)
       for (const Variant& v : variants())
-        if (runs_at_extra_sizes(v))
-          candidates.push_back(std::make_unique<CaseCandidate>(c, n, v, options));
+        if (runs_at_extra_sizes(v)) make(n, v);
     const auto add = [&](int n, std::string_view id) {
       const auto [variant, settings] = parse_id(id);
-      candidates.push_back(std::make_unique<CaseCandidate>(c, n, *variant, options, settings));
-      if (settings.threads > 1)
-        candidates.push_back(std::make_unique<CaseCandidate>(c, n, *variant, options,
-                                                             on_one_thread(settings), Clock::wall));
+      make(n, *variant, settings);
+      if (settings.threads > 1) make(n, *variant, on_one_thread(settings), Clock::wall);
     };
     for (const std::string_view id : extended_ids) add(c.sizes.back(), id);
     add(c.sizes.back(), reference_of_one_block);

@@ -41,12 +41,7 @@ Options take_options(std::vector<std::string>& arguments) {
                   "global_automatic_klu/guess:hermite5; more than once where wanted")
       ->type_name("ID")
       ->allow_extra_args(false);
-  try {
-    std::vector<std::string> last_first(arguments.rbegin(), arguments.rend());
-    parser.parse(last_first);
-  } catch (const CLI::ParseError& error) {
-    throw std::invalid_argument(error.what());
-  }
+  bench::read(parser, arguments);
   arguments = parser.remaining();
   if (o.help)
     std::cout

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <exception>
 #include <set>
 #include <string_view>
 
 #include "bench/kit/digests.h"
+#include "cases/mechanism/formatted.h"
 #include "formulations/modelling/modelling.h"
 
 namespace desmo::paper {
@@ -35,13 +35,6 @@ void compare(Errors& errors, const Peer::Answer& answer, const ReferenceInstant&
     widen(errors.velocity, answer.qd[k], reference.qd[i]);
     widen(errors.acceleration, answer.qdd[k], reference.qdd[i]);
   }
-}
-
-std::string too_long(double seconds, double limit) {
-  char text[120];
-  std::snprintf(text, sizeof text, "the whole motion would take some %.0f s; the limit is %.0f s",
-                seconds, limit);
-  return text;
 }
 
 template <class Make>
@@ -86,7 +79,8 @@ void PeerCandidate::verify(ReferenceCache& references) {
       if (i + 1 != instants_of_estimate) continue;
       const double whole = (cpu_now() - start) / instants_of_estimate * grid.instants;
       if (whole <= limit_) continue;
-      leave_out(too_long(whole, limit_));
+      leave_out(
+          formatted("the whole motion would take some %.0f s; the limit is %.0f s", whole, limit_));
       return {};
     }
     found.analysis_seconds = cpu_now() - start;

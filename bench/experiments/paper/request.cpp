@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
+#include <exception>
 #include <stdexcept>
-#include <string_view>
 #include <utility>
 
 #include "bench/experiments/paper/extended_ids.h"
@@ -13,6 +12,7 @@
 #include "bench/kit/problem.h"
 #include "cases/io/files.h"
 #include "cases/library/library.h"
+#include "cases/mechanism/formatted.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/structure/partition.h"
 
@@ -91,14 +91,6 @@ class VerifyingRequest final : public ComparingObserver {
  private:
   const PlannedRequest& request_;
 };
-
-std::string difference_message(double difference) {
-  char text[120];
-  std::snprintf(text, sizeof text,
-                "differs from the solution of the whole mechanism by %.1e (allowed: %.0e)",
-                difference, allowed_request_difference);
-  return text;
-}
 
 }  // namespace
 
@@ -182,7 +174,9 @@ std::string RequestCandidate::compare_with_whole() {
   const Errors largest =
       max_differences(*whole, *kept, request_->asked, request_->plan.level(), grid);
   difference = std::max({largest.position, largest.velocity, largest.acceleration});
-  return difference <= allowed_request_difference ? "" : difference_message(difference);
+  if (difference <= allowed_request_difference) return "";
+  return formatted("differs from the solution of the whole mechanism by %.1e (allowed: %.0e)",
+                   difference, allowed_request_difference);
 }
 
 std::vector<std::unique_ptr<RequestCandidate>> make_request_candidates(const Options& options) {

@@ -43,21 +43,22 @@ std::optional<int> repetitions_of(const std::vector<std::string>& arguments) {
 
 /// Returns the candidates that Google Benchmark's filter selects: one that begins with "-" selects
 /// all others.
-std::vector<Candidate*> selected(const std::vector<Candidate*>& all) {
+std::vector<Candidate*> selected(const std::vector<std::unique_ptr<Candidate>>& all) {
   std::string filter = benchmark::GetBenchmarkFilter();
   const bool others = filter.starts_with('-');
   if (others) filter.erase(0, 1);
   const std::regex expression(filter == "all" ? "" : filter);
   std::vector<Candidate*> result;
-  for (Candidate* candidate : all)
-    if (std::regex_search(candidate->name(), expression) != others) result.push_back(candidate);
+  for (const auto& candidate : all)
+    if (std::regex_search(candidate->name(), expression) != others)
+      result.push_back(candidate.get());
   return result;
 }
 
 /// Throws std::invalid_argument where time grids differ: a record has one.
-void require_one_grid(const std::vector<Candidate*>& all) {
+void require_one_grid(const std::vector<std::unique_ptr<Candidate>>& all) {
   const TimeGrid& first = all.front()->grid;
-  for (const Candidate* candidate : all)
+  for (const auto& candidate : all)
     if (candidate->grid.step != first.step || candidate->grid.instants != first.instants)
       throw std::invalid_argument(
           "the cases differ in step or duration: give --step and --duration");
@@ -94,6 +95,54 @@ bool is_listing(std::string_view argument) {
   return argument.starts_with("--benchmark_list_tests") && !argument.ends_with("=false");
 }
 
+/// Gives Google Benchmark its flags; false: there is one that it does not know.
+bool initialise(std::vector<std::string>& arguments) {
+  std::vector<char*> pointers;
+  for (std::string& argument : arguments) pointers.push_back(argument.data());
+  int count = static_cast<int>(pointers.size());
+  benchmark::Initialize(&count, pointers.data());
+  return !benchmark::ReportUnrecognizedArguments(count, pointers.data());
+}
+
+/// Returns every candidate, each name once: a formulation that was asked for may also be measured
+/// against a peer.
+std::vector<std::unique_ptr<Candidate>> all_candidates(const Options& options) {
+  std::vector<std::unique_ptr<Candidate>> all;
+  std::set<std::string> names;
+  const auto add = [&](auto candidates) {
+    for (auto& candidate : candidates)
+      if (names.insert(candidate->name()).second) all.push_back(std::move(candidate));
+  };
+  add(make_case_candidates(options));
+  add(make_request_candidates(options));
+  add(make_candidates_for_peers(options));
+  add(make_peer_candidates(options));
+  return all;
+}
+
+/// Measures one series after the other, each in a process of its own. Returns what measure()
+/// returns of all of them.
+Json measure_all(const std::vector<Series>& all, std::size_t candidates,
+                 std::optional<int> asked_repetitions) {
+  Json result = {{"failed", false}, {"lists", Json::object()}};
+  Progress progress("benchmarks", work_of_candidate * static_cast<double>(candidates));
+  for (const Series& series : all) {
+    const bool first = &series == &all.front();
+    const Json measured = in_own_process(series.name, [&] {
+      return measure(series.candidates, asked_repetitions, first, progress);
+    });
+    progress.done(work_of_candidate * static_cast<double>(series.candidates.size()));
+    if (measured["failed"]) result["failed"] = true;
+    for (const auto& [name, list] : measured["lists"].items()) {
+      Json& all_of_it = result["lists"].emplace(name, Json::array()).first.value();
+      all_of_it.insert(all_of_it.end(), list.begin(), list.end());
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
 int run(const bench::CommandLine& line) {
   std::vector<std::string> arguments = line.arguments;
   for (const std::string_view a : arguments)
@@ -112,28 +161,10 @@ int run(const bench::CommandLine& line) {
   const std::optional<int> asked_repetitions = repetitions_of(arguments);
   const bool listing = std::ranges::any_of(arguments, is_listing),
              together = has_output_file(arguments);
-  std::vector<char*> pointers;
-  for (std::string& argument : arguments) pointers.push_back(argument.data());
-  int count = static_cast<int>(pointers.size());
-  benchmark::Initialize(&count, pointers.data());
-  if (benchmark::ReportUnrecognizedArguments(count, pointers.data())) return 64;
+  if (!initialise(arguments)) return 64;
   for (const std::string& note : faulty_libraries()) std::cerr << "desmo_bench: " << note << '\n';
 
-  // Each name once: a formulation that was asked for may also be measured against a peer.
-  std::vector<std::unique_ptr<Candidate>> owned;
-  std::vector<Candidate*> all;
-  std::set<std::string> names;
-  const auto add = [&](auto candidates) {
-    for (auto& candidate : candidates)
-      if (names.insert(candidate->name()).second) {
-        all.push_back(candidate.get());
-        owned.push_back(std::move(candidate));
-      }
-  };
-  add(make_case_candidates(options));
-  add(make_request_candidates(options));
-  add(make_candidates_for_peers(options));
-  add(make_peer_candidates(options));
+  const std::vector<std::unique_ptr<Candidate>> all = all_candidates(options);
   require_one_grid(all);
   const std::vector<Candidate*> chosen = selected(all);
   if (chosen.empty()) throw std::invalid_argument("no benchmark matches the filter");
@@ -143,34 +174,12 @@ int run(const bench::CommandLine& line) {
   }
   std::optional<Recording> recording;
   if (!options.record.empty()) recording.emplace(options.record, line.text, line.experiment);
-
-  Json all_lists;
-  bool failed = false;
-  {
-    const std::vector<ComparedCandidates> all_series = series_of(chosen, together);
-    Progress progress("benchmarks", work_of_candidate * static_cast<double>(chosen.size()));
-    for (const ComparedCandidates& series : all_series) {
-      const bool first = &series == &all_series.front();
-      const Json measured = in_own_process(series.name, [&] {
-        return measure(series.candidates, asked_repetitions, first, progress);
-      });
-      progress.done(work_of_candidate * static_cast<double>(series.candidates.size()));
-      failed = failed || measured["failed"];
-      for (const auto& [name, list] : measured["lists"].items()) {
-        Json& all_of_it = all_lists.emplace(name, Json::array()).first.value();
-        all_of_it.insert(all_of_it.end(), list.begin(), list.end());
-      }
-    }
-  }
+  const Json measured = measure_all(series_of(chosen, together), chosen.size(), asked_repetitions);
   benchmark::Shutdown();
   if (recording)
-    recording->write(chosen.front()->grid, all_lists,
+    recording->write(chosen.front()->grid, measured["lists"],
                      static_cast<int>(chosen.front()->windows().count()));
-  return failed ? 1 : 0;
+  return measured["failed"] ? 1 : 0;
 }
 
-}  // namespace
-
 }  // namespace desmo::paper
-
-int desmo::bench::run_paper(const CommandLine& line) { return desmo::paper::run(line); }

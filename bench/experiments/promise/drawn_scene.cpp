@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <stdexcept>
@@ -12,6 +11,7 @@
 #include "bench/experiments/promise/mechanisms.h"
 #include "bench/experiments/promise/path_range.h"
 #include "cases/io/files.h"
+#include "cases/mechanism/formatted.h"
 #include "formulations/modelling/modelling.h"
 #include "formulations/parts/profile.h"
 #include "formulations/scaling/scales.h"
@@ -98,9 +98,7 @@ Profile aimed(Random& r, int instants, int side, double distance, double length)
     default:
       p.values = {d, w};
   }
-  char text[24];
-  std::snprintf(text, sizeof text, " %.0e", distance);
-  p.name += distance > 0 ? text : " 0";
+  p.name += distance > 0 ? formatted(" %.0e", distance) : " 0";
   return p;
 }
 
@@ -141,7 +139,7 @@ double rounding_of(const Model& m, const TimeGrid& grid) {
 }
 
 const Family& chosen_family(Random& r) {
-  const auto all = families();
+  const auto& all = families();
   const auto drawn = std::ranges::count_if(all, [](const Family& f) { return f.draw != nullptr; });
   const int library = static_cast<int>(std::ssize(all) - drawn);
   return r.chance(0.7) ? all[r.below(static_cast<int>(drawn))] : all[drawn + r.below(library)];

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
-#include "bench/experiments/promise/drawn_families.h"
 #include "cases/io/files.h"
 
 namespace desmo::promise {
@@ -15,37 +13,27 @@ namespace {
 using Vec = Mechanism::Vec;
 using Type = Mechanism::CoordinateType;
 
-constexpr std::array all{Family{"four_bar", four_bar},
-                         Family{"parallelogram", parallelogram},
-                         Family{"antiparallelogram", antiparallelogram},
-                         Family{"deltoid", deltoid},
-                         Family{"scott_russell", scott_russell},
-                         Family{"offset_slider_crank", offset_slider_crank},
-                         Family{"driven_slider", driven_slider},
-                         Family{"oscillating_block", oscillating_block},
-                         Family{"trammel", trammel},
-                         Family{"peaucellier", peaucellier},
-                         Family{"chebyshev", chebyshev},
-                         Family{"two_loops", two_loops},
-                         Family{"toggle_press", toggle_press},
-                         Family{"bennett", bennett},
-                         Family{"spherical_four_bar", spherical_four_bar},
-                         Family{"spatial_four_bar", spatial_four_bar},
-                         Family{"rssp", rssp},
-                         Family{"hooke_joint", hooke_joint},
-                         Family{"slider_crank", nullptr},
-                         Family{"inverted_slider_crank", nullptr},
-                         Family{"whitworth", nullptr},
-                         Family{"watt_six_bar", nullptr},
-                         Family{"stephenson_six_bar", nullptr},
-                         Family{"jansen_leg", nullptr},
-                         Family{"andrews", nullptr},
-                         Family{"rssr", nullptr},
-                         Family{"stewart", nullptr},
-                         Family{"delta", nullptr},
-                         Family{"double_wishbone", nullptr},
-                         Family{"macpherson", nullptr},
-                         Family{"truck_axle", nullptr}};
+constexpr std::array library_names{"slider_crank",
+                                   "inverted_slider_crank",
+                                   "whitworth",
+                                   "watt_six_bar",
+                                   "stephenson_six_bar",
+                                   "jansen_leg",
+                                   "andrews",
+                                   "rssr",
+                                   "stewart",
+                                   "delta",
+                                   "double_wishbone",
+                                   "macpherson",
+                                   "truck_axle"};
+
+std::vector<Family> all_families() {
+  std::vector<Family> all;
+  for (const auto drawn : {plane_families(), spatial_families()})
+    all.insert(all.end(), drawn.begin(), drawn.end());
+  for (const char* name : library_names) all.push_back({name, nullptr});
+  return all;
+}
 
 Drawn of_library(const Family& family, Random& random) {
   Drawn d{.mechanism = library_scene(family.name).mechanism};
@@ -126,7 +114,10 @@ void place(Drawn& d, const Placement& p) {
 
 }  // namespace
 
-std::span<const Family> families() { return all; }
+const std::vector<Family>& families() {
+  static const std::vector<Family> all = all_families();
+  return all;
+}
 
 Drawn draw(const Family& family, Random& random) {
   Drawn d = family.draw ? family.draw(random) : of_library(family, random);

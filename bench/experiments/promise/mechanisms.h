@@ -12,9 +12,9 @@ namespace desmo::promise {
 /// A mechanism with random dimensions.
 struct Drawn {
   Mechanism mechanism;
-  std::vector<double> direction;  ///< of each driver for a unit of the path
-  double reach = 3;               ///< longest path, both ways
-  bool exact = false;             ///< its singular positions are exact in double precision
+  std::vector<double> direction = {};  ///< of each driver for a unit of the path
+  double reach = 3;                    ///< longest path, both ways
+  bool exact = false;                  ///< its singular positions are exact in double precision
 };
 
 /// A family of mechanisms. Families of the library keep their dimensions, but not size and place.
@@ -23,8 +23,12 @@ struct Family {
   Drawn (*draw)(Random&);  ///< null: of the library
 };
 
+// Families of about unit size, with random dimensions.
+std::span<const Family> plane_families();
+std::span<const Family> spatial_families();
+
 /// Returns all families: those drawn, then those of the library.
-std::span<const Family> families();
+const std::vector<Family>& families();
 
 /// Returns a mechanism of the family, at a random place and of a random size (1e-3 to 1e6).
 Drawn draw(const Family& family, Random& random);

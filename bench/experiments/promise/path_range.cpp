@@ -1,7 +1,5 @@
 #include "bench/experiments/promise/path_range.h"
 
-#include <cmath>
-
 #include "formulations/verification/reference/continuation.h"
 
 namespace desmo::promise {

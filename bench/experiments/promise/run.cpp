@@ -15,7 +15,6 @@
 #include <vector>
 
 #include "bench/experiments/experiments.h"
-#include "bench/experiments/promise/ids.h"
 #include "bench/experiments/promise/tally.h"
 #include "bench/kit/record/record.h"
 #include "formulations/algebra/blas.h"
@@ -97,6 +96,8 @@ std::string progress_path(const Options& options) {
   return (folder.parent_path() / ("promise-" + std::to_string(options.seed) + ".jsonl")).string();
 }
 
+}  // namespace
+
 int run(const bench::CommandLine& line) {
   Options options;
   CLI::App parser("desmo_bench promise: is every number right, or flagged?");
@@ -122,7 +123,7 @@ int run(const bench::CommandLine& line) {
       .add_option("--write-scene", options.write_scene, "Print the scene file of scene N, and end")
       ->check(CLI::NonNegativeNumber)
       ->type_name("N");
-  if (!read(parser, line)) return 0;
+  if (!bench::read(parser, line.arguments)) return 0;
   set_blas_threads(1);
   if (options.write_scene) {
     std::cout << draw_scene(options.seed, *options.write_scene).text;
@@ -148,8 +149,4 @@ int run(const bench::CommandLine& line) {
   return tally(results, ids).all[static_cast<int>(PromiseVerdict::wrong)] == 0 ? 0 : 1;
 }
 
-}  // namespace
-
 }  // namespace desmo::promise
-
-int desmo::bench::run_promise(const CommandLine& line) { return desmo::promise::run(line); }

@@ -1,9 +1,8 @@
 #include <cmath>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "bench/experiments/promise/drawn_families.h"
+#include "bench/experiments/promise/mechanisms.h"
 #include "cases/mechanism/builder.h"
 
 namespace desmo::promise {
@@ -71,8 +70,6 @@ Start crank_and_rod(const std::string& name, Random& r, const Vec& tip) {
   return s;
 }
 
-}  // namespace
-
 Drawn bennett(Random& r) {
   const double alpha = r.uniform(0.3, 1.2), beta = r.uniform(1.3, 2.4), a = r.uniform(0.5, 1.5);
   const double lengths[] = {a, a * std::sin(beta) / std::sin(alpha)}, twists[] = {alpha, beta};
@@ -127,6 +124,7 @@ Drawn spherical_four_bar(Random& r) {
   return {b.take(), {1.0}, 1};
 }
 
+/// RSSR.
 Drawn spatial_four_bar(Random& r) {
   const Vec pivot = combined(r.uniform(0.8, 1.5), random_direction(r), 0, {});
   const Vec axis = random_direction(r), tip = combined(1, pivot, r.uniform(0.5, 1), across(axis));
@@ -171,6 +169,19 @@ Drawn hooke_joint(Random& r) {
   b.joint(universal, first, second, {o}, {c, e});
   drive(b, {c, -1, -1}, zero, axis);
   return {b.take(), {1.0}, 1};
+}
+
+}  // namespace
+
+std::span<const Family> spatial_families() {
+  static constexpr Family all[] = {
+      {"bennett", bennett},
+      {"spherical_four_bar", spherical_four_bar},
+      {"spatial_four_bar", spatial_four_bar},
+      {"rssp", rssp},
+      {"hooke_joint", hooke_joint},
+  };
+  return all;
 }
 
 }  // namespace desmo::promise

@@ -1,7 +1,6 @@
 #include "bench/experiments/promise/tally.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <ostream>
 #include <string_view>
@@ -9,6 +8,7 @@
 
 #include "bench/kit/problem.h"
 #include "bench/kit/record/record.h"
+#include "cases/mechanism/formatted.h"
 
 namespace desmo::promise {
 
@@ -50,20 +50,15 @@ long count(const SceneResult& r, char letter) { return std::ranges::count(r.verd
 void add(Counts& counts, char letter) { ++counts[letters.find(letter)]; }
 
 void print_counts(std::ostream& out, const std::string& name, const Counts& c) {
-  char text[160];
-  std::snprintf(text, sizeof text, "%-46s %8ld %8ld %8ld %8ld %8ld %8ld\n", name.c_str(), c[0],
-                c[1], c[2], c[3], c[4], c[5]);
-  out << text;
+  out << formatted("%-46s %8ld %8ld %8ld %8ld %8ld %8ld\n", name.c_str(), c[0], c[1], c[2], c[3],
+                   c[4], c[5]);
 }
 
 void print_finding(std::ostream& out, const char* title, const SceneResult::Finding& f) {
   const RunVerdict& j = f.details;
-  char text[300];
-  std::snprintf(text, sizeof text,
-                "    %s %s: %s, %s: %.2e, allowed %.2e, t = %.17g s, condition %.1e\n", title,
-                f.id.c_str(), j.what.c_str(), bench::level_names[j.level], j.error, j.allowed,
-                j.time, j.condition);
-  out << text;
+  out << formatted("    %s %s: %s, %s: %.2e, allowed %.2e, t = %.17g s, condition %.1e\n", title,
+                   f.id.c_str(), j.what.c_str(), bench::level_names[j.level], j.error, j.allowed,
+                   j.time, j.condition);
 }
 
 }  // namespace
@@ -157,10 +152,8 @@ Json record_lists(const std::vector<SceneResult>& results, const std::vector<std
 void print(std::ostream& out, const std::vector<SceneResult>& results,
            const std::vector<std::string>& ids, std::uint64_t seed) {
   const Tally t = tally(results, ids);
-  char head[160];
-  std::snprintf(head, sizeof head, "%-46s %8s %8s %8s %8s %8s %8s\n", "", "right", "flagged",
-                "falsely", "failed", "WRONG", "n/a");
-  out << head;
+  out << formatted("%-46s %8s %8s %8s %8s %8s %8s\n", "", "right", "flagged", "falsely", "failed",
+                   "WRONG", "n/a");
   print_counts(out, "all", t.all);
   for (const auto* part : {&t.by_family, &t.by_aim, &t.by_id}) {
     out << '\n';

@@ -13,6 +13,10 @@
 
 namespace desmo::promise {
 
+/// Returns the ids in which every scene is solved, in a fixed order: all variants of this build
+/// with the paper's settings, and 54 of other settings.
+std::vector<std::string> canonical_ids();
+
 /// Result of a scene: a line of the progress file.
 struct SceneResult {
   int number = -1;

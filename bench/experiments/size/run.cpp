@@ -76,6 +76,8 @@ bool measure(const SizeSeries& series, int repetitions, Json& list) {
   return right;
 }
 
+}  // namespace
+
 int run(const bench::CommandLine& line) {
   bench::CommonOptions options;
   CLI::App parser("desmo_bench size: how time grows with the size of a mechanism.");
@@ -84,7 +86,7 @@ int run(const bench::CommandLine& line) {
                      .filtered = "<question>/<case>/<size>/<id>, such as "
                                  "growth/four_bar/114/group_symbolic_inlined",
                      .repetitions = std::to_string(usual_repetitions)});
-  if (!read(parser, line)) return 0;
+  if (!bench::read(parser, line.arguments)) return 0;
 
   const std::vector<SizeSeries> all =
       matching(options.quick ? quick_series() : all_series(), std::regex(options.filter));
@@ -104,8 +106,4 @@ int run(const bench::CommandLine& line) {
   return right ? 0 : 1;
 }
 
-}  // namespace
-
 }  // namespace desmo::size
-
-int desmo::bench::run_size(const CommandLine& line) { return desmo::size::run(line); }

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <cmath>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cases/mechanism/builder.h"
+
+namespace desmo::promise {
+
+inline double length_between(const Mechanism::Vec& a, const Mechanism::Vec& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1]);
+}
+
+/// A builder that pins all bodies with the same point to each other.
+class Plane {
+ public:
+  /// on_ground: points that rest.
+  explicit Plane(std::string name,
+                 const std::vector<std::pair<std::string, Mechanism::Vec>>& points = {},
+                 const std::vector<std::string>& on_ground = {})
+      : b_(std::move(name), 2) {
+    b_.set_length_unit("1");
+    for (const auto& [point_name, at] : points) point(point_name, at);
+    ground(on_ground);
+  }
+
+  void point(const std::string& name, const Mechanism::Vec& at) {
+    points_[name] = b_.point(name, at);
+    at_[name] = at;
+  }
+  void ground(const std::vector<std::string>& names) {
+    for (const std::string& n : names) carry(MechanismBuilder::ground, n);
+  }
+  int link(const std::string& a, const std::string& b) {
+    return link(a, b, length_between(at_[a], at_[b]));
+  }
+  int link(const std::string& a, const std::string& b, double length) {
+    const int body = b_.link(a + b, points_[a], points_[b], length);
+    pin(body, a);
+    pin(body, b);
+    return body;
+  }
+  int body(const std::string& name, const std::vector<std::string>& names) {
+    const int body = b_.body(name, {});
+    for (const std::string& n : names) carry(body, n);
+    return body;
+  }
+  void carry(int body, const std::string& name) {
+    b_.carry(body, {points_[name]});
+    pin(body, name);
+  }
+  /// The point slides on the line through `on` of the ground.
+  void slide(const std::string& point, int body, const std::string& on, int vector) {
+    b_.joint(Mechanism::JointType::revolute_on_slider, MechanismBuilder::ground, body,
+             {points_[on], points_[point]}, {vector});
+  }
+  int ground_vector(const std::string& name, const Mechanism::Vec& direction) {
+    const int v = b_.vector(name, direction);
+    b_.carry(MechanismBuilder::ground, {}, {v});
+    return v;
+  }
+  Mechanism::Coordinate& angle(const std::string& name, const std::string& a,
+                               const std::string& b) {
+    Mechanism::Coordinate& c = b_.coordinate(name, Mechanism::CoordinateType::angle);
+    c.of = {-1, points_[a], points_[b]};
+    return c;
+  }
+  void drive_angle(const std::string& a, const std::string& b) {
+    angle("theta", a, b).driven = true;
+  }
+  void drive_along(const std::string& a, const std::string& b, int vector) {
+    Mechanism::Coordinate& c = b_.coordinate("s", Mechanism::CoordinateType::along);
+    c.of = {-1, points_[a], points_[b]};
+    c.vector = vector;
+    c.driven = true;
+  }
+  int index(const std::string& name) { return points_[name]; }
+  MechanismBuilder& builder() { return b_; }
+  Mechanism take() {
+    Mechanism m = b_.take();
+    for (std::size_t i = 0; i < m.joints.size(); ++i) m.joints[i].name += "/" + std::to_string(i);
+    return m;
+  }
+
+ private:
+  void pin(int body, const std::string& name) {
+    const auto [it, is_new] = last_.try_emplace(name, body);
+    if (is_new) return;
+    b_.joint(Mechanism::JointType::revolute, it->second, body, {points_[name]});
+    it->second = body;
+  }
+
+  MechanismBuilder b_;
+  std::map<std::string, int> points_, last_;  // last body with the point
+  std::map<std::string, Mechanism::Vec> at_;
+};
+
+}  // namespace desmo::promise
