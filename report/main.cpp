@@ -32,7 +32,7 @@ enum ExitCode {
 };
 
 struct TablesCommand {
-  std::vector<std::string> records;
+  std::vector<std::string> records, beside;
   std::string folder;  // empty: standard output only
   std::vector<std::string> formats;
   std::vector<std::string> tables;  // empty: all
@@ -71,6 +71,12 @@ bool complain(const std::string& first, const std::string& second,
   return true;
 }
 
+std::vector<const Record*> pointers(const std::vector<Record>& records) {
+  std::vector<const Record*> all;
+  for (const Record& record : records) all.push_back(&record);
+  return all;
+}
+
 ExitCode tables(const TablesCommand& command) {
   std::vector<Record> records;
   for (const std::string& file : command.records) {
@@ -79,7 +85,9 @@ ExitCode tables(const TablesCommand& command) {
       if (complain(command.records[i], file, why_apart(records[i], record))) return incomparable;
     records.push_back(std::move(record));
   }
-  Document document = make_report(records);
+  std::vector<Record> beside;
+  for (const std::string& file : command.beside) beside.push_back(read_record(file));
+  Document document = make_report(pointers(records), pointers(beside));
   if (!command.history.empty()) {
     document.sections.push_back(history_section(read_history(command.history)));
     document.sections.back().chapter = document.sections.back().title;
@@ -118,7 +126,7 @@ ExitCode compare(const CompareCommand& command) {
   write_standard_output(printed(make_comparison(first, second), {command.format}));
   if (!two_machines) return success;
   std::cerr << "desmo_report: "
-            << sentence("machines.no_verdict",
+            << sentence("machines_section.no_verdict",
                         {{"first", first.machine.cpu}, {"second", second.machine.cpu}})
             << "\n";
   return no_verdict;
@@ -155,6 +163,8 @@ int main(int argc, char** argv) {
                          "Write the files of every format, and the figures, into this folder");
   add_format(tables_app, command.formats);
   tables_app->add_option("--table", command.tables, "Only the table of this name; repeatable");
+  tables_app->add_option("--beside", command.beside,
+                         "Also the speed-ups of these records that other machines made");
   tables_app->add_option("--history", command.history, "Also this file of bench/check --history");
   tables_app->add_flag("--all", command.all, "Print every table, not only what stands in front");
   CompareCommand comparison;

@@ -48,10 +48,10 @@ constexpr std::pair<std::string_view, std::vector<Section> (*)(const Record&)> s
     {"extremes", extremes_sections}};
 
 /// A table of each; the names of the later ones are numbered.
-Section measured_how(const std::vector<Record>& records) {
+Section measured_how(const std::vector<const Record*>& records) {
   Section section = headed_section("measured");
-  for (const Record& record : records) {
-    section.tables.push_back(provenance(record));
+  for (const Record* record : records) {
+    section.tables.push_back(provenance(*record));
     if (const std::size_t count = section.tables.size(); count > 1) {
       section.tables.back().name += "_" + std::to_string(count);
       section.tables.back().title += ", record " + std::to_string(count);
@@ -61,10 +61,10 @@ Section measured_how(const std::vector<Record>& records) {
 }
 
 /// What several records say alike is said once.
-Section joint_limitations(const std::vector<Record>& records) {
-  Section section = limitations(records.front());
-  for (const Record& record : records)
-    for (const std::string& line : limitations(record).paragraphs)
+Section joint_limitations(const std::vector<const Record*>& records) {
+  Section section = limitations(*records.front());
+  for (const Record* record : records)
+    for (const std::string& line : limitations(*record).paragraphs)
       if (std::ranges::find(section.paragraphs, line) == section.paragraphs.end())
         section.paragraphs.push_back(line);
   return section;
@@ -72,34 +72,38 @@ Section joint_limitations(const std::vector<Record>& records) {
 
 }  // namespace
 
-Document make_report(const std::vector<Record>& records) {
+Document make_report(const std::vector<const Record*>& records,
+                     const std::vector<const Record*>& beside) {
   Document document{.title = {}, .sections = {}};
+  const auto add = [&document](Section section, const std::string& chapter) {
+    section.chapter = chapter;
+    document.sections.push_back(std::move(section));
+  };
   for (const auto& [name, sections_of_record] : sections_of) {
-    const auto experiment = std::ranges::find(experiments, name, &Experiment::name);
-    const auto record = std::ranges::find_if(records, experiment->is_in);
+    const auto is_in = std::ranges::find(experiments, name, &Experiment::name)->is_in;
+    const auto record = std::ranges::find_if(records, [&](const Record* r) { return is_in(*r); });
     if (record == records.end()) continue;
     const std::string title = sentence("experiments." + std::string(name));
     if (document.title.empty()) document.title = "desmo: " + title;
-    std::vector<Section> sections = sections_of_record(*record);
+    std::vector<Section> sections = sections_of_record(**record);
     move_figure_to_front(sections);
     sections.front().front = true;
-    for (Section& section : sections) {
-      section.chapter = title;
-      document.sections.push_back(std::move(section));
-    }
+    for (Section& section : sections) add(std::move(section), title);
   }
-  const auto add = [&document](Section section) {
-    section.chapter = sentence("about.chapter");
-    document.sections.push_back(std::move(section));
-  };
-  add(measured_how(records));
-  add(joint_limitations(records));
-  if (const auto with_paper = std::ranges::find_if(records, has_paper); with_paper != records.end())
-    if (const auto lines = failures(*with_paper); !lines.empty())
-      add({headed_section("failures").title, lines, {}});
+  for (const Record* record : records)
+    if (Section section = machines(*record, beside); !section.tables.empty()) {
+      for (Table& table : section.tables) table.detail = true;
+      add(std::move(section), sentence("machines_section.chapter"));
+    }
+  const std::string about = sentence("about.chapter");
+  add(measured_how(records), about);
+  add(joint_limitations(records), about);
+  for (const Record* record : records)
+    if (const auto lines = failures(*record); !lines.empty())
+      add({headed_section("failures").title, lines, {}}, about);
   return document;
 }
 
-Document make_report(const Record& record) { return make_report(std::vector<Record>{record}); }
+Document make_report(const Record& record) { return make_report({&record}); }
 
 }  // namespace desmo::report

@@ -1,13 +1,11 @@
 #include "report/site.h"
 
 #include <algorithm>
-#include <map>
 
 #include "report/figures/figures.h"
 #include "report/formats/formats.h"
 #include "report/read/record_file.h"
 #include "report/report.h"
-#include "report/statistics/comparability.h"
 #include "report/tables/tables.h"
 #include "report/text/texts.h"
 
@@ -47,42 +45,15 @@ struct Site {
   std::vector<IndexRow> rows;
 };
 
-std::size_t rows_in(const Document& document) {
-  std::size_t rows = 0;
-  for (const Section& section : document.sections)
-    for (const Table& table : section.tables) rows += table.rows.size();
-  return rows;
-}
-
-/// Adds for every experiment of two machines the comparison that has most in common.
-void add_machines(Site& site, const std::vector<NamedRecord>& records) {
-  std::map<std::string, std::pair<IndexRow, Document>> best;  // by machines and experiment
-  for (const auto& [first, a] : records)
-    for (const auto& [second, b] : records) {
-      if (a.machine.cpu >= b.machine.cpu || !different_work_reason(a, b).empty()) continue;
-      const Document document = make_comparison(a, b);
-      for (const Experiment& experiment : experiments) {
-        if (!experiment.is_in(a) || !experiment.is_in(b)) continue;
-        auto& page = best[a.machine.cpu + b.machine.cpu + experiment.name];
-        if (rows_in(document) > rows_in(page.second))
-          page = {{first + "-and-" + second, a.machine.cpu + "; " + b.machine.cpu,
-                   std::max(a.date, b.date).substr(0, 10)},
-                  document};
-      }
-    }
-  for (const auto& [key, page] : best)
-    if (!std::ranges::count(site.pages, page.first.name, &SitePage::folder))
-      site.add(page.first, page.second);
-}
-
 }  // namespace
 
 std::vector<SitePage> make_site(const fs::path& results) {
   Site site;
   const std::vector<NamedRecord> records = read_records(results / "records");
+  std::vector<const Record*> all;
+  for (const NamedRecord& named : records) all.push_back(&named.record);
   for (const auto& [name, record] : records)
-    site.add({name, record.machine.cpu, record.date.substr(0, 10)}, make_report(record));
-  add_machines(site, records);
+    site.add({name, record.machine.cpu, record.date.substr(0, 10)}, make_report({&record}, all));
   if (const fs::path file = results / "history.json"; fs::exists(file)) {
     const History history = read_history(file);
     site.add(
