@@ -1,10 +1,12 @@
 #include <algorithm>
+#include <set>
 
 #include "report/report.h"
 #include "report/statistics/comparability.h"
 #include "report/statistics/measurements.h"
 #include "report/tables/entries.h"
 #include "report/tables/record_words.h"
+#include "report/tables/tables.h"
 #include "report/text/texts.h"
 
 namespace desmo::report {
@@ -66,9 +68,25 @@ std::optional<SpeedUp> speed_up_of(const TimedGroup& group, const CandidateKey& 
   return measured_speed_up(reference->second.time, timing.time).speed_up;
 }
 
+/// Keys of the points of accuracy that stand beside another machine's: of thousands those in front
+/// of a figure, and those with the paper's settings.
+std::set<CandidateKey> points_in_front(const Record& record) {
+  std::set<CandidateKey> keys;
+  for (const std::string& name : drawn_cases(record)) {
+    const Table drawn = work_precision(record, name);
+    const auto column = std::ranges::find(drawn.columns, "Pareto", &Column::name);
+    for (const auto& row : drawn.rows)
+      if (const std::string& id = row.front().shown;
+          !has_settings(id) || !row[column - drawn.columns.begin()].shown.empty())
+        keys.insert(key_of({*main_series(record, name), id}));
+  }
+  return keys;
+}
+
 /// Returns a table for every group in which both have speed-ups.
 std::vector<Table> speed_ups_of_both(const Record& first, const Record& second) {
   std::vector<Table> tables;
+  const std::set<CandidateKey> in_front = points_in_front(first);
   const std::vector<TimedGroup> a = timed_groups(first), b = timed_groups(second);
   for (std::size_t i = 0; i < a.size(); ++i) {
     Table table =
@@ -80,6 +98,8 @@ std::vector<Table> speed_ups_of_both(const Record& first, const Record& second) 
                                   {"second_date", second.date.substr(0, 10)}});
     add_rows(table, a[i].timings, b[i].timings,
              [&](const CandidateKey& key, const Timing& one, const Timing& other) {
+               if (key.id.find("/step:") != key.id.npos && !in_front.contains(key))
+                 return std::vector<Entry>();
                const auto x = speed_up_of(a[i], key, one), y = speed_up_of(b[i], key, other);
                return x && y ? std::vector{ratio_entry(*x), ratio_entry(*y)} : std::vector<Entry>();
              });

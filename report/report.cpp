@@ -1,9 +1,10 @@
 #include "report/report.h"
 
 #include <algorithm>
-#include <functional>
 #include <iterator>
+#include <map>
 
+#include "report/statistics/paper.h"
 #include "report/tables/tables.h"
 #include "report/text/texts.h"
 
@@ -60,6 +61,19 @@ Section measured_how(const std::vector<const Record*>& records) {
   return section;
 }
 
+/// Leaves of a long table of speed-ups the paper's largest size of each case, or the largest.
+Table on_page(Table table) {
+  constexpr std::size_t max_rows = 200;
+  table.detail = true;
+  if (table.rows.size() <= max_rows) return table;
+  const std::string published = std::to_string(published_sizes().back());
+  std::map<std::string, std::string> kept;  // by case; rows are in the order of sizes
+  for (const auto& row : table.rows)
+    if (std::string& size = kept[row[0].shown]; size != published) size = row[1].shown;
+  std::erase_if(table.rows, [&](const auto& row) { return kept[row[0].shown] != row[1].shown; });
+  return table;
+}
+
 /// What several records say alike is said once.
 Section joint_limitations(const std::vector<const Record*>& records) {
   Section section = limitations(*records.front());
@@ -92,7 +106,7 @@ Document make_report(const std::vector<const Record*>& records,
   }
   for (const Record* record : records)
     if (Section section = machines(*record, beside); !section.tables.empty()) {
-      for (Table& table : section.tables) table.detail = true;
+      for (Table& table : section.tables) table = on_page(std::move(table));
       add(std::move(section), sentence("machines_section.chapter"));
     }
   const std::string about = sentence("about.chapter");

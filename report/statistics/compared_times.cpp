@@ -18,18 +18,22 @@ std::map<CandidateKey, Timing> timings_of(const std::map<CandidateKey, TimedSize
   return all;
 }
 
-/// The motion is a part of what names a point.
 std::map<CandidateKey, Timing> timings_of(const std::map<PointKey, Point>& points) {
   std::map<CandidateKey, Timing> all;
   for (const auto& [key, point] : points)
-    all[{key.series.case_name, key.series.coordinates,
-         key.id + "/step:" + write_shortest(key.series.step_seconds) +
-             "/instants:" + std::to_string(key.series.instants)}] =
+    all[key_of(key)] =
         timing_of_steps(point.status == Point::Status::ok, point.message, point.seconds_per_step);
   return all;
 }
 
 }  // namespace
+
+CandidateKey key_of(const PointKey& point) {
+  const auto& [series, id] = point;
+  return {series.case_name, series.coordinates,
+          id + "/step:" + write_shortest(series.step_seconds) +
+              "/instants:" + std::to_string(series.instants)};
+}
 
 std::vector<TimedGroup> timed_groups(const Record& record) {
   return {{"comparison", "CPU seconds", timings(record, Clock::cpu)},
