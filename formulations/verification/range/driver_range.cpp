@@ -5,10 +5,12 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "formulations/scaling/scales.h"
 #include "formulations/verification/assessment/scaled_system.h"
 #include "formulations/verification/monitor/branch_monitor.h"
+#include "formulations/verification/range/double_roots.h"
 #include "formulations/verification/range/singular_points.h"
 #include "formulations/verification/range/solution_curve.h"
 
@@ -44,6 +46,7 @@ class Way {
         curve_(curve),
         system_(m),
         monitor_(m, {}, 1e-12),
+        double_roots_(curve, system_),
         driver_(m.drivers[driver].coordinate),
         start_(start),
         direction_(direction) {}
@@ -59,6 +62,7 @@ class Way {
  private:
   RangeEnd go_from(Point point);
   Signs signs(const Point& point);
+  void look_for_double_root(const Point& next, double length);
   std::vector<int> changed_blocks(const Signs& before, const Signs& after) const;
   double forward(const Point& p) const { return direction_ * p.speed(); }
   bool is_violated(const Point& point);
@@ -71,6 +75,7 @@ class Way {
   SolutionCurve& curve_;
   ScaledSystem system_;
   BranchMonitor monitor_;
+  DoubleRootSearch double_roots_;
   EntityId driver_;
   const Point& start_;
   double direction_;
@@ -144,10 +149,26 @@ std::optional<RangeEnd> Way::after_turns(const Point& from, const Point& to) {
   return {};
 }
 
+/// Looks for a double root around the last point. What lies before the start is of the way in the
+/// other direction.
+void Way::look_for_double_root(const Point& next, double length) {
+  if (const std::optional<DoubleRoot> root = double_roots_.add(next, length))
+    if (direction_ * (root->value - curve_.value(start_)) > -same * curve_.scale() &&
+        (change_points_.empty() ||
+         std::abs(change_points_.back().value - root->value) > same * curve_.scale()))
+      change_points_.push_back({root->value, root->group, true});
+}
+
 RangeEnd Way::go_from(Point point) {
   is_violated(start_);  // the declared position; angles are followed from it
   double length = max_step / 8;
+  double_roots_.restart();
   Signs before = signs(point);
+  const std::optional<Point> behind = curve_.step(point, -length);
+  if (!before.empty() && behind && behind->sign == point.sign && signs(*behind) == before)
+    look_for_double_root(*behind, length);
+  if (before = signs(point); !before.empty()) look_for_double_root(point, length);
+  double since = 0;  // the last point that was looked at
   for (int step = 0; step < max_steps; ++step) {
     const auto again = [&] { return (length /= 2) > min_step; };
     std::optional<Point> next = curve_.step(point, length);
@@ -168,7 +189,8 @@ RangeEnd Way::go_from(Point point) {
     if (turns_twice(point, *next, length) && again()) continue;
     const Signs after = signs(*next);
     const std::vector<int> changed = changed_blocks(before, after);
-    if (next->sign != point.sign || !changed.empty()) {
+    const bool crosses = next->sign != point.sign || !changed.empty();
+    if (crosses) {
       if (length > crossing_step) {
         length /= 2;
         continue;
@@ -178,16 +200,22 @@ RangeEnd Way::go_from(Point point) {
         return {.stop = RangeStop::zero_length};
       change_points_.push_back(
           {value, changed.empty() ? -1 : system_.group_of_block(changed.front())});
-      length = max_step / 64;
     }
     if (is_violated(*next)) {
       if (again()) continue;
       return end(RangeStop::other_branch, point);
     }
-    if (std::optional<RangeEnd> turned = after_turns(point, *next)) return *std::move(turned);
+    since += length;
+    if (crosses) double_roots_.restart();
+    if (!after.empty() && !crosses) look_for_double_root(*next, std::exchange(since, 0));
+    if (std::optional<RangeEnd> turned = after_turns(point, *next)) {
+      if (const std::optional<Point> p = curve_.step(*next, length); p && signs(*p) == after)
+        look_for_double_root(*p, length);
+      return *std::move(turned);
+    }
     if (!after.empty()) before = after;
     point = *std::move(next);
-    length = std::min(max_step, 1.5 * length);
+    length = crosses ? max_step / 64 : std::min(max_step, 1.5 * length);
   }
   return end(RangeStop::not_reached, point);
 }
@@ -240,6 +268,16 @@ DriverRange find_range(const Model& m, std::span<const double> q, int driver) {
     range.change_points.insert(range.change_points.end(), way->change_points().begin(),
                                way->change_points().end());
   std::ranges::sort(range.change_points, {}, &ChangePoint::value);
+  // A double root next to an end of a turn is found at both.
+  const auto is_double = [&](const ChangePoint& c, double value) {
+    return c.is_double && std::abs(c.value - value) < same * curve.scale();
+  };
+  const auto [rest, last] = std::ranges::unique(
+      range.change_points,
+      [&](const ChangePoint& a, const ChangePoint& b) { return is_double(b, a.value); });
+  range.change_points.erase(rest, last);
+  std::erase_if(range.change_points,
+                [&](const ChangePoint& c) { return c.is_double && c.value > range.up.value; });
   return range;
 }
 
