@@ -57,7 +57,8 @@ TEST(DoubleRoots, OfAParallelogramWhoseCrankTurnsBackInLine) {
     const ChangePoint& c = r.change_points[0];
     EXPECT_TRUE(c.is_double);
     EXPECT_NEAR(c.value, bars.in_line() + (start < bars.in_line() ? 0 : 2 * pi), 1e-9);
-    EXPECT_EQ(m.groups[c.group].bodies, (std::vector<std::string>{"dyad2/coupler", "dyad2/rocker"}));
+    EXPECT_EQ(m.groups[c.group].bodies,
+              (std::vector<std::string>{"dyad2/coupler", "dyad2/rocker"}));
   }
 }
 
@@ -93,8 +94,7 @@ struct Trammel {
               u = builder.vector("u", {x / length, y / length, 0});
     builder.carry(MechanismBuilder::ground, {o, foot}, {along_x, along_y});
     const int bar = builder.body("bar", {end_a, end_b, p}),
-              cylinder = builder.body("cylinder", {foot}, {u}),
-              rod = builder.body("rod", {p}, {u});
+              cylinder = builder.body("cylinder", {foot}, {u}), rod = builder.body("rod", {p}, {u});
     builder.joint(JointType::revolute_on_slider, 0, bar, {o, end_a}, {along_x});
     builder.joint(JointType::revolute_on_slider, 0, bar, {o, end_b}, {along_y});
     builder.joint(JointType::revolute, 0, cylinder, {foot});
@@ -148,8 +148,7 @@ TEST(DoubleRoots, AreNotTheCrossingsOfEqualCrankAndRod) {
   Mechanism::Coordinate& angle = builder.coordinate("theta", Mechanism::CoordinateType::angle);
   angle.of = {-1, o, b};
   angle.driven = true;
-  const DriverRange r =
-      range_of(model_mechanism(builder.take(), {Polynomial{{start}}}).model);
+  const DriverRange r = range_of(model_mechanism(builder.take(), {Polynomial{{start}}}).model);
   ASSERT_EQ(r.change_points.size(), 2u);
   EXPECT_NEAR(r.change_points[0].value, pi / 2, 1e-9);
   EXPECT_NEAR(r.change_points[1].value, 3 * pi / 2, 1e-9);
