@@ -78,7 +78,7 @@ std::set<CandidateKey> points_in_front(const Record& record) {
     for (const auto& row : drawn.rows)
       if (const std::string& id = row.front().shown;
           !has_settings(id) || !row[column - drawn.columns.begin()].shown.empty())
-        keys.insert(key_of({*main_series(record, name), id}));
+        keys.insert(timing_key({*main_series(record, name), id}));
   }
   return keys;
 }

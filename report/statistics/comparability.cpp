@@ -25,14 +25,14 @@ std::map<CandidateKey, Timing> timings_of(const std::map<CandidateKey, TimedSize
 std::map<CandidateKey, Timing> timings_of(const std::map<PointKey, Point>& points) {
   std::map<CandidateKey, Timing> all;
   for (const auto& [key, point] : points)
-    all[key_of(key)] =
+    all[timing_key(key)] =
         timing_of_steps(point.status == Point::Status::ok, point.message, point.seconds_per_step);
   return all;
 }
 
 }  // namespace
 
-CandidateKey key_of(const PointKey& point) {
+CandidateKey timing_key(const PointKey& point) {
   const auto& [series, id] = point;
   return {series.case_name, series.coordinates,
           id + "/step:" + write_shortest(series.step_seconds) +

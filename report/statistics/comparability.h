@@ -39,7 +39,7 @@ struct TimedGroup {
 };
 
 /// Returns the key of a point of accuracy among times: the motion is a part of its id.
-CandidateKey key_of(const PointKey& point);
+CandidateKey timing_key(const PointKey& point);
 
 /// Returns every group that a record may have, in the order of tables; empty ones too.
 std::vector<TimedGroup> timed_groups(const Record& record);

@@ -108,7 +108,7 @@ class SpatialPicture {
         this.dots.mesh.setMatrixAt(p, matrix);
       });
     });
-    addAxes(this, cylinder);
+    addAxes(this, cylinder.clone());  // a shape of two meshes would be bound anew in every frame
     addPlates(this);
     addGround(this);
     addDrivers(this);
