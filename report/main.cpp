@@ -40,11 +40,6 @@ struct TablesCommand {
   bool all = false;
 };
 
-class UsageError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
 /// Keeps only the tables of these names, without the sections' paragraphs.
 Document with_tables(Document document, const std::vector<std::string>& names) {
   std::vector<std::string> missing = names;
@@ -56,7 +51,8 @@ Document with_tables(Document document, const std::vector<std::string>& names) {
     });
     for (Table& table : section.tables) table.detail = false;
   }
-  if (!missing.empty()) throw UsageError("no table " + missing.front() + " in this report");
+  if (!missing.empty())
+    throw std::invalid_argument("no table " + missing.front() + " in this report");
   std::erase_if(document.sections, [](const Section& section) { return section.tables.empty(); });
   return document;
 }
@@ -207,7 +203,7 @@ int main(int argc, char** argv) {
     if (certificate_app->parsed()) return run(certificate);
     if (site_app->parsed()) return site(filed);
     return compare_app->parsed() ? compare(comparison) : tables(command);
-  } catch (const UsageError& error) {
+  } catch (const std::invalid_argument& error) {
     return failed(error, usage_error);
   } catch (const MixedRecord& error) {
     return failed(error, incomparable);

@@ -104,11 +104,12 @@ Document make_report(const std::vector<const Record*>& records,
     sections.front().front = true;
     for (Section& section : sections) add(std::move(section), title);
   }
+  Section others = headed_section("machines_section");
   for (const Record* record : records)
-    if (Section section = machines(*record, beside); !section.tables.empty()) {
-      for (Table& table : section.tables) table = on_page(std::move(table));
-      add(std::move(section), sentence("machines_section.chapter"));
-    }
+    for (Section found = machines(*record, beside); Table & table : found.tables)
+      others.tables.push_back(on_page(std::move(table)));
+  if (others.tables.empty()) others.paragraphs = {sentence("machines_section.none")};
+  if (!beside.empty()) add(std::move(others), sentence("machines_section.chapter"));
   const std::string about = sentence("about.chapter");
   add(measured_how(records), about);
   add(joint_limitations(records), about);

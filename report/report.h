@@ -12,7 +12,8 @@ namespace desmo::report {
 /// Returns a page of several records, at least one, each section from the first that has what it
 /// needs, and how they were measured. Their times may stand on one page
 /// (statistics/comparability.h). beside: records of which speed-ups stand next to these, where they
-/// are of another machine and of the same work. The same records give the same document.
+/// are of another machine and of the same work; a section says where there is none. The same
+/// records give the same document.
 Document make_report(const std::vector<const Record*>& records,
                      const std::vector<const Record*>& beside = {});
 Document make_report(const Record& record);
